@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The sub-rays and the probe rays of a beam.
+// The sub-rays of a beam.
 
 #ifndef heliosBeamPreparation_h
 #define heliosBeamPreparation_h
@@ -17,7 +17,7 @@ struct ScanModel;
 /// Sets a model's beam to the sub-rays of its sampler; without a divergence to one ideal ray.
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
 
-/// Sets a model's beam to the sub-rays of its plan, and its probe rays. Its receiver and plan must
+/// Sets a model's beam to the visible parts and the sub-rays of its plan. Its receiver and plan must
 /// be set. The divergence must be positive.
 void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
 

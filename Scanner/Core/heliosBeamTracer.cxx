@@ -17,12 +17,7 @@ namespace helios
 namespace
 {
 
-/// Some sub-rays, or those of a finer step.
-const std::vector<SubRay>& GetFiner(const std::vector<SubRay>& coarse,
-  const std::vector<std::unique_ptr<LazySubRays>>& finer, int step)
-{
-  return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)]->Get();
-}
+constexpr double SpreadOfRing = 2.5; // of ranges on one surface, in sigma_R: no gaps show
 
 /// Aims sub-rays along a pulse: their directions and offsets, rotated by the beam's rotation.
 HELIOS_CLONES
@@ -62,7 +57,8 @@ BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
   : Model(model)
   , Response(response)
   , SigmaRange(0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma())
-  , Surfaces(model.Footprints)
+  , Surfaces(model.Footprints,
+      [&model](vtkIdType a, vtkIdType b) { return model.Surfaces.AreAlike(a, b); })
 {
 }
 
@@ -97,8 +93,7 @@ bool BeamTracer::FindFootprint(const Pulse& pulse, ScanCounts& counts)
 //------------------------------------------------------------------------------
 void BeamTracer::Cast(const std::vector<Pulse>& pulses, ScanCounts& counts)
 {
-  const auto& subRays = this->Model.Path.IsAdaptive() ? this->Model.Probes : this->Model.SubRays;
-  this->Cast(subRays, pulses.data(), pulses.size(), this->First, counts);
+  this->Cast(this->Model.SubRays, pulses.data(), pulses.size(), this->First, counts);
 }
 
 //------------------------------------------------------------------------------
@@ -172,38 +167,36 @@ void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts)
+void BeamTracer::SampleCrowd(const Pulse& pulse, ScanCounts& counts)
 {
-  this->Select(slot);
-  const ScanModel& m = this->Model;
-  const ProbeSummary summary = this->GetProbeSummary();
-  const double spread = summary.Spread;
-  const int step = this->GetStep(spread);
-  if (step == 0 && m.Plan.Probes == ProbeRays::All)
+  this->CastMore(this->Model.SmoothSubRays->Get(), pulse, counts);
+  if (!this->IsSmooth())
   {
-    return; // sufficient for an edge
-  }
-  if (this->DetectEdge(summary))
-  {
-    this->CastMore(GetFiner(m.SubRays, m.FinerSubRays, step), pulse, counts);
-  }
-  else if (spread > m.Plan.LargestSpread)
-  {
-    this->CastMore(GetFiner(m.Rings, m.FinerRings, step), pulse, counts);
+    this->CastMore(this->Model.EdgeSubRays->Get(), pulse, counts);
   }
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::DetectEdge(const ProbeSummary& summary)
+/// Whether all sub-rays hit one surface whose ranges spread little between neighbours.
+bool BeamTracer::IsSmooth()
 {
-  const auto& pairs = this->Model.ProbePairs;
-  const vtkHeliosHit* hits = this->Hits;
-  return std::any_of(pairs.begin(), pairs.end(),
-    [&](const auto& pair)
+  const std::size_t count = this->SubRays->size();
+  const double rings = 0.5 * std::sqrt(static_cast<double>(count));
+  const auto nearest = [](const vtkHeliosHit& a, const vtkHeliosHit& b)
+  { return a.Range < b.Range; };
+  const auto [least, most] = std::minmax_element(this->Hits, this->Hits + count, nearest);
+  if (most->Range - least->Range > SpreadOfRing * rings * this->SigmaRange)
+  {
+    return false;
+  }
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    if (this->IsSilent(this->Hits[i]) || this->IsEdgeBetween(0, i))
     {
-      const bool isOneCell = hits[pair.first].CellId == hits[pair.second].CellId;
-      return !(isOneCell && !summary.IsCut) && this->IsEdgeBetween(pair.first, pair.second);
-    });
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -235,46 +228,6 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
   const double slope = normal.Dot(Vec3(rayB.Direction));
   return !(std::abs(toPlane - slope * hitB.Range) <=
     std::abs(slope) * this->Model.Plan.GetEdgeTolerance());
-}
-
-//------------------------------------------------------------------------------
-BeamTracer::ProbeSummary BeamTracer::GetProbeSummary() const
-{
-  double nearest = VTK_DOUBLE_MAX;
-  double farthest = -VTK_DOUBLE_MAX;
-  for (std::size_t i = 0; i < this->SubRays->size(); ++i)
-  {
-    const vtkHeliosHit& hit = this->Hits[i];
-    if (hit.CellId >= 0)
-    {
-      nearest = std::min(nearest, hit.Range);
-      farthest = std::max(farthest, hit.Range);
-    }
-  }
-  const RangeGate& gate = this->Model.Gate;
-  const bool isCut = nearest < gate.Least || farthest > gate.Most;
-  return { (farthest - nearest) / this->SigmaRange, isCut };
-}
-
-//------------------------------------------------------------------------------
-/// The refinement of the sub-rays that the steepest surface needs; edges do not count.
-int BeamTracer::GetStep(double spread)
-{
-  if (this->Model.Plan.GetStep(spread) == 0)
-  {
-    return 0;
-  }
-  double slope = 0.0; // of the range, per angle
-  for (const auto& [a, b] : this->Model.ProbePairs)
-  {
-    if (!this->IsSilent(this->Hits[a]) && !this->IsEdgeBetween(a, b))
-    {
-      const double angle = (Vec3(this->Rays[a].Direction) - Vec3(this->Rays[b].Direction)).Norm();
-      slope = std::max(slope, std::abs(this->Hits[a].Range - this->Hits[b].Range) / angle);
-    }
-  }
-  return this->Model.Plan.GetStep(
-    std::min(spread, 2.0 * this->Model.ConeTangent * slope / this->SigmaRange));
 }
 
 //------------------------------------------------------------------------------

@@ -30,22 +30,19 @@ class BeamTracer
 public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Casts the first sub-rays of each of some pulses: all of fixed sampling, or the probe rays.
+  /// Casts all sub-rays of each of some pulses.
   void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
 
   /// Divides the visible surfaces in the beam of a pulse into parts, and accepts these as its
   /// sub-rays; false if they are too many.
   bool FindFootprint(const Pulse& pulse, ScanCounts& counts);
 
-  /// Casts all sub-rays of a pulse among leaves, which probe rays do not detect.
+  /// Casts all sub-rays of a pulse among leaves.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
 
-  /**
-   * Accepts the sub-rays cast last for a pulse, and casts more for adaptive sampling: if adjacent
-   * sub-rays hit one surface, they suffice. Otherwise an edge is sampled on a spiral, or a steep
-   * surface in rings; more, where gaps between the sub-rays would show.
-   */
-  void Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts);
+  /// Casts sub-rays for a pulse with too many triangles for visible areas: some hundred, and
+  /// thousands unless all of those hit one surface.
+  void SampleCrowd(const Pulse& pulse, ScanCounts& counts);
 
   /// Accepts the sub-rays cast last for a pulse as they are.
   void Select(std::size_t slot);
@@ -67,16 +64,8 @@ private:
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Select(const RayBatch& batch, std::size_t slot);
 
-  /// The result of probe rays.
-  struct ProbeSummary
-  {
-    double Spread; ///< of their ranges, in sigma_R
-    bool IsCut;    ///< by the range gate
-  };
-  ProbeSummary GetProbeSummary() const;
-  bool DetectEdge(const ProbeSummary& summary);
+  bool IsSmooth();
   bool IsEdgeBetween(std::size_t a, std::size_t b);
-  int GetStep(double spread);
   bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.Gate.IsSilent(hit); }
 
   const ScanModel& Model;

@@ -43,11 +43,10 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
   {
     this->AimPulses(begin, std::min(last, begin + PulsesPerGroup));
     const bool isAdaptive = this->Model.Path.IsAdaptive();
-    if (isAdaptive)
+    if (!isAdaptive)
     {
-      this->ProbeCones();
+      this->Tracer.Cast(this->Pulses, this->Counts);
     }
-    this->Tracer.Cast(isAdaptive ? this->Mixed : this->Pulses, this->Counts);
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
@@ -103,24 +102,6 @@ void PulseKernel::RunFixed(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-/// Probes the cones; without visible areas, finds the beams that need probe rays.
-void PulseKernel::ProbeCones()
-{
-  this->Cones.clear();
-  this->Mixed.clear();
-  this->NumberOfMixed = 0;
-  for (const Pulse& pulse : this->Pulses)
-  {
-    this->Cones.push_back(this->ProbeCone(pulse));
-    const Cone& cone = this->Cones.back();
-    if (cone.Hit.Kind == vtkHeliosConeHit::Mixed && !cone.MeetsMedium && !this->Model.Cones)
-    {
-      this->Mixed.push_back(pulse);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
   Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse) };
@@ -140,7 +121,7 @@ PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const Cone& cone = this->Cones[slot];
+  const Cone cone = this->ProbeCone(pulse);
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
   {
     this->RunOnPlane(pulse, cone.Hit);
@@ -150,17 +131,10 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   {
     this->Tracer.CastAll(pulse, this->Counts);
   }
-  else if (!this->Model.Cones)
+  else if (!this->Model.Cones || !this->Tracer.FindFootprint(pulse, this->Counts))
   {
     ++this->Counts.PulsesSampled;
-    this->Tracer.Refine(this->NumberOfMixed++, pulse, this->Counts);
-  }
-  else if (!this->Tracer.FindFootprint(pulse, this->Counts))
-  {
-    ++this->Counts.PulsesSampled;
-    this->Mixed.assign(1, pulse);
-    this->Tracer.Cast(this->Mixed, this->Counts);
-    this->Tracer.Refine(0, pulse, this->Counts);
+    this->Tracer.SampleCrowd(pulse, this->Counts);
   }
   this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();

@@ -45,7 +45,6 @@ private:
 
   void AimPulses(vtkIdType first, vtkIdType last);
   void CountFaults(const Pulse& pulse, vtkIdType index);
-  void ProbeCones();
   Cone ProbeCone(const Pulse& pulse);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit);
@@ -76,9 +75,6 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
-  std::vector<Cone> Cones;       // for adaptive sampling
-  std::vector<Pulse> Mixed;      // of those without turbid medium
-  std::size_t NumberOfMixed = 0; // of these, the ones before the current pulse
 
   // Of the current pulse.
   vtkIdType PulseId = 0;

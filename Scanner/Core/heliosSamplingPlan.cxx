@@ -15,12 +15,10 @@ namespace
 {
 
 constexpr double BinRangeLaw = 0.02;
-constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
-constexpr int FewestSubRays = 16;
+constexpr int FewestSubRays = 64; // never worse than the 19 of fixed sampling
 constexpr int MostSubRays = 4096;
-constexpr int FinestRings = 36; // minimum on the steepest surfaces
-constexpr int FewProbes = 21;
-constexpr int ManyProbes = 72;
+constexpr int SmoothSubRays = 256;
+constexpr int EdgeSubRays = 4096;
 
 /// The number for which the energy error of an edge is at most a fraction.
 int GetNumberOfSubRays(double share)
@@ -29,16 +27,6 @@ int GetNumberOfSubRays(double share)
   const double full =
     4.0 * std::ceil(0.25 * std::min(count, 1.0 * MostSubRays)); // 4-fold symmetric
   return std::max(FewestSubRays, static_cast<int>(full));
-}
-
-ProbeRays ChooseProbes(double energyTolerance, int numberOfSubRays)
-{
-  const bool isFine = energyTolerance < 0.002;
-  if (numberOfSubRays <= (isFine ? ManyProbes : FewProbes))
-  {
-    return ProbeRays::All;
-  }
-  return isFine ? ProbeRays::Many : ProbeRays::Few;
 }
 
 } // namespace
@@ -53,8 +41,8 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   // Less than half of the amplitude tolerance, because small fractions have larger relative errors.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
-  plan.Probes = ChooseProbes(energyTolerance, plan.NumberOfSubRays);
-  plan.Rings = static_cast<int>(std::lround(0.5 * std::sqrt(plan.NumberOfSubRays)));
+  plan.SmoothSubRays = std::max(SmoothSubRays, plan.NumberOfSubRays);
+  plan.EdgeSubRays = std::max(EdgeSubRays, 4 * plan.NumberOfSubRays);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
   // Two returns have the mean and variance of a part. What is left: with its fourth moment the
@@ -62,56 +50,18 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   // 1.2 the gaps between parts would show.
   plan.LargestDepth = std::min({ 1.2, std::pow(energyTolerance / (4 * 0.0007), 0.25),
     std::cbrt(rangeTolerance / (4 * 0.0037 * sigmaRange)) });
-  plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
-  while (plan.Rings << plan.FinerSteps < FinestRings)
-  {
-    ++plan.FinerSteps;
-  }
   return plan;
-}
-
-int SamplingPlan::GetNumberOfProbes() const
-{
-  switch (this->Probes)
-  {
-    case ProbeRays::Few:
-      return FewProbes;
-    case ProbeRays::Many:
-      return ManyProbes;
-    default:
-      return this->NumberOfSubRays;
-  }
-}
-
-int SamplingPlan::GetStep(double spread) const
-{
-  int step = 0;
-  for (double rings = this->Rings; step < this->FinerSteps && spread > SpreadOfRing * rings; ++step)
-  {
-    rings *= 2.0;
-  }
-  return step;
 }
 
 std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
   text << "adaptive, visible areas of surfaces; in beams of more than " << Footprint::MostTriangles
-       << " triangles ";
-  if (this->Probes != ProbeRays::All)
-  {
-    text << this->GetNumberOfProbes() << " sub-rays on one surface, " << this->NumberOfSubRays
-         << " more at edges";
-  }
-  else
-  {
-    text << this->NumberOfSubRays << " sub-rays";
-  }
-  text << " (up to " << (1 << 2 * this->FinerSteps)
-       << " times as many on steep surfaces), none for planar footprints; waveform bin "
-       << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
+       << " triangles " << this->SmoothSubRays << " sub-rays on one surface, " << this->EdgeSubRays
+       << " more at edges; none for planar footprints; waveform bin " << this->DetectionBin
+       << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }
 

@@ -24,7 +24,7 @@ struct ScanCounts
   vtkIdType PulsesFired = 0;
   vtkIdType PulsesHit = 0;         ///< with a surface in the range gate
   vtkIdType PulsesOnPlane = 0;     ///< with a planar footprint: in closed form
-  vtkIdType PulsesSampled = 0;     ///< adaptive, by probe rays: too many triangles in the beam
+  vtkIdType PulsesSampled = 0;     ///< adaptive, by sub-rays: too many triangles in the beam
   vtkIdType PulsesWithoutBins = 0; ///< whose maxima were found by Newton's method
   vtkIdType PulsesBinned = 0;
   vtkIdType SubRays = 0;         ///< traced, or returns of visible parts

@@ -15,6 +15,7 @@
 #include "heliosScanPath.h"
 #include "heliosSceneSurfaces.h"
 #include "heliosSubRays.h"
+#include "heliosTriangleMesh.h"
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -68,15 +69,11 @@ struct ScanModel
   ReceiverSettings Receiver;
 
   ScanPath Path;
-  std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, of a beam with edges
+  std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, among leaves
   bool HasOffsets = false;
-  SamplingPlan Plan;         // of adaptive sampling
-  std::vector<SubRay> Rings; // for adaptive sampling, of one steep surface
-  /// Of beams along steep surfaces: step k has 4^k times as many sub-rays as these two.
-  std::vector<std::unique_ptr<LazySubRays>> FinerSubRays, FinerRings;
-  std::vector<SubRay> Probes;                                  // cast first for adaptive sampling
-  std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
-  FootprintSettings Footprints;                                // of adaptive sampling
+  SamplingPlan Plan;                                       // of adaptive sampling
+  std::unique_ptr<LazySubRays> SmoothSubRays, EdgeSubRays; // of it: of beams not divided into parts
+  FootprintSettings Footprints;                            // of adaptive sampling
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
@@ -96,13 +93,30 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
+  /// Whether two surfaces of one plane return the same energy along an axis, but for half the
+  /// tolerance.
+  bool AreAlike(vtkIdType a, vtkIdType b, const Vec3& axis) const
+  {
+    const double first = this->GetBackscatter(a, axis);
+    const double second = this->GetBackscatter(b, axis);
+    return std::abs(first - second) <= 0.5 * this->Plan.EnergyTolerance * std::max(first, second);
+  }
+  double GetBackscatter(vtkIdType cell, const Vec3& axis) const
+  {
+    Vec3 normal = this->Caster->GetMesh().GetNormal(cell);
+    this->Surfaces.GetNormal(cell, normal);
+    return helios::GetBackscatter(
+      this->Surfaces.GetReflection(this->Surfaces.GetMaterialId(cell)), std::abs(normal.Dot(axis)));
+  }
+
   /// Probes all of a pulse's beam; the range is from the pulse's origin.
   vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
   {
     const Vec3 axis = pulse.GetDirection();
     const Vec3 apex = pulse.Origin - this->Setback * axis;
-    vtkHeliosConeHit hit = this->Cones->Probe(
-      apex.GetData(), axis.GetData(), this->ConeTangent, 2.0 * this->Plan.RangeTolerance);
+    vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,
+      { 2.0 * this->Plan.RangeTolerance,
+        [this, &axis](vtkIdType a, vtkIdType b) { return this->AreAlike(a, b, axis); } });
     hit.Range -= this->Setback;
     return hit;
   }

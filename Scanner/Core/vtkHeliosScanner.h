@@ -34,15 +34,12 @@
  * the float samples; GenerateWaveforms stores these, so the same detector finds
  * the same echoes in them. With TOLERANCE (adaptive sampling) a pulse takes the
  * cheapest method that is exact enough:
- * - its beam hits nothing, or has a planar footprint: no sub-ray; the echo of a
- *   plane has a closed form (not tested in scans where this is rare)
+ * - its beam hits nothing, or has a planar footprint of one response: no sub-ray;
+ *   the echo of a plane has a closed form (not tested in scans where this is rare)
  * - otherwise it is divided into the visible parts of the triangles in it; each
  *   is two returns, whose energy, mean range and its spread are exact
- * - with more than 500 triangles, it is sampled: a few probe rays, 21 unless
- *   tolerances are narrow, are its returns if they detect no edge; if they do,
- *   Vogel's spiral has as many sub-rays as an edge needs, 4 or 16 times as many
- *   (more with wide tolerances) along a steep surface; where the spiral has no
- *   more sub-rays than the probe, it is cast at once
+ * - with more than 500 triangles, it is sampled by Vogel's spiral: by some
+ *   hundred sub-rays, and by thousands unless all of those hit one surface
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *

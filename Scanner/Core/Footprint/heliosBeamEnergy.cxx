@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamEnergy.h"
 
 #include "heliosPolygon.h"
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double WideAngle = 1e-3; // [rad], from which angles and tangents differ by 1e-6
 constexpr double LongEdge = 4.5;   // in 1 / sqrt(a)
+constexpr double Small = 0.3;      // argument of the series of an exponential
 
 /// The nodes and weights of Gauss's rules on [-1, 1] (Abramowitz and Stegun, table 25.4), the
 /// positive nodes.
@@ -38,10 +41,42 @@ constexpr Rule Rules[] = {
       0.066671344308688 } },
 };
 
-/// 1 - exp(-x) to 1e-14, relative.
-double OneMinusExp(double x)
+/**
+ * (1 - exp(-x)) / x to 1e-8: a series for y = x / 2^n, which is doubled n times. With g at y,
+ * exp(-y) is 1 - y g, and g at 2 y is g (1 + exp(-y)) / 2.
+ */
+HELIOS_INLINE Doubles OneMinusExpOver(const Doubles& x, int doublings)
 {
-  return x < 0.01 ? -std::expm1(-x) : 1.0 - std::exp(-x);
+  Doubles y = x * std::ldexp(1.0, -doublings);
+  const Doubles square = y * y;
+  const Doubles low = 1.0 - 0.5 * y;
+  const Doubles middle = 1.0 / 6.0 - y * (1.0 / 24.0);
+  const Doubles high = 1.0 / 120.0 - y * (1.0 / 720.0) + square * (1.0 / 5040.0);
+  Doubles g = low + square * (middle + square * high);
+  for (int k = 0; k < doublings; ++k)
+  {
+    g = g * (1.0 - 0.5 * y * g);
+    y = y + y;
+  }
+  return g;
+}
+
+/// The squared angles of points of the cross-section by their squared radii, both 1 at the rim.
+Doubles GetStretch(const Doubles& squares, double tangent)
+{
+  Doubles stretch;
+  for (int lane = 0; lane < QuadWidth; ++lane)
+  {
+    const double r = std::max(std::sqrt(squares[lane]), 1e-9);
+    const double q = std::atan(r * tangent) / (r * std::atan(tangent));
+    stretch[lane] = q * q;
+  }
+  return stretch;
+}
+
+HELIOS_INLINE double Sum(const Doubles& x)
+{
+  return (x[0] + x[1]) + (x[2] + x[3]);
 }
 
 /// The azimuth between two points, seen from the axis.
@@ -57,14 +92,15 @@ BeamEnergy::BeamEnergy(double halfAngle, double truncation)
   , IsWide(halfAngle * truncation > WideAngle)
   , Exponent(2.0 * truncation * truncation)
   , Scale(-1.0 / std::expm1(-this->Exponent))
+  , Doublings(std::max(0, static_cast<int>(std::ceil(std::log2(this->Exponent / Small)))))
   , Rim(this->Exponent * this->Scale * std::exp(-this->Exponent))
 {
 }
 
 //------------------------------------------------------------------------------
-/// Adds the part of an edge inside the circle: from + t step for t in [first, last].
-void BeamEnergy::AddInside(
-  const double from[2], const double step[2], double first, double last, Sums& sums) const
+/// Adds the nodes of the part of an edge inside the circle: from + t step for t in [first, last].
+void BeamEnergy::AddInside(const double from[2], const double step[2], double first, double last,
+  Nodes& nodes, Sums& sums) const
 {
   const double half = 0.5 * (last - first);
   const double middle = 0.5 * (last + first);
@@ -72,8 +108,8 @@ void BeamEnergy::AddInside(
     2.0 * half * std::sqrt((step[0] * step[0] + step[1] * step[1]) * this->Exponent);
   if (length > LongEdge)
   {
-    this->AddInside(from, step, first, middle, sums);
-    this->AddInside(from, step, middle, last, sums);
+    this->AddInside(from, step, first, middle, nodes, sums);
+    this->AddInside(from, step, middle, last, nodes, sums);
     return;
   }
   const Rule* rule = Rules;
@@ -81,46 +117,65 @@ void BeamEnergy::AddInside(
   {
     ++rule;
   }
-  double energy = 0.0; // the sums of E / r^2, g, x g, y g
-  double g = 0.0;
-  double xg = 0.0;
-  double yg = 0.0;
+  if (nodes.Size + 2 * rule->Half > Nodes::Capacity)
+  {
+    this->AddNodes(nodes, sums);
+  }
+  const double cross = from[0] * step[1] - from[1] * step[0];
+  sums.Area += 2.0 * half * cross;
   for (int i = 0; i < 2 * rule->Half; ++i)
   {
     const int node = i / 2;
     const double t = middle + (i % 2 == 0 ? half : -half) * rule->Nodes[node];
-    const double x = from[0] + t * step[0];
-    const double y = from[1] + t * step[1];
-    const double square = std::max(x * x + y * y, 1e-18);
-    double q = square;
-    if (this->IsWide)
-    {
-      const double angle = std::atan(std::sqrt(square) * this->Tangent) / std::atan(this->Tangent);
-      q = angle * angle;
-    }
-    const double inside = OneMinusExp(this->Exponent * q);
-    const double atNode =
-      rule->Weights[node] * (this->Rim - this->Exponent * this->Scale * (1.0 - inside));
-    energy += rule->Weights[node] * this->Scale * inside / square;
-    g += atNode;
-    xg += x * atNode;
-    yg += y * atNode;
+    const double weight = half * rule->Weights[node];
+    const double place[2] = { from[0] + t * step[0], from[1] + t * step[1] };
+    nodes.Add(place, weight * cross, weight * step[1], -weight * step[0]); // n ds
   }
-  const double cross = from[0] * step[1] - from[1] * step[0];
-  sums.Energy += half * cross * energy;
-  sums.Area += 2.0 * half * cross;
-  // n ds = (step_y, -step_x) dt.
-  sums.X += half * step[1] * g;
-  sums.Y -= half * step[0] * g;
-  sums.XX += half * step[1] * xg;
-  sums.XY += half * step[1] * yg;
-  sums.YY -= half * step[0] * yg;
+}
+
+//------------------------------------------------------------------------------
+/// Evaluates the integrands at nodes, and removes these.
+HELIOS_CLONES
+void BeamEnergy::AddNodes(Nodes& nodes, Sums& sums) const
+{
+  const double origin[2] = { 0.0, 0.0 };
+  while (nodes.Size % QuadWidth != 0)
+  {
+    nodes.Add(origin, 0.0, 0.0, 0.0);
+  }
+  Doubles energy = {}, sumX = {}, sumY = {}, sumXX = {}, sumXY = {}, sumYY = {};
+  for (int i = 0; i < nodes.Size; i += QuadWidth)
+  {
+    const Doubles x = Load<Doubles>(nodes.X + i);
+    const Doubles y = Load<Doubles>(nodes.Y + i);
+    const Doubles square = x * x + y * y;
+    const Doubles stretch = this->IsWide ? GetStretch(square, this->Tangent) : 1.0 + Doubles();
+    const Doubles exponent = this->Exponent * stretch * square;
+    const Doubles inside = OneMinusExpOver(exponent, this->Doublings);
+    energy += Load<Doubles>(nodes.Turn + i) * stretch * inside; // of E / r^2, but for a factor
+    const Doubles g = this->Rim - this->Exponent * this->Scale * (1.0 - exponent * inside);
+    const Doubles gx = g * Load<Doubles>(nodes.OutwardX + i);
+    const Doubles gy = g * Load<Doubles>(nodes.OutwardY + i);
+    sumX += gx;
+    sumY += gy;
+    sumXX += x * gx;
+    sumXY += y * gx;
+    sumYY += y * gy;
+  }
+  sums.Energy += this->Scale * this->Exponent * Sum(energy);
+  sums.X += Sum(sumX);
+  sums.Y += Sum(sumY);
+  sums.XX += Sum(sumXX);
+  sums.XY += Sum(sumXY);
+  sums.YY += Sum(sumYY);
+  nodes.Size = 0;
 }
 
 //------------------------------------------------------------------------------
 EnergyMoments BeamEnergy::Integrate(const Polygon& polygon) const
 {
   Sums sums;
+  Nodes nodes;
   double azimuth = 0.0; // of the edges beyond the circle
   for (int i = 0; i < polygon.Size; ++i)
   {
@@ -144,7 +199,7 @@ EnergyMoments BeamEnergy::Integrate(const Polygon& polygon) const
       azimuth += GetAzimuth(from[0], from[1], polygon.X[j], polygon.Y[j]);
       continue;
     }
-    this->AddInside(from, step, first, last, sums);
+    this->AddInside(from, step, first, last, nodes, sums);
     if (first > 0.0)
     {
       azimuth += GetAzimuth(from[0], from[1], from[0] + first * step[0], from[1] + first * step[1]);
@@ -155,6 +210,7 @@ EnergyMoments BeamEnergy::Integrate(const Polygon& polygon) const
         GetAzimuth(from[0] + last * step[0], from[1] + last * step[1], polygon.X[j], polygon.Y[j]);
     }
   }
+  this->AddNodes(nodes, sums);
   const double scale = 1.0 / (2.0 * Pi * this->Exponent);
   EnergyMoments moments;
   moments.Energy = (sums.Energy + azimuth) / (2.0 * Pi);

@@ -71,13 +71,34 @@ private:
     double Area = 0.0;                                     ///< inside the circle, twice
     double X = 0.0, Y = 0.0, XX = 0.0, XY = 0.0, YY = 0.0; ///< of n g and of x n g
   };
-  void AddInside(
-    const double from[2], const double step[2], double first, double last, Sums& sums) const;
+  /// Points of edges, evaluated together.
+  struct Nodes
+  {
+    static constexpr int Capacity = 64;
+    int Size = 0;
+    double X[Capacity], Y[Capacity];
+    double Turn[Capacity];                         ///< r^2 d(azimuth)
+    double OutwardX[Capacity], OutwardY[Capacity]; ///< n ds
+
+    void Add(const double place[2], double turn, double outwardX, double outwardY)
+    {
+      this->X[this->Size] = place[0];
+      this->Y[this->Size] = place[1];
+      this->Turn[this->Size] = turn;
+      this->OutwardX[this->Size] = outwardX;
+      this->OutwardY[this->Size] = outwardY;
+      ++this->Size;
+    }
+  };
+  void AddInside(const double from[2], const double step[2], double first, double last,
+    Nodes& nodes, Sums& sums) const;
+  void AddNodes(Nodes& nodes, Sums& sums) const;
 
   double Tangent = 0.0;
   bool IsWide = false;
   double Exponent = 0.0; ///< a
   double Scale = 0.0;    ///< of E and f, for the cut
+  int Doublings = 0;     ///< of the argument of an exponential
   double Rim = 0.0;      ///< f(1) pi
 };
 

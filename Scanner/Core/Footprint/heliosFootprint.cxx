@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
@@ -13,7 +14,23 @@ namespace
 constexpr double LeastEnergy = 1e-12;   // of a part
 constexpr double LeastDeviation = 0.02; // of the ranges of a part that is two, in the depth
 constexpr double LeastRest = 1e-4;      // of a backdrop by its complement, which errs by 1e-6
+constexpr double Flatness = 1e-3;       // of a facet, in the depth
 constexpr double MostStrips = 4096.0;
+
+/// Whether a triangle is met in the direction of a point.
+bool IsInside(const double p[3], const ConeTriangle& triangle)
+{
+  bool isLeft[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* a = triangle.Corners[i];
+    const double* b = triangle.Corners[(i + 1) % 3];
+    isLeft[i] = p[0] * (a[1] * b[2] - a[2] * b[1]) + p[1] * (a[2] * b[0] - a[0] * b[2]) +
+        p[2] * (a[0] * b[1] - a[1] * b[0]) >
+      0.0;
+  }
+  return isLeft[0] == isLeft[1] && isLeft[1] == isLeft[2];
+}
 
 /// The part of a face before a depth.
 HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
@@ -24,10 +41,11 @@ HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
 } // namespace
 
 //------------------------------------------------------------------------------
-Footprint::Footprint(const FootprintSettings& settings)
+Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike)
   : Settings(settings)
   , Beam(settings.HalfAngle, settings.Truncation)
   , Projection{ this->Beam.GetTangent(), settings.Setback }
+  , Maker(std::move(areAlike), Flatness * settings.Depth)
 {
 }
 
@@ -44,14 +62,21 @@ bool Footprint::Find(const ConeProbe& probe, const double origin[3], const doubl
   {
     return false;
   }
-  this->Surfaces.Project(this->View, this->Projection);
+  this->Maker.Make(this->View, this->Facets);
+  this->Surfaces.Project(this->Facets, this->Projection);
   const std::size_t count = this->Surfaces.GetNumberOfFaces();
   this->Shares.assign(count, Share());
   this->AllVisible.clear();
   this->Backdrops.clear();
+  const bool isOneLayer = this->Surfaces.AreOneLayer();
   bool isGood = true;
   for (std::size_t i = 0; i < count && isGood; ++i)
   {
+    if (isOneLayer)
+    {
+      this->AddVisible(i, &this->Surfaces.GetFace(i).Outline, 1, parts);
+      continue;
+    }
     this->Surfaces.FindHiding(i);
     if (this->Surfaces.IsBackdrop())
     {
@@ -106,17 +131,27 @@ Footprint::Interval Footprint::GetSpread(
 /// Adds the visible parts of a face.
 bool Footprint::AddSurface(std::size_t index, std::vector<FootprintPart>& parts)
 {
-  const VisibleSurfaces::Face& face = this->Surfaces.GetFace(index);
   const std::vector<Polygon>* visible = this->Surfaces.FindVisible();
   if (!visible)
   {
     return false;
   }
+  this->AddVisible(index, visible->data(), visible->size(), parts);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds polygons of a face.
+void Footprint::AddVisible(
+  std::size_t index, const Polygon* visible, std::size_t count, std::vector<FootprintPart>& parts)
+{
+  const VisibleSurfaces::Face& face = this->Surfaces.GetFace(index);
   Share& share = this->Shares[index];
   share.First = this->AllVisible.size();
   EnergyMoments all;
-  for (const Polygon& p : *visible)
+  for (const Polygon* polygon = visible; polygon != visible + count; ++polygon)
   {
+    const Polygon& p = *polygon;
     const PolygonBounds bounds(p);
     const EnergyMoments moments =
       bounds.MayTouchUnitCircle() ? this->Beam.Integrate(p) : EnergyMoments();
@@ -129,19 +164,18 @@ bool Footprint::AddSurface(std::size_t index, std::vector<FootprintPart>& parts)
   share.Last = this->AllVisible.size();
   if (share.First == share.Last)
   {
-    return true;
+    return;
   }
   this->SetCuts(this->GetSpread(face, share));
   if (this->Cuts.empty())
   {
     this->AddPart(face, all, parts);
-    return true;
+    return;
   }
   for (std::size_t i = share.First; i < share.Last; ++i)
   {
     this->AddStrips(face, this->AllVisible[i].Outline, parts);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -253,6 +287,23 @@ Footprint::Spread Footprint::GetDepths(
 }
 
 //------------------------------------------------------------------------------
+/// The triangle of a facet at a point from the waist.
+vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double point[3]) const
+{
+  const Facet& facet = this->Facets[face.Facet];
+  const double p[3] = { point[0], point[1], point[2] + this->Projection.Setback };
+  for (std::size_t i = facet.First; i + 1 < facet.Last; ++i)
+  {
+    const ConeTriangle& triangle = this->View.Triangles[i];
+    if (IsInside(p, triangle))
+    {
+      return triangle.Cell;
+    }
+  }
+  return this->View.Triangles[facet.Last - 1].Cell;
+}
+
+//------------------------------------------------------------------------------
 void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
   std::vector<FootprintPart>& parts)
 {
@@ -264,19 +315,19 @@ void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& 
   const double y = moments.Y / moments.Energy;
   const Spread depth = this->GetDepths(face, moments);
   FootprintPart part;
-  part.Cell = face.Cell;
   part.Energy = moments.Energy;
   const double radius = this->Projection.GetRadius(depth.Mean);
-  const double across[2] = { x * radius, y * radius };
+  const double centre[3] = { x * radius, y * radius, depth.Mean };
   const double length =
-    std::sqrt(across[0] * across[0] + across[1] * across[1] + depth.Mean * depth.Mean);
+    std::sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
   for (int axis = 0; axis < 3; ++axis)
   {
     part.Direction[axis] =
-      (this->View.Frame[0][axis] * across[0] + this->View.Frame[1][axis] * across[1] +
-        this->View.Frame[2][axis] * depth.Mean) /
+      (this->View.Frame[0][axis] * centre[0] + this->View.Frame[1][axis] * centre[1] +
+        this->View.Frame[2][axis] * centre[2]) /
       length;
   }
+  part.Cell = this->FindCell(face, centre);
   // A range is along an asymptote of the beam.
   const double tangent = this->Projection.Tangent;
   const double stretch = std::sqrt(1.0 + tangent * tangent * (x * x + y * y));

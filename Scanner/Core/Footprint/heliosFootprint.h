@@ -7,6 +7,7 @@
 
 #include "heliosBeamEnergy.h"
 #include "heliosConeProbe.h"
+#include "heliosFacets.h"
 #include "heliosVisibleSurfaces.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -43,7 +44,8 @@ struct FootprintSettings
 class VTKHELIOSSCANNERCORE_EXPORT Footprint
 {
 public:
-  explicit Footprint(const FootprintSettings& settings);
+  /// Coplanar triangles of the same response count as one surface.
+  explicit Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike = {});
 
   /**
    * The parts of a beam from an origin along a unit axis. False if it holds too many triangles for
@@ -75,6 +77,8 @@ private:
     std::size_t Last = 0;
   };
   bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
+  void AddVisible(
+    std::size_t face, const Polygon* visible, std::size_t count, std::vector<FootprintPart>& parts);
   bool AddBackdrop(std::size_t face, std::vector<FootprintPart>& parts);
   EnergyMoments GetHidden(const Polygon& polygon) const;
   Interval GetSpread(const VisibleSurfaces::Face& face, const Share& share) const;
@@ -88,14 +92,17 @@ private:
     double Mean, Deviation;
   };
   Spread GetDepths(const VisibleSurfaces::Face& face, const EnergyMoments& moments) const;
+  vtkIdType FindCell(const VisibleSurfaces::Face& face, const double direction[3]) const;
   void AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
     std::vector<FootprintPart>& parts);
 
   FootprintSettings Settings;
   BeamEnergy Beam;
   BeamProjection Projection;
+  FacetMaker Maker;
   VisibleSurfaces Surfaces;
   ConeView View;
+  std::vector<Facet> Facets;
   std::vector<Visible> AllVisible;
   std::vector<Share> Shares;          ///< of the faces
   std::vector<std::size_t> Backdrops; ///< faces

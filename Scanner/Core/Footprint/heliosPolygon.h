@@ -34,8 +34,11 @@ struct Polygon
   Polygon& operator=(const Polygon& other)
   {
     this->Size = other.Size;
-    std::copy_n(other.X, other.Size, this->X);
-    std::copy_n(other.Y, other.Size, this->Y);
+    for (int i = 0; i < other.Size; ++i)
+    {
+      this->X[i] = other.X[i];
+      this->Y[i] = other.Y[i];
+    }
     return *this;
   }
 
@@ -160,7 +163,8 @@ inline Polygon Clip(const Polygon& p, const HalfPlane& side)
   return part;
 }
 
-/// Whether all corners of a polygon are outside of an edge of another, or on it.
+/// Whether all corners of a polygon are outside of an edge of another, or on it. Each edge has a
+/// length: the corners were added by AddCut().
 inline bool IsBeyondAnEdge(const Polygon& p, const Polygon& of)
 {
   for (int edge = 0; edge < of.Size; ++edge)

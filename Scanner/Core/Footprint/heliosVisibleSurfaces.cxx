@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVisibleSurfaces.h"
 
+#include "heliosBeamTree.h"
+#include "heliosVectorLoops.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 
 namespace helios
 {
@@ -11,7 +16,7 @@ namespace
 {
 
 constexpr double LeastArea = 1e-12;     // of a part, in the cross-section
-constexpr double Frame = 2.0;           // half side of the square that large triangles are cut to
+constexpr double Frame = 2.0;           // half side of the square that large facets are cut to
 constexpr double Large = 100.0;         // coordinates from which they are, without a waist
 constexpr std::size_t ManyHiding = 3;   // faces, from which complements are faster than parts
 constexpr std::size_t MostParts = 4096; // of a face
@@ -19,7 +24,7 @@ constexpr std::size_t MostParts = 4096; // of a face
 /// A polygon in space, with corners of which depth z is the third coordinate.
 struct SpacePolygon
 {
-  static constexpr int Capacity = 3 + 5;
+  static constexpr int Capacity = Facet::Capacity + 5;
   int Size = 0;
   double Corners[Capacity][3];
 };
@@ -69,14 +74,14 @@ HalfPlane GetNearerSide(const InverseDepth& a, const InverseDepth& b)
   return { a.X - b.X, a.Y - b.Y, a.One - b.One };
 }
 
-/// The part of a triangle in a frustum about the beam; all of it if it is not much larger.
-SpacePolygon CutToBeam(const ConeTriangle& triangle, const BeamProjection& beam)
+/// The part of a facet in a frustum about the beam; all of it if it is not much larger.
+SpacePolygon CutToBeam(const Facet& facet, const BeamProjection& beam)
 {
   SpacePolygon space;
-  space.Size = 3;
-  std::copy_n(&triangle.Corners[0][0], 9, &space.Corners[0][0]);
+  space.Size = facet.Size;
+  std::copy_n(&facet.Corners[0][0], 3 * facet.Size, &space.Corners[0][0]);
   const double largest = beam.Setback > 0.0 ? Frame : Large;
-  const bool isLarge = std::any_of(triangle.Corners, triangle.Corners + 3,
+  const bool isLarge = std::any_of(facet.Corners, facet.Corners + facet.Size,
     [&beam, largest](const double* corner)
     {
       const double reach = std::max(std::abs(corner[0]), std::abs(corner[1]));
@@ -94,22 +99,65 @@ SpacePolygon CutToBeam(const ConeTriangle& triangle, const BeamProjection& beam)
   return space;
 }
 
+/// A number for a point, the same for the same coordinates.
+vtkTypeUInt64 Mix(vtkTypeUInt64 x)
+{
+  x = (x ^ (x >> 32)) * 0xd6e8feb86659fd93u;
+  return (x ^ (x >> 32)) * 0xd6e8feb86659fd93u;
+}
+vtkTypeUInt64 GetKey(vtkTypeUInt64 from, vtkTypeUInt64 to)
+{
+  return Mix(from + 0x9e3779b97f4a7c15u * Mix(to));
+}
+vtkTypeUInt64 GetKey(const double corner[3])
+{
+  vtkTypeUInt64 bits[3];
+  std::memcpy(bits, corner, sizeof bits);
+  return GetKey(GetKey(bits[0], bits[1]), bits[2]);
+}
+
+/// Whether a segment reaches into the unit circle, or nearly so.
+bool IsInBeam(const double a[2], const double b[2])
+{
+  constexpr double rim = 1.0 + 1e-6;
+  const double d[2] = { b[0] - a[0], b[1] - a[1] };
+  const double square = d[0] * d[0] + d[1] * d[1];
+  const double along = -(a[0] * d[0] + a[1] * d[1]);
+  const double s = along <= 0.0 ? 0.0 : (along >= square ? 1.0 : along / square);
+  const double x = a[0] + s * d[0];
+  const double y = a[1] + s * d[1];
+  return x * x + y * y <= rim;
+}
+
+/// The normal of the plane of a facet; its length is twice the area.
+void GetNormal(const Facet& facet, double n[3])
+{
+  const auto& p = facet.Corners;
+  std::fill_n(n, 3, 0.0);
+  for (int i = 2; i < facet.Size; ++i)
+  {
+    double a[3], b[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      a[axis] = p[i - 1][axis] - p[0][axis];
+      b[axis] = p[i][axis] - p[0][axis];
+    }
+    n[0] += a[1] * b[2] - a[2] * b[1];
+    n[1] += a[2] * b[0] - a[0] * b[2];
+    n[2] += a[0] * b[1] - a[1] * b[0];
+  }
+}
+
 /**
- * Sets 1 / depth of the plane of a triangle, near a value of it; false if the plane is edge-on. A
+ * Sets 1 / depth of the plane of a facet, near a value of it; false if the plane is edge-on. A
  * beam with a waist is like a cone there, whose apex is by a = Setback^2 / depth farther away.
  */
 bool SetInverseDepth(
-  const ConeTriangle& triangle, const BeamProjection& beam, double inverse, InverseDepth& result)
+  const Facet& facet, const BeamProjection& beam, double inverse, InverseDepth& result)
 {
-  const auto& p = triangle.Corners;
-  double a[3], b[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    a[axis] = p[1][axis] - p[0][axis];
-    b[axis] = p[2][axis] - p[0][axis];
-  }
-  const double n[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0] };
+  const auto& p = facet.Corners;
+  double n[3];
+  GetNormal(facet, n);
   const double away = beam.Setback * beam.Setback * inverse;
   const double constant = n[0] * p[0][0] + n[1] * p[0][1] + n[2] * (p[0][2] - beam.Setback + away);
   if (constant == 0.0)
@@ -128,33 +176,81 @@ bool SetInverseDepth(
 } // namespace
 
 //------------------------------------------------------------------------------
-void VisibleSurfaces::Project(const ConeView& view, const BeamProjection& beam)
+void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjection& beam)
 {
   this->Beam = beam;
   this->Faces.clear();
-  for (const ConeTriangle& triangle : view.Triangles)
+  this->EdgeSum = 0;
+  this->HasFacetAtApex = false;
+  for (std::size_t i = 0; i < facets.size(); ++i)
   {
-    this->ProjectTriangle(triangle);
+    this->AddEdges(facets[i]);
+    this->ProjectFacet(facets[i], i);
   }
-  this->Occluders.clear();
-  for (std::size_t i = 0; i < this->Faces.size(); ++i)
-  {
-    this->Occluders.push_back({ PolygonBounds(this->Faces[i].Outline), this->Faces[i].Most, i });
-  }
-  std::sort(this->Occluders.begin(), this->Occluders.end(),
-    [this](const Occluder& a, const Occluder& b)
-    {
-      return a.Most > b.Most ||
-        (a.Most == b.Most && this->Faces[a.Face].Cell < this->Faces[b.Face].Cell);
-    });
+  this->SortFaces();
 }
 
 //------------------------------------------------------------------------------
-void VisibleSurfaces::ProjectTriangle(const ConeTriangle& triangle)
+void VisibleSurfaces::SortFaces()
 {
-  const SpacePolygon space = CutToBeam(triangle, this->Beam);
+  const std::size_t count = this->Faces.size();
+  Order& order = this->Nearest;
+  order.Faces.resize(count);
+  std::iota(order.Faces.begin(), order.Faces.end(), std::size_t(0));
+  std::sort(order.Faces.begin(), order.Faces.end(),
+    [this](std::size_t i, std::size_t k)
+    {
+      const Face& a = this->Faces[i];
+      const Face& b = this->Faces[k];
+      return a.Most > b.Most || (a.Most == b.Most && a.Cell < b.Cell);
+    });
+  order.Most.resize(count);
+  order.Overlap.resize(count);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    order.Low[axis].resize(count);
+    order.High[axis].resize(count);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Face& face = this->Faces[order.Faces[i]];
+    const PolygonBounds bounds(face.Outline);
+    order.Most[i] = face.Most;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      order.Low[axis][i] = RoundDown(bounds.Low[axis]);
+      order.High[axis][i] = RoundUp(bounds.High[axis]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+HELIOS_CLONES
+void VisibleSurfaces::Order::FindOverlaps(const PolygonBounds& bounds)
+{
+  const float low[2] = { RoundDown(bounds.Low[0]), RoundDown(bounds.Low[1]) };
+  const float high[2] = { RoundUp(bounds.High[0]), RoundUp(bounds.High[1]) };
+  const float* lowX = this->Low[0].data();
+  const float* lowY = this->Low[1].data();
+  const float* highX = this->High[0].data();
+  const float* highY = this->High[1].data();
+  int* overlap = this->Overlap.data();
+  const std::size_t count = this->Overlap.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool isInX = (lowX[i] < high[0]) & (low[0] < highX[i]);
+    const bool isInY = (lowY[i] < high[1]) & (low[1] < highY[i]);
+    overlap[i] = -static_cast<int>(isInX & isInY);
+  }
+}
+
+//------------------------------------------------------------------------------
+void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
+{
+  const SpacePolygon space = CutToBeam(facet, this->Beam);
   Face face;
-  face.Cell = triangle.Cell;
+  face.Cell = facet.Cell;
+  face.Facet = index;
   face.Least = HUGE_VAL;
   face.Most = 0.0;
   for (int i = 0; i < space.Size; ++i)
@@ -166,17 +262,18 @@ void VisibleSurfaces::ProjectTriangle(const ConeTriangle& triangle)
       return; // at the apex
     }
     const double radius = this->Beam.GetRadius(depth);
-    face.Outline.Add(corner[0] / radius, corner[1] / radius);
+    face.Outline.AddCut(corner[0] / radius, corner[1] / radius);
     face.Least = std::min(face.Least, 1.0 / depth);
     face.Most = std::max(face.Most, 1.0 / depth);
   }
+  face.Outline.CloseCut();
   if (!PolygonBounds(face.Outline).MayTouchUnitCircle())
   {
     return;
   }
   const double area = face.Outline.GetArea();
   if (face.Outline.IsEmpty() || !(std::abs(area) > LeastArea) ||
-    !SetInverseDepth(triangle, this->Beam, 0.5 * (face.Least + face.Most), face.Inverse))
+    !SetInverseDepth(facet, this->Beam, 0.5 * (face.Least + face.Most), face.Inverse))
   {
     return; // edge-on
   }
@@ -189,32 +286,83 @@ void VisibleSurfaces::ProjectTriangle(const ConeTriangle& triangle)
 }
 
 //------------------------------------------------------------------------------
+void VisibleSurfaces::AddEdges(const Facet& facet)
+{
+  double places[Facet::Capacity][2];
+  vtkTypeUInt64 keys[Facet::Capacity];
+  for (int i = 0; i < facet.Size; ++i)
+  {
+    const double* corner = facet.Corners[i];
+    const double depth = corner[2] - this->Beam.Setback;
+    this->HasFacetAtApex = this->HasFacetAtApex || !(depth > 0.0);
+    const double radius = this->Beam.GetRadius(depth);
+    places[i][0] = corner[0] / radius;
+    places[i][1] = corner[1] / radius;
+    keys[i] = GetKey(corner);
+  }
+  for (int i = 0; i < facet.Size; ++i)
+  {
+    const int next = i + 1 < facet.Size ? i + 1 : 0;
+    const bool isFirst = keys[i] < keys[next]; // both facets of an edge decide alike
+    if (IsInBeam(places[isFirst ? i : next], places[isFirst ? next : i]))
+    {
+      this->EdgeSum += GetKey(keys[i], keys[next]) - GetKey(keys[next], keys[i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool VisibleSurfaces::AreOneLayer() const
+{
+  if (this->EdgeSum != 0 || this->HasFacetAtApex)
+  {
+    return false;
+  }
+  // Any point will do that is not on an edge.
+  constexpr double x = 0.0123;
+  constexpr double y = 0.0271;
+  const auto layers = std::count_if(this->Faces.begin(), this->Faces.end(),
+    [](const Face& face)
+    {
+      bool isInside = true;
+      for (int edge = 0; edge < face.Outline.Size; ++edge)
+      {
+        isInside = isInside && face.Outline.GetInside(edge)(x, y) > 0.0;
+      }
+      return isInside;
+    });
+  return layers == 1;
+}
+
+//------------------------------------------------------------------------------
 void VisibleSurfaces::FindHiding(std::size_t face)
 {
   const Face& f = this->Faces[face];
-  const PolygonBounds bounds(f.Outline);
+  Order& order = this->Nearest;
+  order.FindOverlaps(PolygonBounds(f.Outline));
   this->Current = face;
   this->Hiding.clear();
-  auto other = this->Occluders.begin();
-  for (; other != this->Occluders.end() && other->Most >= f.Least; ++other)
+  bool isBehindAll = true;
+  for (std::size_t i = 0; i < order.Faces.size(); ++i)
   {
-    if (other->Face != face && bounds.Overlaps(other->Bounds))
+    const std::size_t other = order.Faces[i];
+    if (!order.Overlap[i] || other == face)
     {
-      const Face& by = this->Faces[other->Face];
-      if (DoOverlap(by.Outline, f.Outline) && this->IsNearerSomewhere(by, f))
+      continue;
+    }
+    const Face& o = this->Faces[other];
+    const bool hides = order.Most[i] >= f.Least && this->IsNearerSomewhere(o, f);
+    const bool isHidden = isBehindAll && this->IsNearerSomewhere(f, o);
+    if ((hides || isHidden) && DoOverlap(o.Outline, f.Outline))
+    {
+      isBehindAll = isBehindAll && !isHidden;
+      if (hides)
       {
-        this->Hiding.push_back(other->Face);
+        this->Hiding.push_back(other);
       }
     }
   }
-  this->IsBehindAll = this->Hiding.size() > ManyHiding &&
-    std::none_of(this->Occluders.begin(), this->Occluders.end(),
-      [&](const Occluder& o)
-      {
-        const Face& by = this->Faces[o.Face];
-        return o.Face != face && bounds.Overlaps(o.Bounds) && this->IsNearerSomewhere(f, by) &&
-          DoOverlap(by.Outline, f.Outline);
-      });
+  this->IsBehindAll = isBehindAll && this->Hiding.size() > ManyHiding;
 }
 
 //------------------------------------------------------------------------------
@@ -268,6 +416,28 @@ const std::vector<Polygon>* VisibleSurfaces::FindVisible()
 }
 
 //------------------------------------------------------------------------------
+/// Cuts off what is outside of a side; false if that is nothing.
+bool VisibleSurfaces::Split(Polygon& inside, const HalfPlane& side, Polygon& outside)
+{
+  bool isCut = false;
+  for (int i = 0; i < inside.Size; ++i)
+  {
+    isCut |= side(inside.X[i], inside.Y[i]) < 0.0;
+  }
+  if (!isCut)
+  {
+    return false;
+  }
+  outside = Clip(inside, side.GetOpposite());
+  if (!(outside.GetArea() > LeastArea))
+  {
+    return false;
+  }
+  inside = Clip(inside, side);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 /// Subtracts a convex polygon from all parts; false if they are too many then.
 bool VisibleSurfaces::Subtract(const Polygon& hidden)
 {
@@ -285,21 +455,20 @@ bool VisibleSurfaces::Subtract(const Polygon& hidden)
     this->PartBounds.pop_back();
     for (int edge = 0; edge < hidden.Size && !inside.IsEmpty(); ++edge)
     {
-      const HalfPlane side = hidden.GetInside(edge);
-      const Polygon outside = Clip(inside, side.GetOpposite());
+      Polygon outside;
+      if (!Split(inside, hidden.GetInside(edge), outside))
+      {
+        continue;
+      }
       if (outside.Size == Polygon::Capacity || this->Parts.size() > MostParts)
       {
         return false;
       }
-      if (outside.GetArea() > LeastArea)
+      const PolygonBounds outsideBounds(outside);
+      if (outsideBounds.MayTouchUnitCircle())
       {
-        const PolygonBounds outsideBounds(outside);
-        if (outsideBounds.MayTouchUnitCircle())
-        {
-          this->Parts.push_back(outside);
-          this->PartBounds.push_back(outsideBounds);
-        }
-        inside = Clip(inside, side);
+        this->Parts.push_back(outside);
+        this->PartBounds.push_back(outsideBounds);
       }
     }
   }

@@ -5,7 +5,7 @@
 #ifndef heliosVisibleSurfaces_h
 #define heliosVisibleSurfaces_h
 
-#include "heliosConeView.h"
+#include "heliosFacets.h"
 #include "heliosPolygon.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -42,32 +42,39 @@ struct InverseDepth
 };
 
 /**
- * Determines which part of each triangle in a beam is visible: exactly in a cone, and in a beam with
- * a waist but for the curvature of its edges within the beam. The triangles are projected onto the
- * cross-section. A triangle B hides that part of a triangle A where both
- * overlap and B is nearer, which is one side of a line, since their inverse depths are linear: a
- * convex polygon. It is subtracted from A, which leaves convex polygons. Triangles that intersect or
- * overlap in a cycle need no other treatment; of coincident ones the one with the lowest id is
- * visible. Triangles of one surface share the projections of their corners, so that there are no
- * gaps. One per thread: it owns scratch memory.
+ * Determines which part of each facet in a beam is visible: exactly in a cone, and in a beam with
+ * a waist but for the curvature of its edges within the beam. The facets are projected onto the
+ * cross-section. A facet B hides that part of a facet A where both overlap and B is nearer, which is
+ * one side of a line, since their inverse depths are linear: a convex polygon. It is subtracted from
+ * A, which leaves convex polygons. Facets that intersect or overlap in a cycle need no other
+ * treatment; of coincident ones the one with the lowest id is visible. Facets of one surface share
+ * the projections of their corners, so that there are no gaps. One per thread: it owns scratch
+ * memory.
  */
 class VTKHELIOSSCANNERCORE_EXPORT VisibleSurfaces
 {
 public:
-  /// The projection of a triangle.
+  /// The projection of a facet.
   struct Face
   {
     Polygon Outline;
     InverseDepth Inverse;
     double Least, Most; ///< inverse depths of its corners
     vtkIdType Cell;
+    std::size_t Facet;
   };
 
-  /// Projects the triangles of a view onto the cross-section of a beam.
-  void Project(const ConeView& view, const BeamProjection& beam);
+  /// Projects facets onto the cross-section of a beam.
+  void Project(const std::vector<Facet>& facets, const BeamProjection& beam);
 
   std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
   const Face& GetFace(std::size_t face) const { return this->Faces[face]; }
+
+  /**
+   * Whether the faces cover the beam once, so that none hides another: no edge in the beam belongs
+   * to one facet only, and the facets on both sides of it face the apex.
+   */
+  bool AreOneLayer() const;
 
   /**
    * Finds the faces that hide something of a face. Those of which much is hidden, such as the ground
@@ -88,20 +95,28 @@ public:
   ///@}
 
 private:
-  void ProjectTriangle(const ConeTriangle& triangle);
+  void ProjectFacet(const Facet& facet, std::size_t index);
+  void AddEdges(const Facet& facet);
+  void SortFaces();
+  static bool Split(Polygon& inside, const HalfPlane& side, Polygon& outside);
   bool Subtract(const Polygon& hidden);
   bool IsNearerSomewhere(const Face& a, const Face& b) const;
 
-  /// What is needed to find the faces that may hide another.
-  struct Occluder
+  /// The faces from the nearest to the farthest, by their nearest corners, and their bounds, rounded
+  /// outwards.
+  struct Order
   {
-    PolygonBounds Bounds;
-    double Most;
-    std::size_t Face;
+    std::vector<std::size_t> Faces;
+    std::vector<double> Most;
+    std::vector<float> Low[2], High[2];
+    std::vector<int> Overlap; ///< with the bounds of a face: -1 or 0
+    void FindOverlaps(const PolygonBounds& bounds);
   };
   BeamProjection Beam;
   std::vector<Face> Faces;
-  std::vector<Occluder> Occluders; ///< from the nearest to the farthest
+  vtkTypeUInt64 EdgeSum = 0; ///< of edges in the beam; those of opposite direction cancel
+  bool HasFacetAtApex = false;
+  Order Nearest;
   std::size_t Current = 0;
   std::vector<std::size_t> Hiding;
   bool IsBehindAll = false;

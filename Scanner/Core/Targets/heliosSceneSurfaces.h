@@ -50,6 +50,13 @@ public:
     return this->IsTurbid(cell) ? this->FindGrid(cell).Part : this->Parts ? this->Parts[cell] : 0;
   }
 
+  /// Whether triangles of one plane have the same response and part.
+  bool AreAlike(vtkIdType a, vtkIdType b) const
+  {
+    return !this->Normals && this->GetMaterialId(a) == this->GetMaterialId(b) &&
+      this->GetPartId(a) == this->GetPartId(b);
+  }
+
   /// Passes the names of all parts and the coordinate system to the echoes, if set.
   void PassFields(vtkPolyData* scene, vtkPolyData* echoes) const;
 

@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosConeProbe.h"
 #include "heliosFootprint.h"
+
+#include "heliosPose.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBeamSampler.h"
 
 #include <catch2/catch.hpp>
 
 #include <vtkCellArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -21,6 +25,7 @@
 using helios::Footprint;
 using helios::FootprintPart;
 using helios::FootprintSettings;
+using helios::Vec3;
 
 namespace
 {
@@ -88,7 +93,7 @@ public:
   std::vector<FootprintPart> FindParts()
   {
     std::vector<FootprintPart> parts;
-    Footprint footprint(this->Settings);
+    Footprint footprint(this->Settings, this->AreAlike);
     REQUIRE(footprint.Find(*this->Caster->GetConeProbe(), Origin, Axis, parts));
     return parts;
   }
@@ -119,6 +124,7 @@ public:
   static constexpr double Origin[3] = { 0, 0, 0 };
   static constexpr double Axis[3] = { 0, 1, 0 };
   FootprintSettings Settings;
+  helios::FacetMaker::AreAlike AreAlike; ///< none: no triangles are joined
   vtkNew<vtkPolyData> Mesh;
 
 private:
@@ -204,7 +210,129 @@ void Scatter(Scene& scene, std::mt19937& random, int count, double size, double 
   }
 }
 
+/// Leaves of 4 triangles each in a cone of 0.15 m radius at 100 m: hexagons.
+void ScatterLeaves(Scene& scene, std::mt19937& random, int count, double radius, double depth)
+{
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 middle(0.15 * number(random), 100.0 + depth * number(random), 0.15 * number(random));
+    const Vec3 normal = Vec3(number(random), number(random), number(random)).Normalized();
+    const Vec3 u = radius * normal.Cross(Vec3(0.3, 0.5, 0.8)).Normalized();
+    const Vec3 v = normal.Cross(u);
+    Vec3 corners[6];
+    for (int k = 0; k < 6; ++k)
+    {
+      const double turn = vtkMath::Pi() / 3.0 * k;
+      corners[k] = middle + std::cos(turn) * u + std::sin(turn) * v;
+    }
+    for (int k = 1; k < 5; ++k)
+    {
+      const Vec3* ends[3] = { &corners[0], &corners[k], &corners[k + 1] };
+      double triangle[3][3];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        std::copy_n(ends[corner]->GetData(), 3, triangle[corner]);
+      }
+      scene.AddTriangle(triangle);
+    }
+  }
+}
+
+/// A surface of n x n cells of two triangles each, 0.5 m wide at 100 m, but for one cell.
+template <typename HeightT>
+void AddField(Scene& scene, int n, int hole, HeightT height)
+{
+  const auto at = [&](int i, int k, double* corner)
+  {
+    corner[0] = 0.5 * i / n - 0.251;
+    corner[2] = 0.5 * k / n - 0.252;
+    corner[1] = 100.0 + height(corner[0], corner[2]);
+  };
+  for (int cell = 0; cell < n * n; ++cell)
+  {
+    if (cell == hole)
+    {
+      continue;
+    }
+    const int i = cell / n;
+    const int k = cell % n;
+    for (const int half : { 0, 1 })
+    {
+      double triangle[3][3];
+      at(i, k, triangle[0]);
+      at(i + 1, k + 1, triangle[1]);
+      at(i + half, k + 1 - half, triangle[2]);
+      scene.AddTriangle(triangle);
+    }
+  }
+}
+
+/// Adds up a number of consecutive cells.
+Cells Group(const Cells& cells, vtkIdType size)
+{
+  Cells groups;
+  for (const auto& [id, cell] : cells)
+  {
+    groups[id / size].Energy += cell.Energy;
+  }
+  return groups;
+}
+
 } // namespace
+
+TEST_CASE(
+  "A surface has the energies that sub-rays find, also with a hole, folds or a layer before it")
+{
+  constexpr int n = 12;
+  const int hole = GENERATE(-1, n * n / 2 + n / 2);
+  const double steep = GENERATE(0.0, 0.5, 40.0); // m: the last one hides some of itself
+  const bool hasLeaf = GENERATE(false, true);
+  CAPTURE(hole, steep, hasLeaf);
+  Scene scene;
+  AddField(scene, n, hole,
+    [steep](double x, double z)
+    { return steep * (std::sin(31.0 * x) * std::cos(23.0 * z) + 5.0 * x); });
+  if (hasLeaf)
+  {
+    scene.AddTriangle({ { 0.01, 50, 0.01 }, { 0.02, 50, 0.01 }, { 0.01, 50, 0.03 } });
+  }
+  scene.AddWall(400.0, -25.0, -25.0);
+  scene.Settings.Depth = 1e9;
+  scene.Build();
+  const Cells cells = scene.GetFootprint();
+  const Cells traced = scene.Trace();
+  double sum = 0.0;
+  for (vtkIdType id = 0; id < scene.Mesh->GetNumberOfCells(); ++id)
+  {
+    sum += GetEnergy(cells, id);
+    CHECK(std::abs(GetEnergy(cells, id) - GetEnergy(traced, id)) < 1e-3);
+  }
+  CHECK(sum == Approx(1.0).epsilon(1e-5));
+}
+
+TEST_CASE("Triangles of one plane are one surface if their responses are alike")
+{
+  Scene scene;
+  std::mt19937 random(3);
+  ScatterLeaves(scene, random, 80, 0.03, 3.0);
+  scene.AddWall(110.0, -25.0, -25.0);
+  scene.Settings.Depth = 1e9;
+  scene.Build();
+  const Cells separate = scene.GetFootprint();
+  const auto isLeaf = [](vtkIdType a, vtkIdType b) { return a / 4 == b / 4; };
+  scene.AreAlike = isLeaf;
+  const Cells joined = scene.GetFootprint();
+  CHECK(joined.size() < separate.size() / 2);
+  const Cells leaves = Group(joined, 4);
+  const Cells traced = Group(scene.Trace(), 4);
+  CHECK(leaves.size() >= 60);
+  for (vtkIdType leaf = 0; leaf < 81; ++leaf)
+  {
+    CHECK(std::abs(GetEnergy(leaves, leaf) - GetEnergy(traced, leaf)) < 1e-3);
+    CHECK(GetEnergy(leaves, leaf) == Approx(GetEnergy(Group(separate, 4), leaf)).margin(2e-6));
+  }
+}
 
 TEST_CASE("The visible parts of triangles have the energies that sub-rays find")
 {

@@ -7,16 +7,19 @@
 #include <catch2/catch.hpp>
 
 using helios::PlanSampling;
-using helios::ProbeRays;
 
-TEST_CASE("SamplingPlan: probe rays by the tolerances", "[SamplingPlan]")
+TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
 {
   constexpr double sigma = 4.0 / helios::FwhmPerSigma;
-  CHECK(PlanSampling(1e-3, 1e-2, sigma).Probes == ProbeRays::Few);
-  CHECK(PlanSampling(1e-3, 2e-3, sigma).Probes == ProbeRays::Few);
-  CHECK(PlanSampling(1e-3, 1.9e-3, sigma).Probes == ProbeRays::Many);
-  // So coarse that the sub-rays of an edge are no more than the probe rays.
+  const helios::SamplingPlan plan = PlanSampling(1e-3, 1e-2, sigma);
+  CHECK(plan.NumberOfSubRays == 336);
+  CHECK(plan.SmoothSubRays == 336);
+  CHECK(plan.EdgeSubRays == 4096);
+  const helios::SamplingPlan fine = PlanSampling(3e-4, 3e-3, sigma);
+  CHECK(fine.NumberOfSubRays == 1660);
+  CHECK(fine.EdgeSubRays == 4 * 1660);
   const helios::SamplingPlan coarse = PlanSampling(1.0, 1.0, sigma);
-  CHECK(coarse.Probes == ProbeRays::All);
-  CHECK(coarse.NumberOfSubRays == 16);
+  CHECK(coarse.NumberOfSubRays == 64);
+  CHECK(coarse.SmoothSubRays == 256);
+  CHECK(coarse.EdgeSubRays == 4096);
 }

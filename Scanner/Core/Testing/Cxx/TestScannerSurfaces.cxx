@@ -7,6 +7,7 @@
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 
 #include <catch2/catch.hpp>
 
@@ -56,4 +57,31 @@ TEST_CASE("Scanner: incidence uses the normals of the scene if present", "[Scann
   normals->Modified();
   tilted->Modified();
   CHECK(Value(bench.Run(), names::Amplitude, 0) == Approx(perpendicular).epsilon(1e-12));
+}
+
+TEST_CASE("Scanner: a beam on a wall of two materials returns the energy of both", "[Scanner]")
+{
+  const double tolerance = GENERATE(0.01, 0.0003);
+  const auto scene = MakeScene({ { { -50, 100, -50 }, { 50, 0, 0 }, { 0, 0, 100 } },
+    { { 0, 100, -50 }, { 50, 0, 0 }, { 0, 0, 100 } } });
+  helios::MaterialTable materials(2);
+  materials[0].Reflectance = 0.2;
+  materials[1].Reflectance = 0.8;
+  helios::SetMaterials(scene, materials);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  for (const int id : { 0, 0, 1, 1 })
+  {
+    ids->InsertNextValue(id);
+  }
+  scene->GetCellData()->AddArray(ids);
+  Bench bench(scene);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+  bench.Scanner->SetSamplingToTolerance();
+  bench.Scanner->SetRangeTolerance(tolerance);
+  bench.Scanner->SetEnergyTolerance(10 * tolerance);
+  vtkPolyData* echoes = bench.Run();
+  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
+  REQUIRE(echoes->GetNumberOfPoints() > 0);
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.5, 1)).epsilon(1e-3));
 }

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosFacets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace helios
+{
+namespace
+{
+
+constexpr double LargestTilt = 3e-4; // [rad], between triangles of a facet
+constexpr double Straight = 1e-18;   // square of the sine of a corner's turn to the right
+
+void Cross(const double a[3], const double b[3], double c[3])
+{
+  c[0] = a[1] * b[2] - a[2] * b[1];
+  c[1] = a[2] * b[0] - a[0] * b[2];
+  c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+void GetNormal(const ConeTriangle& t, double n[3])
+{
+  double a[3], b[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    a[axis] = t.Corners[1][axis] - t.Corners[0][axis];
+    b[axis] = t.Corners[2][axis] - t.Corners[0][axis];
+  }
+  Cross(a, b, n);
+}
+
+double Dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool IsBeforeApex(const ConeTriangle& t)
+{
+  return std::min({ t.Corners[0][2], t.Corners[1][2], t.Corners[2][2] }) > 0.0;
+}
+
+/// Whether the normals of two planes are parallel: otherwise their responses differ.
+bool AreParallel(const double a[3], const double b[3])
+{
+  const double along = Dot(a, b);
+  return along * along >= (1.0 - LargestTilt * LargestTilt) * Dot(a, a) * Dot(b, b);
+}
+
+/// A triangle as a facet; turned by its sign.
+Facet MakeFacet(const ConeTriangle& t, std::size_t index, bool isClockwise)
+{
+  Facet facet;
+  facet.Cell = t.Cell;
+  facet.Size = 3;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::copy_n(t.Corners[isClockwise ? 2 - i : i], 3, facet.Corners[i]);
+  }
+  facet.First = index;
+  facet.Last = index + 1;
+  return facet;
+}
+
+int FindCorner(const Facet& facet, const double corner[3])
+{
+  for (int i = 0; i < facet.Size; ++i)
+  {
+    if (std::equal(corner, corner + 3, facet.Corners[i]))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+void Insert(Facet& facet, int place, const double corner[3])
+{
+  std::copy_backward(
+    &facet.Corners[place][0], &facet.Corners[facet.Size][0], &facet.Corners[facet.Size][0] + 3);
+  std::copy_n(corner, 3, facet.Corners[place]);
+  ++facet.Size;
+}
+
+void Remove(Facet& facet, int place)
+{
+  std::copy(
+    &facet.Corners[place][0] + 3, &facet.Corners[0][0] + 3 * facet.Size, &facet.Corners[place][0]);
+  --facet.Size;
+}
+
+/// Adds a triangle that shares one or two edges with a facet; false if it does not, or does not fit.
+bool Add(Facet& facet, const Facet& triangle)
+{
+  int places[3];
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    places[i] = FindCorner(facet, triangle.Corners[i]);
+    shared += places[i] >= 0 ? 1 : 0;
+  }
+  const auto follows = [&facet](int next, int place) { return next == (place + 1) % facet.Size; };
+  for (int i = 0; i < 3; ++i)
+  {
+    // The facet has the edges of the triangle in the opposite direction.
+    const int from = places[i];
+    const int to = places[(i + 1) % 3];
+    const int third = places[(i + 2) % 3];
+    if (shared == 2 && third < 0 && follows(from, to) && facet.Size < Facet::Capacity)
+    {
+      Insert(facet, to + 1, triangle.Corners[(i + 2) % 3]);
+      return true;
+    }
+    if (shared == 3 && facet.Size > 3 && follows(from, to) && follows(to, third))
+    {
+      Remove(facet, to);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a corner turns left about the normal.
+bool IsLeftTurn(const Facet& facet, int corner, const double normal[3])
+{
+  const double* from = facet.Corners[corner > 0 ? corner - 1 : facet.Size - 1];
+  const double* at = facet.Corners[corner];
+  const double* to = facet.Corners[corner + 1 < facet.Size ? corner + 1 : 0];
+  double a[3], b[3], n[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    a[axis] = at[axis] - from[axis];
+    b[axis] = to[axis] - at[axis];
+  }
+  Cross(a, b, n);
+  const double turn = Dot(n, normal);
+  return turn >= 0.0 || turn * turn <= Straight * Dot(a, a) * Dot(b, b) * Dot(normal, normal);
+}
+
+bool IsConvex(const Facet& facet, const double normal[3])
+{
+  for (int i = 0; i < facet.Size; ++i)
+  {
+    if (!IsLeftTurn(facet, i, normal))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+FacetMaker::FacetMaker(AreAlike areAlike, double tolerance)
+  : Alike(std::move(areAlike))
+  , Tolerance(tolerance)
+{
+}
+
+//------------------------------------------------------------------------------
+/// Two triangles before the apex of the same response.
+bool FacetMaker::CanJoin(const ConeTriangle& first, const ConeTriangle& other) const
+{
+  return IsBeforeApex(other) && this->Alike(first.Cell, other.Cell);
+}
+
+//------------------------------------------------------------------------------
+/// In the direction of a corner of depth z, the plane has the depth z constant / (normal . corner).
+bool FacetMaker::IsOnPlane(const double normal[3], double constant, const double corner[3]) const
+{
+  const double there = Dot(normal, corner);
+  return std::abs(there - constant) * corner[2] <= this->Tolerance * std::abs(there);
+}
+
+//------------------------------------------------------------------------------
+void FacetMaker::Make(const ConeView& view, std::vector<Facet>& facets) const
+{
+  const std::vector<ConeTriangle>& triangles = view.Triangles;
+  facets.clear();
+  for (std::size_t i = 0; i < triangles.size(); i = facets.back().Last)
+  {
+    const ConeTriangle& first = triangles[i];
+    double normal[3];
+    GetNormal(first, normal);
+    const double constant = Dot(normal, first.Corners[0]);
+    facets.push_back(MakeFacet(first, i, constant < 0.0));
+    if (!this->Alike || constant == 0.0 || !IsBeforeApex(first))
+    {
+      continue;
+    }
+    if (constant < 0.0)
+    {
+      std::transform(normal, normal + 3, normal, std::negate<>());
+    }
+    Facet growing = facets.back();
+    for (std::size_t k = i + 1; k < triangles.size(); ++k)
+    {
+      const ConeTriangle& next = triangles[k];
+      double own[3];
+      GetNormal(next, own);
+      const bool isOn = AreParallel(own, normal) &&
+        std::all_of(next.Corners, next.Corners + 3,
+          [&](const double* corner)
+          { return this->IsOnPlane(normal, std::abs(constant), corner); });
+      if (!isOn || !this->CanJoin(first, next) ||
+        !Add(growing, MakeFacet(next, k, Dot(own, normal) < 0.0)))
+      {
+        break;
+      }
+      if (IsConvex(growing, normal)) // not so between the first and the last triangle of a fan
+      {
+        growing.Last = k + 1;
+        facets.back() = growing;
+      }
+    }
+  }
+}
+
+} // namespace helios

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Triangles of a beam that form one flat, convex polygon, such as a leaf or a wall.
+
+#ifndef heliosFacets_h
+#define heliosFacets_h
+
+#include "heliosConeView.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace helios
+{
+
+/// A flat, convex polygon in the frame of a cone: counterclockwise, unless behind the apex.
+struct Facet
+{
+  static constexpr int Capacity = 8;
+
+  vtkIdType Cell = -1; ///< of its first triangle
+  int Size = 0;
+  double Corners[Capacity][3];
+  std::size_t First = 0; ///< of its triangles in the view
+  std::size_t Last = 0;
+};
+
+/**
+ * Joins consecutive triangles of a view into facets. Each shares an edge with those before it, has
+ * the same response and normal, and lies in their plane: there is less to hide and to be hidden.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT FacetMaker
+{
+public:
+  /// Whether two cells have the same response.
+  using AreAlike = std::function<bool(vtkIdType, vtkIdType)>;
+
+  /// For a maximum distance from a plane, along the axis [m]. Without alike, no triangles are joined.
+  FacetMaker(AreAlike areAlike, double tolerance);
+
+  /// Replaces facets by those of the triangles.
+  void Make(const ConeView& view, std::vector<Facet>& facets) const;
+
+private:
+  bool CanJoin(const ConeTriangle& first, const ConeTriangle& other) const;
+  bool IsOnPlane(const double normal[3], double constant, const double corner[3]) const;
+
+  AreAlike Alike;
+  double Tolerance;
+};
+
+} // namespace helios
+
+#endif
