@@ -5,6 +5,8 @@
 #ifndef heliosMemory_h
 #define heliosMemory_h
 
+#include "heliosStatus.h"
+
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -13,20 +15,20 @@ namespace helios
 {
 
 /**
- * "3.2e+07 places need 2300 MiB, more than the memory limit (2048 MiB)" if n items of a size in bytes
- * exceed a limit in MiB; else an empty string.
+ * Returns an error if items of a size in bytes exceed a limit in MiB: "3.2e+07 places need 2300 MiB,
+ * more than the memory limit (2048 MiB)".
  */
-inline std::string DescribeExcess(
-  const char* things, double count, double bytesEach, double limitMiB)
+inline Status CheckMemoryLimit(const char* things, double count, double bytesEach, double limitMiB)
 {
   const double size = count * bytesEach / 1048576.0;
-  std::ostringstream text;
-  if (size > limitMiB)
+  if (size <= limitMiB)
   {
-    text << std::setprecision(4) << count << " " << things << " need " << size
-         << " MiB, more than the memory limit (" << limitMiB << " MiB)";
+    return {};
   }
-  return text.str();
+  std::ostringstream text;
+  text << std::setprecision(4) << count << " " << things << " need " << size
+       << " MiB, more than the memory limit (" << limitMiB << " MiB)";
+  return Status::Error(text.str());
 }
 
 } // namespace helios

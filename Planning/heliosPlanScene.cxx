@@ -3,6 +3,7 @@
 #include "heliosPlanScene.h"
 
 #include "heliosRayCasterBackends.h"
+#include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
@@ -22,19 +23,19 @@ namespace helios
 PlanScene::PlanScene() = default;
 PlanScene::~PlanScene() = default;
 
-std::string PlanScene::Set(vtkPolyData* scene)
+Status PlanScene::Set(vtkPolyData* scene)
 {
   this->Part = scene;
   this->Cells.clear();
   if (scene->GetNumberOfCells() == 0)
   {
-    return "The scene on port 0 is empty; connect what is to be scanned";
+    return Status::Error("The scene on port 0 is empty; connect what is to be scanned");
   }
   TriangleMesh mesh;
-  const std::string fault = mesh.Set(scene);
-  if (!fault.empty())
+  const Status status = mesh.Set(scene);
+  if (!status.IsOk())
   {
-    return "No rays can be cast onto the scene on port 0: " + fault;
+    return Status::Error("No rays can be cast onto the scene on port 0: " + status.Message());
   }
   this->Normals = scene->GetCellData()->GetArray(names::Normals);
   if (this->Normals && this->Normals->GetNumberOfComponents() != 3)
@@ -43,11 +44,11 @@ std::string PlanScene::Set(vtkPolyData* scene)
   }
   mesh.GetBounds(this->Bounds);
   this->Caster = MakeDefaultRayCaster();
-  return this->Caster->Build(scene) ? std::string()
-                                    : "No rays can be cast onto the scene on port 0";
+  return this->Caster->Build(scene) ? Status()
+                                    : Status::Error("No rays can be cast onto the scene on port 0");
 }
 
-std::string PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
+Status PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
 {
   vtkNew<vtkPolyData> part;
   vtkNew<vtkCellArray> polys;
@@ -66,9 +67,9 @@ std::string PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
   }
   part->SetPoints(scene->GetPoints());
   part->SetPolys(polys);
-  const std::string fault = this->Set(part);
+  const Status status = this->Set(part);
   this->Cells = cells;
-  return fault;
+  return status;
 }
 
 Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const

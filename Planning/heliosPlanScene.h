@@ -6,6 +6,7 @@
 #define heliosPlanScene_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -26,11 +27,11 @@ public:
   PlanScene();
   ~PlanScene();
 
-  /// Takes all triangles of a scene. Returns an error message, or an empty string.
-  std::string Set(vtkPolyData* scene);
+  /// Takes all triangles of a scene.
+  Status Set(vtkPolyData* scene);
 
   /// Takes some triangles of a scene.
-  std::string Set(vtkPolyData* scene, const std::vector<bool>& isTaken);
+  Status Set(vtkPolyData* scene, const std::vector<bool>& isTaken);
 
   const vtkHeliosRayCaster& GetCaster() const { return *this->Caster; }
 

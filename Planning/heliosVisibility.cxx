@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVisibility.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -26,25 +27,22 @@ bool HasWords(vtkDataArray* array)
 
 } // namespace
 
-std::string Visibility::Set(vtkPolyData* candidates, vtkIdType testPoints)
+Status Visibility::Set(vtkPolyData* candidates, vtkIdType testPoints)
 {
   vtkDataArray* array = candidates->GetPointData()->GetArray(names::Visibility);
   const vtkIdType length = GetRowLength(testPoints);
-  std::ostringstream text;
   if (!array)
   {
-    text << "the candidates have no point array " << names::Visibility
-         << "; use those of vtkHeliosViewsheds, or add it";
+    return Status::Error(std::string("the candidates have no point array ") + names::Visibility +
+      "; use those of vtkHeliosViewsheds, or add it");
   }
-  else if (!HasWords(array) || array->GetNumberOfComponents() != length)
+  std::ostringstream text;
+  if (!HasWords(array) || array->GetNumberOfComponents() != length)
   {
     text << names::Visibility << " of the candidates has " << array->GetNumberOfComponents()
          << " components of type " << array->GetDataTypeAsString() << "; " << testPoints
          << " test points need " << length << " of unsigned 64-bit integers";
-  }
-  if (!text.str().empty())
-  {
-    return text.str();
+    return Status::Error(text.str());
   }
   this->Words = static_cast<const std::uint64_t*>(array->GetVoidPointer(0));
   this->NumberOfCandidates = candidates->GetNumberOfPoints();
@@ -57,10 +55,10 @@ std::string Visibility::Set(vtkPolyData* candidates, vtkIdType testPoints)
     {
       text << names::Visibility << " of candidate " << c << " has bits beyond the last of "
            << testPoints << " test points; clear them";
-      break;
+      return Status::Error(text.str());
     }
   }
-  return text.str();
+  return {};
 }
 
 vtkIdType Visibility::GetSize(vtkIdType candidate) const

@@ -5,6 +5,7 @@
 #ifndef heliosVisibility_h
 #define heliosVisibility_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosPlanningModule.h" // For export macro
 
 #include <vtkType.h>
@@ -28,10 +29,10 @@ public:
   static vtkIdType GetRowLength(vtkIdType testPoints) { return (testPoints + 63) / 64; }
 
   /**
-   * Refers to the array, which must outlive this. Returns an error message (no array, another type
-   * or width, bits set beyond the last test point), or an empty string.
+   * Refers to the array, which must outlive this. Errors: no array, another type or width, bits set
+   * beyond the last test point.
    */
-  std::string Set(vtkPolyData* candidates, vtkIdType testPoints);
+  Status Set(vtkPolyData* candidates, vtkIdType testPoints);
 
   vtkIdType GetNumberOfCandidates() const { return this->NumberOfCandidates; }
   vtkIdType GetNumberOfTestPoints() const { return this->NumberOfTestPoints; }

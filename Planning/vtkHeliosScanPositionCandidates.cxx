@@ -8,6 +8,7 @@
 #include "heliosMemory.h"
 #include "heliosPlanScene.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -83,8 +84,7 @@ public:
   {
   }
 
-  /// Returns an error message, or an empty string.
-  std::string Prepare(vtkPolyData* scene)
+  helios::Status Prepare(vtkPolyData* scene)
   {
     const int surface = this->Self->Surface;
     if (surface != HIGHEST)
@@ -93,14 +93,15 @@ public:
     }
     if (this->IsGround.empty() && (surface == GROUND || surface == OPEN_GROUND))
     {
-      return "Candidates are to be on the ground, but no material of the scene is ground "
-             "(Material.IsGround, helios_isGround); mark the ground, or use the highest surface";
+      return helios::Status::Error(
+        "Candidates are to be on the ground, but no material of the scene is ground "
+        "(Material.IsGround, helios_isGround); mark the ground, or use the highest surface");
     }
     return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
   }
 
-  /// Builds the grid; returns an error message, or an empty string.
-  std::string MakeGrid()
+  /// Builds the grid.
+  helios::Status MakeGrid()
   {
     const double* region = this->Self->Region;
     double bounds[4];
@@ -114,15 +115,17 @@ public:
       text << "The region of candidates is x " << bounds[0] << " to " << bounds[1] << ", y "
            << bounds[2] << " to " << bounds[3]
            << "; the first of each must not be above the second";
-      return text.str();
+      return helios::Status::Error(text.str());
     }
     this->X = helios::GridLine(bounds[0], bounds[1], this->Scene.GetStep(this->Self->XStep));
     this->Y = helios::GridLine(bounds[2], bounds[3], this->Scene.GetStep(this->Self->YStep));
     const double count =
       static_cast<double>(this->X.GetCount()) * static_cast<double>(this->Y.GetCount());
-    const std::string excess =
-      helios::DescribeExcess("places", count, sizeof(Place), this->Self->MemoryLimit);
-    return excess.empty() ? excess : excess + "; make the grid of candidates coarser";
+    const helios::Status status =
+      helios::CheckMemoryLimit("places", count, sizeof(Place), this->Self->MemoryLimit);
+    return status.IsOk()
+      ? status
+      : helios::Status::Error(status.Message() + "; make the grid of candidates coarser");
   }
 
   /// Checks all positions; false on an abort request.
@@ -150,18 +153,18 @@ public:
     return true;
   }
 
-  /// Removes enclosed positions, unless all are. Returns an error message, or an empty string.
-  std::string LeaveOutEnclosed(vtkPolyData* scene)
+  /// Removes enclosed positions, unless all are.
+  helios::Status LeaveOutEnclosed(vtkPolyData* scene)
   {
     if (!this->IsBelowOthers())
     {
       return {}; // nothing overhead
     }
     helios::PlanScene whole;
-    const std::string fault = whole.Set(scene);
-    if (!fault.empty())
+    const helios::Status status = whole.Set(scene);
+    if (!status.IsOk())
     {
-      return fault;
+      return status;
     }
     std::vector<unsigned char> isEnclosed(this->Places.size());
     const std::vector<Vec3> sky = GetSky();
@@ -330,11 +333,11 @@ int vtkHeliosScanPositionCandidates::RequestData(
 {
   vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
   Search search(this, vtkPolyData::GetData(inputs[1]));
-  std::string fault = search.Prepare(scene);
-  fault = fault.empty() ? search.MakeGrid() : fault;
-  if (!fault.empty())
+  helios::Status status = search.Prepare(scene);
+  status = status.IsOk() ? search.MakeGrid() : status;
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault << ".");
+    vtkErrorMacro(<< status.Message() << ".");
     return 0;
   }
   if (!search.Run())
@@ -342,10 +345,10 @@ int vtkHeliosScanPositionCandidates::RequestData(
     vtkErrorMacro(<< "Aborted; update again for all candidates.");
     return 0;
   }
-  fault = this->SkipEnclosed ? search.LeaveOutEnclosed(scene) : std::string();
-  if (!fault.empty())
+  status = this->SkipEnclosed ? search.LeaveOutEnclosed(scene) : helios::Status();
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault << ".");
+    vtkErrorMacro(<< status.Message() << ".");
     return 0;
   }
   this->NumberOfEnclosed = search.GetCount(Place::Enclosed);

@@ -5,6 +5,7 @@
 #include "heliosCoverExact.h"
 #include "heliosPlan.h"
 #include "heliosPlanOutput.h"
+#include "heliosStatus.h"
 #include "heliosVisibility.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -35,8 +36,8 @@ constexpr std::chrono::milliseconds TimeBetweenReports(50);
 
 using Vectors = std::vector<helios::Incidence::Vector>;
 
-/// Reads coordinates or normals; returns an error message with the tuple that is not finite.
-std::string Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
+/// Reads coordinates or normals; returns an error with the tuple that is not finite.
+helios::Status Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
 {
   vectors.resize(array ? array->GetNumberOfTuples() : 0);
   for (std::size_t i = 0; i < vectors.size(); ++i)
@@ -45,7 +46,8 @@ std::string Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
     array->GetTuple(static_cast<vtkIdType>(i), v.data());
     if (!std::isfinite(v[0] + v[1] + v[2]))
     {
-      return what + " " + std::to_string(i) + " is not finite; correct it, or leave it out";
+      return helios::Status::Error(
+        what + " " + std::to_string(i) + " is not finite; correct it, or leave it out");
     }
   }
   return {};
@@ -64,15 +66,14 @@ public:
   {
   }
 
-  /// Returns an error message, or an empty string.
-  std::string Execute()
+  helios::Status Execute()
   {
-    std::string fault = this->ReadMatrix();
-    fault = fault.empty() ? this->ReadWeights() : fault;
-    fault = fault.empty() ? this->ReadGeometry() : fault;
-    fault = fault.empty() ? this->ReadCoverage() : fault;
-    fault = fault.empty() ? this->ReadMeanAngles() : fault;
-    return fault.empty() ? this->Plan() : fault;
+    helios::Status status = this->ReadMatrix();
+    status = status.IsOk() ? this->ReadWeights() : status;
+    status = status.IsOk() ? this->ReadGeometry() : status;
+    status = status.IsOk() ? this->ReadCoverage() : status;
+    status = status.IsOk() ? this->ReadMeanAngles() : status;
+    return status.IsOk() ? this->Plan() : status;
   }
 
   void Output(vtkPolyData* candidates, vtkPolyData* testPoints, vtkPolyData* selected)
@@ -86,33 +87,36 @@ public:
   }
 
 private:
-  std::string ReadMatrix()
+  helios::Status ReadMatrix()
   {
     if (this->Candidates->GetNumberOfPoints() == 0)
     {
-      return "there are no candidates on port 0; connect vtkHeliosViewsheds, and see which of its "
-             "limits removed them all";
+      return helios::Status::Error(
+        "there are no candidates on port 0; connect vtkHeliosViewsheds, and see which of its "
+        "limits removed them all");
     }
     if (this->TestPoints->GetNumberOfPoints() == 0)
     {
-      return "there are no test points on port 1; connect those the viewsheds were made with";
+      return helios::Status::Error(
+        "there are no test points on port 1; connect those the viewsheds were made with");
     }
     if (this->Self->Method == OPTIMAL && !helios::HasExactSolver())
     {
-      return "the method optimal needs COIN-OR CBC, which this build does not include; build with "
-             "VTKHELIOS_ENABLE_CBC, or use best";
+      return helios::Status::Error(
+        "the method optimal needs COIN-OR CBC, which this build does not include; build with "
+        "VTKHELIOS_ENABLE_CBC, or use best");
     }
     helios::Visibility matrix;
-    std::string fault = matrix.Set(this->Candidates, this->TestPoints->GetNumberOfPoints());
-    if (fault.empty())
+    helios::Status status = matrix.Set(this->Candidates, this->TestPoints->GetNumberOfPoints());
+    if (status.IsOk())
     {
       this->Rows = { matrix.GetRow(0), static_cast<int>(matrix.GetNumberOfCandidates()),
         static_cast<int>(matrix.GetNumberOfTestPoints()), static_cast<int>(matrix.GetRowLength()) };
     }
-    return fault;
+    return status;
   }
 
-  std::string ReadWeights()
+  helios::Status ReadWeights()
   {
     vtkDataArray* areas = this->TestPoints->GetPointData()->GetArray(names::Area);
     if (!this->Self->UseAreas)
@@ -122,8 +126,9 @@ private:
     const vtkIdType count = this->TestPoints->GetNumberOfPoints();
     if (!areas || areas->GetNumberOfComponents() != 1 || areas->GetNumberOfTuples() != count)
     {
-      return std::string("UseAreas is on, but the test points have no point array ") + names::Area +
-        " of one component; use those of vtkHeliosVisibilityTestPoints, or switch UseAreas off";
+      return helios::Status::Error(
+        std::string("UseAreas is on, but the test points have no point array ") + names::Area +
+        " of one component; use those of vtkHeliosVisibilityTestPoints, or switch UseAreas off");
     }
     for (vtkIdType v = 0; v < count; ++v)
     {
@@ -133,45 +138,45 @@ private:
         std::ostringstream text;
         text << names::Area << " of test point " << v << " is " << area
              << "; areas are finite and not negative";
-        return text.str();
+        return helios::Status::Error(text.str());
       }
       this->Weights.push_back(area);
     }
     return {};
   }
 
-  std::string ReadGeometry()
+  helios::Status ReadGeometry()
   {
     vtkDataArray* normals = this->TestPoints->GetPointData()->GetArray(names::Normal);
     const vtkIdType count = this->TestPoints->GetNumberOfPoints();
     if (normals && (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != count))
     {
-      return std::string(names::Normal) + " of the test points has " +
+      return helios::Status::Error(std::string(names::Normal) + " of the test points has " +
         std::to_string(normals->GetNumberOfTuples()) + " tuples of " +
         std::to_string(normals->GetNumberOfComponents()) + " components; expected " +
-        std::to_string(count) + " of 3";
+        std::to_string(count) + " of 3");
     }
     Vectors positions;
     Vectors points;
     Vectors directions;
-    std::string fault = Read(this->Candidates->GetPoints()->GetData(), "candidate", positions);
-    fault =
-      fault.empty() ? Read(this->TestPoints->GetPoints()->GetData(), "test point", points) : fault;
-    fault = fault.empty() ? Read(normals, "the normal of test point", directions) : fault;
+    helios::Status status = Read(this->Candidates->GetPoints()->GetData(), "candidate", positions);
+    status =
+      status.IsOk() ? Read(this->TestPoints->GetPoints()->GetData(), "test point", points) : status;
+    status = status.IsOk() ? Read(normals, "the normal of test point", directions) : status;
     this->Angles =
       helios::Incidence(std::move(positions), std::move(points), std::move(directions));
-    return fault;
+    return status;
   }
 
-  std::string ReadCoverage()
+  helios::Status ReadCoverage()
   {
     this->Problem = helios::CoverProblem(this->Rows, std::move(this->Weights));
     const double coverable = this->Problem.GetWeight(this->Problem.Coverable.data());
     if (!(coverable > 0.0))
     {
-      return std::string("no candidate sees ") +
+      return helios::Status::Error(std::string("no candidate sees ") +
         (this->Self->UseAreas ? "a test point with an area" : "any test point") +
-        "; widen the limits of the viewsheds, or check that candidates lie outside solids";
+        "; widen the limits of the viewsheds, or check that candidates lie outside solids");
     }
     this->All = this->Self->UseAreas ? this->GetAllWeight() : this->Rows.Columns;
     const double base = this->Self->CoverageOf == COVERABLE ? coverable : this->All;
@@ -183,7 +188,7 @@ private:
            << " % of all test points cannot be reached: all candidates together see "
            << 100.0 * coverable / this->All
            << " %; lower it, add candidates, or require a share of the coverable ones only";
-      return text.str();
+      return helios::Status::Error(text.str());
     }
     this->Problem.Require(required);
     return {};
@@ -199,7 +204,7 @@ private:
     return sum;
   }
 
-  std::string ReadMeanAngles()
+  helios::Status ReadMeanAngles()
   {
     const int count = this->Rows.Rows;
     vtkDataArray* given = this->Candidates->GetPointData()->GetArray(names::MeanIncidenceAngle);
@@ -214,9 +219,9 @@ private:
     }
     if (!this->Angles.HasNormals() && this->Self->Method == MEAN_INCIDENCE_ANGLE)
     {
-      return std::string("Method MeanIncidenceAngle needs the point array ") +
+      return helios::Status::Error(std::string("Method MeanIncidenceAngle needs the point array ") +
         names::MeanIncidenceAngle + " of the candidates, or " + names::Normal +
-        " of the test points; add one, or use ViewshedSize";
+        " of the test points; add one, or use ViewshedSize");
     }
     vtkSMPTools::For(0, count, 16,
       [this](vtkIdType begin, vtkIdType end)
@@ -231,7 +236,7 @@ private:
     return {};
   }
 
-  std::string Plan()
+  helios::Status Plan()
   {
     helios::PlanSettings settings;
     settings.Method = static_cast<helios::PlanMethod>(this->Self->Method);
@@ -246,7 +251,7 @@ private:
     this->Result = helios::MakePlan(this->Problem, this->Angles, settings);
     if (this->Self->GetAbortExecute())
     {
-      return "aborted before the plan was made; update again";
+      return helios::Status::Error("aborted before the plan was made; update again");
     }
     if (!this->Result.Fault.empty())
     {
@@ -254,7 +259,7 @@ private:
       text << "no set of candidates connected by the minimum overlap of "
            << 100.0 * this->Self->MinimumOverlap
            << " % sees enough; lower the overlap or the coverage, or add candidates in between";
-      return text.str();
+      return helios::Status::Error(text.str());
     }
     return {};
   }
@@ -362,10 +367,10 @@ int vtkHeliosScanPositionPlanner::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   Run run(this, vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
-  const std::string fault = run.Execute();
-  if (!fault.empty())
+  const helios::Status status = run.Execute();
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "Scan positions cannot be planned: " << fault << ".");
+    vtkErrorMacro(<< "Scan positions cannot be planned: " << status.Message() << ".");
     return 0;
   }
   run.Output(vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1),

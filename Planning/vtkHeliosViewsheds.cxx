@@ -5,6 +5,7 @@
 #include "heliosLineOfSight.h"
 #include "heliosMemory.h"
 #include "heliosRayCasterBackends.h"
+#include "heliosStatus.h"
 #include "heliosVisibility.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
@@ -295,15 +296,15 @@ int vtkHeliosViewsheds::RequestData(
   const vtkIdType last = count / pieces * (piece + 1) + count % pieces * (piece + 1) / pieces;
 
   this->NumberOfRays = 0;
-  std::string fault = this->FindFault(scene, candidates, testPoints);
-  fault = fault.empty() ? this->FindExcess(last - first, testPoints->GetNumberOfPoints()) : fault;
-  if (fault.empty() && !this->RayCaster->Build(scene))
+  helios::Status status = this->FindFault(scene, candidates, testPoints);
+  status = status.IsOk() ? this->FindExcess(last - first, testPoints->GetNumberOfPoints()) : status;
+  if (status.IsOk() && !this->RayCaster->Build(scene))
   {
-    fault = "No rays can be cast onto the scene on port 0";
+    status = helios::Status::Error("No rays can be cast onto the scene on port 0");
   }
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault << ".");
+    vtkErrorMacro(<< status.Message() << ".");
     return 0;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs);
@@ -320,62 +321,63 @@ int vtkHeliosViewsheds::RequestData(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosViewsheds::FindFault(
+helios::Status vtkHeliosViewsheds::FindFault(
   vtkPolyData* scene, vtkPolyData* candidates, vtkPolyData* testPoints) const
 {
-  std::ostringstream text;
+  using helios::Status;
   if (!this->RayCaster)
   {
-    text << "RayCaster is not set; set one, e.g. a vtkHeliosBvhRayCaster";
+    return Status::Error("RayCaster is not set; set one, e.g. a vtkHeliosBvhRayCaster");
   }
-  else if (scene->GetNumberOfCells() == 0)
+  if (scene->GetNumberOfCells() == 0)
   {
-    text << "The scene on port 0 is empty; connect what hides test points";
+    return Status::Error("The scene on port 0 is empty; connect what hides test points");
   }
-  else if (candidates->GetNumberOfPoints() == 0)
+  if (candidates->GetNumberOfPoints() == 0)
   {
-    text << "There are no candidates on port 1; connect a vtkHeliosScanPositionCandidates, or "
-            "points of your own";
+    return Status::Error("There are no candidates on port 1; connect a "
+                         "vtkHeliosScanPositionCandidates, or points of your own");
   }
-  else if (testPoints->GetNumberOfPoints() == 0)
+  if (testPoints->GetNumberOfPoints() == 0)
   {
-    text
-      << "There are no test points on port 2; connect a vtkHeliosVisibilityTestPoints, or points "
-         "of your own";
+    return Status::Error("There are no test points on port 2; connect a "
+                         "vtkHeliosVisibilityTestPoints, or points of your own");
   }
-  else if (FindNotFinite(candidates) >= 0)
+  if (const vtkIdType i = FindNotFinite(candidates); i >= 0)
   {
-    text << "Candidate " << FindNotFinite(candidates) << " is not finite; correct or remove it";
+    return Status::Error("Candidate " + std::to_string(i) + " is not finite; correct or remove it");
   }
-  else if (FindNotFinite(testPoints) >= 0)
+  if (const vtkIdType i = FindNotFinite(testPoints); i >= 0)
   {
-    text << "Test point " << FindNotFinite(testPoints) << " is not finite; correct or remove it";
+    return Status::Error(
+      "Test point " + std::to_string(i) + " is not finite; correct or remove it");
   }
-  else if (!GetDoubles(testPoints->GetPointData()->GetArray(names::Normal)) &&
+  if (!GetDoubles(testPoints->GetPointData()->GetArray(names::Normal)) &&
     (this->MaximumIncidenceAngle < 90.0 || this->MinimumPointDensity > 0.0))
   {
-    text << "A maximum incidence angle and a minimum point density need normals, and the test "
-            "points have no "
-            "point array "
-         << names::Normal << " of 3 components; add it, or do not set these limits";
+    return Status::Error(
+      std::string("A maximum incidence angle and a minimum point density need normals, and the "
+                  "test points have no point array ") +
+      names::Normal + " of 3 components; add it, or do not set these limits");
   }
-  else if (this->MinimumPointDensity > 0.0 && this->AngularStep == 0.0)
+  if (this->MinimumPointDensity > 0.0 && this->AngularStep == 0.0)
   {
-    text << "A minimum point density needs the angle between neighbouring pulses, and AngularStep "
-            "is 0, unknown or irregular; set it, or give no minimum density";
+    return Status::Error("A minimum point density needs the angle between neighbouring pulses, "
+                         "and AngularStep is 0, unknown or irregular; set it, or give no minimum "
+                         "density");
   }
-  return text.str();
+  return {};
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosViewsheds::FindExcess(vtkIdType candidates, vtkIdType testPoints) const
+helios::Status vtkHeliosViewsheds::FindExcess(vtkIdType candidates, vtkIdType testPoints) const
 {
   const double row = 8.0 * static_cast<double>(helios::Visibility::GetRowLength(testPoints));
-  const std::string excess = helios::DescribeExcess(
+  const helios::Status status = helios::CheckMemoryLimit(
     "candidates' views", static_cast<double>(candidates), row, this->MemoryLimit);
-  return excess.empty()
-    ? excess
-    : excess + "; make the grids coarser, ask for the matrix in pieces, or allow more";
+  return status.IsOk() ? status
+                       : helios::Status::Error(status.Message() +
+                           "; make the grids coarser, ask for the matrix in pieces, or allow more");
 }
 
 //------------------------------------------------------------------------------

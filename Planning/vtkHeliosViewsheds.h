@@ -44,6 +44,11 @@
 
 class vtkHeliosRayCaster;
 
+namespace helios
+{
+class Status;
+}
+
 class VTKHELIOSPLANNING_EXPORT vtkHeliosViewsheds : public vtkPolyDataAlgorithm
 {
 public:
@@ -151,8 +156,9 @@ private:
   void operator=(const vtkHeliosViewsheds&) = delete;
 
   class Observers;
-  std::string FindFault(vtkPolyData* scene, vtkPolyData* candidates, vtkPolyData* testPoints) const;
-  std::string FindExcess(vtkIdType candidates, vtkIdType testPoints) const;
+  helios::Status FindFault(
+    vtkPolyData* scene, vtkPolyData* candidates, vtkPolyData* testPoints) const;
+  helios::Status FindExcess(vtkIdType candidates, vtkIdType testPoints) const;
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;
   double HitTolerance = 0.05;

@@ -7,6 +7,7 @@
 #include "heliosPlanScene.h"
 #include "heliosPointMerger.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -55,15 +56,14 @@ public:
   {
   }
 
-  /// Returns an error message, or an empty string.
-  std::string Prepare(vtkPolyData* scene)
+  helios::Status Prepare(vtkPolyData* scene)
   {
     if (!this->Self->Vertical && !this->Self->Horizontal)
     {
-      return "Vertical and horizontal lines are both off; switch one on";
+      return helios::Status::Error("Vertical and horizontal lines are both off; switch one on");
     }
-    const std::string fault = this->Scene.Set(scene);
-    return fault.empty() ? this->MakeGrid() : fault;
+    const helios::Status status = this->Scene.Set(scene);
+    return status.IsOk() ? this->MakeGrid() : status;
   }
 
   /// Casts all lines; false on an abort request.
@@ -146,7 +146,7 @@ public:
   }
 
 private:
-  std::string MakeGrid()
+  helios::Status MakeGrid()
   {
     static const char* const axes[] = { "x", "y", "z" };
     const double steps[] = { this->Self->XStep, this->Self->YStep, this->Self->ZStep };
@@ -160,7 +160,7 @@ private:
         std::ostringstream text;
         text << "The region of test points is " << axes[axis] << " " << this->Low[axis] << " to "
              << this->High[axis] << "; the first must not be above the second";
-        return text.str();
+        return helios::Status::Error(text.str());
       }
       this->Lines[axis] = GridLine(this->Low[axis], this->High[axis], this->Steps[axis]);
     }
@@ -171,9 +171,11 @@ private:
           static_cast<double>(this->Lines[(axis + 2) % 3].GetCount())
                                   : 0.0;
     }
-    const std::string excess =
-      helios::DescribeExcess("lines", count, 3 * sizeof(Meeting), this->Self->MemoryLimit);
-    return excess.empty() ? excess : excess + "; make the grid of test points coarser";
+    const helios::Status status =
+      helios::CheckMemoryLimit("lines", count, 3 * sizeof(Meeting), this->Self->MemoryLimit);
+    return status.IsOk()
+      ? status
+      : helios::Status::Error(status.Message() + "; make the grid of test points coarser");
   }
 
   bool IsUsed(int axis) const { return axis == 2 ? this->Self->Vertical : this->Self->Horizontal; }
@@ -331,10 +333,10 @@ int vtkHeliosVisibilityTestPoints::RequestData(
 {
   vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
   Search search(this);
-  const std::string fault = search.Prepare(scene);
-  if (!fault.empty())
+  const helios::Status status = search.Prepare(scene);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault << ".");
+    vtkErrorMacro(<< status.Message() << ".");
     return 0;
   }
   if (!search.Run())

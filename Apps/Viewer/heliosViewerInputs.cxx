@@ -9,6 +9,7 @@
 #include "heliosInspector.h"
 #include "heliosPlanView.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
 #include "vtkHeliosPlannerReader.h"
@@ -48,7 +49,7 @@ std::string GetExtension(const fs::path& path)
 bool HasSurvey(const fs::path& path)
 {
   std::ifstream file;
-  if (CheckInputFile(path.string()).empty())
+  if (CheckInputFile(path.string()).IsOk())
   {
     file.open(path);
   }
@@ -68,20 +69,20 @@ void LookUp(Reader* reader, const std::string& fileName, const std::vector<std::
   }
 }
 
-std::string ShowSurveyFile(Viewer& viewer, const std::string& fileName)
+Status ShowSurveyFile(Viewer& viewer, const std::string& fileName)
 {
   vtkNew<vtkHeliosSurveyReader> reader;
   ErrorText errors(reader);
   LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
   if (!reader->Read())
   {
-    return errors.Get(fileName + ": cannot be read");
+    return Status::Error(errors.Get(fileName + ": cannot be read"));
   }
   viewer.ShowSurvey(reader->GetSurvey());
   return {};
 }
 
-std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
+Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
 {
   vtkNew<vtkHeliosPlannerReader> reader;
   ErrorText errors(reader);
@@ -92,7 +93,8 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
   reader->Update();
   if (reader->GetOutput()->GetNumberOfPolys() == 0)
   {
-    return errors.Get(fileName + ": has nothing to show; give a scene with triangles");
+    return Status::Error(
+      errors.Get(fileName + ": has nothing to show; give a scene with triangles"));
   }
   std::vector<vtkSmartPointer<vtkImageData>> grids;
   for (int i = 0; reader->GetGrid(i); ++i)
@@ -104,16 +106,17 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
 }
 
 /// The scene of the planned survey; PlanTool shows the rest.
-std::string ShowPlan(Viewer& viewer, const std::string& path)
+Status ShowPlan(Viewer& viewer, const std::string& path)
 {
   Plan plan;
-  const std::string problem = ReadPlan(path, plan);
-  if (!problem.empty())
+  const Status status = ReadPlan(path, plan);
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
-  return plan.Survey.empty() ? path + ": has no survey.xml, which names the scene; plan again"
-                             : ShowSceneFile(viewer, plan.Survey);
+  return plan.Survey.empty()
+    ? Status::Error(path + ": has no survey.xml, which names the scene; plan again")
+    : ShowSceneFile(viewer, plan.Survey);
 }
 
 /// The trajectories in the files of a run, as legs of a replay.
@@ -147,15 +150,15 @@ std::vector<SimulatedLeg> MakeLegs(
 }
 
 /// Finished runs and clouds, all together.
-std::string ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
+Status ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
 {
   CloudReader reader;
   for (const std::string& input : inputs)
   {
-    const std::string problem = reader.Read(input, viewer.GetCloud());
-    if (!problem.empty())
+    const Status status = reader.Read(input, viewer.GetCloud());
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
   }
   double times[2] = { 0.0, 0.0 };
@@ -167,7 +170,7 @@ std::string ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string ShowInputs(Viewer& viewer)
+Status ShowInputs(Viewer& viewer)
 {
   const std::vector<std::string>& inputs = viewer.GetOptions().Inputs;
   for (const std::string& input : inputs)
@@ -175,7 +178,7 @@ std::string ShowInputs(Viewer& viewer)
     std::error_code error;
     if (!fs::exists(input, error))
     {
-      return input + ": no such file; check the name";
+      return Status::Error(input + ": no such file; check the name");
     }
   }
   if (inputs.size() == 1 && IsPlan(inputs.front()))
@@ -187,7 +190,8 @@ std::string ShowInputs(Viewer& viewer)
   const bool isScene = isXml || extension == ".obj" || extension == ".tif" || extension == ".tiff";
   if (isScene && inputs.size() > 1)
   {
-    return inputs.front() + ": a survey or a scene is shown by itself; leave out " + inputs[1];
+    return Status::Error(
+      inputs.front() + ": a survey or a scene is shown by itself; leave out " + inputs[1]);
   }
   if (isXml && HasSurvey(inputs.front()))
   {

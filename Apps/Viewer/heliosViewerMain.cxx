@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosDisplay.h"
+#include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerOptions.h"
 #include "heliosVisibleText.h"
@@ -19,10 +20,10 @@ int main(int argc, char** argv)
   {
     return result == helios::viewer::OptionsResult::Done ? 0 : 2;
   }
-  const std::string problem = helios::viewer::CheckDisplay();
-  if (!problem.empty())
+  const helios::Status status = helios::viewer::CheckDisplay();
+  if (!status.IsOk())
   {
-    std::cerr << "error: " << problem << "\n";
+    std::cerr << "error: " << status.Message() << "\n";
     return 1;
   }
   helios::viewer::ExplainLostDisplay();

@@ -4,6 +4,7 @@
 
 #include "heliosCoordinateSystemData.h"
 #include "heliosProj.h"
+#include "heliosStatus.h"
 
 #include <vtkMath.h>
 #include <vtksys/SystemTools.hxx>
@@ -67,14 +68,14 @@ bool ParseOrigin(const std::string& text, double origin[3])
   return std::find_if(at, end, isText) == end;
 }
 
-std::string MakeLocalSystem(CoordinateSystemData& data)
+Status MakeLocalSystem(CoordinateSystemData& data)
 {
   double* origin = data.Origin;
   if (!ParseOrigin(data.Text, origin) || std::abs(origin[0]) > 90.0 || std::abs(origin[1]) > 360.0)
   {
-    return "\"" + Shorten(data.Text) +
+    return Status::Error("\"" + Shorten(data.Text) +
       "\" is not a valid local system: expected \"ENU latitude longitude height\" in degrees "
-      "(latitude -90 to 90) and metres, e.g. \"ENU 49.4 8.7 110\"";
+      "(latitude -90 to 90) and metres, e.g. \"ENU 49.4 8.7 110\"");
   }
   data.IsLocal = true;
   data.Label = data.Name = data.Text;
@@ -253,15 +254,15 @@ void SetHeights(const ProjContext& context, const PJ* crs, CoordinateSystemData&
   }
 }
 
-std::string MakeProjSystem(CoordinateSystemData& data)
+Status MakeProjSystem(CoordinateSystemData& data)
 {
   ProjContext context;
   const ProjObject crs = MakeProjCRS(context, data.Text);
   if (!crs)
   {
     const std::string reason = context.ReleaseMessage();
-    return "\"" + Shorten(data.Text) + "\" is not a coordinate system known to PROJ" +
-      (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms;
+    return Status::Error("\"" + Shorten(data.Text) + "\" is not a coordinate system known to PROJ" +
+      (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms);
   }
   SetName(crs.get(), data);
   const ProjObject horizontal = GetHorizontalPart(context, crs.get());
@@ -270,7 +271,7 @@ std::string MakeProjSystem(CoordinateSystemData& data)
   const std::vector<Axis> axes = ordered ? GetAxes(context, ordered.get()) : std::vector<Axis>();
   if (axes.size() < 2)
   {
-    return data.Name + " has no horizontal part; " + Forms;
+    return Status::Error(data.Name + " has no horizontal part; " + Forms);
   }
   const PJ_TYPE type = proj_get_type(horizontal.get());
   const bool isGeographic = type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
@@ -319,7 +320,7 @@ bool IsSameProj(const CoordinateSystemData& a, const CoordinateSystemData& b)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string CoordinateSystem::Set(const std::string& text)
+Status CoordinateSystem::Set(const std::string& text)
 {
   this->Data = nullptr;
   auto data = std::make_shared<CoordinateSystemData>();
@@ -327,15 +328,15 @@ std::string CoordinateSystem::Set(const std::string& text)
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string::npos)
   {
-    return std::string("The name of the coordinate system is empty; ") + Forms;
+    return Status::Error(std::string("The name of the coordinate system is empty; ") + Forms);
   }
   data->Text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-  std::string problem = IsLocalText(data->Text) ? MakeLocalSystem(*data) : MakeProjSystem(*data);
-  if (problem.empty())
+  Status status = IsLocalText(data->Text) ? MakeLocalSystem(*data) : MakeProjSystem(*data);
+  if (status.IsOk())
   {
     this->Data = data;
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosCoordinateSystem_h
 #define heliosCoordinateSystem_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h"
 
 #include <memory>
@@ -31,8 +32,8 @@ struct CoordinateSystemData;
 class VTKHELIOSFILTERSCORE_EXPORT CoordinateSystem
 {
 public:
-  /// Parses a text. Returns an error message, or an empty string.
-  std::string Set(const std::string& text);
+  /// Parses a text.
+  Status Set(const std::string& text);
 
   bool IsSet() const { return this->Data != nullptr; }
 

@@ -4,6 +4,7 @@
 
 #include "heliosCoordinateSystemData.h"
 #include "heliosProj.h"
+#include "heliosStatus.h"
 
 #include <vtkMath.h>
 
@@ -146,13 +147,13 @@ struct CoordinateTransform::Internals
   std::unique_ptr<ProjContext> Context; // null: without PROJ
   ProjObject Operation;
 
-  std::string MakeOperation();
+  Status MakeOperation();
   std::string DescribeNoWay(const PJ* source, const PJ* target) const;
   void Apply(const double from[3], double to[3]);
 };
 
 //------------------------------------------------------------------------------
-std::string CoordinateTransform::Internals::MakeOperation()
+Status CoordinateTransform::Internals::MakeOperation()
 {
   this->Context = std::make_unique<ProjContext>();
   const ProjContext& context = *this->Context;
@@ -160,14 +161,16 @@ std::string CoordinateTransform::Internals::MakeOperation()
   const ProjObject target = MakeEnd(context, *this->To, *this->From);
   if (!source || !target)
   {
-    return "PROJ's database was not found (" + this->Context->ReleaseMessage() + "); set PROJ_DATA";
+    return Status::Error(
+      "PROJ's database was not found (" + this->Context->ReleaseMessage() + "); set PROJ_DATA");
   }
   const char* const options[] = { "ALLOW_BALLPARK=NO", nullptr };
   const ProjObject plain(
     proj_create_crs_to_crs_from_pj(context.Get(), source.get(), target.get(), nullptr, options));
   this->Operation.reset(
     plain ? proj_normalize_for_visualization(context.Get(), plain.get()) : nullptr);
-  return this->Operation ? std::string() : this->DescribeNoWay(source.get(), target.get());
+  return this->Operation ? Status()
+                         : Status::Error(this->DescribeNoWay(source.get(), target.get()));
 }
 
 //------------------------------------------------------------------------------
@@ -186,6 +189,11 @@ std::string CoordinateTransform::Internals::DescribeNoWay(const PJ* source, cons
 //------------------------------------------------------------------------------
 void CoordinateTransform::Internals::Apply(const double from[3], double to[3])
 {
+  if (this->Context && !this->Operation)
+  {
+    std::fill_n(to, 3, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   double p[3] = { from[0], from[1], from[2] };
   if (!this->Operation)
   {
@@ -229,7 +237,8 @@ CoordinateTransform::CoordinateTransform(const CoordinateTransform& other)
   this->State->HeightFactor = from.HeightFactor;
   if (from.Context)
   {
-    this->State->MakeOperation();
+    // Without an operation, Forward() fails for every point.
+    static_cast<void>(this->State->MakeOperation());
   }
 }
 
@@ -241,7 +250,7 @@ CoordinateTransform& CoordinateTransform::operator=(CoordinateTransform other) n
 }
 
 //------------------------------------------------------------------------------
-std::string CoordinateTransform::Set(const CoordinateSystem& source, const CoordinateSystem& target)
+Status CoordinateTransform::Set(const CoordinateSystem& source, const CoordinateSystem& target)
 {
   auto state = std::make_unique<Internals>();
   state->Source = source;
@@ -251,18 +260,18 @@ std::string CoordinateTransform::Set(const CoordinateSystem& source, const Coord
   state->IsIdentity = source == target;
   const CoordinateSystemData& from = *state->From;
   const CoordinateSystemData& to = *state->To;
-  std::string problem;
+  Status status;
   if (!state->IsIdentity && (!from.Projection || !to.Projection))
   {
     const bool isCut = (from.IsCompound && to.IsPlane) || (from.IsPlane && to.IsCompound);
     state->HeightFactor = isCut ? from.HeightUnit / to.HeightUnit : 1.0;
-    problem = state->MakeOperation();
+    status = state->MakeOperation();
   }
-  if (problem.empty())
+  if (status.IsOk())
   {
     this->State = std::move(state);
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -404,8 +413,8 @@ std::string CoordinateTransform::DescribeMissingGrids(const double point[3])
   CoordinateSystem geographic;
   CoordinateTransform toPlace;
   if (this->Forward(point, ignored, 1) == 0 ||
-    !geographic.Set(state.From->IsLocal ? Geographic3D : "EPSG:4326").empty() ||
-    !toPlace.Set(state.Source, geographic).empty() || toPlace.Forward(point, place, 1) == 0)
+    !geographic.Set(state.From->IsLocal ? Geographic3D : "EPSG:4326").IsOk() ||
+    !toPlace.Set(state.Source, geographic).IsOk() || toPlace.Forward(point, place, 1) == 0)
   {
     return {};
   }
@@ -445,7 +454,7 @@ std::string CoordinateTransform::DescribeFailure(vtkIdType index, const double p
 }
 
 //------------------------------------------------------------------------------
-std::string GetMetricProblem(const CoordinateSystem& system, const double point[3])
+Status CheckMetric(const CoordinateSystem& system, const double point[3])
 {
   if (system.IsMetric())
   {
@@ -454,13 +463,13 @@ std::string GetMetricProblem(const CoordinateSystem& system, const double point[
   CoordinateSystem geographic;
   CoordinateTransform toPlace;
   double place[3];
-  const bool isPlaced = geographic.Set("EPSG:4326").empty() &&
-    toPlace.Set(system, geographic).empty() && toPlace.Forward(point, place, 1) < 0 &&
+  const bool isPlaced = geographic.Set("EPSG:4326").IsOk() &&
+    toPlace.Set(system, geographic).IsOk() && toPlace.Forward(point, place, 1) < 0 &&
     std::abs(place[1]) <= 90.0;
   const std::string target =
     isPlaced ? "EPSG:" + std::to_string(GetUTMCode(place[1], place[0])) : "a UTM zone";
-  return system.GetName() + " is in " + system.GetUnitName() +
-    "; reproject it to a metric system, e.g. <filter type=\"crs\"> with target " + target;
+  return Status::Error(system.GetName() + " is in " + system.GetUnitName() +
+    "; reproject it to a metric system, e.g. <filter type=\"crs\"> with target " + target);
 }
 
 } // namespace helios

@@ -6,6 +6,7 @@
 #define heliosCoordinateTransform_h
 
 #include "heliosCoordinateSystem.h"
+#include "heliosStatus.h"
 
 #include <vtkType.h>
 
@@ -36,8 +37,8 @@ public:
   CoordinateTransform(CoordinateTransform&& other) noexcept;
   CoordinateTransform& operator=(CoordinateTransform other) noexcept;
 
-  /// Sets both systems. Returns an error message if no transformation exists, or an empty string.
-  std::string Set(const CoordinateSystem& source, const CoordinateSystem& target);
+  /// Sets both systems. Returns an error if no transformation exists.
+  Status Set(const CoordinateSystem& source, const CoordinateSystem& target);
 
   /// Whether both systems are the same: points are unchanged.
   bool IsIdentity() const;
@@ -65,7 +66,7 @@ public:
   double GetAccuracy() const;
 
   /**
-   * Returns warnings about transforming points, or an empty string: a better operation exists for
+   * Returns warnings about transforming points, empty without any: a better operation exists for
    * the first point, but its grids are not installed; PROJ uses different operations for the
    * points, which tears surfaces.
    */
@@ -83,10 +84,10 @@ private:
 };
 
 /**
- * Returns an error message if distances in the system are not in metres: "EPSG:4326 (WGS 84) is in
- * degrees; ..." with the UTM zone of a scene point as a remedy; or an empty string.
+ * Returns an error if distances in the system are not in metres: "EPSG:4326 (WGS 84) is in degrees;
+ * ..." with the UTM zone of a scene point as a remedy.
  */
-VTKHELIOSFILTERSCORE_EXPORT std::string GetMetricProblem(
+VTKHELIOSFILTERSCORE_EXPORT Status CheckMetric(
   const CoordinateSystem& system, const double point[3]);
 
 } // namespace helios

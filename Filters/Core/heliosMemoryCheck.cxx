@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMemoryCheck.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosMemoryLimit.h"
 
 #include <iomanip>
@@ -33,7 +34,7 @@ std::string ToSize(double bytes)
 
 } // namespace
 
-std::string CheckMemory(const std::string& things, double count, double bytesEach)
+Status CheckMemory(const std::string& things, double count, double bytesEach)
 {
   const double needed = count * bytesEach;
   const double limit = Mebibyte * vtkHeliosMemoryLimit::GetLimit();
@@ -51,7 +52,7 @@ std::string CheckMemory(const std::string& things, double count, double bytesEac
        << " of memory, and " << ToSize(available) << " are available"
        << (limit > 0.0 ? " of the " + ToSize(limit) + " that may be used" : std::string())
        << "; use fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)";
-  return text.str();
+  return Status::Error(text.str());
 }
 
 } // namespace helios

@@ -5,6 +5,7 @@
 #ifndef heliosMemoryCheck_h
 #define heliosMemoryCheck_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <string>
@@ -17,11 +18,10 @@ namespace helios
 constexpr double BytesPerTriangle = 165.0;
 
 /**
- * Returns "10000000000 cells with heights need about 2.3 TB of memory, and 24.3 GB are available; "
- * and how to raise the limit, if this many items of a size exceed vtkHeliosMemoryLimit; otherwise
- * an empty string.
+ * Returns an error if this many items of a size exceed vtkHeliosMemoryLimit: "10000000000 cells with
+ * heights need about 2.3 TB of memory, and 24.3 GB are available; " and how to raise the limit.
  */
-VTKHELIOSFILTERSCORE_EXPORT std::string CheckMemory(
+VTKHELIOSFILTERSCORE_EXPORT Status CheckMemory(
   const std::string& things, double count, double bytesEach);
 
 } // namespace helios

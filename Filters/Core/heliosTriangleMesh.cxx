@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTriangleMesh.h"
 
+#include "heliosStatus.h"
+
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -16,23 +18,24 @@
 namespace helios
 {
 
-std::string TriangleMesh::Set(vtkPolyData* scene)
+Status TriangleMesh::Set(vtkPolyData* scene)
 {
   *this = TriangleMesh();
   if (!scene || scene->GetNumberOfCells() == 0)
   {
-    return "the scene is empty: it has no triangles";
+    return Status::Error("the scene is empty: it has no triangles");
   }
   vtkCellArray* polys = scene->GetPolys();
   if (scene->GetNumberOfCells() != polys->GetNumberOfCells() || polys->IsHomogeneous() != 3)
   {
-    return "the scene has cells that are not triangles; pass it through vtkTriangleFilter first";
+    return Status::Error(
+      "the scene has cells that are not triangles; pass it through vtkTriangleFilter first");
   }
   const vtkIdType pointCount = scene->GetNumberOfPoints();
   if (pointCount > std::numeric_limits<vtkTypeInt32>::max())
   {
-    return "the scene has " + std::to_string(pointCount) +
-      " points, more than 2^31; split it into several scenes";
+    return Status::Error("the scene has " + std::to_string(pointCount) +
+      " points, more than 2^31; split it into several scenes");
   }
 
   vtkDataArray* points = scene->GetPoints()->GetData();
@@ -66,15 +69,15 @@ std::string TriangleMesh::Set(vtkPolyData* scene)
   {
     if (this->Corners[i] < 0 || this->Corners[i] >= pointCount)
     {
-      return "cell " + std::to_string(i / 3) + " of the scene refers to point " +
-        std::to_string(this->Corners[i]) + ", but it has " + std::to_string(pointCount);
+      return Status::Error("cell " + std::to_string(i / 3) + " of the scene refers to point " +
+        std::to_string(this->Corners[i]) + ", but it has " + std::to_string(pointCount));
     }
     const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
-      return "cell " + std::to_string(i / 3) +
+      return Status::Error("cell " + std::to_string(i / 3) +
         " of the scene has a corner that is not finite (point " + std::to_string(this->Corners[i]) +
-        "); repair or remove it";
+        "); repair or remove it");
     }
   }
   this->NumberOfPoints = pointCount;

@@ -6,6 +6,7 @@
 #define heliosTriangleMesh_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h"
 
 #include <vtkSmartPointer.h>
@@ -31,10 +32,10 @@ public:
   TriangleMesh& operator=(TriangleMesh&&) = default;
 
   /**
-   * Sets a scene and keeps a reference. Returns an error message (cells other than triangles,
-   * corners that are invalid or not finite, more than 2^31 points), or an empty string.
+   * Sets a scene and keeps a reference. Errors: cells other than triangles, corners that are
+   * invalid or not finite, more than 2^31 points.
    */
-  std::string Set(vtkPolyData* scene);
+  Status Set(vtkPolyData* scene);
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }

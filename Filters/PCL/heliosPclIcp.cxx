@@ -3,6 +3,7 @@
 #include "heliosPclIcp.h"
 
 #include "heliosPclNormals.h"
+#include "heliosStatus.h"
 
 #include <pcl/registration/transformation_estimation_point_to_plane_lls.h>
 #include <pcl/registration/transformation_estimation_svd.h>
@@ -216,7 +217,7 @@ bool PclIcp::FindPairs(
     });
 }
 
-std::string PclIcp::Run()
+Status PclIcp::Run()
 {
   double reach = 1.0;
   for (const Eigen::Vector3d& p : this->Moving)
@@ -246,19 +247,20 @@ std::string PclIcp::Run()
     this->Measure(*moved, pairs);
     if (pairs.size() < LeastPairs)
     {
-      return "only " + std::to_string(near) + " points of input 1 have a point of input 0 within " +
-        "MaximumDistance, and " + std::to_string(pairs.size()) +
+      return Status::Error("only " + std::to_string(near) +
+        " points of input 1 have a point of input 0 within " + "MaximumDistance, and " +
+        std::to_string(pairs.size()) +
         " of these pairs lie on one plane; align the scans better first, or set a larger "
-        "MaximumDistance or MaximumCurvature";
+        "MaximumDistance or MaximumCurvature");
     }
     const Eigen::Isometry3d step = this->Estimate(*moved, pairs);
     const Eigen::Vector3d centre = GetCentre(*moved);
     const double shift = (step * centre - centre).norm();
     if (!step.matrix().allFinite() || !(shift <= 2.0 * this->MaximumDistance))
     {
-      return "the " + std::to_string(pairs.size()) +
+      return Status::Error("the " + std::to_string(pairs.size()) +
         " pairs of points do not determine the motion; " +
-        "scans need surfaces in three directions";
+        "scans need surfaces in three directions");
     }
     this->Motion = step * this->Motion;
     const double angle = std::abs(Eigen::AngleAxisd(step.linear()).angle());

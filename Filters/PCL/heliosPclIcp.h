@@ -5,6 +5,8 @@
 #ifndef heliosPclIcp_h
 #define heliosPclIcp_h
 
+#include "heliosStatus.h"
+
 #include <pcl/correspondence.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -38,8 +40,8 @@ public:
   void SetMoving(
     std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local);
 
-  /// Finds the motion; returns an error message, or an empty string.
-  std::string Run();
+  /// Finds the motion.
+  Status Run();
 
   const Eigen::Isometry3d& GetMotion() const { return this->Motion; }
   bool IsStopped() const { return this->Stopped; }

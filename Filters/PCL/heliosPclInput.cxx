@@ -3,6 +3,7 @@
 #include "heliosPclInput.h"
 
 #include "heliosPclCloud.h"
+#include "heliosStatus.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -17,17 +18,18 @@ namespace helios
 namespace
 {
 
-/// An error message about an array whose number of tuples is not the number of points; empty: none.
-std::string CheckLengths(vtkPolyData* data)
+/// Returns an error if the number of tuples of an array is not the number of points.
+Status CheckLengths(vtkPolyData* data)
 {
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(i);
     if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
     {
-      return std::string("the point array ") + (array->GetName() ? array->GetName() : "(no name)") +
-        " has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-        std::to_string(data->GetNumberOfPoints()) + " points; give it one per point, or remove it";
+      return Status::Error(std::string("the point array ") +
+        (array->GetName() ? array->GetName() : "(no name)") + " has " +
+        std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+        std::to_string(data->GetNumberOfPoints()) + " points; give it one per point, or remove it");
     }
   }
   return {};
@@ -35,14 +37,15 @@ std::string CheckLengths(vtkPolyData* data)
 
 } // namespace
 
-std::string PclInput::Read(vtkPolyData* data, double step)
+Status PclInput::Read(vtkPolyData* data, double step)
 {
   this->Data = data;
   this->Points = Cloud::Ptr(new Cloud);
   const vtkIdType count = data->GetNumberOfPoints();
   if (count > std::numeric_limits<pcl::index_t>::max())
   {
-    return std::to_string(count) + " points are more than PCL can count; process them in pieces";
+    return Status::Error(
+      std::to_string(count) + " points are more than PCL can count; process them in pieces");
   }
   ChooseOrigin(data, this->Origin, step);
   this->Points->reserve(static_cast<std::size_t>(count));

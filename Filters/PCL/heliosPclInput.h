@@ -5,6 +5,8 @@
 #ifndef heliosPclInput_h
 #define heliosPclInput_h
 
+#include "heliosStatus.h"
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/types.h>
@@ -24,9 +26,8 @@ class PclInput
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-  /// Takes the finite points, relative to an origin that is a multiple of a step [m]. Returns an
-  /// error message, or an empty string.
-  std::string Read(vtkPolyData* data, double step);
+  /// Takes the finite points, relative to an origin that is a multiple of a step [m].
+  Status Read(vtkPolyData* data, double step);
 
   vtkPolyData* GetData() const { return this->Data; }
   const double* GetOrigin() const { return this->Origin; }

@@ -4,6 +4,7 @@
 
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
+#include "heliosStatus.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -41,10 +42,10 @@ bool vtkHeliosPCLFilter::GoOn(double progress)
 bool vtkHeliosPCLFilter::Run(vtkPolyData* data, vtkPolyData* output)
 {
   helios::PclInput input;
-  const std::string problem = input.Read(data, this->GetStep());
-  if (!problem.empty())
+  const helios::Status status = input.Read(data, this->GetStep());
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "Input: " << problem);
+    vtkErrorMacro(<< "Input: " << status.Message());
     return false;
   }
   this->NumberOfDroppedPoints = input.GetNumberOfDropped();

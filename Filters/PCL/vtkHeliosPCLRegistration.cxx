@@ -5,6 +5,7 @@
 #include "heliosPclIcp.h"
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPCLArrayNames.h"
 
@@ -135,14 +136,14 @@ int vtkHeliosPCLRegistration::FillInputPortInformation(int, vtkInformation* info
 //------------------------------------------------------------------------------
 bool vtkHeliosPCLRegistration::ReadInput(int port, vtkPolyData* data, helios::PclInput& input)
 {
-  std::string problem = input.Read(data, 1.0);
-  if (problem.empty() && input.GetSize() == 0)
+  helios::Status status = input.Read(data, 1.0);
+  if (status.IsOk() && input.GetSize() == 0)
   {
-    problem = "there are no finite points; connect a scan";
+    status = helios::Status::Error("there are no finite points; connect a scan");
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "Input " << port << ": " << problem);
+    vtkErrorMacro(<< "Input " << port << ": " << status.Message());
     return false;
   }
   if (input.GetNumberOfDropped() > 0)
@@ -178,16 +179,16 @@ bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vt
   };
   icp.SetFixed(inputs[0].GetCloud());
   icp.SetMoving(GetLocalPoints(inputs[1], origin), inputs[1].GetCloud());
-  const std::string problem = icp.Run();
+  const helios::Status status = icp.Run();
   if (icp.IsStopped())
   {
     vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
                   << " %; update again to complete it");
     return false;
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   if (!icp.HasSettled())

@@ -3,6 +3,7 @@
 #include "vtkHeliosReturnSelection.h"
 
 #include "heliosPointSelection.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -29,8 +30,8 @@ public:
   {
   }
 
-  /// Reads the arrays needed; returns an error message, or an empty string.
-  std::string Set(vtkPolyData* input)
+  /// Reads the arrays needed.
+  helios::Status Set(vtkPolyData* input)
   {
     const int* range = this->Selection.ReturnRange;
     const bool isRange = range[0] > 0 || range[1] < 255;
@@ -48,9 +49,9 @@ public:
       vtkDataArray* found = input->GetPointData()->GetArray(array.Name);
       if (array.IsNeeded && !IsIntegers(found, input->GetNumberOfPoints()))
       {
-        return std::string("the point array ") + array.Name +
+        return helios::Status::Error(std::string("the point array ") + array.Name +
           (found ? " is not one integer per point" : " does not exist") +
-          "; add it, or do not select by it";
+          "; add it, or do not select by it");
       }
       *array.Array = array.IsNeeded ? found : nullptr;
     }
@@ -166,10 +167,10 @@ int vtkHeliosReturnSelection::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const vtkIdType count = input->GetNumberOfPoints();
   Test test(*this);
-  const std::string problem = count > 0 ? test.Set(input) : std::string();
-  if (!problem.empty())
+  const helios::Status status = count > 0 ? test.Set(input) : helios::Status();
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "Input: " << problem);
+    vtkErrorMacro(<< "Input: " << status.Message());
     return 0;
   }
   try

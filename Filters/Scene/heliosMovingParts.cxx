@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMovingParts.h"
 
+#include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -27,7 +28,7 @@ bool IsFinite(const Vec3& v)
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-std::string CheckMotion(int part, const Motion& motion)
+Status CheckMotion(int part, const Motion& motion)
 {
   const std::string what = "a motion of part " + std::to_string(part);
   const bool needsAxis =
@@ -35,16 +36,16 @@ std::string CheckMotion(int part, const Motion& motion)
   if (!IsFinite(motion.Vector) || !IsFinite(motion.Center) || !IsFinite(motion.Shift) ||
     !std::isfinite(motion.Angle) || !std::isfinite(motion.Glide))
   {
-    return what + " has numbers that are not finite; give finite ones";
+    return Status::Error(what + " has numbers that are not finite; give finite ones");
   }
   if (needsAxis && !(motion.Vector.Norm() > 0.0))
   {
-    return what + " has an axis or normal of length 0; give one that is not 0, 0, 0";
+    return Status::Error(what + " has an axis or normal of length 0; give one that is not 0, 0, 0");
   }
-  return std::string();
+  return {};
 }
 
-std::string CheckMotions(const std::map<int, std::vector<MotionSequence>>& motions)
+Status CheckMotions(const std::map<int, std::vector<MotionSequence>>& motions)
 {
   for (const auto& part : motions)
   {
@@ -52,15 +53,15 @@ std::string CheckMotions(const std::map<int, std::vector<MotionSequence>>& motio
     {
       for (const Motion& motion : sequence.Motions)
       {
-        const std::string problem = CheckMotion(part.first, motion);
-        if (!problem.empty())
+        const Status status = CheckMotion(part.first, motion);
+        if (!status.IsOk())
         {
-          return problem;
+          return status;
         }
       }
     }
   }
-  return std::string();
+  return {};
 }
 
 /// The area centroid of triangles; that of their corners if the area is zero.
@@ -85,8 +86,8 @@ Vec3 FindCentroid(const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
     (areas > 0.0 ? (1.0 / areas) * byArea : (1.0 / static_cast<double>(cells.size())) * plain);
 }
 
-/// Assigns points to parts; returns an error message if a moving part shares one.
-std::string ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
+/// Assigns points to parts; returns an error if a moving part shares one.
+Status ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
   const std::map<int, std::size_t>& places, std::vector<MovingPart>& parts)
 {
   constexpr int Nobody = -1;
@@ -99,10 +100,11 @@ std::string ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
     int& before = owners[static_cast<std::size_t>(corners[i])];
     if (before != Nobody && before != owner)
     {
-      return "point " + std::to_string(corners[i]) + " belongs to a part that moves, part " +
+      return Status::Error("point " + std::to_string(corners[i]) +
+        " belongs to a part that moves, part " +
         std::to_string(parts[static_cast<std::size_t>(std::max(before, owner)) - 1].Id) +
         ", and to another one; compose the parts with vtkHeliosSceneComposer, which gives each its "
-        "own points";
+        "own points");
     }
     if (before == Nobody && owner > 0)
     {
@@ -110,7 +112,7 @@ std::string ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
     }
     before = owner;
   }
-  return std::string();
+  return {};
 }
 
 void TurnNormals(
@@ -139,22 +141,22 @@ void TurnNormals(
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string FindMovingParts(vtkPolyData* scene,
+Status FindMovingParts(vtkPolyData* scene,
   const std::map<int, std::vector<MotionSequence>>& motions, std::vector<MovingPart>& parts)
 {
   parts.clear();
   TriangleMesh mesh;
-  std::string problem = CheckMotions(motions);
-  problem = problem.empty() ? mesh.Set(scene) : problem;
+  Status status = CheckMotions(motions);
+  status = status.IsOk() ? mesh.Set(scene) : status;
   vtkDataArray* partIds = scene->GetCellData()->GetArray(names::PartIds);
-  if (problem.empty() && (!partIds || partIds->GetNumberOfTuples() < mesh.GetNumberOfTriangles()))
+  if (status.IsOk() && (!partIds || partIds->GetNumberOfTuples() < mesh.GetNumberOfTriangles()))
   {
-    problem = std::string("the scene has no cell array ") + names::PartIds +
-      " with the part of each triangle; compose it with vtkHeliosSceneComposer";
+    status = Status::Error(std::string("the scene has no cell array ") + names::PartIds +
+      " with the part of each triangle; compose it with vtkHeliosSceneComposer");
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   std::map<int, std::vector<vtkIdType>> cells;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
@@ -170,20 +172,20 @@ std::string FindMovingParts(vtkPolyData* scene,
   {
     if (cells[part.first].empty())
     {
-      return "part " + std::to_string(part.first) +
+      return Status::Error("part " + std::to_string(part.first) +
         " moves, but the scene has no triangle of it; parts are numbered from 0, like the "
-        "composer's inputs";
+        "composer's inputs");
     }
     places[part.first] = parts.size();
     const Vec3 centroid = FindCentroid(mesh, cells[part.first]);
     parts.push_back({ part.first, PartMotion(part.second, centroid), {}, cells[part.first] });
   }
-  problem = ShareOutPoints(mesh, partIds, places, parts);
-  if (!problem.empty())
+  status = ShareOutPoints(mesh, partIds, places, parts);
+  if (!status.IsOk())
   {
     parts.clear();
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------

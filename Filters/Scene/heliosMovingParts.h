@@ -6,6 +6,7 @@
 #define heliosMovingParts_h
 
 #include "heliosPartMotion.h"
+#include "heliosStatus.h"
 
 #include <map>
 #include <string>
@@ -25,8 +26,8 @@ struct MovingPart
   std::vector<vtkIdType> Cells;
 };
 
-/// Finds the parts of a scene that have motions; returns an error message, or an empty string.
-std::string FindMovingParts(vtkPolyData* scene,
+/// Finds the parts of a scene that have motions.
+Status FindMovingParts(vtkPolyData* scene,
   const std::map<int, std::vector<MotionSequence>>& motions, std::vector<MovingPart>& parts);
 
 /// Moves the points of parts, and rotates the active normals of their cells; one map per part.

@@ -3,6 +3,7 @@
 #include "heliosReprojection.h"
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
@@ -91,7 +92,7 @@ Reprojection::Reprojection(const CoordinateTransform& transform, Watcher watcher
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::Run(vtkDataArray* places, const Work& work, const std::string& what)
+Status Reprojection::Run(vtkDataArray* places, const Work& work, const std::string& what)
 {
   auto* doubles = vtkDoubleArray::FastDownCast(places);
   const vtkIdType count = places->GetNumberOfTuples();
@@ -122,11 +123,11 @@ std::string Reprojection::Run(vtkDataArray* places, const Work& work, const std:
   places->GetTuple(failed, p);
   double ignored[3];
   this->Transform.Forward(p, ignored, 1); // to get the error reason
-  return what + this->Transform.DescribeFailure(failed, p);
+  return Status::Error(what + this->Transform.DescribeFailure(failed, p));
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TurnNormals(
+Status Reprojection::TurnNormals(
   vtkDataArray* places, vtkDataArray* normals, const std::string& what)
 {
   const auto work = [&](CoordinateTransform& transform, const double place[3], vtkIdType i)
@@ -147,7 +148,7 @@ std::string Reprojection::TurnNormals(
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TurnVectors(vtkDataArray* places, vtkDataArray* vectors)
+Status Reprojection::TurnVectors(vtkDataArray* places, vtkDataArray* vectors)
 {
   const auto work = [&](CoordinateTransform& transform, const double place[3], vtkIdType i)
   {
@@ -166,7 +167,7 @@ std::string Reprojection::TurnVectors(vtkDataArray* places, vtkDataArray* vector
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TurnFrames(vtkDataArray* places, vtkDataArray* quaternions)
+Status Reprojection::TurnFrames(vtkDataArray* places, vtkDataArray* quaternions)
 {
   const auto work = [&](CoordinateTransform& transform, const double place[3], vtkIdType i)
   {
@@ -187,7 +188,7 @@ std::string Reprojection::TurnFrames(vtkDataArray* places, vtkDataArray* quatern
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::Move(vtkDataArray* places, vtkDataArray* images)
+Status Reprojection::Move(vtkDataArray* places, vtkDataArray* images)
 {
   const auto work = [&](CoordinateTransform& transform, const double place[3], vtkIdType i)
   {
@@ -203,7 +204,7 @@ std::string Reprojection::Move(vtkDataArray* places, vtkDataArray* images)
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TransformCells(vtkPointSet* from, vtkPointSet* to)
+Status Reprojection::TransformCells(vtkPointSet* from, vtkPointSet* to)
 {
   vtkDataArray* normals = from->GetCellData()->GetNormals();
   if (!normals)
@@ -211,29 +212,29 @@ std::string Reprojection::TransformCells(vtkPointSet* from, vtkPointSet* to)
     return {};
   }
   const auto turned = Copy(normals);
-  std::string problem = this->TurnNormals(GetCentres(from), turned, "Normals of cells: ");
+  Status status = this->TurnNormals(GetCentres(from), turned, "Normals of cells: ");
   to->GetCellData()->SetNormals(turned);
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TransformPointData(vtkPointSet* from, vtkPointSet* to)
+Status Reprojection::TransformPointData(vtkPointSet* from, vtkPointSet* to)
 {
   vtkDataArray* places = from->GetPoints()->GetData();
-  std::string problem;
+  Status status;
   if (vtkDataArray* normals = from->GetPointData()->GetNormals())
   {
     const auto turned = Copy(normals);
-    problem = this->TurnNormals(places, turned, "Normals of points: ");
+    status = this->TurnNormals(places, turned, "Normals of points: ");
     to->GetPointData()->SetNormals(turned);
   }
   const auto replace = [&](const char* name, int components, const auto& change)
   {
     vtkDataArray* array = from->GetPointData()->GetArray(name);
-    if (problem.empty() && array && array->GetNumberOfComponents() == components)
+    if (status.IsOk() && array && array->GetNumberOfComponents() == components)
     {
       const auto changed = Copy(array);
-      problem = change(changed);
+      status = change(changed);
       to->GetPointData()->AddArray(changed);
     }
   };
@@ -244,11 +245,11 @@ std::string Reprojection::TransformPointData(vtkPointSet* from, vtkPointSet* to)
   replace(
     names::Orientation, 4, [&](vtkDataArray* array) { return this->TurnFrames(places, array); });
   replace(names::TruePoint, 3, [&](vtkDataArray* array) { return this->Move(array, array); });
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------
-std::string Reprojection::TransformPoints(vtkPointSet* from, vtkPointSet* to)
+Status Reprojection::TransformPoints(vtkPointSet* from, vtkPointSet* to)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -256,9 +257,9 @@ std::string Reprojection::TransformPoints(vtkPointSet* from, vtkPointSet* to)
   double* images = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
   const auto work = [images](CoordinateTransform& transform, const double place[3], vtkIdType i)
   { return transform.Forward(place, images + 3 * i, 1) < 0; };
-  std::string problem = this->Run(from->GetPoints()->GetData(), work, "");
+  Status status = this->Run(from->GetPoints()->GetData(), work, "");
   to->SetPoints(points);
-  return problem;
+  return status;
 }
 
 } // namespace helios

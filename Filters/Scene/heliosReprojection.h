@@ -6,6 +6,7 @@
 #define heliosReprojection_h
 
 #include "heliosCoordinateTransform.h"
+#include "heliosStatus.h"
 
 #include <vtkSMPThreadLocal.h>
 #include <vtkSmartPointer.h>
@@ -33,20 +34,19 @@ public:
 
   ///@{
   /// Transforms the contents of a data set; its points are those of the source until the last step.
-  /// Returns an error message, or an empty string.
-  std::string TransformCells(vtkPointSet* from, vtkPointSet* to);
-  std::string TransformPointData(vtkPointSet* from, vtkPointSet* to);
-  std::string TransformPoints(vtkPointSet* from, vtkPointSet* to);
+  Status TransformCells(vtkPointSet* from, vtkPointSet* to);
+  Status TransformPointData(vtkPointSet* from, vtkPointSet* to);
+  Status TransformPoints(vtkPointSet* from, vtkPointSet* to);
   ///@}
 
   bool IsAborted() const { return this->Aborted; }
 
 private:
-  std::string Run(vtkDataArray* places, const Work& work, const std::string& what);
-  std::string TurnNormals(vtkDataArray* places, vtkDataArray* normals, const std::string& what);
-  std::string TurnVectors(vtkDataArray* places, vtkDataArray* vectors);
-  std::string TurnFrames(vtkDataArray* places, vtkDataArray* quaternions);
-  std::string Move(vtkDataArray* places, vtkDataArray* images);
+  Status Run(vtkDataArray* places, const Work& work, const std::string& what);
+  Status TurnNormals(vtkDataArray* places, vtkDataArray* normals, const std::string& what);
+  Status TurnVectors(vtkDataArray* places, vtkDataArray* vectors);
+  Status TurnFrames(vtkDataArray* places, vtkDataArray* quaternions);
+  Status Move(vtkDataArray* places, vtkDataArray* images);
 
   CoordinateTransform Transform;
   vtkSMPThreadLocal<CoordinateTransform> Transforms;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneSubset.h"
 
+#include "heliosStatus.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -21,7 +23,7 @@ namespace helios
 namespace
 {
 
-std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType count, const std::string& kind)
+Status FindShortArray(vtkDataSetAttributes* arrays, vtkIdType count, const std::string& kind)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -29,9 +31,9 @@ std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType count, const 
     if (array->GetNumberOfTuples() < count)
     {
       const std::string name = array->GetName() ? array->GetName() : "(no name)";
-      return "The " + kind + " array " + name + " has " +
+      return Status::Error("The " + kind + " array " + name + " has " +
         std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(count) + " " +
-        kind + "s; give each " + kind + " a value";
+        kind + "s; give each " + kind + " a value");
     }
   }
   return {};
@@ -99,11 +101,11 @@ vtkSmartPointer<vtkDoubleArray> GetDoublePoints(vtkPolyData* scene)
   return copy;
 }
 
-std::string FindShortArray(vtkPolyData* scene)
+Status FindShortArray(vtkPolyData* scene)
 {
-  const std::string text = FindShortArray(scene->GetCellData(), scene->GetNumberOfCells(), "cell");
-  return text.empty() ? FindShortArray(scene->GetPointData(), scene->GetNumberOfPoints(), "point")
-                      : text;
+  const Status text = FindShortArray(scene->GetCellData(), scene->GetNumberOfCells(), "cell");
+  return text.IsOk() ? FindShortArray(scene->GetPointData(), scene->GetNumberOfPoints(), "point")
+                     : text;
 }
 
 vtkIdType ExtractTriangles(vtkPolyData* input, const std::vector<vtkIdType>& cells,

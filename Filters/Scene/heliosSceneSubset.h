@@ -5,6 +5,7 @@
 #ifndef heliosSceneSubset_h
 #define heliosSceneSubset_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersSceneModule.h"
 
 #include <vtkSmartPointer.h>
@@ -22,8 +23,8 @@ namespace helios
 /// The points of a scene in double precision: its own array if it is double.
 VTKHELIOSFILTERSSCENE_EXPORT vtkSmartPointer<vtkDoubleArray> GetDoublePoints(vtkPolyData* scene);
 
-/// An error message with the cell or point array that is too short, and the remedy; empty: none.
-VTKHELIOSFILTERSSCENE_EXPORT std::string FindShortArray(vtkPolyData* scene);
+/// Returns an error if a cell or point array is too short: which one, and the remedy.
+VTKHELIOSFILTERSSCENE_EXPORT Status FindShortArray(vtkPolyData* scene);
 
 /**
  * Fills output with triangles of input: cells lists the cells whose data they get, corners three

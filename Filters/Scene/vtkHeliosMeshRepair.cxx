@@ -5,6 +5,7 @@
 #include "heliosMeshRecords.h"
 #include "heliosPointMerger.h"
 #include "heliosSceneSubset.h"
+#include "heliosStatus.h"
 #include "heliosTriangleArea.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -143,10 +144,10 @@ bool vtkHeliosMeshRepair::Read(vtkPolyData* input, Mesh& mesh)
                   << " triangles, more than 2^31 points or corners; split it into several scenes");
     return false;
   }
-  const std::string shortArray = helios::FindShortArray(input);
-  if (!shortArray.empty())
+  const helios::Status shortArray = helios::FindShortArray(input);
+  if (!shortArray.IsOk())
   {
-    vtkErrorMacro(<< shortArray);
+    vtkErrorMacro(<< shortArray.Message());
     return false;
   }
   mesh.Corners.resize(3 * static_cast<std::size_t>(count));

@@ -4,6 +4,7 @@
 
 #include "heliosReprojection.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -59,18 +60,18 @@ bool vtkHeliosReproject::FindSystems(
     vtkErrorMacro(<< "The input has no CRS in its field data; set SourceCRS, the system it is in");
     return false;
   }
-  const std::string targetProblem = target.Set(wanted);
-  const std::string sourceProblem = source.Set(given.empty() ? own : given);
-  if (!targetProblem.empty() || !sourceProblem.empty())
+  const helios::Status targetProblem = target.Set(wanted);
+  const helios::Status sourceProblem = source.Set(given.empty() ? own : given);
+  if (!targetProblem.IsOk() || !sourceProblem.IsOk())
   {
     const char* place = given.empty() ? "CRS of the input" : "SourceCRS";
-    vtkErrorMacro(<< (sourceProblem.empty() ? "TargetCRS" : place) << ": "
-                  << (sourceProblem.empty() ? targetProblem : sourceProblem));
+    vtkErrorMacro(<< (sourceProblem.IsOk() ? "TargetCRS" : place) << ": "
+                  << (sourceProblem.IsOk() ? targetProblem.Message() : sourceProblem.Message()));
     return false;
   }
   helios::CoordinateSystem said;
   const bool isWarned = this->Warned > this->GetMTime();
-  if (!isWarned && !given.empty() && !own.empty() && !(said.Set(own).empty() && said == source))
+  if (!isWarned && !given.empty() && !own.empty() && !(said.Set(own).IsOk() && said == source))
   {
     vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", but the input has " << own
                     << "; SourceCRS is used");
@@ -101,10 +102,10 @@ int vtkHeliosReproject::RequestData(
     return 0;
   }
   helios::CoordinateTransform transform;
-  std::string problem = transform.Set(source, target);
-  if (!problem.empty())
+  helios::Status status = transform.Set(source, target);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   output->ShallowCopy(input);
@@ -114,10 +115,10 @@ int vtkHeliosReproject::RequestData(
     return 1;
   }
   this->Warn(input, transform);
-  problem = this->Transform(input, output, transform);
-  if (!problem.empty())
+  status = this->Transform(input, output, transform);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     output->Initialize();
     return 0;
   }
@@ -140,7 +141,7 @@ void vtkHeliosReproject::Warn(vtkPointSet* input, helios::CoordinateTransform& t
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosReproject::Transform(
+helios::Status vtkHeliosReproject::Transform(
   vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform)
 {
   double done = 0.0;
@@ -150,22 +151,22 @@ std::string vtkHeliosReproject::Transform(
     return !this->GetAbortExecute();
   };
   helios::Reprojection reprojection(transform, watch);
-  std::string problem = reprojection.TransformCells(input, output);
+  helios::Status status = reprojection.TransformCells(input, output);
   done = 1.0 / 3.0;
-  if (problem.empty() && !reprojection.IsAborted())
+  if (status.IsOk() && !reprojection.IsAborted())
   {
-    problem = reprojection.TransformPointData(input, output);
+    status = reprojection.TransformPointData(input, output);
   }
   done = 2.0 / 3.0;
-  if (problem.empty() && !reprojection.IsAborted())
+  if (status.IsOk() && !reprojection.IsAborted())
   {
-    problem = reprojection.TransformPoints(input, output);
+    status = reprojection.TransformPoints(input, output);
   }
   if (reprojection.IsAborted())
   {
     output->Initialize();
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------

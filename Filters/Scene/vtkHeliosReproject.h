@@ -48,6 +48,7 @@ namespace helios
 {
 class CoordinateSystem;
 class CoordinateTransform;
+class Status;
 }
 
 class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosReproject : public vtkPointSetAlgorithm
@@ -88,7 +89,7 @@ private:
   bool FindSystems(
     vtkPointSet* input, helios::CoordinateSystem& source, helios::CoordinateSystem& target);
   void Warn(vtkPointSet* input, helios::CoordinateTransform& transform);
-  std::string Transform(
+  helios::Status Transform(
     vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform);
 
   vtkTimeStamp Warned; // once for all pieces

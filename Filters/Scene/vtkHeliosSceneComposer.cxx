@@ -6,6 +6,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -86,22 +87,24 @@ vtkIntArray* GetSingleMaterialIds(const PartList& parts)
   return isRight ? ids : nullptr;
 }
 
-/// Compares two CRS texts: returns an empty string if they are equivalent, else an error message.
-std::string CompareCRS(const std::string& own, const std::string& before)
+/// Returns an error if two CRS texts are not equivalent.
+helios::Status CompareCRS(const std::string& own, const std::string& before)
 {
   helios::CoordinateSystem systems[2];
-  for (const std::string& problem : { systems[0].Set(own), systems[1].Set(before) })
+  for (const helios::Status& status : { systems[0].Set(own), systems[1].Set(before) })
   {
-    if (!problem.empty())
+    if (!status.IsOk())
     {
-      return own + ", but earlier parts have " + before + ": " + problem;
+      return helios::Status::Error(
+        own + ", but earlier parts have " + before + ": " + status.Message());
     }
   }
   return systems[0] == systems[1]
-    ? std::string()
-    : systems[0].GetName() + ", but earlier parts have " + systems[1].GetName() +
-      "; reproject one of them: vtkHeliosReproject, or <filter type=\"crs\"> with target " +
-      systems[1].GetLabel();
+    ? helios::Status()
+    : helios::Status::Error(systems[0].GetName() + ", but earlier parts have " +
+        systems[1].GetName() +
+        "; reproject one of them: vtkHeliosReproject, or <filter type=\"crs\"> with target " +
+        systems[1].GetLabel());
 }
 
 } // namespace
@@ -260,11 +263,12 @@ bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const std::string own = parts[i] ? helios::GetCRS(parts[i]) : std::string();
-    const std::string problem =
-      crs.empty() || own.empty() || own == crs ? std::string() : CompareCRS(own, crs);
-    if (!problem.empty())
+    const helios::Status status =
+      crs.empty() || own.empty() || own == crs ? helios::Status() : CompareCRS(own, crs);
+    if (!status.IsOk())
     {
-      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS " << problem);
+      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS "
+                    << status.Message());
       return false;
     }
     crs = crs.empty() ? own : crs;

@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneMotion.h"
 
 #include "heliosMovingParts.h"
+#include "heliosStatus.h"
 
 #include <vtkCellData.h>
 #include <vtkDataObject.h>
@@ -133,10 +134,10 @@ bool vtkHeliosSceneMotion::Prepare(vtkPolyData* scene)
   }
   parts.Scene = scene;
   parts.Time = 0;
-  const std::string problem = helios::FindMovingParts(scene, parts.Motions, parts.Prepared);
-  if (!problem.empty())
+  const helios::Status status = helios::FindMovingParts(scene, parts.Motions, parts.Prepared);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   parts.Time = scene->GetMTime();

@@ -5,6 +5,7 @@
 #include "heliosMeshPatches.h"
 #include "heliosPatchSimplifier.h"
 #include "heliosSceneSubset.h"
+#include "heliosStatus.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
@@ -212,11 +213,11 @@ bool vtkHeliosMeshSimplify::Check(vtkPolyData* input)
     return false;
   }
   helios::TriangleMesh mesh;
-  std::string text = input->GetNumberOfCells() > 0 ? mesh.Set(input) : std::string();
-  text = text.empty() ? helios::FindShortArray(input) : text;
-  if (!text.empty())
+  helios::Status text = input->GetNumberOfCells() > 0 ? mesh.Set(input) : helios::Status();
+  text = text.IsOk() ? helios::FindShortArray(input) : text;
+  if (!text.IsOk())
   {
-    vtkErrorMacro(<< text);
+    vtkErrorMacro(<< text.Message());
     return false;
   }
   return true;
@@ -257,7 +258,11 @@ int vtkHeliosMeshSimplify::RequestData(
     return 1;
   }
   helios::TriangleMesh mesh;
-  mesh.Set(scene);
+  if (const helios::Status status = mesh.Set(scene); !status.IsOk())
+  {
+    vtkErrorMacro(<< "Input: " << status.Message());
+    return 0;
+  }
   helios::PatchSource source = MakeSource(scene, mesh);
   const Silence silence;
   try

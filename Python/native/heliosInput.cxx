@@ -12,5 +12,5 @@ PyObject* heliosCheckInputFile(PyObject*, PyObject* args)
   {
     return nullptr;
   }
-  return PyUnicode_FromString(helios::CheckInputFile(path).c_str());
+  return PyUnicode_FromString(helios::CheckInputFile(path).Message().c_str());
 }

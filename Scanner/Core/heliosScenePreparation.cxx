@@ -3,6 +3,7 @@
 #include "heliosScenePreparation.h"
 
 #include "heliosScanModel.h"
+#include "heliosStatus.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
@@ -14,8 +15,8 @@ namespace helios
 namespace
 {
 
-/// Builds a ray caster; returns an error message, or an empty string.
-std::string Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
+/// Builds a ray caster.
+Status Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
 {
   std::string reason;
   vtkNew<vtkCallbackCommand> listener;
@@ -25,26 +26,26 @@ std::string Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
   const unsigned long tag = caster->AddObserver(vtkCommand::ErrorEvent, listener);
   const bool built = caster->Build(scene);
   caster->RemoveObserver(tag);
-  return built ? std::string() : "no ray caster can be built for the scene: " + reason;
+  return built ? Status() : Status::Error("no ray caster can be built for the scene: " + reason);
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
+Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
   vtkHeliosRayCaster* caster, ScanModel& model)
 {
   const bool hasSurfaces = grids.empty() || scene->GetNumberOfCells() > 0;
-  std::string fault = hasSurfaces ? Build(caster, scene) : std::string();
+  Status status = hasSurfaces ? Build(caster, scene) : Status();
   model.Caster = hasSurfaces ? caster : nullptr;
-  fault = fault.empty() ? model.Surfaces.Set(scene) : fault;
-  for (std::size_t i = 0; fault.empty() && i < grids.size(); ++i)
+  status = status.IsOk() ? model.Surfaces.Set(scene) : status;
+  for (std::size_t i = 0; status.IsOk() && i < grids.size(); ++i)
   {
     vtkIdType firstCell = 0;
-    fault = model.Surfaces.AddGrid(grids[i], firstCell);
-    fault = fault.empty() ? model.Medium.Add(grids[i], firstCell) : fault;
+    status = model.Surfaces.AddGrid(grids[i], firstCell);
+    status = status.IsOk() ? model.Medium.Add(grids[i], firstCell) : status;
   }
-  return fault;
+  return status;
 }
 
 } // namespace helios

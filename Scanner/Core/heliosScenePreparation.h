@@ -5,6 +5,8 @@
 #ifndef heliosScenePreparation_h
 #define heliosScenePreparation_h
 
+#include "heliosStatus.h"
+
 #include <string>
 #include <vector>
 
@@ -17,9 +19,8 @@ namespace helios
 
 struct ScanModel;
 
-/// Sets caster, surfaces and medium of a model. Returns an error message, or an empty string. A
-/// scene with grids may have no triangles.
-std::string PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
+/// Sets caster, surfaces and medium of a model. A scene with grids may have no triangles.
+Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
   vtkHeliosRayCaster* caster, ScanModel& model);
 
 } // namespace helios

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectory.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -18,71 +19,72 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Checks the arrays of a trajectory; returns an error message, or an empty string.
-std::string CheckArrays(vtkPolyData* trajectory)
+/// Checks the arrays of a trajectory.
+Status CheckArrays(vtkPolyData* trajectory)
 {
   const vtkIdType count = trajectory ? trajectory->GetNumberOfPoints() : 0;
   if (count == 0)
   {
-    return "the trajectory has no points; a platform filter makes one from waypoints";
+    return Status::Error(
+      "the trajectory has no points; a platform filter makes one from waypoints");
   }
   vtkPointData* data = trajectory->GetPointData();
   if (count > 1 && !data->GetArray(names::GpsTime))
   {
-    return std::string("the trajectory has no point array ") + names::GpsTime;
+    return Status::Error(std::string("the trajectory has no point array ") + names::GpsTime);
   }
   vtkDataArray* orientations = data->GetArray(names::Orientation);
   if (orientations && orientations->GetNumberOfComponents() != 4)
   {
-    return std::string("the array ") + names::Orientation +
-      " of the trajectory needs 4 components: w, x, y, z";
+    return Status::Error(std::string("the array ") + names::Orientation +
+      " of the trajectory needs 4 components: w, x, y, z");
   }
   vtkDataArray* velocities = data->GetArray(names::Velocity);
   if (velocities && velocities->GetNumberOfComponents() != 3)
   {
-    return std::string("the array ") + names::Velocity +
-      " of the trajectory needs 3 components: x, y, z";
+    return Status::Error(std::string("the array ") + names::Velocity +
+      " of the trajectory needs 3 components: x, y, z");
   }
   return {};
 }
 
 } // namespace
 
-std::string Trajectory::Set(vtkPolyData* trajectory)
+Status Trajectory::Set(vtkPolyData* trajectory)
 {
   *this = Trajectory();
-  std::string problem = CheckArrays(trajectory);
-  const vtkIdType count = problem.empty() ? trajectory->GetNumberOfPoints() : 0;
-  for (vtkIdType i = 0; i < count && problem.empty(); ++i)
+  Status status = CheckArrays(trajectory);
+  const vtkIdType count = status.IsOk() ? trajectory->GetNumberOfPoints() : 0;
+  for (vtkIdType i = 0; i < count && status.IsOk(); ++i)
   {
-    problem = this->Append(trajectory, i);
+    status = this->Append(trajectory, i);
   }
   this->Connect();
-  return problem;
+  return status;
 }
 
-std::string Trajectory::SetLeg(vtkPolyData* trajectory, int leg)
+Status Trajectory::SetLeg(vtkPolyData* trajectory, int leg)
 {
   *this = Trajectory();
-  std::string problem = CheckArrays(trajectory);
-  const vtkIdType count = problem.empty() ? trajectory->GetNumberOfPoints() : 0;
+  Status status = CheckArrays(trajectory);
+  const vtkIdType count = status.IsOk() ? trajectory->GetNumberOfPoints() : 0;
   vtkDataArray* legs = count > 0 ? trajectory->GetPointData()->GetArray(names::LegIds) : nullptr;
-  for (vtkIdType i = 0; i < count && problem.empty(); ++i)
+  for (vtkIdType i = 0; i < count && status.IsOk(); ++i)
   {
     if (legs && legs->GetTuple1(i) == static_cast<double>(leg))
     {
-      problem = this->Append(trajectory, i);
+      status = this->Append(trajectory, i);
     }
   }
-  if (problem.empty() && this->Times.empty())
+  if (status.IsOk() && this->Times.empty())
   {
-    return "the trajectory has no samples of leg " + std::to_string(leg);
+    return Status::Error("the trajectory has no samples of leg " + std::to_string(leg));
   }
   this->Connect();
-  return problem;
+  return status;
 }
 
-std::string Trajectory::Append(vtkPolyData* trajectory, vtkIdType sample)
+Status Trajectory::Append(vtkPolyData* trajectory, vtkIdType sample)
 {
   vtkPointData* data = trajectory->GetPointData();
   vtkDataArray* times = data->GetArray(names::GpsTime);
@@ -104,12 +106,13 @@ std::string Trajectory::Append(vtkPolyData* trajectory, vtkIdType sample)
   if (!std::isfinite(time + p[0] + p[1] + p[2] + v[0] + v[1] + v[2]) ||
     !(std::abs(norm - 1.0) < 1e-6))
   {
-    return "sample " + std::to_string(sample) +
-      " of the trajectory is not finite, or its orientation is not a unit quaternion";
+    return Status::Error("sample " + std::to_string(sample) +
+      " of the trajectory is not finite, or its orientation is not a unit quaternion");
   }
   if (!this->Times.empty() && time < this->Times.back())
   {
-    return "the times of the trajectory decrease at sample " + std::to_string(sample);
+    return Status::Error(
+      "the times of the trajectory decrease at sample " + std::to_string(sample));
   }
   this->Times.push_back(time);
   this->Positions.emplace_back(p);

@@ -7,6 +7,7 @@
 
 #include "heliosHermite.h"
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>
@@ -28,11 +29,11 @@ namespace helios
 class VTKHELIOSSCANNERCORE_EXPORT Trajectory
 {
 public:
-  /// Reads a trajectory; returns an error message, or an empty string.
-  std::string Set(vtkPolyData* trajectory);
+  /// Reads a trajectory.
+  Status Set(vtkPolyData* trajectory);
 
   /// Reads the samples of one leg only.
-  std::string SetLeg(vtkPolyData* trajectory, int leg);
+  Status SetLeg(vtkPolyData* trajectory, int leg);
 
   bool IsStatic() const { return this->Times.size() == 1; }
   double GetStartTime() const { return this->Times.front(); }
@@ -53,7 +54,7 @@ public:
   Pose GetPose(double time) const;
 
 private:
-  std::string Append(vtkPolyData* trajectory, vtkIdType sample);
+  Status Append(vtkPolyData* trajectory, vtkIdType sample);
   void Connect();
   std::size_t FindSample(double time, std::size_t hint) const;
   bool HoldsAt(std::size_t sample, double time) const;

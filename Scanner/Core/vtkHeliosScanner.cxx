@@ -9,6 +9,7 @@
 #include "heliosScanOutput.h"
 #include "heliosScanRun.h"
 #include "heliosScenePreparation.h"
+#include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
@@ -256,10 +257,10 @@ bool vtkHeliosScanner::CheckSettings()
 //------------------------------------------------------------------------------
 bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
 {
-  const std::string wrong = scan.Trajectory.Set(trajectory);
-  if (!wrong.empty())
+  const helios::Status wrong = scan.Trajectory.Set(trajectory);
+  if (!wrong.IsOk())
   {
-    vtkErrorMacro(<< wrong);
+    vtkErrorMacro(<< wrong.Message());
     return false;
   }
   helios::PulseSource& source = scan.Model.Source;
@@ -330,13 +331,13 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
   {
     grids.push_back(vtkImageData::GetData(inputs[2], i));
   }
-  const std::string fault =
+  const helios::Status status =
     helios::PrepareScene(vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, scan.Model);
-  if (!fault.empty() && !this->GetAbortExecute())
+  if (!status.IsOk() && !this->GetAbortExecute())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
   }
-  return fault.empty();
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
@@ -368,10 +369,10 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
 {
   helios::ScanModel& m = scan.Model;
   helios::ReceiverSettings& receiver = m.Receiver;
-  const std::string fault = this->MakePulseShape(receiver.Shape);
-  if (!fault.empty())
+  const helios::Status status = this->MakePulseShape(receiver.Shape);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   receiver.BinSize = this->BinSize;
@@ -561,8 +562,8 @@ std::string vtkHeliosScanner::DescribeSampling()
     return "fixed, " + std::to_string(count) + " sub-rays per pulse";
   }
   helios::PulseShape shape;
-  const std::string fault = this->MakePulseShape(shape);
-  return fault.empty()
+  const helios::Status status = this->MakePulseShape(shape);
+  return status.IsOk()
     ? helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, shape.GetSigma()).Describe()
-    : fault;
+    : status.Message();
 }

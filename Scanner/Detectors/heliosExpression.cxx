@@ -3,6 +3,7 @@
 #include "heliosExpression.h"
 
 #include "heliosErrorTerms.h"
+#include "heliosStatus.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -48,15 +49,15 @@ public:
   {
   }
 
-  std::string FindFault()
+  Status FindFault()
   {
-    std::string fault;
+    Status status;
     if (this->Text.find_first_not_of(" \t\r\n") == std::string::npos)
     {
       // VTK's parser would crash
-      fault = "it is blank; write for example 0.001 * sin(t), or leave it empty";
+      status = Status::Error("it is blank; write for example 0.001 * sin(t), or leave it empty");
     }
-    while (fault.empty() && this->Position < this->Text.size())
+    while (status.IsOk() && this->Position < this->Text.size())
     {
       const char c = this->Text[this->Position];
       if (std::isspace(static_cast<unsigned char>(c)))
@@ -65,22 +66,22 @@ public:
       }
       else if (std::isdigit(static_cast<unsigned char>(c)) || c == '.')
       {
-        fault = this->ReadNumber();
+        status = this->ReadNumber();
       }
       else if (std::isalpha(static_cast<unsigned char>(c)))
       {
-        fault = this->ReadName();
+        status = this->ReadName();
       }
       else
       {
-        fault = this->ReadSign(c);
+        status = this->ReadSign(c);
       }
     }
-    if (fault.empty() && !this->Brackets.empty())
+    if (status.IsOk() && !this->Brackets.empty())
     {
-      fault = "a bracket is not closed; add )" + this->At(this->Position);
+      status = Status::Error("a bracket is not closed; add )" + this->At(this->Position));
     }
-    return fault;
+    return status;
   }
 
 private:
@@ -94,7 +95,7 @@ private:
     return " (character " + std::to_string(position + 1) + ")";
   }
 
-  std::string ReadNumber()
+  Status ReadNumber()
   {
     double value = 0.0;
     const char* begin = this->Text.data() + this->Position;
@@ -103,11 +104,11 @@ private:
     const std::size_t start = this->Position;
     this->Position += static_cast<std::size_t>(end - begin);
     return status == std::errc() && std::isfinite(value)
-      ? std::string()
-      : "a number is not valid; write it like 0.001" + this->At(start);
+      ? Status()
+      : Status::Error("a number is not valid; write it like 0.001" + this->At(start));
   }
 
-  std::string ReadName()
+  Status ReadName()
   {
     const std::size_t start = this->Position;
     while (this->Position < this->Text.size() &&
@@ -121,27 +122,29 @@ private:
     const bool isCalled = next != std::string::npos && this->Text[next] == '(';
     if (Functions.count(name) > 0)
     {
-      return isCalled ? std::string()
-                      : name + " has no argument; write " + name + "(t)" + this->At(start);
+      return isCalled
+        ? Status()
+        : Status::Error(name + " has no argument; write " + name + "(t)" + this->At(start));
     }
     if (Variables.count(name) > 0)
     {
-      return isCalled ? name + " is not a function; write an operator after it" + this->At(start)
-                      : std::string();
+      return isCalled
+        ? Status::Error(name + " is not a function; write an operator after it" + this->At(start))
+        : Status();
     }
-    return name +
+    return Status::Error(name +
       " is not known; use t or THETA, pi, e, exp, ln, sqrt, abs, cos, sin, tan, acos, asin, atan, "
       "cosh, sinh, tanh, atan2" +
-      this->At(start);
+      this->At(start));
   }
 
-  std::string ReadSign(char c)
+  Status ReadSign(char c)
   {
     const std::size_t start = this->Position++;
     if (c == '(' && this->Brackets.size() == Expression::DeepestBracket)
     {
-      return "more than " + std::to_string(Expression::DeepestBracket) +
-        " nested brackets; use fewer" + this->At(start);
+      return Status::Error("more than " + std::to_string(Expression::DeepestBracket) +
+        " nested brackets; use fewer" + this->At(start));
     }
     if (c == '(')
     {
@@ -153,7 +156,8 @@ private:
     {
       const int commas = this->Brackets.back();
       this->Brackets.pop_back();
-      return commas == 0 ? std::string() : "atan2 has one argument; give two" + this->At(start);
+      return commas == 0 ? Status()
+                         : Status::Error("atan2 has one argument; give two" + this->At(start));
     }
     if (c == ',' && !this->Brackets.empty() && this->Brackets.back() > 0)
     {
@@ -162,17 +166,17 @@ private:
     }
     if (c == ',')
     {
-      return "a comma outside atan2(a, b); write decimals with a point" + this->At(start);
+      return Status::Error(
+        "a comma outside atan2(a, b); write decimals with a point" + this->At(start));
     }
     return std::string("+-*/^").find(c) != std::string::npos
-      ? std::string()
-      : std::string("'") + c + "' is not expected; remove it" + this->At(start);
+      ? Status()
+      : Status::Error(std::string("'") + c + "' is not expected; remove it" + this->At(start));
   }
 };
 
-/// The error of VTK's parser for a text, without its source location; an empty string if it is
-/// valid.
-std::string Parse(const std::string& text)
+/// Returns the error of VTK's parser for a text, without its source location.
+Status Parse(const std::string& text)
 {
   std::string said;
   vtkNew<vtkCallbackCommand> listener;
@@ -194,11 +198,11 @@ std::string Parse(const std::string& text)
   const std::size_t to = said.find("\tExpression");
   const std::string core =
     from == std::string::npos ? "it has no value" : said.substr(from + 3, to - from - 3);
-  return core + "; write a term between operators, such as 0.001 * sin(t)";
+  return Status::Error(core + "; write a term between operators, such as 0.001 * sin(t)");
 }
 
-/// An error message if an expression has no valid value: neither for any angle nor for any range.
-std::string FindUsableValue(const std::string& text)
+/// Returns an error if an expression has no valid value: neither for any angle nor for any range.
+Status FindUsableValue(const std::string& text)
 {
   constexpr int steps = 90;
   Expression expression(text);
@@ -211,14 +215,15 @@ std::string FindUsableValue(const std::string& text)
       return {};
     }
   }
-  return "its value is never finite and within 1e9, neither for an angle nor for a range; correct "
-         "it";
+  return Status::Error(
+    "its value is never finite and within 1e9, neither for an angle nor for a range; correct "
+    "it");
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string Expression::FindFault(const std::string& text)
+Status Expression::FindFault(const std::string& text)
 {
   if (text.empty())
   {
@@ -226,12 +231,12 @@ std::string Expression::FindFault(const std::string& text)
   }
   if (text.size() > LongestText)
   {
-    return "it has " + std::to_string(text.size()) + " characters, and at most " +
-      std::to_string(LongestText) + " are allowed; write a shorter one";
+    return Status::Error("it has " + std::to_string(text.size()) + " characters, and at most " +
+      std::to_string(LongestText) + " are allowed; write a shorter one");
   }
-  std::string fault = Reader(text).FindFault();
-  fault = fault.empty() ? Parse(text) : fault;
-  return fault.empty() ? FindUsableValue(text) : fault;
+  Status status = Reader(text).FindFault();
+  status = status.IsOk() ? Parse(text) : status;
+  return status.IsOk() ? FindUsableValue(text) : status;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #ifndef heliosExpression_h
 #define heliosExpression_h
 
+#include "heliosStatus.h"
+
 #include <vtkExprTkFunctionParser.h>
 #include <vtkSmartPointer.h>
 
@@ -29,9 +31,9 @@ public:
   /// The part of a possibly long string that messages show.
   static std::string Shorten(const std::string& text);
 
-  /// Returns an error message with a remedy, or an empty string if the text is a valid expression
-  /// or empty. An expression without a finite value for any angle or range is also invalid.
-  static std::string FindFault(const std::string& text);
+  /// Returns an error with a remedy if a text is neither a valid expression nor empty. An expression
+  /// without a finite value for any angle or range is not valid either.
+  static Status FindFault(const std::string& text);
 
   explicit Expression(const std::string& text);
 

@@ -4,6 +4,7 @@
 
 #include "heliosPose.h"
 #include "heliosReturnSelection.h"
+#include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosConstantFractionDetector.h"
@@ -80,14 +81,14 @@ helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// Checks the numbers of a row; returns an error message, or an empty string.
-std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
+/// Checks the numbers of a row.
+helios::Status FindFault(const helios::WaveformTable& table, vtkIdType row)
 {
   const auto tell = [row](const char* name, const char* cure)
   { return std::string(name) + " of row " + std::to_string(row) + " is " + cure; };
   if (!(table.BinSize.GetNumber(row) > 0.0) || !std::isfinite(table.BinSize.GetNumber(row)))
   {
-    return tell(names::BinSize, "not a positive number of ns");
+    return helios::Status::Error(tell(names::BinSize, "not a positive number of ns"));
   }
   const std::pair<const char*, const helios::Column*> scalars[] = {
     { names::StartTime, &table.StartTime }, { names::GpsTime, &table.GpsTime }
@@ -96,7 +97,7 @@ std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
   {
     if (!std::isfinite(column->GetNumber(row)))
     {
-      return tell(name, "not a finite number");
+      return helios::Status::Error(tell(name, "not a finite number"));
     }
   }
   const std::pair<const char*, const helios::Column*> vectors[] = {
@@ -107,13 +108,13 @@ std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
     const helios::Vec3 v = GetVector(*column, row);
     if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
     {
-      return tell(name, "not a finite vector");
+      return helios::Status::Error(tell(name, "not a finite vector"));
     }
   }
   const double length = GetVector(table.Direction, row).Norm();
   if (!(std::abs(length - 1.0) < 1e-3))
   {
-    return tell(names::Direction, "not a unit vector");
+    return helios::Status::Error(tell(names::Direction, "not a unit vector"));
   }
   return {};
 }
@@ -374,21 +375,21 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   run.Detector = this->EchoDetector;
   run.Selection = this->ReturnSelection;
   run.Maximum = this->MaximumNumberOfReturns;
-  std::string fault = run.Table.Set(table);
-  for (vtkIdType row = 0; fault.empty() && row < run.Table.NumberOfRows; ++row)
+  helios::Status status = run.Table.Set(table);
+  for (vtkIdType row = 0; status.IsOk() && row < run.Table.NumberOfRows; ++row)
   {
-    fault = FindFault(run.Table, row);
-    fault = fault.empty() ? fault : "is not valid: " + fault;
+    status = FindFault(run.Table, row);
+    status = status.IsOk() ? status : helios::Status::Error("is not valid: " + status.Message());
   }
-  const vtkIdType bad = fault.empty() ? FindBadSamples(run.Table) : -1;
+  const vtkIdType bad = status.IsOk() ? FindBadSamples(run.Table) : -1;
   if (bad >= 0)
   {
-    fault = "is not valid: " + std::string(names::Samples) + " of row " + std::to_string(bad) +
-      " are not all finite";
+    status = helios::Status::Error("is not valid: " + std::string(names::Samples) + " of row " +
+      std::to_string(bad) + " are not all finite");
   }
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "the input " << fault
+    vtkErrorMacro(<< "the input " << status.Message()
                   << "; connect the waveforms of vtkHeliosScanner (output port 1), or of a reader");
     return false;
   }

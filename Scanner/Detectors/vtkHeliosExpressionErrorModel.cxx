@@ -3,6 +3,7 @@
 #include "vtkHeliosExpressionErrorModel.h"
 
 #include "heliosExpression.h"
+#include "heliosStatus.h"
 
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
@@ -40,7 +41,7 @@ vtkHeliosExpressionErrorModel::~vtkHeliosExpressionErrorModel() = default;
 //------------------------------------------------------------------------------
 std::string vtkHeliosExpressionErrorModel::FindFault(const std::string& text)
 {
-  return helios::Expression::FindFault(text);
+  return helios::Expression::FindFault(text).Message();
 }
 
 //------------------------------------------------------------------------------
@@ -68,11 +69,11 @@ std::string vtkHeliosExpressionErrorModel::GetTermName(int term) const
 //------------------------------------------------------------------------------
 void vtkHeliosExpressionErrorModel::SetTerm(Term& term, const std::string& text)
 {
-  const std::string fault = FindFault(text);
-  if (!fault.empty())
+  const helios::Status status = helios::Expression::FindFault(text);
+  if (!status.IsOk())
   {
     vtkErrorMacro(<< term.Property << " \"" << helios::Expression::Shorten(text)
-                  << "\": " << fault);
+                  << "\": " << status.Message());
     return;
   }
   if (term.Text != text)

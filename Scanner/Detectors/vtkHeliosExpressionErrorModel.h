@@ -78,8 +78,7 @@ public:
   ///@}
 
   /**
-   * Returns an error message with a remedy, or an empty string for a valid
-   * expression.
+   * Returns an error message with a remedy; empty for a valid expression.
    */
   static std::string FindFault(const std::string& text);
 

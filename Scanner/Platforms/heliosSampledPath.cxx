@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSampledPath.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -35,33 +36,33 @@ vtkDataArray* FindArray(vtkPolyData* path, const char* name, int components)
 
 } // namespace
 
-std::string SampledPath::Set(vtkPolyData* trajectory, bool isCubic)
+Status SampledPath::Set(vtkPolyData* trajectory, bool isCubic)
 {
   this->Path = trajectory;
   this->Count = trajectory ? trajectory->GetNumberOfPoints() : 0;
   this->IsCubic = isCubic;
-  const std::string fault = this->CheckArrays(trajectory);
-  return fault.empty() ? this->CheckSamples() : fault;
+  const Status status = this->CheckArrays(trajectory);
+  return status.IsOk() ? this->CheckSamples() : status;
 }
 
-std::string SampledPath::CheckArrays(vtkPolyData* trajectory)
+Status SampledPath::CheckArrays(vtkPolyData* trajectory)
 {
   if (this->Count == 0)
   {
-    return "has no samples; connect a vtkHeliosTrajectoryReader";
+    return Status::Error("has no samples; connect a vtkHeliosTrajectoryReader");
   }
   this->Times = FindArray(trajectory, names::GpsTime, 1);
   this->Orientations = FindArray(trajectory, names::Orientation, 4);
   this->Velocities = this->IsCubic ? FindArray(trajectory, names::Velocity, 3) : nullptr;
   if (!this->Times || !this->Orientations)
   {
-    return std::string("needs the point arrays ") + names::GpsTime + " (1 component) and " +
-      names::Orientation + " (4), as vtkHeliosTrajectoryReader gives them";
+    return Status::Error(std::string("needs the point arrays ") + names::GpsTime +
+      " (1 component) and " + names::Orientation + " (4), as vtkHeliosTrajectoryReader gives them");
   }
   return {};
 }
 
-std::string SampledPath::CheckSamples() const
+Status SampledPath::CheckSamples() const
 {
   for (vtkIdType i = 0; i < this->Count; ++i)
   {
@@ -70,20 +71,22 @@ std::string SampledPath::CheckSamples() const
     const std::string sample = "sample " + std::to_string(i);
     if (!std::isfinite(state.Time) || !IsFinite(state.Position))
     {
-      return sample + " is not finite; correct or remove it";
+      return Status::Error(sample + " is not finite; correct or remove it");
     }
     if (!(std::abs(q.SquaredNorm() - 1.0) < 1e-6))
     {
-      return sample + " has an " + names::Orientation +
-        " that is not a unit quaternion; normalize it";
+      return Status::Error(
+        sample + " has an " + names::Orientation + " that is not a unit quaternion; normalize it");
     }
     if (i > 0 && state.Time < this->GetTime(i - 1))
     {
-      return sample + " is earlier than the previous one; sort the samples by " + names::GpsTime;
+      return Status::Error(
+        sample + " is earlier than the previous one; sort the samples by " + names::GpsTime);
     }
     if (this->IsCubic && !IsFinite(state.Velocity))
     {
-      return sample + " has a " + names::Velocity + " that is not finite; correct or remove it";
+      return Status::Error(
+        sample + " has a " + names::Velocity + " that is not finite; correct or remove it");
     }
   }
   return {};

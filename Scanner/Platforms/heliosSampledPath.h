@@ -6,6 +6,7 @@
 #define heliosSampledPath_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -34,8 +35,8 @@ public:
     Vec3 Velocity; // of cubic paths
   };
 
-  /// Reads a trajectory; returns an error message, or an empty string.
-  std::string Set(vtkPolyData* trajectory, bool isCubic);
+  /// Reads a trajectory.
+  Status Set(vtkPolyData* trajectory, bool isCubic);
 
   double GetStartTime() const { return this->GetTime(0); }
   double GetEndTime() const { return this->GetTime(this->Count - 1); }
@@ -55,8 +56,8 @@ public:
   ///@}
 
 private:
-  std::string CheckArrays(vtkPolyData* trajectory);
-  std::string CheckSamples() const;
+  Status CheckArrays(vtkPolyData* trajectory);
+  Status CheckSamples() const;
   Vec3 GetVelocity(vtkIdType sample) const;
   State Interpolate(vtkIdType sample, double time) const;
 

@@ -4,6 +4,7 @@
 
 #include "heliosPathCell.h"
 #include "heliosSampledPath.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkAppendPolyData.h>
@@ -138,7 +139,7 @@ int vtkHeliosInterpolatedPlatform::RequestData(
   const vtkSmartPointer<vtkPolyData> input = this->JoinInputs(inputVector[0]);
   helios::SampledPath path;
   std::vector<Leg> legs;
-  if (!input || !path.Set(input, this->Interpolation == CUBIC).empty() ||
+  if (!input || !path.Set(input, this->Interpolation == CUBIC).IsOk() ||
     !this->FindLegs(path, legs))
   {
     return 0;
@@ -163,11 +164,11 @@ vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInform
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     helios::SampledPath path;
-    const std::string fault =
+    const helios::Status status =
       path.Set(vtkPolyData::GetData(inputs, i), this->Interpolation == CUBIC);
-    if (!fault.empty())
+    if (!status.IsOk())
     {
-      vtkErrorMacro(<< "Trajectory " << i << " " << fault << ".");
+      vtkErrorMacro(<< "Trajectory " << i << " " << status.Message() << ".");
       return nullptr;
     }
     order.push_back({ i, path.GetStartTime(), path.GetEndTime() });

@@ -3,6 +3,7 @@
 #include "heliosGround.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -156,24 +157,24 @@ std::string DescribePlace(vtkPolyData* points, vtkIdType index)
   return text.str();
 }
 
-std::string GetGroundHeights(
+Status GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights)
 {
   if (!scene || scene->GetNumberOfCells() == 0)
   {
-    return "The scene on port 1 is empty: it has no ground for the points.";
+    return Status::Error("The scene on port 1 is empty: it has no ground for the points.");
   }
   const vtkIdType notFinite = FindPlaceNotFinite(points);
   if (notFinite >= 0)
   {
-    return "No ground for " + DescribePlace(points, notFinite) +
-      "; its coordinates must be finite.";
+    return Status::Error(
+      "No ground for " + DescribePlace(points, notFinite) + "; its coordinates must be finite.");
   }
   vtkNew<vtkHeliosBvhRayCaster> caster;
   const auto surfaces = ExtractSurfaces(scene, Places(points), groundOnly);
   if (surfaces->GetNumberOfCells() > 0 && !caster->Build(surfaces))
   {
-    return "No rays can be cast onto the scene on port 1.";
+    return Status::Error("No rays can be cast onto the scene on port 1.");
   }
   heights = GetHeights(points, caster);
   return {};

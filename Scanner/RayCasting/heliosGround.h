@@ -5,6 +5,7 @@
 #ifndef heliosGround_h
 #define heliosGround_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosScannerRayCastingModule.h" // For export macro
 
 #include <vtkType.h>
@@ -19,10 +20,9 @@ namespace helios
 
 /**
  * The height of the highest surface at the x, y of each point, NaN without a surface; with
- * groundOnly only of surfaces with a ground material, if the scene has any. Returns an error
- * message, or an empty string.
+ * groundOnly only of surfaces with a ground material, if the scene has any.
  */
-std::string GetGroundHeights(
+Status GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
 
 /// For each triangle of a scene whether its material is a ground; empty if none is.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTurbidGrid.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
@@ -16,7 +17,7 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-std::string TurbidGrid::Set(vtkImageData* grid)
+Status TurbidGrid::Set(vtkImageData* grid)
 {
   vtkDataArray* given = grid->GetCellData()->GetArray(names::PAD);
   int points[3];
@@ -24,8 +25,9 @@ std::string TurbidGrid::Set(vtkImageData* grid)
   if (!given || given->GetNumberOfComponents() != 1 || *std::min_element(points, points + 3) < 2 ||
     given->GetNumberOfTuples() != grid->GetNumberOfCells())
   {
-    return std::string("the voxel image needs cells along three axes and a cell array ") +
-      names::PAD + " with one value per cell [m2/m3]";
+    return Status::Error(
+      std::string("the voxel image needs cells along three axes and a cell array ") + names::PAD +
+      " with one value per cell [m2/m3]");
   }
   this->Pad = vtkDoubleArray::FastDownCast(given);
   if (!this->Pad)
@@ -53,24 +55,26 @@ std::string TurbidGrid::Set(vtkImageData* grid)
     }
     if (!(size > 0.0) || !std::isfinite(size) || !std::isfinite(this->Corner[axis]))
     {
-      return "the voxel image has no spacing, or a spacing or origin that is not finite; give "
-             "cells with a size";
+      return Status::Error(
+        "the voxel image has no spacing, or a spacing or origin that is not finite; give "
+        "cells with a size");
     }
   }
-  const std::string fault = this->SetLeafTable(grid);
-  return fault.empty() ? this->CheckDensities() : fault;
+  const Status status = this->SetLeafTable(grid);
+  return status.IsOk() ? this->CheckDensities() : status;
 }
 
 //------------------------------------------------------------------------------
-std::string TurbidGrid::CheckDensities() const
+Status TurbidGrid::CheckDensities() const
 {
   const double* pad = this->Pad->GetPointer(0);
   for (vtkIdType i = 0; i < this->Pad->GetNumberOfValues(); ++i)
   {
     if (pad[i] < 0.0 || std::isinf(pad[i]))
     {
-      return std::string(names::PAD) + " of cell " + std::to_string(i) + " of the voxels is " +
-        std::to_string(pad[i]) + "; give 0 or more [m2/m3], or NaN if unknown";
+      return Status::Error(std::string(names::PAD) + " of cell " + std::to_string(i) +
+        " of the voxels is " + std::to_string(pad[i]) +
+        "; give 0 or more [m2/m3], or NaN if unknown");
     }
   }
   return {};
@@ -78,7 +82,7 @@ std::string TurbidGrid::CheckDensities() const
 
 //------------------------------------------------------------------------------
 /// Rows with the same angle are merged to their mean.
-std::string TurbidGrid::SetLeafTable(vtkImageData* grid)
+Status TurbidGrid::SetLeafTable(vtkImageData* grid)
 {
   this->Leaves.clear();
   vtkDataArray* table = grid->GetFieldData()->GetArray(names::LeafProjection);
@@ -103,8 +107,8 @@ std::string TurbidGrid::SetLeafTable(vtkImageData* grid)
   }
   if (rows.empty())
   {
-    return std::string("field array ") + names::LeafProjection +
-      " of the voxels needs rows x y z G: a direction, and a projection of 0 or more";
+    return Status::Error(std::string("field array ") + names::LeafProjection +
+      " of the voxels needs rows x y z G: a direction, and a projection of 0 or more");
   }
   std::sort(rows.begin(), rows.end());
   constexpr double same = 1e-6; // [rad]

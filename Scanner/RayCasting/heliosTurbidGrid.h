@@ -6,6 +6,7 @@
 #define heliosTurbidGrid_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "vtkHeliosScannerRayCastingModule.h"
 
 #include <vtkDoubleArray.h>
@@ -43,8 +44,8 @@ public:
   /// For a spherical leaf angle distribution.
   static constexpr double SphericalProjection = 0.5;
 
-  /// Reads an image and keeps its array alive. Returns an error message, or an empty string.
-  std::string Set(vtkImageData* grid);
+  /// Reads an image and keeps its array alive.
+  Status Set(vtkImageData* grid);
 
   vtkIdType GetNumberOfCells() const { return this->Pad->GetNumberOfValues(); }
 
@@ -80,8 +81,8 @@ private:
 
   IndexRay ToIndex(const Vec3& origin, const Vec3& direction) const;
   static bool ClipToSlab(double from, double slope, double low, double high, double range[2]);
-  std::string SetLeafTable(vtkImageData* grid);
-  std::string CheckDensities() const;
+  Status SetLeafTable(vtkImageData* grid);
+  Status CheckDensities() const;
 
   vtkSmartPointer<vtkDoubleArray> Pad;
   double Count[3] = { 0.0, 0.0, 0.0 };           // of cells

@@ -3,6 +3,7 @@
 #include "vtkHeliosClearance.h"
 
 #include "heliosBvh.h"
+#include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -33,15 +34,15 @@ constexpr double None = std::numeric_limits<double>::infinity();
 class Surroundings
 {
 public:
-  /// Builds from a scene; returns an error message, or an empty string.
-  std::string Build(vtkPolyData* scene)
+  /// Builds from a scene.
+  helios::Status Build(vtkPolyData* scene)
   {
-    std::string fault = this->Mesh.Set(scene);
-    if (fault.empty())
+    helios::Status status = this->Mesh.Set(scene);
+    if (status.IsOk())
     {
       this->Tree.Build(this->Mesh);
     }
-    return fault;
+    return status;
   }
 
   /// The height above the surface below, along the segment from a to b.
@@ -153,10 +154,10 @@ bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubl
     return false;
   }
   Surroundings surroundings;
-  const std::string fault = surroundings.Build(scene);
-  if (!fault.empty())
+  const helios::Status status = surroundings.Build(scene);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "The scene on port 1 is not valid: " << fault << ".");
+    vtkErrorMacro(<< "The scene on port 1 is not valid: " << status.Message() << ".");
     return false;
   }
   const vtkIdType count = path->GetNumberOfPoints();

@@ -3,6 +3,7 @@
 #include "vtkHeliosGroundSnap.h"
 
 #include "heliosGround.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkInformation.h>
@@ -51,10 +52,10 @@ int vtkHeliosGroundSnap::RequestData(
     return 1;
   }
   std::vector<double> heights;
-  const std::string fault = helios::GetGroundHeights(input, scene, true, heights);
-  if (!fault.empty())
+  const helios::Status status = helios::GetGroundHeights(input, scene, true, heights);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   vtkNew<vtkPoints> points;

@@ -3,6 +3,7 @@
 #include "vtkHeliosRayCaster.h"
 
 #include "heliosConeProbe.h"
+#include "heliosStatus.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 
@@ -82,11 +83,11 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   }
   this->Built->Clear();
   this->BuildAccelerator(helios::TriangleMesh()); // releases the old one before its mesh
-  const std::string problem = this->Mesh->Set(scene);
-  if (!problem.empty())
+  const helios::Status status = this->Mesh->Set(scene);
+  if (!status.IsOk())
   {
     *this->Mesh = helios::TriangleMesh();
-    vtkErrorMacro(<< "Build: " << problem << ".");
+    vtkErrorMacro(<< "Build: " << status.Message() << ".");
     return false;
   }
   if (!this->TryToBuild())

@@ -3,6 +3,7 @@
 #include "vtkHeliosTerrainFollow.h"
 
 #include "heliosGround.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkFieldData.h>
@@ -156,11 +157,11 @@ bool vtkHeliosTerrainFollow::Insert(vtkPolyData* waypoints, vtkPolyData* output)
 bool vtkHeliosTerrainFollow::SetHeights(vtkPolyData* scene, vtkPolyData* output)
 {
   std::vector<double> heights;
-  const std::string fault =
+  const helios::Status status =
     helios::GetGroundHeights(output, scene, this->Surface == GROUND, heights);
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   const auto none =

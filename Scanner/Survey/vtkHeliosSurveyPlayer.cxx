@@ -10,6 +10,7 @@
 #include "heliosRunFolder.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
+#include "heliosStatus.h"
 #include "heliosSurveyLoader.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"
@@ -158,10 +159,10 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   const bool isNext =
     this->Settings.Options.Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
   this->Resumes = player->Resume && !isNext;
-  std::string problem = this->Folder->Prepare(player->Overwrite, this->Resumes);
-  if (!problem.empty())
+  helios::Status status = this->Folder->Prepare(player->Overwrite, this->Resumes);
+  if (!status.IsOk())
   {
-    return this->Fail(problem);
+    return this->Fail(status.Message());
   }
   this->Tell("hashing the input files");
   this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
@@ -179,18 +180,18 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   }
   Json::Value summary;
   player->WasFinished = !this->Journal->Exists();
-  problem = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
-  if (!problem.empty())
+  status = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
+  if (!status.IsOk())
   {
-    return this->Fail(
-      problem + "; wait for the other run to end, or set Overwrite (--overwrite) to start again");
+    return this->Fail(status.Message() +
+      "; wait for the other run to end, or set Overwrite (--overwrite) to start again");
   }
   if (!player->WasFinished)
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint());
   }
-  problem = helios::RunCheck(this->Settings.Folder).CheckSummary(summary);
-  if (!this->CheckEarlierRun(summary) || (!problem.empty() && !this->Fail(problem)))
+  status = helios::RunCheck(this->Settings.Folder).CheckSummary(summary);
+  if (!this->CheckEarlierRun(summary) || (!status.IsOk() && !this->Fail(status.Message())))
   {
     return false;
   }
@@ -211,15 +212,15 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
 bool vtkHeliosSurveyPlayer::Internals::CheckEarlierFiles()
 {
   const helios::RunCheck check(this->Settings.Folder);
-  std::string problem = check.CheckSizes(*this->Journal);
-  if (problem.empty())
+  helios::Status status = check.CheckSizes(*this->Journal);
+  if (status.IsOk())
   {
-    problem = check.CheckBlocks(*this->Journal, this->Player->BytesToCheck,
+    status = check.CheckBlocks(*this->Journal, this->Player->BytesToCheck,
       [this] { return this->Tell("checking the files of the earlier run"); });
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    return this->Fail(problem);
+    return this->Fail(status.Message());
   }
   this->Player->Message = this->Player->AbortRequested ? "Stopped." : this->Player->Message;
   return !this->Player->AbortRequested;
@@ -270,13 +271,12 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint()) && this->CheckEarlierFiles();
   }
-  std::string problem = this->Folder->Clear();
-  if (problem.empty())
+  if (const helios::Status status = this->Folder->Clear(); !status.IsOk())
   {
-    problem = this->Journal->Create(this->Fingerprint);
-    problem += problem.empty() ? "" : "; give another OutputDirectory";
+    return this->Fail(status.Message());
   }
-  return problem.empty() || this->Fail(problem);
+  const helios::Status status = this->Journal->Create(this->Fingerprint);
+  return status.IsOk() || this->Fail(status.Message() + "; give another OutputDirectory");
 }
 
 //------------------------------------------------------------------------------
@@ -308,7 +308,7 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
   helios::Sentence text;
   text << " after " << this->Player->Counts->Pulses << " of " << this->Player->NumberOfPulses
        << " pulses; ";
-  if (!this->Folder->Exists() || !this->Journal->Check().empty())
+  if (!this->Folder->Exists() || !this->Journal->Check().IsOk())
   {
     text << "nothing is kept, since the folder " << this->Settings.Folder << " is gone"
          << (this->Folder->Exists() ? ", or was replaced by another one." : ".");
@@ -331,10 +331,10 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   }
   const Json::Value summary =
     helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner, this->LoadSeconds);
-  const std::string problem = this->Folder->WriteSummary(summary);
-  if (!problem.empty())
+  const helios::Status status = this->Folder->WriteSummary(summary);
+  if (!status.IsOk())
   {
-    return this->Fail(problem +
+    return this->Fail(status.Message() +
       "; all points are written: free disk space, and complete the run with Resume "
       "(--resume)");
   }

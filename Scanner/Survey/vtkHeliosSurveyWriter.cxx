@@ -7,6 +7,7 @@
 #include "heliosPlannerScan.h"
 #include "heliosRunJournal.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "heliosXmlPlanner.h"
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
@@ -83,9 +84,9 @@ bool vtkHeliosSurveyWriter::Internals::Write()
   this->Crs = this->Crs == survey.Scene.Crs ? "" : this->Crs;
   const helios::Vec3 instrument =
     helios::FindInstrument(survey.Platforms.front(), survey.Scanners.front());
-  const std::string problem =
+  const helios::Status status =
     helios::WriteWhole(this->Writer->FileName, this->MakeText(instrument));
-  return problem.empty() || this->Fail(problem + "; give another FileName");
+  return status.IsOk() || this->Fail(status.Message() + "; give another FileName");
 }
 
 //------------------------------------------------------------------------------

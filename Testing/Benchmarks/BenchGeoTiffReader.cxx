@@ -80,7 +80,7 @@ bool IsRight(const Raster& raster, vtkPolyData* scene)
 {
   const std::int64_t n = raster.Side;
   helios::TriangleMesh mesh;
-  if (!mesh.Set(scene).empty())
+  if (!mesh.Set(scene).IsOk())
   {
     return false;
   }

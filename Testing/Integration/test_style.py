@@ -70,3 +70,12 @@ def test_licence_lines():
     ]
     missing = [name for name in files if "SPDX-License-Identifier" not in (ROOT / name).read_text()]
     assert missing == []
+
+
+def test_errors_are_a_status():
+    told = [
+        name
+        for name in tracked(".h", ".cxx")
+        if "or an empty string" in " ".join((ROOT / name).read_text().replace("///", "").split())
+    ]
+    assert told == [], "return helios::Status (heliosStatus.h)"

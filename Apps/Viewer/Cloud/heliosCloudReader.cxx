@@ -6,6 +6,7 @@
 #include "heliosInputFile.h"
 #include "heliosJsonText.h"
 #include "heliosPlyPoints.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
 #include "vtkHeliosPointTextReader.h"
@@ -133,22 +134,19 @@ void AddLeg(vtkPolyData* block, int leg)
   }
 }
 
-/// The files listed by a summary; sets error if it is not valid.
-std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
+/// Gets the files listed by a summary; returns an error if it is not valid.
+Status GetFiles(const fs::path& summary, std::vector<std::string>& files)
 {
-  std::vector<std::string> files;
-  if (const std::string problem = CheckInputFile(summary.string()); !problem.empty())
+  if (const Status status = CheckInputFile(summary.string()); !status.IsOk())
   {
-    error = summary.string() + ": " + problem;
-    return files;
+    return Status::Error(summary.string() + ": " + status.Message());
   }
   std::ifstream text(summary);
   Json::Value root;
   std::string fault;
   if (!ReadJson(text, root, fault) || !root.isObject() || !root["legs"].isArray())
   {
-    error = summary.string() + " is not the summary of a run; run the survey again";
-    return files;
+    return Status::Error(summary.string() + " is not the summary of a run; run the survey again");
   }
   for (const Json::Value& leg : root["legs"])
   {
@@ -161,7 +159,7 @@ std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
       }
     }
   }
-  return files;
+  return {};
 }
 
 } // namespace
@@ -180,7 +178,7 @@ bool CloudReader::CanRead(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::Read(const std::string& path, Cloud& cloud)
+Status CloudReader::Read(const std::string& path, Cloud& cloud)
 {
   return this->Read(path,
     [&cloud](vtkPolyData* block, double)
@@ -191,12 +189,12 @@ std::string CloudReader::Read(const std::string& path, Cloud& cloud)
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::Read(const std::string& path, const BlockFunction& onBlock)
+Status CloudReader::Read(const std::string& path, const BlockFunction& onBlock)
 {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
   {
-    return path + ": no such file or folder; check the name";
+    return Status::Error(path + ": no such file or folder; check the name");
   }
   vtkIdType points = 0;
   this->Stopped = false;
@@ -210,58 +208,58 @@ std::string CloudReader::Read(const std::string& path, const BlockFunction& onBl
   this->FirstShare = 0.0;
   this->ShareOfFile = 1.0;
   const bool isFolder = fs::is_directory(path, ignored);
-  std::string error = isFolder ? this->ReadRun(path) : this->ReadCloud(path);
-  if (error.empty() && !isFolder && fs::exists(GetTrajectoryName(path), ignored))
+  Status status = isFolder ? this->ReadRun(path) : this->ReadCloud(path);
+  if (status.IsOk() && !isFolder && fs::exists(GetTrajectoryName(path), ignored))
   {
-    error = this->ReadTrajectory(GetTrajectoryName(path));
+    status = this->ReadTrajectory(GetTrajectoryName(path));
   }
-  const bool isEmpty = error.empty() && !this->Stopped && points == 0;
-  return isEmpty ? path + ": contains no points; nothing can be shown" : error;
+  const bool isEmpty = status.IsOk() && !this->Stopped && points == 0;
+  return isEmpty ? Status::Error(path + ": contains no points; nothing can be shown") : status;
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadRun(const std::string& folder)
+Status CloudReader::ReadRun(const std::string& folder)
 {
   const fs::path summary = fs::path(folder) / RunFiles::GetSummaryName();
   if (!fs::exists(summary))
   {
-    return folder + ": no " + RunFiles::GetSummaryName() +
+    return Status::Error(folder + ": no " + RunFiles::GetSummaryName() +
       " in this folder; give the folder of a finished run " +
-      "(vtkhelios run --resume finishes one), or a file";
+      "(vtkhelios run --resume finishes one), or a file");
   }
-  std::string error;
-  const std::vector<std::string> files = GetFiles(summary, error);
+  std::vector<std::string> files;
+  Status status = GetFiles(summary, files);
   const auto isPoints = [](const std::string& name) { return GetKind(name) == RunFiles::POINTS; };
   const auto count = static_cast<double>(std::count_if(files.begin(), files.end(), isPoints));
   this->ShareOfFile = count > 0.0 ? 1.0 / count : 1.0;
   for (const std::string& name : files)
   {
     const std::string path = (fs::path(folder) / name).string();
-    if (!error.empty() || this->Stopped)
+    if (!status.IsOk() || this->Stopped)
     {
       break;
     }
     if (isPoints(name))
     {
-      error = fs::exists(path) ? this->ReadCloud(path)
-                               : path + ": missing, though " + RunFiles::GetSummaryName() +
-          " lists it; run the survey again";
+      status = fs::exists(path) ? this->ReadCloud(path)
+                                : Status::Error(path + ": missing, though " +
+                                    RunFiles::GetSummaryName() + " lists it; run the survey again");
       this->FirstShare += this->ShareOfFile;
     }
     else if (GetKind(name) == RunFiles::TRAJECTORY && fs::path(name).extension() == ".txt")
     {
-      error = this->ReadTrajectory(path);
+      status = this->ReadTrajectory(path);
     }
   }
-  return error;
+  return status;
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadCloud(const std::string& path)
+Status CloudReader::ReadCloud(const std::string& path)
 {
-  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  if (const Status status = CheckInputFile(path); !status.IsOk())
   {
-    return path + ": " + problem;
+    return Status::Error(path + ": " + status.Message());
   }
   this->Files.push_back(path);
   const std::string ending = GetEnding(path);
@@ -286,19 +284,20 @@ std::string CloudReader::ReadCloud(const std::string& path)
   if (ending == ".ply")
   {
     vtkNew<vtkPolyData> cloud;
-    const std::string problem = ReadPlyPoints(path, cloud);
-    if (!problem.empty())
+    const Status status = ReadPlyPoints(path, cloud);
+    if (!status.IsOk())
     {
-      return path + ": " + problem + "; the file may be damaged: write it again";
+      return Status::Error(
+        path + ": " + status.Message() + "; the file may be damaged: write it again");
     }
     this->OnBlock(cloud, 1.0);
-    return "";
+    return {};
   }
-  return path + ": not a supported cloud format; " + Kinds;
+  return Status::Error(path + ": not a supported cloud format; " + Kinds);
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadText(const std::string& path)
+Status CloudReader::ReadText(const std::string& path)
 {
   if (vtkHeliosPointTextReader::CanReadFile(path.c_str()))
   {
@@ -307,7 +306,7 @@ std::string CloudReader::ReadText(const std::string& path)
   std::error_code ignored;
   if (fs::file_size(path, ignored) == 0)
   {
-    return ""; // reported as an empty cloud
+    return {}; // reported as an empty cloud
   }
   vtkNew<vtkHeliosXyzReader> reader;
   reader->SetFileName(path.c_str());
@@ -322,7 +321,7 @@ std::string CloudReader::ReadText(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadEchoes(const std::string& path)
+Status CloudReader::ReadEchoes(const std::string& path)
 {
   vtkNew<vtkHeliosPointTextReader> reader;
   std::string error;
@@ -354,12 +353,11 @@ std::string CloudReader::ReadEchoes(const std::string& path)
   {
     this->PartNames.push_back(parts->GetValue(part));
   }
-  return error.empty() ? "" : WithPath(path, error);
+  return error.empty() ? Status() : Status::Error(WithPath(path, error));
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadPieces(
-  vtkAlgorithm* reader, const std::string& path, int pieces, int leg)
+Status CloudReader::ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg)
 {
   std::string error;
   KeepErrors(reader, error);
@@ -377,11 +375,11 @@ std::string CloudReader::ReadPieces(
       this->OnBlock(block, (piece + 1.0) / pieces);
     }
   }
-  return error.empty() ? "" : WithPath(path, error);
+  return error.empty() ? Status() : Status::Error(WithPath(path, error));
 }
 
 //------------------------------------------------------------------------------
-std::string CloudReader::ReadTrajectory(const std::string& path)
+Status CloudReader::ReadTrajectory(const std::string& path)
 {
   vtkNew<vtkHeliosTrajectoryReader> reader;
   std::string error;
@@ -391,13 +389,13 @@ std::string CloudReader::ReadTrajectory(const std::string& path)
   reader->Update();
   if (!error.empty())
   {
-    return WithPath(path, error);
+    return Status::Error(WithPath(path, error));
   }
   auto trajectory = vtkSmartPointer<vtkPolyData>::New();
   trajectory->ShallowCopy(reader->GetOutput());
   AddLeg(trajectory, GetLeg(path));
   this->Trajectories.push_back(trajectory);
-  return "";
+  return {};
 }
 
 } // namespace helios::viewer

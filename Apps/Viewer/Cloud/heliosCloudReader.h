@@ -5,6 +5,8 @@
 #ifndef heliosCloudReader_h
 #define heliosCloudReader_h
 
+#include "heliosStatus.h"
+
 #include <vtkSmartPointer.h>
 
 #include <functional>
@@ -42,19 +44,19 @@ public:
   /// Whether the file, or the folder's contents, can be read.
   static bool CanRead(const std::string& path);
 
-  /// Passes on the blocks one by one. Returns an error message, or an empty string.
-  std::string Read(const std::string& path, const BlockFunction& onBlock);
+  /// Passes on the blocks one by one.
+  Status Read(const std::string& path, const BlockFunction& onBlock);
 
   /// Appends all points to a cloud.
-  std::string Read(const std::string& path, Cloud& cloud);
+  Status Read(const std::string& path, Cloud& cloud);
 
 private:
-  std::string ReadRun(const std::string& folder);
-  std::string ReadCloud(const std::string& path);
-  std::string ReadText(const std::string& path);
-  std::string ReadEchoes(const std::string& path);
-  std::string ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
-  std::string ReadTrajectory(const std::string& path);
+  Status ReadRun(const std::string& folder);
+  Status ReadCloud(const std::string& path);
+  Status ReadText(const std::string& path);
+  Status ReadEchoes(const std::string& path);
+  Status ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
+  Status ReadTrajectory(const std::string& path);
 
   BlockFunction OnBlock;
   bool Stopped = false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlyPoints.h"
 
+#include "heliosStatus.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -47,36 +49,36 @@ struct Header
   std::size_t Size = 0;    // of a vertex [bytes]
   std::vector<Property> Properties;
 
-  std::string Read(std::istream& file);
+  Status Read(std::istream& file);
 
 private:
-  std::string ReadElement(std::istringstream& words);
-  std::string ReadProperty(std::istringstream& words);
+  Status ReadElement(std::istringstream& words);
+  Status ReadProperty(std::istringstream& words);
 
   std::string Element;
 };
 
-std::string Header::ReadElement(std::istringstream& words)
+Status Header::ReadElement(std::istringstream& words)
 {
   std::int64_t count = -1;
   words >> this->Element >> count;
   if (!words || count < 0)
   {
-    return "an element of its header has no count";
+    return Status::Error("an element of its header has no count");
   }
   if (this->Element == "vertex" && this->Count >= 0)
   {
-    return "has vertices twice";
+    return Status::Error("has vertices twice");
   }
   if (this->Element != "vertex" && this->Count < 0 && count > 0)
   {
-    return "has " + this->Element + " before its vertices";
+    return Status::Error("has " + this->Element + " before its vertices");
   }
   this->Count = this->Element == "vertex" ? count : this->Count;
   return {};
 }
 
-std::string Header::ReadProperty(std::istringstream& words)
+Status Header::ReadProperty(std::istringstream& words)
 {
   std::string type;
   Property property;
@@ -85,13 +87,14 @@ std::string Header::ReadProperty(std::istringstream& words)
     [&type](const Type& each) { return type == each.Name || type == each.OtherName; });
   if (!words || found == std::end(Types))
   {
-    return "has vertices with a property " + type + "; only plain numbers are supported";
+    return Status::Error(
+      "has vertices with a property " + type + "; only plain numbers are supported");
   }
   const bool isTwice = std::any_of(this->Properties.begin(), this->Properties.end(),
     [&property](const Property& each) { return each.Name == property.Name; });
   if (isTwice)
   {
-    return "has the property " + property.Name + " twice";
+    return Status::Error("has the property " + property.Name + " twice");
   }
   property.Form = *found;
   this->Size += found->Size;
@@ -99,15 +102,15 @@ std::string Header::ReadProperty(std::istringstream& words)
   return {};
 }
 
-std::string Header::Read(std::istream& file)
+Status Header::Read(std::istream& file)
 {
   std::string line;
-  std::string problem;
+  Status status;
   if (!std::getline(file, line) || line.substr(0, 3) != "ply")
   {
-    return "is not a PLY file";
+    return Status::Error("is not a PLY file");
   }
-  while (std::getline(file, line) && problem.empty())
+  while (std::getline(file, line) && status.IsOk())
   {
     std::istringstream words(line);
     std::string word;
@@ -115,7 +118,9 @@ std::string Header::Read(std::istream& file)
     if (word == "end_header")
     {
       const bool isGood = this->Count >= 0 && !this->Properties.empty();
-      return isGood ? "" : this->Count < 0 ? "has no vertices" : "has no vertices with x, y and z";
+      return isGood       ? Status()
+        : this->Count < 0 ? Status::Error("has no vertices")
+                          : Status::Error("has no vertices with x, y and z");
     }
     if (word == "format")
     {
@@ -123,14 +128,14 @@ std::string Header::Read(std::istream& file)
     }
     else if (word == "element")
     {
-      problem = this->ReadElement(words);
+      status = this->ReadElement(words);
     }
     else if (word == "property" && this->Element == "vertex")
     {
-      problem = this->ReadProperty(words);
+      status = this->ReadProperty(words);
     }
   }
-  return problem.empty() ? "ends within its header" : problem;
+  return status.IsOk() ? Status::Error("ends within its header") : status;
 }
 
 template <typename T>
@@ -267,23 +272,24 @@ bool HasRoom(std::istream& file, const Header& header)
 
 } // namespace
 
-std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud)
+Status ReadPlyPoints(const std::string& path, vtkPolyData* cloud)
 {
   std::ifstream file(path, std::ios::binary);
   Header header;
-  const std::string problem = header.Read(file);
-  if (!problem.empty())
+  const Status status = header.Read(file);
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   const bool isText = header.Format == "ascii";
   if (!isText && header.Format != "binary_little_endian" && header.Format != "binary_big_endian")
   {
-    return "has the format \"" + header.Format + "\"; expected ascii or binary";
+    return Status::Error("has the format \"" + header.Format + "\"; expected ascii or binary");
   }
   if (!HasRoom(file, header))
   {
-    return "is truncated: its header gives " + std::to_string(header.Count) + " vertices";
+    return Status::Error(
+      "is truncated: its header gives " + std::to_string(header.Count) + " vertices");
   }
   Columns columns(header);
   std::vector<double> values(header.Properties.size());
@@ -291,11 +297,12 @@ std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud)
   {
     if (!(isText ? ReadText(file, values) : ReadBinary(file, header, values)))
     {
-      return "vertex " + std::to_string(row) + " is missing or not numeric";
+      return Status::Error("vertex " + std::to_string(row) + " is missing or not numeric");
     }
     columns.Set(row, values);
   }
-  return columns.MoveTo(cloud, header.Count) ? "" : "has no vertices with x, y and z";
+  return columns.MoveTo(cloud, header.Count) ? Status()
+                                             : Status::Error("has no vertices with x, y and z");
 }
 
 } // namespace helios::viewer

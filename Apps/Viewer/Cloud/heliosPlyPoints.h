@@ -6,6 +6,8 @@
 #ifndef heliosPlyPoints_h
 #define heliosPlyPoints_h
 
+#include "heliosStatus.h"
+
 #include <string>
 
 class vtkPolyData;
@@ -15,7 +17,7 @@ namespace helios::viewer
 
 /// Reads vertices as points, and their other properties as arrays. Returns an error or empty
 /// string.
-std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud);
+Status ReadPlyPoints(const std::string& path, vtkPolyData* cloud);
 
 } // namespace helios::viewer
 

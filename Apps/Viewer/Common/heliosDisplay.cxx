@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosDisplay.h"
 
+#include "heliosStatus.h"
+
 #include <X11/Xlib.h>
 
 #include <cstdlib>
 #include <iostream>
+
+#undef Status // int, in Xlib.h
 
 namespace helios::viewer
 {
@@ -28,17 +32,17 @@ int OnLostDisplay(Display*)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string CheckDisplay()
+Status CheckDisplay()
 {
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name)
   {
-    return std::string("there is no display (DISPLAY is not set)") + WaysOut;
+    return Status::Error(std::string("there is no display (DISPLAY is not set)") + WaysOut);
   }
   Display* display = XOpenDisplay(nullptr);
   if (!display)
   {
-    return "the display " + std::string(name) + " cannot be opened" + WaysOut;
+    return Status::Error("the display " + std::string(name) + " cannot be opened" + WaysOut);
   }
   XCloseDisplay(display);
   return {};

@@ -5,14 +5,16 @@
 #ifndef heliosDisplay_h
 #define heliosDisplay_h
 
+#include "heliosStatus.h"
+
 #include <string>
 
 namespace helios::viewer
 {
 
-/// Returns why there is no display to draw on, with remedies; empty: there is one. VTK would exit
-/// without a message.
-std::string CheckDisplay();
+/// Returns an error with remedies if there is no display to draw on. VTK would exit without a
+/// message.
+Status CheckDisplay();
 
 /// Reports a display lost later, instead of the window system's message.
 void ExplainLostDisplay();

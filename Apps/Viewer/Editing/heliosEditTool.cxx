@@ -5,6 +5,7 @@
 #include "heliosErrorText.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
+#include "heliosStatus.h"
 #include "heliosSurveyXml.h"
 #include "heliosViewer.h"
 #include "vtkHeliosSurvey.h"
@@ -390,19 +391,19 @@ void EditTool::Save()
   const ErrorText errors(owner);
   Messages log(owner);
   SurveyEdit edit = this->Edit;
-  std::string problem;
+  Status status;
   if (this->HasNewScene)
   {
     fs::path scene = file;
     scene.replace_filename(file.stem().string() + "_scene.xml");
-    problem = this->Scene.Save(scene.string());
+    status = this->Scene.Save(scene.string());
     edit.Scene = scene.filename().string() + "#" + this->Scene.GetId();
   }
-  problem = problem.empty() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log)
-                            : problem;
-  if (!problem.empty())
+  status =
+    status.IsOk() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log) : status;
+  if (!status.IsOk())
   {
-    this->Owner.Complain(problem);
+    this->Owner.Complain(status.Message());
     return;
   }
   this->Saved = file.string();

@@ -6,6 +6,7 @@
 #include "heliosErrorText.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
+#include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurvey.h"
@@ -225,9 +226,9 @@ void EditTool::ShowScene()
     this->Undo();
     return;
   }
-  if (view)
+  if (const Status status = view ? view->SetScene(mesh) : Status(); !status.IsOk())
   {
-    view->SetScene(mesh);
+    this->Owner.Complain(status.Message());
   }
   if (this->Scene.FindPart(this->Part) < 0)
   {

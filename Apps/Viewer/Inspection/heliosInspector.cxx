@@ -7,6 +7,7 @@
 #include "heliosHud.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 #include "heliosViewer.h"
 
@@ -36,8 +37,8 @@ bool IsReady(const std::future<PulseRecord>& answer)
   return answer.valid() && answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-/// The record, or an error message.
-std::string Receive(std::future<PulseRecord>& answer, PulseRecord& record)
+/// Gets the record; returns the error of the thread that made it.
+Status Receive(std::future<PulseRecord>& answer, PulseRecord& record)
 {
   try
   {
@@ -46,11 +47,11 @@ std::string Receive(std::future<PulseRecord>& answer, PulseRecord& record)
   }
   catch (const std::future_error&)
   {
-    return "the run has ended with an error; its pulses cannot be simulated again";
+    return Status::Error("the run has ended with an error; its pulses cannot be simulated again");
   }
   catch (const std::exception& error)
   {
-    return error.what();
+    return Status::Error(error.what());
   }
 }
 
@@ -322,7 +323,7 @@ bool Inspector::OnFrame()
 void Inspector::ReceiveAnswer()
 {
   PulseRecord record;
-  this->Problem = Receive(this->Answer, record);
+  this->Problem = Receive(this->Answer, record).Message();
   if (this->Problem.empty())
   {
     const std::vector<PulseEcho> known = std::move(this->Reading.Echoes);
@@ -335,8 +336,12 @@ void Inspector::ReceiveAnswer()
   if (!this->Reading.Samples.empty())
   {
     const double length = this->Reading.Ranges.back() - this->Reading.Ranges.front();
-    this->View.SetWaveforms(
+    const Status status = this->View.SetWaveforms(
       record.Waveform, std::max(0.2, WaveShare * length), 1, this->Reading.Pulse);
+    if (!status.IsOk())
+    {
+      this->Owner.Tell(status.Message());
+    }
   }
 }
 
@@ -344,8 +349,8 @@ void Inspector::ReceiveAnswer()
 void Inspector::ReceiveLine()
 {
   PulseRecord record;
-  std::string problem = Receive(this->LineAnswer, record);
-  if (problem.empty() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
+  Status status = Receive(this->LineAnswer, record);
+  if (status.IsOk() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
   {
     const vtkIdType count = record.Waveform->GetNumberOfRows();
     const vtkIdType nth = (count + MostWaveforms - 1) / MostWaveforms;
@@ -353,18 +358,18 @@ void Inspector::ReceiveLine()
     const Echo echo = cloud.GetEcho(this->Row >= 0 ? this->Row : cloud.GetNumberOfPoints() - 1);
     const double range = std::isnan(echo.Range) ? 100.0 : echo.Range;
     this->View.SetOrigin(this->Owner.GetOrigin());
-    problem = this->View.SetWaveforms(
+    status = this->View.SetWaveforms(
       record.Waveform, std::max(0.5, LineShare * range), static_cast<int>(nth), -1);
     this->Owner.Tell(Format("waveforms of %lld of %lld pulses of the line",
       static_cast<long long>(this->View.GetNumberOfWaveforms()), static_cast<long long>(count)));
   }
-  else if (problem.empty())
+  else if (status.IsOk())
   {
-    problem = "no pulse of this line has a waveform";
+    status = Status::Error("no pulse of this line has a waveform");
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    this->Owner.Tell(problem);
+    this->Owner.Tell(status.Message());
   }
 }
 

@@ -3,6 +3,7 @@
 #include "heliosPulseReading.h"
 
 #include "heliosConstants.h"
+#include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosGaussianDecomposition.h"
@@ -141,10 +142,10 @@ void ReadSamples(const WaveformTable& table, vtkIdType row, PulseReading& readin
 void ReadWaveform(vtkTable* waveforms, PulseReading& reading)
 {
   WaveformTable table;
-  const std::string problem = table.Set(waveforms);
-  if (!problem.empty())
+  const Status status = table.Set(waveforms);
+  if (!status.IsOk())
   {
-    reading.Problem = "the waveform " + problem;
+    reading.Problem = "the waveform " + status.Message();
     return;
   }
   vtkDataArray* length = waveforms->GetFieldData()->GetArray(names::PulseLength);

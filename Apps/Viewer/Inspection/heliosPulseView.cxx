@@ -4,6 +4,7 @@
 
 #include "heliosColorMaps.h"
 #include "heliosErrorText.h"
+#include "heliosStatus.h"
 #include "vtkHeliosWaveformPolylines.h"
 
 #include <vtkActor.h>
@@ -163,8 +164,7 @@ void PulseView::SetBeams(const PulseReading& reading)
 }
 
 //------------------------------------------------------------------------------
-std::string PulseView::SetWaveforms(
-  vtkTable* waveforms, double height, int everyNth, std::int64_t pulse)
+Status PulseView::SetWaveforms(vtkTable* waveforms, double height, int everyNth, std::int64_t pulse)
 {
   vtkNew<vtkHeliosWaveformPolylines> curves;
   const ErrorText errors(curves);
@@ -184,7 +184,7 @@ std::string PulseView::SetWaveforms(
   this->Waveforms->Initialize();
   if (!errors.IsEmpty())
   {
-    return errors.Get("");
+    return errors.IsEmpty() ? Status() : Status::Error(errors.Get(""));
   }
   vtkNew<vtkPoints> points;
   for (vtkIdType i = 0; i < curves->GetOutput()->GetNumberOfPoints(); ++i)

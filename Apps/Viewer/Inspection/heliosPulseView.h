@@ -6,6 +6,7 @@
 #define heliosPulseView_h
 
 #include "heliosPulseReading.h"
+#include "heliosStatus.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -43,9 +44,9 @@ public:
 
   /**
    * Waveforms as curves along their beams, the highest of a height [m], across the view: every nth,
-   * or those of one pulse alone (0 or more). Returns an error message.
+   * or those of one pulse alone (0 or more).
    */
-  std::string SetWaveforms(vtkTable* waveforms, double height, int everyNth, std::int64_t pulse);
+  Status SetWaveforms(vtkTable* waveforms, double height, int everyNth, std::int64_t pulse);
 
   void Clear();
 

@@ -42,7 +42,7 @@ bool HasPackets(const fs::path& path)
   std::error_code error;
   LasFile file;
   return path.extension() == ".las" && fs::is_regular_file(path, error) &&
-    file.Open(path.string()).empty() && GetLasPointForm(file.GetHeader().Format).Wave >= 0;
+    file.Open(path.string()).IsOk() && GetLasPointForm(file.GetHeader().Format).Wave >= 0;
 }
 
 bool HasWaveforms(const fs::path& path)

@@ -4,6 +4,7 @@
 
 #include "heliosErrorText.h"
 #include "heliosPlatformModel.h"
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 #include "heliosViewer.h"
 #include "vtkHeliosArrayNames.h"
@@ -49,8 +50,8 @@ fs::path GetFolder(const std::string& path)
   return fs::is_directory(path, error) ? fs::path(path) : fs::path(path).parent_path();
 }
 
-/// Null and a problem if the file is not valid; null alone if it is missing.
-vtkSmartPointer<vtkPolyData> Read(const fs::path& path, std::string& problem)
+/// Null and an error if the file is not valid; null alone if it is missing.
+vtkSmartPointer<vtkPolyData> Read(const fs::path& path, Status& status)
 {
   std::error_code error;
   if (!fs::exists(path, error))
@@ -63,7 +64,7 @@ vtkSmartPointer<vtkPolyData> Read(const fs::path& path, std::string& problem)
   reader->Update();
   if (!errors.IsEmpty() || !reader->GetOutput())
   {
-    problem = path.string() + ": cannot be read; plan again";
+    status = Status::Error(path.string() + ": cannot be read; plan again");
     return nullptr;
   }
   return reader->GetOutput();
@@ -129,21 +130,21 @@ bool IsPlan(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-std::string ReadPlan(const std::string& path, Plan& plan)
+Status ReadPlan(const std::string& path, Plan& plan)
 {
   const fs::path folder = GetFolder(path);
-  std::string problem;
-  plan.Positions = Read(folder / "positions.vtp", problem);
-  plan.Candidates = Read(folder / "candidates.vtp", problem);
-  plan.TestPoints = Read(folder / "test_points.vtp", problem);
+  Status status;
+  plan.Positions = Read(folder / "positions.vtp", status);
+  plan.Candidates = Read(folder / "candidates.vtp", status);
+  plan.TestPoints = Read(folder / "test_points.vtp", status);
   std::error_code error;
   const fs::path survey = folder / "survey.xml";
   plan.Survey = fs::exists(survey, error) ? survey.string() : "";
-  if (problem.empty() && (!plan.Positions || plan.Positions->GetNumberOfPoints() == 0))
+  if (status.IsOk() && (!plan.Positions || plan.Positions->GetNumberOfPoints() == 0))
   {
-    problem = path + ": has no positions; plan again, or give another folder";
+    status = Status::Error(path + ": has no positions; plan again, or give another folder");
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -310,7 +311,7 @@ PlanTool::PlanTool(Viewer& viewer)
 {
   const auto& inputs = viewer.GetOptions().Inputs;
   this->IsWanted =
-    inputs.size() == 1 && IsPlan(inputs.front()) && ReadPlan(inputs.front(), this->Files).empty();
+    inputs.size() == 1 && IsPlan(inputs.front()) && ReadPlan(inputs.front(), this->Files).IsOk();
 }
 
 //------------------------------------------------------------------------------

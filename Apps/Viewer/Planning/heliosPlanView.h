@@ -7,6 +7,7 @@
 
 #include "heliosColorMaps.h"
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "heliosViewerTool.h"
 
 #include <vtkNew.h>
@@ -39,8 +40,8 @@ struct Plan
 /// Whether a path is a plan's folder, or its positions.vtp.
 bool IsPlan(const std::string& path);
 
-/// Reads a plan; returns an error message, or an empty string.
-std::string ReadPlan(const std::string& path, Plan& plan);
+/// Reads a plan.
+Status ReadPlan(const std::string& path, Plan& plan);
 
 /// Test points in five colours by number of scans, numbered tripods, small candidates.
 class PlanView

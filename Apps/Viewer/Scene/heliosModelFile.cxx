@@ -5,6 +5,7 @@
 #include "heliosErrorText.h"
 #include "heliosMaterialColors.h"
 #include "heliosMaterialTable.h"
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosObjSceneReader.h"
@@ -53,15 +54,14 @@ void ColorCells(vtkPolyData* model)
   model->GetCellData()->SetScalars(colors);
 }
 
-/// Returns an error message, or an empty string.
-std::string Read(const std::string& file, vtkSmartPointer<vtkPolyData>& model)
+Status Read(const std::string& file, vtkSmartPointer<vtkPolyData>& model)
 {
   std::string extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension != ".obj")
   {
-    return file + " is not an OBJ file; convert it";
+    return Status::Error(file + " is not an OBJ file; convert it");
   }
   vtkNew<vtkHeliosObjSceneReader> reader;
   const ErrorText errors(reader);
@@ -70,7 +70,7 @@ std::string Read(const std::string& file, vtkSmartPointer<vtkPolyData>& model)
   reader->Update();
   if (!errors.IsEmpty() || reader->GetOutput()->GetNumberOfCells() == 0)
   {
-    return errors.Get(file + " has no faces");
+    return Status::Error(errors.Get(file + " has no faces"));
   }
   model = reader->GetOutput();
   ColorCells(model);
@@ -92,7 +92,7 @@ const ModelFiles::Entry& ModelFiles::Get(const ModelData& model)
   {
     entry.Problem = model.File.empty()
       ? "no such file; correct the name, or give its folder with --assets"
-      : Read(model.File, entry.Model);
+      : Read(model.File, entry.Model).Message();
   }
   if (!entry.Problem.empty())
   {

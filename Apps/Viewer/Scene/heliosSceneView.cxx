@@ -3,6 +3,7 @@
 #include "heliosSceneView.h"
 
 #include "heliosMaterialColors.h"
+#include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "heliosTurbidBoxes.h"
 #include "vtkHeliosArrayNames.h"
@@ -44,7 +45,7 @@ Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* scene, const std::vector<vtkIdType>& cells)
 {
   TriangleMesh mesh;
-  mesh.Set(scene);
+  static_cast<void>(mesh.Set(scene)); // checked by SetScene()
   auto some = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -97,30 +98,30 @@ SceneView::~SceneView()
 }
 
 //------------------------------------------------------------------------------
-std::string SceneView::SetScene(vtkPolyData* scene)
+Status SceneView::SetScene(vtkPolyData* scene)
 {
   this->Scene = nullptr;
   this->Resting.SetMesh(nullptr);
   this->Moving.SetMesh(nullptr);
   if (!scene)
   {
-    return "";
+    return {};
   }
   if (scene->GetNumberOfCells() == 0)
   {
-    return "the scene has no triangles: it cannot be shown";
+    return Status::Error("the scene has no triangles: it cannot be shown");
   }
-  const std::string fault = TriangleMesh().Set(scene);
-  if (!fault.empty())
+  const Status status = TriangleMesh().Set(scene);
+  if (!status.IsOk())
   {
-    return "the scene cannot be shown: " + fault;
+    return Status::Error("the scene cannot be shown: " + status.Message());
   }
   this->Scene = scene;
   this->Materials = GetMaterials(scene);
   this->Resting.SetMesh(scene);
   this->DrawMesh();
   this->SetVisible(true);
-  return "";
+  return {};
 }
 
 //------------------------------------------------------------------------------

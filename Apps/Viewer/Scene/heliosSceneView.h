@@ -8,6 +8,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosPose.h"
 #include "heliosSceneLayer.h"
+#include "heliosStatus.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -62,10 +63,9 @@ public:
   void SetOrigin(const Vec3& origin);
 
   /**
-   * Shows a scene (null: none); call again after changes. Shows nothing on error; returns an error
-   * message, or an empty string.
+   * Shows a scene (null: none); call again after changes. Shows nothing on error.
    */
-  std::string SetScene(vtkPolyData* scene);
+  Status SetScene(vtkPolyData* scene);
   vtkPolyData* GetScene() const { return this->Scene; }
 
   /// Parts of the scene that are drawn and picked where Move() puts them; reset by the next scene.

@@ -4,6 +4,7 @@
 
 #include "heliosInputFile.h"
 #include "heliosJsonText.h"
+#include "heliosStatus.h"
 
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>
@@ -257,22 +258,23 @@ void CameraRig::TurnRound(double seconds)
 }
 
 //------------------------------------------------------------------------------
-std::string CameraRig::ReadScript(const std::string& fileName)
+Status CameraRig::ReadScript(const std::string& fileName)
 {
-  if (const std::string problem = CheckInputFile(fileName); !problem.empty())
+  if (const Status status = CheckInputFile(fileName); !status.IsOk())
   {
-    return fileName + ": " + problem;
+    return Status::Error(fileName + ": " + status.Message());
   }
   std::ifstream file(fileName);
   Json::Value frames;
   std::string errors;
   if (!file)
   {
-    return fileName + ": cannot be read; check the name of the camera script";
+    return Status::Error(fileName + ": cannot be read; check the name of the camera script");
   }
   if (!ReadJson(file, frames, errors))
   {
-    return fileName + ": is not JSON: " + errors.substr(0, errors.find_last_not_of('\n') + 1);
+    return Status::Error(
+      fileName + ": is not JSON: " + errors.substr(0, errors.find_last_not_of('\n') + 1));
   }
   this->Script->Initialize();
   for (Json::ArrayIndex i = 0; frames.isArray() && i < frames.size(); ++i)
@@ -286,8 +288,8 @@ std::string CameraRig::ReadScript(const std::string& fileName)
       (!frame.isMember("viewUp") || ReadVector(frame["viewUp"], up));
     if (!isGood)
     {
-      return fileName + ": key frame " + std::to_string(i) +
-        R"( is not {"time": s, "position": [x, y, z], "focalPoint": [x, y, z]} with numbers within 1e9)";
+      return Status::Error(fileName + ": key frame " + std::to_string(i) +
+        R"( is not {"time": s, "position": [x, y, z], "focalPoint": [x, y, z]} with numbers within 1e9)");
     }
     vtkNew<vtkCamera> camera;
     camera->SetPosition(position.GetData());
@@ -297,8 +299,8 @@ std::string CameraRig::ReadScript(const std::string& fileName)
     this->Script->AddCamera(frame["time"].asDouble(), camera);
   }
   return this->Script->GetNumberOfCameras() > 0
-    ? ""
-    : fileName + ": has no key frames; give a list of them";
+    ? Status()
+    : Status::Error(fileName + ": has no key frames; give a list of them");
 }
 
 } // namespace helios::viewer

@@ -6,6 +6,7 @@
 #define heliosCameraRig_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -67,9 +68,8 @@ public:
   /// Advances by a time [s]; null subject: no motion.
   void Update(double seconds, const Subject* subject);
 
-  /// Reads key frames from a JSON file: a list of {"time", "position", "focalPoint", "viewUp"};
-  /// returns an error message, or an empty string.
-  std::string ReadScript(const std::string& fileName);
+  /// Reads key frames from a JSON file: a list of {"time", "position", "focalPoint", "viewUp"}.
+  Status ReadScript(const std::string& fileName);
 
 private:
   void Follow(const Subject& subject);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRecorder.h"
 
+#include "heliosStatus.h"
+
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkOggTheoraWriter.h>
@@ -23,14 +25,15 @@ namespace helios::viewer
 namespace
 {
 
-/// Returns why a file cannot be created there, or an empty string.
-std::string CheckFolder(const std::string& fileName)
+/// Returns an error if the folder of a file does not exist.
+Status CheckFolder(const std::string& fileName)
 {
   const fs::path folder = fs::path(fileName).parent_path();
   std::error_code error;
   return folder.empty() || fs::is_directory(folder, error)
-    ? ""
-    : fileName + ": the folder " + folder.string() + " does not exist; create it first";
+    ? Status()
+    : Status::Error(
+        fileName + ": the folder " + folder.string() + " does not exist; create it first");
 }
 
 bool HasExtension(const std::string& fileName, const char* extension)
@@ -38,30 +41,31 @@ bool HasExtension(const std::string& fileName, const char* extension)
   return fs::path(fileName).extension() == extension;
 }
 
-std::string WriteImage(vtkAlgorithmOutput* image, const std::string& fileName)
+Status WriteImage(vtkAlgorithmOutput* image, const std::string& fileName)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(image);
   writer->SetFileName(fileName.c_str());
   writer->Write();
-  return writer->GetErrorCode() == vtkErrorCode::NoError ? ""
-                                                         : fileName +
-      ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+  return writer->GetErrorCode() == vtkErrorCode::NoError
+    ? Status()
+    : Status::Error(fileName +
+        ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string WriteStill(vtkRenderWindow* window, const std::string& fileName)
+Status WriteStill(vtkRenderWindow* window, const std::string& fileName)
 {
   if (!HasExtension(fileName, ".png"))
   {
-    return fileName + ": stills are PNG; give a name that ends in .png";
+    return Status::Error(fileName + ": stills are PNG; give a name that ends in .png");
   }
-  const std::string problem = CheckFolder(fileName);
-  if (!problem.empty())
+  const Status status = CheckFolder(fileName);
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(window);
@@ -75,7 +79,7 @@ Recorder::Recorder() = default;
 //------------------------------------------------------------------------------
 Recorder::~Recorder()
 {
-  this->Close();
+  static_cast<void>(this->Close()); // nobody can be told
 }
 
 //------------------------------------------------------------------------------
@@ -85,21 +89,20 @@ bool Recorder::IsVideo() const
 }
 
 //------------------------------------------------------------------------------
-std::string Recorder::Open(
-  vtkRenderWindow* window, const std::string& fileName, double framesPerSecond)
+Status Recorder::Open(vtkRenderWindow* window, const std::string& fileName, double framesPerSecond)
 {
   this->FileName = fileName;
   const bool isSequence = std::regex_match(fileName, std::regex("[^%]*%0?[1-9]?d[^%]*[.]png"));
   if (!this->IsVideo() && !isSequence)
   {
-    return fileName +
+    return Status::Error(fileName +
       ": give a name that ends in .ogv (Ogg Theora), or one with %04d that ends in "
-      ".png for one picture per frame";
+      ".png for one picture per frame");
   }
-  const std::string problem = CheckFolder(fileName);
-  if (!problem.empty())
+  const Status status = CheckFolder(fileName);
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   this->Window = window;
   this->Grabber->SetInput(window);
@@ -115,7 +118,8 @@ std::string Recorder::Open(
     this->Video->Start();
     if (this->Video->GetError())
     {
-      return fileName + ": cannot be written; check the free space and permissions of its folder";
+      return Status::Error(
+        fileName + ": cannot be written; check the free space and permissions of its folder");
     }
   }
   this->Opened = true;
@@ -123,29 +127,29 @@ std::string Recorder::Open(
 }
 
 //------------------------------------------------------------------------------
-std::string Recorder::AddFrame()
+Status Recorder::AddFrame()
 {
   this->Grabber->Modified();
-  std::string problem;
+  Status status;
   if (this->Video)
   {
     this->Video->Write();
-    problem = this->Video->GetError()
-      ? this->FileName + ": a frame cannot be written; is the disk full?"
-      : "";
+    status = this->Video->GetError()
+      ? Status::Error(this->FileName + ": a frame cannot be written; is the disk full?")
+      : Status();
   }
   else
   {
     std::vector<char> name(this->FileName.size() + 32);
     std::snprintf(name.data(), name.size(), this->FileName.c_str(), this->NumberOfFrames);
-    problem = WriteImage(this->Grabber->GetOutputPort(), name.data());
+    status = WriteImage(this->Grabber->GetOutputPort(), name.data());
   }
-  this->NumberOfFrames += problem.empty() ? 1 : 0;
-  return problem;
+  this->NumberOfFrames += status.IsOk() ? 1 : 0;
+  return status;
 }
 
 //------------------------------------------------------------------------------
-std::string Recorder::Close()
+Status Recorder::Close()
 {
   const bool hadVideo = this->Opened && this->Video;
   this->Opened = false;
@@ -156,7 +160,8 @@ std::string Recorder::Close()
   this->Video->End();
   const bool isGood = !this->Video->GetError();
   this->Video = nullptr;
-  return isGood ? "" : this->FileName + ": cannot be finished; is the disk full?";
+  return isGood ? Status()
+                : Status::Error(this->FileName + ": cannot be finished; is the disk full?");
 }
 
 } // namespace helios::viewer

@@ -5,6 +5,8 @@
 #ifndef heliosRecorder_h
 #define heliosRecorder_h
 
+#include "heliosStatus.h"
+
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
@@ -17,8 +19,8 @@ class vtkWindowToImageFilter;
 namespace helios::viewer
 {
 
-/// Writes a PNG; returns an error message, or an empty string.
-std::string WriteStill(vtkRenderWindow* window, const std::string& fileName);
+/// Writes a PNG.
+Status WriteStill(vtkRenderWindow* window, const std::string& fileName);
 
 /// A video (.ogv), or a folder of frames (a name with one %d such as frame%04d.png).
 class Recorder
@@ -27,12 +29,9 @@ public:
   Recorder();
   ~Recorder();
 
-  ///@{
-  /// Returns an error message, or an empty string.
-  std::string Open(vtkRenderWindow* window, const std::string& fileName, double framesPerSecond);
-  std::string AddFrame();
-  std::string Close();
-  ///@}
+  Status Open(vtkRenderWindow* window, const std::string& fileName, double framesPerSecond);
+  Status AddFrame();
+  Status Close();
 
   bool IsOpen() const { return this->Opened; }
   int GetNumberOfFrames() const { return this->NumberOfFrames; }

@@ -11,6 +11,7 @@
 #include "heliosSceneMover.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 #include "heliosTimeBar.h"
 #include "heliosViewerInputs.h"
@@ -139,8 +140,8 @@ void Viewer::SetUpView()
 }
 
 //------------------------------------------------------------------------------
-/// Sets the camera from the options; returns an error message, or an empty string.
-std::string Viewer::SetUpCamera()
+/// Sets the camera from the options.
+Status Viewer::SetUpCamera()
 {
   const auto& names = GetCameraModeNames();
   const auto mode = std::find(names.begin(), names.end(), this->Options.Camera) - names.begin();
@@ -156,13 +157,13 @@ std::string Viewer::SetUpCamera()
 //------------------------------------------------------------------------------
 bool Viewer::LoadInputs()
 {
-  std::string problem = this->SetUpCamera();
-  problem = problem.empty() ? ShowInputs(*this) : problem;
-  if (!problem.empty())
+  Status status = this->SetUpCamera();
+  status = status.IsOk() ? ShowInputs(*this) : status;
+  if (!status.IsOk())
   {
-    std::cerr << "error: " << problem << "\n";
+    std::cerr << "error: " << status.Message() << "\n";
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
@@ -191,10 +192,10 @@ int Viewer::RunInteractively()
   this->LastFrame = this->Now();
   this->Interactor->Start();
   this->Bar.reset();
-  const std::string problem = this->Video.Close();
-  if (!problem.empty())
+  const Status status = this->Video.Close();
+  if (!status.IsOk())
   {
-    this->Complain(problem);
+    this->Complain(status.Message());
   }
   return this->ExitCode;
 }

@@ -12,6 +12,7 @@
 #include "heliosPose.h"
 #include "heliosRecorder.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 #include "heliosViewerOptions.h"
 #include "vtkHeliosSurvey.h"
 
@@ -105,7 +106,7 @@ public:
 private:
   friend class ViewerState;
 
-  std::string SetUpCamera();
+  Status SetUpCamera();
   bool LoadInputs();
   void SetUpWindow();
   void SetUpEvents();

@@ -5,6 +5,8 @@
 #ifndef heliosViewerInputs_h
 #define heliosViewerInputs_h
 
+#include "heliosStatus.h"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,8 +17,8 @@ namespace helios::viewer
 class Viewer;
 class ViewerTool;
 
-/// Shows the inputs of a viewer; returns an error message, or an empty string.
-std::string ShowInputs(Viewer& viewer);
+/// Shows the inputs of a viewer.
+Status ShowInputs(Viewer& viewer);
 
 /// The tools of a viewer, in order of precedence.
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer);

@@ -4,6 +4,7 @@
 
 #include "heliosCameraRig.h"
 #include "heliosColorNames.h"
+#include "heliosStatus.h"
 #include "vtkHeliosMemoryLimit.h"
 #include "vtkHeliosVersion.h"
 
@@ -160,16 +161,16 @@ bool ReadSpeed(const std::string& text, ViewerOptions& options)
   return used == text.size() && options.Speed >= 0.01 && options.Speed <= 1000.0;
 }
 
-/// Options that exclude each other; empty: none.
-std::string CheckTogether(const ViewerOptions& options)
+/// Returns an error if options exclude each other.
+Status CheckTogether(const ViewerOptions& options)
 {
   if (options.Offscreen && options.Record.empty() && options.Still.empty())
   {
-    return "--offscreen shows nothing by itself: give --record or --still";
+    return Status::Error("--offscreen shows nothing by itself: give --record or --still");
   }
   return options.Seconds > 0.0 && options.Record.empty()
-    ? "--seconds is the length of a recording: give --record, too"
-    : "";
+    ? Status::Error("--seconds is the length of a recording: give --record, too")
+    : Status();
 }
 
 OptionsResult Complain(const std::string& text)
@@ -212,8 +213,8 @@ OptionsResult ReadOptions(int argc, char** argv, ViewerOptions& options)
   {
     return Complain("--size " + size + ": give WIDTHxHEIGHT, 64x64 to 16384x16384");
   }
-  const std::string problem = CheckTogether(options);
-  return problem.empty() ? OptionsResult::Go : Complain(problem);
+  const Status status = CheckTogether(options);
+  return status.IsOk() ? OptionsResult::Go : Complain(status.Message());
 }
 
 } // namespace helios::viewer

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Non-interactive viewer: videos and stills.
+#include "heliosStatus.h"
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
@@ -29,22 +30,22 @@ int Viewer::RunScripted()
       this->Clock.SetSpeed(std::max(1e-6, span / seconds));
     }
     this->Draw();
-    std::string problem =
+    Status status =
       this->Video.Open(this->Window, this->Options.Record, this->Options.FramesPerSecond);
     const auto frames = static_cast<int>(std::lround(seconds / step));
-    for (int i = 0; i < frames && problem.empty() && this->ExitCode == 0; ++i)
+    for (int i = 0; i < frames && status.IsOk() && this->ExitCode == 0; ++i)
     {
       this->WaitFor(
         std::min(this->Clock.GetEnd(), this->Clock.GetTime() + step * this->Clock.GetSpeed()));
       this->Frame(step);
       this->Draw();
-      problem = this->Video.AddFrame();
+      status = this->Video.AddFrame();
     }
-    const std::string end = this->Video.Close();
-    problem = problem.empty() ? end : problem;
-    if (!problem.empty())
+    const Status end = this->Video.Close();
+    status = status.IsOk() ? end : status;
+    if (!status.IsOk())
     {
-      this->Complain(problem);
+      this->Complain(status.Message());
       this->ExitCode = 1;
     }
   }
@@ -95,24 +96,24 @@ void Viewer::AddVideoFrame(double now)
     return;
   }
   this->LastVideoFrame = now;
-  const std::string problem = this->Video.AddFrame();
-  if (!problem.empty())
+  const Status status = this->Video.AddFrame();
+  if (!status.IsOk())
   {
-    this->Video.Close();
-    this->Complain(problem);
+    static_cast<void>(this->Video.Close()); // the first error is told
+    this->Complain(status.Message());
   }
 }
 
 //------------------------------------------------------------------------------
 void Viewer::SaveStill(const std::string& fileName)
 {
-  const std::string problem = WriteStill(this->Window, fileName);
-  if (problem.empty())
+  const Status status = WriteStill(this->Window, fileName);
+  if (status.IsOk())
   {
     this->Tell("saved " + fileName);
     return;
   }
-  this->Complain(problem);
+  this->Complain(status.Message());
   this->ExitCode = 1;
 }
 
@@ -121,11 +122,11 @@ void Viewer::ToggleRecording()
 {
   const bool wasOpen = this->Video.IsOpen();
   const std::string name = "vtkhelios.ogv";
-  const std::string problem = wasOpen
+  const Status status = wasOpen
     ? this->Video.Close()
     : this->Video.Open(this->Window, name, this->Options.FramesPerSecond);
-  problem.empty() ? this->Tell((wasOpen ? "saved " : "recording ") + name)
-                  : this->Complain(problem);
+  status.IsOk() ? this->Tell((wasOpen ? "saved " : "recording ") + name)
+                : this->Complain(status.Message());
 }
 
 } // namespace helios::viewer

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows and replaces the viewer's surveys, scenes and clouds.
+#include "heliosStatus.h"
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
@@ -108,10 +109,10 @@ void Viewer::ShowMesh(vtkPolyData* scene)
 {
   this->Mesh = std::make_unique<SceneView>(this->Renderer);
   this->Mesh->SetOrigin(this->Origin);
-  const std::string problem = this->Mesh->SetScene(scene);
-  if (!problem.empty())
+  const Status status = this->Mesh->SetScene(scene);
+  if (!status.IsOk())
   {
-    this->Complain(problem);
+    this->Complain(status.Message());
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosInputFile.h"
 
+#include "heliosStatus.h"
+
 #include <sys/stat.h>
 
 namespace helios
@@ -52,7 +54,7 @@ bool IsOfKernel(const struct stat& status)
 
 } // namespace
 
-std::string CheckInputFile(const std::string& path)
+Status CheckInputFile(const std::string& path)
 {
   struct stat status;
   if (!GetStatus(path, status))
@@ -64,7 +66,7 @@ std::string CheckInputFile(const std::string& path)
   {
     kind = "a file of the kernel (/proc, /sys), not a regular file; copy it to a file";
   }
-  return kind.empty() ? kind : "cannot be read: it is " + kind;
+  return kind.empty() ? Status() : Status::Error("cannot be read: it is " + kind);
 }
 
 } // namespace helios

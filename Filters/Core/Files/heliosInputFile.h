@@ -5,6 +5,7 @@
 #ifndef heliosInputFile_h
 #define heliosInputFile_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <string>
@@ -13,11 +14,11 @@ namespace helios
 {
 
 /**
- * Returns why a path cannot be read as a file ("cannot be read: it is a FIFO ..."): folders, FIFOs,
- * sockets, devices and files of /proc and /sys, which may have no end or no size. Empty for regular
- * files, and for missing files, which the caller reports on opening.
+ * Returns an error if a path cannot be read as a file ("cannot be read: it is a FIFO ..."): folders,
+ * FIFOs, sockets, devices and files of /proc and /sys, which may have no end or no size. Regular
+ * files are accepted, and missing ones, which the caller reports on opening.
  */
-VTKHELIOSFILTERSCORE_EXPORT std::string CheckInputFile(const std::string& path);
+VTKHELIOSFILTERSCORE_EXPORT Status CheckInputFile(const std::string& path);
 
 } // namespace helios
 

@@ -3,6 +3,7 @@
 #include "heliosTextFile.h"
 
 #include "heliosInputFile.h"
+#include "heliosStatus.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -33,24 +34,26 @@ std::string Place(const std::string& path, std::int64_t line)
   return path + ':' + std::to_string(line) + ": ";
 }
 
-std::string OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
+Status OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
 {
-  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  if (const Status status = CheckInputFile(path); !status.IsOk())
   {
-    return path + ": " + problem;
+    return Status::Error(path + ": " + status.Message());
   }
   file.reset(std::fopen(path.c_str(), "rb"));
   if (!file)
   {
-    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
+    return Status::Error(
+      path + ": cannot be read: " + std::strerror(errno) + "; check the file name");
   }
   std::setvbuf(file.get(), nullptr, _IONBF, 0);
   std::error_code error;
   size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
-  return error ? path + ": cannot be read: " + error.message() + "; check the disk" : "";
+  return error ? Status::Error(path + ": cannot be read: " + error.message() + "; check the disk")
+               : Status();
 }
 
-std::string TextFile::Open(const std::string& path)
+Status TextFile::Open(const std::string& path)
 {
   this->Path = path;
   this->Buffer.resize(BlockSize);

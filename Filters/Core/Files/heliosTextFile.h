@@ -5,6 +5,7 @@
 #ifndef heliosTextFile_h
 #define heliosTextFile_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
@@ -44,8 +45,8 @@ struct FileCloser
 };
 using InputFile = std::unique_ptr<std::FILE, FileCloser>;
 
-/// Opens a file without a buffer and gets its size. Returns an error message, or an empty string.
-VTKHELIOSFILTERSCORE_EXPORT std::string OpenInput(
+/// Opens a file without a buffer and gets its size.
+VTKHELIOSFILTERSCORE_EXPORT Status OpenInput(
   const std::string& path, InputFile& file, std::int64_t& size);
 
 /// Reads a file in blocks, so that memory does not grow with it.
@@ -59,8 +60,8 @@ public:
   /// Called after every block with the fraction of the file read; returning false stops reading.
   std::function<bool(double)> OnBlock;
 
-  /// Opens a file. Returns an error message, or an empty string.
-  std::string Open(const std::string& path);
+  /// Opens a file.
+  Status Open(const std::string& path);
 
   /**
    * The next line, without its end (LF or CR LF); valid until the next call. A backslash at the end
@@ -83,7 +84,7 @@ public:
   /// "path:line: " of the last line read.
   std::string GetPlace() const { return Place(this->Path, this->Line); }
   bool IsStopped() const { return this->Stopped; }
-  /// Error message of reading, or an empty string.
+  /// Error message of reading, empty without an error.
   const std::string& GetError() const { return this->Error; }
 
 private:

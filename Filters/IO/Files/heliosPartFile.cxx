@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPartFile.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -78,7 +80,7 @@ constexpr const char* WasRemoved = "was removed while it was written";
 
 } // namespace
 
-std::string MakeFoldersFor(const std::string& path)
+Status MakeFoldersFor(const std::string& path)
 {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code error;
@@ -87,28 +89,30 @@ std::string MakeFoldersFor(const std::string& path)
     std::filesystem::create_directories(folder, error);
     if (error)
     {
-      return "the folder " + folder.string() + " cannot be created: " + error.message();
+      return Status::Error(
+        "the folder " + folder.string() + " cannot be created: " + error.message());
     }
   }
   return {};
 }
 
-std::string RenameFile(const std::string& from, const std::string& to)
+Status RenameFile(const std::string& from, const std::string& to)
 {
   if (std::rename(from.c_str(), to.c_str()) != 0)
   {
-    return from + " cannot be renamed to " + to + ": " + std::strerror(errno);
+    return Status::Error(from + " cannot be renamed to " + to + ": " + std::strerror(errno));
   }
   return {};
 }
 
-std::string SyncFile(const std::string& path)
+Status SyncFile(const std::string& path)
 {
   const int error = SyncPath(path);
-  return error ? path + " cannot be flushed to disk: " + std::strerror(error) : std::string();
+  return error ? Status::Error(path + " cannot be flushed to disk: " + std::strerror(error))
+               : Status();
 }
 
-std::string SyncFolderOf(const std::string& path)
+Status SyncFolderOf(const std::string& path)
 {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return SyncFile(folder.empty() ? "." : folder);
@@ -154,7 +158,7 @@ bool PartFile::Open(const std::string& path, Folders folders)
   this->BeginBlock();
   this->IsNowhere = false;
   this->IsInFolder = false;
-  this->Problem = folders == Folders::Make ? MakeFoldersFor(path) : std::string();
+  this->Problem = folders == Folders::Make ? MakeFoldersFor(path).Message() : std::string();
   std::error_code error;
   if (this->Problem.empty() && std::filesystem::is_directory(path, error))
   {
@@ -179,7 +183,7 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
   const std::string part = this->GetPartPath();
   if (!std::filesystem::exists(part, error) && std::filesystem::exists(path, error))
   {
-    this->Problem = RenameFile(path, part);
+    this->Problem = RenameFile(path, part).Message();
     if (!this->Problem.empty())
     {
       return false;
@@ -294,7 +298,7 @@ bool PartFile::Sync()
   }
   if (!this->IsInFolder)
   {
-    this->Problem = SyncFolderOf(this->Path);
+    this->Problem = SyncFolderOf(this->Path).Message();
     this->IsInFolder = this->Problem.empty();
   }
   const int error = SyncDescriptor(this->Descriptor);
@@ -310,8 +314,8 @@ bool PartFile::Close()
   }
   if (!this->IsNowhere)
   {
-    this->Problem = RenameFile(this->GetPartPath(), this->Path);
-    this->Problem = this->Problem.empty() ? SyncFolderOf(this->Path) : this->Problem;
+    const Status status = RenameFile(this->GetPartPath(), this->Path);
+    this->Problem = (status.IsOk() ? SyncFolderOf(this->Path) : status).Message();
   }
   return this->Problem.empty();
 }

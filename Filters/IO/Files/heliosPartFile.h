@@ -6,6 +6,7 @@
 #define heliosPartFile_h
 
 #include "heliosChecksum.h"
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <cstdint>
@@ -137,11 +138,11 @@ private:
 };
 
 ///@{
-/// Each returns an error message, or an empty string.
-VTKHELIOSFILTERSIO_EXPORT std::string MakeFoldersFor(const std::string& path);
-VTKHELIOSFILTERSIO_EXPORT std::string RenameFile(const std::string& from, const std::string& to);
-VTKHELIOSFILTERSIO_EXPORT std::string SyncFile(const std::string& path);     ///< fsync
-VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///< its folder
+/// Changes of the file system, with the paths in their errors.
+VTKHELIOSFILTERSIO_EXPORT Status MakeFoldersFor(const std::string& path);
+VTKHELIOSFILTERSIO_EXPORT Status RenameFile(const std::string& from, const std::string& to);
+VTKHELIOSFILTERSIO_EXPORT Status SyncFile(const std::string& path);     ///< fsync
+VTKHELIOSFILTERSIO_EXPORT Status SyncFolderOf(const std::string& path); ///< its folder
 ///@}
 
 /// Size of a file [bytes] if its last bytes are the given ending; else -1.

@@ -66,7 +66,7 @@ std::string Sha256::Finish()
 std::string HashFile(const std::string& path)
 {
   std::ifstream file;
-  if (CheckInputFile(path).empty())
+  if (CheckInputFile(path).IsOk())
   {
     file.open(path, std::ios::binary);
   }

@@ -3,6 +3,7 @@
 #include "heliosTextFileSink.h"
 
 #include "heliosPartFile.h"
+#include "heliosStatus.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -31,13 +32,13 @@ std::string TextFileSink::Explain(int error) const
     "; choose another folder, or make this one writable with space left";
 }
 
-std::string TextFileSink::Open(const std::string& path)
+Status TextFileSink::Open(const std::string& path)
 {
   this->Path = path;
   this->File = std::fopen((path + PartEnding).c_str(), "wb");
   if (!this->File)
   {
-    return this->Explain(errno);
+    return Status::Error(this->Explain(errno));
   }
   std::setvbuf(this->File, nullptr, _IONBF, 0);
   this->Buffer.resize(BufferSize);
@@ -65,7 +66,7 @@ void TextFileSink::Flush()
   this->Used = 0;
 }
 
-std::string TextFileSink::Close()
+Status TextFileSink::Close()
 {
   this->Flush();
   if (std::fclose(this->File) != 0 && !this->Error)
@@ -81,7 +82,7 @@ std::string TextFileSink::Close()
   if (this->Error)
   {
     std::remove(part.c_str());
-    return this->Explain(this->Error);
+    return Status::Error(this->Explain(this->Error));
   }
   return {};
 }

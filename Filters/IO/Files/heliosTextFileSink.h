@@ -5,6 +5,8 @@
 #ifndef heliosTextFileSink_h
 #define heliosTextFileSink_h
 
+#include "heliosStatus.h"
+
 #include <charconv>
 #include <cstdio>
 #include <string>
@@ -26,8 +28,8 @@ public:
   TextFileSink(const TextFileSink&) = delete;
   void operator=(const TextFileSink&) = delete;
 
-  /// Opens the file. Returns an error message, or an empty string.
-  std::string Open(const std::string& path);
+  /// Opens the file.
+  Status Open(const std::string& path);
 
   void Append(std::string_view text);
 
@@ -41,9 +43,8 @@ public:
     this->Used = std::to_chars(at, at + longest - 1, value).ptr - this->Buffer.data();
   }
 
-  /// Closes the file. Returns the error message since Open, or an empty string: the file is
-  /// complete.
-  std::string Close();
+  /// Closes the file. Returns the error since Open; without one the file is complete.
+  Status Close();
 
 private:
   char* Reserve(std::size_t count)

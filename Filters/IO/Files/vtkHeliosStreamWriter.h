@@ -102,7 +102,7 @@ public:
   bool Flush();
 
   /**
-   * Like Flush(), but returns an error message, or an empty string. May be called from any thread
+   * Like Flush(), but returns the error message, empty after success. May be called from any thread
    * while no other thread uses the writer.
    */
   virtual std::string Sync();

@@ -3,6 +3,7 @@
 #include "heliosLasBlock.h"
 
 #include "heliosLasWaves.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkPointData.h>
@@ -144,8 +145,7 @@ std::string Show(double value)
 
 } // namespace
 
-std::string LasBlock::ReadColumn(
-  vtkPolyData* echoes, const char* name, bool isInteger, Column& column)
+Status LasBlock::ReadColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column)
 {
   vtkDataArray* array = echoes->GetPointData()->GetArray(name);
   if (!array)
@@ -156,21 +156,21 @@ std::string LasBlock::ReadColumn(
   if (array->GetNumberOfTuples() != this->NumberOfPoints ||
     array->GetNumberOfComponents() != components)
   {
-    return std::string("the array ") + name + " of a block has " +
+    return Status::Error(std::string("the array ") + name + " of a block has " +
       std::to_string(array->GetNumberOfTuples()) + " x " +
       std::to_string(array->GetNumberOfComponents()) + " values, not " +
-      std::to_string(this->NumberOfPoints) + " x " + std::to_string(components);
+      std::to_string(this->NumberOfPoints) + " x " + std::to_string(components));
   }
   column = Column(array);
   if (isInteger && !column.HasIntegers())
   {
-    return std::string("the array ") + name + " of a block holds " + array->GetDataTypeAsString() +
-      "; it must hold integers";
+    return Status::Error(std::string("the array ") + name + " of a block holds " +
+      array->GetDataTypeAsString() + "; it must hold integers");
   }
   return {};
 }
 
-std::string LasBlock::ReadFields(vtkPolyData* echoes)
+Status LasBlock::ReadFields(vtkPolyData* echoes)
 {
   const struct
   {
@@ -188,16 +188,16 @@ std::string LasBlock::ReadFields(vtkPolyData* echoes)
     { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
-    std::string problem = this->ReadColumn(echoes, field.Name, field.IsInteger, field.Values);
-    if (!problem.empty())
+    Status status = this->ReadColumn(echoes, field.Name, field.IsInteger, field.Values);
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
   }
   return {};
 }
 
-std::string LasBlock::AddExtra(vtkDataArray* array)
+Status LasBlock::AddExtra(vtkDataArray* array)
 {
   const std::string name = array->GetName();
   const int components = array->GetNumberOfComponents();
@@ -205,9 +205,9 @@ std::string LasBlock::AddExtra(vtkDataArray* array)
   if (array->GetNumberOfTuples() != this->NumberOfPoints || type == 0 ||
     (components != 1 && components != 3) || name.size() + (components == 3 ? 1 : 0) > LongestName)
   {
-    return "the array " + name +
+    return Status::Error("the array " + name +
       " of a block cannot be Extra Bytes, which have 1 or 3 numbers per point and a name of at "
-      "most 32 characters; change it, or switch WriteExtraBytes off";
+      "most 32 characters; change it, or switch WriteExtraBytes off");
   }
   if (!array->HasStandardMemoryLayout())
   {
@@ -233,7 +233,7 @@ std::string LasBlock::AddExtra(vtkDataArray* array)
   return {};
 }
 
-std::string LasBlock::ReadExtras(vtkPolyData* echoes)
+Status LasBlock::ReadExtras(vtkPolyData* echoes)
 {
   vtkPointData* data = echoes->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -242,26 +242,27 @@ std::string LasBlock::ReadExtras(vtkPolyData* echoes)
     const char* name = data->GetArrayName(i);
     if (!array || !name || !*name)
     {
-      return std::string("the array ") + (name ? name : "without a name") +
-        " of a block is not numeric or has no name";
+      return Status::Error(std::string("the array ") + (name ? name : "without a name") +
+        " of a block is not numeric or has no name");
     }
-    std::string problem = IsField(name) ? std::string() : this->AddExtra(array);
-    if (!problem.empty())
+    Status status = IsField(name) ? Status() : this->AddExtra(array);
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
   }
   const int limit = std::numeric_limits<std::uint16_t>::max();
   return static_cast<int>(this->Extras.size()) * 192 > limit || this->Length > limit
-    ? "a block has more arrays than Extra Bytes can hold, 341 numbers; switch WriteExtraBytes off"
-    : std::string();
+    ? Status::Error("a block has more arrays than Extra Bytes can hold, 341 numbers; switch "
+                    "WriteExtraBytes off")
+    : Status();
 }
 
-std::string LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
+Status LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
 {
   this->NumberOfPoints = echoes->GetNumberOfPoints();
   this->Points = Column(echoes->GetPoints()->GetData());
-  std::string problem = this->ReadFields(echoes);
+  Status status = this->ReadFields(echoes);
   if (this->Color.HasIntegers() && this->Color.IsSet())
   {
     this->FullColor = echoes->GetPointData()->GetArray(names::RGB)->GetDataTypeMax();
@@ -269,7 +270,7 @@ std::string LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
   const LasPointForm form = GetLasPointForm(this->GetFormat());
   this->Length = form.Length;
   this->WavePlace = form.Wave;
-  return problem.empty() && hasExtras ? this->ReadExtras(echoes) : problem;
+  return status.IsOk() && hasExtras ? this->ReadExtras(echoes) : status;
 }
 
 void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const
@@ -436,14 +437,14 @@ std::string LasBlock::ExplainRow(const LasScaling& scaling, vtkIdType row) const
                                  : std::string();
 }
 
-std::string LasBlock::Explain(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const
+Status LasBlock::CheckRange(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const
 {
   for (vtkIdType row = begin; row < end; ++row)
   {
     const std::string problem = this->ExplainRow(scaling, row);
     if (!problem.empty())
     {
-      return "point " + std::to_string(row) + " of a block " + problem;
+      return Status::Error("point " + std::to_string(row) + " of a block " + problem);
     }
   }
   return {};

@@ -8,6 +8,7 @@
 
 #include "heliosColumn.h"
 #include "heliosLasFormat.h"
+#include "heliosStatus.h"
 
 #include <vtkSmartPointer.h>
 
@@ -35,7 +36,7 @@ class LasBlock
 {
 public:
   /// Reads the arrays of echoes with double points. Returns an error: "the array ... holds".
-  std::string Set(vtkPolyData* echoes, bool hasExtras);
+  Status Set(vtkPolyData* echoes, bool hasExtras);
 
   /// Call before Set() if points have waveforms; their packets are built before Encode().
   void SetWaves(const LasWaves* waves) { this->Waves = waves; }
@@ -54,11 +55,11 @@ public:
   /// whole units, which is independent of the block size.
   void ChooseScaling(LasScaling& scaling, double scale) const;
 
-  /// Encodes points begin to end; false if a point cannot be encoded: see Explain().
+  /// Encodes points begin to end; false if a point cannot be encoded: see CheckRange().
   bool Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end, char* records);
 
-  /// Error of the first point from begin on that cannot be encoded, or an empty string.
-  std::string Explain(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const;
+  /// Returns an error about the first point from begin on that cannot be encoded.
+  Status CheckRange(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const;
 
   ///@{
   /// Values out of range: returns above 15, classes outside 0 to 255. Summed over all Encode().
@@ -76,10 +77,10 @@ private:
     int Place;  // in the point record
   };
 
-  std::string ReadColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
-  std::string ReadFields(vtkPolyData* echoes);
-  std::string ReadExtras(vtkPolyData* echoes);
-  std::string AddExtra(vtkDataArray* array);
+  Status ReadColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
+  Status ReadFields(vtkPolyData* echoes);
+  Status ReadExtras(vtkPolyData* echoes);
+  Status AddExtra(vtkDataArray* array);
   bool EncodeFields(const LasScaling& scaling, vtkIdType row, char* record);
   void EncodeColor(vtkIdType row, char* record) const;
   std::uint16_t GetIntensity(const LasScaling& scaling, vtkIdType row) const;

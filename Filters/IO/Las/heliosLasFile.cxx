@@ -3,6 +3,7 @@
 #include "heliosLasFile.h"
 
 #include "heliosInputFile.h"
+#include "heliosStatus.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -61,102 +62,102 @@ bool LasFile::ReadBytes(std::uint64_t place, std::uint64_t count, char* bytes)
 }
 
 /// Reads the header.
-std::string LasFile::OpenFile()
+Status LasFile::OpenFile()
 {
   this->Records.clear();
   this->Extras.clear();
   this->Header = LasHeader();
-  std::string problem = CheckInputFile(this->Path);
-  if (!problem.empty())
+  Status status = CheckInputFile(this->Path);
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   std::error_code error;
   this->File = std::ifstream(this->Path, std::ios::binary);
   if (!this->File)
   {
-    return "cannot be read: " + std::generic_category().message(errno);
+    return Status::Error("cannot be read: " + std::generic_category().message(errno));
   }
   this->Size = std::filesystem::file_size(this->Path, error);
   std::string bytes(error ? 0 : std::min<std::uint64_t>(LasHeader::Size14, this->Size), '\0');
   if (!this->ReadBytes(0, bytes.size(), bytes.data()))
   {
-    return "cannot be read";
+    return Status::Error("cannot be read");
   }
-  problem = this->Header.Decode(bytes);
-  return problem.empty() && this->Header.PointsBegin > this->Size
-    ? "has " + std::to_string(this->Size) + " bytes, and its points begin at byte " +
-      std::to_string(this->Header.PointsBegin) + ": it is cut off"
-    : problem;
+  status = this->Header.Decode(bytes);
+  return status.IsOk() && this->Header.PointsBegin > this->Size
+    ? Status::Error("has " + std::to_string(this->Size) + " bytes, and its points begin at byte " +
+        std::to_string(this->Header.PointsBegin) + ": it is cut off")
+    : status;
 }
 
-std::string LasFile::CheckCount() const
+Status LasFile::CheckCount() const
 {
   const std::uint64_t room =
     (this->Size - this->Header.PointsBegin) / static_cast<std::uint64_t>(this->Header.PointLength);
   return this->Header.Points.Count > room
-    ? "has " + std::to_string(room) + " whole points of the " +
-      std::to_string(this->Header.Points.Count) + " that its header counts: it is cut off"
-    : std::string();
+    ? Status::Error("has " + std::to_string(room) + " whole points of the " +
+        std::to_string(this->Header.Points.Count) + " that its header counts: it is cut off")
+    : Status();
 }
 
-std::string LasFile::Open(const std::string& path)
+Status LasFile::Open(const std::string& path)
 {
   this->Path = path;
-  std::string problem = this->OpenFile();
-  problem = problem.empty() ? this->CheckCount() : problem;
-  problem = problem.empty() ? this->ReadRecords() : problem;
-  problem = problem.empty() ? this->CheckExtras() : problem;
-  return problem.empty() ? problem : path + ": " + problem;
+  Status status = this->OpenFile();
+  status = status.IsOk() ? this->CheckCount() : status;
+  status = status.IsOk() ? this->ReadRecords() : status;
+  status = status.IsOk() ? this->CheckExtras() : status;
+  return status.IsOk() ? status : Status::Error(path + ": " + status.Message());
 }
 
-std::string LasFile::OpenGrowing(const std::string& path)
+Status LasFile::OpenGrowing(const std::string& path)
 {
   this->Path = path;
-  std::string problem = this->OpenFile();
-  problem = problem.empty() ? this->ReadRecords() : problem;
-  if (problem.empty())
+  Status status = this->OpenFile();
+  status = status.IsOk() ? this->ReadRecords() : status;
+  if (status.IsOk())
   {
     this->Header.Points.Count = (this->Size - this->Header.PointsBegin) /
       static_cast<std::uint64_t>(this->Header.PointLength);
   }
-  return problem.empty() ? problem : path + ": " + problem;
+  return status.IsOk() ? status : Status::Error(path + ": " + status.Message());
 }
 
-std::string LasFile::ReadRecords()
+Status LasFile::ReadRecords()
 {
   std::uint64_t place = this->Header.HeaderSize;
-  std::string problem;
-  for (std::uint32_t i = 0; i < this->Header.NumberOfRecords && problem.empty(); ++i)
+  Status status;
+  for (std::uint32_t i = 0; i < this->Header.NumberOfRecords && status.IsOk(); ++i)
   {
-    problem = this->ReadRecord(place, this->Header.PointsBegin, false);
+    status = this->ReadRecord(place, this->Header.PointsBegin, false);
   }
   place = this->Header.ExtendedBegin;
-  for (std::uint32_t i = 0; i < this->Header.NumberOfExtended && problem.empty(); ++i)
+  for (std::uint32_t i = 0; i < this->Header.NumberOfExtended && status.IsOk(); ++i)
   {
-    problem = this->ReadRecord(place, this->Size, true);
+    status = this->ReadRecord(place, this->Size, true);
   }
-  return problem;
+  return status;
 }
 
 /// Only requested extended records are kept: others may be large.
-std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended)
+Status LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended)
 {
   const std::uint64_t headSize = isExtended ? LasRecord::ExtendedHeadSize : LasRecord::HeadSize;
   const std::string where = isExtended ? "an extended record" : "a variable length record";
   char head[LasRecord::ExtendedHeadSize];
   if (place > end || end - place < headSize || !this->ReadBytes(place, headSize, head))
   {
-    return "has " + where + " at byte " + std::to_string(place) + " that ends after byte " +
-      std::to_string(end);
+    return Status::Error("has " + where + " at byte " + std::to_string(place) +
+      " that ends after byte " + std::to_string(end));
   }
   place += headSize;
   const std::uint64_t size =
     isExtended ? GetLas<std::uint64_t>(head + 20) : GetLas<std::uint16_t>(head + 20);
   if (size > end - place)
   {
-    return "has " + where + " of " + std::to_string(size) + " bytes at byte " +
-      std::to_string(place) + ", where there is room for " + std::to_string(end - place);
+    return Status::Error("has " + where + " of " + std::to_string(size) + " bytes at byte " +
+      std::to_string(place) + ", where there is room for " + std::to_string(end - place));
   }
   LasRecord record;
   record.User = GetLasText({ head + 2, 16 });
@@ -169,7 +170,7 @@ std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool is
     record.Data.resize(size);
     if (size > 0 && !this->ReadBytes(place, size, record.Data.data()))
     {
-      return "cannot be read at byte " + std::to_string(place);
+      return Status::Error("cannot be read at byte " + std::to_string(place));
     }
     this->Records.push_back(std::move(record));
   }
@@ -177,26 +178,27 @@ std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool is
   const LasRecord* extras = isKept ? &this->Records.back() : nullptr;
   return extras && extras->User == LasSpecUser && extras->Id == LasExtraBytesId
     ? DecodeLasExtras(extras->Data, this->Extras)
-    : std::string();
+    : Status();
 }
 
-std::string LasFile::CheckExtras() const
+Status LasFile::CheckExtras() const
 {
   const int room = this->Header.PointLength - GetLasPointForm(this->Header.Format).Length;
   const std::int64_t needed = std::accumulate(this->Extras.begin(), this->Extras.end(),
     std::int64_t(0), [](std::int64_t sum, const LasExtra& extra) { return sum + extra.Size; });
-  return needed > room ? "has points with " + std::to_string(room) +
-      " bytes after their format, but describes Extra Bytes of " + std::to_string(needed)
-                       : std::string();
+  return needed > room
+    ? Status::Error("has points with " + std::to_string(room) +
+        " bytes after their format, but describes Extra Bytes of " + std::to_string(needed))
+    : Status();
 }
 
-std::string LasFile::Read(std::uint64_t first, std::uint64_t count, char* bytes)
+Status LasFile::Read(std::uint64_t first, std::uint64_t count, char* bytes)
 {
   const auto length = static_cast<std::uint64_t>(this->Header.PointLength);
   return this->ReadBytes(this->Header.PointsBegin + first * length, count * length, bytes)
-    ? std::string()
-    : this->Path + ": its points " + std::to_string(first) + " to " +
-      std::to_string(first + count - 1) + " cannot be read; has it changed?";
+    ? Status()
+    : Status::Error(this->Path + ": its points " + std::to_string(first) + " to " +
+        std::to_string(first + count - 1) + " cannot be read; has it changed?");
 }
 
 const LasRecord* LasFile::Find(const char* user, int id) const

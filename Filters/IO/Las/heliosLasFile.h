@@ -6,6 +6,7 @@
 #define heliosLasFile_h
 
 #include "heliosLasFormat.h"
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <fstream>
@@ -18,15 +19,15 @@ namespace helios
 class VTKHELIOSFILTERSIO_EXPORT LasFile
 {
 public:
-  /// Reads all but the points. Returns an error ("a.las: has ..."), or an empty string. Sizes are
-  /// checked against the file size.
-  std::string Open(const std::string& path);
+  /// Reads all but the points. Errors are "a.las: has ...". Sizes are checked against the file
+  /// size.
+  Status Open(const std::string& path);
 
   /// As Open(), for a file whose header may not count all points yet: reads those up to its end.
-  std::string OpenGrowing(const std::string& path);
+  Status OpenGrowing(const std::string& path);
 
-  /// Reads the raw points. Returns an error message, or an empty string.
-  std::string Read(std::uint64_t first, std::uint64_t count, char* bytes);
+  /// Reads the raw points.
+  Status Read(std::uint64_t first, std::uint64_t count, char* bytes);
 
   const LasHeader& GetHeader() const { return this->Header; }
   const std::vector<LasRecord>& GetRecords() const { return this->Records; }
@@ -40,11 +41,11 @@ public:
   const LasRecord* Find(const char* user, int id) const;
 
 private:
-  std::string OpenFile();
-  std::string CheckCount() const;
-  std::string ReadRecords();
-  std::string ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended);
-  std::string CheckExtras() const;
+  Status OpenFile();
+  Status CheckCount() const;
+  Status ReadRecords();
+  Status ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended);
+  Status CheckExtras() const;
   bool ReadBytes(std::uint64_t place, std::uint64_t count, char* bytes);
 
   std::string Path;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasFormat.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -184,37 +186,40 @@ std::string LasHeader::Encode() const
   return bytes;
 }
 
-std::string LasHeader::Decode(std::string_view bytes)
+Status LasHeader::Decode(std::string_view bytes)
 {
   if (bytes.size() < 4 || bytes.substr(0, 4) != "LASF")
   {
-    return "is not a LAS file: it does not start with LASF";
+    return Status::Error("is not a LAS file: it does not start with LASF");
   }
   if (bytes.size() < HeaderSizes[0])
   {
-    return "ends within its header, after " + std::to_string(bytes.size()) + " bytes";
+    return Status::Error(
+      "ends within its header, after " + std::to_string(bytes.size()) + " bytes");
   }
   const int major = static_cast<unsigned char>(bytes[AtVersion]);
   this->Minor = static_cast<unsigned char>(bytes[AtVersion + 1]);
   if (major != 1 || this->Minor > 4)
   {
-    return "is LAS " + std::to_string(major) + "." + std::to_string(this->Minor) +
-      "; versions 1.0 to 1.4 can be read";
+    return Status::Error("is LAS " + std::to_string(major) + "." + std::to_string(this->Minor) +
+      "; versions 1.0 to 1.4 can be read");
   }
   this->HeaderSize = Get<std::uint16_t>(bytes, AtHeaderSize);
   if (this->HeaderSize < HeaderSizes[this->Minor])
   {
-    return "has a header of " + std::to_string(this->HeaderSize) + " bytes; LAS 1." +
-      std::to_string(this->Minor) + " has " + std::to_string(HeaderSizes[this->Minor]);
+    return Status::Error("has a header of " + std::to_string(this->HeaderSize) + " bytes; LAS 1." +
+      std::to_string(this->Minor) + " has " + std::to_string(HeaderSizes[this->Minor]));
   }
   if (bytes.size() < HeaderSizes[this->Minor])
   {
-    return "ends within its header, after " + std::to_string(bytes.size()) + " bytes";
+    return Status::Error(
+      "ends within its header, after " + std::to_string(bytes.size()) + " bytes");
   }
   const int format = static_cast<unsigned char>(bytes[AtFormat]);
   if (format & CompressedBits)
   {
-    return "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las";
+    return Status::Error(
+      "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las");
   }
   this->Encoding = Get<std::uint16_t>(bytes, AtEncoding);
   this->System = GetLasText(bytes.substr(AtSystem, TextSize));
@@ -227,30 +232,32 @@ std::string LasHeader::Decode(std::string_view bytes)
   this->PointLength = Get<std::uint16_t>(bytes, AtPointLength);
   this->Scale = GetTriple(bytes, AtScale);
   this->Offset = GetTriple(bytes, AtOffset);
-  const std::string problem = this->CheckNumbers();
-  return problem.empty() ? this->DecodeCounts(bytes) : problem;
+  const Status status = this->CheckNumbers();
+  return status.IsOk() ? this->DecodeCounts(bytes) : status;
 }
 
-std::string LasHeader::CheckNumbers() const
+Status LasHeader::CheckNumbers() const
 {
   const LasPointForm form = GetLasPointForm(this->Format);
   if (!form.IsKnown())
   {
-    return "has points of format " + std::to_string(this->Format) + "; 0 to 10 can be read";
+    return Status::Error(
+      "has points of format " + std::to_string(this->Format) + "; 0 to 10 can be read");
   }
   if (this->PointLength < form.Length)
   {
-    return "has points of " + std::to_string(this->PointLength) + " bytes; format " +
-      std::to_string(this->Format) + " needs " + std::to_string(form.Length);
+    return Status::Error("has points of " + std::to_string(this->PointLength) + " bytes; format " +
+      std::to_string(this->Format) + " needs " + std::to_string(form.Length));
   }
   if (this->PointsBegin < this->HeaderSize)
   {
-    return "has points from byte " + std::to_string(this->PointsBegin) + " on, within its header";
+    return Status::Error(
+      "has points from byte " + std::to_string(this->PointsBegin) + " on, within its header");
   }
   return this->CheckScaling();
 }
 
-std::string LasHeader::CheckScaling() const
+Status LasHeader::CheckScaling() const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -258,15 +265,15 @@ std::string LasHeader::CheckScaling() const
     const double largest = std::ldexp(step, 31) + std::abs(this->Offset[axis]);
     if (!(step >= SmallestScale) || !(largest <= LargestCoordinate))
     {
-      return "has a scale of " + Show(this->Scale[axis]) + " and an offset of " +
+      return Status::Error("has a scale of " + Show(this->Scale[axis]) + " and an offset of " +
         Show(this->Offset[axis]) + ", which give no valid coordinates: a scale is at least " +
-        Show(SmallestScale) + ", a coordinate at most " + Show(LargestCoordinate);
+        Show(SmallestScale) + ", a coordinate at most " + Show(LargestCoordinate));
     }
   }
   return {};
 }
 
-std::string LasHeader::DecodeCounts(std::string_view bytes)
+Status LasHeader::DecodeCounts(std::string_view bytes)
 {
   const auto old = Get<std::uint32_t>(bytes, AtOldCount);
   this->Points.Count = old;
@@ -280,8 +287,8 @@ std::string LasHeader::DecodeCounts(std::string_view bytes)
   this->Points.Count = Get<std::uint64_t>(bytes, AtCount);
   if (old != 0 && old != this->Points.Count)
   {
-    return "states two numbers of points, " + std::to_string(this->Points.Count) + " and " +
-      std::to_string(old);
+    return Status::Error("states two numbers of points, " + std::to_string(this->Points.Count) +
+      " and " + std::to_string(old));
   }
   return {};
 }
@@ -310,12 +317,12 @@ std::string EncodeLasExtras(const std::vector<LasExtra>& extras)
   return data;
 }
 
-std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras)
+Status DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras)
 {
   if (data.size() % ExtraSize != 0)
   {
-    return "has an Extra Bytes record of " + std::to_string(data.size()) +
-      " bytes, which is not a multiple of " + std::to_string(ExtraSize);
+    return Status::Error("has an Extra Bytes record of " + std::to_string(data.size()) +
+      " bytes, which is not a multiple of " + std::to_string(ExtraSize));
   }
   for (; !data.empty(); data.remove_prefix(ExtraSize))
   {
@@ -325,8 +332,8 @@ std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras
     extra.Name = GetLasText(data.substr(AtExtraName, TextSize));
     if (type > 30)
     {
-      return "has Extra Bytes \"" + extra.Name + "\" of type " + std::to_string(type) +
-        "; types 0 to 30 can be read";
+      return Status::Error("has Extra Bytes \"" + extra.Name + "\" of type " +
+        std::to_string(type) + "; types 0 to 30 can be read");
     }
     extra.Description = GetLasText(data.substr(AtExtraDescription, TextSize));
     extra.Type = type == 0 ? 0 : (type - 1) % 10 + 1;
@@ -345,7 +352,8 @@ std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras
       std::all_of(extra.Offset.begin(), extra.Offset.end(), IsFinite);
     if (!isGood)
     {
-      return "has Extra Bytes \"" + extra.Name + "\" whose scale or offset is not a number";
+      return Status::Error(
+        "has Extra Bytes \"" + extra.Name + "\" whose scale or offset is not a number");
     }
     extras.push_back(extra);
   }

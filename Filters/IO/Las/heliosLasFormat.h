@@ -6,6 +6,7 @@
 #ifndef heliosLasFormat_h
 #define heliosLasFormat_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <array>
@@ -95,11 +96,11 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   /// Encodes a header of LAS 1.4, with the counts of older versions 0.
   std::string Encode() const;
 
-  /// Decodes the first bytes of a file (Size14, or all). Returns an error message.
-  std::string Decode(std::string_view bytes);
+  /// Decodes the first bytes of a file (Size14, or all).
+  Status Decode(std::string_view bytes);
 
-  /// Checks scale and offset. Returns an error message, or an empty string.
-  std::string CheckScaling() const;
+  /// Checks scale and offset.
+  Status CheckScaling() const;
 
   double GetCoordinate(std::int32_t number, int axis) const
   {
@@ -107,8 +108,8 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   }
 
 private:
-  std::string DecodeCounts(std::string_view bytes);
-  std::string CheckNumbers() const;
+  Status DecodeCounts(std::string_view bytes);
+  Status CheckNumbers() const;
 };
 
 /// A variable length record.
@@ -139,9 +140,9 @@ struct LasExtra
 };
 
 ///@{
-/// Encodes and decodes the Extra Bytes record. Returns an error message, or an empty string.
+/// Encodes and decodes the Extra Bytes record.
 VTKHELIOSFILTERSIO_EXPORT std::string EncodeLasExtras(const std::vector<LasExtra>& extras);
-VTKHELIOSFILTERSIO_EXPORT std::string DecodeLasExtras(
+VTKHELIOSFILTERSIO_EXPORT Status DecodeLasExtras(
   std::string_view data, std::vector<LasExtra>& extras);
 ///@}
 

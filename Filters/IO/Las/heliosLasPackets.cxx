@@ -6,6 +6,7 @@
 #include "heliosInputFile.h"
 #include "heliosLasWaves.h"
 #include "heliosPartFile.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataSetAttributes.h>
@@ -118,7 +119,7 @@ double GetNumber(
 
 } // namespace
 
-std::string LasPackets::Open(const LasFile& file)
+Status LasPackets::Open(const LasFile& file)
 {
   const LasHeader& header = file.GetHeader();
   this->Form = GetLasPointForm(header.Format);
@@ -126,17 +127,17 @@ std::string LasPackets::Open(const LasFile& file)
   const bool isInternal = (header.Encoding & InternalWaves) != 0;
   this->Path = isInternal ? file.GetPath() : GetPacketsName(file.GetPath());
   this->Begin = isInternal ? header.WavesBegin : 0;
-  if (const std::string problem = CheckInputFile(this->Path); !problem.empty())
+  if (const Status status = CheckInputFile(this->Path); !status.IsOk())
   {
-    return this->Path + ": " + problem;
+    return Status::Error(this->Path + ": " + status.Message());
   }
   std::error_code error;
   this->File.open(this->Path, std::ios::binary);
   this->End = this->File ? std::filesystem::file_size(this->Path, error) : 0;
   if (!this->File || error)
   {
-    return this->Path + ": cannot be read, but holds the waveforms of " + file.GetPath() +
-      "; put it there, or switch ReadWaveforms off";
+    return Status::Error(this->Path + ": cannot be read, but holds the waveforms of " +
+      file.GetPath() + "; put it there, or switch ReadWaveforms off");
   }
   if (IsTurned(file))
   {
@@ -149,16 +150,16 @@ std::string LasPackets::Open(const LasFile& file)
   }
   for (const LasRecord& record : file.GetRecords())
   {
-    const std::string problem = IsDescriptor(record) ? this->AddDescriptor(record) : std::string();
-    if (!problem.empty())
+    const Status status = IsDescriptor(record) ? this->AddDescriptor(record) : Status();
+    if (!status.IsOk())
     {
-      return file.GetPath() + ": " + problem;
+      return Status::Error(file.GetPath() + ": " + status.Message());
     }
   }
   return {};
 }
 
-std::string LasPackets::AddDescriptor(const LasRecord& record)
+Status LasPackets::AddDescriptor(const LasRecord& record)
 {
   const int index = record.Id - LasWaves::FirstDescriptorId + 1;
   const char* data = record.Data.data();
@@ -173,8 +174,8 @@ std::string LasPackets::AddDescriptor(const LasRecord& record)
     (descriptor.Bits == 8 || descriptor.Bits == 16 || descriptor.Bits == 32) && data[1] == 0;
   if (!isKnown)
   {
-    return "has a waveform descriptor " + std::to_string(index) +
-      " that does not have 8, 16 or 32 bits without compression";
+    return Status::Error("has a waveform descriptor " + std::to_string(index) +
+      " that does not have 8, 16 or 32 bits without compression");
   }
   descriptor.Count = GetLas<std::uint32_t>(data + 2);
   descriptor.Spacing = GetLas<std::uint32_t>(data + 6);
@@ -183,8 +184,8 @@ std::string LasPackets::AddDescriptor(const LasRecord& record)
   const double largest = std::ldexp(std::abs(descriptor.Gain), descriptor.Bits);
   if (!(largest + std::abs(descriptor.Offset) <= VTK_FLOAT_MAX))
   {
-    return "has a waveform descriptor " + std::to_string(index) +
-      " whose gain is not a number, or too large for samples";
+    return Status::Error("has a waveform descriptor " + std::to_string(index) +
+      " whose gain is not a number, or too large for samples");
   }
   this->Descriptors[index] = descriptor;
   return {};
@@ -213,68 +214,70 @@ void LasPackets::Add(const char* records, vtkIdType first, vtkIdType count)
   }
 }
 
-std::string LasPackets::CheckPacket(const Packet& packet) const
+Status LasPackets::CheckPacket(const Packet& packet) const
 {
   const auto found = this->Descriptors.find(packet.Index);
   if (found == this->Descriptors.end())
   {
-    return "refers to waveform descriptor " + std::to_string(packet.Index) +
-      ", which the file does not have";
+    return Status::Error("refers to waveform descriptor " + std::to_string(packet.Index) +
+      ", which the file does not have");
   }
   const Descriptor& descriptor = found->second;
   if (descriptor.Count == 0)
   {
-    return "refers to waveform descriptor " + std::to_string(packet.Index) +
-      ", which has no samples";
+    return Status::Error(
+      "refers to waveform descriptor " + std::to_string(packet.Index) + ", which has no samples");
   }
   const std::uint64_t size = std::uint64_t(descriptor.Count) * descriptor.Bits / 8;
   if (packet.Size != size)
   {
-    return "has a packet of " + std::to_string(packet.Size) + " bytes; its descriptor has " +
-      std::to_string(size);
+    return Status::Error("has a packet of " + std::to_string(packet.Size) +
+      " bytes; its descriptor has " + std::to_string(size));
   }
   const std::uint64_t room = this->GetRoom();
   if (size > room || packet.Place > room - size)
   {
-    return "has a packet of " + std::to_string(size) + " bytes at " + std::to_string(packet.Place) +
-      ", beyond the end of " + this->Path;
+    return Status::Error("has a packet of " + std::to_string(size) + " bytes at " +
+      std::to_string(packet.Place) + ", beyond the end of " + this->Path);
   }
   if (descriptor.Spacing == 0)
   {
-    return "refers to waveform descriptor " + std::to_string(packet.Index) +
-      ", whose sample spacing is 0";
+    return Status::Error("refers to waveform descriptor " + std::to_string(packet.Index) +
+      ", whose sample spacing is 0");
   }
   const double speed = GetSpeed(packet.Step);
   if (!(std::abs(packet.Location) <= LargestLocation) || !(speed >= SmallestSpeed) ||
     !(speed <= LargestSpeed))
   {
-    return "has a waveform without a direction or position";
+    return Status::Error("has a waveform without a direction or position");
   }
   return {};
 }
 
 /// Checks each packet, and that their total does not exceed the file: otherwise a small file could
 /// expand to any number of samples.
-std::string LasPackets::CheckPackets() const
+Status LasPackets::CheckPackets() const
 {
   std::uint64_t total = 0;
   for (const Packet& packet : this->Packets)
   {
-    const std::string problem = this->CheckPacket(packet);
-    if (!problem.empty())
+    const Status status = this->CheckPacket(packet);
+    if (!status.IsOk())
     {
-      return "point " + std::to_string(packet.Row) + " of the piece " + problem;
+      return Status::Error(
+        "point " + std::to_string(packet.Row) + " of the piece " + status.Message());
     }
     total += packet.Size;
   }
-  return total > this->GetRoom() ? "the points of the piece refer to packets of " +
-      std::to_string(total) + " bytes, but " + this->Path + " has " +
-      std::to_string(this->GetRoom()) + ": packets overlap; write the file again"
-                                 : std::string();
+  return total > this->GetRoom()
+    ? Status::Error("the points of the piece refer to packets of " + std::to_string(total) +
+        " bytes, but " + this->Path + " has " + std::to_string(this->GetRoom()) +
+        ": packets overlap; write the file again")
+    : Status();
 }
 
 /// Reads the samples up to the last nonzero one.
-std::string LasPackets::ReadSamples(const Packet& packet, std::vector<float>& samples)
+Status LasPackets::ReadSamples(const Packet& packet, std::vector<float>& samples)
 {
   const Descriptor& descriptor = this->Descriptors[packet.Index];
   this->Bytes.resize(packet.Size);
@@ -283,7 +286,7 @@ std::string LasPackets::ReadSamples(const Packet& packet, std::vector<float>& sa
   this->File.read(this->Bytes.data(), static_cast<std::streamsize>(packet.Size));
   if (!this->File)
   {
-    return "has a packet that cannot be read; has " + this->Path + " changed?";
+    return Status::Error("has a packet that cannot be read; has " + this->Path + " changed?");
   }
   samples.resize(descriptor.Count);
   for (std::size_t i = 0; i < samples.size(); ++i)
@@ -301,21 +304,22 @@ std::string LasPackets::ReadSamples(const Packet& packet, std::vector<float>& sa
   return {};
 }
 
-std::string LasPackets::Read(vtkPolyData* cloud, vtkTable* table)
+Status LasPackets::Read(vtkPolyData* cloud, vtkTable* table)
 {
-  std::string problem = this->CheckPackets();
-  if (!problem.empty())
+  Status status = this->CheckPackets();
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   const Columns columns(table);
   std::vector<float> samples;
   for (const Packet& packet : this->Packets)
   {
-    problem = this->ReadSamples(packet, samples);
-    if (!problem.empty())
+    status = this->ReadSamples(packet, samples);
+    if (!status.IsOk())
     {
-      return "point " + std::to_string(packet.Row) + " of the piece " + problem;
+      return Status::Error(
+        "point " + std::to_string(packet.Row) + " of the piece " + status.Message());
     }
     const double speed = GetSpeed(packet.Step);
     const double location = static_cast<double>(packet.Location) / PicosecondsPerNanosecond;

@@ -6,6 +6,7 @@
 #define heliosLasPackets_h
 
 #include "heliosLasFile.h"
+#include "heliosStatus.h"
 
 #include <vtkType.h>
 
@@ -25,18 +26,17 @@ namespace helios
 class LasPackets
 {
 public:
-  /// Opens the packets of a file whose points have waveforms. Returns an error message.
-  std::string Open(const LasFile& file);
+  /// Opens the packets of a file whose points have waveforms.
+  Status Open(const LasFile& file);
 
-  /// Warning for the user about the file, or an empty string.
+  /// Warning for the user about the file; empty: none.
   const std::string& GetWarning() const { return this->Warning; }
 
   /// Collects the packets of points from their bytes; first is the row of the first one.
   void Add(const char* records, vtkIdType first, vtkIdType count);
 
-  /// Reads the collected packets into a table; cloud has the points. Returns an error message, or
-  /// an empty string.
-  std::string Read(vtkPolyData* cloud, vtkTable* table);
+  /// Reads the collected packets into a table; cloud has the points.
+  Status Read(vtkPolyData* cloud, vtkTable* table);
 
 private:
   struct Descriptor
@@ -59,10 +59,10 @@ private:
     float Step[3] = { 0, 0, 0 }; // [m/ps], away from the scanner
   };
 
-  std::string AddDescriptor(const LasRecord& record);
-  std::string CheckPacket(const Packet& packet) const;
-  std::string CheckPackets() const;
-  std::string ReadSamples(const Packet& packet, std::vector<float>& samples);
+  Status AddDescriptor(const LasRecord& record);
+  Status CheckPacket(const Packet& packet) const;
+  Status CheckPackets() const;
+  Status ReadSamples(const Packet& packet, std::vector<float>& samples);
 
   /// Total size of the packets [bytes].
   std::uint64_t GetRoom() const { return this->End - std::min(this->End, this->Begin); }

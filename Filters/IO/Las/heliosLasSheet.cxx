@@ -4,6 +4,7 @@
 
 #include "heliosLasFile.h"
 #include "heliosLasWaves.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -29,7 +30,7 @@ std::uint64_t GetPacketEnd(const char* wave)
 }
 
 /// Counts all points of a file, and finds the end of their last packet.
-std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packetsEnd)
+Status Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packetsEnd)
 {
   const LasHeader& header = file.GetHeader();
   const auto length = static_cast<std::uint64_t>(header.PointLength);
@@ -39,10 +40,10 @@ std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packets
   {
     const auto count = std::min(PointsPerRound, header.Points.Count - first);
     bytes.resize(count * length);
-    std::string problem = file.Read(first, count, bytes.data());
-    if (!problem.empty())
+    Status status = file.Read(first, count, bytes.data());
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
     summary.Add(bytes.data(), static_cast<std::int64_t>(count), header.PointLength);
     for (std::uint64_t i = 0; wave >= 0 && i < count; ++i)
@@ -82,7 +83,7 @@ std::string LasSheet::EncodeRecords(std::uint32_t& count) const
 std::string LasSheet::ListArrays() const
 {
   std::vector<LasExtra> extras;
-  DecodeLasExtras(this->Arrays, extras);
+  static_cast<void>(DecodeLasExtras(this->Arrays, extras)); // made by EncodeLasExtras()
   std::string text;
   for (const LasExtra& extra : extras)
   {
@@ -91,36 +92,36 @@ std::string LasSheet::ListArrays() const
   return text.empty() ? "none" : text;
 }
 
-std::string LasSheet::Read(
+Status LasSheet::Read(
   const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd)
 {
   LasFile file;
   LasSummary summary;
-  std::string problem = file.OpenGrowing(path);
-  problem = problem.empty() ? Summarize(file, summary, packetsEnd) : problem;
-  if (!problem.empty())
+  Status status = file.OpenGrowing(path);
+  status = status.IsOk() ? Summarize(file, summary, packetsEnd) : status;
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   this->Header = file.GetHeader();
   this->HasWaves = (this->Header.Encoding & LasHeader::ExternalWaves) != 0;
   if (summary.Count != static_cast<std::uint64_t>(records))
   {
-    return path + " has " + std::to_string(summary.Count) + " points, not " +
-      std::to_string(records) + ", and cannot be resumed";
+    return Status::Error(path + " has " + std::to_string(summary.Count) + " points, not " +
+      std::to_string(records) + ", and cannot be resumed");
   }
   if (this->HasWaves != hasWaves)
   {
-    return path + " has " + (hasWaves ? "no " : "") + "waveforms; switch WriteWaveforms " +
-      (hasWaves ? "off" : "on") + ", as it was";
+    return Status::Error(path + " has " + (hasWaves ? "no " : "") +
+      "waveforms; switch WriteWaveforms " + (hasWaves ? "off" : "on") + ", as it was");
   }
   const LasRecord* extras = file.Find(LasSpecUser, LasExtraBytesId);
   const LasRecord* descriptor = file.Find(LasSpecUser, LasWaves::FirstDescriptorId);
   if (descriptor && descriptor->Description != LasWaves::Description)
   {
-    return path +
+    return Status::Error(path +
       " was started by an earlier version, whose waveform vectors point away from the scanner, and "
-      "cannot be resumed; start again (vtkhelios run --overwrite)";
+      "cannot be resumed; start again (vtkhelios run --overwrite)");
   }
   this->Header.Points = summary;
   this->Arrays = extras ? extras->Data : std::string();

@@ -6,6 +6,7 @@
 #define heliosLasSheet_h
 
 #include "heliosLasBlock.h"
+#include "heliosStatus.h"
 
 #include <string>
 
@@ -29,10 +30,9 @@ struct LasSheet
   /// The Extra Bytes as text.
   std::string ListArrays() const;
 
-  /// Restores the state from a file to be resumed, and counts its points. Returns an error message,
-  /// or an empty string. packetsEnd is raised to the end of the last packet.
-  std::string Read(
-    const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd);
+  /// Restores the state from a file to be resumed, and counts its points. packetsEnd is raised to
+  /// the end of the last packet.
+  Status Read(const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd);
 };
 
 /// Gets the epoch of GpsTime; 0: unknown. False if the array is not numeric.

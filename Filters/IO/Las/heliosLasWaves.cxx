@@ -3,6 +3,7 @@
 #include "heliosLasWaves.h"
 
 #include "heliosConstants.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkTable.h>
@@ -87,12 +88,12 @@ std::string LasWaves::EncodeFileHead(std::uint64_t size)
   return head;
 }
 
-std::string LasWaves::Set(vtkTable* waveforms)
+Status LasWaves::Set(vtkTable* waveforms)
 {
-  const std::string problem = waveforms ? this->Table.Set(waveforms) : std::string();
-  if (!problem.empty())
+  const Status status = waveforms ? this->Table.Set(waveforms) : Status();
+  if (!status.IsOk())
   {
-    return "the table of waveforms of a block " + problem;
+    return Status::Error("the table of waveforms of a block " + status.Message());
   }
   const auto count = static_cast<std::size_t>(this->Table.NumberOfRows);
   this->Made.resize(count);
@@ -107,7 +108,7 @@ std::string LasWaves::Set(vtkTable* waveforms)
   return this->CheckSpacing();
 }
 
-std::string LasWaves::CheckSpacing()
+Status LasWaves::CheckSpacing()
 {
   for (vtkIdType row = 0; row < this->Table.NumberOfRows; ++row)
   {
@@ -115,16 +116,16 @@ std::string LasWaves::CheckSpacing()
     const double whole = std::nearbyint(size);
     if (!(std::abs(size - whole) <= 1e-6) || whole < 1.0 || whole > Largest)
     {
-      return std::string("the waveforms of a block have a ") + names::BinSize + " of " +
-        std::to_string(this->Table.BinSize.GetNumber(row)) +
-        " ns; LAS stores whole picoseconds: set another";
+      return Status::Error(std::string("the waveforms of a block have a ") + names::BinSize +
+        " of " + std::to_string(this->Table.BinSize.GetNumber(row)) +
+        " ns; LAS stores whole picoseconds: set another");
     }
     const auto spacing = static_cast<std::uint32_t>(whole);
     if (row > 0 && spacing != this->Spacing)
     {
-      return std::string("the waveforms of a block have a ") + names::BinSize + " of " +
-        std::to_string(spacing) + " ps and one of " + std::to_string(this->Spacing) +
-        " ps; write them to separate files";
+      return Status::Error(std::string("the waveforms of a block have a ") + names::BinSize +
+        " of " + std::to_string(spacing) + " ps and one of " + std::to_string(this->Spacing) +
+        " ps; write them to separate files");
     }
     this->Spacing = spacing;
   }
@@ -140,7 +141,7 @@ vtkIdType LasWaves::Find(vtkTypeInt64 pulse) const
                                                                                         : -1;
 }
 
-std::string LasWaves::MakePackets(const Column& ids, vtkIdType count, std::uint64_t place)
+Status LasWaves::MakePackets(const Column& ids, vtkIdType count, std::uint64_t place)
 {
   this->Begin = place;
   this->RowWaveform.assign(static_cast<std::size_t>(count), -1);
@@ -154,24 +155,24 @@ std::string LasWaves::MakePackets(const Column& ids, vtkIdType count, std::uint6
     const vtkIdType waveform = this->Find(pulse);
     if (waveform < 0)
     {
-      return "point " + std::to_string(row) + " of a block has " + names::WaveformIds + " = " +
-        std::to_string(pulse) +
+      return Status::Error("point " + std::to_string(row) + " of a block has " +
+        names::WaveformIds + " = " + std::to_string(pulse) +
         ", and the waveforms of the block have no such pulse; give them "
-        "with SetWaveforms() before Write()";
+        "with SetWaveforms() before Write()");
     }
-    std::string problem = this->Made[static_cast<std::size_t>(waveform)].Form == 0
+    Status status = this->Made[static_cast<std::size_t>(waveform)].Form == 0
       ? this->MakePacket(waveform)
-      : std::string();
-    if (!problem.empty())
+      : Status();
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
     this->RowWaveform[static_cast<std::size_t>(row)] = waveform;
   }
   return {};
 }
 
-std::string LasWaves::MakePacket(vtkIdType waveform)
+Status LasWaves::MakePacket(vtkIdType waveform)
 {
   const vtkIdType first = this->Table.Offset.GetInteger(waveform);
   const vtkIdType count = this->Table.Count.GetInteger(waveform);
@@ -190,10 +191,11 @@ std::string LasWaves::MakePacket(vtkIdType waveform)
   const auto length = std::lower_bound(lengths.begin(), lengths.end(), count);
   if (scale == NumberOfScales || length == lengths.end())
   {
-    return "the waveform of pulse " + std::to_string(this->Table.PulseIds.GetInteger(waveform)) +
-      " has " + std::to_string(count) + " samples of up to " + std::to_string(peak) +
-      " W; a packet holds " + std::to_string(lengths.back()) + " of less than " +
-      std::to_string(static_cast<int>(GetFullScale(NumberOfScales - 1))) + " W";
+    return Status::Error("the waveform of pulse " +
+      std::to_string(this->Table.PulseIds.GetInteger(waveform)) + " has " + std::to_string(count) +
+      " samples of up to " + std::to_string(peak) + " W; a packet holds " +
+      std::to_string(lengths.back()) + " of less than " +
+      std::to_string(static_cast<int>(GetFullScale(NumberOfScales - 1))) + " W");
   }
   Packet& packet = this->Made[static_cast<std::size_t>(waveform)];
   packet.Place = this->Begin + this->Packets.size();

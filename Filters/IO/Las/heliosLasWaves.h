@@ -6,6 +6,7 @@
 #define heliosLasWaves_h
 
 #include "heliosLasFormat.h"
+#include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 
 #include <string>
@@ -40,15 +41,15 @@ public:
   /// Encodes the head of a packet file of a given size.
   static std::string EncodeFileHead(std::uint64_t size);
 
-  /// Sets the waveforms (null: none). Returns an error message, or an empty string.
-  std::string Set(vtkTable* waveforms);
+  /// Sets the waveforms (null: none).
+  Status Set(vtkTable* waveforms);
 
   /// Sample spacing [ps]; 0: no waveforms.
   std::uint32_t GetSpacing() const { return this->Spacing; }
 
   /// Builds a packet for every waveform that a point refers to, the first at a given offset of the
-  /// packet file. Returns an error message, or an empty string.
-  std::string MakePackets(const Column& ids, vtkIdType count, std::uint64_t place);
+  /// packet file.
+  Status MakePackets(const Column& ids, vtkIdType count, std::uint64_t place);
   const std::vector<char>& GetPackets() const { return this->Packets; }
 
   /// Encodes the fields of a point (29 bytes) at a row: its vector leads to the scanner.
@@ -62,8 +63,8 @@ private:
   };
 
   vtkIdType Find(vtkTypeInt64 pulse) const;
-  std::string MakePacket(vtkIdType waveform);
-  std::string CheckSpacing();
+  Status MakePacket(vtkIdType waveform);
+  Status CheckSpacing();
 
   WaveformTable Table;
   std::vector<vtkIdType> Order;       // waveforms by pulse

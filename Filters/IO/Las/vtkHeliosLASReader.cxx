@@ -7,6 +7,7 @@
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
@@ -93,14 +94,14 @@ int vtkHeliosLASReader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-/// Reads points begin to end. Returns an error message, or an empty string.
-std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
+/// Reads points begin to end.
+helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
   std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
 {
   const helios::LasHeader& header = file.GetHeader();
   const bool hasWaves = this->ReadWaveforms && helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
-  std::string problem = hasWaves ? packets.Open(file) : std::string();
+  helios::Status status = hasWaves ? packets.Open(file) : helios::Status();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
   {
     this->WarnedName = file.GetPath(); // once, not per piece
@@ -109,11 +110,11 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
   helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
   std::vector<char> bytes(
     std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));
-  for (std::uint64_t first = begin; first < end && problem.empty();)
+  for (std::uint64_t first = begin; first < end && status.IsOk();)
   {
     const std::uint64_t count = std::min(PointsPerRound, end - first);
     const auto row = static_cast<vtkIdType>(first - begin);
-    problem = file.Read(first, count, bytes.data());
+    status = file.Read(first, count, bytes.data());
     arrays.Decode(bytes.data(), row, static_cast<vtkIdType>(count));
     if (hasWaves)
     {
@@ -123,23 +124,23 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
     this->UpdateProgress(static_cast<double>(first - begin) / static_cast<double>(end - begin));
     if (this->AbortExecute)
     {
-      return file.GetPath() + ": reading was aborted at point " + std::to_string(first) +
-        "; update again to read it";
+      return helios::Status::Error(file.GetPath() + ": reading was aborted at point " +
+        std::to_string(first) + "; update again to read it");
     }
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    return problem;
+    return status;
   }
   arrays.MoveTo(output);
   SetFields(file, output);
   this->WarnOfValues(file.GetPath(), output);
-  problem = hasWaves ? packets.Read(output, waveforms) : std::string();
-  if (!problem.empty())
+  status = hasWaves ? packets.Read(output, waveforms) : helios::Status();
+  if (!status.IsOk())
   {
     output->Initialize();
     waveforms->Initialize();
-    return file.GetPath() + ": " + problem;
+    return helios::Status::Error(file.GetPath() + ": " + status.Message());
   }
   return {};
 }
@@ -182,26 +183,26 @@ int vtkHeliosLASReader::RequestData(
     return 1; // no part of the file
   }
   helios::LasFile file;
-  std::string problem;
+  helios::Status status;
   try
   {
-    problem = file.Open(this->FileName);
+    status = file.Open(this->FileName);
     const auto points = file.GetHeader().Points.Count;
     const auto n = static_cast<std::uint64_t>(count);
     const auto i = static_cast<std::uint64_t>(piece);
-    problem = problem.empty()
+    status = status.IsOk()
       ? this->ReadPoints(file, GetPieceBegin(points, i, n), GetPieceBegin(points, i + 1, n),
           vtkPolyData::GetData(outputVector), vtkTable::GetData(outputVector, 1))
-      : problem;
+      : status;
   }
   catch (const std::bad_alloc&)
   {
-    problem =
-      std::string(this->FileName) + ": not enough memory for its points; ask for it in pieces";
+    status = helios::Status::Error(
+      std::string(this->FileName) + ": not enough memory for its points; ask for it in pieces");
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   return 1;

@@ -57,6 +57,7 @@ class vtkTable;
 namespace helios
 {
 class LasFile;
+class Status;
 }
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosLASReader : public vtkPolyDataAlgorithm
@@ -98,7 +99,7 @@ private:
   void operator=(const vtkHeliosLASReader&) = delete;
 
   void WarnOfValues(const std::string& path, vtkPolyData* cloud);
-  std::string ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
+  helios::Status ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
     vtkPolyData* output, vtkTable* waveforms);
 
   char* FileName = nullptr;

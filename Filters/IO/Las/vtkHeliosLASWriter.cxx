@@ -9,6 +9,7 @@
 #include "heliosLasWaves.h"
 #include "heliosPartFile.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosVersion.h"
 
@@ -119,21 +120,21 @@ bool vtkHeliosLASWriter::Reopen(
   }
   this->Start();
   std::uint64_t packetsEnd = helios::LasRecord::ExtendedHeadSize;
-  std::string problem;
+  helios::Status status;
   if (fileSize > 0)
   {
     this->Sheet = std::make_unique<helios::LasSheet>();
-    problem = this->Sheet->Read(this->GetOpenName() + helios::PartEnding, numberOfRecords,
+    status = this->Sheet->Read(this->GetOpenName() + helios::PartEnding, numberOfRecords,
       this->Packets != nullptr, packetsEnd);
   }
-  if (problem.empty() && this->Packets &&
+  if (status.IsOk() && this->Packets &&
     (!this->Packets->Reopen(this->GetPacketsName(), packetsEnd) || !this->WritePacketsHead()))
   {
-    problem = this->Packets->GetProblem();
+    status = helios::Status::Error(this->Packets->GetProblem());
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    this->FailFile(problem);
+    this->FailFile(status.Message());
     this->Superclass::Abandon();
     return false;
   }
@@ -155,10 +156,11 @@ bool vtkHeliosLASWriter::MakeSheet(
   sheet.Crs = helios::GetCRS(echoes);
   const bool isKnown = this->Sheet && this->Sheet->Crs == sheet.Crs;
   helios::CoordinateSystem system;
-  const std::string problem = sheet.Crs.empty() || isKnown ? std::string() : system.Set(sheet.Crs);
-  if (!problem.empty())
+  const helios::Status status =
+    sheet.Crs.empty() || isKnown ? helios::Status() : system.Set(sheet.Crs);
+  if (!status.IsOk())
   {
-    return this->RefusePoints("the field array CRS of a block: " + problem);
+    return this->RefusePoints("the field array CRS of a block: " + status.Message());
   }
   sheet.Wkt = isKnown ? this->Sheet->Wkt : (system.IsSet() ? system.GetWkt() : std::string());
   if (sheet.Wkt.size() >= LongestRecord)
@@ -200,10 +202,10 @@ bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* ec
   block.ChooseScaling(sheet->Scaling, this->Scale);
   sheet->Header.Scale = sheet->Scaling.Scale;
   sheet->Header.Offset = sheet->Scaling.Offset;
-  const std::string problem = sheet->Header.CheckScaling();
-  if (!problem.empty())
+  const helios::Status status = sheet->Header.CheckScaling();
+  if (!status.IsOk())
   {
-    return this->RefusePoints("a block " + problem);
+    return this->RefusePoints("a block " + status.Message());
   }
   this->Sheet = std::move(sheet);
   return this->WriteHead();
@@ -273,7 +275,8 @@ bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
     if (!encoder.NextRound(bytes))
     {
       this->TruncateTo(start);
-      return this->RefusePoints(block.Explain(this->Sheet->Scaling, encoder.GetNext(), count));
+      return this->RefusePoints(
+        block.CheckRange(this->Sheet->Scaling, encoder.GetNext(), count).Message());
     }
     if (!this->WriteBytes(bytes.data(), bytes.size(), start))
     {
@@ -308,18 +311,18 @@ void vtkHeliosLASWriter::Warn(const helios::LasBlock& block)
 bool vtkHeliosLASWriter::SetBlock(
   vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves)
 {
-  std::string problem = this->Packets ? waves.Set(this->Waveforms) : std::string();
+  helios::Status status = this->Packets ? waves.Set(this->Waveforms) : helios::Status();
   points.SetWaves(this->Packets ? &waves : nullptr);
-  problem = problem.empty() ? points.Set(echoes, this->WriteExtraBytes) : problem;
-  if (problem.empty() && this->Packets)
+  status = status.IsOk() ? points.Set(echoes, this->WriteExtraBytes) : status;
+  if (status.IsOk() && this->Packets)
   {
-    problem = points.GetWaveformIds().IsSet()
+    status = points.GetWaveformIds().IsSet()
       ? waves.MakePackets(
           points.GetWaveformIds(), echoes->GetNumberOfPoints(), this->Packets->GetSize())
-      : std::string("a block has no array ") + names::WaveformIds +
-        "; switch WriteWaveforms off, or let the scanner generate them";
+      : helios::Status::Error(std::string("a block has no array ") + names::WaveformIds +
+          "; switch WriteWaveforms off, or let the scanner generate them");
   }
-  return problem.empty() || this->RefusePoints(problem);
+  return status.IsOk() || this->RefusePoints(status.Message());
 }
 
 //------------------------------------------------------------------------------

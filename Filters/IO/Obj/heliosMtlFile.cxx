@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMtlFile.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -46,24 +48,26 @@ std::string FormatColors(double specularity)
   return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
 }
 
-// Returns why a material cannot be written, or an empty string.
-std::string FindFault(const Material& m)
+// Returns an error if a material cannot be written: the value.
+Status FindFault(const Material& m)
 {
   if (m.Reflectance < 0.0 || m.Reflectance > 1.0)
   {
-    return "reflectance " + ToText(m.Reflectance) + ", outside [0, 1]";
+    return Status::Error("reflectance " + ToText(m.Reflectance) + ", outside [0, 1]");
   }
   if (!(m.Specularity >= 0.0 && m.Specularity <= 1.0))
   {
-    return "specularity " + ToText(m.Specularity) + ", outside [0, 1]";
+    return Status::Error("specularity " + ToText(m.Specularity) + ", outside [0, 1]");
   }
   if (!(m.SpecularExponent >= 0.0 && std::isfinite(m.SpecularExponent)))
   {
-    return "specular exponent " + ToText(m.SpecularExponent) + ", not a finite number >= 0";
+    return Status::Error(
+      "specular exponent " + ToText(m.SpecularExponent) + ", not a finite number >= 0");
   }
   if (std::any_of(m.Spectrum.begin(), m.Spectrum.end(), TextWords::IsBlank))
   {
-    return "spectrum " + Quote(m.Spectrum) + ", which has a blank that MTL cannot store";
+    return Status::Error(
+      "spectrum " + Quote(m.Spectrum) + ", which has a blank that MTL cannot store");
   }
   return {};
 }
@@ -80,10 +84,10 @@ bool MtlFile::Read(const std::string& path)
   this->Started = false;
   this->Unknown = this->Percent = Note();
   TextFile file;
-  const std::string fault = file.Open(path);
-  if (!fault.empty())
+  const Status status = file.Open(path);
+  if (!status.IsOk())
   {
-    return this->Report.Fail(fault);
+    return this->Report.Fail(status.Message());
   }
   std::string_view line;
   while (file.NextLine(line))
@@ -315,10 +319,11 @@ bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& re
 {
   for (const Material& m : materials)
   {
-    const std::string fault = FindFault(m);
-    if (!fault.empty())
+    const Status status = FindFault(m);
+    if (!status.IsOk())
     {
-      return report.Fail("material " + Quote(m.Name) + " has the " + fault + "; correct it");
+      return report.Fail(
+        "material " + Quote(m.Name) + " has the " + status.Message() + "; correct it");
     }
     text += "\nnewmtl " + m.Name + '\n' + FormatColors(m.Specularity);
     text += "Ns " + ToText(m.SpecularExponent) + '\n';

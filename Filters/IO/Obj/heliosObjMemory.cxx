@@ -4,6 +4,7 @@
 
 #include "heliosInputFile.h"
 #include "heliosMemoryCheck.h"
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ ObjCounts CountObj(const std::string& path, const std::function<bool(double)>& o
   TextFile file;
   file.OnBlock = onBlock;
   std::string_view line;
-  for (bool good = file.Open(path).empty(); good && file.NextLine(line);)
+  for (bool good = file.Open(path).IsOk(); good && file.NextLine(line);)
   {
     if (IsBlankAt(line, 1))
     {
@@ -53,21 +54,21 @@ ObjCounts CountObj(const std::string& path, const std::function<bool(double)>& o
   return counts;
 }
 
-std::string CheckObjMemory(const std::string& path, const std::function<bool(double)>& onBlock)
+Status CheckObjMemory(const std::string& path, const std::function<bool(double)>& onBlock)
 {
   std::error_code error;
-  const double size = CheckInputFile(path).empty()
+  const double size = CheckInputFile(path).IsOk()
     ? static_cast<double>(std::filesystem::file_size(path, error))
     : 0.0;
-  if (error || CheckMemory("bytes", size, BytesPerTriangle / ShortestCorner).empty())
+  if (error || CheckMemory("bytes", size, BytesPerTriangle / ShortestCorner).IsOk())
   {
     return {};
   }
   const ObjCounts counts = CountObj(path, onBlock);
   const double triangles = std::max(1.0, counts.Triangles);
-  const std::string excess = CheckMemory("triangles with their vertices", triangles,
+  const Status status = CheckMemory("triangles with their vertices", triangles,
     BytesPerTriangle + BytesPerVertex * counts.Vertices / triangles);
-  return excess.empty() ? excess : path + ": " + excess;
+  return status.IsOk() ? status : Status::Error(path + ": " + status.Message());
 }
 
 } // namespace helios

@@ -5,6 +5,7 @@
 #ifndef heliosObjMemory_h
 #define heliosObjMemory_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <functional>
@@ -23,10 +24,10 @@ VTKHELIOSFILTERSIO_EXPORT ObjCounts CountObj(
   const std::string& path, const std::function<bool(double)>& onBlock = {});
 
 /**
- * Returns why a file needs more memory than available; empty if it does not. Lines are counted only
- * if the file size alone does not decide.
+ * Returns an error if a file needs more memory than available. Lines are counted only if the file
+ * size alone does not decide.
  */
-VTKHELIOSFILTERSIO_EXPORT std::string CheckObjMemory(
+VTKHELIOSFILTERSIO_EXPORT Status CheckObjMemory(
   const std::string& path, const std::function<bool(double)>& onBlock = {});
 
 } // namespace helios

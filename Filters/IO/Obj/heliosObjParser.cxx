@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosObjParser.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,10 +36,10 @@ bool ObjParser::Fail(const std::string& message)
 
 bool ObjParser::Read(const std::string& path)
 {
-  const std::string fault = this->File.Open(path);
-  if (!fault.empty())
+  const Status status = this->File.Open(path);
+  if (!status.IsOk())
   {
-    return this->Report.Fail(fault);
+    return this->Report.Fail(status.Message());
   }
   std::string_view line;
   while (this->File.NextLine(line))

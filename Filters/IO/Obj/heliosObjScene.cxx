@@ -252,7 +252,10 @@ void ObjScene::CheckExtent()
 std::int64_t ObjScene::FindVertexLine(vtkIdType vertex) const
 {
   TextFile file;
-  file.Open(this->Parser.File.GetPath());
+  if (!file.Open(this->Parser.File.GetPath()).IsOk())
+  {
+    return 0; // the file was removed in the meantime
+  }
   std::string_view line;
   for (vtkIdType count = -1; count < vertex && file.NextLine(line);)
   {

@@ -46,7 +46,7 @@ int vtkHeliosObjSceneReader::RequestData(
   bool isRead = false;
   try
   {
-    report.Error = helios::CheckObjMemory(this->FileName, parser.File.OnBlock);
+    report.Error = helios::CheckObjMemory(this->FileName, parser.File.OnBlock).Message();
     isRead = report.Error.empty() && parser.Read(this->FileName) && scene.ReadMaterials();
     if (isRead)
     {

@@ -3,6 +3,7 @@
 #include "vtkHeliosObjSceneWriter.h"
 
 #include "heliosMtlFile.h"
+#include "heliosStatus.h"
 #include "heliosTextFileSink.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
@@ -47,8 +48,8 @@ std::string MakeNamesUnique(helios::MaterialTable& materials)
   return count == 0 ? first : std::to_string(count) + " materials were renamed: " + first;
 }
 
-// The row of each cell, all 0 if the scene has none. Returns an error message.
-std::string GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<int>& rows)
+// The row of each cell, all 0 if the scene has none.
+helios::Status GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<int>& rows)
 {
   rows.assign(static_cast<std::size_t>(scene->GetNumberOfCells()), 0);
   vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
@@ -57,9 +58,9 @@ std::string GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<i
     const double id = ids->GetComponent(static_cast<vtkIdType>(i), 0);
     if (!(id >= 0 && id < static_cast<double>(materialCount)))
     {
-      return "cell " + std::to_string(i) + " of the scene has " + names::MaterialIds + ' ' +
-        std::to_string(static_cast<int>(id)) + ", but there are " + std::to_string(materialCount) +
-        " materials; correct the array or add the material";
+      return helios::Status::Error("cell " + std::to_string(i) + " of the scene has " +
+        names::MaterialIds + ' ' + std::to_string(static_cast<int>(id)) + ", but there are " +
+        std::to_string(materialCount) + " materials; correct the array or add the material");
     }
     rows[i] = static_cast<int>(id);
   }
@@ -132,11 +133,11 @@ bool vtkHeliosObjSceneWriter::WriteFiles(vtkPolyData* scene)
   helios::TriangleMesh mesh;
   helios::MaterialTable materials = helios::GetMaterials(scene);
   std::vector<int> rows;
-  std::string fault = mesh.Set(scene);
-  fault = fault.empty() ? GetRows(scene, materials.size(), rows) : fault;
-  if (!fault.empty())
+  helios::Status status = mesh.Set(scene);
+  status = status.IsOk() ? GetRows(scene, materials.size(), rows) : status;
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< this->FileName << ": not written: " << fault);
+    vtkErrorMacro(<< this->FileName << ": not written: " << status.Message());
     return false;
   }
 
@@ -162,21 +163,21 @@ bool vtkHeliosObjSceneWriter::WriteFiles(vtkPolyData* scene)
   }
   helios::TextFileSink mtl;
   helios::TextFileSink obj;
-  fault = mtl.Open(mtlPath.string());
-  fault = fault.empty() ? obj.Open(this->FileName) : fault;
-  if (fault.empty())
+  status = mtl.Open(mtlPath.string());
+  status = status.IsOk() ? obj.Open(this->FileName) : status;
+  if (status.IsOk())
   {
     obj.Append("# written by vtkHelios\nmtllib " + mtlPath.filename().string() + '\n');
     AppendGeometry(mesh, materials, rows, obj);
     mtl.Append(mtlText);
-    fault = obj.Close();
-    fault = fault.empty() ? mtl.Close() : fault;
+    status = obj.Close();
+    status = status.IsOk() ? mtl.Close() : status;
   }
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
   }
-  return fault.empty();
+  return status.IsOk();
 }
 
 void vtkHeliosObjSceneWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,6 +3,7 @@
 #include "heliosPcdArrays.h"
 
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -213,7 +214,7 @@ void PcdArrays::AddRow(const char* row)
   this->Append(row, point);
 }
 
-std::string PcdArrays::AddLine(std::string_view line)
+Status PcdArrays::AddLine(std::string_view line)
 {
   double point[3];
   std::int64_t number = 0;
@@ -228,23 +229,24 @@ std::string PcdArrays::AddLine(std::string_view line)
       const std::string_view word = words.NextName();
       if (word.empty())
       {
-        return "the point has " + std::to_string(number) + " numbers, but FIELDS and COUNT make " +
-          std::to_string(this->Header.GetNumberOfColumns()) + "; complete the line";
+        return Status::Error("the point has " + std::to_string(number) +
+          " numbers, but FIELDS and COUNT make " +
+          std::to_string(this->Header.GetNumberOfColumns()) + "; complete the line");
       }
       const bool isGood = axis < 0
         ? WriteNumber(field, word, to)
         : WriteNumber<double>(word, reinterpret_cast<char*>(point + axis));
       if (!isGood)
       {
-        return Quote(word) + " is not a number of type " + field.Type + " and size " +
-          std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it";
+        return Status::Error(Quote(word) + " is not a number of type " + field.Type + " and size " +
+          std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it");
       }
     }
   }
   if (!words.NextName().empty())
   {
-    return "the point has more than the " + std::to_string(number) +
-      " numbers that FIELDS and COUNT make; remove the others";
+    return Status::Error("the point has more than the " + std::to_string(number) +
+      " numbers that FIELDS and COUNT make; remove the others");
   }
   this->Append(this->Bytes.data(), point);
   return {};

@@ -6,6 +6,7 @@
 #define heliosPcdArrays_h
 
 #include "heliosPcdHeader.h"
+#include "heliosStatus.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -29,11 +30,11 @@ public:
   ~PcdArrays();
 
   ///@{
-  /// Adds a point from the bytes of its row, or from a line; for a line returns an error message,
-  /// or an empty string. Non-finite points are counted, not added. x y z of a line are double
-  /// whatever the header states.
+  /// Adds a point from the bytes of its row, or from a line; for a line returns an error.
+  /// Non-finite points are counted, not added. x y z of a line are double whatever the header
+  /// states.
   void AddRow(const char* row);
-  std::string AddLine(std::string_view line);
+  Status AddLine(std::string_view line);
   ///@}
 
   vtkIdType GetNumberOfRows() const { return this->Row + this->NumberOfDropped; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPcdBlock.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -113,7 +114,7 @@ void PcdBlock::AddField(
   this->Sources.push_back({ array, component });
 }
 
-std::string PcdBlock::Set(vtkPolyData* echoes, bool isFloat)
+Status PcdBlock::Set(vtkPolyData* echoes, bool isFloat)
 {
   this->Echoes = echoes;
   this->IsFloat = isFloat;
@@ -132,10 +133,10 @@ std::string PcdBlock::Set(vtkPolyData* echoes, bool isFloat)
     }
     if (array->GetNumberOfTuples() != echoes->GetNumberOfPoints())
     {
-      return std::string("the point array ") + array->GetName() + " of a block has " +
+      return Status::Error(std::string("the point array ") + array->GetName() + " of a block has " +
         std::to_string(array->GetNumberOfTuples()) + " tuples for " +
         std::to_string(echoes->GetNumberOfPoints()) +
-        " points; give it one per point, or remove it";
+        " points; give it one per point, or remove it");
     }
     const std::string name = array->GetName();
     if (name == names::Normals && array->GetNumberOfComponents() == 3)
@@ -156,8 +157,8 @@ std::string PcdBlock::Set(vtkPolyData* echoes, bool isFloat)
     {
       if (this->Fields[i].Name == this->Fields[j].Name)
       {
-        return "two point arrays of a block make the field " + this->Fields[i].Name +
-          "; rename one of them";
+        return Status::Error("two point arrays of a block make the field " + this->Fields[i].Name +
+          "; rename one of them");
       }
     }
   }

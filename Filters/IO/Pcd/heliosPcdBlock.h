@@ -6,6 +6,7 @@
 #define heliosPcdBlock_h
 
 #include "heliosPcdHeader.h"
+#include "heliosStatus.h"
 
 #include <vtkType.h>
 
@@ -21,8 +22,8 @@ namespace helios
 class PcdBlock
 {
 public:
-  /// Reads the arrays to be written. Returns an error message, or an empty string.
-  std::string Set(vtkPolyData* echoes, bool isFloat);
+  /// Reads the arrays to be written.
+  Status Set(vtkPolyData* echoes, bool isFloat);
 
   const std::vector<PcdField>& GetFields() const { return this->Fields; }
   bool HasAmplitude() const { return this->Amplitude; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPcdHeader.h"
 
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 
 #include <algorithm>
@@ -67,8 +68,8 @@ public:
   {
   }
 
-  /// Parses a line. Returns an error message, or an empty string.
-  std::string ReadLine(std::string_view line)
+  /// Parses a line.
+  Status ReadLine(std::string_view line)
   {
     if (!line.empty() && line.back() == '\r')
     {
@@ -87,53 +88,56 @@ public:
     words.erase(words.begin());
     if (std::find(this->Seen.begin(), this->Seen.end(), key) != this->Seen.end())
     {
-      return key + " is given twice; remove one";
+      return Status::Error(key + " is given twice; remove one");
     }
-    std::string problem = this->ReadEntry(key, words);
+    Status status = this->ReadEntry(key, words);
     this->Seen.push_back(key);
-    return problem;
+    return status;
   }
 
   bool IsAtData() const { return this->Has("DATA"); }
 
-  /// Checks the complete header. Returns an error message, or an empty string.
-  std::string Finish()
+  /// Checks the complete header.
+  Status Finish()
   {
     for (const char* key : { "FIELDS", "SIZE", "TYPE" })
     {
       if (!this->Has(key))
       {
-        return std::string("the header has no line ") + key + "; it must describe a point";
+        return Status::Error(
+          std::string("the header has no line ") + key + "; it must describe a point");
       }
     }
     if (!this->Has("WIDTH") && !this->Has("POINTS"))
     {
-      return "the header has neither WIDTH nor POINTS; it must give the number of points";
+      return Status::Error(
+        "the header has neither WIDTH nor POINTS; it must give the number of points");
     }
     PcdHeader& header = this->Header;
     header.Width = this->Has("WIDTH") ? header.Width : this->Points;
     if (header.Height > 0 && header.Width > MostPoints / header.Height)
     {
-      return "WIDTH " + std::to_string(header.Width) + " times HEIGHT " +
-        std::to_string(header.Height) + " gives too many points; correct them";
+      return Status::Error("WIDTH " + std::to_string(header.Width) + " times HEIGHT " +
+        std::to_string(header.Height) + " gives too many points; correct them");
     }
     if (this->Has("POINTS") && this->Points != header.GetNumberOfPoints())
     {
-      return "POINTS is " + std::to_string(this->Points) + ", but WIDTH times HEIGHT is " +
-        std::to_string(header.GetNumberOfPoints()) + "; correct one of them";
+      return Status::Error("POINTS is " + std::to_string(this->Points) +
+        ", but WIDTH times HEIGHT is " + std::to_string(header.GetNumberOfPoints()) +
+        "; correct one of them");
     }
     for (const char* name : { "x", "y", "z" })
     {
       const int field = header.Find(name);
       if (field < 0)
       {
-        return std::string("FIELDS has no ") + name + "; points need x, y and z";
+        return Status::Error(std::string("FIELDS has no ") + name + "; points need x, y and z");
       }
       const PcdField& column = header.Fields[static_cast<std::size_t>(field)];
       if (column.Count != 1 || column.Type != 'F')
       {
-        return std::string(name) + " has TYPE " + column.Type + " and COUNT " +
-          std::to_string(column.Count) + "; x, y and z are one number of type F each";
+        return Status::Error(std::string(name) + " has TYPE " + column.Type + " and COUNT " +
+          std::to_string(column.Count) + "; x, y and z are one number of type F each");
       }
     }
     return {};
@@ -150,7 +154,7 @@ private:
     return line.substr(0, mark.size()) == mark;
   }
 
-  std::string ReadComment(std::string_view line)
+  Status ReadComment(std::string_view line)
   {
     PcdHeader& header = this->Header;
     if (StartsWith(line, OriginMark))
@@ -158,14 +162,16 @@ private:
       const Words words = Split(line.substr(OriginMark.size()));
       if (words.size() != 3 || !this->ToFinite(words, header.Origin))
       {
-        return "the origin is not three numbers; correct it: points are relative to it";
+        return Status::Error(
+          "the origin is not three numbers; correct it: points are relative to it");
       }
     }
     else if (StartsWith(line, EpochMark))
     {
       const Words words = Split(line.substr(EpochMark.size()));
       header.HasEpoch = words.size() == 1 && this->ToFinite(words, &header.Epoch);
-      return header.HasEpoch ? "" : "the GpsEpoch is not a number; correct or remove it";
+      return header.HasEpoch ? Status()
+                             : Status::Error("the GpsEpoch is not a number; correct or remove it");
     }
     else if (StartsWith(line, CrsMark))
     {
@@ -194,7 +200,7 @@ private:
     return true;
   }
 
-  std::string ReadEntry(const std::string& key, const Words& words)
+  Status ReadEntry(const std::string& key, const Words& words)
   {
     if (key == "VERSION")
     {
@@ -214,34 +220,35 @@ private:
         : key == "HEIGHT"                    ? this->Header.Height
                                              : this->Points;
       return words.size() == 1 && ToNumber(words[0], number) && number <= MostPoints
-        ? std::string()
-        : key + " is not one whole number of at most 2^40; correct it";
+        ? Status()
+        : Status::Error(key + " is not one whole number of at most 2^40; correct it");
     }
     if (key == "VIEWPOINT")
     {
       double numbers[7];
       return words.size() == 7 && this->ToFinite(words, numbers)
-        ? std::string()
-        : "VIEWPOINT is not seven numbers; without one write 0 0 0 1 0 0 0";
+        ? Status()
+        : Status::Error("VIEWPOINT is not seven numbers; without one write 0 0 0 1 0 0 0");
     }
     if (key == "DATA")
     {
       return this->ReadStorage(words);
     }
-    return "unknown entry " + Quote(key) +
+    return Status::Error("unknown entry " + Quote(key) +
       "; a PCD header has VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS, "
-      "DATA";
+      "DATA");
   }
 
-  std::string ReadVersion(const Words& words) const
+  Status ReadVersion(const Words& words) const
   {
     double version = 0.0;
     const bool isKnown = words.size() == 1 && ToNumber(words[0], version) &&
       (version == 0.7 || version == 0.6 || version == 0.5);
-    return isKnown ? std::string() : "VERSION is not 0.7, 0.6 or 0.5; save the file as PCD 0.7";
+    return isKnown ? Status()
+                   : Status::Error("VERSION is not 0.7, 0.6 or 0.5; save the file as PCD 0.7");
   }
 
-  std::string ReadFields(const Words& words)
+  Status ReadFields(const Words& words)
   {
     for (const std::string_view word : words)
     {
@@ -249,20 +256,20 @@ private:
       field.Name = word;
       if (field.Name != "_" && this->Header.Find(field.Name) >= 0)
       {
-        return "FIELDS has " + Quote(word) + " twice; rename one";
+        return Status::Error("FIELDS has " + Quote(word) + " twice; rename one");
       }
       this->Header.Fields.push_back(field);
     }
-    return words.empty() ? "FIELDS is empty; points need x, y and z" : std::string();
+    return words.empty() ? Status::Error("FIELDS is empty; points need x, y and z") : Status();
   }
 
-  std::string ReadColumn(const std::string& key, const Words& words)
+  Status ReadColumn(const std::string& key, const Words& words)
   {
     std::vector<PcdField>& fields = this->Header.Fields;
     if (words.size() != fields.size())
     {
-      return key + " has " + std::to_string(words.size()) + " entries for " +
-        std::to_string(fields.size()) + " FIELDS; give one for each, below FIELDS";
+      return Status::Error(key + " has " + std::to_string(words.size()) + " entries for " +
+        std::to_string(fields.size()) + " FIELDS; give one for each, below FIELDS");
     }
     for (std::size_t i = 0; i < words.size(); ++i)
     {
@@ -280,14 +287,14 @@ private:
       }
       if (!isGood)
       {
-        return key + " of the field " + Quote(field.Name) + " is " + Quote(words[i]) +
-          (key == "TYPE" ? "; types are F, I and U" : "; give a whole number above 0");
+        return Status::Error(key + " of the field " + Quote(field.Name) + " is " + Quote(words[i]) +
+          (key == "TYPE" ? "; types are F, I and U" : "; give a whole number above 0"));
       }
     }
     return this->CheckSizes(key);
   }
 
-  std::string CheckSizes(const std::string& key) const
+  Status CheckSizes(const std::string& key) const
   {
     const bool isWhole =
       (key == "TYPE" && this->Has("SIZE")) || (key == "SIZE" && this->Has("TYPE"));
@@ -295,19 +302,21 @@ private:
     {
       if (isWhole && !IsSizeOfType(field.Type, field.Size))
       {
-        return "the field " + Quote(field.Name) + " is of type " + field.Type + " and size " +
-          std::to_string(field.Size) + "; sizes are 4 and 8 for F, and 1, 2, 4, 8 for I and U";
+        return Status::Error("the field " + Quote(field.Name) + " is of type " + field.Type +
+          " and size " + std::to_string(field.Size) +
+          "; sizes are 4 and 8 for F, and 1, 2, 4, 8 for I and U");
       }
     }
     return {};
   }
 
-  std::string ReadStorage(const Words& words)
+  Status ReadStorage(const Words& words)
   {
     const std::string_view word = words.size() == 1 ? words[0] : std::string_view();
     if (word != "ascii" && word != "binary" && word != "binary_compressed")
     {
-      return "DATA is " + Quote(word) + "; expected one of ascii, binary, binary_compressed";
+      return Status::Error(
+        "DATA is " + Quote(word) + "; expected one of ascii, binary, binary_compressed");
     }
     this->Header.Storage = word == "ascii" ? PcdStorage::Ascii
       : word == "binary"                   ? PcdStorage::Binary
@@ -373,29 +382,29 @@ int PcdHeader::Find(const std::string& name) const
   return -1;
 }
 
-std::string PcdHeader::Read(const std::string& path, std::istream& file)
+Status PcdHeader::Read(const std::string& path, std::istream& file)
 {
   HeaderParser parser(*this);
   std::string line;
   std::int64_t number = 0;
   while (!parser.IsAtData() && GetLine(file, line))
   {
-    const std::string problem = parser.ReadLine(line);
+    const Status status = parser.ReadLine(line);
     this->DataBegin += line.size() + 1;
     ++number;
-    if (!problem.empty())
+    if (!status.IsOk())
     {
-      return Place(path, number) + problem;
+      return Status::Error(Place(path, number) + status.Message());
     }
   }
   this->DataLine = number + 1;
   if (!parser.IsAtData())
   {
-    return Place(path, number) +
-      "the file ends before the line DATA; it is not a PCD file, or is cut off";
+    return Status::Error(Place(path, number) +
+      "the file ends before the line DATA; it is not a PCD file, or is cut off");
   }
-  const std::string problem = parser.Finish();
-  return problem.empty() ? problem : Place(path, number) + problem;
+  const Status status = parser.Finish();
+  return status.IsOk() ? status : Status::Error(Place(path, number) + status.Message());
 }
 
 std::string PcdHeader::Format() const

@@ -5,6 +5,7 @@
 #ifndef heliosPcdHeader_h
 #define heliosPcdHeader_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <cstdint>
@@ -66,8 +67,8 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   /// The index of a field, or -1.
   int Find(const std::string& name) const;
 
-  /// Reads the header of a file. Returns an error message with path:line, or an empty string.
-  std::string Read(const std::string& path, std::istream& file);
+  /// Reads the header of a file. An error has path:line.
+  Status Read(const std::string& path, std::istream& file);
 
   /// Formats the header; its length is constant for any number of points below 1e15.
   std::string Format() const;

@@ -5,6 +5,7 @@
 #include "heliosFiniteCheck.h"
 #include "heliosInputFile.h"
 #include "heliosPcdArrays.h"
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 
 #include <vtkInformation.h>
@@ -34,7 +35,7 @@ constexpr std::uint64_t MostLzfRatio = 100; // 3 bytes encode at most 264
 
 } // namespace
 
-/// Reads one file; functions return an error message, or an empty string.
+/// Reads one file.
 class vtkHeliosPCDReader::Work
 {
 public:
@@ -44,31 +45,31 @@ public:
   {
   }
 
-  std::string Run()
+  helios::Status Run()
   {
-    std::string problem = helios::CheckInputFile(this->Path);
-    if (!problem.empty())
+    helios::Status status = helios::CheckInputFile(this->Path);
+    if (!status.IsOk())
     {
-      return this->Path + ": " + problem;
+      return helios::Status::Error(this->Path + ": " + status.Message());
     }
     std::error_code error;
     this->File.open(this->Path, std::ios::binary);
     const auto size = std::filesystem::file_size(this->Path, error);
     if (!this->File || error)
     {
-      return this->Path + ": cannot be read: " + std::strerror(errno ? errno : ENOENT) +
-        "; check the file name";
+      return helios::Status::Error(this->Path +
+        ": cannot be read: " + std::strerror(errno ? errno : ENOENT) + "; check the file name");
     }
-    problem = this->Header.Read(this->Path, this->File);
-    if (!problem.empty())
+    status = this->Header.Read(this->Path, this->File);
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
     this->DataSize = size > this->Header.DataBegin ? size - this->Header.DataBegin : 0;
-    problem = this->CheckSize();
-    if (!problem.empty())
+    status = this->CheckSize();
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
     this->Arrays = std::make_unique<helios::PcdArrays>(this->Header);
     switch (this->Header.Storage)
@@ -84,12 +85,12 @@ public:
 
   helios::PcdArrays& GetArrays() { return *this->Arrays; }
 
-  /// Warning about bytes after the last point, or an empty string.
+  /// Warning about bytes after the last point; empty: none.
   std::string Warning;
 
 private:
   /// Checks that the file can contain this many points, before allocation.
-  std::string CheckSize() const
+  helios::Status CheckSize() const
   {
     const std::uint64_t count = this->Header.GetNumberOfPoints();
     const auto columns = static_cast<std::uint64_t>(this->Header.GetNumberOfColumns());
@@ -99,7 +100,9 @@ private:
     const std::uint64_t most = this->Header.Storage == helios::PcdStorage::Compressed
       ? this->DataSize * MostLzfRatio
       : this->DataSize + 1;
-    return count == 0 || row <= most / count ? std::string() : this->DescribeShort(count * row);
+    return count == 0 || row <= most / count
+      ? helios::Status()
+      : helios::Status::Error(this->DescribeShort(count * row));
   }
 
   std::string DescribeShort(std::uint64_t needed) const
@@ -123,7 +126,7 @@ private:
       "; update again to read it";
   }
 
-  std::string ReadLines()
+  helios::Status ReadLines()
   {
     const std::uint64_t count = this->Header.GetNumberOfPoints();
     std::uint64_t done = 0;
@@ -134,32 +137,33 @@ private:
       {
         continue;
       }
-      std::string problem = done < count
+      helios::Status status = done < count
         ? this->Arrays->AddLine(line)
-        : "a point more than the " + std::to_string(count) + " of POINTS; correct POINTS";
-      if (!problem.empty())
+        : helios::Status::Error(
+            "a point more than the " + std::to_string(count) + " of POINTS; correct POINTS");
+      if (!status.IsOk())
       {
-        return helios::Place(this->Path, number) + problem;
+        return helios::Status::Error(helios::Place(this->Path, number) + status.Message());
       }
       ++done;
       if (done % PointsPerRound == 0 && !this->GoOn(done))
       {
-        return this->DescribeAbort(done);
+        return helios::Status::Error(this->DescribeAbort(done));
       }
     }
-    return done == count
-      ? std::string()
-      : helios::Place(this->Path, number) + "the file ends after " + std::to_string(done) + " of " +
-        std::to_string(count) + " points; it is cut off, or POINTS is wrong";
+    return done == count ? helios::Status()
+                         : helios::Status::Error(helios::Place(this->Path, number) +
+                             "the file ends after " + std::to_string(done) + " of " +
+                             std::to_string(count) + " points; it is cut off, or POINTS is wrong");
   }
 
-  std::string ReadRows()
+  helios::Status ReadRows()
   {
     const std::size_t row = this->Header.GetRowSize();
     const std::uint64_t count = this->Header.GetNumberOfPoints();
     if (count * row > this->DataSize)
     {
-      return this->DescribeShort(count * row);
+      return helios::Status::Error(this->DescribeShort(count * row));
     }
     this->WarnOfRest(count * row);
     std::vector<char> bytes(row * std::min(PointsPerRound, count));
@@ -168,7 +172,7 @@ private:
       const std::uint64_t round = std::min(PointsPerRound, count - done);
       if (!this->File.read(bytes.data(), static_cast<std::streamsize>(round * row)))
       {
-        return this->Path + ": cannot be read any further; check the disk";
+        return helios::Status::Error(this->Path + ": cannot be read any further; check the disk");
       }
       for (std::uint64_t i = 0; i < round; ++i)
       {
@@ -177,47 +181,48 @@ private:
       done += round;
       if (!this->GoOn(done))
       {
-        return this->DescribeAbort(done);
+        return helios::Status::Error(this->DescribeAbort(done));
       }
     }
     return {};
   }
 
-  std::string ReadCompressed()
+  helios::Status ReadCompressed()
   {
     std::uint32_t sizes[2] = { 0, 0 }; // compressed and uncompressed
     const bool hasSizes = this->DataSize >= sizeof(sizes) &&
       this->File.read(reinterpret_cast<char*>(sizes), sizeof(sizes));
     if (!hasSizes || sizes[0] > this->DataSize - sizeof(sizes))
     {
-      return this->Path + ": the compressed data need " + std::to_string(sizes[0]) +
-        " bytes and two sizes, but the file has " + std::to_string(this->DataSize) +
-        " of them; it is cut off";
+      return helios::Status::Error(this->Path + ": the compressed data need " +
+        std::to_string(sizes[0]) + " bytes and two sizes, but the file has " +
+        std::to_string(this->DataSize) + " of them; it is cut off");
     }
     const std::uint64_t count = this->Header.GetNumberOfPoints();
     const std::uint64_t size = count * this->Header.GetRowSize();
     if (sizes[1] != size)
     {
-      return this->Path + ": the data unpack to " + std::to_string(sizes[1]) + " bytes, but " +
-        std::to_string(count) + " points need " + std::to_string(size) +
-        "; FIELDS, SIZE, COUNT or POINTS is wrong";
+      return helios::Status::Error(this->Path + ": the data unpack to " + std::to_string(sizes[1]) +
+        " bytes, but " + std::to_string(count) + " points need " + std::to_string(size) +
+        "; FIELDS, SIZE, COUNT or POINTS is wrong");
     }
     this->WarnOfRest(sizeof(sizes) + sizes[0]);
     std::vector<char> packed(sizes[0]);
     std::vector<char> data(size);
     if (!this->File.read(packed.data(), sizes[0]))
     {
-      return this->Path + ": cannot be read any further; check the disk";
+      return helios::Status::Error(this->Path + ": cannot be read any further; check the disk");
     }
     if (size > 0 && lzf_decompress(packed.data(), sizes[0], data.data(), sizes[1]) != sizes[1])
     {
-      return this->Path + ": the compressed data are damaged; get or write the file again";
+      return helios::Status::Error(
+        this->Path + ": the compressed data are damaged; get or write the file again");
     }
     return this->ReadFields(data, count);
   }
 
   /// Decodes field by field: the numbers of all points one after the other.
-  std::string ReadFields(const std::vector<char>& data, std::uint64_t count)
+  helios::Status ReadFields(const std::vector<char>& data, std::uint64_t count)
   {
     std::vector<char> row(this->Header.GetRowSize());
     for (std::uint64_t i = 0; i < count; ++i)
@@ -232,7 +237,7 @@ private:
       this->Arrays->AddRow(row.data());
       if ((i + 1) % PointsPerRound == 0 && !this->GoOn(i + 1))
       {
-        return this->DescribeAbort(i + 1);
+        return helios::Status::Error(this->DescribeAbort(i + 1));
       }
     }
     return {};
@@ -278,10 +283,10 @@ void vtkHeliosPCDReader::PrintSelf(ostream& os, vtkIndent indent)
 bool vtkHeliosPCDReader::Read(vtkPolyData* output)
 {
   Work work(this, this->FileName);
-  const std::string problem = work.Run();
-  if (!problem.empty())
+  const helios::Status status = work.Run();
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   if (!work.Warning.empty())

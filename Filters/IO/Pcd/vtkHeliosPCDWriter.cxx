@@ -5,6 +5,7 @@
 #include "heliosPartFile.h"
 #include "heliosPcdBlock.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -92,10 +93,10 @@ bool vtkHeliosPCDWriter::Reopen(
   const std::string path = this->GetOpenName() + helios::PartEnding;
   std::ifstream file(path, std::ios::binary);
   this->Header = std::make_unique<helios::PcdHeader>();
-  const std::string problem = this->Header->Read(path, file);
-  if (!problem.empty())
+  const helios::Status status = this->Header->Read(path, file);
+  if (!status.IsOk())
   {
-    this->FailFile(problem);
+    this->FailFile(status.Message());
     this->Superclass::Abandon();
     return false;
   }
@@ -188,10 +189,10 @@ bool vtkHeliosPCDWriter::Write(vtkDataObject* data)
   }
   helios::PcdBlock block;
   const bool isFloat = this->Header ? this->Header->Fields[0].Size == 4 : this->Precision == Float;
-  const std::string problem = block.Set(echoes, isFloat);
-  if (!problem.empty())
+  const helios::Status status = block.Set(echoes, isFloat);
+  if (!status.IsOk())
   {
-    return this->Refuse(problem);
+    return this->Refuse(status.Message());
   }
   if (this->Header && this->Header->Fields != block.GetFields())
   {

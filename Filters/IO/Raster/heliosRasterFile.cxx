@@ -5,6 +5,7 @@
 #include "heliosGdalMessages.h"
 #include "heliosInputFile.h"
 #include "heliosRasterUnits.h"
+#include "heliosStatus.h"
 
 #include <cpl_conv.h>
 #include <cpl_string.h>
@@ -85,18 +86,18 @@ struct RasterFile::Internals
   std::string FirstMessage; // of the GDAL warnings
   std::int64_t NumberOfMessages = 0;
 
-  std::string OpenDataset(const GdalMessages& messages);
-  std::string FindBand(int number);
-  std::string CheckSize() const;
-  std::string FindTransform();
+  Status OpenDataset(const GdalMessages& messages);
+  Status FindBand(int number);
+  Status CheckSize() const;
+  Status FindTransform();
   void FindNoData(double noData);
-  std::string FindScale();
-  std::string FindCrs(double heightUnit);
+  Status FindScale();
+  Status FindCrs(double heightUnit);
   bool ReadMask(std::int64_t firstRow, std::int64_t count);
   bool HasGap(std::int64_t column, std::int64_t row, std::int64_t columns, std::int64_t rows) const;
   void EmptyGaps(std::int64_t firstRow, std::int64_t count, double* heights) const;
   double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
-  std::string Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
+  Status Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
   void Note(const GdalMessages& messages);
 };
@@ -110,39 +111,40 @@ void RasterFile::Internals::Note(const GdalMessages& messages)
   this->NumberOfMessages += static_cast<std::int64_t>(messages.Warnings.size());
 }
 
-std::string RasterFile::Internals::OpenDataset(const GdalMessages& messages)
+Status RasterFile::Internals::OpenDataset(const GdalMessages& messages)
 {
-  if (const std::string problem = CheckInputFile(this->Path); !problem.empty())
+  if (const Status status = CheckInputFile(this->Path); !status.IsOk())
   {
-    return problem;
+    return status;
   }
   static const char* const drivers[] = { "GTiff", nullptr };
   this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr));
   if (!this->Dataset)
   {
-    return "cannot be read as GeoTIFF: " + messages.Error +
-      "; check the file (gdal_translate -of GTiff turns other formats into GeoTIFF)";
+    return Status::Error("cannot be read as GeoTIFF: " + messages.Error +
+      "; check the file (gdal_translate -of GTiff turns other formats into GeoTIFF)");
   }
   this->Columns = GDALGetRasterXSize(this->Dataset.get());
   this->Rows = GDALGetRasterYSize(this->Dataset.get());
   return {};
 }
 
-std::string RasterFile::Internals::FindBand(int number)
+Status RasterFile::Internals::FindBand(int number)
 {
   const int count = GDALGetRasterCount(this->Dataset.get());
   if (number < 1 || number > count)
   {
-    return "Band " + std::to_string(number) + " is not in the file, whose bands are 1 to " +
-      std::to_string(count) + "; set Band to one of them";
+    return Status::Error("Band " + std::to_string(number) +
+      " is not in the file, whose bands are 1 to " + std::to_string(count) +
+      "; set Band to one of them");
   }
   this->Band = GDALGetRasterBand(this->Dataset.get(), number);
   const GDALDataType type = GDALGetRasterDataType(this->Band);
   if (GDALDataTypeIsComplex(type))
   {
-    return "band " + std::to_string(number) + " has complex numbers (" + GDALGetDataTypeName(type) +
-      "), which are not heights; choose another with Band";
+    return Status::Error("band " + std::to_string(number) + " has complex numbers (" +
+      GDALGetDataTypeName(type) + "), which are not heights; choose another with Band");
   }
   const char* pixelType = GDALGetMetadataItem(this->Band, "PIXELTYPE", "IMAGE_STRUCTURE");
   this->IsSignedByte = type == GDT_Byte && pixelType && EQUAL(pixelType, "SIGNEDBYTE");
@@ -154,7 +156,7 @@ std::string RasterFile::Internals::FindBand(int number)
 
 // A file cannot contain more blocks than index entries (four bytes each for offset and size), nor a
 // block larger than the compression ratio allows. GDAL would allocate it.
-std::string RasterFile::Internals::CheckSize() const
+Status RasterFile::Internals::CheckSize() const
 {
   VSIStatBufL file;
   if (VSIStatL(this->Path.c_str(), &file) != 0)
@@ -173,22 +175,23 @@ std::string RasterFile::Internals::CheckSize() const
     GDALGetMetadataItem(this->Dataset.get(), "COMPRESSION", "IMAGE_STRUCTURE") != nullptr;
   if (4.0 * static_cast<double>(blocks) > size || blockSize > (isCompressed ? 1e5 : 1.0) * size)
   {
-    return "is damaged: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
-      " pixels in " + std::to_string(blocks) + " blocks do not fit into a file of " +
-      std::to_string(file.st_size) + " bytes; get it again";
+    return Status::Error("is damaged: " + std::to_string(this->Columns) + " x " +
+      std::to_string(this->Rows) + " pixels in " + std::to_string(blocks) +
+      " blocks do not fit into a file of " + std::to_string(file.st_size) + " bytes; get it again");
   }
   return {};
 }
 
-std::string RasterFile::Internals::FindTransform()
+Status RasterFile::Internals::FindTransform()
 {
   double* t = this->Transform;
   if (GDALGetGeoTransform(this->Dataset.get(), t) != CE_None)
   {
     return GDALGetGCPCount(this->Dataset.get()) > 0
-      ? "has ground control points only, which do not place its pixels exactly; rectify it with "
-        "gdalwarp"
-      : "is not georeferenced; give it corners with gdal_edit.py -a_ullr";
+      ? Status::Error(
+          "has ground control points only, which do not place its pixels exactly; rectify it with "
+          "gdalwarp")
+      : Status::Error("is not georeferenced; give it corners with gdal_edit.py -a_ullr");
   }
   const double columns = static_cast<double>(this->Columns);
   const double rows = static_cast<double>(this->Rows);
@@ -207,8 +210,8 @@ std::string RasterFile::Internals::FindTransform()
     {
       numbers += (i ? ", " : "") + ToText(t[i]);
     }
-    return "has the geotransform " + numbers +
-      ", in which pixels have no area; correct it with gdal_edit.py -a_ullr";
+    return Status::Error("has the geotransform " + numbers +
+      ", in which pixels have no area; correct it with gdal_edit.py -a_ullr");
   }
   return {};
 }
@@ -223,19 +226,19 @@ void RasterFile::Internals::FindNoData(double noData)
   this->NoData = isFloat ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-std::string RasterFile::Internals::FindScale()
+Status RasterFile::Internals::FindScale()
 {
   this->Scale = GDALGetRasterScale(this->Band, nullptr);
   this->Offset = GDALGetRasterOffset(this->Band, nullptr);
   if (!std::isfinite(this->Scale) || this->Scale == 0.0 || !std::isfinite(this->Offset))
   {
-    return "has heights with scale " + ToText(this->Scale) + " and offset " + ToText(this->Offset) +
-      "; correct them with gdal_edit.py -scale 1 -offset 0";
+    return Status::Error("has heights with scale " + ToText(this->Scale) + " and offset " +
+      ToText(this->Offset) + "; correct them with gdal_edit.py -scale 1 -offset 0");
   }
   return {};
 }
 
-std::string RasterFile::Internals::FindCrs(double heightUnit)
+Status RasterFile::Internals::FindCrs(double heightUnit)
 {
   const OGRSpatialReferenceH system = GDALGetSpatialRef(this->Dataset.get());
   if (system && !OSRIsLocal(system))
@@ -251,8 +254,8 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   this->Unit = heightUnit > 0.0 ? heightUnit : unit.empty() ? 1.0 : GetUnitInMetres(unit);
   if (this->Unit == 0.0)
   {
-    return "has heights in \"" + unit +
-      "\", which is not a known unit; give its length in metres with HeightUnit";
+    return Status::Error("has heights in \"" + unit +
+      "\", which is not a known unit; give its length in metres with HeightUnit");
   }
   if (this->Crs.empty())
   {
@@ -267,8 +270,9 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   this->Crs = MakeHeightsMetric(this->Crs);
   if (this->Crs.empty())
   {
-    return "has a coordinate system with heights in feet that cannot be converted to metres; "
-           "transform it with gdalwarp -t_srs";
+    return Status::Error(
+      "has a coordinate system with heights in feet that cannot be converted to metres; "
+      "transform it with gdalwarp -t_srs");
   }
   return {};
 }
@@ -317,7 +321,7 @@ void RasterFile::Internals::EmptyGaps(
 }
 
 // Converts values to heights, NaN if missing.
-std::string RasterFile::Internals::Convert(
+Status RasterFile::Internals::Convert(
   std::int64_t firstRow, std::int64_t count, double* values) const
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -348,9 +352,10 @@ std::string RasterFile::Internals::Convert(
   {
     return {}; // masked
   }
-  return "the height at row " + std::to_string(firstRow + (infinite - values) / this->Columns) +
-    ", column " + std::to_string((infinite - values) % this->Columns) +
-    " (from 0) is infinite; correct it, or make it the no-data value with gdal_edit.py -a_nodata";
+  return Status::Error("the height at row " +
+    std::to_string(firstRow + (infinite - values) / this->Columns) + ", column " +
+    std::to_string((infinite - values) % this->Columns) +
+    " (from 0) is infinite; correct it, or make it the no-data value with gdal_edit.py -a_nodata");
 }
 
 RasterFile::RasterFile()
@@ -364,35 +369,36 @@ RasterFile::~RasterFile()
   this->State.reset();
 }
 
-std::string RasterFile::Open(const std::string& path, const RasterOptions& options)
+Status RasterFile::Open(const std::string& path, const RasterOptions& options)
 {
   Internals& self = *this->State;
   self.Path = path;
   GdalMessages messages;
   RegisterDriver();
-  std::string fault = self.OpenDataset(messages);
-  if (fault.empty())
-    fault = self.FindBand(options.Band);
-  if (fault.empty())
-    fault = self.CheckSize();
-  if (fault.empty())
-    fault = self.FindTransform();
-  if (fault.empty())
-    fault = self.FindScale();
-  if (fault.empty())
-    fault = self.FindCrs(options.HeightUnit);
-  if (fault.empty() && !messages.Error.empty())
-    fault = "is damaged: " + messages.Error + "; create it again, or repair it with gdal_edit.py";
-  if (!fault.empty())
+  Status status = self.OpenDataset(messages);
+  if (status.IsOk())
+    status = self.FindBand(options.Band);
+  if (status.IsOk())
+    status = self.CheckSize();
+  if (status.IsOk())
+    status = self.FindTransform();
+  if (status.IsOk())
+    status = self.FindScale();
+  if (status.IsOk())
+    status = self.FindCrs(options.HeightUnit);
+  if (status.IsOk() && !messages.Error.empty())
+    status = Status::Error(
+      "is damaged: " + messages.Error + "; create it again, or repair it with gdal_edit.py");
+  if (!status.IsOk())
   {
-    return path + ": " + fault;
+    return Status::Error(path + ": " + status.Message());
   }
   self.FindNoData(options.NoData);
   self.Note(messages);
   return {};
 }
 
-std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* heights)
+Status RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* heights)
 {
   Internals& self = *this->State;
   GdalMessages messages;
@@ -403,17 +409,17 @@ std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* 
     (!self.Mask || self.ReadMask(firstRow, count));
   if (!isRead || !messages.Error.empty())
   {
-    return self.Path + ": rows " + std::to_string(firstRow) + " to " +
+    return Status::Error(self.Path + ": rows " + std::to_string(firstRow) + " to " +
       std::to_string(firstRow + count - 1) + " (from 0) cannot be read: " + messages.Error +
-      "; the file is damaged, get it again";
+      "; the file is damaged, get it again");
   }
   self.Note(messages);
-  const std::string fault = self.Convert(firstRow, count, heights);
+  const Status status = self.Convert(firstRow, count, heights);
   if (self.HasGap(0, firstRow, self.Columns, count))
   {
     self.EmptyGaps(firstRow, count, heights);
   }
-  return fault.empty() ? fault : self.Path + ": " + fault;
+  return status.IsOk() ? status : Status::Error(self.Path + ": " + status.Message());
 }
 
 std::int64_t RasterFile::GetRowsPerBlock() const

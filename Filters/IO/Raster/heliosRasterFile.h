@@ -5,6 +5,7 @@
 #ifndef heliosRasterFile_h
 #define heliosRasterFile_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h"
 
 #include <cstdint>
@@ -34,8 +35,8 @@ public:
   RasterFile();
   ~RasterFile();
 
-  /// Opens a file. Returns an error message, or an empty string.
-  std::string Open(const std::string& path, const RasterOptions& options);
+  /// Opens a file.
+  Status Open(const std::string& path, const RasterOptions& options);
 
   std::int64_t GetNumberOfColumns() const;
   std::int64_t GetNumberOfRows() const;
@@ -52,8 +53,8 @@ public:
   /// Number of rows to read at a time: whole blocks of the file, some megabytes.
   std::int64_t GetRowsPerBlock() const;
 
-  /// Reads heights [m] of rows, NaN if missing. Returns an error message, or an empty string.
-  std::string Read(std::int64_t firstRow, std::int64_t count, double* heights);
+  /// Reads heights [m] of rows, NaN if missing.
+  Status Read(std::int64_t firstRow, std::int64_t count, double* heights);
 
   /// Warnings of GDAL and of the validation.
   std::vector<std::string> GetWarnings() const;

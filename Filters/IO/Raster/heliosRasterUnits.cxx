@@ -35,7 +35,7 @@ std::string Simplify(const std::string& name)
 bool HasMetres(const std::string& wkt)
 {
   CoordinateSystem system;
-  return !system.Set(wkt).empty() || system.GetHeightUnit() == 1.0;
+  return !system.Set(wkt).IsOk() || system.GetHeightUnit() == 1.0;
 }
 
 std::string GetAttribute(OGRSpatialReferenceH system, const char* name)

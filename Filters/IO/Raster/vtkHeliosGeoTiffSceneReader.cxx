@@ -7,6 +7,7 @@
 #include "heliosRasterFile.h"
 #include "heliosRasterMesh.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -51,11 +52,11 @@ int vtkHeliosGeoTiffSceneReader::RequestData(
     return this->Fail("FileName is not set; give the GeoTIFF file with SetFileName");
   }
   helios::RasterFile file;
-  const std::string fault =
+  const helios::Status status =
     file.Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    return this->Fail(fault);
+    return this->Fail(status.Message());
   }
   vtkPolyData* scene = vtkPolyData::GetData(outputVector);
   try
@@ -88,11 +89,11 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   const std::int64_t step = file.GetRowsPerBlock();
   const std::string place = std::string(this->FileName) + ": ";
   const double pixels = file.CountPixels();
-  const std::string excess =
-    helios::CheckMemory("pixels of two triangles", pixels, 2.0 * helios::BytesPerTriangle);
-  if (!excess.empty())
+  if (const helios::Status status =
+        helios::CheckMemory("pixels of two triangles", pixels, 2.0 * helios::BytesPerTriangle);
+      !status.IsOk())
   {
-    return this->Fail(place + excess + "; gdal_translate -srcwin cuts out a part");
+    return this->Fail(place + status.Message() + "; gdal_translate -srcwin cuts out a part");
   }
   helios::RasterMesh<IndexArrayT> mesh(columns, file.GetTransform());
   const std::unique_ptr<double[]> heights(new double[static_cast<std::size_t>(columns * step)]);
@@ -100,10 +101,10 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   for (std::int64_t row = 0; row < rows && hasRoom && pixels > 0.0; row += step)
   {
     const std::int64_t count = std::min(step, rows - row);
-    const std::string fault = file.Read(row, count, heights.get());
-    if (!fault.empty())
+    const helios::Status status = file.Read(row, count, heights.get());
+    if (!status.IsOk())
     {
-      return this->Fail(fault);
+      return this->Fail(status.Message());
     }
     for (std::int64_t i = 0; i < count && hasRoom; ++i)
     {

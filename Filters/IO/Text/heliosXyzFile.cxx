@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXyzFile.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -33,7 +35,7 @@ std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 
 } // namespace
 
-std::string XyzFile::Open(const std::string& path)
+Status XyzFile::Open(const std::string& path)
 {
   this->Path = path;
   return OpenInput(path, this->File, this->Size);

@@ -5,6 +5,7 @@
 #ifndef heliosXyzFile_h
 #define heliosXyzFile_h
 
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 
 #include <cstdint>
@@ -27,8 +28,8 @@ public:
   /// Called after every block with the total number of bytes read; returning false stops reading.
   std::function<bool(std::int64_t)> OnBlock;
 
-  /// Opens a file. Returns an error message, or an empty string. Call SetRange before NextLine.
-  std::string Open(const std::string& path);
+  /// Opens a file. Call SetRange before NextLine.
+  Status Open(const std::string& path);
 
   std::int64_t GetSize() const { return this->Size; }
 
@@ -52,7 +53,7 @@ public:
   /// "path:line: " of the last line read; counts all previous lines, so for messages only.
   std::string GetPlace() const;
   bool IsStopped() const { return this->Stopped; }
-  /// Error message of reading, or an empty string.
+  /// Error message of reading, empty without an error.
   const std::string& GetError() const { return this->Error; }
 
 private:

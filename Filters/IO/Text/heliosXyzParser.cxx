@@ -140,7 +140,7 @@ bool XyzParser::FailNumber(std::string_view line)
 bool XyzParser::IsFirstRow(std::int64_t lineStart) const
 {
   XyzFile before;
-  if (!before.Open(this->File->GetPath()).empty())
+  if (!before.Open(this->File->GetPath()).IsOk())
   {
     return false;
   }

@@ -3,6 +3,7 @@
 #include "vtkHeliosPointTextReader.h"
 
 #include "heliosPointParser.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataObject.h>
@@ -34,7 +35,7 @@ int vtkHeliosPointTextReader::CountColumns(const char* fileName)
 {
   helios::XyzFile file;
   std::string_view row;
-  const bool hasRow = fileName && file.Open(fileName).empty() && helios::FindFirstRow(file, row);
+  const bool hasRow = fileName && file.Open(fileName).IsOk() && helios::FindFirstRow(file, row);
   return hasRow ? helios::CountColumns(row) : 0;
 }
 
@@ -44,7 +45,7 @@ bool vtkHeliosPointTextReader::CanReadFile(const char* fileName)
   std::string_view row;
   helios::PartNumbers parts;
   helios::TextReport report;
-  return fileName && file.Open(fileName).empty() && helios::FindFirstRow(file, row) &&
+  return fileName && file.Open(fileName).IsOk() && helios::FindFirstRow(file, row) &&
     helios::PointParser(helios::NumberOfPointColumns, false, parts, report).IsRow(row);
 }
 
@@ -121,9 +122,9 @@ int vtkHeliosPointTextReader::RequestData(
   try
   {
     helios::XyzFile file;
-    const std::string fault = file.Open(this->FileName);
-    isRead = fault.empty() ? this->ReadFile(file, vtkPolyData::GetData(outputVector), report)
-                           : report.Fail(fault);
+    const helios::Status status = file.Open(this->FileName);
+    isRead = status.IsOk() ? this->ReadFile(file, vtkPolyData::GetData(outputVector), report)
+                           : report.Fail(status.Message());
   }
   catch (const std::bad_alloc&)
   {

@@ -3,6 +3,7 @@
 #include "vtkHeliosTrajectoryReader.h"
 
 #include "heliosPathCell.h"
+#include "heliosStatus.h"
 #include "heliosTrajectoryShape.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -83,10 +84,10 @@ bool vtkHeliosTrajectoryReader::ReadRows(
   helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows)
 {
   helios::XyzFile file;
-  const std::string fault = file.Open(this->FileName);
-  if (!fault.empty())
+  const helios::Status status = file.Open(this->FileName);
+  if (!status.IsOk())
   {
-    return report.Fail(fault);
+    return report.Fail(status.Message());
   }
   file.OnBlock = [this, size = static_cast<double>(file.GetSize())](std::int64_t bytes)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosXyzReader.h"
 
+#include "heliosStatus.h"
 #include "heliosXyzParser.h"
 
 #include <vtkDataObject.h>
@@ -123,10 +124,10 @@ bool vtkHeliosXyzReader::ReadPiece(
   for (const std::string& name : this->FileNames)
   {
     files.push_back(std::make_unique<helios::XyzFile>());
-    const std::string fault = files.back()->Open(name);
-    if (!fault.empty())
+    const helios::Status status = files.back()->Open(name);
+    if (!status.IsOk())
     {
-      return report.Fail(fault);
+      return report.Fail(status.Message());
     }
     size += files.back()->GetSize();
   }

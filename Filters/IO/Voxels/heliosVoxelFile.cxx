@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVoxelFile.h"
 
+#include "heliosStatus.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -46,10 +48,10 @@ bool IsBlank(std::string_view line)
 //------------------------------------------------------------------------------
 bool VoxelFile::ReadHead(const std::string& path)
 {
-  const std::string fault = this->Text.Open(path);
-  if (!fault.empty())
+  const Status status = this->Text.Open(path);
+  if (!status.IsOk())
   {
-    return this->Report.Fail(fault);
+    return this->Report.Fail(status.Message());
   }
   std::string_view line;
   bool hasRow = false;
@@ -375,10 +377,10 @@ std::string VoxelFile::GetName(Role role) const
 bool ReadLeafTable(const std::string& path, TextReport& report, std::vector<double>& rows)
 {
   TextFile file;
-  const std::string fault = file.Open(path);
-  if (!fault.empty())
+  const Status status = file.Open(path);
+  if (!status.IsOk())
   {
-    return report.Fail(fault);
+    return report.Fail(status.Message());
   }
   std::string_view line;
   while (file.NextLine(line))

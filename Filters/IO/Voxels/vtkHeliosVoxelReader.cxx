@@ -3,6 +3,7 @@
 #include "vtkHeliosVoxelReader.h"
 
 #include "heliosMemoryCheck.h"
+#include "heliosStatus.h"
 #include "heliosVoxelFile.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -89,10 +90,11 @@ bool vtkHeliosVoxelReader::ReadHead(helios::VoxelFile& file, helios::TextReport&
     return false;
   }
   const std::int64_t cells = file.GetLayout().GetNumberOfCells();
-  const std::string excess = helios::CheckMemory("cells", static_cast<double>(cells), BytesPerCell);
-  if (cells <= this->MaximumNumberOfCells && !excess.empty())
+  const helios::Status status =
+    helios::CheckMemory("cells", static_cast<double>(cells), BytesPerCell);
+  if (cells <= this->MaximumNumberOfCells && !status.IsOk())
   {
-    return report.Fail(std::string(this->FileName) + ": " + excess);
+    return report.Fail(std::string(this->FileName) + ": " + status.Message());
   }
   return cells <= this->MaximumNumberOfCells ||
     report.Fail(std::string(this->FileName) + ": has " + std::to_string(cells) +

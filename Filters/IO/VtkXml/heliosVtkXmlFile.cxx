@@ -3,6 +3,7 @@
 #include "heliosVtkXmlFile.h"
 
 #include "heliosInputFile.h"
+#include "heliosStatus.h"
 #include "heliosVtkXmlParser.h"
 
 #include <vtkNew.h>
@@ -322,11 +323,10 @@ private:
         " bytes; write it again, without compression");
     }
     const double stored = form.Type == VTK_BIT ? (values + 7.0) / 8.0 : bytes;
-    const std::string problem =
-      this->Parser->CheckData(array, values, std::floor(stored), this->Limit);
-    if (!problem.empty())
+    const Status status = this->Parser->CheckData(array, values, std::floor(stored), this->Limit);
+    if (!status.IsOk())
     {
-      Fail("the array " + form.Name + " " + problem + "; copy or write the file again");
+      Fail("the array " + form.Name + " " + status.Message() + "; copy or write the file again");
     }
     if (form.Type == VTK_STRING && !this->Parser->HasTexts(array, values))
     {
@@ -380,7 +380,7 @@ double GetVtkXmlMemoryLimit(double fileSize)
 bool VtkXmlFile::Open(const std::string& path, const std::string& type)
 {
   *this = VtkXmlFile();
-  this->Problem = CheckInputFile(path);
+  this->Problem = CheckInputFile(path).Message();
   std::ifstream file(this->Problem.empty() ? path : "", std::ios::binary);
   if (!file)
   {

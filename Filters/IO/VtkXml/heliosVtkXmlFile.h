@@ -6,6 +6,7 @@
 #ifndef heliosVtkXmlFile_h
 #define heliosVtkXmlFile_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <vtkType.h>
@@ -52,9 +53,9 @@ private:
 /// Maximum total size of decoded arrays [bytes], for a given file size.
 VTKHELIOSFILTERSIO_EXPORT double GetVtkXmlMemoryLimit(double fileSize);
 
-/// Calls a function of a VTK reader; returns the exception message, or an empty string.
+/// Calls a function of a VTK reader; returns an error with the message of its exception.
 template <typename FunctionT>
-std::string CatchExceptions(FunctionT&& function)
+Status CatchExceptions(FunctionT&& function)
 {
   try
   {
@@ -62,11 +63,11 @@ std::string CatchExceptions(FunctionT&& function)
   }
   catch (const std::bad_alloc&)
   {
-    return "there is not enough memory";
+    return Status::Error("there is not enough memory");
   }
   catch (const std::exception& problem)
   {
-    return problem.what();
+    return Status::Error(problem.what());
   }
   return {};
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVtkXmlParser.h"
 
+#include "heliosStatus.h"
+
 #include <vtkBase64InputStream.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -107,8 +109,7 @@ bool VtkXmlParser::SetCompressorOf(vtkXMLDataElement* root)
   return false;
 }
 
-std::string VtkXmlParser::CheckData(
-  vtkXMLDataElement* array, double values, double bytes, double limit)
+Status VtkXmlParser::CheckData(vtkXMLDataElement* array, double values, double bytes, double limit)
 {
   const char* format = array->GetAttribute("format");
   const char* place = array->GetAttribute("offset");
@@ -116,7 +117,9 @@ std::string VtkXmlParser::CheckData(
   if (!place && !isBinary)
   {
     this->Total = this->Size;
-    return 2.0 * values - 1.0 > this->Size ? "has more values than the file has room for" : "";
+    return 2.0 * values - 1.0 > this->Size
+      ? Status::Error("has more values than the file has room for")
+      : Status();
   }
   if (!place)
   {
@@ -132,8 +135,8 @@ std::string VtkXmlParser::CheckData(
   if (error != std::errc() || last != end || offset < 0 || static_cast<double>(offset) > room ||
     this->AppendedDataPosition <= 0)
   {
-    return std::string("has offset=\"") + std::string(place).substr(0, 40) +
-      "\", which is not within the data of the file";
+    return Status::Error(std::string("has offset=\"") + std::string(place).substr(0, 40) +
+      "\", which is not within the data of the file");
   }
   this->SeekG(this->AppendedDataPosition + offset);
   this->AppendedDataStream->SetStream(this->Stream);
@@ -158,7 +161,7 @@ bool VtkXmlParser::ReadWords(vtkInputStream* stream, std::size_t count, vtkTypeU
   return true;
 }
 
-std::string VtkXmlParser::CheckHead(vtkInputStream* stream, double bytes, double room, double limit)
+Status VtkXmlParser::CheckHead(vtkInputStream* stream, double bytes, double room, double limit)
 {
   constexpr const char* CutOff = "is cut off, or states a wrong size";
   room = vtkBase64InputStream::SafeDownCast(stream) ? 0.75 * room : room;
@@ -194,10 +197,10 @@ std::string VtkXmlParser::CheckHead(vtkInputStream* stream, double bytes, double
   stream->EndReading();
   if (!isGood || used > room || (bytes > 0.0 && total > limit))
   {
-    return CutOff;
+    return Status::Error(CutOff);
   }
   this->Total = total;
-  return total < bytes ? "has fewer values than its counts state" : "";
+  return total < bytes ? Status::Error("has fewer values than its counts state") : Status();
 }
 
 std::size_t VtkXmlParser::Read(

@@ -5,6 +5,8 @@
 #ifndef heliosVtkXmlParser_h
 #define heliosVtkXmlParser_h
 
+#include "heliosStatus.h"
+
 #include <vtkXMLDataParser.h>
 
 #include <string>
@@ -27,9 +29,8 @@ public:
   /// False if the compressor named by the root is unknown.
   bool SetCompressorOf(vtkXMLDataElement* root);
 
-  /// Checks the data of an array with n values and bytes. Returns an error message, or an empty
-  /// string.
-  std::string CheckData(vtkXMLDataElement* array, double values, double bytes, double limit);
+  /// Checks the data of an array with n values and bytes.
+  Status CheckData(vtkXMLDataElement* array, double values, double bytes, double limit);
 
   /// Whether a checked array has this many terminated strings: VTK writes as many as it finds.
   bool HasTexts(vtkXMLDataElement* array, double count);
@@ -50,7 +51,7 @@ private:
   VtkXmlParser(const VtkXmlParser&) = delete;
   void operator=(const VtkXmlParser&) = delete;
 
-  std::string CheckHead(vtkInputStream* stream, double bytes, double room, double limit);
+  Status CheckHead(vtkInputStream* stream, double bytes, double room, double limit);
   bool ReadWords(vtkInputStream* stream, std::size_t count, vtkTypeUInt64* words);
 
   std::size_t Read(

@@ -5,6 +5,7 @@
 #ifndef heliosVtkXmlReading_h
 #define heliosVtkXmlReading_h
 
+#include "heliosStatus.h"
 #include "heliosVtkXmlFile.h"
 
 #include <vtkCommand.h>
@@ -48,7 +49,7 @@ vtkSmartPointer<DataT> ReadVtkXml(
   faults->Listen(reader);
   faults->Listen(reader->GetExecutive());
   reader->SetFileName(path.c_str());
-  problem = CatchExceptions(
+  Status status = CatchExceptions(
     [&reader, &faults]()
     {
       reader->UpdateInformation();
@@ -67,10 +68,10 @@ vtkSmartPointer<DataT> ReadVtkXml(
         reader->Update();
       }
     });
-  problem = problem.empty() && faults->HasFault ? "VTK's reader fails" : problem;
-  if (!problem.empty())
+  status = status.IsOk() && faults->HasFault ? Status::Error("VTK's reader fails") : status;
+  if (!status.IsOk())
   {
-    problem = "cannot be read: " + problem + "; copy or write the file again";
+    problem = "cannot be read: " + status.Message() + "; copy or write the file again";
     return nullptr;
   }
   return reader->GetOutput();

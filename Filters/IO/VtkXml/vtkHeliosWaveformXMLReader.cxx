@@ -3,6 +3,7 @@
 #include "vtkHeliosWaveformXMLReader.h"
 
 #include "heliosInputFile.h"
+#include "heliosStatus.h"
 #include "heliosVtkXmlReading.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
@@ -66,9 +67,9 @@ bool vtkHeliosWaveformXMLReader::FindPieces()
 {
   this->Pieces.clear();
   const std::string name = this->FileName ? this->FileName : "";
-  if (const std::string problem = helios::CheckInputFile(name); !problem.empty())
+  if (const helios::Status status = helios::CheckInputFile(name); !status.IsOk())
   {
-    vtkErrorMacro(<< name << ": " << problem);
+    vtkErrorMacro(<< name << ": " << status.Message());
     return false;
   }
   std::error_code ignored;
@@ -107,16 +108,13 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
 {
   std::string fault;
   const auto piece = helios::ReadVtkXml<vtkXMLTableReader, vtkTable>(name, "Table", fault);
-  const std::string problem = piece ? helios::WaveformTable().Set(piece)
-                                    : "cannot be read; is it missing or incomplete? It " + fault;
-  if (!problem.empty())
+  helios::Status status = piece
+    ? helios::WaveformTable().Set(piece)
+    : helios::Status::Error("cannot be read; is it missing or incomplete? It " + fault);
+  status = status.IsOk() ? helios::CheckValues(piece) : status;
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< name << ": the piece " << problem << "; run the survey again");
-    return false;
-  }
-  if (const std::string wrong = helios::CheckValues(piece); !wrong.empty())
-  {
-    vtkErrorMacro(<< name << ": the piece " << wrong << "; run the survey again");
+    vtkErrorMacro(<< name << ": the piece " << status.Message() << "; run the survey again");
     return false;
   }
   if (waveforms->GetNumberOfRows() == 0)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformXMLWriter.h"
 
+#include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 
 #include <vtkDataSetAttributes.h>
@@ -44,10 +45,10 @@ vtkFieldData* vtkHeliosWaveformXMLWriter::GetRecords(vtkDataObject* block, vtkId
     this->RefuseBlock(block, "vtkTable");
     return nullptr;
   }
-  const std::string problem = helios::WaveformTable().Set(table);
-  if (!problem.empty())
+  const helios::Status status = helios::WaveformTable().Set(table);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< this->GetOpenName() << ": the block " << problem << "; write "
+    vtkErrorMacro(<< this->GetOpenName() << ": the block " << status.Message() << "; write "
                   << this->GetBlockSource());
     return nullptr;
   }

@@ -3,6 +3,7 @@
 #include "vtkHeliosXMLPieceWriter.h"
 
 #include "heliosPartFile.h"
+#include "heliosStatus.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -204,15 +205,15 @@ bool vtkHeliosXMLPieceWriter::Reopen(
 //------------------------------------------------------------------------------
 std::string vtkHeliosXMLPieceWriter::Sync()
 {
-  std::string problem;
-  for (; !this->CountOnly && problem.empty() && this->NumberOfPiecesOnDisk < this->NumberOfPieces;
+  helios::Status status;
+  for (; !this->CountOnly && status.IsOk() && this->NumberOfPiecesOnDisk < this->NumberOfPieces;
        ++this->NumberOfPiecesOnDisk)
   {
     const std::string name = this->GetPieceName(this->NumberOfPiecesOnDisk);
-    problem = helios::SyncFile(name);
-    problem = problem.empty() ? helios::SyncFolderOf(name) : problem;
+    status = helios::SyncFile(name);
+    status = status.IsOk() ? helios::SyncFolderOf(name) : status;
   }
-  return problem.empty() ? this->Superclass::Sync() : problem;
+  return status.IsOk() ? this->Superclass::Sync() : status.Message();
 }
 
 //------------------------------------------------------------------------------
@@ -297,19 +298,19 @@ std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std
   writer->SetWriteToOutputString(true);
   writer->Write();
   const std::string bytes = writer->GetOutputString();
-  const std::string problem = this->WritePieceFile(bytes, name);
-  if (!problem.empty())
+  const helios::Status status = this->WritePieceFile(bytes, name);
+  if (!status.IsOk())
   {
     helios::RemoveFile(name + helios::PartEnding);
-    this->FailBlock(problem, this->GetFileSize());
+    this->FailBlock(status.Message(), this->GetFileSize());
     return -1;
   }
   return static_cast<std::int64_t>(bytes.size());
 }
 
 //------------------------------------------------------------------------------
-/// Writes the file. Returns an error message, or an empty string.
-std::string vtkHeliosXMLPieceWriter::WritePieceFile(
+/// Writes the file.
+helios::Status vtkHeliosXMLPieceWriter::WritePieceFile(
   const std::string& bytes, const std::string& name)
 {
   if (this->CountOnly)
@@ -320,7 +321,7 @@ std::string vtkHeliosXMLPieceWriter::WritePieceFile(
   if (!file.Open(name, helios::Folders::Need) || !file.Append(bytes.data(), bytes.size()) ||
     !file.Abandon())
   {
-    return file.GetProblem();
+    return helios::Status::Error(file.GetProblem());
   }
   this->PieceBlocks->push_back(file.CollectBlock());
   this->PieceBlocks->back().IsWhole = true;

@@ -35,6 +35,11 @@
 
 class vtkXMLWriter;
 
+namespace helios
+{
+class Status;
+}
+
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosXMLPieceWriter : public vtkHeliosStreamWriter
 {
 public:
@@ -57,7 +62,7 @@ public:
   bool Write(vtkDataObject* block) override;
 
   /**
-   * Fsync the pieces and the index. Returns an error message, or an empty string.
+   * Fsync the pieces and the index. Returns the error message, empty after success.
    */
   std::string Sync() override;
 
@@ -109,7 +114,7 @@ private:
   std::string GetPieceName(int piece) const;
   bool CheckArrays(vtkFieldData* data, vtkIdType records);
   std::int64_t WritePiece(vtkDataObject* block, const std::string& name); // its size; -1: an error
-  std::string WritePieceFile(const std::string& bytes, const std::string& name);
+  helios::Status WritePieceFile(const std::string& bytes, const std::string& name);
   bool WriteHead();
   bool WriteFoot();
 

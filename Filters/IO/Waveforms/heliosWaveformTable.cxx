@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosWaveformTable.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataSetAttributes.h>
@@ -20,35 +21,35 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Gets a numeric array. Returns an error message, or an empty string.
-std::string ReadArray(
+/// Gets a numeric array.
+Status ReadArray(
   vtkFieldData* data, const char* name, vtkIdType rows, int components, Column& column)
 {
   vtkDataArray* array = data->GetArray(name);
   if (!array)
   {
-    return std::string("has no array ") + name;
+    return Status::Error(std::string("has no array ") + name);
   }
   if (array->GetNumberOfTuples() != rows || array->GetNumberOfComponents() != components)
   {
-    return std::string("has an array ") + name + " of " +
+    return Status::Error(std::string("has an array ") + name + " of " +
       std::to_string(array->GetNumberOfTuples()) + " x " +
       std::to_string(array->GetNumberOfComponents()) + " values, not " + std::to_string(rows) +
-      " x " + std::to_string(components);
+      " x " + std::to_string(components));
   }
   column = Column(array);
   return {};
 }
 
-std::string ReadIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column& column)
+Status ReadIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column& column)
 {
-  std::string problem = ReadArray(data, name, rows, 1, column);
-  if (problem.empty() && !column.HasIntegers())
+  Status status = ReadArray(data, name, rows, 1, column);
+  if (status.IsOk() && !column.HasIntegers())
   {
-    problem = std::string("has an array ") + name + " of " +
-      data->GetArray(name)->GetDataTypeAsString() + "; it must hold integers";
+    status = Status::Error(std::string("has an array ") + name + " of " +
+      data->GetArray(name)->GetDataTypeAsString() + "; it must hold integers");
   }
-  return problem;
+  return status;
 }
 
 /// Index of the first non-finite value, or -1; always -1 for integer types.
@@ -66,19 +67,20 @@ vtkIdType FindNotFinite(vtkDataArray* data)
   return found == last ? -1 : found - first;
 }
 
-std::string CheckFinite(vtkDataArray* array)
+Status CheckFinite(vtkDataArray* array)
 {
   const vtkIdType value = array
     ? std::max(FindNotFinite<vtkFloatArray>(array), FindNotFinite<vtkDoubleArray>(array))
     : -1;
-  return value < 0 ? std::string()
-                   : "has an array " + std::string(array->GetName() ? array->GetName() : "") +
-      " whose value " + std::to_string(value) + " is not finite";
+  return value < 0
+    ? Status()
+    : Status::Error("has an array " + std::string(array->GetName() ? array->GetName() : "") +
+        " whose value " + std::to_string(value) + " is not finite");
 }
 
 } // namespace
 
-std::string WaveformTable::Set(vtkTable* table)
+Status WaveformTable::Set(vtkTable* table)
 {
   vtkFieldData* data = table->GetRowData();
   const vtkIdType rows = this->NumberOfRows = table->GetNumberOfRows();
@@ -88,7 +90,7 @@ std::string WaveformTable::Set(vtkTable* table)
   {
     return {};
   }
-  const std::string problems[] = {
+  const Status columns[] = {
     ReadIntegers(data, names::PulseIds, rows, this->PulseIds),
     ReadArray(data, names::Origin, rows, 3, this->Origin),
     ReadArray(data, names::Direction, rows, 3, this->Direction),
@@ -99,17 +101,17 @@ std::string WaveformTable::Set(vtkTable* table)
     ReadIntegers(data, names::Count, rows, this->Count),
     ReadArray(table->GetFieldData(), names::Samples, this->NumberOfSamples, 1, this->Samples),
   };
-  for (const std::string& problem : problems)
+  for (const Status& status : columns)
   {
-    if (!problem.empty())
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
   }
   return this->CheckSamples();
 }
 
-std::string WaveformTable::CheckSamples() const
+Status WaveformTable::CheckSamples() const
 {
   for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
   {
@@ -118,38 +120,38 @@ std::string WaveformTable::CheckSamples() const
     if (first < 0 || first >= this->NumberOfSamples || count < 1 ||
       count > this->NumberOfSamples - first)
     {
-      return "has a row " + std::to_string(row) + " with Offset " + std::to_string(first) +
-        " and Count " + std::to_string(count) + ", not within its " +
-        std::to_string(this->NumberOfSamples) + " Samples";
+      return Status::Error("has a row " + std::to_string(row) + " with Offset " +
+        std::to_string(first) + " and Count " + std::to_string(count) + ", not within its " +
+        std::to_string(this->NumberOfSamples) + " Samples");
     }
   }
   return {};
 }
 
-/// Reports the first bin size that is 0 or less; empty: none.
-std::string CheckBinSizes(vtkDataArray* sizes)
+/// Returns an error about the first bin size that is 0 or less.
+Status CheckBinSizes(vtkDataArray* sizes)
 {
   for (vtkIdType row = 0; sizes && row < sizes->GetNumberOfTuples(); ++row)
   {
     if (!(sizes->GetComponent(row, 0) > 0.0))
     {
-      return std::string("has a row ") + std::to_string(row) + " whose " + names::BinSize +
-        " is not above 0 ns";
+      return Status::Error(std::string("has a row ") + std::to_string(row) + " whose " +
+        names::BinSize + " is not above 0 ns");
     }
   }
   return {};
 }
 
-std::string CheckValues(vtkTable* table)
+Status CheckValues(vtkTable* table)
 {
   // other field data may have NaN for unknown values
-  std::string problem = CheckFinite(table->GetFieldData()->GetArray(names::Samples));
+  Status status = CheckFinite(table->GetFieldData()->GetArray(names::Samples));
   vtkFieldData* columns = table->GetRowData();
-  for (int i = 0; problem.empty() && i < columns->GetNumberOfArrays(); ++i)
+  for (int i = 0; status.IsOk() && i < columns->GetNumberOfArrays(); ++i)
   {
-    problem = CheckFinite(columns->GetArray(i));
+    status = CheckFinite(columns->GetArray(i));
   }
-  return problem.empty() ? CheckBinSizes(columns->GetArray(names::BinSize)) : problem;
+  return status.IsOk() ? CheckBinSizes(columns->GetArray(names::BinSize)) : status;
 }
 
 } // namespace helios

@@ -6,6 +6,7 @@
 #define heliosWaveformTable_h
 
 #include "heliosColumn.h"
+#include "heliosStatus.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <string>
@@ -26,14 +27,14 @@ struct VTKHELIOSFILTERSIO_EXPORT WaveformTable
 
   /// Reads the columns of a table. Returns an error: "has no array Samples". A table without rows
   /// needs no columns.
-  std::string Set(vtkTable* table);
+  Status Set(vtkTable* table);
 
 private:
-  std::string CheckSamples() const;
+  Status CheckSamples() const;
 };
 
-/// Returns which array has a non-finite value or which row a bin size <= 0, or an empty string.
-std::string CheckValues(vtkTable* table);
+/// Returns an error if an array has a non-finite value or a row a bin size <= 0: which one.
+Status CheckValues(vtkTable* table);
 
 } // namespace helios
 

@@ -4,6 +4,7 @@
 
 #include "heliosConstants.h"
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -189,10 +190,10 @@ int vtkHeliosWaveformPolylines::RequestData(
 {
   vtkTable* table = vtkTable::GetData(inputVector[0]);
   helios::WaveformTable waveforms;
-  const std::string problem = waveforms.Set(table);
-  if (!problem.empty())
+  const helios::Status status = waveforms.Set(table);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< "the input " << problem
+    vtkErrorMacro(<< "the input " << status.Message()
                   << "; connect the waveforms of vtkHeliosScanner (output port 1), or of a reader");
     return 0;
   }

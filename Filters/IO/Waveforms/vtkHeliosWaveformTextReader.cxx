@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformTextReader.h"
 
+#include "heliosStatus.h"
 #include "heliosWaveformParser.h"
 
 #include <vtkInformation.h>
@@ -40,10 +41,10 @@ bool vtkHeliosWaveformTextReader::ReadPiece(helios::WaveformParser& parser,
   helios::TextReport& report, std::int64_t piece, std::int64_t count)
 {
   helios::XyzFile file;
-  const std::string fault = file.Open(this->FileName);
-  if (!fault.empty())
+  const helios::Status status = file.Open(this->FileName);
+  if (!status.IsOk())
   {
-    return report.Fail(fault);
+    return report.Fail(status.Message());
   }
   const std::int64_t size = file.GetSize();
   const auto getBegin = [size, count](std::int64_t i)

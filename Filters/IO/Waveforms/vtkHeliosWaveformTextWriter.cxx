@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformTextWriter.h"
 
+#include "heliosStatus.h"
 #include "heliosTextFormat.h"
 #include "heliosWaveformTable.h"
 
@@ -75,10 +76,10 @@ bool vtkHeliosWaveformTextWriter::Write(vtkDataObject* block)
     return false;
   }
   helios::WaveformTable waveforms;
-  const std::string problem = waveforms.Set(table);
-  if (!problem.empty())
+  const helios::Status status = waveforms.Set(table);
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< this->GetOpenName() << ": the block " << problem << "; write "
+    vtkErrorMacro(<< this->GetOpenName() << ": the block " << status.Message() << "; write "
                   << this->GetBlockSource());
     return false;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVoxelInput.h"
 
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -36,21 +37,22 @@ const double* GetDoubles(vtkDataArray* array, std::vector<double>& copy)
   return copy.data();
 }
 
-std::string CheckTuples(vtkDataArray* array, vtkIdType count)
+Status CheckTuples(vtkDataArray* array, vtkIdType count)
 {
   if (array->GetNumberOfComponents() == 3 && array->GetNumberOfTuples() == count)
   {
     return {};
   }
-  return std::string("the point array ") + (array->GetName() ? array->GetName() : "of normals") +
-    " has " + std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+  return Status::Error(std::string("the point array ") +
+    (array->GetName() ? array->GetName() : "of normals") + " has " +
+    std::to_string(array->GetNumberOfTuples()) + " tuples of " +
     std::to_string(array->GetNumberOfComponents()) + "; expected one of 3 for each of " +
-    std::to_string(count) + " points";
+    std::to_string(count) + " points");
 }
 
 } // namespace
 
-std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
+Status VoxelInput::Set(vtkPointSet* data, bool withNormals)
 {
   this->Points = this->Range = VoxelPoints();
   if (!data || data->GetNumberOfPoints() == 0)
@@ -64,27 +66,27 @@ std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   normals = normals ? normals : data->GetPointData()->GetArray(names::Normals);
   vtkDataArray* colors = data->GetPointData()->GetArray(names::RGB);
-  std::string fault;
+  Status status;
   if (normals && withNormals)
   {
-    fault = CheckTuples(normals, this->Points.Count);
-    this->Points.Normals = fault.empty() ? GetDoubles(normals, this->OwnNormals) : nullptr;
+    status = CheckTuples(normals, this->Points.Count);
+    this->Points.Normals = status.IsOk() ? GetDoubles(normals, this->OwnNormals) : nullptr;
   }
-  if (colors && fault.empty())
+  if (colors && status.IsOk())
   {
-    fault = this->SetColors(colors);
+    status = this->SetColors(colors);
   }
   this->SetRange(0, this->Points.Count);
-  return fault;
+  return status;
 }
 
 // Integers use the range of their type, others [0..1].
-std::string VoxelInput::SetColors(vtkDataArray* colors)
+Status VoxelInput::SetColors(vtkDataArray* colors)
 {
-  std::string fault = CheckTuples(colors, this->Points.Count);
-  if (!fault.empty())
+  Status status = CheckTuples(colors, this->Points.Count);
+  if (!status.IsOk())
   {
-    return fault;
+    return status;
   }
   const bool isReal = colors->GetDataType() == VTK_FLOAT || colors->GetDataType() == VTK_DOUBLE;
   const double full = isReal ? 1.0 : colors->GetDataTypeMax();
@@ -94,9 +96,9 @@ std::string VoxelInput::SetColors(vtkDataArray* colors)
     const double value = colors->GetComponent(i / 3, static_cast<int>(i % 3)) / full;
     if (!(value >= 0.0 && value <= 1.0))
     {
-      return std::string("the point array ") + names::RGB + " has " + std::to_string(value) +
-        " of the full colour value at point " + std::to_string(i / 3) +
-        "; give bytes, 16-bit whole numbers, or reals within 0 and 1";
+      return Status::Error(std::string("the point array ") + names::RGB + " has " +
+        std::to_string(value) + " of the full colour value at point " + std::to_string(i / 3) +
+        "; give bytes, 16-bit whole numbers, or reals within 0 and 1");
     }
     this->OwnColors[static_cast<std::size_t>(i)] =
       static_cast<std::uint16_t>(std::lround(value * 65535.0));

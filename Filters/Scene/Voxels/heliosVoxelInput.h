@@ -5,6 +5,7 @@
 #ifndef heliosVoxelInput_h
 #define heliosVoxelInput_h
 
+#include "heliosStatus.h"
 #include "heliosVoxelGrid.h"
 
 #include <cstdint>
@@ -22,8 +23,8 @@ namespace helios
 class VoxelInput
 {
 public:
-  /// Returns an error message about the attributes, or an empty string.
-  std::string Set(vtkPointSet* data, bool withNormals);
+  /// Returns an error if an attribute is not valid.
+  Status Set(vtkPointSet* data, bool withNormals);
 
   /// Restricts Get and GetNumberOfPoints to the points [first, end).
   void SetRange(vtkIdType first, vtkIdType end);
@@ -34,7 +35,7 @@ public:
   double GetEpsilon() const { return this->Epsilon; }
 
 private:
-  std::string SetColors(vtkDataArray* colors);
+  Status SetColors(vtkDataArray* colors);
 
   VoxelPoints Points;
   VoxelPoints Range;

@@ -3,6 +3,7 @@
 #include "vtkHeliosPointVoxelizer.h"
 
 #include "heliosMemoryCheck.h"
+#include "heliosStatus.h"
 #include "heliosVoxelInput.h"
 #include "heliosVoxelScene.h"
 #include "vtkHeliosArrayNames.h"
@@ -151,10 +152,10 @@ bool vtkHeliosPointVoxelizer::ForEachPiece(
     {
       return false; // the source has reported the error
     }
-    const std::string fault = input.Set(vtkPointSet::GetData(inInfo), !this->EstimateNormals);
-    if (!fault.empty())
+    const helios::Status status = input.Set(vtkPointSet::GetData(inInfo), !this->EstimateNormals);
+    if (!status.IsOk())
     {
-      vtkErrorMacro(<< "Input: " << fault);
+      vtkErrorMacro(<< "Input: " << status.Message());
       return false;
     }
     const vtkIdType size = input.GetNumberOfPoints();
@@ -277,6 +278,7 @@ bool vtkHeliosPointVoxelizer::Gather(
       vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m: "
                     << helios::CheckMemory(
                          "cells or more", static_cast<double>(most + 1), BytesPerCell)
+                         .Message()
                     << "; a larger VoxelSize gives fewer");
       return false;
     }

@@ -6,6 +6,7 @@
 #include "heliosMemoryCheck.h"
 #include "heliosMeshBuilder.h"
 #include "heliosRandom.h"
+#include "heliosStatus.h"
 #include "heliosVoxelMesh.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -173,11 +174,11 @@ int vtkHeliosVoxelCubes::RequestData(
       << ") or 2097148; use fewer cells, or use them as a turbid medium (input 2 of the scanner)");
     return 0;
   }
-  const std::string excess = helios::CheckMemory("cubes of twelve triangles",
+  const helios::Status status = helios::CheckMemory("cubes of twelve triangles",
     static_cast<double>(this->NumberOfCubes), 12.0 * helios::BytesPerTriangle);
-  if (!excess.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< excess);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   vtkPolyData* scene = vtkPolyData::GetData(outputVector);

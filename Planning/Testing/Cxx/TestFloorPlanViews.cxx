@@ -57,8 +57,8 @@ TEST_CASE("FloorPlanViews: rays between walls agree with lines in the plan", "[F
     viewsheds->Update();
     const vtkIdType testPoints = plan.GetTestPoints()->GetNumberOfPoints();
     helios::Visibility rays, lines;
-    REQUIRE(rays.Set(viewsheds->GetOutput(), testPoints).empty());
-    REQUIRE(lines.Set(plan.GetCandidates(), testPoints).empty());
+    REQUIRE(rays.Set(viewsheds->GetOutput(), testPoints).IsOk());
+    REQUIRE(lines.Set(plan.GetCandidates(), testPoints).IsOk());
     int different = 0;
     for (vtkIdType c = 0; c < places->GetNumberOfPoints(); ++c)
     {

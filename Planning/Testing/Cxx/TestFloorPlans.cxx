@@ -66,7 +66,7 @@ TEST_CASE("FloorPlans: scenes equal those of the benchmark", "[FloorPlans]")
     CHECK(scene.GetCandidates()->GetNumberOfPoints() == scene.Truth.Candidates);
     CHECK(scene.GetTestPoints()->GetNumberOfPoints() == scene.Truth.TestPoints);
     helios::Visibility matrix;
-    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).empty());
+    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).IsOk());
     std::vector<char> isSeen(scene.Truth.TestPoints);
     for (const helios::PlanPoint& place : scene.Witness)
     {
@@ -165,7 +165,7 @@ TEST_CASE(
     double p[3];
     scene.GetCandidates()->GetPoint(c, p);
     helios::Visibility matrix;
-    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).empty());
+    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).IsOk());
     double largest = 0.0;
     double sum = 0.0;
     matrix.ForEach(c,

@@ -117,7 +117,7 @@ struct FloorViews
   {
     this->Viewsheds->Update();
     helios::Visibility matrix;
-    REQUIRE(matrix.Set(this->Viewsheds->GetOutput(), 4).empty());
+    REQUIRE(matrix.Set(this->Viewsheds->GetOutput(), 4).IsOk());
     std::string seen;
     for (vtkIdType v = 0; v < 4; ++v)
     {

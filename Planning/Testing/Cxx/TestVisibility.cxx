@@ -54,7 +54,7 @@ TEST_CASE("Visibility: bits are stored and returned", "[Visibility]")
     SetBit(candidates, 1, v);
   }
   helios::Visibility matrix;
-  REQUIRE(matrix.Set(candidates, 100).empty());
+  REQUIRE(matrix.Set(candidates, 100).IsOk());
   CHECK(matrix.GetNumberOfCandidates() == 3);
   CHECK(matrix.GetSize(0) == 0);
   CHECK(matrix.GetSize(1) == 4);
@@ -70,12 +70,13 @@ TEST_CASE("Visibility: a matrix of the wrong size is an error", "[Visibility]")
 {
   helios::Visibility matrix;
   const auto candidates = MakeCandidates(2, 2);
-  CHECK(matrix.Set(vtkNew<vtkPolyData>(), 100) ==
+  CHECK(matrix.Set(vtkNew<vtkPolyData>(), 100).Message() ==
     "the candidates have no point array Visibility; use those of vtkHeliosViewsheds, or add it");
-  CHECK(matrix.Set(candidates, 129).find("129 test points need 3 of unsigned 64-bit integers") !=
-    std::string::npos);
+  CHECK(matrix.Set(candidates, 129)
+          .Message()
+          .find("129 test points need 3 of unsigned 64-bit integers") != std::string::npos);
   SetBit(candidates, 1, 100);
-  CHECK(matrix.Set(candidates, 101).empty());
-  CHECK(matrix.Set(candidates, 100) ==
+  CHECK(matrix.Set(candidates, 101).IsOk());
+  CHECK(matrix.Set(candidates, 100).Message() ==
     "Visibility of candidate 1 has bits beyond the last of 100 test points; clear them");
 }

@@ -4,6 +4,7 @@
 
 #include "heliosPulseShape.h"
 #include "heliosRadiometry.h"
+#include "heliosStatus.h"
 #include "heliosTextFile.h"
 
 #include <vtkMath.h>
@@ -20,15 +21,14 @@ namespace
 // The most samples of a waveform: 39 km in bins of 0.25 ns.
 constexpr double LongestWaveform = 1 << 20;
 
-/// Reads one time [ns] and power per line. Returns an error message with file:line, or an empty
-/// string.
-std::string ReadPulse(const std::string& fileName, helios::PulseShape& shape)
+/// Reads one time [ns] and power per line. An error has file:line.
+helios::Status ReadPulse(const std::string& fileName, helios::PulseShape& shape)
 {
   helios::TextFile file;
-  std::string error = file.Open(fileName);
-  if (!error.empty())
+  helios::Status status = file.Open(fileName);
+  if (!status.IsOk())
   {
-    return error;
+    return status;
   }
   std::vector<double> times, powers;
   std::string_view line;
@@ -43,26 +43,30 @@ std::string ReadPulse(const std::string& fileName, helios::PulseShape& shape)
     double time, power;
     if (words.Next(time) != Number::Good || words.Next(power) != Number::Good || words.HasMore())
     {
-      return file.GetPlace() + "expected two numbers per line, a time [ns] and a power";
+      return helios::Status::Error(
+        file.GetPlace() + "expected two numbers per line, a time [ns] and a power");
     }
     if (!std::isfinite(time) || !(power >= 0.0) || !std::isfinite(power))
     {
-      return file.GetPlace() + "times must be finite and powers finite and not negative";
+      return helios::Status::Error(
+        file.GetPlace() + "times must be finite and powers finite and not negative");
     }
     if (!times.empty() && !(time > times.back()))
     {
-      return file.GetPlace() + "its time is not after that of the previous line; sort the lines";
+      return helios::Status::Error(
+        file.GetPlace() + "its time is not after that of the previous line; sort the lines");
     }
     times.push_back(time);
     powers.push_back(power);
   }
   if (!file.GetError().empty())
   {
-    return file.GetError();
+    return helios::Status::Error(file.GetError());
   }
   if (times.size() < 3 || !(*std::max_element(powers.begin(), powers.end()) > 0.0))
   {
-    return fileName + ": a pulse needs at least three samples, and one above zero";
+    return helios::Status::Error(
+      fileName + ": a pulse needs at least three samples, and one above zero");
   }
   shape = helios::PulseShape::MakeSampled(times, powers);
   return {};
@@ -109,14 +113,14 @@ vtkIdType vtkHeliosInstrument::CountSamples() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
+helios::Status vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
 {
   if (this->PulseShape == SAMPLED)
   {
-    std::string fault = ReadPulse(this->PulseFileName, shape);
-    if (!fault.empty())
+    helios::Status status = ReadPulse(this->PulseFileName, shape);
+    if (!status.IsOk())
     {
-      return fault;
+      return status;
     }
   }
   else
@@ -130,14 +134,16 @@ std::string vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
   {
     text << "BinSize is " << this->BinSize << " ns, more than half of the pulse ("
          << shape.GetLength() << " ns): echoes would fall between the bins; use a quarter";
+    return helios::Status::Error(text.str());
   }
-  else if (window < shape.GetLength())
+  if (window < shape.GetLength())
   {
     text << "the waveform is limited to " << window
          << " ns (MaximumWaveformLength, NumberOfBins), less than the pulse (" << shape.GetLength()
          << " ns); raise the limit, or set 0 for none";
+    return helios::Status::Error(text.str());
   }
-  return text.str();
+  return {};
 }
 
 //------------------------------------------------------------------------------

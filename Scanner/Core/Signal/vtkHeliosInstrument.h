@@ -35,6 +35,7 @@
 namespace helios
 {
 class PulseShape;
+class Status;
 }
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkPolyDataAlgorithm
@@ -270,8 +271,8 @@ protected:
   /// The maximum number of samples of a waveform.
   vtkIdType CountSamples() const;
 
-  /// Builds the pulse and checks it against the bins; returns an error message, or an empty string.
-  std::string MakePulseShape(helios::PulseShape& shape) const;
+  /// Builds the pulse and checks it against the bins.
+  helios::Status MakePulseShape(helios::PulseShape& shape) const;
 
   double PulseLength = 4.0;
   int PulseShape = GAUSSIAN;

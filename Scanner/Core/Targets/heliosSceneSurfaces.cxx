@@ -3,6 +3,7 @@
 #include "heliosSceneSurfaces.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
@@ -24,18 +25,18 @@ namespace
 /// A cell array converted to the requested type; null if missing.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> FindArray(
-  vtkDataSet* data, const char* name, int components, const std::string& what, std::string& fault)
+  vtkDataSet* data, const char* name, int components, const std::string& what, Status& status)
 {
   vtkDataArray* given = data->GetCellData()->GetArray(name);
   const bool fits = given && given->GetNumberOfComponents() == components &&
     given->GetNumberOfTuples() == data->GetNumberOfCells();
   if (given && !fits)
   {
-    fault = std::string("cell array ") + name + " of " + what + " has " +
+    status = Status::Error(std::string("cell array ") + name + " of " + what + " has " +
       std::to_string(given->GetNumberOfTuples()) + " tuples of " +
       std::to_string(given->GetNumberOfComponents()) + " for " +
       std::to_string(data->GetNumberOfCells()) + (what == "the scene" ? " triangles" : " cells") +
-      "; expected one tuple of " + std::to_string(components) + " each";
+      "; expected one tuple of " + std::to_string(components) + " each");
   }
   vtkSmartPointer<ArrayT> array = ArrayT::FastDownCast(given);
   if (fits && !array)
@@ -55,13 +56,13 @@ auto* GetValues(const vtkSmartPointer<ArrayT>& array)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string SceneSurfaces::Set(vtkPolyData* scene)
+Status SceneSurfaces::Set(vtkPolyData* scene)
 {
   const std::string what = "the scene";
-  std::string fault;
-  this->MaterialArray = FindArray<vtkIntArray>(scene, names::MaterialIds, 1, what, fault);
-  this->PartArray = FindArray<vtkIntArray>(scene, names::PartIds, 1, what, fault);
-  this->NormalArray = FindArray<vtkFloatArray>(scene, names::Normals, 3, what, fault);
+  Status status;
+  this->MaterialArray = FindArray<vtkIntArray>(scene, names::MaterialIds, 1, what, status);
+  this->PartArray = FindArray<vtkIntArray>(scene, names::PartIds, 1, what, status);
+  this->NormalArray = FindArray<vtkFloatArray>(scene, names::Normals, 3, what, status);
   this->Materials = GetValues(this->MaterialArray);
   this->Parts = GetValues(this->PartArray);
   this->Normals = GetValues(this->NormalArray);
@@ -71,32 +72,32 @@ std::string SceneSurfaces::Set(vtkPolyData* scene)
   this->Grids.clear();
   this->Reflections.clear();
   this->Classifications.clear();
-  const std::string material = this->AddMaterials(scene, what);
-  fault = fault.empty() ? material : fault;
-  return fault.empty()
+  const Status material = this->AddMaterials(scene, what);
+  status = status.IsOk() ? material : status;
+  return status.IsOk()
     ? this->CheckMaterialIds(this->MaterialArray, static_cast<int>(this->Reflections.size()), what)
-    : fault;
+    : status;
 }
 
 //------------------------------------------------------------------------------
-std::string SceneSurfaces::AddGrid(vtkImageData* grid, vtkIdType& firstCell)
+Status SceneSurfaces::AddGrid(vtkImageData* grid, vtkIdType& firstCell)
 {
   const std::string what = "voxel grid " + std::to_string(this->Grids.size());
-  std::string fault;
+  Status status;
   Grid added;
   added.FirstCell = firstCell = this->NumberOfCells;
   added.FirstMaterial = static_cast<int>(this->Reflections.size());
   added.Part = this->CountParts() + static_cast<int>(this->Grids.size());
-  added.Materials = FindArray<vtkIntArray>(grid, names::MaterialIds, 1, what, fault);
+  added.Materials = FindArray<vtkIntArray>(grid, names::MaterialIds, 1, what, status);
   auto* name =
     vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::PartName));
   added.Name = name && name->GetNumberOfValues() > 0 ? std::string(name->GetValue(0)) : "";
   this->NumberOfCells += grid->GetNumberOfCells();
   this->Grids.push_back(added);
-  const std::string material = this->AddMaterials(grid, what);
-  fault = fault.empty() ? material : fault;
+  const Status material = this->AddMaterials(grid, what);
+  status = status.IsOk() ? material : status;
   const int count = static_cast<int>(this->Reflections.size()) - added.FirstMaterial;
-  return fault.empty() ? this->CheckMaterialIds(added.Materials, count, what) : fault;
+  return status.IsOk() ? this->CheckMaterialIds(added.Materials, count, what) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +164,7 @@ vtkSmartPointer<vtkStringArray> SceneSurfaces::MakePartNames() const
 }
 
 //------------------------------------------------------------------------------
-std::string SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
+Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
 {
   const std::size_t first = this->Reflections.size();
   const auto isShare = [](double x) { return x >= 0.0 && x <= 1.0; };
@@ -173,10 +174,10 @@ std::string SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& 
     const double exponent = m.SpecularExponent;
     if (!isShare(rho) || !isShare(m.Specularity) || !(exponent >= 0.0 && exponent <= 1e6))
     {
-      return "material " + std::to_string(this->Reflections.size() - first) + " of " + what + ", " +
-        m.Name + ", has reflectance " + std::to_string(rho) + ", specularity " +
+      return Status::Error("material " + std::to_string(this->Reflections.size() - first) + " of " +
+        what + ", " + m.Name + ", has reflectance " + std::to_string(rho) + ", specularity " +
         std::to_string(m.Specularity) + " and specular exponent " + std::to_string(exponent) +
-        "; give the first two within [0, 1] and the last within [0, 1e6]";
+        "; give the first two within [0, 1] and the last within [0, 1e6]");
     }
     this->Reflections.push_back({ rho, m.Specularity, exponent });
     this->Classifications.push_back(m.Classification);
@@ -185,8 +186,7 @@ std::string SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& 
 }
 
 //------------------------------------------------------------------------------
-std::string SceneSurfaces::CheckMaterialIds(
-  vtkIntArray* ids, int count, const std::string& what) const
+Status SceneSurfaces::CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const
 {
   int range[2] = { 0, 0 };
   if (ids && ids->GetNumberOfValues() > 0)
@@ -197,9 +197,9 @@ std::string SceneSurfaces::CheckMaterialIds(
   {
     return {};
   }
-  return std::string("cell array ") + names::MaterialIds + " of " + what + " ranges from " +
-    std::to_string(range[0]) + " to " + std::to_string(range[1]) + ", but its field data has " +
-    std::to_string(count) + " materials";
+  return Status::Error(std::string("cell array ") + names::MaterialIds + " of " + what +
+    " ranges from " + std::to_string(range[0]) + " to " + std::to_string(range[1]) +
+    ", but its field data has " + std::to_string(count) + " materials");
 }
 
 } // namespace helios

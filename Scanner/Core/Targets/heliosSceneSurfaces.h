@@ -7,6 +7,7 @@
 
 #include "heliosPose.h"
 #include "heliosRadiometry.h"
+#include "heliosStatus.h"
 
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
@@ -27,14 +28,14 @@ namespace helios
 class SceneSurfaces
 {
 public:
-  /// Reads a scene and keeps its arrays alive. Returns an error message, or an empty string.
-  std::string Set(vtkPolyData* scene);
+  /// Reads a scene and keeps its arrays alive.
+  Status Set(vtkPolyData* scene);
 
   /**
    * Appends a grid of turbid voxels; its cell ids, materials and part follow all previous ones.
-   * Returns its first cell's id, or an error message.
+   * Gets the id of its first cell.
    */
-  std::string AddGrid(vtkImageData* grid, vtkIdType& firstCell);
+  Status AddGrid(vtkImageData* grid, vtkIdType& firstCell);
 
   /// Whether an id is that of a voxel.
   bool IsTurbid(vtkIdType cell) const { return cell >= this->NumberOfTriangles; }
@@ -105,8 +106,8 @@ private:
   const Grid& FindGrid(vtkIdType cell) const;
   vtkSmartPointer<vtkStringArray> MakePartNames() const;
   int CountParts() const;
-  std::string AddMaterials(vtkDataObject* data, const std::string& what);
-  std::string CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
+  Status AddMaterials(vtkDataObject* data, const std::string& what);
+  Status CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
 
   vtkSmartPointer<vtkIntArray> MaterialArray;
   vtkSmartPointer<vtkIntArray> PartArray;

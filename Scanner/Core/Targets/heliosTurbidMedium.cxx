@@ -3,6 +3,7 @@
 #include "heliosTurbidMedium.h"
 
 #include "heliosRandom.h"
+#include "heliosStatus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,13 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-std::string TurbidMedium::Add(vtkImageData* image, vtkIdType firstCell)
+Status TurbidMedium::Add(vtkImageData* image, vtkIdType firstCell)
 {
   Entry entry;
-  std::string fault = entry.Grid.Set(image);
+  Status status = entry.Grid.Set(image);
   entry.FirstCell = firstCell;
   this->Grids.push_back(std::move(entry));
-  return fault;
+  return status;
 }
 
 //------------------------------------------------------------------------------

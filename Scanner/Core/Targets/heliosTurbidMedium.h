@@ -5,6 +5,7 @@
 #ifndef heliosTurbidMedium_h
 #define heliosTurbidMedium_h
 
+#include "heliosStatus.h"
 #include "heliosTurbidGrid.h"
 #include "vtkHeliosRay.h"
 
@@ -26,8 +27,8 @@ namespace helios
 class TurbidMedium
 {
 public:
-  /// Adds a grid with the id of its first cell. Returns an error message, or an empty string.
-  std::string Add(vtkImageData* image, vtkIdType firstCell);
+  /// Adds a grid with the id of its first cell.
+  Status Add(vtkImageData* image, vtkIdType firstCell);
 
   bool IsEmpty() const { return this->Grids.empty(); }
 

@@ -3,6 +3,7 @@
 #include "heliosEmbreeTree.h"
 
 #include "heliosCoreBounds.h"
+#include "heliosStatus.h"
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
@@ -139,19 +140,19 @@ std::size_t EmbreeTree::GetMemorySize() const
     this->Outliers.GetMemorySize();
 }
 
-std::string EmbreeTree::Build(const TriangleMesh& mesh, StopCheck& check)
+Status EmbreeTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   this->Clear();
-  this->Problem.clear();
+  this->Problem = {};
   this->Mesh = &mesh;
   if (mesh.GetNumberOfTriangles() == 0)
   {
     return {};
   }
   this->SortTriangles(check);
-  const std::string problem = this->Commit(check);
+  const Status status = this->Commit(check);
   this->IsLeftOut = std::vector<bool>();
-  return problem;
+  return status;
 }
 
 /// Decides which triangles go to Embree, which of them in pairs, and which are outliers.
@@ -215,14 +216,14 @@ bool EmbreeTree::HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const
   return common == 2;
 }
 
-std::string EmbreeTree::Commit(StopCheck& check)
+Status EmbreeTree::Commit(StopCheck& check)
 {
   const std::string threads = std::to_string(vtkSMPTools::GetEstimatedNumberOfThreads());
   this->Device = rtcNewDevice(("threads=" + threads).c_str());
   if (!this->Device)
   {
-    return "Embree cannot create its device (error " + std::to_string(rtcGetDeviceError(nullptr)) +
-      "); use vtkHeliosBvhRayCaster";
+    return Status::Error("Embree cannot create its device (error " +
+      std::to_string(rtcGetDeviceError(nullptr)) + "); use vtkHeliosBvhRayCaster");
   }
   rtcSetDeviceErrorFunction(this->Device, OnError, this);
   rtcSetDeviceMemoryMonitorFunction(this->Device, OnMemory, this);
@@ -254,7 +255,7 @@ void EmbreeTree::OnError(void* self, RTCError, const char* text)
 {
   auto* tree = static_cast<EmbreeTree*>(self);
   const std::lock_guard<std::mutex> lock(tree->Mutex);
-  tree->Problem = std::string("Embree: ") + (text ? text : "unknown error");
+  tree->Problem = Status::Error(std::string("Embree: ") + (text ? text : "unknown error"));
 }
 
 bool EmbreeTree::OnMemory(void* self, std::ptrdiff_t bytes, bool)

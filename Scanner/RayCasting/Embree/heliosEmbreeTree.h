@@ -7,6 +7,7 @@
 
 #include "heliosBvh.h"
 #include "heliosEmbreePacket.h"
+#include "heliosStatus.h"
 
 #include <embree3/rtcore.h>
 
@@ -29,9 +30,8 @@ public:
   EmbreeTree(const EmbreeTree&) = delete;
   void operator=(const EmbreeTree&) = delete;
 
-  /// Over a mesh, which must outlive it. Returns an error message, or an empty string. Throws
-  /// Stopped on an abort request.
-  std::string Build(const TriangleMesh& mesh, StopCheck& check);
+  /// Over a mesh, which must outlive it. Throws Stopped on an abort request.
+  Status Build(const TriangleMesh& mesh, StopCheck& check);
   void Clear();
 
   void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const;
@@ -48,7 +48,7 @@ private:
   };
 
   void SortTriangles(StopCheck& check);
-  std::string Commit(StopCheck& check);
+  Status Commit(StopCheck& check);
   void GetPoints(vtkTypeInt32 triangle, const double* points[3]) const;
   bool HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const;
   TrianglePair GetPair(unsigned int first) const;
@@ -75,7 +75,7 @@ private:
   int Width = QuadWidth; ///< rays traced at a time
   std::atomic<std::ptrdiff_t> Bytes{ 0 };
   std::mutex Mutex;
-  std::string Problem;
+  Status Problem;
 };
 
 } // namespace helios

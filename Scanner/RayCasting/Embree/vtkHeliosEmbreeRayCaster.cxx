@@ -3,6 +3,7 @@
 #include "vtkHeliosEmbreeRayCaster.h"
 
 #include "heliosEmbreeTree.h"
+#include "heliosStatus.h"
 #include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkObjectFactory.h>
@@ -35,13 +36,13 @@ void vtkHeliosEmbreeRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosEmbreeRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 {
-  const std::string problem = this->Tree->Build(mesh, this->GetStopCheck());
-  if (!problem.empty())
+  const helios::Status status = this->Tree->Build(mesh, this->GetStopCheck());
+  if (!status.IsOk())
   {
     this->Tree->Clear();
-    vtkErrorMacro(<< "Build: " << problem << ".");
+    vtkErrorMacro(<< "Build: " << status.Message() << ".");
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 void vtkHeliosEmbreeRayCaster::Intersect(

@@ -4,6 +4,7 @@
 
 #include "heliosCoordinateSystem.h"
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
@@ -21,10 +22,10 @@ namespace
 void CheckCrs(const std::string& text, const char* name, const std::string& where, Messages& log)
 {
   CoordinateSystem crs;
-  const std::string problem = text.empty() ? std::string() : crs.Set(text);
-  if (!problem.empty())
+  const Status status = text.empty() ? Status() : crs.Set(text);
+  if (!status.IsOk())
   {
-    log.Error(where + ": " + name + "=\"" + text + "\" " + problem);
+    log.Error(where + ": " + name + "=\"" + text + "\" " + status.Message());
   }
 }
 

@@ -7,6 +7,7 @@
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
 #include "heliosSceneBuilder.h"
+#include "heliosStatus.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlPart.h"
 #include "heliosXmlPlanner.h"
@@ -192,7 +193,7 @@ bool SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
 {
   pugi::xml_document file;
   const std::string path = scene.GetDocument().GetPath();
-  if (CheckInputFile(path).empty())
+  if (CheckInputFile(path).IsOk())
   {
     file.load_file(path.c_str());
   }
@@ -469,7 +470,7 @@ std::string SceneEdit::MakeFile() const
 }
 
 //------------------------------------------------------------------------------
-std::string SceneEdit::Save(const std::string& fileName) const
+Status SceneEdit::Save(const std::string& fileName) const
 {
   return WriteWhole(fileName, this->MakeFile());
 }

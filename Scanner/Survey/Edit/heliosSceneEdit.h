@@ -6,6 +6,7 @@
 #define heliosSceneEdit_h
 
 #include "heliosPose.h"
+#include "heliosStatus.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
@@ -70,8 +71,8 @@ public:
   void SetText(const std::string& text);
   ///@}
 
-  /// Writes the scene to its own file; returns an error message, or an empty string.
-  std::string Save(const std::string& fileName) const;
+  /// Writes the scene to its own file.
+  Status Save(const std::string& fileName) const;
 
 private:
   std::string MakeFile() const;

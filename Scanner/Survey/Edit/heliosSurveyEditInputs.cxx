@@ -98,7 +98,7 @@ void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
     "basePlatform" };
   static const std::set<std::string> places = { "leg", "scan", "origin", "scannerMount" };
   pugi::xml_document document;
-  if (CheckInputFile(fileName).empty())
+  if (CheckInputFile(fileName).IsOk())
   {
     document.load_file(fileName.c_str());
   }

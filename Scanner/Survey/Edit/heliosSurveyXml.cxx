@@ -5,6 +5,7 @@
 #include "heliosAssets.h"
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
+#include "heliosStatus.h"
 #include "heliosXmlPlanner.h"
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
@@ -107,7 +108,7 @@ SurveyData ReadSurveyText(const std::string& fileName, const std::string& text,
 }
 
 //------------------------------------------------------------------------------
-std::string SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
+Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, Messages& log)
 {
   const std::string text = MakeSurveyText(edit);
@@ -115,7 +116,8 @@ std::string SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   ReadSurveyText(fileName, text, assetDirectories, log);
   if (log.GetNumberOfErrors() != before)
   {
-    return fileName + ": not written: the survey could not be run: " + log.GetLastError();
+    return Status::Error(
+      fileName + ": not written: the survey could not be run: " + log.GetLastError());
   }
   return WriteWhole(fileName, text);
 }

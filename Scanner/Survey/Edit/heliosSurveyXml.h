@@ -5,6 +5,7 @@
 #ifndef heliosSurveyXml_h
 #define heliosSurveyXml_h
 
+#include "heliosStatus.h"
 #include "heliosSurveyEdit.h"
 
 namespace helios
@@ -17,10 +18,9 @@ VTKHELIOSSCANNERSURVEY_EXPORT std::string MakeSurveyText(const SurveyEdit& edit)
 VTKHELIOSSCANNERSURVEY_EXPORT SurveyData ReadSurveyText(const std::string& fileName,
   const std::string& text, const std::vector<std::string>& assetDirectories, Messages& log);
 
-/// Writes a file that can be run; on failure writes nothing and returns an error message, else
-/// empty.
-VTKHELIOSSCANNERSURVEY_EXPORT std::string SaveSurvey(const SurveyEdit& edit,
-  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
+/// Writes a file that can be run; after an error nothing is written.
+VTKHELIOSSCANNERSURVEY_EXPORT Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
+  const std::vector<std::string>& assetDirectories, Messages& log);
 
 /**
  * How a file in a folder refers to another: by its name in one of the asset directories, by the

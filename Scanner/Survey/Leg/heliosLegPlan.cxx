@@ -5,6 +5,7 @@
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosPointArrays.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPlatform.h"
 
@@ -191,9 +192,8 @@ TrajectorySampler::TrajectorySampler(const LegPlan& plan, double interval)
   , Interval(interval)
 {
   plan.Platform->Update();
-  const std::string problem =
-    this->Path.SetLeg(plan.Platform->GetOutput(), static_cast<int>(plan.Leg));
-  if (!problem.empty())
+  const Status status = this->Path.SetLeg(plan.Platform->GetOutput(), static_cast<int>(plan.Leg));
+  if (!status.IsOk())
   {
     this->NumberOfSamples = 0;
   }

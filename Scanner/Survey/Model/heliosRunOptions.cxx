@@ -3,6 +3,7 @@
 #include "heliosRunOptions.h"
 
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "vtkHeliosEchoDetection.h"
 
@@ -23,24 +24,24 @@ auto Tie(const RunOptions& o)
     o.EchoDetector, o.RayCaster);
 }
 
-std::string CheckTolerance(
-  const char* name, double value, bool isValid, double least, const char* unit)
+Status CheckTolerance(const char* name, double value, bool isValid, double least, const char* unit)
 {
-  Sentence fault;
-  if (value != 0.0 && !isValid)
+  if (value == 0.0 || isValid)
   {
-    fault << name << " is " << value << "; give " << least << " to " << LargestTolerance << unit
-          << ", or 0 for the survey's value";
+    return {};
   }
-  return fault.str();
+  Sentence fault;
+  fault << name << " is " << value << "; give " << least << " to " << LargestTolerance << unit
+        << ", or 0 for the survey's value";
+  return Status::Error(fault.str());
 }
 
-std::string CheckName(
-  const char* name, const std::string& value, const std::vector<std::string>& known)
+Status CheckName(const char* name, const std::string& value, const std::vector<std::string>& known)
 {
   const bool isKnown = value.empty() || std::find(known.begin(), known.end(), value) != known.end();
-  return isKnown ? std::string()
-                 : std::string(name) + " is \"" + value + "\"; give " + Enumerate(known);
+  return isKnown
+    ? Status()
+    : Status::Error(std::string(name) + " is \"" + value + "\"; give " + Enumerate(known));
 }
 
 } // namespace
@@ -63,23 +64,23 @@ bool RunOptions::operator==(const RunOptions& other) const
 }
 
 //------------------------------------------------------------------------------
-std::string RunOptions::FindFault() const
+Status RunOptions::FindFault() const
 {
-  std::string fault = CheckTolerance("RangeTolerance", this->RangeTolerance,
+  Status status = CheckTolerance("RangeTolerance", this->RangeTolerance,
     IsRangeTolerance(this->RangeTolerance), LeastRangeTolerance, " m");
-  if (fault.empty())
+  if (status.IsOk())
   {
-    fault = CheckTolerance("EnergyTolerance", this->EnergyTolerance,
+    status = CheckTolerance("EnergyTolerance", this->EnergyTolerance,
       IsEnergyTolerance(this->EnergyTolerance), LeastEnergyTolerance, "");
   }
-  if (fault.empty() && this->NumberOfSubRays > 0 &&
+  if (status.IsOk() && this->NumberOfSubRays > 0 &&
     (this->RangeTolerance > 0.0 || this->EnergyTolerance > 0.0))
   {
-    fault = "NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
-      ", but a tolerance selects adaptive sampling; set one of them to 0";
+    status = Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
+      ", but a tolerance selects adaptive sampling; set one of them to 0");
   }
-  return fault.empty() ? CheckName("EchoDetector", this->EchoDetector, GetEchoDetectorNames())
-                       : fault;
+  return status.IsOk() ? CheckName("EchoDetector", this->EchoDetector, GetEchoDetectorNames())
+                       : status;
 }
 
 //------------------------------------------------------------------------------

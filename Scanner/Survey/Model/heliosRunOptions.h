@@ -5,6 +5,8 @@
 #ifndef heliosRunOptions_h
 #define heliosRunOptions_h
 
+#include "heliosStatus.h"
+
 #include <vtkType.h>
 
 #include <string>
@@ -35,8 +37,8 @@ struct RunOptions
 
   bool operator==(const RunOptions& other) const;
 
-  /// Which value is not valid and what is expected, or an empty string.
-  std::string FindFault() const;
+  /// Returns an error if a value is not valid: which one, and what is expected.
+  Status FindFault() const;
 
   /// Adds the options to those of a run's summary, without the epoch.
   void Describe(Json::Value& options) const;

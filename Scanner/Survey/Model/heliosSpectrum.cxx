@@ -4,6 +4,7 @@
 
 #include "heliosMaterialTable.h"
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 
 #include <vtkDataObject.h>
 
@@ -69,12 +70,13 @@ double LookUp(const std::string& name, const std::vector<std::string>& folders, 
 {
   const std::string path = FindSpectrum(name, folders);
   Spectrum spectrum;
-  std::string problem =
-    path.empty() ? "was not found in the spectra folders:" : spectrum.Read(path);
-  if (problem.empty())
+  const Status status =
+    path.empty() ? Status::Error("was not found in the spectra folders:") : spectrum.Read(path);
+  if (status.IsOk())
   {
     return spectrum.GetReflectance(wavelength);
   }
+  std::string problem = status.Message();
   if (path.empty())
   {
     for (const std::string& folder : folders)
@@ -112,7 +114,7 @@ std::map<std::string, double> LookUpAll(const MaterialTable& materials,
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string Spectrum::Read(const std::string& path)
+Status Spectrum::Read(const std::string& path)
 {
   this->Wavelengths.clear();
   this->Values.clear();
@@ -130,18 +132,19 @@ std::string Spectrum::Read(const std::string& path)
     const std::string where = "(" + path + ":" + std::to_string(number) + ") ";
     if (!this->Wavelengths.empty() && row[0] < this->Wavelengths.back())
     {
-      return where + "has wavelengths that do not ascend";
+      return Status::Error(where + "has wavelengths that do not ascend");
     }
     if (row[0] <= 0.0 || row[1] < 0.0 || row[1] > 100.0)
     {
-      return where +
-        "has a wavelength [um] that is not positive or a reflectance outside 0 to 100 %";
+      return Status::Error(
+        where + "has a wavelength [um] that is not positive or a reflectance outside 0 to 100 %");
     }
     this->Wavelengths.push_back(row[0]);
     this->Values.push_back(row[1]);
   }
-  return this->Values.empty() ? "(" + path + ") has no rows of wavelength [um] and reflectance [%]"
-                              : std::string();
+  return this->Values.empty()
+    ? Status::Error("(" + path + ") has no rows of wavelength [um] and reflectance [%]")
+    : Status();
 }
 
 //------------------------------------------------------------------------------

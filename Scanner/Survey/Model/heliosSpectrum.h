@@ -5,6 +5,8 @@
 #ifndef heliosSpectrum_h
 #define heliosSpectrum_h
 
+#include "heliosStatus.h"
+
 #include <vtkSmartPointer.h>
 
 #include <map>
@@ -23,8 +25,8 @@ class Messages;
 class Spectrum
 {
 public:
-  /// Reads a file; returns an error message, or an empty string.
-  std::string Read(const std::string& path);
+  /// Reads a file.
+  Status Read(const std::string& path);
 
   /// The reflectance [0..1] at a wavelength [nm], linear between rows, constant before the first
   /// and after the last row.

@@ -5,6 +5,7 @@
 #include "heliosCoordinateTransform.h"
 #include "heliosMessages.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 
 #include <vtkPolyData.h>
 
@@ -18,12 +19,12 @@ namespace
 bool ReadCrs(
   const std::string& text, const std::string& where, Messages& log, CoordinateSystem& crs)
 {
-  const std::string problem = crs.Set(text);
-  if (!problem.empty())
+  const Status status = crs.Set(text);
+  if (!status.IsOk())
   {
-    log.Error(where + ": crs=\"" + text + "\" " + problem);
+    log.Error(where + ": crs=\"" + text + "\" " + status.Message());
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 /// The system of the parts of a scene; not set if they have none.
@@ -33,7 +34,7 @@ CoordinateSystem GetPartsCrs(vtkPolyData* scene)
   const std::string text = GetCRS(scene);
   if (!text.empty())
   {
-    crs.Set(text); // checked by its reader
+    static_cast<void>(crs.Set(text)); // checked by its reader
   }
   return crs;
 }
@@ -62,12 +63,12 @@ bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log)
     crs = wanted;
   }
   const double* centre = scene->GetCenter();
-  const std::string problem = crs.IsSet() ? GetMetricProblem(crs, centre) : std::string();
-  if (!problem.empty())
+  const Status status = crs.IsSet() ? CheckMetric(crs, centre) : Status();
+  if (!status.IsOk())
   {
-    log.Error(data.Where + ": the scene's system " + problem);
+    log.Error(data.Where + ": the scene's system " + status.Message());
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
@@ -92,16 +93,16 @@ bool TransformPosition(const LegData& leg, vtkPolyData* scene, Messages& log, Ve
     return false;
   }
   CoordinateTransform transform;
-  std::string problem = transform.Set(source, target);
-  if (problem.empty() && transform.Forward(position.GetData(), position.GetData(), 1) >= 0)
+  Status status = transform.Set(source, target);
+  if (status.IsOk() && transform.Forward(position.GetData(), position.GetData(), 1) >= 0)
   {
-    problem = transform.DescribeFailure(0, leg.Position.GetData());
+    status = Status::Error(transform.DescribeFailure(0, leg.Position.GetData()));
   }
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    log.Error(leg.Where + ": crs=\"" + leg.Crs + "\": " + problem);
+    log.Error(leg.Where + ": crs=\"" + leg.Crs + "\": " + status.Message());
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 } // namespace helios

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
+#include "heliosStatus.h"
 #include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointXMLWriter.h"
@@ -26,8 +27,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Journals the output once it is fsynced; returns an error message, or an empty string.
-std::string Note(
+/// Journals the output once it is fsynced.
+Status Note(
   const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
 {
   progress.Files = CollectProgress(outputs, false);
@@ -36,7 +37,7 @@ std::string Note(
     const std::string problem = output.Writer->Sync();
     if (!problem.empty())
     {
-      return problem;
+      return Status::Error(problem);
     }
   }
   return journal.Append(leg, progress);
@@ -291,7 +292,7 @@ bool LegRunner::RunBlocks(
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
   // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
-  std::future<std::string> noted;
+  std::future<Status> noted;
   const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
   for (int block = progress.Blocks; block < blocks; ++block)
   {
@@ -344,15 +345,15 @@ bool LegRunner::Write(const Outputs& outputs) const
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Check(const std::string& problem)
+bool LegRunner::Check(const Status& status)
 {
-  if (!problem.empty())
+  if (!status.IsOk())
   {
-    this->Log.Error(problem +
+    this->Log.Error(status.Message() +
       "; check that the output folder exists and has free space, and continue with Resume "
       "(--resume), or run again");
   }
-  return problem.empty();
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------

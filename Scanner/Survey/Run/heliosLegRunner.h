@@ -26,6 +26,7 @@ namespace helios
 
 class Messages;
 class RunJournal;
+class Status;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
@@ -88,7 +89,7 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool Check(const std::string& problem);
+  bool Check(const Status& status);
 
   const SurveyData& Survey;
   RunSettings Settings;

@@ -4,6 +4,7 @@
 
 #include "heliosPartFile.h"
 #include "heliosRunJournal.h"
+#include "heliosStatus.h"
 #include "vtkHeliosRunFiles.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::string RunCheck::FindFile(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-std::string RunCheck::CheckSizes(const RunJournal& journal) const
+Status RunCheck::CheckSizes(const RunJournal& journal) const
 {
   std::map<std::string, FileProgress> files = journal.GetFiles();
   for (const FileBlock& block : journal.GetBlocks()) // of other files
@@ -72,53 +73,54 @@ std::string RunCheck::CheckSizes(const RunJournal& journal) const
   }
   for (const auto& file : files)
   {
-    const std::string problem = this->CheckSize(file.second);
-    if (!problem.empty())
+    const Status status = this->CheckSize(file.second);
+    if (!status.IsOk())
     {
-      return problem;
+      return status;
     }
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-std::string RunCheck::CheckSize(const FileProgress& file) const
+Status RunCheck::CheckSize(const FileProgress& file) const
 {
   const std::string path = file.IsWhole ? this->GetPath(file.Name) : this->FindFile(file.Name);
   std::string why;
   const vtkIdType size = GetSize(path, why);
   if (file.IsWhole)
   {
-    return size == file.Size ? std::string()
-                             : path + ": was complete with " + std::to_string(file.Size) +
-        " bytes and " + Describe(size, why) + Cure;
+    return size == file.Size
+      ? Status()
+      : Status::Error(path + ": was complete with " + std::to_string(file.Size) + " bytes and " +
+          Describe(size, why) + Cure);
   }
   if (size >= file.Size)
   {
     return {}; // the rest is truncated
   }
-  return path + " cannot be resumed: " +
+  return Status::Error(path + " cannot be resumed: " +
     (size < 0 ? why : "it has " + std::to_string(size) + " bytes of " + std::to_string(file.Size)) +
-    Cure;
+    Cure);
 }
 
 //------------------------------------------------------------------------------
-std::string RunCheck::CheckBlocks(
+Status RunCheck::CheckBlocks(
   const RunJournal& journal, vtkIdType bytes, const BlockCallback& onBlock) const
 {
   const std::vector<FileBlock>& blocks = journal.GetBlocks();
-  std::string problem;
+  Status status;
   for (auto block = blocks.rbegin();
-       block != blocks.rend() && bytes > 0 && problem.empty() && onBlock(); ++block)
+       block != blocks.rend() && bytes > 0 && status.IsOk() && onBlock(); ++block)
   {
-    problem = this->CheckBlock(*block);
+    status = this->CheckBlock(*block);
     bytes -= static_cast<vtkIdType>(block->End - block->Begin);
   }
-  return problem;
+  return status;
 }
 
 //------------------------------------------------------------------------------
-std::string RunCheck::CheckBlock(const FileBlock& block) const
+Status RunCheck::CheckBlock(const FileBlock& block) const
 {
   const std::string path = this->FindFile(block.Name);
   const std::string checksum = ComputeChecksum(path, block.Begin, block.End);
@@ -128,15 +130,15 @@ std::string RunCheck::CheckBlock(const FileBlock& block) const
   }
   const std::string place =
     "bytes " + std::to_string(block.Begin) + " to " + std::to_string(block.End);
-  return path + ": " + place +
+  return Status::Error(path + ": " + place +
     (checksum.empty()
         ? " cannot be read"
         : " do not match their checksum in " + std::string(vtkHeliosRunFiles::GetJournalName())) +
-    "; the file was changed or is damaged" + Cure;
+    "; the file was changed or is damaged" + Cure);
 }
 
 //------------------------------------------------------------------------------
-std::string RunCheck::CheckSummary(const Json::Value& summary) const
+Status RunCheck::CheckSummary(const Json::Value& summary) const
 {
   // Legs of a strip share files; the last leg has the final size.
   std::map<std::string, vtkIdType> sizes;
@@ -154,8 +156,8 @@ std::string RunCheck::CheckSummary(const Json::Value& summary) const
     const vtkIdType size = GetSize(path, why) < 0 ? -1 : this->GetSizeWithPieces(file.first);
     if (size != file.second)
     {
-      return path + ": was complete with " + std::to_string(file.second) + " bytes and " +
-        Describe(size, why) + Cure;
+      return Status::Error(path + ": was complete with " + std::to_string(file.second) +
+        " bytes and " + Describe(size, why) + Cure);
     }
   }
   return {};

@@ -6,6 +6,7 @@
 #define heliosRunCheck_h
 
 #include "heliosRunProgress.h"
+#include "heliosStatus.h"
 
 #include <functional>
 #include <string>
@@ -23,23 +24,19 @@ public:
 
   explicit RunCheck(const std::string& folder);
 
-  ///@{
-  /// Each returns an error message, or an empty string.
-
   /// Checks the sizes of all files in a journal.
-  std::string CheckSizes(const RunJournal& journal) const;
+  Status CheckSizes(const RunJournal& journal) const;
 
   /// Checks the newest blocks of a journal, up to this many bytes.
-  std::string CheckBlocks(
+  Status CheckBlocks(
     const RunJournal& journal, vtkIdType bytes, const BlockCallback& onBlock) const;
 
   /// Checks the sizes of the files of a finished run against its summary.
-  std::string CheckSummary(const Json::Value& summary) const;
-  ///@}
+  Status CheckSummary(const Json::Value& summary) const;
 
 private:
-  std::string CheckSize(const FileProgress& file) const;
-  std::string CheckBlock(const FileBlock& block) const;
+  Status CheckSize(const FileProgress& file) const;
+  Status CheckBlock(const FileBlock& block) const;
   std::string FindFile(const std::string& name) const;
   std::string GetPath(const std::string& name) const;
   vtkIdType GetSizeWithPieces(const std::string& name) const;

@@ -4,6 +4,7 @@
 
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
+#include "heliosStatus.h"
 #include "vtkHeliosRunFiles.h"
 
 #include <fstream>
@@ -41,30 +42,31 @@ bool RunFolder::HasSummary() const
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::Prepare(bool overwrite, bool resume) const
+Status RunFolder::Prepare(bool overwrite, bool resume) const
 {
   if (overwrite && resume)
   {
-    return "Resume and Overwrite are both on (--resume, --overwrite), but Overwrite removes the "
-           "run that Resume continues; set one of them";
+    return Status::Error(
+      "Resume and Overwrite are both on (--resume, --overwrite), but Overwrite removes the "
+      "run that Resume continues; set one of them");
   }
-  const std::string problem = this->Make();
-  return problem.empty() ? this->CheckEarlierRun(overwrite, resume) : problem;
+  const Status status = this->Make();
+  return status.IsOk() ? this->CheckEarlierRun(overwrite, resume) : status;
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::Make() const
+Status RunFolder::Make() const
 {
   std::error_code problem;
   fs::create_directories(this->Path, problem);
   return problem || !this->Exists()
-    ? this->Path.string() + ": the output folder cannot be created: " +
-      (problem ? problem.message() : "a file has this name") + "; give another OutputDirectory"
-    : std::string();
+    ? Status::Error(this->Path.string() + ": the output folder cannot be created: " +
+        (problem ? problem.message() : "a file has this name") + "; give another OutputDirectory")
+    : Status();
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
+Status RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
 {
   const std::string folder = this->Path.string();
   const bool isUnfinished = RunJournal(folder).Exists();
@@ -75,19 +77,20 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
     {
       return {};
     }
-    return hasFiles ? folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
-        ", so its contents cannot be resumed; set Overwrite (--overwrite) to replace it, or "
-        "give another OutputDirectory"
-                    : folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
-        ", so there is nothing to resume; run it without Resume (--resume)";
+    return hasFiles
+      ? Status::Error(folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
+          ", so its contents cannot be resumed; set Overwrite (--overwrite) to replace it, or "
+          "give another OutputDirectory")
+      : Status::Error(folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
+          ", so there is nothing to resume; run it without Resume (--resume)");
   }
   if (overwrite || !hasFiles)
   {
     return {};
   }
-  return folder + ": holds the files of an earlier run, which are kept; " +
+  return Status::Error(folder + ": holds the files of an earlier run, which are kept; " +
     (isUnfinished ? "the run is not finished: set Resume (--resume) to continue it, " : "") +
-    "set Overwrite (--overwrite) to replace them, or give another OutputDirectory";
+    "set Overwrite (--overwrite) to replace them, or give another OutputDirectory");
 }
 
 //------------------------------------------------------------------------------
@@ -107,13 +110,14 @@ std::vector<fs::path> RunFolder::FindFiles() const
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::Clear() const
+Status RunFolder::Clear() const
 {
   const fs::path journal = RunJournal(this->Path.string()).GetPath();
   LogFile lock;
   if (fs::exists(journal) && !lock.Open(journal.string()))
   {
-    return lock.GetProblem() + "; wait for it to end, or give another OutputDirectory";
+    return Status::Error(
+      lock.GetProblem() + "; wait for it to end, or give another OutputDirectory");
   }
   // Summary and journal, which state that files are complete, are removed before the files.
   std::vector<fs::path> files = { this->Path / vtkHeliosRunFiles::GetSummaryName(), journal };
@@ -125,35 +129,35 @@ std::string RunFolder::Clear() const
     fs::remove_all(file, problem);
     if (problem)
     {
-      return file.string() + ": cannot be replaced: " + problem.message() +
-        "; give another OutputDirectory";
+      return Status::Error(file.string() + ": cannot be replaced: " + problem.message() +
+        "; give another OutputDirectory");
     }
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::ReadSummary(Json::Value& summary) const
+Status RunFolder::ReadSummary(Json::Value& summary) const
 {
   const fs::path path = this->Path / vtkHeliosRunFiles::GetSummaryName();
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   if (!FromText(text, summary))
   {
-    return path.string() + " is damaged";
+    return Status::Error(path.string() + " is damaged");
   }
   if (!summary["checksum"].isString())
   {
-    return path.string() +
-      " has no checksum: it was changed, or written by an earlier version of vtkHelios";
+    return Status::Error(path.string() +
+      " has no checksum: it was changed, or written by an earlier version of vtkHelios");
   }
   return summary["checksum"].asString() == ComputeChecksum(summary)
-    ? std::string()
-    : path.string() + " is damaged: it does not match its checksum";
+    ? Status()
+    : Status::Error(path.string() + " is damaged: it does not match its checksum");
 }
 
 //------------------------------------------------------------------------------
-std::string RunFolder::WriteSummary(const Json::Value& summary) const
+Status RunFolder::WriteSummary(const Json::Value& summary) const
 {
   return WriteWhole((this->Path / vtkHeliosRunFiles::GetSummaryName()).string(), ToText(summary));
 }

@@ -5,6 +5,8 @@
 #ifndef heliosRunFolder_h
 #define heliosRunFolder_h
 
+#include "heliosStatus.h"
+
 #include <json/value.h>
 
 #include <filesystem>
@@ -21,20 +23,16 @@ class RunFolder
 public:
   explicit RunFolder(const std::string& path);
 
-  ///@{
-  /// Each returns an error message, or an empty string.
-
   /// Makes the folder; files of an earlier run there must be replaced or continued.
-  std::string Prepare(bool overwrite, bool resume) const;
+  Status Prepare(bool overwrite, bool resume) const;
 
   /// Removes the files of earlier runs.
-  std::string Clear() const;
+  Status Clear() const;
 
   /// Reads the summary of a finished run.
-  std::string ReadSummary(Json::Value& summary) const;
+  Status ReadSummary(Json::Value& summary) const;
 
-  std::string WriteSummary(const Json::Value& summary) const;
-  ///@}
+  Status WriteSummary(const Json::Value& summary) const;
 
   /// Whether the folder has no files of a run.
   bool IsEmpty() const;
@@ -43,8 +41,8 @@ public:
   bool Exists() const;
 
 private:
-  std::string Make() const;
-  std::string CheckEarlierRun(bool overwrite, bool resume) const;
+  Status Make() const;
+  Status CheckEarlierRun(bool overwrite, bool resume) const;
   std::vector<std::filesystem::path> FindFiles() const;
 
   std::filesystem::path Path;

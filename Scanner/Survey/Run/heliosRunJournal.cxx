@@ -3,6 +3,7 @@
 #include "heliosRunJournal.h"
 
 #include "heliosPartFile.h"
+#include "heliosStatus.h"
 #include "vtkHeliosRunFiles.h"
 
 #include <cstring>
@@ -21,7 +22,7 @@ constexpr const char* SealEnd = "\"}";
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string WriteWhole(const std::string& path, const std::string& text)
+Status WriteWhole(const std::string& path, const std::string& text)
 {
   PartFile file;
   const bool good = file.Open(path) && file.Append(text.data(), text.size()) && file.Close();
@@ -30,7 +31,7 @@ std::string WriteWhole(const std::string& path, const std::string& text)
     file.Abandon();
     RemoveFile(path + PartEnding);
   }
-  return good ? std::string() : file.GetProblem();
+  return good ? Status() : Status::Error(file.GetProblem());
 }
 
 //------------------------------------------------------------------------------
@@ -47,12 +48,13 @@ bool RunJournal::Exists() const
 }
 
 //------------------------------------------------------------------------------
-std::string RunJournal::Create(const Json::Value& fingerprint)
+Status RunJournal::Create(const Json::Value& fingerprint)
 {
   this->Forget();
   this->Fingerprint = fingerprint;
-  const std::string problem = WriteWhole(this->Path, this->Seal(fingerprint));
-  return problem.empty() && !this->File.Open(this->Path) ? this->File.GetProblem() : problem;
+  const Status status = WriteWhole(this->Path, this->Seal(fingerprint));
+  return status.IsOk() && !this->File.Open(this->Path) ? Status::Error(this->File.GetProblem())
+                                                       : status;
 }
 
 //------------------------------------------------------------------------------
@@ -69,14 +71,14 @@ void RunJournal::Forget()
 }
 
 //------------------------------------------------------------------------------
-std::string RunJournal::Read()
+Status RunJournal::Read()
 {
   this->Forget();
   if (this->IsWithoutChecksums())
   {
-    return this->Path +
+    return Status::Error(this->Path +
       " was written by an earlier version of vtkHelios: it has no checksums, so its contents "
-      "cannot be verified";
+      "cannot be verified");
   }
   std::ifstream file(this->Path, std::ios::binary);
   bool isBroken = false;
@@ -85,8 +87,8 @@ std::string RunJournal::Read()
   {
     if (isBroken)
     {
-      return this->Path + " has a damaged line (line " + std::to_string(number) +
-        ", which is not the last one)";
+      return Status::Error(this->Path + " has a damaged line (line " + std::to_string(number) +
+        ", which is not the last one)");
     }
     ++number;
     std::string body;
@@ -95,15 +97,17 @@ std::string RunJournal::Read()
     {
       continue; // a crash may leave the last line incomplete
     }
-    const std::string problem = this->ReadLine(body);
-    if (!problem.empty())
+    const Status status = this->ReadLine(body);
+    if (!status.IsOk())
     {
-      return this->Path + ", line " + std::to_string(number) + ": " + problem;
+      return Status::Error(
+        this->Path + ", line " + std::to_string(number) + ": " + status.Message());
     }
     this->Size += line.size() + 1;
   }
-  return this->Fingerprint.isObject() ? std::string()
-                                      : this->Path + " does not state which run it belongs to";
+  return this->Fingerprint.isObject()
+    ? Status()
+    : Status::Error(this->Path + " does not state which run it belongs to");
 }
 
 //------------------------------------------------------------------------------
@@ -151,13 +155,13 @@ bool RunJournal::Unseal(const std::string& line, std::string& body)
 }
 
 //------------------------------------------------------------------------------
-/// Adds a line with a valid checksum; returns an error message, or an empty string.
-std::string RunJournal::ReadLine(const std::string& body)
+/// Adds a line with a valid checksum.
+Status RunJournal::ReadLine(const std::string& body)
 {
   Json::Value value;
   if (!FromText(body, value))
   {
-    return "it is not JSON";
+    return Status::Error("it is not JSON");
   }
   if (!this->Fingerprint.isObject())
   {
@@ -168,41 +172,41 @@ std::string RunJournal::ReadLine(const std::string& body)
   {
     const auto leg = static_cast<std::size_t>(GetCount(value, "leg"));
     const LegProgress progress = ProgressFromJson(value);
-    const std::string problem = this->CheckFollows(leg, progress);
-    if (problem.empty())
+    const Status status = this->CheckFollows(leg, progress);
+    if (status.IsOk())
     {
       this->Accept(leg, progress);
     }
-    return problem;
+    return status;
   }
   catch (const BadJson& problem)
   {
-    return problem.what();
+    return Status::Error(problem.what());
   }
 }
 
 //------------------------------------------------------------------------------
-/// Checks whether progress can follow what was read; returns an error message, or an empty string.
-std::string RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) const
+/// Checks whether progress can follow what was read.
+Status RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) const
 {
   const LegProgress& before = this->GetLeg(leg);
   const bool isNext =
     leg == this->Leg || (leg > this->Leg && this->GetLeg(this->Leg).IsDone) || this->Legs.empty();
   if (!isNext || before.IsDone || progress.Blocks != before.Blocks + (progress.IsDone ? 0 : 1))
   {
-    return "\"leg\" " + std::to_string(leg) + " with \"blocks\" " +
-      std::to_string(progress.Blocks) + " does not follow from the lines before";
+    return Status::Error("\"leg\" " + std::to_string(leg) + " with \"blocks\" " +
+      std::to_string(progress.Blocks) + " does not follow from the lines before");
   }
   if (!HasGrown(this->Counts, progress.Counts))
   {
-    return "a number of \"counts\" is smaller than in the line before";
+    return Status::Error("a number of \"counts\" is smaller than in the line before");
   }
   for (const FileProgress& file : progress.Files)
   {
     const FileProgress* last = this->FindFile(file.Name);
     if (last && !HasGrown(*last, file))
     {
-      return "a number of " + file.Name + " is smaller than in a line before";
+      return Status::Error("a number of " + file.Name + " is smaller than in a line before");
     }
   }
   return {};
@@ -231,29 +235,30 @@ const FileProgress* RunJournal::FindFile(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-std::string RunJournal::Check()
+Status RunJournal::Check()
 {
-  return this->File.Check() ? std::string() : this->File.GetProblem();
+  return this->File.Check() ? Status() : Status::Error(this->File.GetProblem());
 }
 
 //------------------------------------------------------------------------------
-std::string RunJournal::Continue()
+Status RunJournal::Continue()
 {
   if (!this->File.Open(this->Path))
   {
-    return this->File.GetProblem();
+    return Status::Error(this->File.GetProblem());
   }
-  const std::string problem = this->Read(); // again, now with exclusive access
-  return problem.empty() && !this->File.Cut(this->Size) ? this->File.GetProblem() : problem;
+  const Status status = this->Read(); // again, now with exclusive access
+  return status.IsOk() && !this->File.Cut(this->Size) ? Status::Error(this->File.GetProblem())
+                                                      : status;
 }
 
 //------------------------------------------------------------------------------
-std::string RunJournal::Append(std::size_t leg, const LegProgress& progress)
+Status RunJournal::Append(std::size_t leg, const LegProgress& progress)
 {
   this->Accept(leg, progress);
   Json::Value line = ToJson(progress);
   line["leg"] = Json::UInt(leg);
-  return this->File.Append(this->Seal(line)) ? std::string() : this->File.GetProblem();
+  return this->File.Append(this->Seal(line)) ? Status() : Status::Error(this->File.GetProblem());
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #define heliosRunJournal_h
 
 #include "heliosRunProgress.h"
+#include "heliosStatus.h"
 
 #include <map>
 #include <string>
@@ -25,11 +26,11 @@ public:
   bool Exists() const;
 
   ///@{
-  /// Each returns an error message, or an empty string. An incomplete last line is ignored.
-  std::string Create(const Json::Value& fingerprint); ///< a new one
-  std::string Read();                                 ///< that of an earlier run
-  std::string Continue();                             ///< after Read()
-  std::string Append(std::size_t leg, const LegProgress& progress);
+  /// An incomplete last line is ignored.
+  Status Create(const Json::Value& fingerprint); ///< a new one
+  Status Read();                                 ///< that of an earlier run
+  Status Continue();                             ///< after Read()
+  Status Append(std::size_t leg, const LegProgress& progress);
   ///@}
 
   /// The fingerprint of the run whose journal was read.
@@ -46,9 +47,8 @@ public:
   /// The file blocks that were read, in the order of writing.
   const std::vector<FileBlock>& GetBlocks() const { return this->Blocks; }
 
-  /// Checks that the file still exists while it is written; returns an error message, or an empty
-  /// string.
-  std::string Check();
+  /// Checks that the file still exists while it is written.
+  Status Check();
 
   /// For a complete run.
   void Remove();
@@ -58,8 +58,8 @@ private:
   bool IsWithoutChecksums() const;
   std::string Seal(const Json::Value& value);
   bool Unseal(const std::string& line, std::string& body);
-  std::string ReadLine(const std::string& body);
-  std::string CheckFollows(std::size_t leg, const LegProgress& progress) const;
+  Status ReadLine(const std::string& body);
+  Status CheckFollows(std::size_t leg, const LegProgress& progress) const;
   void Accept(std::size_t leg, const LegProgress& progress);
 
   std::string Path;
@@ -74,8 +74,8 @@ private:
   std::uint64_t Size = 0; // of the lines that were read
 };
 
-/// Writes a text file atomically: complete under its name, or not at all. Returns an error message.
-std::string WriteWhole(const std::string& path, const std::string& text);
+/// Writes a text file atomically: complete under its name, or not at all.
+Status WriteWhole(const std::string& path, const std::string& text);
 
 } // namespace helios
 

@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosPlays.h"
 #include "heliosSceneInput.h"
+#include "heliosStatus.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRayCasterFactory.h"
 #include "vtkHeliosScanner.h"
@@ -93,10 +94,10 @@ bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
       "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
     return false;
   }
-  const std::string fault = this->SetOptions(settings);
-  if (!fault.empty())
+  const Status status = this->SetOptions(settings);
+  if (!status.IsOk())
   {
-    this->Log.Error(fault);
+    this->Log.Error(status.Message());
     return false;
   }
   this->Inputs.Options = settings.Options;
@@ -112,9 +113,8 @@ bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-/// Sets the options, with values of the survey where they have none; returns an error message, or an
-/// empty string.
-std::string SurveyLoader::SetOptions(RunSettings& settings)
+/// Sets the options, with values of the survey where they have none.
+Status SurveyLoader::SetOptions(RunSettings& settings)
 {
   const SurveyData& survey = *this->Inputs.Survey;
   RunOptions options = this->Inputs.Options;
@@ -124,20 +124,20 @@ std::string SurveyLoader::SetOptions(RunSettings& settings)
     Sentence fault;
     fault << "Play is " << options.Play << ", but the survey has " << plays
           << (plays > 1 ? " epochs" : " epoch") << "; give 0 to " << plays - 1;
-    return fault.str();
+    return Status::Error(fault.str());
   }
-  const std::string fault = options.FindFault();
-  if (!fault.empty())
+  const Status status = options.FindFault();
+  if (!status.IsOk())
   {
-    return fault;
+    return status;
   }
   const std::vector<std::string> names = GetRayCasterNames();
   const bool isOwn = options.RayCaster.empty();
   const std::string name = isOwn ? survey.RayCaster : options.RayCaster;
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
   {
-    return (isOwn ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
-      "\" is not in this build; give one of " + Enumerate(names);
+    return Status::Error((isOwn ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
+      "\" is not in this build; give one of " + Enumerate(names));
   }
   options.RayCaster = name;
   options.Seed = std::max<vtkIdType>(0, options.Seed >= 0 ? options.Seed : survey.Seed);

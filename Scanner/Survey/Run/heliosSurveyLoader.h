@@ -7,6 +7,7 @@
 
 #include "heliosRunSettings.h"
 #include "heliosSceneBuilder.h"
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 
 #include <vtkSmartPointer.h>
@@ -86,7 +87,7 @@ private:
   };
 
   Origin FindOrigin() const;
-  std::string SetOptions(RunSettings& settings);
+  Status SetOptions(RunSettings& settings);
   void SetRayCaster(RunSettings& settings);
   bool BuildScene(const StepCallback& onStep);
   bool UseGivenScene();

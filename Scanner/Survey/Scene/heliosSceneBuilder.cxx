@@ -5,6 +5,7 @@
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
 #include "heliosPlays.h"
+#include "heliosStatus.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGroundSnap.h"
@@ -28,7 +29,7 @@ namespace
 bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
 {
   TriangleMesh mesh;
-  if (!mesh.Set(data).empty() || mesh.GetNumberOfTriangles() == 0)
+  if (!mesh.Set(data).IsOk() || mesh.GetNumberOfTriangles() == 0)
   {
     return false;
   }
@@ -114,11 +115,11 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
       ++count;
     }
   }
-  const std::string excess = CheckMemory(
+  const Status status = CheckMemory(
     "triangles of all parts", this->Pipelines.CountTriangles(composer), BytesPerTriangle);
-  if (!excess.empty())
+  if (!status.IsOk())
   {
-    this->Log.Error(this->Scene.Where + ": " + excess);
+    this->Log.Error(this->Scene.Where + ": " + status.Message());
   }
   else if (count > 0) // else there are only voxels
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosInputFile.h"
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 #include "heliosXmlElement.h"
 
 #include <algorithm>
@@ -79,9 +80,9 @@ pugi::xml_node NextNode(pugi::xml_node node)
 //------------------------------------------------------------------------------
 std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages& messages)
 {
-  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  if (const Status status = CheckInputFile(path); !status.IsOk())
   {
-    messages.Error(path + ": " + problem);
+    messages.Error(path + ": " + status.Message());
     return nullptr;
   }
   std::ifstream file(path, std::ios::binary);

@@ -3,6 +3,7 @@
 // The dialect: legs and their settings.
 #include "heliosXmlTables.h"
 
+#include "heliosStatus.h"
 #include "heliosSurveyData.h"
 
 namespace helios
@@ -18,10 +19,11 @@ constexpr auto Scan = &LegSettings::Scan;
 constexpr auto Track = &LegData::Trajectory;
 
 /// A part of file names.
-std::string FindNameFault(const std::string& text)
+Status FindNameFault(const std::string& text)
 {
   const bool isGood = text.find_first_of("/\\") == std::string::npos;
-  return isGood ? "" : " is not valid in a file name; give one without / and \\";
+  return isGood ? Status()
+                : Status::Error(" is not valid in a file name; give one without / and \\");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The dialect: detectors, waveforms and errors.
+#include "heliosStatus.h"
 #include "heliosXmlTables.h"
 
 #include "heliosSurveyData.h"
@@ -17,10 +18,10 @@ namespace
 
 constexpr auto Receiver = &ScannerData::Receiver;
 
-std::string FindExpressionFault(const std::string& text)
+Status FindExpressionFault(const std::string& text)
 {
   const std::string fault = vtkHeliosExpressionErrorModel::FindFault(text);
-  return fault.empty() ? fault : ": " + fault;
+  return fault.empty() ? Status() : Status::Error(": " + fault);
 }
 
 } // namespace

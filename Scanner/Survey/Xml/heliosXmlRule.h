@@ -6,6 +6,7 @@
 #ifndef heliosXmlRule_h
 #define heliosXmlRule_h
 
+#include "heliosStatus.h"
 #include "heliosXmlStore.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
@@ -72,12 +73,11 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   const int* Values = nullptr;  ///< of the choices in an enumeration; null: 0, 1, 2 ...
   XmlStore Store;
   double Scale = 1.0; ///< the number in the struct is that of the file times this
-  std::string (*FindFault)(
-    const std::string& text) = nullptr; ///< a text goes on with it; empty: none
-  bool IsRequired = false;              ///< in files
-  bool IsInverted = false;              ///< a boolean whose opposite is stored
-  bool HasBlanks = false;               ///< blanks and tabs are part of the text
-  bool IsAlias = false;                 ///< another name of an attribute, which overrides it
+  Status (*FindFault)(const std::string& text) = nullptr; ///< the end of a message
+  bool IsRequired = false;                                ///< in files
+  bool IsInverted = false;                                ///< a boolean whose opposite is stored
+  bool HasBlanks = false;                                 ///< blanks and tabs are part of the text
+  bool IsAlias = false; ///< another name of an attribute, which overrides it
 
   ///@{
   XmlValueRule In(const char* unit) const;
@@ -89,7 +89,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule Meaning(const int* values) const;
   XmlValueRule Scaled(double scale) const;
   XmlValueRule Inverted() const;
-  XmlValueRule Checked(std::string (*findFault)(const std::string& text)) const;
+  XmlValueRule Checked(Status (*findFault)(const std::string& text)) const;
   XmlValueRule KeepsBlanks() const;
   XmlValueRule Alias() const;
   ///@}

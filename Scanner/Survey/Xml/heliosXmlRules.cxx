@@ -131,7 +131,7 @@ XmlValueRule XmlValueRule::Inverted() const
 }
 
 //------------------------------------------------------------------------------
-XmlValueRule XmlValueRule::Checked(std::string (*findFault)(const std::string& text)) const
+XmlValueRule XmlValueRule::Checked(Status (*findFault)(const std::string& text)) const
 {
   return Change(*this, &XmlValueRule::FindFault, findFault);
 }

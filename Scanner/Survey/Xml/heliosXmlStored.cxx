@@ -3,6 +3,7 @@
 // Parses and formats values in their places.
 
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlValue.h"
 
@@ -99,14 +100,13 @@ private:
 
   bool CheckText() const
   {
-    const std::string fault =
-      this->Rule.FindFault ? this->Rule.FindFault(this->Value.Text) : std::string();
-    if (!fault.empty())
+    const Status status = this->Rule.FindFault ? this->Rule.FindFault(this->Value.Text) : Status();
+    if (!status.IsOk())
     {
       this->Log.Error(this->Value.Where + ": " + this->Value.Name + "=\"" +
-        Shorten(this->Value.Text) + "\"" + fault);
+        Shorten(this->Value.Text) + "\"" + status.Message());
     }
-    return fault.empty();
+    return status.IsOk();
   }
 
   const XmlValue& Value;

@@ -142,7 +142,7 @@ TEST_CASE("CameraRig: key frames are in world coordinates", "[Viewer]")
  "focalPoint": [500000, 5400010, 100]},
  {"time": 10, "position": [500100, 5400000, 200], "focalPoint": [500100, 5400010, 100]}])");
   rig.Camera.SetMode(CameraMode::Script);
-  CHECK(rig.Camera.ReadScript(script.Name).empty());
+  CHECK(rig.Camera.ReadScript(script.Name).IsOk());
   rig.Camera.Update(10.0, nullptr);
   CheckNear(rig.Eye(), Vec3(100.0, 0.0, 100.0));
   CheckNear(rig.Focus(), Vec3(100.0, 10.0, 0.0));
@@ -151,8 +151,9 @@ TEST_CASE("CameraRig: key frames are in world coordinates", "[Viewer]")
 TEST_CASE("CameraRig: bad key frames are errors", "[Viewer]")
 {
   Rig rig;
-  CHECK(rig.Camera.ReadScript("/none.json").find("cannot be read") != std::string::npos);
-  const auto read = [&rig](const char* text) { return rig.Camera.ReadScript(Script(text).Name); };
+  CHECK(rig.Camera.ReadScript("/none.json").Message().find("cannot be read") != std::string::npos);
+  const auto read = [&rig](const char* text)
+  { return rig.Camera.ReadScript(Script(text).Name).Message(); };
   CHECK(read("[{").find("is not JSON") != std::string::npos);
   CHECK(read("[]").find("has no key frames") != std::string::npos);
   CHECK(read("{}").find("has no key frames") != std::string::npos);

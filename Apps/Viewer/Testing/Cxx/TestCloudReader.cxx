@@ -77,7 +77,7 @@ TEST_CASE("CloudReader: text files of vtkHelios are read with every column")
   WriteText(folder / "leg012_trajectory.txt", "0 0 9 0.0 0 0 0\n1 0 9 1.0 0 0 0\n");
   CloudReader reader;
   Cloud cloud;
-  REQUIRE(reader.Read(folder / "leg012_points.xyz", cloud).empty());
+  REQUIRE(reader.Read(folder / "leg012_points.xyz", cloud).IsOk());
   CheckThird(cloud, 6);
   const Echo echo = cloud.GetEcho(2);
   CHECK(echo.PulseId == 42);
@@ -102,7 +102,7 @@ TEST_CASE("CloudReader: known part names are kept, others are numbered")
   CloudReader reader;
   reader.PartNames = { "ground", "oak_tree" };
   Cloud cloud;
-  REQUIRE(reader.Read(folder / "a.xyz", cloud).empty());
+  REQUIRE(reader.Read(folder / "a.xyz", cloud).IsOk());
   CHECK(cloud.GetEcho(0).Part == 2);
   CHECK(cloud.GetEcho(1).Part == 17);
   CHECK(cloud.GetEcho(2).Part == 1);
@@ -118,7 +118,7 @@ TEST_CASE("CloudReader: text with x y z first, separated by blanks, commas or se
   for (const char* name : { "a.xyz", "a.txt", "a.asc" })
   {
     Cloud cloud;
-    CHECK(CloudReader().Read(folder / name, cloud) == "");
+    CHECK(CloudReader().Read(folder / name, cloud).Message() == "");
     CheckThird(cloud, 3);
     CHECK_FALSE(cloud.Has(CloudColumn::Class));
   }
@@ -139,18 +139,18 @@ TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
     "property float z\nend_header\n0 10 1\n1 20 2\n2.25 30 3\n");
 
   Cloud las, pvtp, fromVtp, fromPly;
-  REQUIRE(CloudReader().Read(folder / "leg003_points.las", las) == "");
+  REQUIRE(CloudReader().Read(folder / "leg003_points.las", las).Message() == "");
   CheckThird(las, 6);
   CHECK(las.GetEcho(2).Class == 6);
   CHECK(las.GetEcho(2).GpsTime == 0.75);
-  REQUIRE(CloudReader().Read(folder / "leg004_points.pvtp", pvtp) == "");
+  REQUIRE(CloudReader().Read(folder / "leg004_points.pvtp", pvtp).Message() == "");
   CheckThird(pvtp, 6);
   CHECK(pvtp.GetEcho(5).PulseId == 42);
   CHECK(pvtp.GetEcho(5).Leg == 4);
-  REQUIRE(CloudReader().Read(folder / "a.vtp", fromVtp) == "");
+  REQUIRE(CloudReader().Read(folder / "a.vtp", fromVtp).Message() == "");
   CheckThird(fromVtp, 3);
   CHECK(fromVtp.GetEcho(0).Part == 1);
-  REQUIRE(CloudReader().Read(folder / "a.PLY", fromPly) == "");
+  REQUIRE(CloudReader().Read(folder / "a.PLY", fromPly).Message() == "");
   CHECK(fromPly.GetEcho(2).Position[0] == 2.25);
 
   std::string binary = "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty double x\n"
@@ -164,7 +164,7 @@ TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
   }
   std::ofstream(folder / "b.ply", std::ios::binary) << binary << '\3';
   Cloud doubles;
-  REQUIRE(CloudReader().Read(folder / "b.ply", doubles) == "");
+  REQUIRE(CloudReader().Read(folder / "b.ply", doubles).Message() == "");
   CHECK(std::abs(doubles.GetEcho(0).Position[0] - 500000.123456789) < 1e-7); // a float: 0.03
 }
 
@@ -183,13 +183,15 @@ TEST_CASE("CloudReader: the folder of a run, with progress")
   CloudReader reader;
   std::vector<double> shares;
   vtkIdType points = 0;
-  REQUIRE(reader.Read(folder / ".",
-            [&](vtkPolyData* block, double share)
-            {
-              points += block->GetNumberOfPoints();
-              shares.push_back(share);
-              return true;
-            }) == "");
+  REQUIRE(reader
+            .Read(folder / ".",
+              [&](vtkPolyData* block, double share)
+              {
+                points += block->GetNumberOfPoints();
+                shares.push_back(share);
+                return true;
+              })
+            .Message() == "");
   CHECK(points == 12);
   CHECK(shares == std::vector<double>{ 0.5, 1.0 });
   CHECK(reader.Files.size() == 2);
@@ -197,7 +199,9 @@ TEST_CASE("CloudReader: the folder of a run, with progress")
   CHECK(reader.Trajectories[1]->GetPoint(0)[2] == 5.0);
 
   int blocks = 0;
-  CHECK(CloudReader().Read(folder / ".", [&](vtkPolyData*, double) { return ++blocks > 1; }) == "");
+  CHECK(CloudReader()
+          .Read(folder / ".", [&](vtkPolyData*, double) { return ++blocks > 1; })
+          .Message() == "");
   CHECK(blocks == 1); // stopped by false
 }
 
@@ -211,7 +215,7 @@ TEST_CASE("CloudReader: errors name the file and the remedy")
       WriteText(folder / name.c_str(), text);
     }
     Cloud cloud;
-    const std::string error = CloudReader().Read(folder / name.c_str(), cloud);
+    const std::string error = CloudReader().Read(folder / name.c_str(), cloud).Message();
     INFO(error);
     CHECK(error.find(folder / name.c_str()) == 0);
     CHECK(error.find(wanted) != std::string::npos);
@@ -260,14 +264,16 @@ TEST_CASE("CloudReader: errors name the file and the remedy")
 
   Cloud cloud;
   WriteText(folder / "run_summary.json", "{\"legs\": 3}");
-  CHECK(CloudReader().Read(folder / ".", cloud).find("is not the summary of a run") !=
+  CHECK(CloudReader().Read(folder / ".", cloud).Message().find("is not the summary of a run") !=
     std::string::npos);
   WriteText(folder / "run_summary.json",
     R"({"legs": [{"files": [{"name": "leg000_points.xyz", "records": 5}]}]})");
-  CHECK(CloudReader().Read(folder / ".", cloud).find("leg000_points.xyz: missing") !=
+  CHECK(CloudReader().Read(folder / ".", cloud).Message().find("leg000_points.xyz: missing") !=
     std::string::npos);
   WriteText(folder / "leg001_points.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n");
   WriteText(folder / "leg001_trajectory.txt", "1 2\n");
-  CHECK(CloudReader().Read(folder / "leg001_points.xyz", cloud).find("leg001_trajectory.txt:1") !=
-    std::string::npos);
+  CHECK(CloudReader()
+          .Read(folder / "leg001_points.xyz", cloud)
+          .Message()
+          .find("leg001_trajectory.txt:1") != std::string::npos);
 }

@@ -79,23 +79,23 @@ TEST_CASE("PlanView: a plan is recognised by its files")
   const fs::path folder = ::mkdtemp(name.data());
   CHECK_FALSE(IsPlan(folder.string()));
   Plan plan;
-  CHECK(ReadPlan(folder.string(), plan) ==
+  CHECK(ReadPlan(folder.string(), plan).Message() ==
     folder.string() + ": has no positions; plan again, or give another folder");
   const Plan made = MakePlan();
   Write(made.Positions, folder / "positions.vtp");
   CHECK(IsPlan(folder.string()));
   CHECK(IsPlan((folder / "positions.vtp").string()));
   CHECK_FALSE(IsPlan((folder / "test_points.vtp").string()));
-  REQUIRE(ReadPlan((folder / "positions.vtp").string(), plan).empty());
+  REQUIRE(ReadPlan((folder / "positions.vtp").string(), plan).IsOk());
   CHECK(plan.Positions->GetNumberOfPoints() == 2);
   CHECK(plan.TestPoints == nullptr);
   Write(made.TestPoints, folder / "test_points.vtp");
   std::ofstream(folder / "survey.xml") << "<document/>";
-  REQUIRE(ReadPlan(folder.string(), plan).empty());
+  REQUIRE(ReadPlan(folder.string(), plan).IsOk());
   CHECK(plan.TestPoints->GetNumberOfPoints() == 5);
   CHECK(plan.Survey == (folder / "survey.xml").string());
   std::ofstream(folder / "candidates.vtp") << "no XML";
-  CHECK(ReadPlan(folder.string(), plan) ==
+  CHECK(ReadPlan(folder.string(), plan).Message() ==
     (folder / "candidates.vtp").string() + ": cannot be read; plan again");
   fs::remove_all(folder);
 }

@@ -102,7 +102,7 @@ TEST_CASE("SceneMover: echoes lie on the part at their time, forwards and backwa
   Viewer viewer(files.Options);
   REQUIRE(viewer.Run() == 0);
   SceneView view(viewer.GetRenderer());
-  REQUIRE(view.SetScene(viewer.GetSimulation()->GetScene()).empty());
+  REQUIRE(view.SetScene(viewer.GetSimulation()->GetScene()).IsOk());
   SceneMover mover(viewer.GetSurvey()->GetData().Scene, view);
   const Cloud& cloud = viewer.GetCloud();
   int onPart = 0;

@@ -110,7 +110,7 @@ TEST_CASE("SceneView: triangles are at their pixels in the colours of their mate
   Stage stage;
   SceneView view(stage.Renderer);
   view.SetOrigin(Far);
-  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   stage.Render();
   const Rgb asphalt = { 104, 106, 112 };
   CHECK(IsNear(stage.GetColorAt(-4, 0), asphalt));
@@ -148,7 +148,7 @@ TEST_CASE("SceneView: a pick returns position, normal, part and material in doub
   Stage stage;
   SceneView view(stage.Renderer);
   view.SetOrigin(Far);
-  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   stage.Render();
   const auto pick = view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(-1.0));
   REQUIRE(pick);
@@ -176,7 +176,7 @@ TEST_CASE("SceneView: moving parts are drawn and picked at their current positio
   Stage stage;
   SceneView view(stage.Renderer);
   view.SetOrigin(Far);
-  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   CHECK_FALSE(view.GetMovingMesh());
   view.SetMovingParts({ 1, 7 });
   REQUIRE(view.GetMovingMesh());
@@ -210,7 +210,7 @@ TEST_CASE("SceneView: moving parts are drawn and picked at their current positio
   view.SetVisible(false);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);
-  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   CHECK_FALSE(view.GetMovingMesh());
   view.Move(moved); // of an earlier scene
   stage.Render();
@@ -227,7 +227,7 @@ TEST_CASE("SceneView: a scene without arrays is shown in one colour")
   scene->GetCellData()->Initialize();
   scene->SetFieldData(vtkNew<vtkFieldData>());
   SceneView view(stage.Renderer);
-  REQUIRE(view.SetScene(scene).empty());
+  REQUIRE(view.SetScene(scene).IsOk());
   stage.Render();
   CHECK(IsNear(stage.GetColorAt(-4, 0), GetDistinctColor(0)));
   CHECK(stage.GetColorAt(-4, 0) == stage.GetColorAt(4, 0));
@@ -238,15 +238,16 @@ TEST_CASE("SceneView: errors are reported, and nothing is shown")
 {
   Stage stage;
   SceneView view(stage.Renderer);
-  REQUIRE(view.SetScene(MakeScene({ 0, 0, 0 })).empty());
-  CHECK(view.SetScene(vtkNew<vtkPolyData>()) == "the scene has no triangles: it cannot be shown");
+  REQUIRE(view.SetScene(MakeScene({ 0, 0, 0 })).IsOk());
+  CHECK(view.SetScene(vtkNew<vtkPolyData>()).Message() ==
+    "the scene has no triangles: it cannot be shown");
   CHECK_FALSE(view.IsVisible());
   auto quad = MakeEchoes({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
   vtkNew<vtkCellArray> cells;
   cells->InsertNextCell({ 0, 1, 2, 3 });
   quad->SetPolys(cells);
-  CHECK(view.SetScene(quad).find("the scene cannot be shown: ") == 0);
-  CHECK(view.SetScene(nullptr).empty());
+  CHECK(view.SetScene(quad).Message().find("the scene cannot be shown: ") == 0);
+  CHECK(view.SetScene(nullptr).IsOk());
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);
   double bounds[6];
@@ -270,7 +271,7 @@ TEST_CASE("SceneView: large meshes are simplified while the camera moves")
   Stage stage;
   SceneView view(stage.Renderer);
   view.SetOrigin(Far);
-  REQUIRE(view.SetScene(MakeFine(Far, 240)).empty()); // 230,400 triangles
+  REQUIRE(view.SetScene(MakeFine(Far, 240)).IsOk()); // 230,400 triangles
   const auto check = [&](bool isCoarse)
   {
     stage.Render();
@@ -293,7 +294,7 @@ TEST_CASE("SceneView: large meshes are simplified while the camera moves")
   view.SetInteracting(false);
   check(false);
   view.SetInteracting(true);
-  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   stage.Render();
   CHECK_FALSE(view.IsCoarse()); // few are drawn unchanged
 }

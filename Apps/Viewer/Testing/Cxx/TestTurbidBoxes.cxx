@@ -81,7 +81,7 @@ TEST_CASE("TurbidBoxes: one box per voxel: volume by density, colour by material
   SceneView view(stage.Renderer);
   const Vec3 far(500000.0, 5400000.0, 300.0);
   view.SetOrigin(far);
-  REQUIRE(view.SetScene(MakeSpeck()).empty());
+  REQUIRE(view.SetScene(MakeSpeck()).IsOk());
   auto grid = MakeGrid(far + Vec3(-8, -2, 0), 4.0, 4, 1, 1, { 0.8, 0.1, None, 0.0 });
   view.SetGrids({ grid });
   CHECK(view.GetNumberOfBoxes() == 2);
@@ -127,7 +127,7 @@ TEST_CASE("TurbidBoxes: a rotated grid with any origin")
 {
   Stage stage;
   SceneView view(stage.Renderer);
-  REQUIRE(view.SetScene(MakeSpeck()).empty());
+  REQUIRE(view.SetScene(MakeSpeck()).IsOk());
   vtkNew<vtkImageData> grid;
   grid->SetExtent(3, 5, 0, 1, 0, 1); // two cells from index 3
   grid->SetSpacing(2.0, 2.0, 2.0);
@@ -160,7 +160,7 @@ TEST_CASE("TurbidBoxes: a million voxels are merged to the maximum number of box
   CHECK(MakeTurbidBoxes(grid, 1, Vec3(0, 0, 0))->GetNumberOfCells() == 6);
   Stage stage;
   SceneView view(stage.Renderer);
-  REQUIRE(view.SetScene(MakeSpeck()).empty());
+  REQUIRE(view.SetScene(MakeSpeck()).IsOk());
   view.SetGrids({ grid });
   CHECK(view.GetNumberOfBoxes() == count);
   view.SetInteracting(true);
@@ -223,7 +223,7 @@ TEST_CASE("Benchmark: a million voxels", "[.][benchmark]")
   Stage stage;
   stage.Window->SetSize(1280, 800);
   SceneView view(stage.Renderer);
-  REQUIRE(view.SetScene(MakeSpeck()).empty());
+  REQUIRE(view.SetScene(MakeSpeck()).IsOk());
   std::vector<double> densities;
   for (int i = 0; i < 1009; ++i)
   {

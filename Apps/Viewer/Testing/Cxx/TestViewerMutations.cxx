@@ -5,6 +5,7 @@
 #include "heliosCloud.h"
 #include "heliosCloudReader.h"
 #include "heliosMutation.h"
+#include "heliosStatus.h"
 #include "heliosTempFolder.h"
 
 #include <vtkCamera.h>
@@ -69,10 +70,10 @@ TEST_CASE("ViewerMutations: damaged camera scripts give an error or cameras", "[
     INFO("case " << i << "\n" << text.substr(0, 1000));
     CameraRig rig(renderer);
     rig.SetMode(CameraMode::Script);
-    const std::string problem = rig.ReadScript(folder / "a.json");
-    (problem.empty() ? goodCount : errorCount) += 1;
-    REQUIRE((problem.empty() || problem.find("a.json") != std::string::npos));
-    for (int step = 0; step < 3 && problem.empty(); ++step)
+    const Status status = rig.ReadScript(folder / "a.json");
+    (status.IsOk() ? goodCount : errorCount) += 1;
+    REQUIRE((status.IsOk() || status.Message().find("a.json") != std::string::npos));
+    for (int step = 0; step < 3 && status.IsOk(); ++step)
     {
       rig.Update(2.5, nullptr);
       const double* eye = renderer->GetActiveCamera()->GetPosition();
@@ -103,9 +104,9 @@ TEST_CASE("ViewerMutations: damaged runs give an error or points", "[Viewer][mut
     INFO("case " << i << ", " << names[which] << "\n" << text.substr(0, 1000));
     Cloud cloud;
     CloudReader reader;
-    const std::string problem = reader.Read(folder / "", cloud);
-    (problem.empty() ? goodCount : errorCount) += 1;
-    REQUIRE((!problem.empty() || cloud.GetNumberOfPoints() > 0));
+    const Status status = reader.Read(folder / "", cloud);
+    (status.IsOk() ? goodCount : errorCount) += 1;
+    REQUIRE((!status.IsOk() || cloud.GetNumberOfPoints() > 0));
     for (vtkIdType p = 0; p < cloud.GetNumberOfPoints(); ++p)
     {
       const Echo echo = cloud.GetEcho(p);
@@ -123,6 +124,6 @@ TEST_CASE("ViewerMutations: a file name with a leg number out of range", "[Viewe
   Write(folder / "leg99999999999999999999_points.xyz", Points);
   Cloud cloud;
   CloudReader reader;
-  CHECK(reader.Read(folder / "leg99999999999999999999_points.xyz", cloud).empty());
+  CHECK(reader.Read(folder / "leg99999999999999999999_points.xyz", cloud).IsOk());
   CHECK(cloud.GetNumberOfPoints() == 2);
 }

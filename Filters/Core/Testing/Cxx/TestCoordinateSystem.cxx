@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCoordinateSystem.h"
 #include "heliosCoordinateTransform.h"
+#include "heliosStatus.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +14,7 @@ namespace
 helios::CoordinateSystem Make(const std::string& text)
 {
   helios::CoordinateSystem system;
-  REQUIRE(system.Set(text) == "");
+  REQUIRE(system.Set(text).Message() == "");
   REQUIRE(system.IsSet());
   return system;
 }
@@ -22,9 +23,9 @@ helios::CoordinateSystem Make(const std::string& text)
 std::string GetProblem(const std::string& text)
 {
   helios::CoordinateSystem system;
-  const std::string problem = system.Set(text);
+  const helios::Status status = system.Set(text);
   CHECK_FALSE(system.IsSet());
-  return problem;
+  return status.Message();
 }
 
 bool Has(const std::string& text, const std::string& part)
@@ -142,24 +143,24 @@ TEST_CASE("CoordinateSystem: systems that cannot be used for scans are refused w
   "[CoordinateSystem]")
 {
   const double heidelberg[3] = { 8.7, 49.4, 110.0 };
-  CHECK(helios::GetMetricProblem(Make("EPSG:4326"), heidelberg) ==
+  CHECK(helios::CheckMetric(Make("EPSG:4326"), heidelberg).Message() ==
     "EPSG:4326 (WGS 84) is in degrees; reproject it to a metric system, e.g. "
     "<filter type=\"crs\"> with target EPSG:32632");
   const double bergen[3] = { 5.3, 60.4, 0.0 }; // zone 32 by the exception for Norway
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:4258"), bergen), "target EPSG:32632"));
+  CHECK(Has(helios::CheckMetric(Make("EPSG:4258"), bergen).Message(), "target EPSG:32632"));
   const double sydney[3] = { 151.2153, -33.8568, 0.0 };
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:4326"), sydney), "target EPSG:32756"));
+  CHECK(Has(helios::CheckMetric(Make("EPSG:4326"), sydney).Message(), "target EPSG:32756"));
   const double poles[2][3] = { { 0.0, 88.0, 0.0 }, { 0.0, -88.0, 0.0 } };
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:4326"), poles[0]), "target EPSG:5041"));
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:4326"), poles[1]), "target EPSG:5042"));
+  CHECK(Has(helios::CheckMetric(Make("EPSG:4326"), poles[0]).Message(), "target EPSG:5041"));
+  CHECK(Has(helios::CheckMetric(Make("EPSG:4326"), poles[1]).Message(), "target EPSG:5042"));
   const double manhattan[3] = { 984000.0, 200000.0, 30.0 };
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:2263"), manhattan),
+  CHECK(Has(helios::CheckMetric(Make("EPSG:2263"), manhattan).Message(),
     "(NAD83 / New York Long Island (ftUS)) is in US survey foot; reproject it to a metric system, "
     "e.g. <filter type=\"crs\"> with target EPSG:32618"));
   const double nowhere[3] = { 8.7, 95.0, 0.0 };
-  CHECK(Has(helios::GetMetricProblem(Make("EPSG:4326"), nowhere), "with target a UTM zone"));
-  CHECK(helios::GetMetricProblem(Make("EPSG:32632"), heidelberg).empty());
-  CHECK(helios::GetMetricProblem(Make("ENU 0 0 0"), heidelberg).empty());
+  CHECK(Has(helios::CheckMetric(Make("EPSG:4326"), nowhere).Message(), "with target a UTM zone"));
+  CHECK(helios::CheckMetric(Make("EPSG:32632"), heidelberg).IsOk());
+  CHECK(helios::CheckMetric(Make("ENU 0 0 0"), heidelberg).IsOk());
 }
 
 TEST_CASE("CoordinateSystem: its WKT is an equal system", "[CoordinateSystem]")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCoordinateTransform.h"
 #include "heliosMutation.h"
+#include "heliosStatus.h"
 
 #include <catch2/catch.hpp>
 
@@ -33,7 +34,7 @@ TEST_CASE(
   "CoordinateSystem: a damaged text is an error or a system", "[CoordinateSystem][mutation]")
 {
   helios::CoordinateSystem geographic;
-  REQUIRE(geographic.Set("EPSG:4979").empty());
+  REQUIRE(geographic.Set("EPSG:4979").IsOk());
   int failures = 0;
   for (int seed = 0; seed < helios::GetNumberOfMutations(); ++seed)
   {
@@ -41,10 +42,10 @@ TEST_CASE(
     const std::string text = mutate(Texts[seed % std::size(Texts)]);
     CAPTURE(seed, text);
     helios::CoordinateSystem system;
-    const std::string problem = system.Set(text);
-    REQUIRE(problem.empty() == system.IsSet());
+    const helios::Status status = system.Set(text);
+    REQUIRE(status.IsOk() == system.IsSet());
     helios::CoordinateTransform transform;
-    if (!problem.empty() || !transform.Set(geographic, system).empty())
+    if (!status.IsOk() || !transform.Set(geographic, system).IsOk())
     {
       ++failures;
       continue;
@@ -53,7 +54,7 @@ TEST_CASE(
     double image[3];
     const bool isMoved = transform.Forward(place, image, 1) < 0;
     REQUIRE(isMoved == std::isfinite(image[0] + image[1] + image[2]));
-    helios::GetMetricProblem(system, place);
+    REQUIRE(helios::CheckMetric(system, place).IsOk() == system.IsMetric());
   }
   CHECK(failures > helios::GetNumberOfMutations() / 4);
   CHECK(failures < helios::GetNumberOfMutations());

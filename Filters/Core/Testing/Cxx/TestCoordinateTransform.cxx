@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,7 +21,7 @@ constexpr double Tolerance = 5e-9; // [m]
 helios::CoordinateSystem Make(const std::string& text)
 {
   helios::CoordinateSystem system;
-  REQUIRE(system.Set(text) == "");
+  REQUIRE(system.Set(text).Message() == "");
   return system;
 }
 
@@ -28,7 +29,7 @@ helios::CoordinateTransform MakeTransform(const std::string& source, const std::
 {
   helios::CoordinateTransform transform;
   CAPTURE(source, target);
-  REQUIRE(transform.Set(Make(source), Make(target)) == "");
+  REQUIRE(transform.Set(Make(source), Make(target)).Message() == "");
   return transform;
 }
 
@@ -42,7 +43,7 @@ Point Transform(const std::string& source, const std::string& target, const Poin
 std::string GetProblem(const std::string& source, const std::string& target)
 {
   helios::CoordinateTransform transform;
-  return transform.Set(Make(source), Make(target));
+  return transform.Set(Make(source), Make(target)).Message();
 }
 
 /// Why a point has no image.
@@ -427,4 +428,20 @@ TEST_CASE("CoordinateTransform: one copy per thread", "[CoordinateTransform]")
   {
     CHECK(image == expected);
   }
+}
+
+TEST_CASE(
+  "CoordinateTransform: a copy without PROJ's database moves no point", "[CoordinateTransform]")
+{
+  const helios::CoordinateTransform transform = MakeTransform("EPSG:4326", "EPSG:31467");
+  setenv("PROJ_DATA", "/none", 1);
+  setenv("PROJ_LIB", "/none", 1);
+  helios::CoordinateTransform copy(transform);
+  unsetenv("PROJ_DATA");
+  unsetenv("PROJ_LIB");
+  const Point place{ 8.7, 49.4, 110.0 };
+  Point image{};
+  CHECK(copy.Forward(place.data(), image.data(), 1) == 0);
+  CHECK(std::isnan(image[0] + image[1] + image[2]));
+  CHECK(helios::CoordinateTransform(transform).Forward(place.data(), image.data(), 1) == -1);
 }

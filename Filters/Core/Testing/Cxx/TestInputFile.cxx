@@ -38,11 +38,11 @@ TEST_CASE("CheckInputFile: accepts regular files and links to them", "[InputFile
   const Folder folder;
   std::ofstream(folder / "a.obj") << "v 0 0 0\n";
   std::filesystem::create_symlink("a.obj", folder / "link.obj");
-  CHECK(CheckInputFile(folder / "a.obj").empty());
-  CHECK(CheckInputFile(folder / "link.obj").empty());
-  CHECK(CheckInputFile(folder / "none.obj").empty()); // reported by the reader
-  CHECK(CheckInputFile("").empty());
-  CHECK(CheckInputFile(std::string("/dev/zero\0.obj", 14)).empty());
+  CHECK(CheckInputFile(folder / "a.obj").IsOk());
+  CHECK(CheckInputFile(folder / "link.obj").IsOk());
+  CHECK(CheckInputFile(folder / "none.obj").IsOk()); // reported by the reader
+  CHECK(CheckInputFile("").IsOk());
+  CHECK(CheckInputFile(std::string("/dev/zero\0.obj", 14)).IsOk());
 }
 
 TEST_CASE("CheckInputFile: refuses all other kinds of paths", "[InputFile]")
@@ -57,15 +57,16 @@ TEST_CASE("CheckInputFile: refuses all other kinds of paths", "[InputFile]")
   REQUIRE(bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0);
   close(listener);
 
-  CHECK(CheckInputFile(folder.Path) == "cannot be read: it is a folder; give the name of a file");
+  CHECK(CheckInputFile(folder.Path).Message() ==
+    "cannot be read: it is a folder; give the name of a file");
   const std::string fifo = "cannot be read: it is a FIFO, not a regular file; copy it to a file";
-  CHECK(CheckInputFile(folder / "fifo") == fifo);
-  CHECK(CheckInputFile(folder / "link") == fifo);
-  CHECK(CheckInputFile(folder / "socket") ==
+  CHECK(CheckInputFile(folder / "fifo").Message() == fifo);
+  CHECK(CheckInputFile(folder / "link").Message() == fifo);
+  CHECK(CheckInputFile(folder / "socket").Message() ==
     "cannot be read: it is a socket, not a regular file; copy what it sends to a file");
-  CHECK(CheckInputFile("/dev/zero") ==
+  CHECK(CheckInputFile("/dev/zero").Message() ==
     "cannot be read: it is a character device, not a regular file; copy what is read to a file");
-  CHECK(CheckInputFile("/proc/self/status") ==
+  CHECK(CheckInputFile("/proc/self/status").Message() ==
     "cannot be read: it is a file of the kernel (/proc, /sys), not a regular file; copy it to a "
     "file");
 }

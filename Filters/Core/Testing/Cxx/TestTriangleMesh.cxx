@@ -39,7 +39,7 @@ TEST_CASE("TriangleMesh: shares double points and 32-bit cells", "[TriangleMesh]
 {
   helios::TriangleMesh mesh;
   const auto scene = MakeTriangle(VTK_DOUBLE, true);
-  REQUIRE(mesh.Set(scene).empty());
+  REQUIRE(mesh.Set(scene).IsOk());
   CHECK(mesh.GetMemorySize() == 0);
   CHECK(mesh.GetPoints() == scene->GetPoints()->GetVoidPointer(0));
   CHECK(mesh.GetNumberOfTriangles() == 1);
@@ -48,7 +48,7 @@ TEST_CASE("TriangleMesh: shares double points and 32-bit cells", "[TriangleMesh]
 TEST_CASE("TriangleMesh: copies other storage types", "[TriangleMesh]")
 {
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(MakeTriangle(VTK_FLOAT, false)).empty());
+  REQUIRE(mesh.Set(MakeTriangle(VTK_FLOAT, false)).IsOk());
   CHECK(mesh.GetMemorySize() > 0);
   CHECK(mesh.GetCorner(0, 1)[0] == 2.0);
   const helios::Vec3 normal = mesh.GetNormal(0);
@@ -61,19 +61,20 @@ TEST_CASE("TriangleMesh: copies other storage types", "[TriangleMesh]")
 TEST_CASE("TriangleMesh: bad input is an error", "[TriangleMesh]")
 {
   helios::TriangleMesh mesh;
-  CHECK(mesh.Set(nullptr).find("empty") != std::string::npos);
+  CHECK(mesh.Set(nullptr).Message().find("empty") != std::string::npos);
 
   vtkNew<vtkPolyData> empty;
-  CHECK(mesh.Set(empty).find("empty") != std::string::npos);
+  CHECK(mesh.Set(empty).Message().find("empty") != std::string::npos);
 
   const double inf = std::numeric_limits<double>::infinity();
-  CHECK(mesh.Set(MakeTriangle(VTK_DOUBLE, true, inf)).find("cell 0") != std::string::npos);
+  CHECK(
+    mesh.Set(MakeTriangle(VTK_DOUBLE, true, inf)).Message().find("cell 0") != std::string::npos);
 
   const auto dangling = MakeTriangle(VTK_DOUBLE, true);
   dangling->GetPolys()->InsertNextCell({ 0, 1, 7 });
-  CHECK(mesh.Set(dangling).find("refers to point 7, but it has 3") != std::string::npos);
+  CHECK(mesh.Set(dangling).Message().find("refers to point 7, but it has 3") != std::string::npos);
 
   const auto quads = MakeTriangle(VTK_DOUBLE, true);
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 1 });
-  CHECK(mesh.Set(quads).find("vtkTriangleFilter") != std::string::npos);
+  CHECK(mesh.Set(quads).Message().find("vtkTriangleFilter") != std::string::npos);
 }

@@ -359,8 +359,8 @@ TEST_CASE("GeoTiffErrors: 64-bit cells hold the same mesh", "[GeoTiffErrors]")
   small.MoveTo(a);
   large.MoveTo(b);
   helios::TriangleMesh first, second;
-  REQUIRE(first.Set(a).empty());
-  REQUIRE(second.Set(b).empty());
+  REQUIRE(first.Set(a).IsOk());
+  REQUIRE(second.Set(b).IsOk());
   REQUIRE(first.GetNumberOfTriangles() == 6);
   REQUIRE(second.GetNumberOfTriangles() == 6);
   CHECK(std::equal(first.GetCorners(), first.GetCorners() + 18, second.GetCorners()));

@@ -51,7 +51,7 @@ std::vector<std::string> MakeGoodFiles(const TempFolder& folder)
   return files;
 }
 
-/// Checks a scene. Returns an error message, or an empty string.
+/// Why a scene is not valid; empty if it is.
 std::string FindFault(GeoTiffReading& reading)
 {
   vtkPolyData* scene = reading.Scene();
@@ -69,7 +69,7 @@ std::string FindFault(GeoTiffReading& reading)
     return "not a scene";
   }
   helios::TriangleMesh mesh;
-  return mesh.Set(scene); // corners are valid and finite
+  return mesh.Set(scene).Message(); // corners are valid and finite
 }
 
 } // namespace

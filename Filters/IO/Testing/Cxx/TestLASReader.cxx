@@ -130,8 +130,8 @@ TEST_CASE("LASReader: written files are read back", "[LASReader]")
     CHECK(CountWrong(read, written, 0, name == names::ScanAngle ? 1e-12 : 0.0) == 0);
   }
   helios::CoordinateSystem written, read;
-  CHECK(written.Set("EPSG:25832").empty());
-  CHECK(read.Set(helios::GetCRS(cloud)).empty());
+  CHECK(written.Set("EPSG:25832").IsOk());
+  CHECK(read.Set(helios::GetCRS(cloud)).IsOk());
   CHECK(written == read);
   const double epoch = cloud->GetFieldData()->GetArray(names::GpsEpoch)->GetTuple1(0);
   CHECK(epoch == 1e9);

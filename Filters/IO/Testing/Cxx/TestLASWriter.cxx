@@ -610,7 +610,7 @@ TEST_CASE("LASWriter: bad blocks are errors", "[LASWriter]")
   SECTION("WKT longer than a record")
   {
     helios::CoordinateSystem system;
-    REQUIRE(system.Set("EPSG:25832").empty());
+    REQUIRE(system.Set("EPSG:25832").IsOk());
     std::string wkt = system.GetWkt();
     wkt.insert(wkt.find("ETRS89 / UTM"), std::string(66000, 'x'));
     helios::SetCrs(block, wkt);

@@ -4,6 +4,9 @@
 #include "heliosObjParser.h"
 #include "heliosObjTestFiles.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -316,6 +319,27 @@ TEST_CASE("ObjErrors: an isolated vertex is reported with the extent of the scen
     "a.obj", "v 32500000 5500000 0\nv 32500001 5500000 0\nv 32500000 5500001 0\nf 1 2 3\n"));
   CHECK(zones.Read());
   CHECK(zones.Log->Warnings.empty());
+}
+
+TEST_CASE("ObjErrors: an isolated vertex is reported without its line if the file was removed",
+  "[ObjErrors]")
+{
+  TestFolder folder;
+  std::string path = folder.Write("a.obj", ObjSquare + "v 1e30 0 -5\nf 1 2 3\nf 1 2 5\n");
+  ObjReading reading(path);
+  vtkNew<vtkCallbackCommand> remove;
+  remove->SetClientData(&path);
+  remove->SetCallback(
+    [](vtkObject*, unsigned long, void* name, void* progress)
+    {
+      if (*static_cast<double*>(progress) > 0.0) // the file is open
+      {
+        std::remove(static_cast<std::string*>(name)->c_str());
+      }
+    });
+  reading.Reader->AddObserver(vtkCommand::ProgressEvent, remove);
+  CHECK(reading.Read());
+  CHECK(reading.Log->HasWarning(path + ":0: vertex 5 (1e+30, 0, -5) lies far from the others"));
 }
 
 TEST_CASE("ObjErrors: unknown and empty elements are reported once", "[ObjErrors]")

@@ -46,7 +46,7 @@ TEST_CASE("ReaderMemory: GeoTIFF: pixels of existing blocks count", "[ReaderMemo
 {
   const helios::TempFolder folder;
   helios::RasterFile file;
-  REQUIRE(file.Open(WriteSparse(folder, 1000, true), {}).empty());
+  REQUIRE(file.Open(WriteSparse(folder, 1000, true), {}).IsOk());
   CHECK(file.CountPixels() == Approx(256.0 * 256.0).epsilon(1e-6));
 
   const Limit limit(0.001);
@@ -74,7 +74,7 @@ TEST_CASE("ReaderMemory: OBJ: lines are counted if the size is not conclusive", 
   const helios::ObjCounts counts = helios::CountObj(path);
   CHECK(counts.Vertices == 4.0);
   CHECK(counts.Triangles == 3.0);
-  CHECK(helios::CheckObjMemory(path).empty());
+  CHECK(helios::CheckObjMemory(path).IsOk());
 
   const Limit limit(0.001);
   helios::ObjReading reading(path);

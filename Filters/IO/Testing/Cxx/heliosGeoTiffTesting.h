@@ -6,6 +6,7 @@
 #define heliosGeoTiffTesting_h
 
 #include "heliosErrorObserver.h"
+#include "heliosStatus.h"
 #include "heliosTempFolder.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGeoTiffSceneReader.h"
@@ -239,14 +240,14 @@ struct GeoTiffReading
   vtkIdType TriangleCount() { return this->Scene()->GetNumberOfPolys(); }
   double Height(vtkIdType point) { return this->Scene()->GetPoint(point)[2]; }
 
-  /// Checks that the mesh is valid and faces up. Returns an error message, or an empty string.
+  /// Why the mesh is not valid or does not face up; empty if it is and does.
   std::string FindFault()
   {
     TriangleMesh mesh;
-    const std::string fault = mesh.Set(this->Scene());
-    if (!fault.empty())
+    const Status status = mesh.Set(this->Scene());
+    if (!status.IsOk())
     {
-      return fault;
+      return status.Message();
     }
     for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
     {

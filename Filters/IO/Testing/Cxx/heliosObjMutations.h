@@ -42,7 +42,7 @@ inline std::string MutateText(std::string text, unsigned seed)
   return Mutator(seed)(std::move(text));
 }
 
-/// Checks a scene. Returns an error message, or an empty string.
+/// Why a scene is not valid; empty if it is.
 inline std::string FindFault(ObjReading& reading)
 {
   vtkPolyData* scene = reading.Scene();
@@ -71,10 +71,10 @@ inline std::string FindFault(ObjReading& reading)
     }
   }
   TriangleMesh mesh;
-  return count > 0 ? mesh.Set(scene) : std::string(); // corners are valid and finite
+  return count > 0 ? mesh.Set(scene).Message() : std::string(); // corners are valid and finite
 }
 
-/// Reads an OBJ file. Returns an error message about the result, and whether it is a scene.
+/// Reads an OBJ file. Returns why the result is not valid, and whether it is a scene.
 inline std::string ReadMutation(const std::string& path, bool& isScene)
 {
   ObjReading reading(path);

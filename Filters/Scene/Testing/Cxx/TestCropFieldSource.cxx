@@ -429,7 +429,7 @@ TEST_CASE("CropFieldSource: an OBJ file restores the triangles", "[CropFieldSour
   reader->SetUpAxisToZ();
   reader->Update();
   helios::TriangleMesh back;
-  REQUIRE(back.Set(reader->GetOutput()).empty());
+  REQUIRE(back.Set(reader->GetOutput()).IsOk());
   REQUIRE(back.GetNumberOfTriangles() == mesh.GetNumberOfTriangles());
   bool isSame = true;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)

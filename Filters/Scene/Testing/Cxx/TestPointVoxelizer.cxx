@@ -53,7 +53,7 @@ struct Chord
 Chord Cut(vtkPolyData* scene, const helios::Vec3& origin, const helios::Vec3& direction)
 {
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(scene).empty());
+  REQUIRE(mesh.Set(scene).IsOk());
   Chord chord;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
   {

@@ -106,7 +106,7 @@ TEST_CASE("PointVoxelizer: voxels without a normal use the default, or that of t
     const Vec3 faces[] = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { 0, 0, -1 },
       { 0, 0, 1 } };
     helios::TriangleMesh mesh;
-    REQUIRE(mesh.Set(cells.Scene()).empty());
+    REQUIRE(mesh.Set(cells.Scene()).IsOk());
     for (int i = 0; i < 12; ++i)
     {
       CHECK(GetTriple(cells.Scene(), names::Normals, 12 + i) == faces[i / 2]);

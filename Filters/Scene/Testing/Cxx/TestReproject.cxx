@@ -122,7 +122,7 @@ vtkSmartPointer<vtkDoubleArray> GetNormals(vtkPolyData* mesh)
   auto normals = MakeArray("Normals", { 0.0, 0.0, 0.0 });
   normals->SetNumberOfTuples(mesh->GetNumberOfCells());
   helios::TriangleMesh triangles;
-  REQUIRE(triangles.Set(mesh).empty());
+  REQUIRE(triangles.Set(mesh).IsOk());
   for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
     normals->SetTuple(i, triangles.GetNormal(i).GetData());

@@ -55,7 +55,7 @@ TEST_CASE("SceneComposer: joins parts and merges equal materials", "[SceneCompos
   vtkPolyData* scene = composer->GetOutput();
 
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(scene).empty());
+  REQUIRE(mesh.Set(scene).IsOk());
   CHECK(mesh.GetMemorySize() == 0); // double points, 32-bit cells
   REQUIRE(mesh.GetNumberOfTriangles() == 3);
   CHECK(mesh.GetCorner(1, 0)[0] == 500000.123456);
@@ -274,9 +274,9 @@ TEST_CASE("SceneComposer: large parts keep every point and triangle", "[SceneCom
   vtkPolyData* scene = composer->GetOutput();
 
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(scene).empty());
+  REQUIRE(mesh.Set(scene).IsOk());
   helios::TriangleMesh treeMesh;
-  REQUIRE(treeMesh.Set(tree->GetOutput()).empty());
+  REQUIRE(treeMesh.Set(tree->GetOutput()).IsOk());
   REQUIRE(mesh.GetNumberOfTriangles() == 180000 + treeMesh.GetNumberOfTriangles());
   int different = 0;
   for (vtkIdType i = 0; i < treeMesh.GetNumberOfTriangles(); ++i)

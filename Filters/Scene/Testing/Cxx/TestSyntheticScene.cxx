@@ -21,7 +21,7 @@ helios::TriangleMesh Make(vtkHeliosSyntheticScene* source)
   source->Update();
   vtkPolyData* scene = source->GetOutput();
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(scene).empty());
+  REQUIRE(mesh.Set(scene).IsOk());
   CHECK(mesh.GetMemorySize() == 0); // double points, 32-bit cells
   CHECK(helios::GetSmallestArea(mesh) > 0.0);
   vtkIntArray* ids = helios::GetIds(scene, names::MaterialIds);

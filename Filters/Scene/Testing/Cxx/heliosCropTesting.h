@@ -25,7 +25,7 @@ inline TriangleMesh Make(vtkHeliosCropFieldSource* field)
 {
   field->Update();
   TriangleMesh mesh;
-  REQUIRE(mesh.Set(field->GetOutput()).empty());
+  REQUIRE(mesh.Set(field->GetOutput()).IsOk());
   CHECK(mesh.GetMemorySize() == 0); // double points, 32-bit cells
   CHECK(GetSmallestArea(mesh) > 0.0);
   for (const char* name : { vtkHeliosArrayNames::MaterialIds, vtkHeliosArrayNames::PartIds })

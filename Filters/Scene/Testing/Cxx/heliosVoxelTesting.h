@@ -166,7 +166,7 @@ struct Voxelizing
 inline int CountUnbalancedEdges(vtkPolyData* scene)
 {
   TriangleMesh mesh;
-  if (!mesh.Set(scene).empty())
+  if (!mesh.Set(scene).IsOk())
   {
     return -1;
   }
@@ -192,7 +192,7 @@ inline int CountUnbalancedEdges(vtkPolyData* scene)
 inline double GetVolume(vtkPolyData* scene)
 {
   TriangleMesh mesh;
-  return mesh.Set(scene).empty() ? GetVolume(mesh) : std::nan("");
+  return mesh.Set(scene).IsOk() ? GetVolume(mesh) : std::nan("");
 }
 
 inline bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b)

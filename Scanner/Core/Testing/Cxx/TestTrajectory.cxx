@@ -78,7 +78,7 @@ helios::Vec3 PositionAt(const helios::Trajectory& trajectory, double time)
 TEST_CASE("Trajectory: with velocities a cubic is exact", "[Trajectory]")
 {
   helios::Trajectory trajectory;
-  REQUIRE(trajectory.Set(MakePath({ 0.0, 0.5, 2.0, 5.0 }, Cubic, true)).empty());
+  REQUIRE(trajectory.Set(MakePath({ 0.0, 0.5, 2.0, 5.0 }, Cubic, true)).IsOk());
   for (double t = 0.0; t <= 5.0; t += 0.0625)
   {
     helios::Vec3 p, v;
@@ -95,7 +95,7 @@ TEST_CASE("Trajectory: with velocities a cubic is exact", "[Trajectory]")
 TEST_CASE("Trajectory: without velocities it is linear", "[Trajectory]")
 {
   helios::Trajectory trajectory;
-  REQUIRE(trajectory.Set(MakePath({ 0.0, 2.0 }, Cubic, false)).empty());
+  REQUIRE(trajectory.Set(MakePath({ 0.0, 2.0 }, Cubic, false)).IsOk());
   helios::Vec3 end, v;
   Cubic(2.0, end, v);
   CHECK(PositionAt(trajectory, 0.5)[0] == 1.0 + 0.25 * (end[0] - 1.0));
@@ -116,8 +116,8 @@ TEST_CASE("Trajectory: constant velocity equals the straight line to the bit", "
       v = speed;
     };
     helios::Trajectory curved, straight;
-    REQUIRE(curved.Set(MakePath({ start, start + duration }, motion, true)).empty());
-    REQUIRE(straight.Set(MakePath({ start, start + duration }, motion, false)).empty());
+    REQUIRE(curved.Set(MakePath({ start, start + duration }, motion, true)).IsOk());
+    REQUIRE(straight.Set(MakePath({ start, start + duration }, motion, false)).IsOk());
     int different = 0;
     for (double s = 0.0; s < 1.0; s += 1e-4)
     {
@@ -133,7 +133,7 @@ TEST_CASE("Trajectory: the samples of one leg", "[Trajectory]")
 {
   auto path = MakePath({ 0.0, 1.0, 1.0, 3.0 }, Cubic, true);
   helios::Trajectory leg;
-  CHECK(leg.SetLeg(path, 1) == "the trajectory has no samples of leg 1");
+  CHECK(leg.SetLeg(path, 1).Message() == "the trajectory has no samples of leg 1");
   vtkNew<vtkIntArray> legs;
   legs->SetName(names::LegIds);
   for (const int id : { 0, 0, 1, 1 })
@@ -141,13 +141,13 @@ TEST_CASE("Trajectory: the samples of one leg", "[Trajectory]")
     legs->InsertNextValue(id);
   }
   path->GetPointData()->AddArray(legs);
-  REQUIRE(leg.SetLeg(path, 1).empty());
+  REQUIRE(leg.SetLeg(path, 1).IsOk());
   CHECK(leg.GetStartTime() == 1.0);
   CHECK(leg.GetEndTime() == 3.0);
   CHECK(leg.GetPose(2.0).Position[0] == Approx(49.0).epsilon(1e-15));
   CHECK(leg.GetPose(0.0).Position[0] == 10.0); // before: the start
   CHECK(leg.GetPose(9.0).Position[2] == -21.0);
-  CHECK(leg.SetLeg(path, 2) == "the trajectory has no samples of leg 2");
+  CHECK(leg.SetLeg(path, 2).Message() == "the trajectory has no samples of leg 2");
 }
 
 TEST_CASE("Trajectory: bad velocities are errors", "[Trajectory]")
@@ -159,13 +159,13 @@ TEST_CASE("Trajectory: bad velocities are errors", "[Trajectory]")
     path->GetPointData()
       ->GetArray(names::Velocity)
       ->SetComponent(1, 2, std::numeric_limits<double>::quiet_NaN());
-    CHECK(trajectory.Set(path) ==
+    CHECK(trajectory.Set(path).Message() ==
       "sample 1 of the trajectory is not finite, or its orientation is not a unit quaternion");
   }
   SECTION("two components")
   {
     AddArray(path, names::Velocity, 2);
-    CHECK(
-      trajectory.Set(path) == "the array Velocity of the trajectory needs 3 components: x, y, z");
+    CHECK(trajectory.Set(path).Message() ==
+      "the array Velocity of the trajectory needs 3 components: x, y, z");
   }
 }

@@ -149,7 +149,7 @@ inline std::array<vtkIdType, 2> FindLeg(vtkPolyData* path, int leg)
   return ends;
 }
 
-/// Returns an error message, or an empty string for a valid trajectory: times must not decrease, a
+/// Why a trajectory is not valid; empty if it is: times must not decrease, a
 /// leg starts when the one before ends, no jumps, velocities match the positions.
 inline std::string FindFlaw(vtkPolyData* path, double tolerance)
 {

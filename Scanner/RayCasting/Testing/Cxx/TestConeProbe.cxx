@@ -134,7 +134,7 @@ std::vector<Point3> ClipToCone(const Point3 corners[3], long double tangent)
   return points;
 }
 
-/// Checks a result; returns an error message, or an empty string.
+/// Why a result is not right; empty if it is.
 std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const Cone& cone,
   double tolerance, const vtkHeliosConeHit& found)
 {

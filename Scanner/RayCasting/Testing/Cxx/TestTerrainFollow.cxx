@@ -118,7 +118,7 @@ TEST_CASE("TerrainFollow: additional waypoints have the settings of their leg", 
     }
     // The reference: a ray.
     helios::TriangleMesh mesh;
-    REQUIRE(mesh.Set(vtkPolyData::SafeDownCast(follow.Filter->GetInputDataObject(1, 0))).empty());
+    REQUIRE(mesh.Set(vtkPolyData::SafeDownCast(follow.Filter->GetInputDataObject(1, 0))).IsOk());
     const Vec3 p(way->GetPoint(i));
     const vtkHeliosRay ray = helios::MakeRay({ p[0], p[1], 50 }, { 0, 0, -1 });
     const double ground = 50 - helios::IntersectBruteForce(mesh, ray).Range;

@@ -44,7 +44,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const int count[3], double size, const V
 TurbidGrid MakeGrid(const int count[3], double size, const Vec3& corner = { 0, 0, 0 })
 {
   TurbidGrid grid;
-  REQUIRE(grid.Set(MakeImage(count, size, corner, [](vtkIdType) { return 1.0; })).empty());
+  REQUIRE(grid.Set(MakeImage(count, size, corner, [](vtkIdType) { return 1.0; })).IsOk());
   return grid;
 }
 
@@ -185,13 +185,13 @@ TEST_CASE("TurbidGrid: a rotated grid is equivalent", "[TurbidGrid]")
   const auto density = [](vtkIdType cell) { return static_cast<double>(cell % 5); };
   const auto image = MakeImage(count, 0.25, { 0, 0, 0 }, density);
   TurbidGrid straight;
-  REQUIRE(straight.Set(image).empty());
+  REQUIRE(straight.Set(image).IsOk());
   const Vec3 offset(478233.5, 5471966.75, 110.25);
   const helios::Rotation rotation(turn);
   image->SetDirectionMatrix(&rotation.M[0][0]);
   image->SetOrigin(offset[0], offset[1], offset[2]);
   TurbidGrid turned;
-  REQUIRE(turned.Set(image).empty());
+  REQUIRE(turned.Set(image).IsOk());
   for (vtkIdType i = 0; i < 1000; ++i)
   {
     const Vec3 origin = Draw(i, 0, -3.0, 4.0);
@@ -211,7 +211,7 @@ TEST_CASE("TurbidGrid: an optical depth is where densities add up to it", "[Turb
   const double pads[] = { 2.0, 0.0, nan, 1.0 };
   const auto image = MakeImage(count, 1.0, { 0, 0, 0 }, [&](vtkIdType i) { return pads[i]; });
   TurbidGrid grid;
-  REQUIRE(grid.Set(image).empty());
+  REQUIRE(grid.Set(image).IsOk());
   const auto find = [&grid](double depth, double end = 1e9) {
     return grid.FindDepth({ -1, 0.5, 0.5 }, { 1, 0, 0 }, end, depth);
   };
@@ -228,7 +228,7 @@ TEST_CASE("TurbidGrid: G of a table is linear in the angle from the vertical", "
   const int one[3] = { 1, 1, 1 };
   const auto image = MakeImage(one, 1.0, { 0, 0, 0 }, [](vtkIdType) { return 1.0; });
   TurbidGrid grid;
-  REQUIRE(grid.Set(image).empty());
+  REQUIRE(grid.Set(image).IsOk());
   CHECK(grid.GetProjection({ 1, 2, 3 }) == 0.5);
   vtkNew<vtkDoubleArray> table;
   table->SetName(names::LeafProjection);
@@ -237,7 +237,7 @@ TEST_CASE("TurbidGrid: G of a table is linear in the angle from the vertical", "
   table->InsertNextTuple4(0, 0, 2, 0.8);
   table->InsertNextTuple4(0, 3, 0, 0.4);
   image->GetFieldData()->AddArray(table);
-  REQUIRE(grid.Set(image).empty());
+  REQUIRE(grid.Set(image).IsOk());
   CHECK(grid.GetProjection({ 0, 0, -5 }) == 0.8);
   CHECK(grid.GetProjection({ 1, 1, 0 }) == Approx(0.3)); // the mean of two
   CHECK(grid.GetProjection({ 1, 0, 1 }) == Approx(0.55));
@@ -280,7 +280,7 @@ TEST_CASE("TurbidGrid: bad images are errors", "[TurbidGrid]")
 {
   const int one[3] = { 1, 1, 1 };
   TurbidGrid grid;
-  const auto fault = [&grid](vtkImageData* image) { return grid.Set(image); };
+  const auto fault = [&grid](vtkImageData* image) { return grid.Set(image).Message(); };
   const auto none = [](vtkIdType) { return 1.0; };
   const auto empty = MakeImage(one, 1.0, { 0, 0, 0 }, none);
   empty->GetCellData()->Initialize();

@@ -58,7 +58,7 @@ struct Scene
   /// The mesh of a saved scene, read by a survey.
   vtkSmartPointer<vtkPolyData> Read()
   {
-    CHECK(this->Edit.Save(this->Folder / "new.xml").empty());
+    CHECK(this->Edit.Save(this->Folder / "new.xml").IsOk());
     this->Folder.Write("survey.xml",
       std::string("<document><survey name=\"n\" scene=\"new.xml#s\" ") + Tripod + ">" + OneLeg +
         "</survey></document>");

@@ -4,6 +4,7 @@
 #include "heliosSurveyEdit.h"
 
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 #include "heliosSurveyFiles.h"
 #include "heliosSurveyXml.h"
 #include "vtkHeliosSurveySource.h"
@@ -50,7 +51,7 @@ struct Hand
     REQUIRE(this->Edit.Platform == "assets.xml#" + std::string(platform));
   }
 
-  std::string Save(const Files& files)
+  Status Save(const Files& files)
   {
     return SaveSurvey(this->Edit, files / "survey.xml", { files / "" }, this->Log);
   }
@@ -141,7 +142,7 @@ TEST_CASE("SurveyEdit: legs of a rectangle fire, turns do not", "[SurveyEdit]")
   SurveyEdit far = hand.Edit;
   far.ScannerModel.RangeMin = 100.0; // nothing nearer gives returns
   CHECK_THAT(SetSetting(far, "height", 50.0), Contains("becomes 100 m"));
-  REQUIRE(hand.Save(files).empty());
+  REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);
   REQUIRE(reading.Good);
   CHECK(reading.Log->Warnings.empty());
@@ -163,7 +164,7 @@ TEST_CASE(
   AddLeg(hand.Edit, { 7.0, 7.0, 0.0 }, true);
   RemoveLeg(hand.Edit, 2);
   MoveLeg(hand.Edit, 0, { 1.5, 2.5, 0.5 }, false);
-  REQUIRE(hand.Save(files).empty());
+  REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);
   REQUIRE(reading.Good);
   const SurveyData& data = reading.Data();
@@ -200,7 +201,7 @@ TEST_CASE("SurveyEdit: values are limited to those of the instrument", "[SurveyE
   CHECK_THAT(
     SetSetting(hand.Edit, "speed", 3.0), Contains("speed is not a setting of tls on tripod"));
   CHECK(hand.Edit.Legs[0].Settings.Scan.HeadRotateSpeed == 60.0);
-  REQUIRE(hand.Save(files).empty());
+  REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);
   REQUIRE(reading.Good);
   CHECK(reading.Log->Warnings.empty()); // nothing needs clipping
@@ -242,7 +243,7 @@ TEST_CASE(
   vtkNew<vtkHeliosSurvey> shown;
   shown->GetData() = ReadSurveyText(files / "survey.xml", MakeSurveyText(hand.Edit), {}, hand.Log);
   CHECK_FALSE(hand.Log.HasError());
-  REQUIRE(hand.Save(files).empty());
+  REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);
   REQUIRE(reading.Good);
   CHECK(reading.Data().Seed == 5);
@@ -270,7 +271,7 @@ TEST_CASE("SurveyEdit: an unchanged survey is written unchanged", "[SurveyEdit]"
   CHECK(left.empty());
   CHECK(hand.Edit.Scene == "scene.xml#s");
   CHECK(hand.Edit.Scanner == (isMoving ? "assets.xml#als" : "assets.xml#tls"));
-  REQUIRE(hand.Save(files).empty());
+  REQUIRE(hand.Save(files).IsOk());
   CHECK_THAT(ReadText(files / "survey.xml"), Contains("made by hand"));
   const Reading second(files);
   REQUIRE(second.Good);
@@ -284,11 +285,11 @@ TEST_CASE("SurveyEdit: an invalid survey is not written, with the reason", "[Sur
 {
   const Files files;
   Hand hand(files);
-  CHECK_THAT(hand.Save(files),
+  CHECK_THAT(hand.Save(files).Message(),
     Contains("not written: the survey could not be run") && Contains("has 0 <leg>"));
   AddLeg(hand.Edit, { 0.0, 0.0, 0.0 }, true);
   hand.Edit.Scanner = "assets.xml#none";
-  CHECK_THAT(hand.Save(files), Contains("has no <scanner> with the id \"none\""));
+  CHECK_THAT(hand.Save(files).Message(), Contains("has no <scanner> with the id \"none\""));
   CHECK_FALSE(std::filesystem::exists(files / "survey.xml"));
 }
 
