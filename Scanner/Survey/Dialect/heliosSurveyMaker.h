@@ -6,9 +6,11 @@
 #define heliosSurveyMaker_h
 
 #include "heliosAttributes.h"
+#include "heliosMadeElements.h"
 #include "heliosMessages.h"
 #include "heliosSurveyData.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ namespace helios
 {
 
 class Assets;
+class XmlDocument;
 class XmlElement;
 
 /// Errors are reported for the owner, which is modified by each change. Indices count from 0; -1 is
@@ -67,10 +70,20 @@ public:
   {
     Messages log(this->Owner);
     const std::string where = whole ? this->Where : std::string();
-    const bool isGood = whole && SetAttribute(*whole, { name, value, where }, log);
-    if (isGood)
+    const bool isElement =
+      whole && !LookForAttribute<WholeT>(name) && MadeElements::Keeps(*whole, name);
+    XmlValue given{ name, value, where };
+    const bool isGood = isElement
+      ? this->Elements.Set(MadeElements::GetTag(*whole), given, log)
+      : whole && this->FindFile(LookForAttribute<WholeT>(name), given, log) &&
+        SetAttribute(*whole, given, log);
+    if (isGood && !isElement)
     {
       Follow(*whole, name, where);
+      this->FollowModel(*whole, given);
+    }
+    if (isGood)
+    {
       this->Change();
     }
     return isGood;
@@ -80,7 +93,12 @@ public:
   std::string Get(WholeT* whole, const std::string& name)
   {
     Messages log(this->Owner);
-    return whole ? GetAttribute(*whole, { name, "", this->Where }, log) : std::string();
+    const XmlValue value{ name, "", this->Where };
+    const bool isElement =
+      whole && !LookForAttribute<WholeT>(name) && MadeElements::Keeps(*whole, name);
+    return isElement ? this->Elements.Get(MadeElements::GetTag(*whole), value, log)
+      : whole        ? GetAttribute(*whole, value, log)
+                     : std::string();
   }
   ///@}
 
@@ -89,6 +107,18 @@ public:
   bool SetSurvey(const std::string& name, const std::string& value);
   std::string GetSurvey(const std::string& name);
   SceneData* FindScene();
+  ///@}
+
+  ///@{
+  /// Those of a platform, with the type interpolated, which no file of a platform has.
+  bool SetPlatform(int platform, const std::string& name, const std::string& value);
+  std::string GetPlatform(int platform, const std::string& name);
+  ///@}
+
+  ///@{
+  /// Those of a part, with the files of its loader.
+  bool SetPart(int part, const std::string& name, const std::string& value);
+  std::string GetPart(int part, const std::string& name);
   ///@}
 
   /// Rotates a part about x, y or z after its other rotations.
@@ -105,6 +135,16 @@ private:
   static void Follow(SceneData& scene, const std::string& name, const std::string& where);
   static void Follow(SurveyData&, const std::string&, const std::string&) {}
 
+  bool FindFile(const Attribute* attribute, XmlValue& value, Messages& log);
+  template <typename WholeT>
+  void FollowModel(WholeT&, const XmlValue&)
+  {
+  }
+  void FollowModel(ScannerData& scanner, const XmlValue& value);
+  void FollowModel(PlatformData& platform, const XmlValue& value);
+  ModelData LookForModel(const XmlValue& value) const;
+  bool SetFiles(PartData& part, const XmlValue& value);
+  static std::unique_ptr<XmlDocument> MakeNowhere(Messages& log);
   void Change();
   void Resolve();
   void CheckAll(Messages& log);
@@ -115,6 +155,7 @@ private:
 
   vtkObject* Owner;
   SurveyData Data;
+  MadeElements Elements;
   std::vector<std::string> AssetDirectories;
   std::string Where; // of what was found last
   bool IsResolved = true;
