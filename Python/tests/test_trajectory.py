@@ -89,11 +89,27 @@ def test_changes_are_followed():
     assert survey.number_of_pulses == 400_000
 
 
+SURVEY = """<document><survey name="flown" scene="scene.xml#plane" scanner="scanners.xml#copter_uls"
+platform="interpolated" basePlatform="platforms.xml#copter_linearpath">
+<leg><platformSettings trajectory="flight.txt"/>
+<scannerSettings scanFreq_hz="50" scanAngle_deg="30" pulseFreq_hz="100000"/></leg></survey></document>
+"""
+
+
 def test_the_trajectory_of_a_survey_file_is_replaced(tmp_path, make_survey):
-    text = open(make_survey()).read()
     with pytest.raises(vtkhelios.PipelineError, match="no platform of survey plane follows"):
         vtkhelios.read_survey(make_survey(), trajectory=_flight()).run()
-    assert "tripod" in text
+    (tmp_path / "flight.txt").write_text("0,0,0,90,0,0,70\n1,0,0,90,20,0,70\n")
+    path = tmp_path / "flown.xml"
+    path.write_text(SURVEY)
+    of_file = vtkhelios.read_survey(path).run(noise=False)
+    assert of_file["Range"].min() == pytest.approx(70, abs=1)
+    survey = vtkhelios.read_survey(path, scene=vtkhelios.Scene(*FLAT), trajectory=_flight())
+    replaced = survey.run(noise=False)
+    assert replaced["Range"].min() == pytest.approx(40, abs=1)
+    assert np.array_equal(replaced.points, _scan(_flight()).points)
+    report = survey.run_to(tmp_path / "out", noise=False)
+    assert report["totals"]["points"] == len(replaced) and len(report["trajectory"]) == 64
 
 
 @pytest.mark.parametrize(

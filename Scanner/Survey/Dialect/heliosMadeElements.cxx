@@ -9,6 +9,7 @@
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 
+#include <iterator>
 #include <set>
 
 namespace helios

@@ -69,21 +69,23 @@ public:
   bool Set(WholeT* whole, const std::string& name, const std::string& value)
   {
     Messages log(this->Owner);
-    const std::string where = whole ? this->Where : std::string();
-    const bool isElement =
-      whole && !LookForAttribute<WholeT>(name) && MadeElements::Keeps(*whole, name);
-    XmlValue given{ name, value, where };
-    const bool isGood = isElement
-      ? this->Elements.Set(MadeElements::GetTag(*whole), given, log)
-      : whole && this->FindFile(LookForAttribute<WholeT>(name), given, log) &&
-        SetAttribute(*whole, given, log);
-    if (isGood && !isElement)
+    if (!whole)
     {
-      Follow(*whole, name, where);
-      this->FollowModel(*whole, given);
+      return false;
     }
+    XmlValue given = this->MakeValue<WholeT>(name, value);
+    const Attribute* attribute = LookForAttribute<WholeT>(given.Name);
+    if (!attribute && MadeElements::Keeps(*whole, name))
+    {
+      const bool isGood = this->Elements.Set(MadeElements::GetTag(*whole), given, log);
+      isGood ? this->Change() : void();
+      return isGood;
+    }
+    const bool isGood = this->FindFile(attribute, given, log) && SetAttribute(*whole, given, log);
     if (isGood)
     {
+      Follow(*whole, given.Name, given.Where);
+      this->FollowModel(*whole, given);
       this->Change();
     }
     return isGood;
@@ -93,12 +95,14 @@ public:
   std::string Get(WholeT* whole, const std::string& name)
   {
     Messages log(this->Owner);
-    const XmlValue value{ name, "", this->Where };
-    const bool isElement =
-      whole && !LookForAttribute<WholeT>(name) && MadeElements::Keeps(*whole, name);
-    return isElement ? this->Elements.Get(MadeElements::GetTag(*whole), value, log)
-      : whole        ? GetAttribute(*whole, value, log)
-                     : std::string();
+    if (!whole)
+    {
+      return {};
+    }
+    const XmlValue value = this->MakeValue<WholeT>(name, "");
+    return !LookForAttribute<WholeT>(value.Name) && MadeElements::Keeps(*whole, name)
+      ? this->Elements.Get(MadeElements::GetTag(*whole), value, log)
+      : GetAttribute(*whole, value, log);
   }
   ///@}
 
@@ -134,6 +138,14 @@ private:
   static void Follow(PartData& part, const std::string& name, const std::string& where);
   static void Follow(SceneData& scene, const std::string& name, const std::string& where);
   static void Follow(SurveyData&, const std::string&, const std::string&) {}
+
+  /// A value of what was found last; the name of a stored attribute needs no index.
+  template <typename WholeT>
+  XmlValue MakeValue(const std::string& name, const std::string& value) const
+  {
+    const std::string simple = ElementTree::Simplify(name);
+    return { LookForAttribute<WholeT>(simple) ? simple : name, value, this->Where };
+  }
 
   bool FindFile(const Attribute* attribute, XmlValue& value, Messages& log);
   template <typename WholeT>

@@ -65,8 +65,10 @@ void CheckPlays(const SceneData& scene, Messages& log)
     const auto isThere = [play](const PartData& part) { return FindPart(part, play) != nullptr; };
     if (std::none_of(scene.Parts.begin(), scene.Parts.end(), isThere))
     {
-      log.Error(scene.Where + ": scene " + scene.Id + " has no part in epoch " +
-        std::to_string(play) + " (the first is 0): each <swap> has force_null; keep one part");
+      const std::string place = scene.Where.empty() ? "" : scene.Where + ": ";
+      const std::string name = scene.Id.empty() ? "the scene" : "scene " + scene.Id;
+      log.Error(place + name + " has no part in epoch " + std::to_string(play) +
+        " (the first is 0): each <swap> has force_null; keep one part");
       return;
     }
   }

@@ -352,7 +352,8 @@ TEST_CASE("SurveyElements: axes and mounts are those of a file", "[SurveyElement
   CHECK(made->SetChannelAttribute(0, 2, "channel/id", "left"));
   CHECK(made->GetData().Scanners.at(0).GetChannel(2).Id == "tls, channel left");
 
-  CHECK(bench.Set("platform", "scannerMount/z", "0.7"));
+  CHECK(bench.Set("platform", "scannerMount[0]/z", "0.7"));
+  CHECK(bench.Get("platform", "scannerMount/z") == "0.7");
   for (const auto& [name, value] :
     std::vector<std::pair<std::string, std::string>>{ { "rot/axis", "x" },
       { "rot/angle_deg", "-90" }, { "rot[1]/axis", "z" }, { "rot[1]/angle_deg", "90" } })
@@ -435,7 +436,7 @@ TEST_CASE("SurveyElements: errors of elements name their path", "[SurveyElements
   CHECK(made->SetPartAttribute(0, "swap[1]", ""));
   CHECK(made->SetPartAttribute(0, "swap/force_null", "true"));
   CHECK_FALSE(made->Check());
-  CHECK(bench.Log->HasError("has no part in epoch 1"));
+  CHECK(bench.Log->HasError("the scene has no part in epoch 1 (the first is 0)"));
   CHECK(made->SetPartAttribute(0, "swap", ""));
   CHECK(made->Check());
 }

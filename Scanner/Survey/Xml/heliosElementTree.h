@@ -45,6 +45,9 @@ public:
   /// The element for the readers of files, with places such as "part 0, dmotion[1]".
   std::unique_ptr<XmlDocument> MakeDocument(const std::string& where, Messages& log) const;
 
+  /// The path without indices that are 0.
+  static std::string Simplify(std::string path);
+
   /// The first name of a path.
   static std::string GetFirstName(const std::string& path);
 

@@ -362,6 +362,17 @@ std::unique_ptr<XmlDocument> ElementTree::MakeDocument(
 }
 
 //------------------------------------------------------------------------------
+std::string ElementTree::Simplify(std::string path)
+{
+  const std::string zero = "[0]";
+  for (std::size_t at = path.find(zero); at != std::string::npos; at = path.find(zero, at))
+  {
+    path.erase(at, zero.size());
+  }
+  return path;
+}
+
+//------------------------------------------------------------------------------
 std::string ElementTree::GetFirstName(const std::string& path)
 {
   return path.substr(0, path.find_first_of("/["));
