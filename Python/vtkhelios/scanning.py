@@ -11,7 +11,7 @@ import os
 
 from ._paths import to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude
-from .survey import Survey, check_options
+from .survey import Survey, check_options, trajectory_data
 
 __all__ = ["make_survey", "scan"]
 
@@ -37,11 +37,12 @@ _SETTINGS = {
 
 def make_survey(
     scene,
-    legs,
+    legs=None,
     scanner="vz400_class_tls",
-    platform="tripod",
+    platform=None,
     name="survey",
     assets=(),
+    trajectory=None,
     **settings,
 ):
     """A survey (a Survey) of a scene in memory.
@@ -62,42 +63,71 @@ def make_survey(
     settings
         defaults for all legs.
     scanner, platform
-        ids in the catalogue, or "file.xml#id" to be found in the folders of assets.
+        ids in the catalogue, or "file.xml#id" to be found in the folders of assets. Default: a
+        tripod; with a trajectory, the mount of "copter_linearpath".
+    trajectory
+        what the platform follows, instead of the positions of its legs: a Cloud or vtkPolyData with
+        the points [m] and the arrays GpsTime [s], in order, and Orientation (unit quaternions w, x,
+        y, z, body to world; body x right, y forward, z up), such as
+        ``Cloud.from_arrays(points, GpsTime=times, Orientation=quaternions)`` or
+        ``survey.trajectory(leg)``; an algorithm that makes one, such as vtkHeliosTrajectoryReader;
+        or the name of a file. The platform gives mount and noise. One leg flies all of it, or
+        each of ``legs`` the part from its tStart to its tEnd [s]. The survey follows changes of
+        the data (``cloud.data.Modified()``) and of the pipeline.
 
     Nothing is written to disk. Raises PipelineError with the errors.
     """
+    if legs is None and trajectory is None:
+        raise TypeError("make_survey() needs legs, or a trajectory")
+    flies = trajectory is not None
+    if isinstance(trajectory, (str, os.PathLike)):
+        settings["trajectory"] = os.fspath(trajectory)
+        trajectory = None
+    trajectory_data(trajectory)  # of a valid type
+    platform = platform or ("copter_linearpath" if flies else "tripod")
     survey = _class("vtkHeliosSurvey")()
     with MessageLog() as log:
         log.watch(survey)
-        succeeded = _fill(survey, legs, scanner, platform, name, assets, settings)
+        legs = [{}] if legs is None else legs
+        succeeded = _fill(survey, legs, scanner, platform, name, assets, settings, flies)
     conclude(log)
     if not succeeded:
         raise PipelineError(["the survey is not valid, for a reason that was not reported"])
-    return Survey(survey, scene=scene)
+    return Survey(survey, scene=scene, trajectory=trajectory)
 
 
 def scan(
-    scene, position=None, path=None, scanner="vz400_class_tls", platform=None, assets=(), **more
+    scene,
+    position=None,
+    path=None,
+    scanner="vz400_class_tls",
+    platform=None,
+    assets=(),
+    trajectory=None,
+    **more,
 ):
     """Places a scanner in a scene and returns its echoes as a Cloud.
 
-    It is at a position (on a tripod), or moves along a path of positions (on "copter_linearpath").
+    It is at a position (on a tripod), moves along a path of positions (on "copter_linearpath"), or
+    follows a trajectory with times and attitudes, see make_survey().
     ``more`` are the settings of a leg, see make_survey(), and the options of Survey.run():
     progress, waveforms, noise, seed ...
     """
-    if (position is None) == (path is None):
-        raise TypeError("scan() needs a position (on a tripod), or a path to move along")
+    if [position is None, path is None, trajectory is None].count(False) != 1:
+        raise TypeError(
+            "scan() needs a position (on a tripod), or a path or trajectory to move along"
+        )
     known = {"position", *_SETTINGS, *_attributes()}
     settings = {name: more.pop(name) for name in list(more) if name in known}
     names = ", ".join(sorted({"position", *_SETTINGS}))
     check_options(more, f"neither a setting of a leg ({names}) nor of a run")
-    platform = platform or ("tripod" if path is None else "copter_linearpath")
-    legs = [position] if path is None else path
-    survey = make_survey(scene, legs, scanner, platform, "scan", assets, **settings)
+    platform = platform or ("tripod" if position is not None else "copter_linearpath")
+    legs = path if path is not None else None if position is None else [position]
+    survey = make_survey(scene, legs, scanner, platform, "scan", assets, trajectory, **settings)
     return survey.run(**more)
 
 
-def _fill(survey, legs, scanner, platform, name, assets, settings):
+def _fill(survey, legs, scanner, platform, name, assets, settings, flies):
     """Adds everything to a vtkHeliosSurvey; returns whether it is valid."""
     survey.SetName(to_vtk(name))
     assets = [assets] if isinstance(assets, (str, os.PathLike)) else assets
@@ -108,9 +138,10 @@ def _fill(survey, legs, scanner, platform, name, assets, settings):
     platform = survey.AddPlatformFromFile(to_vtk(_reference("platforms.xml", platform)))
     if scanner < 0 or platform < 0:
         return False
-    good = True
+    good = not flies or survey.SetPlatformAttribute(platform, "type", "interpolated")
     for leg in legs:
-        values = _values(dict(settings, **(leg if isinstance(leg, dict) else {"position": leg})))
+        given = leg if isinstance(leg, dict) else {"position": leg}
+        values = _values({**settings, **given}, flies)
         index = survey.AddLeg(scanner, platform)
         for attribute, value in values.items():
             good = survey.SetLegAttribute(index, attribute, _text(value)) and good
@@ -121,12 +152,16 @@ def _reference(file, name):
     return name if "#" in name else f"{file}#{name}"
 
 
-def _values(leg):
-    """The attributes of a leg and their values."""
-    if "position" not in leg:
-        raise TypeError("a leg has no position; give x, y, or x, y, z")
-    position = tuple(leg.pop("position"))
-    if len(position) not in (2, 3):
+def _values(leg, flies):
+    """The attributes of a leg and their values; one that follows a trajectory has no position."""
+    if flies == ("position" in leg):
+        raise TypeError(
+            "a leg has a position, but the trajectory gives it; leave it out"
+            if flies
+            else "a leg has no position; give x, y, or x, y, z"
+        )
+    position = () if flies else tuple(leg.pop("position"))
+    if not flies and len(position) not in (2, 3):
         raise ValueError(f"position is {position!r}; give x, y, or x, y, z")
     values = dict(zip("xyz", position), onGround=len(position) == 2)
     for name, value in leg.items():

@@ -21,7 +21,7 @@ from ._paths import from_vtk, text_from_vtk, to_vtk
 from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
 from ._properties import set_properties
 from ._watching import Progress
-from .cloud import Cloud
+from .cloud import Cloud, data_of
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
@@ -45,11 +45,11 @@ _OUTPUTS = {
 }
 
 
-def read_survey(path, assets=(), scene=None):
+def read_survey(path, assets=(), scene=None, trajectory=None):
     """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
 
     scene replaces that of the survey: a Scene, a VTK data set with a surface, or an algorithm that
-    makes one.
+    makes one. trajectory replaces the trajectory files of the platforms, see make_survey().
 
     Files are searched in the folders of assets, beside the survey, in the working directory, and in
     the data shipped with vtkHelios.
@@ -67,7 +67,7 @@ def read_survey(path, assets=(), scene=None):
     conclude(log)
     if not succeeded:
         raise PipelineError([f"{path}: cannot be read"])
-    return Survey(reader.GetSurvey(), os.fspath(path), scene)
+    return Survey(reader.GetSurvey(), os.fspath(path), scene, trajectory)
 
 
 class Leg(typing.NamedTuple):
@@ -87,9 +87,10 @@ class Survey:
     The scene and its ray-tracing tree are built by the first run and reused later.
     """
 
-    def __init__(self, vtk_survey, path=None, scene=None):
+    def __init__(self, vtk_survey, path=None, scene=None, trajectory=None):
         self.vtk, self.path = vtk_survey, path
         self._input = _scene_data(scene)  # in place of the survey's scene
+        self._flight = trajectory_data(trajectory)  # in place of files
         self._source = None
         self._lock = threading.RLock()
 
@@ -147,10 +148,11 @@ class Survey:
     def source(self, **options):
         """The survey as a source of a pipeline (vtkHeliosSurveySource), with the options of run()."""
         source = _class("vtkHeliosSurveySource")(survey=self.vtk)
-        if isinstance(self._input, vtkAlgorithm):
-            source.SetInputConnection(0, self._input.GetOutputPort())
-        elif self._input is not None:
-            source.SetInputDataObject(0, self._input)
+        for port, data in ((0, self._input), (2, self._flight)):
+            if isinstance(data, vtkAlgorithm):
+                source.SetInputConnection(port, data.GetOutputPort())
+            elif data is not None:
+                source.SetInputDataObject(port, data)
         _set_options(source, options)
         return source
 
@@ -327,6 +329,17 @@ def _scene_data(scene):
     raise TypeError(
         f"scene is of {type(scene).__name__}; give a Scene, a VTK data set with a surface, or an "
         "algorithm that makes one"
+    )
+
+
+def trajectory_data(trajectory):
+    """The vtkPolyData of a trajectory, or its algorithm as it is; None: none."""
+    data = data_of(trajectory)
+    if data is None or isinstance(data, (vtkPolyData, vtkAlgorithm)):
+        return data
+    raise TypeError(
+        f"trajectory is of {type(trajectory).__name__}; give a file name, a Cloud or vtkPolyData "
+        "with the arrays GpsTime and Orientation, or an algorithm that makes one"
     )
 
 

@@ -197,13 +197,13 @@ std::string vtkHeliosSurvey::GetChannelAttribute(int scanner, int channel, const
 bool vtkHeliosSurvey::SetPlatformAttribute(
   int platform, const std::string& name, const std::string& value)
 {
-  return this->Maker->Set(this->Maker->FindPlatform(platform), name, value);
+  return this->Maker->SetPlatform(platform, name, value);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPlatformAttribute(int platform, const std::string& name)
 {
-  return this->Maker->Get(this->Maker->FindPlatform(platform), name);
+  return this->Maker->GetPlatform(platform, name);
 }
 
 //------------------------------------------------------------------------------
@@ -221,13 +221,13 @@ std::string vtkHeliosSurvey::GetLegAttribute(int leg, const std::string& name)
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetPartAttribute(int part, const std::string& name, const std::string& value)
 {
-  return this->Maker->Set(this->Maker->FindPart(part), name, value);
+  return this->Maker->SetPart(part, name, value);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPartAttribute(int part, const std::string& name)
 {
-  return this->Maker->Get(this->Maker->FindPart(part), name);
+  return this->Maker->GetPart(part, name);
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,10 @@
  *
  * Attributes have the names, units and ranges of the HELIOS XML dialect (Docs/dialect.md), and
  * their values are texts, as in files. A value that is not valid is an error, and is not set; an
- * empty one restores the default. Changes that depend on each other, such as the limits of a
+ * empty one restores the default. Attributes of elements inside are named by their path, those that
+ * repeat with an index, as in scannerMount/rot[1]/axis and dmotion[0]/motion[1]/angle; an index left
+ * out is 0, and that after the last adds an element. The value of an element itself is true, and an
+ * empty one removes it. Elements set this way replace those of the same name from a file. Changes that depend on each other, such as the limits of a
  * scanner and the settings of a leg, are resolved together: Check() reports all errors and
  * warnings. Messages name "leg 2", "scanner 0" or "platform 0" in place of file:line. All indices
  * count from 0.
@@ -104,8 +107,8 @@ public:
   ///@{
   /**
    * Set/Get an attribute of a scanner by its name in scanner, FWFSettings or detectorSettings:
-   * optics, beamDivergence_rad, binSize_ns ..., or of a child element, as in beamOrigin/z or
-   * rangeError/expr. Set changes all channels, Get is for the first one.
+   * optics, beamDivergence_rad, binSize_ns ..., or of a child element, as in beamOrigin/z,
+   * headRotateAxis/y, channel/id or rangeError/expr. Set changes all channels, Get is for the first one.
    */
   bool SetScannerAttribute(int scanner, const std::string& name, const std::string& value);
   std::string GetScannerAttribute(int scanner, const std::string& name);
@@ -126,7 +129,9 @@ public:
   ///@{
   /**
    * Set/Get an attribute of a platform: type, roll_speed_deg ..., or of a child element, as in
-   * scannerMount/z or positionXNoise/stdev, which switches that noise on.
+   * scannerMount/z, scannerMount/rot[0]/angle_deg or positionXNoise/stdev, which switches that noise
+   * on. The type interpolated follows the trajectory of its legs, or that of input 2 of
+   * vtkHeliosSurveySource.
    */
   bool SetPlatformAttribute(int platform, const std::string& name, const std::string& value);
   std::string GetPlatformAttribute(int platform, const std::string& name);
@@ -174,8 +179,10 @@ public:
 
   ///@{
   /**
-   * Set/Get an attribute of a part: id, or the parameter of a filter, as in translate/offset,
-   * scale/scale or xyzloader/voxelSize.
+   * Set/Get an attribute of a part: id, dynStep ..., or the parameter of a filter, as in
+   * translate/offset, xyzloader/voxelSize, geotiffloader/matfile, crs[0]/target or repair; of its
+   * motions, as in dmotion[0]/motion[0]/vec; and of its replacements in later epochs, as in
+   * swap[0]/swapStep or swap[0]/translate/offset.
    */
   bool SetPartAttribute(int part, const std::string& name, const std::string& value);
   std::string GetPartAttribute(int part, const std::string& name);
@@ -189,8 +196,8 @@ public:
 
   ///@{
   /**
-   * The names of all attributes of a kind: survey, scene, part, scanner, platform or leg; none of
-   * another kind, and empty if the index is out of range.
+   * The names of all attributes of a kind that have one value: survey, scene, part, scanner,
+   * platform or leg; none of another kind, and empty if the index is out of range.
    */
   static int GetNumberOfAttributes(const std::string& kind);
   static std::string GetAttributeName(const std::string& kind, int index);
@@ -199,7 +206,8 @@ public:
   /**
    * Check the survey: reports all errors and warnings, of scanners and of legs with their inherited
    * values and limits. Returns false after an error. A survey that has not changed since it was
-   * checked, or read without error, is valid. A scene is not required.
+   * checked, or read without error, is valid. Scene and trajectory are not required: they may be
+   * inputs of a vtkHeliosSurveySource.
    */
   bool Check();
 

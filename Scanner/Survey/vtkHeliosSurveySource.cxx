@@ -35,6 +35,7 @@ namespace
 
 constexpr int ScenePort = 0; // inputs
 constexpr int GridPort = 1;
+constexpr int TrajectoryPort = 2;
 
 constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr int WaveformPort = 1;
@@ -133,6 +134,13 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
       inputs.Grids.push_back(grid);
     }
   }
+  for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
+  {
+    if (auto* data = vtkPolyData::SafeDownCast(source->GetInputDataObject(TrajectoryPort, i)))
+    {
+      inputs.Trajectories.push_back(data);
+    }
+  }
   return this->Loader.Check(inputs, settings);
 }
 
@@ -150,7 +158,8 @@ bool vtkHeliosSurveySource::Internals::Prepare()
     return false;
   }
   const bool isPlanned = this->Runner && this->PlanTime == this->Loader.GetLoadTime() &&
-    this->Settings.Options == settings.Options;
+    this->Settings.Options == settings.Options &&
+    this->Settings.Trajectories == settings.Trajectories;
   this->Settings = settings;
   return isPlanned || this->PlanLegs();
 }
@@ -295,7 +304,7 @@ bool vtkHeliosSurveySource::Internals::Tell(double progress)
 vtkHeliosSurveySource::vtkHeliosSurveySource()
 {
   this->Options = vtkSmartPointer<vtkHeliosRunOptions>::New();
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(NumberOfPorts);
 }
 
@@ -515,9 +524,10 @@ std::string vtkHeliosSurveySource::DescribeSampling()
 int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(INPUT_IS_OPTIONAL(), 1);
-  if (port == GridPort)
+  if (port != ScenePort)
   {
-    info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    const bool isGrid = port == GridPort;
+    info->Set(INPUT_REQUIRED_DATA_TYPE(), isGrid ? "vtkImageData" : "vtkPolyData");
     info->Set(INPUT_IS_REPEATABLE(), 1);
     return 1;
   }

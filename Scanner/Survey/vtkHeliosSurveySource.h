@@ -17,6 +17,12 @@
  * (vtkImageData), as made by vtkHeliosVoxelReader; with an input, the parts of the survey's scene are
  * neither read nor moved.
  *
+ * Input 2, optional and repeatable: the trajectory (vtkPolyData) of the platforms that follow one
+ * (type interpolated), in place of their files: points [m] with the point arrays GpsTime [s], in
+ * order, and Orientation (unit quaternion w, x, y, z), as made by vtkHeliosTrajectoryReader. Several
+ * are concatenated by time. Of the legs' attributes only those of times are used: tStart, tEnd,
+ * teleportToStart and syncGPSTime.
+ *
  * Output 0: the echoes of all legs in the window, in pulse order, with the arrays of
  * vtkHeliosScanner. Outputs 1, 2 and 3, with GenerateWaveforms, GeneratePulses and GenerateSubRays:
  * the waveforms (vtkTable), the pulses and the sub-ray hits, as in vtkHeliosScanner. Pieces are

@@ -7,6 +7,7 @@
 #include "heliosXmlRules.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace helios
 {
@@ -45,6 +46,18 @@ public:
     this->Add(element, std::string(element) + "/", typeid(InsideT),
       [](void* whole)
       { return static_cast<void*>(&store::Follow<First, Rest...>(*static_cast<WholeT*>(whole))); });
+    return *this;
+  }
+
+  /// Adds one attribute that a struct itself stores, as element/attribute.
+  template <typename WholeT>
+  Collector& AddOne(const char* element, const char* attribute)
+  {
+    Collector others;
+    others.AddPrefixed<WholeT>(element, std::string(element) + "/");
+    const std::string name = std::string(element) + "/" + attribute;
+    std::copy_if(others.All.begin(), others.All.end(), std::back_inserter(this->All),
+      [&name](const Attribute& other) { return other.Name == name; });
     return *this;
   }
 
@@ -121,6 +134,7 @@ const std::vector<Attribute>& GetAttributes<ScannerData>()
   static const std::vector<Attribute> attributes =
     Collector()
       .Add<ScannerData>({ "scanner", "FWFSettings", "detectorSettings" })
+      .AddOne<ScannerData>("channel", "id")
       .AddInside<&ScannerData::Beam>("beamOrigin")
       .AddInside<receiver, &ReceiverData::Errors>("rangeError")
       .AddInside<receiver, &ReceiverData::Errors>("deflectionError")

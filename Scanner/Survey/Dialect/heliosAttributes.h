@@ -27,6 +27,20 @@ struct Attribute
 template <typename WholeT>
 const std::vector<Attribute>& GetAttributes();
 
+/// Whether a struct stores the attribute of a name; null: no.
+template <typename WholeT>
+const Attribute* LookForAttribute(const std::string& name)
+{
+  for (const Attribute& attribute : GetAttributes<WholeT>())
+  {
+    if (attribute.Name == name)
+    {
+      return &attribute;
+    }
+  }
+  return nullptr;
+}
+
 /// The attribute of a name; null after an error with its place and the nearest name.
 const Attribute* FindAttribute(
   const std::vector<Attribute>& attributes, const XmlValue& value, Messages& log);

@@ -28,17 +28,6 @@ std::string Numbered(const std::string& what, std::size_t index)
   return what + " " + std::to_string(index);
 }
 
-/// A document in no folder, from which references are searched.
-std::unique_ptr<XmlDocument> MakeNowhere(Messages& log)
-{
-  return XmlDocument::Make("survey", "<document/>", log);
-}
-
-bool StartsWith(const std::string& text, const std::string& start)
-{
-  return text.compare(0, start.size(), start) == 0;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -46,6 +35,13 @@ SurveyMaker::SurveyMaker(vtkObject* owner)
   : Owner(owner)
 {
   this->Data.Name = "survey";
+}
+
+//------------------------------------------------------------------------------
+/// A document in no folder, from which references are searched.
+std::unique_ptr<XmlDocument> SurveyMaker::MakeNowhere(Messages& log)
+{
+  return XmlDocument::Make("survey", "<document/>", log);
 }
 
 //------------------------------------------------------------------------------
@@ -64,7 +60,7 @@ void SurveyMaker::Change()
 }
 
 //------------------------------------------------------------------------------
-/// Makes the legs of their settings, without messages.
+/// Makes elements, and legs of their settings, without messages.
 void SurveyMaker::Resolve()
 {
   if (this->IsResolved)
@@ -72,6 +68,7 @@ void SurveyMaker::Resolve()
     return;
   }
   Messages silent(nullptr);
+  this->Elements.Apply(this->Data, this->AssetDirectories, silent);
   StartLegs(this->Data);
   for (std::size_t leg = 0; leg < this->Data.Legs.size(); ++leg)
   {
@@ -98,6 +95,7 @@ void SurveyMaker::CheckAll(Messages& log)
   {
     log.Error("survey " + this->Data.Name + " has no leg; add one");
   }
+  this->Elements.Apply(this->Data, this->AssetDirectories, log);
   for (const ScannerData& scanner : this->Data.Scanners)
   {
     CheckScanner(scanner, log);
@@ -230,6 +228,7 @@ int SurveyMaker::AddChannel(int scanner)
   {
     return -1;
   }
+  this->Resolve(); // a channel has the elements of the first
   const std::string id = first->Id.substr(0, first->Id.find(", channel "));
   ScannerData channel = *first;
   channel.OtherChannels.clear();
@@ -283,39 +282,6 @@ void SurveyMaker::RemoveAllLegs()
 {
   this->Data.Settings.clear();
   this->Change();
-}
-
-//------------------------------------------------------------------------------
-int SurveyMaker::AddPart(const std::string& loader, const std::string& file)
-{
-  Messages log(this->Owner);
-  const std::vector<std::string> loaders(GetFilterTypes().begin(), GetFilterTypes().begin() + 4);
-  PartData part;
-  part.Where = Numbered("part", this->Data.Scene.Parts.size());
-  part.Name = std::to_string(this->Data.Scene.Parts.size());
-  XmlValueRule rule;
-  rule.Choices = "objloader geotiffloader xyzloader detailedvoxels";
-  int type = 0;
-  if (ParseChoice({ "filter", loader, part.Where }, rule, log, type))
-  {
-    part.Type = static_cast<Loader>(type);
-    part.Files = { Assets(log, this->AssetDirectories)
-                     .FindFile({ "filepath", file, part.Where }, *MakeNowhere(log)) };
-  }
-  if (log.HasError())
-  {
-    return -1;
-  }
-  this->Data.Scene.Parts.push_back(part);
-  this->Owner->Modified();
-  return static_cast<int>(this->Data.Scene.Parts.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-void SurveyMaker::RemoveAllParts()
-{
-  this->Data.Scene.Parts.clear();
-  this->Owner->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -391,85 +357,6 @@ SceneData* SurveyMaker::FindScene()
 {
   this->Where = "scene";
   return &this->Data.Scene;
-}
-
-//------------------------------------------------------------------------------
-bool SurveyMaker::RotatePart(int part, const std::string& axis, double angle)
-{
-  PartData* data = this->FindPart(part);
-  if (!data)
-  {
-    return false;
-  }
-  Messages log(this->Owner);
-  const XmlElementRule* rot = FindXmlRule("rot");
-  const XmlValue text{ "angle_deg", ToXmlText(angle), this->Where };
-  const bool isGood = ParseReal(text, *rot->FindValue("angle_deg"), log, angle);
-  const Vec3* direction = FindRotationAxis(axis);
-  int ignored = 0;
-  if (!direction)
-  {
-    ParseChoice({ "axis", axis, this->Where }, *rot->FindValue("axis"), log, ignored);
-  }
-  if (!isGood || !direction)
-  {
-    return false;
-  }
-  data->Rotation = AxisAngle(*direction, angle) * data->Rotation;
-  this->Owner->Modified();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void SurveyMaker::Follow(LegSettings& leg, const std::string&, const std::string& where)
-{
-  leg.Leg.Where = where;
-}
-
-//------------------------------------------------------------------------------
-/// Names errors of angles and ranges as in messages of a run.
-void SurveyMaker::Follow(ScannerData& scanner, const std::string& name, const std::string& where)
-{
-  ErrorExpressions& errors = scanner.Receiver.Errors;
-  scanner.Where = where;
-  scanner.Receiver.Where = where;
-  const auto set = [&](const char* of, const std::string& value, std::string& shown)
-  { shown = name == of ? where + ": " + name + "=\"" + Shorten(value) + "\"" : shown; };
-  set("rangeError/expr", errors.Range, errors.RangeName);
-  set("deflectionError/expr", errors.Deflection, errors.DeflectionName);
-  set("headError/expr", errors.Head, errors.HeadName);
-  set("distanceMeasurementError", errors.RangeNoiseFactor, errors.RangeNoiseFactorName);
-  if (name == "rangeTolerance_m" || name == "energyTolerance")
-  {
-    scanner.Receiver.NumberOfCircles = 0; // adaptive
-  }
-}
-
-//------------------------------------------------------------------------------
-/// A noise with an attribute is on.
-void SurveyMaker::Follow(PlatformData& platform, const std::string& name, const std::string& where)
-{
-  platform.Where = where;
-  for (int k = 0; k < 6; ++k)
-  {
-    NoiseData& noise = platform.Noise[k];
-    noise.IsOn = noise.IsOn || StartsWith(name, std::string(NoiseNames[k]) + "/");
-  }
-}
-
-//------------------------------------------------------------------------------
-void SurveyMaker::Follow(SceneData& scene, const std::string&, const std::string& where)
-{
-  scene.Where = where;
-}
-
-//------------------------------------------------------------------------------
-void SurveyMaker::Follow(PartData& part, const std::string& name, const std::string& where)
-{
-  part.Where = where;
-  VoxelData& voxels = part.Voxels;
-  voxels.ReadNormals =
-    !voxels.EstimateNormals && (voxels.ReadNormals || StartsWith(name, "xyzloader/normal"));
 }
 
 } // namespace helios

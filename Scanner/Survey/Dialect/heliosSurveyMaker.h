@@ -6,9 +6,11 @@
 #define heliosSurveyMaker_h
 
 #include "heliosAttributes.h"
+#include "heliosMadeElements.h"
 #include "heliosMessages.h"
 #include "heliosSurveyData.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ namespace helios
 {
 
 class Assets;
+class XmlDocument;
 class XmlElement;
 
 /// Errors are reported for the owner, which is modified by each change. Indices count from 0; -1 is
@@ -66,11 +69,23 @@ public:
   bool Set(WholeT* whole, const std::string& name, const std::string& value)
   {
     Messages log(this->Owner);
-    const std::string where = whole ? this->Where : std::string();
-    const bool isGood = whole && SetAttribute(*whole, { name, value, where }, log);
+    if (!whole)
+    {
+      return false;
+    }
+    XmlValue given = this->MakeValue<WholeT>(name, value);
+    const Attribute* attribute = LookForAttribute<WholeT>(given.Name);
+    if (!attribute && MadeElements::Keeps(*whole, name))
+    {
+      const bool isGood = this->Elements.Set(MadeElements::GetTag(*whole), given, log);
+      isGood ? this->Change() : void();
+      return isGood;
+    }
+    const bool isGood = this->FindFile(attribute, given, log) && SetAttribute(*whole, given, log);
     if (isGood)
     {
-      Follow(*whole, name, where);
+      Follow(*whole, given.Name, given.Where);
+      this->FollowModel(*whole, given);
       this->Change();
     }
     return isGood;
@@ -80,7 +95,14 @@ public:
   std::string Get(WholeT* whole, const std::string& name)
   {
     Messages log(this->Owner);
-    return whole ? GetAttribute(*whole, { name, "", this->Where }, log) : std::string();
+    if (!whole)
+    {
+      return {};
+    }
+    const XmlValue value = this->MakeValue<WholeT>(name, "");
+    return !LookForAttribute<WholeT>(value.Name) && MadeElements::Keeps(*whole, name)
+      ? this->Elements.Get(MadeElements::GetTag(*whole), value, log)
+      : GetAttribute(*whole, value, log);
   }
   ///@}
 
@@ -89,6 +111,18 @@ public:
   bool SetSurvey(const std::string& name, const std::string& value);
   std::string GetSurvey(const std::string& name);
   SceneData* FindScene();
+  ///@}
+
+  ///@{
+  /// Those of a platform, with the type interpolated, which no file of a platform has.
+  bool SetPlatform(int platform, const std::string& name, const std::string& value);
+  std::string GetPlatform(int platform, const std::string& name);
+  ///@}
+
+  ///@{
+  /// Those of a part, with the files of its loader.
+  bool SetPart(int part, const std::string& name, const std::string& value);
+  std::string GetPart(int part, const std::string& name);
   ///@}
 
   /// Rotates a part about x, y or z after its other rotations.
@@ -105,6 +139,24 @@ private:
   static void Follow(SceneData& scene, const std::string& name, const std::string& where);
   static void Follow(SurveyData&, const std::string&, const std::string&) {}
 
+  /// A value of what was found last; the name of a stored attribute needs no index.
+  template <typename WholeT>
+  XmlValue MakeValue(const std::string& name, const std::string& value) const
+  {
+    const std::string simple = ElementTree::Simplify(name);
+    return { LookForAttribute<WholeT>(simple) ? simple : name, value, this->Where };
+  }
+
+  bool FindFile(const Attribute* attribute, XmlValue& value, Messages& log);
+  template <typename WholeT>
+  void FollowModel(WholeT&, const XmlValue&)
+  {
+  }
+  void FollowModel(ScannerData& scanner, const XmlValue& value);
+  void FollowModel(PlatformData& platform, const XmlValue& value);
+  ModelData LookForModel(const XmlValue& value) const;
+  bool SetFiles(PartData& part, const XmlValue& value);
+  static std::unique_ptr<XmlDocument> MakeNowhere(Messages& log);
   void Change();
   void Resolve();
   void CheckAll(Messages& log);
@@ -115,6 +167,7 @@ private:
 
   vtkObject* Owner;
   SurveyData Data;
+  MadeElements Elements;
   std::vector<std::string> AssetDirectories;
   std::string Where; // of what was found last
   bool IsResolved = true;

@@ -13,25 +13,6 @@ namespace helios
 namespace
 {
 
-void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
-{
-  if (!element)
-  {
-    return;
-  }
-  element.CheckNames();
-  Vec3 direction(0.0, 0.0, 0.0);
-  element.ReadVector(direction);
-  if (direction.Norm() > 0.1)
-  {
-    direction.Normalize();
-    axis = direction;
-    return;
-  }
-  element.GetMessages().Warning(element.Where() +
-    ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
-}
-
 /// Reads a scanner or one of its channels; values that are not given are unchanged.
 void ReadInstrument(const XmlElement& element, ScannerData& scanner)
 {
@@ -96,6 +77,26 @@ void CheckChannel(const ScannerData& scanner, Messages& log)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
+{
+  if (!element)
+  {
+    return;
+  }
+  element.CheckNames();
+  Vec3 direction(0.0, 0.0, 0.0);
+  element.ReadVector(direction);
+  if (direction.Norm() > 0.1)
+  {
+    direction.Normalize();
+    axis = direction;
+    return;
+  }
+  element.GetMessages().Warning(element.Where() +
+    ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
+}
 
 //------------------------------------------------------------------------------
 ScannerData ReadScanner(const XmlElement& element)

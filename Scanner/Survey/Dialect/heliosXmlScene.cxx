@@ -32,21 +32,6 @@ void AddPart(PartData part, std::vector<PartData>& parts)
   }
 }
 
-/// Checks that every epoch has a part to scan.
-void CheckPlays(const SceneData& scene, Messages& log)
-{
-  for (int play = 1; play < CountPlays(scene); ++play)
-  {
-    const auto isThere = [play](const PartData& part) { return FindPart(part, play) != nullptr; };
-    if (std::none_of(scene.Parts.begin(), scene.Parts.end(), isThere))
-    {
-      log.Error(scene.Where + ": scene " + scene.Id + " has no part in epoch " +
-        std::to_string(play) + " (the first is 0): each <swap> has force_null; keep one part");
-      return;
-    }
-  }
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -70,6 +55,23 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
   }
   CheckPlays(scene, element.GetMessages());
   return scene;
+}
+
+//------------------------------------------------------------------------------
+void CheckPlays(const SceneData& scene, Messages& log)
+{
+  for (int play = 1; play < CountPlays(scene); ++play)
+  {
+    const auto isThere = [play](const PartData& part) { return FindPart(part, play) != nullptr; };
+    if (std::none_of(scene.Parts.begin(), scene.Parts.end(), isThere))
+    {
+      const std::string place = scene.Where.empty() ? "" : scene.Where + ": ";
+      const std::string name = scene.Id.empty() ? "the scene" : "scene " + scene.Id;
+      log.Error(place + name + " has no part in epoch " + std::to_string(play) +
+        " (the first is 0): each <swap> has force_null; keep one part");
+      return;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,9 @@ namespace helios
 /// The parts of a <scene>, with their files found.
 SceneData ReadScene(const XmlElement& element, Assets& assets);
 
+/// Checks that every epoch has a part to scan.
+void CheckPlays(const SceneData& scene, Messages& log);
+
 /// The folders searched for the spectra of materials named in a document.
 std::vector<std::string> FindSpectraFolders(const XmlDocument& document, const Assets& assets);
 

@@ -266,6 +266,12 @@ void SurveyReader::Resolve(SurveyData& data)
     {
       good.push_back(leg);
       CheckJourney(data, leg, this->Log);
+      if (NeedsTrajectory(data, leg))
+      {
+        this->Log.Error(data.Legs[leg].Where +
+          ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
+          "<platformSettings>");
+      }
     }
   }
   for (const std::size_t leg : good)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegPlan.h"
 
-#include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosPointArrays.h"
 #include "heliosStatus.h"
@@ -43,9 +42,11 @@ double GetStandingTime(const LegData& leg)
 class Planner
 {
 public:
-  Planner(const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
+  Planner(const SurveyData& survey, const std::vector<Vec3>& positions,
+    const TrajectoryInputs& inputs, Messages& log)
     : Survey(survey)
     , Positions(positions)
+    , Inputs(inputs)
     , Log(log)
   {
   }
@@ -61,6 +62,7 @@ private:
 
   const SurveyData& Survey;
   const std::vector<Vec3>& Positions;
+  const TrajectoryInputs& Inputs;
   Messages& Log;
   std::vector<LegPlan> Plans;
   double Time = 0.0;
@@ -103,7 +105,8 @@ void Planner::PlanStandingLeg(std::size_t leg)
   const double duration = GetStandingTime(this->Survey.Legs[leg]);
   if (this->Survey.Fires(leg))
   {
-    const auto platform = MakePlatform(this->Survey, this->Positions, leg, leg + 1, this->Log);
+    const auto platform =
+      MakePlatform(this->Survey, this->Positions, this->Inputs, leg, leg + 1, this->Log);
     platform->SetStartTime(this->Time);
     this->Log.Listen(platform);
     this->Plans.push_back({ leg, platform, this->Time, duration });
@@ -114,7 +117,8 @@ void Planner::PlanStandingLeg(std::size_t leg)
 //------------------------------------------------------------------------------
 bool Planner::PlanJourney(std::size_t first, std::size_t last)
 {
-  const auto platform = MakePlatform(this->Survey, this->Positions, first, last, this->Log);
+  const auto platform =
+    MakePlatform(this->Survey, this->Positions, this->Inputs, first, last, this->Log);
   platform->SetStartTime(this->Time);
   this->Log.Listen(platform);
   platform->Update();
@@ -174,15 +178,15 @@ void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std
 } // namespace
 
 //------------------------------------------------------------------------------
-std::vector<LegPlan> PlanLegs(
-  const SurveyData& survey, vtkPolyData* scene, const LegChance& chance, Messages& log)
+std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
+  const TrajectoryInputs& inputs, Messages& log)
 {
   std::vector<Vec3> positions;
   if (!FindPositions(survey, scene, chance, log, positions))
   {
     return {};
   }
-  return Planner(survey, positions, log).Plan();
+  return Planner(survey, positions, inputs, log).Plan();
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosLegPlan_h
 #define heliosLegPlan_h
 
+#include "heliosMakePlatform.h"
 #include "heliosTrajectory.h"
 #include "heliosWaypoints.h"
 
@@ -36,8 +37,8 @@ struct LegPlan
  * The legs of a survey that fire pulses, with their platforms run and their times set: each
  * platform starts when the one before ends. Empty after an error.
  */
-std::vector<LegPlan> PlanLegs(
-  const SurveyData& survey, vtkPolyData* scene, const LegChance& chance, Messages& log);
+std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
+  const TrajectoryInputs& inputs, Messages& log);
 
 /**
  * Samples of the trajectory of a leg at its start, every interval [s] after that, and its end; with

@@ -15,6 +15,7 @@
 
 class vtkHeliosRayCaster;
 class vtkImageData;
+class vtkPolyData;
 
 namespace helios
 {
@@ -35,6 +36,9 @@ struct RunSettings
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
+
+  /// Of platforms that follow trajectories, in place of files; empty: none.
+  std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
 };
 
 } // namespace helios

@@ -439,12 +439,14 @@ void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log)
     log.Error(data.Where + ": platform " + survey.GetPlatform(leg).Id +
       " has 1 <leg>; a moving platform needs two, a start and an end");
   }
-  if (isFlown && data.StartsJourney && data.Trajectory.File.empty())
-  {
-    log.Error(data.Where +
-      ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
-      "<platformSettings>");
-  }
+}
+
+//------------------------------------------------------------------------------
+bool NeedsTrajectory(const SurveyData& survey, std::size_t leg)
+{
+  const LegData& data = survey.Legs[leg];
+  return survey.GetPlatform(leg).Type == PlatformType::Interpolated && data.StartsJourney &&
+    data.Trajectory.File.empty();
 }
 
 //------------------------------------------------------------------------------

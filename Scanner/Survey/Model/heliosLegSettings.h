@@ -25,6 +25,9 @@ void StartLegs(SurveyData& survey);
 /// Checks that a moving platform has somewhere to go, or a trajectory.
 void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log);
 
+/// Whether a leg starts a flight along a trajectory that no file gives: it needs an input.
+bool NeedsTrajectory(const SurveyData& survey, std::size_t leg);
+
 /// Checks a leg whose scanner has errors of its own, so only for errors that do not depend on it.
 void CheckLegAlone(
   const LegSettings& settings, std::size_t leg, const SurveyData& survey, Messages& log);

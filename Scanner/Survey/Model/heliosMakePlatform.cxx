@@ -82,18 +82,23 @@ vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
   return reader;
 }
 
-/// The files of all legs, each once, with the settings of the first leg that names it.
-vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
-  const SurveyData& survey, std::size_t first, std::size_t last, Messages& log)
+/// The inputs, or the files of all legs, each once, with the settings of the first leg that names
+/// it.
+vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(const SurveyData& survey,
+  const TrajectoryInputs& inputs, std::size_t first, std::size_t last, Messages& log)
 {
   auto platform = vtkSmartPointer<vtkHeliosInterpolatedPlatform>::New();
   platform->SetFirstLegId(static_cast<int>(first));
   std::set<std::string> files = { "" };
   bool keepsTime = false;
+  for (vtkPolyData* input : inputs)
+  {
+    platform->AddInputData(input);
+  }
   for (std::size_t leg = first; leg < last; ++leg)
   {
     const TrajectoryFileData& file = survey.Legs[leg].Trajectory;
-    if (files.insert(file.File).second)
+    if (inputs.empty() && files.insert(file.File).second)
     {
       const auto reader = MakeReader(file, survey.IsCanonical);
       log.Listen(reader);
@@ -149,11 +154,12 @@ void SetComponent(
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
-  const std::vector<Vec3>& positions, std::size_t first, std::size_t last, Messages& log)
+  const std::vector<Vec3>& positions, const TrajectoryInputs& inputs, std::size_t first,
+  std::size_t last, Messages& log)
 {
   if (survey.GetPlatform(first).Type == PlatformType::Interpolated)
   {
-    return MakeInterpolated(survey, first, last, log);
+    return MakeInterpolated(survey, inputs, first, last, log);
   }
   const auto platform = MakeVehicle(survey, first, last);
   platform->SetInputData(MakeWaypoints(survey, positions, first, last));

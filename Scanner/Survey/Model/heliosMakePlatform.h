@@ -13,15 +13,20 @@
 
 class vtkHeliosPlatform;
 class vtkHeliosPlatformNoise;
+class vtkPolyData;
 
 namespace helios
 {
 
 class Messages;
 
+/// The trajectories from a pipeline, in place of files; empty: none.
+using TrajectoryInputs = std::vector<vtkSmartPointer<vtkPolyData>>;
+
 /// The platform of the legs [first, last), with its waypoints or its recorded trajectory.
 vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
-  const std::vector<Vec3>& positions, std::size_t first, std::size_t last, Messages& log);
+  const std::vector<Vec3>& positions, const TrajectoryInputs& inputs, std::size_t first,
+  std::size_t last, Messages& log);
 
 /// The noise of a platform, each value valid for a number of pulses of all channels; null: none.
 vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(

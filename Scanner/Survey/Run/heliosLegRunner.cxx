@@ -71,7 +71,7 @@ LegRunner::~LegRunner() = default;
 bool LegRunner::Plan()
 {
   const LegChance chance = { this->Settings.Options.Noise, this->Settings.Options.Seed };
-  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
+  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Settings.Trajectories, this->Log);
   vtkIdType shots = 0;
   for (LegPlan& plan : this->Plans)
   {

@@ -30,7 +30,7 @@ namespace
 {
 
 /// All files that a survey names, each once. New kinds of files must be added here.
-std::set<std::string> GetInputFiles(const SurveyData& survey)
+std::set<std::string> GetInputFiles(const SurveyData& survey, const RunSettings& settings)
 {
   std::set<std::string> files(survey.Documents.begin(), survey.Documents.end());
   for (const PartData& part : survey.Scene.Parts)
@@ -49,16 +49,16 @@ std::set<std::string> GetInputFiles(const SurveyData& survey)
   }
   for (const LegData& leg : survey.Legs)
   {
-    files.insert(leg.Trajectory.File);
+    files.insert(settings.Trajectories.empty() ? leg.Trajectory.File : "");
   }
   files.erase("");
   return files;
 }
 
-Json::Value DescribeInputs(const SurveyData& survey)
+Json::Value DescribeInputs(const SurveyData& survey, const RunSettings& settings)
 {
   Json::Value inputs = Json::arrayValue;
-  for (const std::string& file : GetInputFiles(survey))
+  for (const std::string& file : GetInputFiles(survey, settings))
   {
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);
@@ -116,6 +116,19 @@ void AddArrays(vtkFieldData* data, Sha256& hash)
   }
 }
 
+/// The digest of the trajectories of inputs.
+std::string HashTrajectories(const std::vector<vtkSmartPointer<vtkPolyData>>& trajectories)
+{
+  Sha256 hash;
+  for (vtkPolyData* trajectory : trajectories)
+  {
+    AddArray(trajectory->GetPoints()->GetData(), hash);
+    AddArrays(trajectory->GetPointData(), hash);
+    AddArrays(trajectory->GetFieldData(), hash);
+  }
+  return hash.Finish();
+}
+
 /// The digests of the inputs of a fingerprint with the names of their files.
 std::map<std::string, std::string> GetDigests(const Json::Value& fingerprint)
 {
@@ -155,9 +168,13 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
   fingerprint["versions"]["vtkHelios"] = vtkHeliosVersion::GetVersion();
   fingerprint["versions"]["VTK"] = vtkVersion::GetVTKVersion();
   fingerprint["survey"] = survey.Name;
-  fingerprint["inputs"] = DescribeInputs(survey);
+  fingerprint["inputs"] = DescribeInputs(survey, settings);
   fingerprint["options"] = DescribeOptions(settings);
   fingerprint["scene"] = "";
+  if (!settings.Trajectories.empty())
+  {
+    fingerprint["trajectory"] = HashTrajectories(settings.Trajectories);
+  }
   return fingerprint;
 }
 
@@ -205,6 +222,10 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   }
   CompareMembers(then["versions"], now["versions"], differences);
   CompareMembers(then["options"], now["options"], differences);
+  if (Quote(then["trajectory"]) != Quote(now["trajectory"]))
+  {
+    differences.emplace_back("the input trajectory has changed");
+  }
   const std::string scene = now["scene"].asString();
   if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)
   {

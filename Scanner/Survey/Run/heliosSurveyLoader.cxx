@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSurveyLoader.h"
 
+#include "heliosLegSettings.h"
 #include "heliosMessages.h"
 #include "heliosPlays.h"
 #include "heliosSceneInput.h"
 #include "heliosStatus.h"
+#include "heliosTrajectoryInput.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRayCasterFactory.h"
 #include "vtkHeliosScanner.h"
@@ -101,6 +103,10 @@ bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
     return false;
   }
   this->Inputs.Options = settings.Options;
+  if (!this->SetTrajectories(settings))
+  {
+    return false;
+  }
   if (!this->IsLoaded())
   {
     this->Survey = MakePlay(*inputs.Survey, settings.Options.Play);
@@ -144,6 +150,57 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
   settings.Options = options;
   settings.HasPlays = plays > 1;
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// Takes the trajectories of the inputs; false after an error. Those that have not changed are the
+/// same objects as before.
+bool SurveyLoader::SetTrajectories(RunSettings& settings)
+{
+  const SurveyData& survey = *this->Inputs.Survey;
+  const bool isGiven = !this->Inputs.Trajectories.empty();
+  bool isUsed = false;
+  for (std::size_t leg = 0; leg < survey.Legs.size(); ++leg)
+  {
+    isUsed = isUsed || survey.GetPlatform(leg).Type == PlatformType::Interpolated;
+    if (!isGiven && NeedsTrajectory(survey, leg))
+    {
+      this->Log.Error(survey.Legs[leg].Where + ": platform " + survey.GetPlatform(leg).Name +
+        " needs a trajectory; set the leg's attribute trajectory to a file, or connect one to "
+        "input "
+        "2 of the vtkHeliosSurveySource");
+      return false;
+    }
+  }
+  if (isGiven && !isUsed)
+  {
+    this->Log.Error("the input trajectory is not used: no platform of survey " + survey.Name +
+      " follows a trajectory; set the type of a platform to interpolated, or disconnect the input");
+    return false;
+  }
+  decltype(this->Taken) now;
+  for (vtkPolyData* input : this->Inputs.Trajectories)
+  {
+    now.emplace_back(input, input->GetMTime());
+  }
+  if (now != this->Taken)
+  {
+    this->Taken.clear();
+    this->Trajectories.clear();
+    for (vtkPolyData* input : this->Inputs.Trajectories)
+    {
+      const std::string name = "input trajectory " + std::to_string(this->Trajectories.size());
+      if (!CheckTrajectoryInput(input, name, this->Log))
+      {
+        return false;
+      }
+      this->Trajectories.push_back(vtkSmartPointer<vtkPolyData>::New());
+      this->Trajectories.back()->ShallowCopy(input);
+    }
+    this->Taken = now;
+  }
+  settings.Trajectories = this->Trajectories;
+  return true;
 }
 
 //------------------------------------------------------------------------------

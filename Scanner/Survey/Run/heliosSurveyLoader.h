@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -33,8 +34,9 @@ struct RunInputs
   const SurveyData* Survey = nullptr;
   vtkMTimeType SurveyTime = 0; ///< its last change
   RunOptions Options;
-  vtkDataObject* Scene = nullptr;   ///< replaces that of the survey; null: none
-  std::vector<vtkImageData*> Grids; ///< turbid voxels, with that scene
+  vtkDataObject* Scene = nullptr;         ///< replaces that of the survey; null: none
+  std::vector<vtkImageData*> Grids;       ///< turbid voxels, with that scene
+  std::vector<vtkPolyData*> Trajectories; ///< replace the files of platforms; empty: none
 };
 
 /**
@@ -88,6 +90,7 @@ private:
 
   Origin FindOrigin() const;
   Status SetOptions(RunSettings& settings);
+  bool SetTrajectories(RunSettings& settings);
   void SetRayCaster(RunSettings& settings);
   bool BuildScene(const StepCallback& onStep);
   bool UseGivenScene();
@@ -100,8 +103,10 @@ private:
   std::unique_ptr<SceneBuilder> Builder; // of a survey with several epochs
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
-  vtkSmartPointer<vtkHeliosRayCaster> Caster; // with its tree
-  std::string CasterName;                     // as requested
+  vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
+  std::string CasterName;                                   // as requested
+  std::vector<std::pair<vtkPolyData*, vtkMTimeType>> Taken; // trajectories of the inputs
+  std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;   // and what they had
 };
 
 } // namespace helios

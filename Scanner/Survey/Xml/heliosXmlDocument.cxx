@@ -111,6 +111,15 @@ std::unique_ptr<XmlDocument> XmlDocument::Make(
 }
 
 //------------------------------------------------------------------------------
+std::unique_ptr<XmlDocument> XmlDocument::MakeOf(
+  const std::string& place, std::string text, Messages& messages)
+{
+  auto document = XmlDocument::Make(place, std::move(text), messages);
+  document->IsMade = true;
+  return document;
+}
+
+//------------------------------------------------------------------------------
 bool XmlDocument::Parse(std::string text)
 {
   if (text.compare(0, 3, Utf8Mark) == 0)

@@ -44,8 +44,39 @@ const Vec3* FindRotationAxis(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+std::string MakePath(pugi::xml_node node)
+{
+  std::string path;
+  const auto getName = [](pugi::xml_node of)
+  {
+    const std::string tag = of.name();
+    const char* key = tag == "filter" ? "type" : tag == "param" ? "key" : nullptr;
+    return key ? of.attribute(key).value() : of.name();
+  };
+  for (; node.parent().parent().parent(); node = node.parent())
+  {
+    const std::string name = getName(node);
+    std::size_t index = 0;
+    std::size_t count = 0;
+    for (const pugi::xml_node other : node.parent().children())
+    {
+      index = other == node ? count : index;
+      count += getName(other) == name ? 1 : 0;
+    }
+    const std::string place = count > 1 ? "[" + std::to_string(index) + "]" : std::string();
+    path = name + place + (path.empty() ? "" : "/") + path;
+  }
+  return path;
+}
+
+//------------------------------------------------------------------------------
 std::string XmlElement::Where() const
 {
+  if (!this->Document->HasLines())
+  {
+    const std::string path = MakePath(this->Node);
+    return this->Document->GetPath() + (path.empty() ? "" : ", ") + path;
+  }
   return this->Document->Where(this->Node.offset_debug());
 }
 

@@ -33,9 +33,15 @@ public:
   static std::unique_ptr<XmlDocument> Make(
     const std::string& path, std::string text, Messages& messages);
 
+  /// The same for an element that is not from a file: places are paths instead of lines.
+  static std::unique_ptr<XmlDocument> MakeOf(
+    const std::string& place, std::string text, Messages& messages);
+
   const std::string& GetPath() const { return this->Path; }
   Messages& GetMessages() const { return *this->Log; }
   XmlElement GetRoot() const;
+
+  bool HasLines() const { return !this->IsMade; }
 
   /// "file:line" of an offset in the file.
   std::string Where(std::ptrdiff_t offset) const;
@@ -50,10 +56,15 @@ private:
   Messages* Log = nullptr;
   pugi::xml_document Tree;
   std::vector<std::ptrdiff_t> LineEnds;
+  bool IsMade = false; // not from a file
 };
 
 /// The axis of a rotation: x, y, z, or the names of the Java program; null for others.
 const Vec3* FindRotationAxis(const std::string& name);
+
+/// The path of an element below the first one of its document, as in dmotion[1]/motion; empty: that
+/// one.
+std::string MakePath(pugi::xml_node node);
 
 /// An element of a document, or none. It is valid as long as its document.
 class XmlElement

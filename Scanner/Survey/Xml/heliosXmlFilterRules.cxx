@@ -3,7 +3,11 @@
 // The dialect: filters of parts, and their parameters.
 #include "heliosXmlTables.h"
 
+#include "heliosMessages.h"
 #include "heliosSurveyData.h"
+#include "heliosXmlValue.h"
+
+#include <string>
 
 namespace helios
 {
@@ -16,6 +20,22 @@ namespace
 constexpr auto Voxels = &PartData::Voxels;
 constexpr auto Material = &PartData::Material;
 constexpr auto Cells = &PartData::Vegetation;
+constexpr XmlRange OtherMaterials = { 0.0, 999999.0 };
+
+/// The number of materials besides the first.
+bool SetOtherMaterials(MaterialData& material, const XmlValue& value, Messages& log)
+{
+  const XmlValueRule rule = Integer("", "").In("", OtherMaterials);
+  int others = 0;
+  const bool isGood = value.Text.empty() || ParseInteger(value, rule, log, others);
+  material.Count = isGood ? 1 + others : material.Count;
+  return isGood;
+}
+
+std::string GetOtherMaterials(const MaterialData& material)
+{
+  return std::to_string(material.Count - 1);
+}
 
 /// Of the choices y and z.
 constexpr int UpIsY[] = { 1, 0 };
@@ -57,7 +77,7 @@ std::vector<XmlElementRule> MakeFilterRules()
     {
       Text("filepath", "any raster that GDAL reads; the first band is the height"),
       Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
-      Text("matfile", "an MTL file, the material of all cells").Default("the default material"),
+      Text("matfile", "an MTL file, the material of all cells").Default("the default material").File().At<Material, &MaterialData::File>(),
       Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
     },
     {} },
@@ -79,9 +99,9 @@ std::vector<XmlElementRule> MakeFilterRules()
       Vector("defaultNormal", "normal of voxels without one").Default("that of the faces").At<Voxels, &VoxelData::DefaultNormal>(),
       Flag("snapNeighborNormal", "whether a voxel has the normal of the point nearest its centre instead of the mean").At<Voxels, &VoxelData::SnapNeighborNormal>(),
       Flag("sparse", "storage of other programs").Ignored(),
-      Text("matfile", "an MTL file, the material of all cells").Default("the default material"),
+      Text("matfile", "an MTL file, the material of all cells").Default("the default material").File().At<Material, &MaterialData::File>(),
       Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
-      Integer("randomMaterials", "number of additional materials with a random change of the reflectance").In("", { 0.0, 999999.0 }),
+      Integer("randomMaterials", "number of additional materials with a random change of the reflectance").In("", OtherMaterials).By<SetOtherMaterials, GetOtherMaterials, Material>(),
       Number("randomRange", "maximum of that change, up or down").In("", { 0.0, 1.0 }).At<Material, &MaterialData::RandomRange>(),
     },
     {} },
@@ -93,10 +113,10 @@ std::vector<XmlElementRule> MakeFilterRules()
       Word("intersectionMode", "~transmittive scaled fixed", "model of the voxels").At<Cells, &VegetationData::Mode>(),
       Number("intersectionArgument", "scaled: exponent of the edge length").In("", { 0.0, 100.0 }).At<Cells, &VegetationData::Exponent>(),
       Flag("randomShift", "scaled: whether cubes are shifted at random in their cells").At<Cells, &VegetationData::RandomShift>(),
-      Text("ladlut", "a table of leaf angle distributions").Default("none"),
-      Text("matfile", "an MTL file, the material of all cells").Default("the default material"),
+      Text("ladlut", "a table of leaf angle distributions").Default("none").File().At<Cells, &VegetationData::LeafTable>(),
+      Text("matfile", "an MTL file, the material of all cells").Default("the default material").File().At<Material, &MaterialData::File>(),
       Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
-      Integer("randomMaterials", "number of additional materials with a random change of the reflectance").In("", { 0.0, 999999.0 }),
+      Integer("randomMaterials", "number of additional materials with a random change of the reflectance").In("", OtherMaterials).By<SetOtherMaterials, GetOtherMaterials, Material>(),
       Number("randomRange", "maximum of that change, up or down").In("", { 0.0, 1.0 }).At<Material, &MaterialData::RandomRange>(),
     },
     {} },

@@ -86,7 +86,7 @@ std::vector<XmlElementRule> MakeLegRules()
       Flag("smoothTurn", "multicopter: turns in flight; overrides stopAndTurn").At<Leg, &LegData::SmoothTurn>(),
       Flag("slowdownEnabled", "multicopter: slows down before waypoints and in turns").At<Leg, &LegData::SlowsDown>(),
       Number("yawAtDeparture_deg", "multicopter: heading at departure, anticlockwise from north").In("deg", Angle).Default("to the next leg").At<Leg, &LegData::YawAtDeparture>(),
-      Text("trajectory", "interpolated platform: the file of its trajectory"),
+      Text("trajectory", "interpolated platform: the file of its trajectory").File().At<Leg, Track, &TrajectoryFileData::File>(),
       Text("trajectory_seperator", "trajectory_separator in the spelling of HELIOS++").KeepsBlanks().Alias().At<Leg, Track, &TrajectoryFileData::Separator>(),
       Text("trajectory_separator", "column separator of the trajectory file").KeepsBlanks().At<Leg, Track, &TrajectoryFileData::Separator>(),
       Integer("tIndex", "column of time, from 0").In("", Column).Default("0").At<Leg, Track, &TrajectoryFileData::Columns, 0>(),

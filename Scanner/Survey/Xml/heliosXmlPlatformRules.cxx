@@ -49,7 +49,7 @@ std::vector<XmlElementRule> MakePlatformRules()
       Text("id", "identifier for references").At<&PlatformData::Id>(),
       Text("name", "a title").At<&PlatformData::Name>(),
       Word("type", "static dummy linearpath groundvehicle multicopter", "type of motion").Meaning(PlatformTypes).At<&PlatformData::Type>(),
-      Text("model", "model for vtkhelios view: an OBJ file in m, x right, y forward, z up; not used in simulations").Default("a simple model"),
+      Text("model", "model for vtkhelios view: an OBJ file in m, x right, y forward, z up; not used in simulations").Default("a simple model").At<&PlatformData::Model, &ModelData::Name>(),
       Text("visModel", "as model; model overrides it").Default("a simple model"),
       Number("drag", "groundvehicle, multicopter: loss of speed per pulse; not used: vehicles have masses and forces").In("", { 0.0, 1e3, true }).Later(),
       Number("engine_max_force", "multicopter: force per pulse; not used: thrust follows from the tilt").In("", { 0.0, 1e6, true }).Later(),

@@ -78,6 +78,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   bool IsInverted = false;                                ///< a boolean whose opposite is stored
   bool HasBlanks = false;                                 ///< blanks and tabs are part of the text
   bool IsAlias = false; ///< another name of an attribute, which overrides it
+  bool IsFile = false;  ///< a file, searched in the asset directories
 
   ///@{
   XmlValueRule In(const char* unit) const;
@@ -92,6 +93,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule Checked(Status (*findFault)(const std::string& text)) const;
   XmlValueRule KeepsBlanks() const;
   XmlValueRule Alias() const;
+  XmlValueRule File() const;
   ///@}
 
   /// Stored in a struct at a chain of members and indices of arrays.

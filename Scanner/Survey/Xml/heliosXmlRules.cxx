@@ -149,6 +149,12 @@ XmlValueRule XmlValueRule::Alias() const
 }
 
 //------------------------------------------------------------------------------
+XmlValueRule XmlValueRule::File() const
+{
+  return Change(*this, &XmlValueRule::IsFile, true);
+}
+
+//------------------------------------------------------------------------------
 XmlChildRule XmlChildRule::Ignored() const
 {
   return Change(*this, &XmlChildRule::Use, XmlUse::Ignored);

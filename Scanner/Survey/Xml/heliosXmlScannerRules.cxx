@@ -25,7 +25,7 @@ std::vector<XmlValueRule> MakeScannerValues()
   // clang-format off
   return {
     Text("id", "identifier for references"),
-    Text("name", "a title"),
+    Text("name", "a title").At<&ScannerData::Name>(),
     Word("optics", "rotating oscillating line conic palmer risley", "beam deflector").Required().At<&ScannerData::Type>(),
     Numbers("pulseFreqs_Hz", "supported pulse frequencies, the default first").In("Hz", Frequency).Default("that of the leg").At<&ScannerData::PulseFrequencies>(),
     Number("pulseLength_ns", "full width at half maximum").In("ns", PulseLength).At<&ScannerData::PulseLength>(),
@@ -46,7 +46,7 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("scanFreqMax_Hz", "maximum scan frequency; 0: no limit").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMax>(),
     Number("headRotatePerSecMax_deg", "maximum head rotation speed").In("deg/s", { 0.0, 1e6 }).At<&ScannerData::HeadRotateSpeedMax>(),
     Number("deflectAngle_deg", "no program reads it").In("deg").Ignored(),
-    Text("visModel", "model of the head in vtkhelios view, a file as for model of a platform; it rotates with the head").Default("a simple model"),
+    Text("visModel", "model of the head in vtkhelios view, a file as for model of a platform; it rotates with the head").Default("a simple model").At<&ScannerData::Model, &ModelData::Name>(),
     Number("beamQualityFactor", "M2 of the beam; without it the beam has no waist").In("", { 1.0, 1e4 }).At<Receiver, &ReceiverData::BeamQualityFactor>(),
     Number("atmosphericExtinction_1_m", "extinction; overrides the visibility").In("1/m", { 0.0, 1e3 }).Default("from the visibility").At<Receiver, &ReceiverData::Extinction>(),
     Number("detectorNoise_nW", "standard deviation of waveform noise").In("nW", { 0.0, 1e15 }).Scaled(WattsPerNanowatt).At<Receiver, &ReceiverData::DetectorNoise>(),
@@ -83,9 +83,15 @@ std::vector<XmlValueRule> MakeChannelValues()
     const std::string name = value.Name;
     if (name == "id")
     {
-      value = Text("id", "used in file names if channels are split").Default("its number");
+      value = Text("id", "used in file names if channels are split")
+                .Default("its number")
+                .At<&ScannerData::Channel>();
     }
-    else if (name != "name")
+    else if (name == "name")
+    {
+      value.Store = {};
+    }
+    else
     {
       value.DefaultText = "the scanner's";
       value.IsRequired = false;
