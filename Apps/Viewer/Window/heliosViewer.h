@@ -103,13 +103,12 @@ public:
   int GetExitCode() const { return this->ExitCode; }
 
 private:
-  friend class ViewerState;
-
   std::string SetUpCamera();
   bool LoadInputs();
   void SetUpWindow();
   void SetUpEvents();
   void SetUpView();
+  void SetUpKeys();
   void Begin(const double bounds[6], bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
   void ShowWays();
@@ -128,6 +127,7 @@ private:
   std::string DescribeCloud() const;
   std::string DescribeLegs() const;
   void Draw();
+  void WriteState() const;
   void WaitFor(double time);
   bool IsComputing() const;
   void AddVideoFrame(double now);
