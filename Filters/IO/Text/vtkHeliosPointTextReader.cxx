@@ -32,7 +32,7 @@ vtkHeliosPointTextReader::~vtkHeliosPointTextReader()
 
 int vtkHeliosPointTextReader::CountColumns(const char* fileName)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   std::string_view row;
   const bool hasRow = fileName && file.Open(fileName).empty() && helios::FindFirstRow(file, row);
   return hasRow ? helios::CountColumns(row) : 0;
@@ -40,7 +40,7 @@ int vtkHeliosPointTextReader::CountColumns(const char* fileName)
 
 bool vtkHeliosPointTextReader::CanReadFile(const char* fileName)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   std::string_view row;
   helios::PartNumbers parts;
   helios::TextReport report;
@@ -60,7 +60,7 @@ void vtkHeliosPointTextReader::SetPartNames(vtkStringArray* partNames)
 }
 
 bool vtkHeliosPointTextReader::ReadFile(
-  helios::XyzFile& file, vtkPolyData* cloud, helios::TextReport& report)
+  helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report)
 {
   std::string_view row;
   const bool hasRow = helios::FindFirstRow(file, row);
@@ -120,7 +120,7 @@ int vtkHeliosPointTextReader::RequestData(
   bool isRead = false;
   try
   {
-    helios::XyzFile file;
+    helios::LineFile file;
     const std::string fault = file.Open(this->FileName);
     isRead = fault.empty() ? this->ReadFile(file, vtkPolyData::GetData(outputVector), report)
                            : report.Fail(fault);

@@ -82,7 +82,7 @@ helios::TrajectoryFormat vtkHeliosTrajectoryReader::MakeFormat() const
 bool vtkHeliosTrajectoryReader::ReadRows(
   helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   const std::string fault = file.Open(this->FileName);
   if (!fault.empty())
   {

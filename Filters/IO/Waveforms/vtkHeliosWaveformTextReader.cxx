@@ -39,7 +39,7 @@ int vtkHeliosWaveformTextReader::RequestInformation(
 bool vtkHeliosWaveformTextReader::ReadPiece(helios::WaveformParser& parser,
   helios::TextReport& report, std::int64_t piece, std::int64_t count)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   const std::string fault = file.Open(this->FileName);
   if (!fault.empty())
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosXyzFile.h"
+#include "heliosLineFile.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -33,13 +33,13 @@ std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 
 } // namespace
 
-std::string XyzFile::Open(const std::string& path)
+std::string LineFile::Open(const std::string& path)
 {
   this->Path = path;
   return OpenInput(path, this->File, this->Size);
 }
 
-void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
+void LineFile::SetRange(std::int64_t begin, std::int64_t end)
 {
   this->Buffer.resize(std::max(this->Buffer.size(), BlockSize));
   this->Begin = this->End = this->Buffer.data();
@@ -57,7 +57,7 @@ void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
   }
 }
 
-bool XyzFile::ReadBlock()
+bool LineFile::ReadBlock()
 {
   const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
   std::memmove(this->Buffer.data(), this->Begin, left);
@@ -82,7 +82,7 @@ bool XyzFile::ReadBlock()
 }
 
 // Finds the end of the line at Begin, and reads more if needed.
-bool XyzFile::FindLineEnd()
+bool LineFile::FindLineEnd()
 {
   std::size_t searched = 0;
   for (;;)
@@ -105,7 +105,7 @@ bool XyzFile::FindLineEnd()
   }
 }
 
-void XyzFile::SkipLine()
+void LineFile::SkipLine()
 {
   while (!this->FindLineEnd() && this->End - this->Begin > static_cast<std::ptrdiff_t>(BlockSize))
   {
@@ -120,7 +120,7 @@ void XyzFile::SkipLine()
   }
 }
 
-bool XyzFile::NextLine(std::string_view& line)
+bool LineFile::NextLine(std::string_view& line)
 {
   if (this->Next >= this->Stop || !this->Error.empty())
   {
@@ -151,7 +151,7 @@ bool XyzFile::NextLine(std::string_view& line)
   return true;
 }
 
-std::string XyzFile::GetPlace() const
+std::string LineFile::GetPlace() const
 {
   return Place(this->Path, 1 + CountLineEnds(this->Path, this->LineStart));
 }

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lines of a byte range of a text file, for reading a file in pieces.
 
-#ifndef heliosXyzFile_h
-#define heliosXyzFile_h
+#ifndef heliosLineFile_h
+#define heliosLineFile_h
 
 #include "heliosTextFile.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <functional>
@@ -17,12 +18,12 @@ namespace helios
 {
 
 /// Reads in blocks, so that memory does not grow with the file.
-class XyzFile
+class VTKHELIOSFILTERSCORE_EXPORT LineFile
 {
 public:
-  XyzFile() = default;
-  XyzFile(const XyzFile&) = delete;
-  void operator=(const XyzFile&) = delete;
+  LineFile() = default;
+  LineFile(const LineFile&) = delete;
+  void operator=(const LineFile&) = delete;
 
   /// Called after every block with the total number of bytes read; returning false stops reading.
   std::function<bool(std::int64_t)> OnBlock;
