@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLineFile.h"
 
+#include "heliosInputFile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace helios
 {
@@ -32,6 +36,28 @@ std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 }
 
 } // namespace
+
+std::string Place(const std::string& path, std::int64_t line)
+{
+  return path + ':' + std::to_string(line) + ": ";
+}
+
+std::string OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
+{
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  {
+    return path + ": " + problem;
+  }
+  file.reset(std::fopen(path.c_str(), "rb"));
+  if (!file)
+  {
+    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
+  }
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  std::error_code error;
+  size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
+  return error ? path + ": cannot be read: " + error.message() + "; check the disk" : "";
+}
 
 std::string LineFile::Open(const std::string& path)
 {
@@ -98,7 +124,7 @@ bool LineFile::FindLineEnd()
       return true;
     }
     searched = left;
-    if (this->AtEnd || left > BlockSize || !this->ReadBlock())
+    if (this->AtEnd || this->Stopped || left > this->LongestLine || !this->ReadBlock())
     {
       return false;
     }
