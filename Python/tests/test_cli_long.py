@@ -160,6 +160,16 @@ def test_epochs(command_line, make_epochs, tmp_path):
     assert report["totals"]["points"] == points > 0
 
 
+def test_survey_runs_the_given_epoch(make_epochs):
+    survey = vtkhelios.read_survey(make_epochs())
+    for epoch, expected in enumerate(HEIGHTS):
+        points = survey.run(noise=False, epoch=epoch).points
+        near = np.hypot(points[:, 0], points[:, 1]) < 20
+        assert np.median(points[near, 2]) == pytest.approx(expected, abs=1e-3)
+    with pytest.raises(vtkhelios.PipelineError, match="Epoch is 3, but the survey has 3 epochs"):
+        survey.run(epoch=3)
+
+
 def test_dry_run_of_epochs(command_line, make_epochs, tmp_path):
     arguments = ["run", make_epochs(), "--dry-run", "--output", tmp_path / "out"]
     done = command_line(*arguments)

@@ -11,11 +11,9 @@
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
 #include "heliosViewerKeys.h"
-#include "heliosViewerTool.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
+#include <memory>
 
 namespace helios::viewer
 {
