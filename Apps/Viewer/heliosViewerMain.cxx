@@ -4,16 +4,59 @@
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerOptions.h"
-#include "heliosVisibleText.h"
 
 #include <vtkObject.h>
 
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <streambuf>
+
+namespace
+{
+
+/**
+ * During its lifetime, control characters written to a stream, except tab and line feed, are
+ * escaped as \x1b etc. Bytes of other characters pass.
+ */
+class VisibleText : public std::streambuf
+{
+public:
+  explicit VisibleText(std::ostream& stream)
+    : Stream(stream)
+    , Target(stream.rdbuf(this))
+  {
+  }
+  ~VisibleText() override { this->Stream.rdbuf(this->Target); }
+  VisibleText(const VisibleText&) = delete;
+  void operator=(const VisibleText&) = delete;
+
+protected:
+  int_type overflow(int_type character) override
+  {
+    const bool isControl = (character >= 0 && character < 0x20) || character == 0x7f;
+    if (!isControl || character == '\t' || character == '\n')
+    {
+      return traits_type::eq_int_type(character, traits_type::eof())
+        ? traits_type::not_eof(character)
+        : this->Target->sputc(traits_type::to_char_type(character));
+    }
+    char escape[8];
+    const int length = std::snprintf(escape, sizeof escape, "\\x%02x", character);
+    return this->Target->sputn(escape, length) == length ? character : traits_type::eof();
+  }
+  int sync() override { return this->Target->pubsync(); }
+
+private:
+  std::ostream& Stream;
+  std::streambuf* Target;
+};
+
+} // namespace
 
 int main(int argc, char** argv)
 {
-  const helios::viewer::VisibleText visible(std::cerr);
+  const VisibleText visible(std::cerr);
   helios::viewer::ViewerOptions options;
   const helios::viewer::OptionsResult result = helios::viewer::ReadOptions(argc, argv, options);
   if (result != helios::viewer::OptionsResult::Go)

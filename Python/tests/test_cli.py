@@ -46,7 +46,10 @@ from _command_line import PULSES, expect_failure, start
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
         (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),
-        (["run", "s.xml", "--play", "first"], "'first' is not a whole number from 0 to 2147483647"),
+        (
+            ["run", "s.xml", "--epoch", "first"],
+            "'first' is not a whole number from 0 to 2147483647",
+        ),
         (["run", "s.xml", "--resme"], "unknown option --resme: did you mean --resume?"),
         (
             ["run", "s.xml", "--resume", "--overwrite"],

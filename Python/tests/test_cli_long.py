@@ -20,7 +20,7 @@ import pytest
 import vtkhelios
 from vtkhelios.cli._messages import Messages
 from vtkhelios.cli._reading import make_reader
-from vtkhelios.cli.run import run_play
+from vtkhelios.cli.run import run_epoch
 
 from _command_line import PULSES, expect_failure, start
 
@@ -113,7 +113,7 @@ HEIGHTS = [0.0, -1.0, 0.5]
 
 
 @pytest.fixture
-def make_plays(make_survey):
+def make_epochs(make_survey):
     def make(**how):
         survey = make_survey(**how)
         (survey.parent / "scene.xml").write_text(SWAPS)
@@ -127,8 +127,8 @@ def height(folder):
     return np.median(rows[np.hypot(rows[:, 0], rows[:, 1]) < 20, 2])
 
 
-def test_epochs(command_line, make_plays, tmp_path):
-    survey, folder = make_plays(), tmp_path / "out/plane"
+def test_epochs(command_line, make_epochs, tmp_path):
+    survey, folder = make_epochs(), tmp_path / "out/plane"
     arguments = ["run", survey, "--output", tmp_path / "out", "--no-noise"]
     alone = command_line(*arguments, "--play", 2)
     assert alone.returncode == 0, alone.stderr
@@ -139,13 +139,15 @@ def test_epochs(command_line, make_plays, tmp_path):
     assert [path.name for path in folder.iterdir()] == [
         "play002"
     ]  # reported before the first epoch
-    expect_failure(command_line(*arguments, "--play", 3), "Play is 3, but the survey has 3 epochs")
+    expect_failure(
+        command_line(*arguments, "--epoch", 3), "Epoch is 3, but the survey has 3 epochs"
+    )
 
     done = command_line(*arguments, "--overwrite")
     assert done.returncode == 0, done.stderr
-    for play in range(3):
-        assert f"epoch    {play} of 3, counted from 0\n" in done.stdout
-        assert height(folder / f"play00{play}") == pytest.approx(HEIGHTS[play], abs=1e-3)
+    for epoch in range(3):
+        assert f"epoch    {epoch} of 3, counted from 0\n" in done.stdout
+        assert height(folder / f"play00{epoch}") == pytest.approx(HEIGHTS[epoch], abs=1e-3)
     assert (folder / "play002/leg000_points.xyz").read_bytes() == only
     assert f"epochs   3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
 
@@ -158,8 +160,18 @@ def test_epochs(command_line, make_plays, tmp_path):
     assert report["totals"]["points"] == points > 0
 
 
-def test_dry_run_of_epochs(command_line, make_plays, tmp_path):
-    arguments = ["run", make_plays(), "--dry-run", "--output", tmp_path / "out"]
+def test_survey_runs_the_given_epoch(make_epochs):
+    survey = vtkhelios.read_survey(make_epochs())
+    for epoch, expected in enumerate(HEIGHTS):
+        points = survey.run(noise=False, epoch=epoch).points
+        near = np.hypot(points[:, 0], points[:, 1]) < 20
+        assert np.median(points[near, 2]) == pytest.approx(expected, abs=1e-3)
+    with pytest.raises(vtkhelios.PipelineError, match="Epoch is 3, but the survey has 3 epochs"):
+        survey.run(epoch=3)
+
+
+def test_dry_run_of_epochs(command_line, make_epochs, tmp_path):
+    arguments = ["run", make_epochs(), "--dry-run", "--output", tmp_path / "out"]
     done = command_line(*arguments)
     assert done.returncode == 0, done.stderr
     assert re.search(
@@ -173,8 +185,8 @@ def test_dry_run_of_epochs(command_line, make_plays, tmp_path):
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
-def test_interrupted_epochs(number, command_line, make_plays, tmp_path):
-    survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices per epoch
+def test_interrupted_epochs(number, command_line, make_epochs, tmp_path):
+    survey = make_epochs(speed=8, stop=60)  # 750,000 pulse indices per epoch
     more = ["--pulses-per-block", "2048"]
     folder = tmp_path / "out/plane"
     for _ in range(10):  # on a busy machine an epoch may end before the signal arrives
@@ -194,17 +206,17 @@ def test_interrupted_epochs(number, command_line, make_plays, tmp_path):
     done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
     assert done.returncode == 0, done.stderr
     assert "Nothing is left to do" in done.stdout  # of the first epoch
-    whole = command_line("run", survey, "--output", tmp_path / "whole", "--play", 1, *more)
+    whole = command_line("run", survey, "--output", tmp_path / "whole", "--epoch", 1, *more)
     assert whole.returncode == 0, whole.stderr
     name = "plane/play001/leg000_points.xyz"
     assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
     assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was started
 
 
-def test_interrupt_between_epochs(make_plays, capsys):
+def test_interrupt_between_epochs(make_epochs, capsys):
     with Messages() as messages:
         interrupt = types.SimpleNamespace(signal=signal.SIGINT)
-        assert run_play(None, None, 2, messages, interrupt, []) == 130
+        assert run_epoch(None, None, 2, messages, interrupt, []) == 130
     assert "interrupted before epoch 2: --resume continues with it" in capsys.readouterr().err
 
 

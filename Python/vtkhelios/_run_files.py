@@ -44,9 +44,9 @@ def beside(path, kind):
     return [path.with_name(from_vtk(name)) for name in dict.fromkeys(names) if name]
 
 
-def is_play(path):
+def is_epoch(path):
     """Whether a folder is that of an epoch."""
-    return Files.GetPlay(to_vtk(_name(path))) >= 0
+    return Files.GetEpoch(to_vtk(_name(path))) >= 0
 
 
 def _name(path):

@@ -34,7 +34,7 @@ _OPTIONS = {
     "sub_rays": "number_of_sub_rays",
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
-    "play": "play",
+    "epoch": "epoch",
 }
 # What a run returns besides echoes, and the properties of vtkHeliosSurveySource.
 _OUTPUTS = {
@@ -184,7 +184,7 @@ class Survey:
             "peak", "gaussian", "cfd" or "leadingEdge".
         ray_caster
             by name: "beam", "embree", "bvh" ...
-        play
+        epoch
             the epoch, of a survey whose scene swaps parts.
 
         Raises PipelineError with the message of any filter.
@@ -218,7 +218,7 @@ class Survey:
         report.
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
-        sub_rays, detector, ray_caster and play as in run(); waveforms, pulses, split_by_channel,
+        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, split_by_channel,
         overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer. Memory
         holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
         and has the "folder".

@@ -40,15 +40,15 @@ void vtkHeliosRunOptions::Set(T& option, const T& value)
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosRunOptions::SetPlay(int play)
+void vtkHeliosRunOptions::SetEpoch(int epoch)
 {
-  this->Set(this->Data->Play, std::max(0, play));
+  this->Set(this->Data->Epoch, std::max(0, epoch));
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosRunOptions::GetPlay() const
+int vtkHeliosRunOptions::GetEpoch() const
 {
-  return this->Data->Play;
+  return this->Data->Epoch;
 }
 
 //------------------------------------------------------------------------------
@@ -186,7 +186,7 @@ std::string vtkHeliosRunOptions::GetRayCaster() const
 void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Play: " << this->Data->Play << "\n"
+  os << indent << "Epoch: " << this->Data->Epoch << "\n"
      << indent << "Seed: " << this->Data->Seed << "\n"
      << indent << "Noise: " << this->Data->Noise << "\n"
      << indent << "RangeTolerance: " << this->Data->RangeTolerance << "\n"

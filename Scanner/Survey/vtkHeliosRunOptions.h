@@ -35,10 +35,10 @@ public:
   ///@{
   /**
    * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
-   * the survey's GetNumberOfPlays() - 1]. Default: 0.
+   * the survey's GetNumberOfEpochs() - 1]. Default: 0.
    */
-  void SetPlay(int play);
-  int GetPlay() const;
+  void SetEpoch(int epoch);
+  int GetEpoch() const;
   ///@}
 
   ///@{

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurvey.h"
 
-#include "heliosPlays.h"
+#include "heliosEpochs.h"
 #include "heliosSurveyMaker.h"
 
 #include <vtkObjectFactory.h>
@@ -330,9 +330,9 @@ bool vtkHeliosSurvey::IsMoving() const
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosSurvey::GetNumberOfPlays() const
+int vtkHeliosSurvey::GetNumberOfEpochs() const
 {
-  return helios::CountPlays(this->GetData().Scene);
+  return helios::CountEpochs(this->GetData().Scene);
 }
 
 //------------------------------------------------------------------------------
@@ -404,7 +404,7 @@ void vtkHeliosSurvey::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Scanner: " << this->GetScannerName() << "\n"
      << indent << "Platform: " << this->GetPlatformName() << "\n"
      << indent << "Scene: " << this->GetSceneName() << "\n"
-     << indent << "NumberOfPlays: " << this->GetNumberOfPlays() << "\n"
+     << indent << "NumberOfEpochs: " << this->GetNumberOfEpochs() << "\n"
      << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n"
      << indent << "NumberOfLegs: " << this->GetNumberOfLegs() << "\n";
 }

@@ -234,7 +234,7 @@ public:
    * The number of epochs: more than one if parts of the scene are swapped. vtkHeliosSurveyPlayer
    * runs one epoch at a time.
    */
-  int GetNumberOfPlays() const;
+  int GetNumberOfEpochs() const;
 
   ///@{
   /**

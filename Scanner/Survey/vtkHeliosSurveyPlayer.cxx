@@ -157,7 +157,7 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
   // Epochs after the current one of an interrupted run have no files yet.
   const bool isNext =
-    this->Settings.Options.Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
+    this->Settings.Options.Epoch > 0 && !player->Overwrite && this->Folder->IsEmpty();
   this->Resumes = player->Resume && !isNext;
   helios::Status status = this->Folder->Prepare(player->Overwrite, this->Resumes);
   if (!status.IsOk())
@@ -479,9 +479,9 @@ std::string vtkHeliosSurveyPlayer::GetRunFolder()
   }
   std::filesystem::path folder = TextOf(this->OutputDirectory);
   folder /= survey->GetName();
-  if (survey->GetNumberOfPlays() > 1)
+  if (survey->GetNumberOfEpochs() > 1)
   {
-    folder /= vtkHeliosRunFiles::GetPlayName(this->GetOptions()->GetPlay());
+    folder /= vtkHeliosRunFiles::GetEpochName(this->GetOptions()->GetEpoch());
   }
   return folder.string();
 }

@@ -23,9 +23,9 @@
  * legNNN_points_dev<channel>.xyz etc.
  *
  * If parts of the scene are swapped, the survey has several epochs
- * (vtkHeliosSurvey::GetNumberOfPlays()): the same legs and other geometry. A run is one of them,
- * Play of the options, in a subfolder of the survey's folder, play000, play001 etc., with its own journal and
- * summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
+ * (vtkHeliosSurvey::GetNumberOfEpochs()): the same legs and other geometry. A run is one of them,
+ * Epoch of the options, in a subfolder of the survey's folder, play000, play001 etc., with its own
+ * journal and summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
  * epochs: their points differ only by geometry.
  *
  * While a leg runs its files end in .part and are valid up to the last block; run.journal records
@@ -154,7 +154,7 @@ public:
   /**
    * Set/Get whether the earlier run in the folder is continued after its last block. If inputs or
    * settings have changed, it is an error that lists the changes. A finished run is left as it is;
-   * a Play above 0 that has not started is started. Excludes Overwrite. Default: off.
+   * an Epoch above 0 that has not started is started. Excludes Overwrite. Default: off.
    */
   vtkSetMacro(Resume, bool);
   vtkGetMacro(Resume, bool);

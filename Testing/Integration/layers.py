@@ -128,12 +128,6 @@ def find_folder_cycles(folder):
     return []
 
 
-# Cycles of units that are to be resolved.
-KNOWN_UNIT_CYCLES = [
-    {"heliosViewer", "heliosViewerKeys", "heliosViewerState"},
-]
-
-
 def find_unit_cycles(folders):
     """Units (a .h and .cxx of one name) that include each other's headers, as sets of names."""
     paths = [path for folder in folders for path in sources_of(folder)]

@@ -135,8 +135,7 @@ void Viewer::SetUpView()
       });
   }
   this->Tools = MakeTools(*this);
-  this->Keys = std::make_unique<ViewerKeys>(*this, this->Tools);
-  this->Words->SetHelp(this->Keys->GetHelp());
+  this->SetUpKeys();
 }
 
 //------------------------------------------------------------------------------
@@ -334,7 +333,17 @@ void Viewer::Draw()
   this->FramesPerSecond = 1.0 / std::max(1e-3, end - start);
   ++this->NumberOfFrames;
   this->IsDirty = false;
-  ViewerState(*this).Write(this->Options.State);
+  this->WriteState();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::WriteState() const
+{
+  const ViewerState state{ this->Window, this->Renderer, this->Origin, this->Camera, this->Clock,
+    this->Video, this->Running.get(), *this->Points, *this->PointsView, this->Mesh.get(),
+    this->Platform.get(), *this->Words, this->Tools, this->NumberOfFrames, this->FramesPerSecond,
+    this->PulsesPerSecond, this->Message };
+  state.Write(this->Options.State);
 }
 
 //------------------------------------------------------------------------------

@@ -104,13 +104,12 @@ public:
   int GetExitCode() const { return this->ExitCode; }
 
 private:
-  friend class ViewerState;
-
   Status SetUpCamera();
   bool LoadInputs();
   void SetUpWindow();
   void SetUpEvents();
   void SetUpView();
+  void SetUpKeys();
   void Begin(const double bounds[6], bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
   void ShowWays();
@@ -129,6 +128,7 @@ private:
   std::string DescribeCloud() const;
   std::string DescribeLegs() const;
   void Draw();
+  void WriteState() const;
   void WaitFor(double time);
   bool IsComputing() const;
   void AddVideoFrame(double now);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of the viewer: one table, also the source of the help.
+// A table of keys and their actions, also the source of the help.
 
 #ifndef heliosViewerKeys_h
 #define heliosViewerKeys_h
@@ -13,21 +13,11 @@
 namespace helios::viewer
 {
 
-class Viewer;
 class ViewerTool;
 
 class ViewerKeys
 {
 public:
-  ViewerKeys(Viewer& viewer, const std::vector<std::unique_ptr<ViewerTool>>& tools);
-
-  /// Runs the action of a key, as named by X; tools come first. False: no action.
-  bool Press(const std::string& key, bool control);
-
-  /// All keys, one per line.
-  std::string GetHelp() const;
-
-private:
   struct Action
   {
     std::string Heading; ///< of the following keys; empty: continues
@@ -37,12 +27,20 @@ private:
     std::function<void()> Do;
   };
 
-  void AddTime();
-  void AddCameras();
-  void AddLook();
-  void AddFiles();
+  explicit ViewerKeys(const std::vector<std::unique_ptr<ViewerTool>>& tools)
+    : Tools(tools)
+  {
+  }
 
-  Viewer& Owner;
+  void Add(const Action& action) { this->Actions.push_back(action); }
+
+  /// Runs the action of a key, as named by X; tools come first. False: no action.
+  bool Press(const std::string& key, bool control);
+
+  /// All keys, one per line.
+  std::string GetHelp() const;
+
+private:
   const std::vector<std::unique_ptr<ViewerTool>>& Tools;
   std::vector<Action> Actions;
 };

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosViewerState.h"
 
+#include "heliosCameraRig.h"
+#include "heliosCloud.h"
 #include "heliosCloudView.h"
 #include "heliosColorNames.h"
 #include "heliosHud.h"
 #include "heliosPartFile.h"
 #include "heliosPlatformView.h"
+#include "heliosPlayClock.h"
+#include "heliosRecorder.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
-#include "heliosViewer.h"
 #include "heliosViewerTool.h"
 
 #include <vtkCamera.h>
@@ -50,10 +53,10 @@ const char* GetPhaseName(const Simulation* run)
 //------------------------------------------------------------------------------
 Json::Value ViewerState::DescribeCamera() const
 {
-  vtkCamera* camera = this->Owner.Renderer->GetActiveCamera();
-  const Vec3 origin = this->Owner.Origin;
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const Vec3 origin = this->Origin;
   Json::Value value;
-  value["mode"] = GetCameraModeName(this->Owner.Camera.GetMode());
+  value["mode"] = GetCameraModeName(this->Camera.GetMode());
   value["position"] = ToJson(Vec3(camera->GetPosition()) + origin);
   value["focalPoint"] = ToJson(Vec3(camera->GetFocalPoint()) + origin);
   value["viewUp"] = ToJson(Vec3(camera->GetViewUp()));
@@ -66,19 +69,19 @@ Json::Value ViewerState::DescribeCamera() const
 //------------------------------------------------------------------------------
 Json::Value ViewerState::DescribeTime() const
 {
-  const PlayClock& clock = this->Owner.Clock;
+  const PlayClock& clock = this->Clock;
   Json::Value value;
   value["time"] = clock.GetTime();
   value["start"] = clock.GetStart();
   value["end"] = clock.GetEnd();
   value["speed"] = std::isinf(clock.GetSpeed()) ? Json::Value("max") : clock.GetSpeed();
   value["playing"] = clock.IsPlaying();
-  const Simulation* run = this->Owner.Running.get();
+  const Simulation* run = this->Running;
   value["phase"] = GetPhaseName(run);
   value["computed"] = run ? run->GetCollectedTime() : clock.GetEnd();
   value["pulses"] = Json::Int64(run ? run->GetCollectedPulses() : 0);
   value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
-  value["pulsesPerSecond"] = this->Owner.PulsesPerSecond;
+  value["pulsesPerSecond"] = this->PulsesPerSecond;
   Json::Value bar(Json::arrayValue); // fraction of window width, height from below
   bar.append(TimeBar::Left);
   bar.append(TimeBar::Right);
@@ -90,11 +93,11 @@ Json::Value ViewerState::DescribeTime() const
 //------------------------------------------------------------------------------
 Json::Value ViewerState::DescribeCloud() const
 {
-  const CloudView& view = *this->Owner.PointsView;
+  const CloudView& view = this->PointsView;
   Json::Value value;
-  value["points"] = Json::Int64(this->Owner.Points->GetNumberOfPoints());
+  value["points"] = Json::Int64(this->Points.GetNumberOfPoints());
   value["drawn"] = Json::Int64(view.GetNumberOfDrawnPoints());
-  value["bytes"] = Json::UInt64(this->Owner.Points->GetMemorySize() + view.GetMemorySize());
+  value["bytes"] = Json::UInt64(this->Points.GetMemorySize() + view.GetMemorySize());
   value["colorBy"] = GetColorByName(view.GetColorBy());
   value["low"] = view.GetLow();
   value["high"] = view.GetHigh();
@@ -108,24 +111,23 @@ Json::Value ViewerState::DescribeCloud() const
 Json::Value ViewerState::Describe() const
 {
   Json::Value state;
-  const int* size = this->Owner.Window->GetSize();
+  const int* size = this->Window->GetSize();
   state["window"].append(size[0]);
   state["window"].append(size[1]);
-  state["frames"] = Json::Int64(this->Owner.NumberOfFrames);
-  state["framesPerSecond"] = this->Owner.FramesPerSecond;
+  state["frames"] = Json::Int64(this->NumberOfFrames);
+  state["framesPerSecond"] = this->FramesPerSecond;
   state["camera"] = this->DescribeCamera();
   state["time"] = this->DescribeTime();
   state["cloud"] = this->DescribeCloud();
-  state["scene"] = this->Owner.Mesh && this->Owner.Mesh->IsVisible();
-  state["voxels"] = Json::Int64(this->Owner.Mesh ? this->Owner.Mesh->GetNumberOfBoxes() : 0);
-  state["beams"] = Json::Int64(this->Owner.Platform && this->Owner.Platform->IsFanVisible()
-      ? this->Owner.Platform->GetNumberOfBeams()
-      : 0);
-  state["help"] = this->Owner.Words->IsHelpVisible();
-  state["words"] = this->Owner.Words->GetText();
-  state["message"] = this->Owner.Message;
-  state["recording"] = this->Owner.Video.IsOpen();
-  for (const auto& tool : this->Owner.Tools)
+  state["scene"] = this->Mesh && this->Mesh->IsVisible();
+  state["voxels"] = Json::Int64(this->Mesh ? this->Mesh->GetNumberOfBoxes() : 0);
+  state["beams"] = Json::Int64(
+    this->Platform && this->Platform->IsFanVisible() ? this->Platform->GetNumberOfBeams() : 0);
+  state["help"] = this->Words.IsHelpVisible();
+  state["words"] = this->Words.GetText();
+  state["message"] = this->Message;
+  state["recording"] = this->Video.IsOpen();
+  for (const auto& tool : this->Tools)
   {
     tool->Describe(state);
   }

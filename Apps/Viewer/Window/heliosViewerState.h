@@ -5,22 +5,53 @@
 #ifndef heliosViewerState_h
 #define heliosViewerState_h
 
+#include "heliosPose.h"
+
+#include <vtkType.h>
+
 #include <json/forwards.h>
 
+#include <memory>
 #include <string>
+#include <vector>
+
+class vtkRenderWindow;
+class vtkRenderer;
 
 namespace helios::viewer
 {
 
-class Viewer;
+class CameraRig;
+class Cloud;
+class CloudView;
+class Hud;
+class PlatformView;
+class PlayClock;
+class Recorder;
+class SceneView;
+class Simulation;
+class ViewerTool;
 
-class ViewerState
+/// The parts of a viewer that it describes.
+struct ViewerState
 {
-public:
-  explicit ViewerState(Viewer& viewer)
-    : Owner(viewer)
-  {
-  }
+  vtkRenderWindow* Window;
+  vtkRenderer* Renderer;
+  const Vec3& Origin; ///< of everything drawn [m]
+  const CameraRig& Camera;
+  const PlayClock& Clock;
+  const Recorder& Video;
+  const Simulation* Running; ///< null: not running
+  const Cloud& Points;
+  const CloudView& PointsView;
+  const SceneView* Mesh;        ///< null: no scene (yet)
+  const PlatformView* Platform; ///< null: none
+  const Hud& Words;
+  const std::vector<std::unique_ptr<ViewerTool>>& Tools;
+  vtkIdType NumberOfFrames;
+  double FramesPerSecond;
+  double PulsesPerSecond;
+  const std::string& Message;
 
   Json::Value Describe() const;
 
@@ -31,8 +62,6 @@ private:
   Json::Value DescribeCamera() const;
   Json::Value DescribeTime() const;
   Json::Value DescribeCloud() const;
-
-  Viewer& Owner;
 };
 
 } // namespace helios::viewer

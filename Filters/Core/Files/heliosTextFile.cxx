@@ -2,23 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTextFile.h"
 
-#include "heliosInputFile.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
+#include <limits>
 #include <system_error>
 
 namespace helios
 {
-
-namespace
-{
-constexpr std::size_t BlockSize = std::size_t(1) << 20;
-}
 
 std::string Quote(std::string_view word)
 {
@@ -29,99 +21,22 @@ std::string Quote(std::string_view word)
   return '"' + text + (word.size() > longest ? "...\"" : "\"");
 }
 
-std::string Place(const std::string& path, std::int64_t line)
-{
-  return path + ':' + std::to_string(line) + ": ";
-}
-
-Status OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
-{
-  if (const Status status = CheckInputFile(path); !status.IsOk())
-  {
-    return Status::Error(path + ": " + status.Message());
-  }
-  file.reset(std::fopen(path.c_str(), "rb"));
-  if (!file)
-  {
-    return Status::Error(
-      path + ": cannot be read: " + std::strerror(errno) + "; check the file name");
-  }
-  std::setvbuf(file.get(), nullptr, _IONBF, 0);
-  std::error_code error;
-  size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
-  return error ? Status::Error(path + ": cannot be read: " + error.message() + "; check the disk")
-               : Status();
-}
-
 Status TextFile::Open(const std::string& path)
 {
-  this->Path = path;
-  this->Buffer.resize(BlockSize);
-  this->Begin = this->End = this->Buffer.data();
-  return OpenInput(path, this->File, this->Size);
-}
-
-// Moves the incomplete line to the front of the buffer and reads more after it.
-bool TextFile::ReadBlock()
-{
-  const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
-  std::memmove(this->Buffer.data(), this->Begin, left);
-  if (left == this->Buffer.size())
+  const Status status = this->Lines.Open(path);
+  if (!status.IsOk())
   {
-    this->Buffer.resize(2 * left);
+    return status;
   }
-  this->Begin = this->Buffer.data();
-  this->End = this->Begin + left;
-
-  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File.get());
-  if (std::ferror(this->File.get()))
+  const auto size = this->Lines.GetSize();
+  this->Lines.SetRange(0, size);
+  this->Lines.SetLongestLine(std::numeric_limits<std::size_t>::max());
+  this->Lines.OnBlock = [this, size](std::int64_t bytes)
   {
-    this->Error =
-      this->Path + ": cannot be read any further: " + std::strerror(errno) + "; check the disk";
-    return false;
-  }
-  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-  if (this->Done == 0.0 && std::string_view(this->Begin, count).substr(0, 3) == byteOrderMark)
-  {
-    this->Begin += byteOrderMark.size();
-  }
-  this->End += count;
-  this->AtEnd = count == 0;
-  this->Done += static_cast<double>(count);
-  this->Stopped = this->OnBlock &&
-    !this->OnBlock(
-      this->Size > 0 ? std::min(1.0, this->Done / static_cast<double>(this->Size)) : 0.0);
-  return !this->Stopped;
-}
-
-bool TextFile::NextRawLine(std::string_view& line)
-{
-  std::size_t searched = 0;
-  for (;;)
-  {
-    const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
-    char* end = static_cast<char*>(std::memchr(this->Begin + searched, '\n', left - searched));
-    if (!end && this->AtEnd && left > 0)
-    {
-      end = this->End; // last line without line end
-    }
-    if (end)
-    {
-      line = { this->Begin, static_cast<std::size_t>(end - this->Begin) };
-      this->Begin = std::min(end + 1, this->End);
-      ++this->RawLine;
-      if (!line.empty() && line.back() == '\r')
-      {
-        line.remove_suffix(1);
-      }
-      return true;
-    }
-    searched = left;
-    if (this->AtEnd || this->Stopped || !this->ReadBlock())
-    {
-      return false;
-    }
-  }
+    const double share = static_cast<double>(bytes) / static_cast<double>(size);
+    return !this->OnBlock || this->OnBlock(std::min(1.0, share));
+  };
+  return this->GetError().empty() ? Status() : Status::Error(this->GetError());
 }
 
 bool TextFile::Join(std::string_view& line)
@@ -143,7 +58,7 @@ bool TextFile::Join(std::string_view& line)
   }
   this->Joined.append(line);
   line = this->Joined;
-  return this->Error.empty() && !this->Stopped;
+  return this->GetError().empty() && !this->IsStopped();
 }
 
 std::string_view TextWords::NextTitle()

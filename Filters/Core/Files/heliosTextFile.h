@@ -5,13 +5,12 @@
 #ifndef heliosTextFile_h
 #define heliosTextFile_h
 
+#include "heliosLineFile.h"
 #include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
-#include <cstdio>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,20 +35,7 @@ struct TextReport
 /// Formats a word for messages: quoted, truncated, without control characters.
 VTKHELIOSFILTERSCORE_EXPORT std::string Quote(std::string_view word);
 
-/// "path:line: ", the start of a message.
-VTKHELIOSFILTERSCORE_EXPORT std::string Place(const std::string& path, std::int64_t line);
-
-struct FileCloser
-{
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using InputFile = std::unique_ptr<std::FILE, FileCloser>;
-
-/// Opens a file without a buffer and gets its size.
-VTKHELIOSFILTERSCORE_EXPORT Status OpenInput(
-  const std::string& path, InputFile& file, std::int64_t& size);
-
-/// Reads a file in blocks, so that memory does not grow with it.
+/// Reads a file line by line, however long the lines are.
 class VTKHELIOSFILTERSCORE_EXPORT TextFile
 {
 public:
@@ -78,32 +64,27 @@ public:
     return line.empty() || line.back() != '\\' || this->Join(line);
   }
 
-  const std::string& GetPath() const { return this->Path; }
+  const std::string& GetPath() const { return this->Lines.GetPath(); }
   /// The number of the last line read, from 1; the first of joined ones.
   std::int64_t GetLine() const { return this->Line; }
   /// "path:line: " of the last line read.
-  std::string GetPlace() const { return Place(this->Path, this->Line); }
-  bool IsStopped() const { return this->Stopped; }
-  /// Error message of reading, empty without an error.
-  const std::string& GetError() const { return this->Error; }
+  std::string GetPlace() const { return Place(this->GetPath(), this->Line); }
+  bool IsStopped() const { return this->Lines.IsStopped(); }
+  /// Error message of reading, or an empty string.
+  const std::string& GetError() const { return this->Lines.GetError(); }
 
 private:
-  bool NextRawLine(std::string_view& line);
+  bool NextRawLine(std::string_view& line)
+  {
+    const bool isLine = this->Lines.NextLine(line);
+    this->RawLine += isLine;
+    return isLine;
+  }
   bool Join(std::string_view& line);
-  bool ReadBlock();
 
-  std::string Path;
-  std::string Error;
-  InputFile File;
-  std::int64_t Size = 0;
-  double Done = 0.0;
-  std::vector<char> Buffer;
-  char* Begin = nullptr; // of the unread bytes
-  char* End = nullptr;
+  LineFile Lines;
   std::int64_t Line = 0;
   std::int64_t RawLine = 0;
-  bool AtEnd = false;
-  bool Stopped = false;
   std::string Joined;
 };
 

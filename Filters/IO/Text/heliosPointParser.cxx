@@ -67,7 +67,7 @@ void AddArray(vtkPointData* data, const char* name, const std::vector<T>& values
 
 } // namespace
 
-bool FindFirstRow(XyzFile& file, std::string_view& row)
+bool FindFirstRow(LineFile& file, std::string_view& row)
 {
   file.SetRange(0, file.GetSize());
   while (file.NextLine(row))
@@ -99,7 +99,7 @@ PointParser::PointParser(int columns, bool keepInvalid, PartNumbers& parts, Text
 {
 }
 
-bool PointParser::Read(XyzFile& file, vtkIdType maximum)
+bool PointParser::Read(LineFile& file, vtkIdType maximum)
 {
   this->File = &file;
   std::string_view line;

@@ -5,10 +5,10 @@
 #ifndef heliosPointParser_h
 #define heliosPointParser_h
 
+#include "heliosLineFile.h"
 #include "heliosPartNumbers.h"
 #include "heliosPointColumns.h"
 #include "heliosTextFile.h"
-#include "heliosXyzFile.h"
 
 #include <vtkType.h>
 
@@ -24,7 +24,7 @@ namespace helios
 {
 
 /// Finds the first row of a file, not a comment; false without any, or after an error.
-bool FindFirstRow(XyzFile& file, std::string_view& row);
+bool FindFirstRow(LineFile& file, std::string_view& row);
 
 /// The columns of a row, without a comment that begins with # or //.
 int CountColumns(std::string_view row);
@@ -37,7 +37,7 @@ public:
   PointParser(int columns, bool keepInvalid, PartNumbers& parts, TextReport& report);
 
   /// Adds the points of the next lines, at most a number of them if positive; false after an error.
-  bool Read(XyzFile& file, vtkIdType maximum);
+  bool Read(LineFile& file, vtkIdType maximum);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Reals[0].size()); }
 
@@ -60,7 +60,7 @@ private:
   const bool KeepInvalid;
   PartNumbers& Parts;
   TextReport& Report;
-  const XyzFile* File = nullptr;
+  const LineFile* File = nullptr;
   std::string_view Line;
   std::vector<double> Reals[NumberOfPointColumns];          // of the real columns
   std::vector<vtkTypeInt64> Integers[NumberOfPointColumns]; // of the others

@@ -75,7 +75,7 @@ bool TrajectoryParser::Fail(const std::string& message)
   return this->Report.Fail(this->File->GetPlace() + message);
 }
 
-bool TrajectoryParser::Read(XyzFile& file, std::vector<TrajectoryRow>& rows)
+bool TrajectoryParser::Read(LineFile& file, std::vector<TrajectoryRow>& rows)
 {
   this->File = &file;
   file.SetRange(0, file.GetSize());

@@ -5,10 +5,10 @@
 #ifndef heliosTrajectoryParser_h
 #define heliosTrajectoryParser_h
 
+#include "heliosLineFile.h"
 #include "heliosPose.h"
 #include "heliosTextFile.h"
 #include "heliosTextRow.h"
-#include "heliosXyzFile.h"
 
 #include <array>
 #include <cstdint>
@@ -60,7 +60,7 @@ public:
   }
 
   /// All rows of a file, sorted by time; false after an error.
-  bool Read(XyzFile& file, std::vector<TrajectoryRow>& rows);
+  bool Read(LineFile& file, std::vector<TrajectoryRow>& rows);
 
 private:
   bool ReadComment(std::string_view line);
@@ -79,7 +79,7 @@ private:
   const TrajectoryFormat& Format;
   TextReport& Report;
   TextRow Row;
-  XyzFile* File = nullptr;
+  LineFile* File = nullptr;
   int TimeColumn = -1;      // from the comment
   TrajectoryColumns Header; // from the comment, -1: not named
   bool HasHeader = false;

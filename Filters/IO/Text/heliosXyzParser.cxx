@@ -52,7 +52,7 @@ void XyzParser::Need(const int columns[3])
   }
 }
 
-bool XyzParser::Read(XyzFile& file, std::int64_t begin, std::int64_t end)
+bool XyzParser::Read(LineFile& file, std::int64_t begin, std::int64_t end)
 {
   this->File = &file;
   file.SetRange(begin, end);
@@ -139,7 +139,7 @@ bool XyzParser::FailNumber(std::string_view line)
 
 bool XyzParser::IsFirstRow(std::int64_t lineStart) const
 {
-  XyzFile before;
+  LineFile before;
   if (!before.Open(this->File->GetPath()).IsOk())
   {
     return false;

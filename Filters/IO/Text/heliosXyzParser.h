@@ -6,9 +6,9 @@
 #define heliosXyzParser_h
 
 #include "heliosGrowingArray.h"
+#include "heliosLineFile.h"
 #include "heliosTextFile.h"
 #include "heliosTextRow.h"
-#include "heliosXyzFile.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -40,7 +40,7 @@ public:
   XyzParser(const XyzFormat& format, TextReport& report);
 
   /// Adds the points of the lines that start in [begin, end) of the file; false after an error.
-  bool Read(XyzFile& file, std::int64_t begin, std::int64_t end);
+  bool Read(LineFile& file, std::int64_t begin, std::int64_t end);
 
   vtkIdType GetNumberOfPoints() const { return this->Points.GetSize() / 3; }
 
@@ -59,7 +59,7 @@ private:
 
   const XyzFormat& Format;
   TextReport& Report;
-  XyzFile* File = nullptr;
+  LineFile* File = nullptr;
   TextRow Row;
   GrowingArray<vtkDoubleArray> Points;
   GrowingArray<vtkDoubleArray> Normals;

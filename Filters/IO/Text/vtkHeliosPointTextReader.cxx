@@ -33,7 +33,7 @@ vtkHeliosPointTextReader::~vtkHeliosPointTextReader()
 
 int vtkHeliosPointTextReader::CountColumns(const char* fileName)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   std::string_view row;
   const bool hasRow = fileName && file.Open(fileName).IsOk() && helios::FindFirstRow(file, row);
   return hasRow ? helios::CountColumns(row) : 0;
@@ -41,7 +41,7 @@ int vtkHeliosPointTextReader::CountColumns(const char* fileName)
 
 bool vtkHeliosPointTextReader::CanReadFile(const char* fileName)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   std::string_view row;
   helios::PartNumbers parts;
   helios::TextReport report;
@@ -61,7 +61,7 @@ void vtkHeliosPointTextReader::SetPartNames(vtkStringArray* partNames)
 }
 
 bool vtkHeliosPointTextReader::ReadFile(
-  helios::XyzFile& file, vtkPolyData* cloud, helios::TextReport& report)
+  helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report)
 {
   std::string_view row;
   const bool hasRow = helios::FindFirstRow(file, row);
@@ -121,7 +121,7 @@ int vtkHeliosPointTextReader::RequestData(
   bool isRead = false;
   try
   {
-    helios::XyzFile file;
+    helios::LineFile file;
     const helios::Status status = file.Open(this->FileName);
     isRead = status.IsOk() ? this->ReadFile(file, vtkPolyData::GetData(outputVector), report)
                            : report.Fail(status.Message());

@@ -43,7 +43,7 @@ class vtkStringArray;
 namespace helios
 {
 class PartNumbers;
-class XyzFile;
+class LineFile;
 struct TextReport;
 }
 
@@ -124,7 +124,7 @@ private:
   vtkHeliosPointTextReader(const vtkHeliosPointTextReader&) = delete;
   void operator=(const vtkHeliosPointTextReader&) = delete;
 
-  bool ReadFile(helios::XyzFile& file, vtkPolyData* cloud, helios::TextReport& report);
+  bool ReadFile(helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report);
   void AddPartNames(vtkPolyData* cloud) const;
 
   char* FileName = nullptr;

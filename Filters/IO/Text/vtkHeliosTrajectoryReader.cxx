@@ -83,7 +83,7 @@ helios::TrajectoryFormat vtkHeliosTrajectoryReader::MakeFormat() const
 bool vtkHeliosTrajectoryReader::ReadRows(
   helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   const helios::Status status = file.Open(this->FileName);
   if (!status.IsOk())
   {

@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkHeliosXyzReader);
 namespace
 {
 
-using FileList = std::vector<std::unique_ptr<helios::XyzFile>>;
+using FileList = std::vector<std::unique_ptr<helios::LineFile>>;
 
 /// The first byte of piece i of n, computed without overflow of size * i.
 std::int64_t GetPieceBegin(std::int64_t size, std::int64_t i, std::int64_t n)
@@ -123,7 +123,7 @@ bool vtkHeliosXyzReader::ReadPiece(
   std::int64_t size = 0;
   for (const std::string& name : this->FileNames)
   {
-    files.push_back(std::make_unique<helios::XyzFile>());
+    files.push_back(std::make_unique<helios::LineFile>());
     const helios::Status status = files.back()->Open(name);
     if (!status.IsOk())
     {

@@ -59,7 +59,7 @@ void AddColumn(vtkTable* table, const char* name, GrowingArray<ArrayT>& values, 
 } // namespace
 
 //------------------------------------------------------------------------------
-bool WaveformParser::Read(XyzFile& file, std::int64_t begin, std::int64_t end)
+bool WaveformParser::Read(LineFile& file, std::int64_t begin, std::int64_t end)
 {
   this->File = &file;
   file.SetRange(begin, end);

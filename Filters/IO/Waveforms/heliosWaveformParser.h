@@ -6,8 +6,8 @@
 #define heliosWaveformParser_h
 
 #include "heliosGrowingArray.h"
+#include "heliosLineFile.h"
 #include "heliosTextFile.h"
-#include "heliosXyzFile.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
@@ -40,7 +40,7 @@ public:
   }
 
   /// Adds the waveforms of the lines that start in [begin, end) of the file; false after an error.
-  bool Read(XyzFile& file, std::int64_t begin, std::int64_t end);
+  bool Read(LineFile& file, std::int64_t begin, std::int64_t end);
 
   vtkIdType GetNumberOfWaveforms() const { return this->PulseIds.GetSize(); }
 
@@ -69,7 +69,7 @@ private:
 
   const WaveformFormat& Format;
   TextReport& Report;
-  XyzFile* File = nullptr;
+  LineFile* File = nullptr;
   GrowingArray<vtkTypeInt64Array> PulseIds;
   GrowingArray<vtkDoubleArray> Origin;
   GrowingArray<vtkDoubleArray> Direction;

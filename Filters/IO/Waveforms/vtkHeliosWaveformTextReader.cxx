@@ -40,7 +40,7 @@ int vtkHeliosWaveformTextReader::RequestInformation(
 bool vtkHeliosWaveformTextReader::ReadPiece(helios::WaveformParser& parser,
   helios::TextReport& report, std::int64_t piece, std::int64_t count)
 {
-  helios::XyzFile file;
+  helios::LineFile file;
   const helios::Status status = file.Open(this->FileName);
   if (!status.IsOk())
   {

@@ -244,7 +244,7 @@ def inspect_survey(path, assets, messages):
         "platform": text_from_vtk(survey.GetPlatformName()),
         "moving": survey.IsMoving(),
         "scene": text_from_vtk(survey.GetSceneName()),
-        "plays": survey.GetNumberOfPlays(),
+        "plays": survey.GetNumberOfEpochs(),
         "seed": survey.GetSeed(),
         "legs": legs,
     }

@@ -73,9 +73,9 @@ def estimate_lines(report):
     yield f"         estimated from {100 * share:.0f} % of the pulses; nothing was written"
 
 
-def join_reports(plays, reports):
+def join_reports(epochs, reports):
     """Merges the reports of several epochs, with their sums."""
-    joined = {"plays": [{"play": play, **report} for play, report in zip(plays, reports)]}
+    joined = {"plays": [{"play": epoch, **report} for epoch, report in zip(epochs, reports)]}
     names = reports[0]["totals"]
     joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
     times = [each.get("timings", each) for each in reports]
@@ -85,7 +85,7 @@ def join_reports(plays, reports):
     return joined
 
 
-def plays_lines(joined):
+def epochs_lines(joined):
     """All epochs of a survey together."""
     totals, timings = joined["totals"], joined["timings"]
     seconds = timings["load_s"] + timings["run_s"]

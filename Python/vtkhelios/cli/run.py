@@ -21,7 +21,7 @@ from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
 from ._reading import missing_folder
-from ._report import estimate_lines, join_reports, plays_lines, summary_lines
+from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
@@ -43,8 +43,8 @@ their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
                           leg, timings
 During a run file names end in .part; the files hold whole lines at any time.
-A survey whose scene swaps parts has several epochs, called plays. They run one after the other, each
-into its own folder below that: play000, play001 and so on. See Docs/scenes.md.
+A survey whose scene swaps parts has several epochs. They run one after the other, each into its
+own folder below that: play000, play001 and so on. See Docs/scenes.md.
 
 interrupted runs:
   run.journal, beside the files, records what is flushed to disk. The same command with --resume
@@ -78,7 +78,7 @@ examples:
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
   vtkhelios run survey.xml --dry-run                     estimate time, points and bytes
   vtkhelios run survey.xml --resume                      continue an interrupted run
-  vtkhelios run survey.xml --play 2                      only the third epoch, of a scene with swaps
+  vtkhelios run survey.xml --epoch 2                     only the third epoch, of a scene with swaps
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
 2 wrong usage, 130 interrupted (Ctrl-C: the files written so far are valid; --resume continues).
@@ -144,11 +144,14 @@ def add_arguments(parser):
         help="estimate time, memory, points and bytes of the run from samples; write nothing",
     )
     parser.add_argument(
-        "--play",
+        "--epoch",
         metavar="N",
         type=whole_number(2**31 - 1),
         help="run only this epoch of a survey whose scene swaps parts; 0 is the first (default: "
         "all)",
+    )
+    parser.add_argument(  # its former name
+        "--play", dest="epoch", type=whole_number(2**31 - 1), help=argparse.SUPPRESS
     )
     parser.add_argument(
         "--format",
@@ -288,15 +291,15 @@ def run(arguments):
         if survey is None:
             return 1
         player = make_player(arguments, survey, messages)
-        plays = plays_to_run(arguments, player, messages)
+        epochs = epochs_to_run(arguments, player, messages)
         with Interrupt(player, messages) as interrupt:
             reports = []
-            for play in plays:
-                code = run_play(arguments, player, play, messages, interrupt, reports)
+            for epoch in epochs:
+                code = run_epoch(arguments, player, epoch, messages, interrupt, reports)
                 if code:
                     return code
         if reports:
-            conclude(arguments, plays, reports, messages)
+            conclude(arguments, epochs, reports, messages)
         return 0 if reports else 1
 
 
@@ -343,14 +346,14 @@ def make_player(arguments, survey, messages):
     return player
 
 
-def plays_to_run(arguments, player, messages):
+def epochs_to_run(arguments, player, messages):
     """The epochs to run; empty after an error."""
-    count = player.GetSurvey().GetNumberOfPlays()
-    if arguments.play is not None:
-        return [arguments.play]  # the player reports a missing one
+    count = player.GetSurvey().GetNumberOfEpochs()
+    if arguments.epoch is not None:
+        return [arguments.epoch]  # the player reports a missing one
     if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
-        for play in range(count):  # before a long first run
-            player.GetOptions().SetPlay(play)
+        for epoch in range(count):  # before a long first run
+            player.GetOptions().SetEpoch(epoch)
             folder = pathlib.Path(from_vtk(player.GetRunFolder()))
             if any((folder / name).exists() for name in (JOURNAL_NAME, SUMMARY_NAME)):
                 messages.error(
@@ -361,14 +364,16 @@ def plays_to_run(arguments, player, messages):
     return range(count)
 
 
-def run_play(arguments, player, play, messages, interrupt, reports):
+def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     """Runs an epoch and adds its report to the others; returns an exit code."""
     if interrupt.signal:
-        messages.error(f"interrupted before epoch {play}: --resume continues with it")
+        messages.error(f"interrupted before epoch {epoch}: --resume continues with it")
         return 128 + interrupt.signal
-    player.GetOptions().SetPlay(play)
-    if player.GetSurvey().GetNumberOfPlays() > 1:
-        messages.info(f"epoch    {play} of {player.GetSurvey().GetNumberOfPlays()}, counted from 0")
+    player.GetOptions().SetEpoch(epoch)
+    if player.GetSurvey().GetNumberOfEpochs() > 1:
+        messages.info(
+            f"epoch    {epoch} of {player.GetSurvey().GetNumberOfEpochs()}, counted from 0"
+        )
     with make_progress(player, messages, quiet=arguments.quiet):
         succeeded = player.Estimate() if arguments.dry_run else player.Run()
     folder = pathlib.Path(from_vtk(player.GetRunFolder()))
@@ -404,12 +409,12 @@ def read_report(player, folder):
     return json.loads(from_vtk(player.GetReport()))
 
 
-def conclude(arguments, plays, reports, messages):
+def conclude(arguments, epochs, reports, messages):
     """The result as JSON; of several epochs also their sums."""
     report = reports[0]
     if len(reports) > 1:
-        report = join_reports(plays, reports)
-        for line in plays_lines(report):
+        report = join_reports(epochs, reports)
+        for line in epochs_lines(report):
             messages.info(line)
     if arguments.json:
         print(json.dumps(report, indent=2))

@@ -12,7 +12,7 @@ import vtkhelios
 
 from .._run_files import (
     JOURNAL_NAME, POINTS, PULSES, SUMMARY_NAME, TRAJECTORY, WAVEFORMS,
-    beside, is_play, kind_of, number_of, stem_of,
+    beside, is_epoch, kind_of, number_of, stem_of,
 )  # fmt: skip
 from ..array_names import CHANNEL_IDS, DIRECTION, GPS_TIME, LEG_IDS, ORIENTATION, PULSE_IDS
 from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
@@ -77,7 +77,7 @@ class RunReader(Reader):
             return read_summary(path)
         if (self.folder / JOURNAL_NAME).is_file():
             self.fail("the run is not finished; vtkhelios run --resume continues it")
-        if any(is_play(path) and (path / SUMMARY_NAME).exists() for path in self.folder.iterdir()):
+        if any(is_epoch(path) and (path / SUMMARY_NAME).exists() for path in self.folder.iterdir()):
             self.fail("holds several epochs; give the folder of one: play000, play001 ...")
         self.fail(f"is a folder without {SUMMARY_NAME}; give the folder of a run, or files")
 

@@ -162,7 +162,7 @@ void MadeElements::Apply(
         [tree](const char* name) { return tree->HasSet(name); }, assets, survey.Scene.Parts[i]);
     }
   }
-  CheckPlays(survey.Scene, log);
+  CheckEpochs(survey.Scene, log);
 }
 
 } // namespace helios

@@ -3,9 +3,9 @@
 #include "heliosXmlPlanner.h"
 
 #include "heliosAssets.h"
+#include "heliosEpochs.h"
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
-#include "heliosPlays.h"
 #include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
 #include "heliosXmlPlatform.h"
@@ -255,18 +255,18 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   data.PlatformReference = MakeReference(platform.Where, platform.Id);
   data.ScannerReference = MakeReference(scanner.Where, scanner.Id);
   this->WarnOfScene(data.Survey.Scene);
-  data.Survey = MakePlay(data.Survey, 0);
+  data.Survey = MakeEpoch(data.Survey, 0);
 }
 
 //------------------------------------------------------------------------------
 /// Warns of parts of a scene that a plan ignores.
 void PlannerReader::WarnOfScene(const SceneData& scene)
 {
-  const int plays = CountPlays(scene);
-  if (plays > 1)
+  const int epochs = CountEpochs(scene);
+  if (epochs > 1)
   {
     this->Log.Warning(scene.Where + ": the scene swaps parts: the plan uses the first of its " +
-      std::to_string(plays) + " epochs");
+      std::to_string(epochs) + " epochs");
   }
   for (const PartData& part : scene.Parts)
   {

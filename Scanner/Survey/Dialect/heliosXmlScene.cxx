@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlScene.h"
 
+#include "heliosEpochs.h"
 #include "heliosMessages.h"
-#include "heliosPlays.h"
 #include "heliosXmlPart.h"
 
 #include <algorithm>
@@ -53,21 +53,21 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
     element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
       " has no <part>; add one with an objloader, geotiffloader or xyzloader");
   }
-  CheckPlays(scene, element.GetMessages());
+  CheckEpochs(scene, element.GetMessages());
   return scene;
 }
 
 //------------------------------------------------------------------------------
-void CheckPlays(const SceneData& scene, Messages& log)
+void CheckEpochs(const SceneData& scene, Messages& log)
 {
-  for (int play = 1; play < CountPlays(scene); ++play)
+  for (int epoch = 1; epoch < CountEpochs(scene); ++epoch)
   {
-    const auto isThere = [play](const PartData& part) { return FindPart(part, play) != nullptr; };
+    const auto isThere = [epoch](const PartData& part) { return FindPart(part, epoch) != nullptr; };
     if (std::none_of(scene.Parts.begin(), scene.Parts.end(), isThere))
     {
       const std::string place = scene.Where.empty() ? "" : scene.Where + ": ";
       const std::string name = scene.Id.empty() ? "the scene" : "scene " + scene.Id;
-      log.Error(place + name + " has no part in epoch " + std::to_string(play) +
+      log.Error(place + name + " has no part in epoch " + std::to_string(epoch) +
         " (the first is 0): each <swap> has force_null; keep one part");
       return;
     }

@@ -15,7 +15,7 @@ namespace helios
 SceneData ReadScene(const XmlElement& element, Assets& assets);
 
 /// Checks that every epoch has a part to scan.
-void CheckPlays(const SceneData& scene, Messages& log);
+void CheckEpochs(const SceneData& scene, Messages& log);
 
 /// The folders searched for the spectra of materials named in a document.
 std::vector<std::string> FindSpectraFolders(const XmlDocument& document, const Assets& assets);

@@ -22,8 +22,8 @@ namespace helios
 
 struct RunSettings
 {
-  RunOptions Options;    ///< with the seed of the survey if it has none
-  bool HasPlays = false; ///< whether the survey has several epochs
+  RunOptions Options;     ///< with the seed of the survey if it has none
+  bool HasEpochs = false; ///< whether the survey has several epochs
   bool Waveforms = false;
   bool Pulses = false;
   bool SubRays = false; ///< their hits; not written

@@ -20,7 +20,7 @@ namespace
 
 auto Tie(const RunOptions& o)
 {
-  return std::tie(o.Play, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
+  return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
     o.EchoDetector, o.RayCaster);
 }
 

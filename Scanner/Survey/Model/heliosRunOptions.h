@@ -26,7 +26,7 @@ std::vector<std::string> GetEchoDetectorNames();
 /// Set by vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
 struct RunOptions
 {
-  int Play = 0;
+  int Epoch = 0;
   vtkIdType Seed = -1; ///< negative: as in the survey, else 0
   bool Noise = true;
   double RangeTolerance = 0.0;  ///< [m]

@@ -228,7 +228,7 @@ struct PartData
 struct SwapData
 {
   PartData Part;
-  int Plays = 1;          ///< epochs that it lasts, at least 1
+  int Epochs = 1;         ///< epochs that it lasts, at least 1
   bool IsRemoved = false; ///< without replacement
 };
 

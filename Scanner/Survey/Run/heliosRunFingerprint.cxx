@@ -79,9 +79,9 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["pulses"] = settings.Pulses;
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
-  if (settings.HasPlays)
+  if (settings.HasEpochs)
   {
-    options["play"] = settings.Options.Play;
+    options["play"] = settings.Options.Epoch;
   }
   return options;
 }

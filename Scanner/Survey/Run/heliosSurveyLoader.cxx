@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSurveyLoader.h"
 
+#include "heliosEpochs.h"
 #include "heliosLegSettings.h"
 #include "heliosMessages.h"
-#include "heliosPlays.h"
 #include "heliosSceneInput.h"
 #include "heliosStatus.h"
 #include "heliosTrajectoryInput.h"
@@ -73,7 +73,7 @@ vtkMTimeType FindTime(const RunInputs& inputs)
 bool SurveyLoader::Origin::operator==(const Origin& other) const
 {
   const auto tie = [](const Origin& o)
-  { return std::tie(o.Survey, o.SurveyTime, o.Play, o.Seed, o.Scene, o.SceneTime, o.Files); };
+  { return std::tie(o.Survey, o.SurveyTime, o.Epoch, o.Seed, o.Scene, o.SceneTime, o.Files); };
   return tie(*this) == tie(other);
 }
 
@@ -109,7 +109,7 @@ bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
   }
   if (!this->IsLoaded())
   {
-    this->Survey = MakePlay(*inputs.Survey, settings.Options.Play);
+    this->Survey = MakeEpoch(*inputs.Survey, settings.Options.Epoch);
     if (this->HasGivenScene())
     {
       this->Survey.Scene.Parts.clear();
@@ -124,12 +124,12 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
 {
   const SurveyData& survey = *this->Inputs.Survey;
   RunOptions options = this->Inputs.Options;
-  const int plays = CountPlays(survey.Scene);
-  if (options.Play >= plays)
+  const int epochs = CountEpochs(survey.Scene);
+  if (options.Epoch >= epochs)
   {
     Sentence fault;
-    fault << "Play is " << options.Play << ", but the survey has " << plays
-          << (plays > 1 ? " epochs" : " epoch") << "; give 0 to " << plays - 1;
+    fault << "Epoch is " << options.Epoch << ", but the survey has " << epochs
+          << (epochs > 1 ? " epochs" : " epoch") << "; give 0 to " << epochs - 1;
     return Status::Error(fault.str());
   }
   const Status status = options.FindFault();
@@ -148,7 +148,7 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
   options.RayCaster = name;
   options.Seed = std::max<vtkIdType>(0, options.Seed >= 0 ? options.Seed : survey.Seed);
   settings.Options = options;
-  settings.HasPlays = plays > 1;
+  settings.HasEpochs = epochs > 1;
   return {};
 }
 
@@ -207,7 +207,7 @@ bool SurveyLoader::SetTrajectories(RunSettings& settings)
 SurveyLoader::Origin SurveyLoader::FindOrigin() const
 {
   const RunInputs& inputs = this->Inputs;
-  Origin origin{ inputs.Survey, inputs.SurveyTime, inputs.Options.Play, inputs.Options.Seed,
+  Origin origin{ inputs.Survey, inputs.SurveyTime, inputs.Options.Epoch, inputs.Options.Seed,
     inputs.Scene, FindTime(inputs), {} };
   if (!this->HasGivenScene())
   {
@@ -232,7 +232,7 @@ bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
   if (!this->Scene || !(this->Loaded == origin))
   {
     Origin before = this->Loaded;
-    before.Play = origin.Play;
+    before.Epoch = origin.Epoch;
     if (!(before == origin))
     {
       this->Builder.reset();
@@ -260,9 +260,9 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
     this->Builder = std::make_unique<SceneBuilder>(
       this->Inputs.Survey->Scene, this->Log, this->Inputs.Options.Seed);
   }
-  this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Play);
+  this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Epoch);
   this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();
-  if (CountPlays(this->Inputs.Survey->Scene) == 1)
+  if (CountEpochs(this->Inputs.Survey->Scene) == 1)
   {
     this->Builder.reset(); // nothing of it is needed again
   }

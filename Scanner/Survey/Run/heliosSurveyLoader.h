@@ -79,7 +79,7 @@ private:
   {
     const SurveyData* Survey = nullptr;
     vtkMTimeType SurveyTime = 0;
-    int Play = 0;
+    int Epoch = 0;
     vtkIdType Seed = 0;
     vtkDataObject* Scene = nullptr;
     vtkMTimeType SceneTime = 0;

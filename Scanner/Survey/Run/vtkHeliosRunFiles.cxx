@@ -32,7 +32,7 @@ constexpr KindOfFile Kinds[] = {
 };
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
-constexpr std::string_view Play = "play";
+constexpr std::string_view EpochFolder = "play";
 constexpr std::string_view Channel = "_dev";
 constexpr std::string_view ConvertedPoints = ".laz";
 constexpr std::size_t MinimumWidth = 3; // of numbers and names of strips
@@ -128,16 +128,17 @@ const char* vtkHeliosRunFiles::GetJournalName()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosRunFiles::GetPlayName(int play)
+std::string vtkHeliosRunFiles::GetEpochName(int epoch)
 {
-  return Pad(Play, std::to_string(play));
+  return Pad(EpochFolder, std::to_string(epoch));
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosRunFiles::GetPlay(const std::string& folder)
+int vtkHeliosRunFiles::GetEpoch(const std::string& folder)
 {
-  const int play = StartsWith(folder, Play) ? ParseNumber(folder.substr(Play.size())) : -1;
-  return play >= 0 && vtkHeliosRunFiles::GetPlayName(play) == folder ? play : -1;
+  const int epoch =
+    StartsWith(folder, EpochFolder) ? ParseNumber(folder.substr(EpochFolder.size())) : -1;
+  return epoch >= 0 && vtkHeliosRunFiles::GetEpochName(epoch) == folder ? epoch : -1;
 }
 
 //------------------------------------------------------------------------------

@@ -57,8 +57,8 @@ public:
   /**
    * The subfolder of an epoch, and the epoch of a subfolder; -1 if it is none.
    */
-  static std::string GetPlayName(int play);
-  static int GetPlay(const std::string& folder);
+  static std::string GetEpochName(int epoch);
+  static int GetEpoch(const std::string& folder);
   ///@}
 
   ///@{

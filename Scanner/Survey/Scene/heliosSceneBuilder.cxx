@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneBuilder.h"
 
+#include "heliosEpochs.h"
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
-#include "heliosPlays.h"
 #include "heliosStatus.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
@@ -57,9 +57,9 @@ SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed
 SceneBuilder::~SceneBuilder() = default;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int play)
+vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int epoch)
 {
-  this->MakeParts(play);
+  this->MakeParts(epoch);
   this->Pipelines.SetOnProgress(&onStep);
   const bool isReady =
     this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PutOnGround();
@@ -70,13 +70,13 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int
 }
 
 //------------------------------------------------------------------------------
-void SceneBuilder::MakeParts(int play)
+void SceneBuilder::MakeParts(int epoch)
 {
   this->Parts.clear();
   std::vector<const PartData*> all;
   for (const PartData& part : this->Scene.Parts)
   {
-    if (const PartData* data = FindPart(part, play))
+    if (const PartData* data = FindPart(part, epoch))
     {
       all.push_back(data);
       this->Parts.push_back({ data, &part.Name, this->Pipelines.Make(*data) });

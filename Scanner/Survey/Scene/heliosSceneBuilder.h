@@ -32,7 +32,7 @@ public:
 
   /// All parts of an epoch as one mesh, with parts on the ground placed there; null after an error,
   /// or if stopped.
-  vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int play = 0);
+  vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int epoch = 0);
 
   /// The turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
@@ -46,7 +46,7 @@ private:
     vtkSmartPointer<vtkHeliosSceneTransform> Place;
   };
 
-  void MakeParts(int play);
+  void MakeParts(int epoch);
   bool PutOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);

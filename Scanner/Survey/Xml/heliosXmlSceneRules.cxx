@@ -61,7 +61,7 @@ std::vector<XmlElementRule> MakeSceneRules()
 
   { "swap", "geometry that replaces the part in later epochs of the survey",
     {
-      Integer("swapStep", "number of epochs").In("epochs", { 1.0, 9999.0 }).At<&SwapData::Plays>(),
+      Integer("swapStep", "number of epochs").In("epochs", { 1.0, 9999.0 }).At<&SwapData::Epochs>(),
       Flag("keepCRS", "whether its geometry is shifted with the scene; scenes are not shifted here, so false only causes a warning").Default("true"),
       Flag("force_null", "whether the part is removed").At<&SwapData::IsRemoved>(),
       Text("swapIndices", "no program reads it").Later(),

@@ -164,8 +164,8 @@ struct Play
     this->Errors = reading.Log->Errors;
     if (this->Read)
     {
-      const int plays = reading.Reader->GetSurvey()->GetNumberOfPlays();
-      this->Player->GetOptions()->SetPlay(std::min(number, plays - 1));
+      const int epochs = reading.Reader->GetSurvey()->GetNumberOfEpochs();
+      this->Player->GetOptions()->SetEpoch(std::min(number, epochs - 1));
       this->Run(files, reading.Reader->GetSurvey());
     }
   }

@@ -87,13 +87,13 @@ TEST_CASE("RunFiles: other names are not those of a run", "[RunFiles]")
 
 TEST_CASE("RunFiles: folders of epochs, journal and summary", "[RunFiles]")
 {
-  CHECK(Files::GetPlayName(0) == "play000");
-  CHECK(Files::GetPlayName(1000) == "play1000");
-  CHECK(Files::GetPlay("play007") == 7);
+  CHECK(Files::GetEpochName(0) == "play000");
+  CHECK(Files::GetEpochName(1000) == "play1000");
+  CHECK(Files::GetEpoch("play007") == 7);
   for (const char* name : { "", "play", "play7", "play-07", "play0007", "plays007", "play007x" })
   {
     INFO(name);
-    CHECK(Files::GetPlay(name) == -1);
+    CHECK(Files::GetEpoch(name) == -1);
   }
   CHECK(Files::GetSummaryName() == std::string("run_summary.json"));
   CHECK(Files::GetJournalName() == std::string("run.journal"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every attribute of every element of the dialect is made by a method, or on a list with a reason.
-#include "heliosPlays.h"
+#include "heliosEpochs.h"
 #include "heliosSurveyFiles.h"
 #include "heliosXmlRules.h"
 
@@ -291,13 +291,13 @@ TEST_CASE("SurveyElements: elements of a part are those of a file", "[SurveyElem
   }
   const PartData& a = made->GetData().Scene.Parts.at(0);
   const PartData& b = reading.Data().Scene.Parts.at(0);
-  CHECK(made->GetNumberOfPlays() == 4);
+  CHECK(made->GetNumberOfEpochs() == 4);
   REQUIRE(a.Crs.size() == 2);
   CHECK(a.Crs[1].Target == b.Crs[1].Target);
   CHECK(a.Crs[0].Source == b.Crs[0].Source);
   CHECK((a.Repair && b.Repair));
   REQUIRE(a.Swaps.size() == 2);
-  CHECK(a.Swaps[0].Plays == 2);
+  CHECK(a.Swaps[0].Epochs == 2);
   CHECK(a.Swaps[0].Part.Files == b.Swaps[0].Part.Files);
   for (int i = 0; i < 4; ++i)
   {
@@ -324,7 +324,7 @@ TEST_CASE("SurveyElements: elements of a part are those of a file", "[SurveyElem
   CHECK(made->GetPartAttribute(0, "repair").empty());
   made->RemoveAllParts();
   CHECK(made->AddPart("objloader", "plane.obj") == 0);
-  CHECK(made->GetNumberOfPlays() == 1); // nothing of the earlier part 0
+  CHECK(made->GetNumberOfEpochs() == 1); // nothing of the earlier part 0
 }
 
 TEST_CASE("SurveyElements: axes and mounts are those of a file", "[SurveyElements]")

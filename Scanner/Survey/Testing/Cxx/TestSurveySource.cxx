@@ -330,10 +330,10 @@ TEST_CASE("SurveySource: bad input is an error", "[SurveySource]")
   source.Run(0, 5);
   CHECK(source.Log->HasError("RayCaster=\"nonesuch\" is not in this build"));
   source.Filter->GetOptions()->SetRayCaster("");
-  source.Filter->GetOptions()->SetPlay(3);
+  source.Filter->GetOptions()->SetEpoch(3);
   source.Run(0, 6);
-  CHECK(source.Log->HasError("Play is 3, but the survey has 1 epoch"));
-  source.Filter->GetOptions()->SetPlay(0);
+  CHECK(source.Log->HasError("Epoch is 3, but the survey has 1 epoch"));
+  source.Filter->GetOptions()->SetEpoch(0);
   files.Write("plane.obj", "no mesh\n");
   CHECK_FALSE(source.Filter->Load());
   CHECK(source.Log->HasError("scene.xml:1: The scene is empty"));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The epochs of a survey with swapped parts: the same legs, other geometry.
 
-#ifndef heliosPlays_h
-#define heliosPlays_h
+#ifndef heliosEpochs_h
+#define heliosEpochs_h
 
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
@@ -12,17 +12,17 @@ namespace helios
 {
 
 /// The number of epochs: one, or the longest total duration of the swaps of a part.
-VTKHELIOSSCANNERSURVEY_EXPORT int CountPlays(const SceneData& scene);
+VTKHELIOSSCANNERSURVEY_EXPORT int CountEpochs(const SceneData& scene);
 
 /**
  * The part in an epoch, from 0: itself in the first, then one swap after the other, the last to the
  * end. Null if it is removed.
  */
-VTKHELIOSSCANNERSURVEY_EXPORT const PartData* FindPart(const PartData& part, int play);
+VTKHELIOSSCANNERSURVEY_EXPORT const PartData* FindPart(const PartData& part, int epoch);
 
 /// The survey of one epoch: without swaps and removed parts. The other parts keep the names that
 /// they have in the first epoch.
-VTKHELIOSSCANNERSURVEY_EXPORT SurveyData MakePlay(const SurveyData& survey, int play);
+VTKHELIOSSCANNERSURVEY_EXPORT SurveyData MakeEpoch(const SurveyData& survey, int epoch);
 
 } // namespace helios
 

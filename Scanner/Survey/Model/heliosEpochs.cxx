@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosPlays.h"
+#include "heliosEpochs.h"
 
 #include <algorithm>
 
@@ -8,45 +8,45 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-int CountPlays(const SceneData& scene)
+int CountEpochs(const SceneData& scene)
 {
   int longest = 0;
   for (const PartData& part : scene.Parts)
   {
-    int plays = 0;
+    int epochs = 0;
     for (const SwapData& swap : part.Swaps)
     {
-      plays += swap.Plays;
+      epochs += swap.Epochs;
     }
-    longest = std::max(longest, plays);
+    longest = std::max(longest, epochs);
   }
   return 1 + longest;
 }
 
 //------------------------------------------------------------------------------
-const PartData* FindPart(const PartData& part, int play)
+const PartData* FindPart(const PartData& part, int epoch)
 {
-  if (play < 1 || part.Swaps.empty())
+  if (epoch < 1 || part.Swaps.empty())
   {
     return &part;
   }
   std::size_t now = 0;
-  for (int end = part.Swaps[0].Plays; end < play && now + 1 < part.Swaps.size();)
+  for (int end = part.Swaps[0].Epochs; end < epoch && now + 1 < part.Swaps.size();)
   {
     ++now;
-    end += part.Swaps[now].Plays;
+    end += part.Swaps[now].Epochs;
   }
   return part.Swaps[now].IsRemoved ? nullptr : &part.Swaps[now].Part;
 }
 
 //------------------------------------------------------------------------------
-SurveyData MakePlay(const SurveyData& survey, int play)
+SurveyData MakeEpoch(const SurveyData& survey, int epoch)
 {
   SurveyData made = survey;
   made.Scene.Parts.clear();
   for (const PartData& part : survey.Scene.Parts)
   {
-    if (const PartData* found = FindPart(part, play))
+    if (const PartData* found = FindPart(part, epoch))
     {
       made.Scene.Parts.push_back(*found);
       made.Scene.Parts.back().Name = part.Name;

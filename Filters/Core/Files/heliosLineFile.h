@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lines of a byte range of a text file, for reading a file in pieces.
 
-#ifndef heliosXyzFile_h
-#define heliosXyzFile_h
+#ifndef heliosLineFile_h
+#define heliosLineFile_h
 
 #include "heliosStatus.h"
-#include "heliosTextFile.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
+#include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +19,26 @@
 namespace helios
 {
 
+/// "path:line: ", the start of a message.
+VTKHELIOSFILTERSCORE_EXPORT std::string Place(const std::string& path, std::int64_t line);
+
+struct FileCloser
+{
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using InputFile = std::unique_ptr<std::FILE, FileCloser>;
+
+/// Opens a file without a buffer and gets its size.
+VTKHELIOSFILTERSCORE_EXPORT Status OpenInput(
+  const std::string& path, InputFile& file, std::int64_t& size);
+
 /// Reads in blocks, so that memory does not grow with the file.
-class XyzFile
+class VTKHELIOSFILTERSCORE_EXPORT LineFile
 {
 public:
-  XyzFile() = default;
-  XyzFile(const XyzFile&) = delete;
-  void operator=(const XyzFile&) = delete;
+  LineFile() = default;
+  LineFile(const LineFile&) = delete;
+  void operator=(const LineFile&) = delete;
 
   /// Called after every block with the total number of bytes read; returning false stops reading.
   std::function<bool(std::int64_t)> OnBlock;
@@ -38,6 +53,9 @@ public:
    * file exactly once.
    */
   void SetRange(std::int64_t begin, std::int64_t end);
+
+  /// Longer lines are an error, since the file is hardly text [bytes]. Default: 1 MiB.
+  void SetLongestLine(std::size_t length) { this->LongestLine = length; }
 
   /**
    * The next line without its end (LF or CR LF) and without a byte-order mark; valid until the next
@@ -69,6 +87,7 @@ private:
   std::int64_t Next = 0; // file position of Begin
   std::int64_t LineStart = 0;
   std::int64_t Done = 0;
+  std::size_t LongestLine = std::size_t(1) << 20;
   std::vector<char> Buffer;
   char* Begin = nullptr;   // of the unread bytes
   char* LineEnd = nullptr; // of the line at Begin

@@ -4,7 +4,7 @@
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
-#include "heliosPlays.h"
+#include "heliosEpochs.h"
 #include "heliosSurveyPlaying.h"
 
 #include <vtkCallbackCommand.h>
@@ -65,16 +65,16 @@ double FindHeight(const std::string& folder)
 }
 
 /// Four epochs: the lid at 5 m, at 8 m twice, and removed.
-const std::string FourPlays =
+const std::string FourEpochs =
   Part(Lid + Move(4.0) + Swap(Move(7.0), "swapStep=\"2\"") + Swap("", "force_null=\"true\""));
 
 } // namespace
 
-TEST_CASE("Plays: the state of a part in each epoch", "[SurveyPlays]")
+TEST_CASE("Epochs: the state of a part in each epoch", "[SurveyEpochs]")
 {
   helios::PartData part;
   part.Swaps.resize(3);
-  part.Swaps[0].Plays = 2;
+  part.Swaps[0].Epochs = 2;
   part.Swaps[1].IsRemoved = true;
   CHECK(helios::FindPart(part, 0) == &part);
   CHECK(helios::FindPart(part, 1) == &part.Swaps[0].Part);
@@ -85,12 +85,12 @@ TEST_CASE("Plays: the state of a part in each epoch", "[SurveyPlays]")
   CHECK(helios::FindPart(helios::PartData(), 3) != nullptr);
 }
 
-TEST_CASE("Plays: the survey of an epoch", "[SurveyPlays]")
+TEST_CASE("Epochs: the survey of an epoch", "[SurveyEpochs]")
 {
   helios::SurveyData survey;
   survey.Name = "test";
   survey.Scene.Parts.resize(2);
-  CHECK(helios::CountPlays(survey.Scene) == 1);
+  CHECK(helios::CountEpochs(survey.Scene) == 1);
   helios::PartData& first = survey.Scene.Parts[0];
   helios::PartData& second = survey.Scene.Parts[1];
   first.Name = "0";
@@ -98,21 +98,21 @@ TEST_CASE("Plays: the survey of an epoch", "[SurveyPlays]")
   first.Swaps[0].IsRemoved = true;
   second.Name = "1";
   second.Swaps.resize(2);
-  second.Swaps[0].Plays = 3;
+  second.Swaps[0].Epochs = 3;
   second.Swaps[1].Part.Scale = 2.0;
-  CHECK(helios::CountPlays(survey.Scene) == 5); // the part with the longest total
+  CHECK(helios::CountEpochs(survey.Scene) == 5); // the part with the longest total
 
-  CHECK(helios::MakePlay(survey, 0).Scene.Parts.size() == 2);
-  const helios::SurveyData last = helios::MakePlay(survey, 4);
+  CHECK(helios::MakeEpoch(survey, 0).Scene.Parts.size() == 2);
+  const helios::SurveyData last = helios::MakeEpoch(survey, 4);
   CHECK(last.Name == "test");
   REQUIRE(last.Scene.Parts.size() == 1); // the first part remains removed
   CHECK(last.Scene.Parts[0].Name == "1");
   CHECK(last.Scene.Parts[0].Scale == 2.0);
   CHECK(last.Scene.Parts[0].Swaps.empty());
-  CHECK(helios::CountPlays(last.Scene) == 1);
+  CHECK(helios::CountEpochs(last.Scene) == 1);
 }
 
-TEST_CASE("Plays: filters start from the part as loaded", "[SurveyPlays]")
+TEST_CASE("Epochs: filters start from the part as loaded", "[SurveyEpochs]")
 {
   const Files files;
   WriteScene(files,
@@ -128,12 +128,12 @@ TEST_CASE("Plays: filters start from the part as loaded", "[SurveyPlays]")
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
   CHECK(reading.Log->Warnings.empty());
-  CHECK(reading.Reader->GetSurvey()->GetNumberOfPlays() == 5);
+  CHECK(reading.Reader->GetSurvey()->GetNumberOfEpochs() == 5);
   const std::vector<helios::SwapData>& swaps = reading.Data().Scene.Parts.at(1).Swaps;
   REQUIRE(swaps.size() == 3);
 
   const helios::PartData& moved = swaps[0].Part;
-  CHECK(swaps[0].Plays == 2);
+  CHECK(swaps[0].Epochs == 2);
   CHECK(moved.Where == (files / "scene.xml") + ":6");
   CHECK(moved.Files == std::vector<std::string>{ files / "lid.obj" });
   CHECK(moved.Repair); // a property of the mesh, not of its pose
@@ -155,7 +155,7 @@ TEST_CASE("Plays: filters start from the part as loaded", "[SurveyPlays]")
   CHECK(last.Translation[2] == 0.0);
 }
 
-TEST_CASE("Plays: bad swaps are errors", "[SurveyPlays]")
+TEST_CASE("Epochs: bad swaps are errors", "[SurveyEpochs]")
 {
   struct Wrong
   {
@@ -188,7 +188,7 @@ TEST_CASE("Plays: bad swaps are errors", "[SurveyPlays]")
   }
 }
 
-TEST_CASE("Plays: an epoch without parts is an error", "[SurveyPlays]")
+TEST_CASE("Epochs: an epoch without parts is an error", "[SurveyEpochs]")
 {
   const Files files;
   const std::string away = Swap("", "force_null=\"true\"");
@@ -199,7 +199,7 @@ TEST_CASE("Plays: an epoch without parts is an error", "[SurveyPlays]")
   CHECK(reading.Log->HasError("scene.xml:1: scene s has no part in epoch 2"));
 }
 
-TEST_CASE("Plays: unused attributes of swaps are reported", "[SurveyPlays]")
+TEST_CASE("Epochs: unused attributes of swaps are reported", "[SurveyEpochs]")
 {
   const Files files;
   WriteScene(files,
@@ -214,25 +214,25 @@ TEST_CASE("Plays: unused attributes of swaps are reported", "[SurveyPlays]")
   CHECK(reading.Log->HasWarning("replaces the one before it in this <swap>"));
 }
 
-TEST_CASE("Plays: points of each epoch lie on its geometry", "[SurveyPlays]")
+TEST_CASE("Epochs: points of each epoch lie on its geometry", "[SurveyEpochs]")
 {
   const Files files;
-  WriteScene(files, FourPlays);
+  WriteScene(files, FourEpochs);
   const Reading reading(files, Flight, ThreeLegs);
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
   const double heights[] = { 5.0, 8.0, 8.0, 0.0 };
-  for (int play = 0; play < 4; ++play)
+  for (int epoch = 0; epoch < 4; ++epoch)
   {
     Playing playing(files, reading);
-    playing.Player->GetOptions()->SetPlay(play);
-    const std::string folder = files / ("out/test/play00" + std::to_string(play));
+    playing.Player->GetOptions()->SetEpoch(epoch);
+    const std::string folder = files / ("out/test/play00" + std::to_string(epoch));
     CHECK(playing.Player->GetRunFolder() == folder);
     CHECK(playing.Player->Run());
     INFO(playing.Log->Errors);
     CHECK(
-      playing.Player->GetReport().find("\"play\" : " + std::to_string(play)) != std::string::npos);
-    CHECK(FindHeight(folder) == Approx(heights[play]).margin(1e-6));
+      playing.Player->GetReport().find("\"play\" : " + std::to_string(epoch)) != std::string::npos);
+    CHECK(FindHeight(folder) == Approx(heights[epoch]).margin(1e-6));
   }
   CHECK(ReadText(files / "out/test/play001/leg001_points.xyz") ==
     ReadText(files / "out/test/play002/leg001_points.xyz"));
@@ -241,7 +241,7 @@ TEST_CASE("Plays: points of each epoch lie on its geometry", "[SurveyPlays]")
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
 }
 
-TEST_CASE("Plays: one player reads only what an epoch changes", "[SurveyPlays]")
+TEST_CASE("Epochs: one player reads only what an epoch changes", "[SurveyEpochs]")
 {
   const Files files;
   files.Write("roof.obj", "v -90 -90 9\nv 90 -90 9\nv 90 90 9\nv -90 90 9\nf 1 2 3 4\n");
@@ -266,14 +266,14 @@ TEST_CASE("Plays: one player reads only what an epoch changes", "[SurveyPlays]")
   playing.Player->AddObserver(vtkCommand::ProgressEvent, onStep);
   const double heights[] = { 5.0, 8.0, 9.0 };
   const std::vector<std::string> expected[] = { { "plane.obj", "lid.obj" }, {}, { "roof.obj" } };
-  for (int play = 0; play < 3; ++play)
+  for (int epoch = 0; epoch < 3; ++epoch)
   {
     read.clear();
-    playing.Player->GetOptions()->SetPlay(play);
+    playing.Player->GetOptions()->SetEpoch(epoch);
     REQUIRE(playing.Player->Run());
-    CHECK(read == expected[play]);
-    const std::string folder = files / ("out/test/play00" + std::to_string(play));
-    CHECK(FindHeight(folder) == Approx(heights[play]).margin(1e-6));
+    CHECK(read == expected[epoch]);
+    const std::string folder = files / ("out/test/play00" + std::to_string(epoch));
+    CHECK(FindHeight(folder) == Approx(heights[epoch]).margin(1e-6));
   }
   read.clear();
   files.Write("roof.obj", "v -90 -90 7\nv 90 -90 7\nv 90 90 7\nv -90 90 7\nf 1 2 3 4\n");
@@ -282,17 +282,17 @@ TEST_CASE("Plays: one player reads only what an epoch changes", "[SurveyPlays]")
   CHECK(FindHeight(files / "out/test/play002") == Approx(7.0)); // a changed file is read again
 }
 
-TEST_CASE("Plays: equal geometry has equal noise", "[SurveyPlays]")
+TEST_CASE("Epochs: equal geometry has equal noise", "[SurveyEpochs]")
 {
   const Files files;
   files.Replace("assets.xml", "optics=\"conic\"", "optics=\"conic\" accuracy_m=\"0.02\"");
   WriteScene(files, Part(Lid + Swap(Lid)));
   const Reading reading(files, Flight, ThreeLegs);
   REQUIRE(reading.Good);
-  for (int play = 0; play < 2; ++play)
+  for (int epoch = 0; epoch < 2; ++epoch)
   {
     Playing playing(files, reading);
-    playing.Player->GetOptions()->SetPlay(play);
+    playing.Player->GetOptions()->SetEpoch(epoch);
     REQUIRE(playing.Player->Run());
   }
   const std::string first = ReadText(files / "out/test/play000/leg000_points.xyz");
@@ -300,16 +300,16 @@ TEST_CASE("Plays: equal geometry has equal noise", "[SurveyPlays]")
   CHECK(first == ReadText(files / "out/test/play001/leg000_points.xyz"));
 }
 
-TEST_CASE("Plays: an epoch that does not exist", "[SurveyPlays]")
+TEST_CASE("Epochs: an epoch that does not exist", "[SurveyEpochs]")
 {
   const Files files;
   SECTION("of several")
   {
-    WriteScene(files, FourPlays);
+    WriteScene(files, FourEpochs);
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
-    playing.Player->GetOptions()->SetPlay(4);
-    playing.CheckFails({ "Play is 4, but the survey has 4 epochs; give 0 to 3" });
+    playing.Player->GetOptions()->SetEpoch(4);
+    playing.CheckFails({ "Epoch is 4, but the survey has 4 epochs; give 0 to 3" });
     CHECK_FALSE(playing.Player->Estimate());
   }
   SECTION("of one")
@@ -317,8 +317,8 @@ TEST_CASE("Plays: an epoch that does not exist", "[SurveyPlays]")
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
     CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folders of epochs
-    playing.Player->GetOptions()->SetPlay(1);
-    playing.CheckFails({ "Play is 1, but the survey has 1 epoch; give 0 to 0" });
+    playing.Player->GetOptions()->SetEpoch(1);
+    playing.CheckFails({ "Epoch is 1, but the survey has 1 epoch; give 0 to 0" });
   }
   CHECK_FALSE(fs::exists(files / "out"));
 }
@@ -345,31 +345,31 @@ void BreakOff(vtkHeliosSurveyPlayer* player)
 
 } // namespace
 
-TEST_CASE("Plays: each epoch is resumed separately", "[SurveyPlays]")
+TEST_CASE("Epochs: each epoch is resumed separately", "[SurveyEpochs]")
 {
   const Files files;
-  WriteScene(files, FourPlays);
+  WriteScene(files, FourEpochs);
   const Reading reading(files, Flight, ThreeLegs);
   REQUIRE(reading.Good);
-  const auto resume = [&](int play, const std::string& expected)
+  const auto resume = [&](int epoch, const std::string& expected)
   {
     Playing playing(files, reading);
     playing.Player->SetPulsesPerBlock(10000);
-    playing.Player->GetOptions()->SetPlay(play);
+    playing.Player->GetOptions()->SetEpoch(epoch);
     playing.Player->SetResume(true);
     const bool good = playing.Player->Run();
-    INFO(play << ": " << playing.Player->GetMessage());
+    INFO(epoch << ": " << playing.Player->GetMessage());
     CHECK(good == expected.empty());
     CHECK(playing.Log->HasError(expected));
     return playing.Player->GetWasFinished();
   };
   resume(0, "nothing to resume"); // the first one needs an earlier run
-  for (int play = 0; play < 2; ++play)
+  for (int epoch = 0; epoch < 2; ++epoch)
   {
     Playing playing(files, reading);
     playing.Player->SetPulsesPerBlock(10000);
-    playing.Player->GetOptions()->SetPlay(play);
-    if (play == 0)
+    playing.Player->GetOptions()->SetEpoch(epoch);
+    if (epoch == 0)
     {
       CHECK(playing.Player->Run());
     }

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosXyzFile.h"
+#include "heliosLineFile.h"
 
+#include "heliosInputFile.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace helios
 {
@@ -35,13 +38,37 @@ std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 
 } // namespace
 
-Status XyzFile::Open(const std::string& path)
+std::string Place(const std::string& path, std::int64_t line)
+{
+  return path + ':' + std::to_string(line) + ": ";
+}
+
+Status OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
+{
+  if (const Status status = CheckInputFile(path); !status.IsOk())
+  {
+    return Status::Error(path + ": " + status.Message());
+  }
+  file.reset(std::fopen(path.c_str(), "rb"));
+  if (!file)
+  {
+    return Status::Error(
+      path + ": cannot be read: " + std::strerror(errno) + "; check the file name");
+  }
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  std::error_code error;
+  size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
+  return error ? Status::Error(path + ": cannot be read: " + error.message() + "; check the disk")
+               : Status();
+}
+
+Status LineFile::Open(const std::string& path)
 {
   this->Path = path;
   return OpenInput(path, this->File, this->Size);
 }
 
-void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
+void LineFile::SetRange(std::int64_t begin, std::int64_t end)
 {
   this->Buffer.resize(std::max(this->Buffer.size(), BlockSize));
   this->Begin = this->End = this->Buffer.data();
@@ -59,7 +86,7 @@ void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
   }
 }
 
-bool XyzFile::ReadBlock()
+bool LineFile::ReadBlock()
 {
   const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
   std::memmove(this->Buffer.data(), this->Begin, left);
@@ -84,7 +111,7 @@ bool XyzFile::ReadBlock()
 }
 
 // Finds the end of the line at Begin, and reads more if needed.
-bool XyzFile::FindLineEnd()
+bool LineFile::FindLineEnd()
 {
   std::size_t searched = 0;
   for (;;)
@@ -100,14 +127,14 @@ bool XyzFile::FindLineEnd()
       return true;
     }
     searched = left;
-    if (this->AtEnd || left > BlockSize || !this->ReadBlock())
+    if (this->AtEnd || this->Stopped || left > this->LongestLine || !this->ReadBlock())
     {
       return false;
     }
   }
 }
 
-void XyzFile::SkipLine()
+void LineFile::SkipLine()
 {
   while (!this->FindLineEnd() && this->End - this->Begin > static_cast<std::ptrdiff_t>(BlockSize))
   {
@@ -122,7 +149,7 @@ void XyzFile::SkipLine()
   }
 }
 
-bool XyzFile::NextLine(std::string_view& line)
+bool LineFile::NextLine(std::string_view& line)
 {
   if (this->Next >= this->Stop || !this->Error.empty())
   {
@@ -153,7 +180,7 @@ bool XyzFile::NextLine(std::string_view& line)
   return true;
 }
 
-std::string XyzFile::GetPlace() const
+std::string LineFile::GetPlace() const
 {
   return Place(this->Path, 1 + CountLineEnds(this->Path, this->LineStart));
 }

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Actions of the keys.
+#include "heliosViewer.h"
+
+#include "heliosCloudView.h"
+#include "heliosColorNames.h"
+#include "heliosHud.h"
+#include "heliosPlatformView.h"
+#include "heliosSceneView.h"
+#include "heliosSimulation.h"
+#include "heliosTimeBar.h"
+#include "heliosViewerKeys.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+constexpr double StepSeconds = 0.1; // if the scan has no lines
+
+/// Moves forward or back by the time of a scan line.
+void Step(Viewer& viewer, int lines)
+{
+  PlayClock& clock = viewer.GetClock();
+  clock.SetPlaying(false);
+  const SimulatedLeg* leg = FindLeg(viewer.GetLegs(), clock.GetTime());
+  const double seconds = leg && leg->LineFrequency > 0.0 ? 1.0 / leg->LineFrequency : StepSeconds;
+  clock.Seek(clock.GetTime() + lines * seconds);
+}
+
+void ChangeColors(Viewer& viewer, int step)
+{
+  const auto& all = GetColorings();
+  const auto now = std::find_if(all.begin(), all.end(),
+    [&viewer](const auto& coloring)
+    { return coloring.second == viewer.GetCloudView().GetColorBy(); });
+  const auto count = static_cast<int>(all.size());
+  const int next = (static_cast<int>(now - all.begin()) + step + count) % count;
+  viewer.GetCloudView().SetColorBy(all[static_cast<std::size_t>(next)].second);
+  viewer.Tell("colours: " + all[static_cast<std::size_t>(next)].first);
+}
+
+/// Half of the cloud's box in each direction, about its centre.
+void ToggleClipping(Viewer& viewer)
+{
+  CloudView& view = viewer.GetCloudView();
+  double b[6];
+  if (view.GetClipping() || !viewer.GetCloud().GetBounds(b))
+  {
+    view.SetClipping(false);
+    return;
+  }
+  for (int i = 0; i < 6; i += 2)
+  {
+    const double quarter = 0.25 * (b[i + 1] - b[i]);
+    b[i] += i < 4 ? quarter : 0.0;
+    b[i + 1] -= i < 4 ? quarter : 0.0;
+  }
+  view.SetClipBox(b);
+  view.SetClipping(true);
+}
+
+void ChangePointSize(Viewer& viewer, double step)
+{
+  CloudView& view = viewer.GetCloudView();
+  view.SetPointSize(std::clamp(view.GetPointSize() + step, 1.0, 20.0));
+}
+
+void AddTime(Viewer& viewer, ViewerKeys& keys)
+{
+  PlayClock& clock = viewer.GetClock();
+  keys.Add({ "Time", { "space" }, "space", "play, pause",
+    [&clock]
+    {
+      const bool isAtEnd = !clock.IsPlaying() && clock.GetTime() >= clock.GetEnd();
+      clock.SetPlaying(!clock.IsPlaying());
+      isAtEnd ? clock.Seek(clock.GetStart()) : void();
+    } });
+  keys.Add({ "", { "period" }, ".", "forward by one scan line", [&viewer] { Step(viewer, 1); } });
+  keys.Add({ "", { "comma" }, ",", "back by one scan line", [&viewer] { Step(viewer, -1); } });
+  keys.Add({ "", { "plus", "equal", "KP_Add" }, "+", "faster, up to the maximum",
+    [&clock] { clock.ChangeSpeed(1); } });
+  keys.Add({ "", { "minus", "KP_Subtract" }, "-", "slower", [&clock] { clock.ChangeSpeed(-1); } });
+  keys.Add({ "", { "1" }, "1", "real time", [&clock] { clock.SetSpeed(1.0); } });
+  keys.Add({ "", { "Home" }, "Home", "to the start", [&clock] { clock.Seek(clock.GetStart()); } });
+  keys.Add({ "", { "End" }, "End", "to the end", [&clock] { clock.Seek(clock.GetEnd()); } });
+}
+
+void AddCameras(Viewer& viewer, ViewerKeys& keys)
+{
+  const auto add = [&keys, &viewer](
+                     const char* heading, const char* key, const char* what, CameraMode mode) {
+    keys.Add({ heading, { key }, key, what, [&viewer, mode] { viewer.SetCameraMode(mode); } });
+  };
+  add("Camera", "c", "free: drag turns, wheel zooms, middle button moves", CameraMode::Free);
+  add("", "y", "fly: left button forward, right button back", CameraMode::Fly);
+  add("", "f", "follow the platform", CameraMode::Follow);
+  add("", "v", "scanner view", CameraMode::Scanner);
+  add("", "t", "from above, north up", CameraMode::Top);
+  add("", "x", "from the side, looking north", CameraMode::Side);
+  add("", "o", "orbit", CameraMode::Orbit);
+  keys.Add({ "", { "r" }, "r", "show all",
+    [&viewer]
+    {
+      viewer.GetCamera().Reset();
+      viewer.Redraw();
+    } });
+}
+
+void AddLook(Viewer& viewer, ViewerKeys& keys)
+{
+  keys.Add({ "Display", { "k" }, "k", "next colours", [&viewer] { ChangeColors(viewer, 1); } });
+  keys.Add({ "", { "K" }, "K", "previous colours", [&viewer] { ChangeColors(viewer, -1); } });
+  keys.Add(
+    { "", { "bracketright" }, "]", "larger points", [&viewer] { ChangePointSize(viewer, 1.0); } });
+  keys.Add(
+    { "", { "bracketleft" }, "[", "smaller points", [&viewer] { ChangePointSize(viewer, -1.0); } });
+  keys.Add({ "", { "e" }, "e", "eye-dome lighting (EDL)", [&viewer] {
+              viewer.GetCloudView().SetEyeDomeLighting(!viewer.GetCloudView().GetEyeDomeLighting());
+            } });
+  keys.Add(
+    { "", { "b" }, "b", "clipping box: the middle half", [&viewer] { ToggleClipping(viewer); } });
+  keys.Add({ "", { "m" }, "m", "the scene's mesh",
+    [&viewer]
+    {
+      SceneView* scene = viewer.GetSceneView();
+      scene ? scene->SetVisible(!scene->IsVisible()) : void();
+    } });
+  keys.Add({ "", { "l" }, "l", "the beams",
+    [&viewer]
+    {
+      PlatformView* platform = viewer.GetPlatformView();
+      platform ? platform->SetFanVisible(!platform->IsFanVisible()) : void();
+    } });
+  keys.Add({ "", { "w" }, "w", "text and time bar",
+    [&viewer]
+    {
+      const bool isVisible = !viewer.GetHud().IsVisible();
+      viewer.GetHud().SetVisible(isVisible);
+      viewer.GetCloudView().SetScalarBarVisible(isVisible);
+      viewer.GetTimeBar() ? viewer.GetTimeBar()->SetVisible(isVisible) : void();
+    } });
+}
+
+void AddFiles(Viewer& viewer, ViewerKeys& keys)
+{
+  keys.Add({ "Files", { "p" }, "p", "save a picture, vtkhelios.png",
+    [&viewer] { viewer.SaveStill("vtkhelios.png"); } });
+  keys.Add({ "", { "R" }, "R", "start, stop recording vtkhelios.ogv",
+    [&viewer] { viewer.ToggleRecording(); } });
+  keys.Add({ "", { "h", "question", "F1" }, "h", "this help",
+    [&viewer]
+    {
+      viewer.GetHud().SetHelpVisible(!viewer.GetHud().IsHelpVisible());
+      viewer.Redraw();
+    } });
+  keys.Add({ "", { "q" }, "q", "quit", [&viewer] { viewer.Close(); } });
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void Viewer::SetUpKeys()
+{
+  this->Keys = std::make_unique<ViewerKeys>(this->Tools);
+  AddTime(*this, *this->Keys);
+  AddCameras(*this, *this->Keys);
+  AddLook(*this, *this->Keys);
+  AddFiles(*this, *this->Keys);
+  this->Words->SetHelp(this->Keys->GetHelp());
+}
+
+} // namespace helios::viewer
