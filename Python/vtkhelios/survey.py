@@ -188,6 +188,13 @@ class Survey:
             by name: "beam", "embree", "bvh" ...
         play
             the epoch, of a survey whose scene swaps parts.
+        bin_size
+            of waveforms [ns].
+        without
+            parts of the model that are left out: "divergence", "atmosphere", "specular" or
+            "voxels", or several, separated by blanks.
+        pulse_step
+            a sample: one of so many pulses.
 
         Raises PipelineError with the message of any filter.
         """

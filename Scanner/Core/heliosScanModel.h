@@ -62,7 +62,7 @@ struct RangeGate
 struct ScanModel
 {
   PulseSource Source;
-  PulseSample Sample; // those that are fired
+  PulseSample Sample;                         // those that are fired
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
   const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
   SceneSurfaces Surfaces;

@@ -497,8 +497,8 @@ bool vtkHeliosScanner::RunPulses(
     ClearOutputs(outputs);
     return false;
   }
-  const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses ||
-    this->PulseStep > 1;
+  const bool isCut =
+    this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses || this->PulseStep > 1;
   *this->Counts = sum;
   this->WarnOfCounts(scan.FirstPulse == first && scan.LastPulse == last && !isCut);
   if (this->CheckErrorTerms())
