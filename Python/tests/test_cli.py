@@ -231,7 +231,7 @@ def test_summary(command_line, make_survey, tmp_path):
     for file in leg["files"]:
         assert (folder / file["name"]).stat().st_size == file["bytes"]
     assert leg["files"][0]["records"] == leg["points"] == report["totals"]["points"]
-    assert report["timings"].keys() == {"load_s", "run_s", "legs_s", "threads"}
+    assert report["timings"].keys() == {"load_s", "run_s", "legs_s", "accuracy_s", "threads"}
     again = command_line(
         "run", survey, "--output", tmp_path / "out", "--overwrite", "--seed", 7, "--threads", 1
     )

@@ -32,9 +32,13 @@ _OPTIONS = {
     "tolerance": "range_tolerance",
     "energy_tolerance": "energy_tolerance",
     "sub_rays": "number_of_sub_rays",
+    "bin_size": "bin_size",
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
     "epoch": "epoch",
+    "without": "without",
+    "pulse_step": "pulse_step",
+    "accuracy_report": "accuracy_report",
 }
 # What a run returns besides echoes, and the properties of vtkHeliosSurveySource.
 _OUTPUTS = {
@@ -186,6 +190,13 @@ class Survey:
             by name: "beam", "embree", "bvh" ...
         epoch
             the epoch, of a survey whose scene swaps parts.
+        bin_size
+            of waveforms [ns].
+        without
+            parts of the model that are left out: "divergence", "atmosphere", "specular" or
+            "voxels", or several, separated by blanks.
+        pulse_step
+            a sample: one of so many pulses.
 
         Raises PipelineError with the message of any filter.
         """
@@ -238,6 +249,33 @@ class Survey:
             raise PipelineError([from_vtk(player.GetMessage())])
         report = json.loads(from_vtk(player.GetReport()))
         return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
+
+    def tradeoff(self, pulses=2000, parts=True, progress=None, **options):
+        """What accuracy costs on this survey, and which parts of the model it requires.
+
+        Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays,
+        tolerances, bins, detectors and ray casters, and compares the echoes with a reference of
+        4096 sub-rays in fine bins whose own error is known; with parts, also without each part of
+        the model. Without noise and turbid voxels. Options are those of run(). Returns a
+        vtkhelios.tradeoff.Tradeoff; see Docs/tradeoff.md.
+        """
+        from .tradeoff import make_tradeoff
+
+        if not (isinstance(pulses, int) and pulses >= 10):
+            raise ValueError(f"pulses is {pulses!r}; give a whole number of 10 or more")
+        check_options(options)
+        with Progress(progress) as watched:
+            tell = watched.callback or (lambda *_: None)
+            return make_tradeoff(self, pulses, parts, tell, **options)
+
+    def source_of(self, options):
+        """The loaded source that run() uses, with these options."""
+        return self._load(options)
+
+    def run_window(self, options, window, progress=None):
+        """The echoes of a window of pulse ids, as a Cloud."""
+        with Progress(progress) as watched:
+            return self._run_window(options, window, watched)
 
     def _prepare(self, options):
         """The cached source, with the options, and defaults for all others."""

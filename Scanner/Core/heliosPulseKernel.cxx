@@ -65,8 +65,9 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
   this->Pulses.clear();
   this->Indices.clear();
   Pulse pulse;
-  for (vtkIdType i = first; i < last; ++i)
+  for (vtkIdType n = first; n < last; ++n)
   {
+    const vtkIdType i = this->Model.Sample.Get(n);
     if (this->Model.Source.GetPulse(i, this->Cursor, pulse))
     {
       this->Pulses.push_back(pulse);

@@ -24,7 +24,7 @@ class PulseKernel
 public:
   explicit PulseKernel(const ScanModel& model);
 
-  /// Runs a chunk: the pulses [first, last) of the scan.
+  /// Runs a chunk: the pulses [first, last) of the scan's sample.
   void Run(vtkIdType first, vtkIdType last, ChunkResult& result);
 
   const ScanCounts& GetCounts() const { return this->Counts; }

@@ -9,6 +9,7 @@
 #include "heliosFootprint.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
+#include "heliosPulseSample.h"
 #include "heliosRadiometry.h"
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
@@ -62,6 +63,7 @@ struct RangeGate
 struct ScanModel
 {
   PulseSource Source;
+  PulseSample Sample;                         // those that are fired
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
   const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
   SceneSurfaces Surfaces;

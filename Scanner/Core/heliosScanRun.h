@@ -66,7 +66,7 @@ private:
   vtkIdType ChunksPerThread = 1;
 };
 
-/// Passes on the records of the pulses [first, last), in order, in batches; and counts them.
+/// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts them.
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   const RunWatcher& goesOn, const ChunkSink& take);
 

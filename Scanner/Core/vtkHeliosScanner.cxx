@@ -104,6 +104,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
      << indent << "StartTime: " << this->StartTime << " s\n"
      << indent << "Duration: " << this->Duration << " s\n"
+     << indent << "PulseStep: " << this->PulseStep << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "FirstPulseId: " << this->FirstPulseId << "\n"
      << indent << "PulseIdStride: " << this->PulseIdStride << "\n"
@@ -263,6 +264,7 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
     vtkErrorMacro(<< wrong.Message());
     return false;
   }
+  scan.Model.Sample = { this->PulseStep, this->FirstPulseId };
   helios::PulseSource& source = scan.Model.Source;
   source.Platform = &scan.Trajectory;
   source.Deflector = this->BeamDeflector;
@@ -482,10 +484,12 @@ bool vtkHeliosScanner::RunPulses(
     isAborted = this->GetAbortExecute() != 0;
     return !isAborted;
   };
-  helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, last - first, outputs);
+  const vtkIdType begin = scan.Model.Sample.CountBelow(first);
+  const vtkIdType end = scan.Model.Sample.CountBelow(last);
+  helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, end - begin, outputs);
   const auto take = [&output](const std::vector<helios::ChunkResult>& chunks)
   { output.Add(chunks); };
-  const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, take);
+  const helios::ScanCounts sum = helios::RunScan(scan.Model, begin, end, goesOn, take);
   output.Finish();
   if (isAborted)
   {
@@ -494,7 +498,8 @@ bool vtkHeliosScanner::RunPulses(
     ClearOutputs(outputs);
     return false;
   }
-  const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
+  const bool isCut =
+    this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses || this->PulseStep > 1;
   *this->Counts = sum;
   this->WarnOfCounts(scan.FirstPulse == first && scan.LastPulse == last && !isCut);
   if (this->CheckErrorTerms())

@@ -259,6 +259,16 @@ public:
 
   ///@{
   /**
+   * Set/Get how many pulses have one that is fired: a sample of the scan, of one pulse anywhere in
+   * each PulseStep consecutive ones, chosen by its index and FirstPulseId alone. Valid range: [1, 2^53]. Default:
+   * 1, all.
+   */
+  vtkSetClampMacro(PulseStep, vtkIdType, 1, 9007199254740992LL);
+  vtkGetMacro(PulseStep, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
    */
   vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
@@ -319,8 +329,8 @@ public:
   std::string DescribeSampling();
 
   /**
-   * The number of pulse indices of the scan (within the windows, if set), for
-   * the current inputs; -1 after an error. Updates the trajectory.
+   * The number of pulse indices of the scan (within the windows, if set; in the
+   * sample or not), for the current inputs; -1 after an error. Updates the trajectory.
    */
   vtkIdType GetNumberOfPulses();
 
@@ -401,6 +411,7 @@ private:
   double Duration = -1.0;
   double TimeWindow[2] = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
+  vtkIdType PulseStep = 1;
   vtkIdType Seed = 0;
   vtkIdType FirstPulseId = 0;
   vtkIdType PulseIdStride = 1;

@@ -8,6 +8,8 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosRunOptions);
 
@@ -15,7 +17,18 @@ namespace
 {
 
 constexpr vtkIdType LargestSeed = vtkIdType(1) << 62;
+constexpr vtkIdType LargestStep = vtkIdType(1) << 53;
 constexpr int MostSubRays = 65536;
+
+std::string JoinNames(const std::vector<std::string>& names)
+{
+  std::string joined;
+  for (const std::string& name : names)
+  {
+    joined += (joined.empty() ? "" : " ") + name;
+  }
+  return joined;
+}
 
 } // namespace
 
@@ -148,6 +161,60 @@ int vtkHeliosRunOptions::GetNumberOfSubRaysMaxValue() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetBinSize(double size)
+{
+  this->Set(this->Data->BinSize, size);
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosRunOptions::GetBinSize() const
+{
+  return this->Data->BinSize;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetWithout(const std::string& parts)
+{
+  this->Set(this->Data->Without, parts);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetWithout() const
+{
+  return this->Data->Without;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetModelPartNames()
+{
+  return JoinNames(helios::GetModelPartNames());
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetPulseStep(vtkIdType step)
+{
+  this->Set(this->Data->PulseStep, std::clamp<vtkIdType>(step, 1, LargestStep));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosRunOptions::GetPulseStep() const
+{
+  return this->Data->PulseStep;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetAccuracyReport(bool report)
+{
+  this->Set(this->Data->AccuracyReport, report);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosRunOptions::GetAccuracyReport() const
+{
+  return this->Data->AccuracyReport;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosRunOptions::SetEchoDetector(const std::string& name)
 {
   this->Set(this->Data->EchoDetector, name);
@@ -162,12 +229,7 @@ std::string vtkHeliosRunOptions::GetEchoDetector() const
 //------------------------------------------------------------------------------
 std::string vtkHeliosRunOptions::GetEchoDetectorNames()
 {
-  std::string names;
-  for (const std::string& name : helios::GetEchoDetectorNames())
-  {
-    names += (names.empty() ? "" : " ") + name;
-  }
-  return names;
+  return JoinNames(helios::GetEchoDetectorNames());
 }
 
 //------------------------------------------------------------------------------
@@ -192,6 +254,10 @@ void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RangeTolerance: " << this->Data->RangeTolerance << "\n"
      << indent << "EnergyTolerance: " << this->Data->EnergyTolerance << "\n"
      << indent << "NumberOfSubRays: " << this->Data->NumberOfSubRays << "\n"
+     << indent << "BinSize: " << this->Data->BinSize << "\n"
      << indent << "EchoDetector: " << this->Data->EchoDetector << "\n"
-     << indent << "RayCaster: " << this->Data->RayCaster << "\n";
+     << indent << "RayCaster: " << this->Data->RayCaster << "\n"
+     << indent << "Without: " << this->Data->Without << "\n"
+     << indent << "PulseStep: " << this->Data->PulseStep << "\n"
+     << indent << "AccuracyReport: " << this->Data->AccuracyReport << "\n";
 }

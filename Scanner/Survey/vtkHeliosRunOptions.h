@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosRunOptions
- * @brief   the options of a run that change its echoes
+ * @brief   the options of a run
  *
  * What a survey leaves open, or what overrides it: epoch, random numbers, and how the beam is
- * sampled. vtkHeliosSurveySource and vtkHeliosSurveyPlayer use the same options.
+ * sampled; and whether a run reports its accuracy. vtkHeliosSurveySource and vtkHeliosSurveyPlayer use the same options.
  *
  * @sa
  * vtkHeliosSurveySource vtkHeliosSurveyPlayer
@@ -89,6 +89,14 @@ public:
 
   ///@{
   /**
+   * Set/Get the bins of waveforms [ns]. Valid range: [0, 1e6]. Default: 0, as in the survey.
+   */
+  void SetBinSize(double size);
+  double GetBinSize() const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the echo detector for waveforms, one of GetEchoDetectorNames(). Default: empty, that of
    * the survey.
    */
@@ -108,6 +116,40 @@ public:
    */
   void SetRayCaster(const std::string& name);
   std::string GetRayCaster() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the parts of the model that are left out, names of GetModelPartNames() separated by
+   * blanks: "divergence", all beams are one ray; "atmosphere", no extinction; "specular", surfaces
+   * are Lambertian; "voxels", turbid voxels are air. Default: empty, none.
+   */
+  void SetWithout(const std::string& parts);
+  std::string GetWithout() const;
+  ///@}
+
+  /**
+   * The names of the parts of the model that can be left out, separated by blanks.
+   */
+  static std::string GetModelPartNames();
+
+  ///@{
+  /**
+   * Set/Get how many pulses have one that is fired: a sample of the run, as by
+   * vtkHeliosScanner::SetPulseStep(). Valid range: [1, 2^53]. Default: 1, all.
+   */
+  void SetPulseStep(vtkIdType step);
+  vtkIdType GetPulseStep() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether a run of vtkHeliosSurveyPlayer computes some of its pulses again with a
+   * reference, and adds "accuracy" to its summary. Changes no echo. Default: on.
+   */
+  void SetAccuracyReport(bool report);
+  bool GetAccuracyReport() const;
+  vtkBooleanMacro(AccuracyReport, bool);
   ///@}
 
 #ifndef __VTK_WRAP__

@@ -4,6 +4,7 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosRunAccuracy.h"
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
@@ -71,6 +72,7 @@ private:
   bool Plan();
   bool Begin();
   bool RunLegs();
+  void MeasureAccuracy();
   bool Conclude();
   bool ConcludeFinished();
   bool Tell(const std::string& step);
@@ -89,6 +91,8 @@ private:
   std::unique_ptr<helios::LegRunner> Runner;
   Json::Value Fingerprint;
   double LoadSeconds = 0.0;
+  Json::Value Accuracy;
+  double AccuracySeconds = 0.0;
 };
 
 //------------------------------------------------------------------------------
@@ -321,6 +325,22 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
 }
 
 //------------------------------------------------------------------------------
+/// Measures the accuracy of a run whose points are complete; on an abort, without it.
+void vtkHeliosSurveyPlayer::Internals::MeasureAccuracy()
+{
+  if (!this->Settings.Options.AccuracyReport)
+  {
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  helios::RunAccuracy accuracy(*this->Runner, this->Settings, this->Log);
+  accuracy.Measure([this](double) { return this->Tell("measuring the accuracy"); });
+  this->Accuracy = accuracy.Describe();
+  this->AccuracySeconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Conclude()
 {
   const helios::ScanCounts& counts = this->Runner->GetCounts();
@@ -329,8 +349,9 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   {
     return this->Fail(this->Runner->ExplainNoEchoes());
   }
-  const Json::Value summary =
-    helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner, this->LoadSeconds);
+  this->MeasureAccuracy();
+  const Json::Value summary = helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner,
+    this->Accuracy, this->LoadSeconds, this->AccuracySeconds);
   const helios::Status status = this->Folder->WriteSummary(summary);
   if (!status.IsOk())
   {

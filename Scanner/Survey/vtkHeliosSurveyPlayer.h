@@ -32,7 +32,8 @@
  * what is flushed to disk. Resume continues a run that ended early for any reason; its files are
  * byte-identical to those of an uninterrupted run. When all legs are complete, run_summary.json
  * replaces the journal: versions, inputs with their SHA-256, options, counts and files of every
- * leg, and separately the timings, which depend on the host.
+ * leg, and separately the timings, which depend on the host. With the option AccuracyReport some of
+ * the pulses are computed again with a reference, and the summary has the "accuracy".
  *
  * Events: StartEvent, ProgressEvent (while loading and after every block; the data is the progress
  * as a double), EndEvent. The player forwards errors and warnings of all filters. The number of

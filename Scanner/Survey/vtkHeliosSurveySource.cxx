@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurveySource.h"
 
+#include "heliosEchoComparison.h"
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosPathCell.h"
 #include "heliosPiecePile.h"
 #include "heliosPulseCount.h"
+#include "heliosReceiver.h"
 #include "heliosSurveyLoader.h"
+#include "vtkHeliosEchoComparison.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
@@ -511,6 +514,22 @@ vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, doubl
   const auto way = sampler.GetSamples(0, sampler.GetNumberOfSamples());
   helios::AddPathCell(way);
   return way;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::SetUpComparison(vtkHeliosEchoComparison* comparison, int leg) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  if (comparison && plan)
+  {
+    const helios::EchoMatching matching =
+      helios::MakeMatching(this->Loaded->Loader.GetSurvey().GetScanner(plan->Leg), 0.0);
+    comparison->SetMatchingDistance(matching.Distance);
+    comparison->SetFullAmplitude(matching.FullAmplitude);
+    comparison->SetExtinction(matching.Extinction);
+    comparison->SetLeastShare(matching.LeastShare);
+    comparison->SetLeastAmplitude(matching.LeastAmplitude);
+  }
 }
 
 //------------------------------------------------------------------------------

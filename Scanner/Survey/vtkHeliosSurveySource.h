@@ -48,6 +48,7 @@
 #include <memory>     // For the private data
 #include <string>     // For text
 
+class vtkHeliosEchoComparison;
 class vtkHeliosRunOptions;
 class vtkHeliosSurvey;
 class vtkImageData;
@@ -143,6 +144,13 @@ public:
    * and end only. Null for a leg that fires no pulses.
    */
   vtkSmartPointer<vtkPolyData> GetTrajectory(int leg, double interval) const;
+
+  /**
+   * Sets which echoes of a leg a comparison matches, from its scanner (the first channel): those of
+   * 2 % of a full footprint, a plane of reflectance 0.5, and of twice the detection threshold, nearer
+   * than 0.6 c sigma of the pulse. After Load(); does nothing for a leg that fires no pulses.
+   */
+  void SetUpComparison(vtkHeliosEchoComparison* comparison, int leg) const;
 
   /**
    * Describes the sampling of the beam as text, after Load().

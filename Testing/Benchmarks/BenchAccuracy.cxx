@@ -41,67 +41,18 @@ struct Accuracy
   double Amplitude = 0.0; ///< RMS, of a full footprint
 };
 
-double GetQuantile(const std::vector<double>& sorted, double q)
-{
-  return sorted.empty()
-    ? 0.0
-    : sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))];
-}
-
-/// Whether an echo has a partner in a list, nearer than 0.6 c sigma and nearer than any other.
-const RunEcho* FindPartner(const RunEcho& echo, const std::vector<RunEcho>& echoes)
-{
-  const RunEcho* partner = nullptr;
-  double nearest = 0.6 * Separation;
-  for (const RunEcho& other : echoes)
-  {
-    const double distance = std::abs(other.Range - echo.Range);
-    if (distance <= nearest)
-    {
-      nearest = distance;
-      partner = &other;
-    }
-  }
-  return partner;
-}
-
 /// Compares all echoes, of half the threshold and more, for those that reach the threshold.
-Accuracy GetAccuracy(
-  const RunEchoes& run, const RunEchoes& reference, double threshold, double full)
+Accuracy GetAccuracy(vtkPolyData* run, vtkPolyData* reference, double threshold, double full)
 {
-  std::vector<double> ranges;
-  double amplitudes = 0.0;
-  double squares = 0.0;
-  double expected = 0.0;
-  double lost = 0.0;
-  for (std::size_t pulse = 0; pulse < reference.size(); ++pulse)
-  {
-    for (const RunEcho& echo : reference[pulse])
-    {
-      if (echo.Amplitude < threshold)
-      {
-        continue;
-      }
-      ++expected;
-      const RunEcho* partner = FindPartner(echo, run[pulse]);
-      if (!partner)
-      {
-        ++lost;
-        continue;
-      }
-      const double away = std::abs(partner->Range - echo.Range);
-      ranges.push_back(away);
-      squares += away * away;
-      amplitudes += std::pow((partner->Amplitude - echo.Amplitude) / full, 2);
-    }
-    lost += static_cast<double>(std::count_if(run[pulse].begin(), run[pulse].end(),
-      [&](const RunEcho& echo)
-      { return echo.Amplitude >= threshold && !FindPartner(echo, reference[pulse]); }));
-  }
-  std::sort(ranges.begin(), ranges.end());
-  const double found = std::max<double>(1.0, static_cast<double>(ranges.size()));
-  return { GetQuantile(ranges, 0.5), GetQuantile(ranges, 0.95), std::sqrt(squares / found),
-    lost / std::max(1.0, expected), std::sqrt(amplitudes / found) };
+  helios::EchoMatching matching;
+  matching.Distance = 0.6 * Separation;
+  matching.FullAmplitude = full;
+  matching.LeastAmplitude = threshold;
+  helios::EchoComparison comparison;
+  comparison.Add(run, reference, matching);
+  const helios::EchoErrors errors = comparison.GetErrors();
+  return { errors.RangeP50.Value, errors.RangeP95.Value, errors.RangeRms.Value, errors.Lost.Value,
+    errors.AmplitudeRms.Value };
 }
 
 void Print(
@@ -140,10 +91,10 @@ bool Run(const TradeScene& scene, int side)
 {
   Bench bench(scene, side);
   const double threshold = bench.Threshold;
-  const double full = 50.0 * threshold;
+  const double full = bench.GetFullAmplitude(1.0);
   bench.Threshold *= 0.5;
   vtkSMPTools::Initialize(2);
-  const RunEchoes reference = bench.Run(Vogel(65536));
+  const vtkSmartPointer<vtkPolyData> reference = bench.Run(Vogel(65536));
   const Accuracy own = GetAccuracy(bench.Run(Vogel(32768)), reference, threshold, full);
   Print(scene.Name.c_str(), "reference", 0.0, own, "");
   for (const int size : { 20, 64, 256, 1024, 4096 })

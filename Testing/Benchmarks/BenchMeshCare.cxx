@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <stdexcept>
 
 namespace
 {
@@ -40,7 +41,10 @@ double GetSeconds()
 Mesh MakeMesh(vtkPolyData* scene)
 {
   helios::TriangleMesh triangles;
-  triangles.Set(scene);
+  if (const helios::Status status = triangles.Set(scene); !status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
+  }
   Mesh mesh;
   const double* points = triangles.GetPoints();
   for (vtkIdType i = 0; i < triangles.GetNumberOfPoints(); ++i)

@@ -121,8 +121,9 @@ void Time(Bench& bench, Row& row)
 }
 
 /// Whether the reference matches the known closed forms.
-bool CheckReference(Bench& bench, const TradeScene& scene, const RunEchoes& reference)
+bool CheckReference(Bench& bench, const TradeScene& scene, vtkPolyData* output)
 {
+  const RunEchoes reference = GetEchoes(output, bench.Pulses);
   double range = 0.0, share = 0.0;
   int known = 0, lost = 0;
   for (int i = 0; scene.Truth && i < bench.Pulses; ++i)
@@ -250,7 +251,7 @@ void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErro
 bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
 {
   Bench bench(scene, isQuick ? 50 : 250);
-  const RunEchoes reference = bench.Run(Reference);
+  const vtkSmartPointer<vtkPolyData> reference = bench.Run(Reference);
   if (!CheckReference(bench, scene, reference))
   {
     return false;

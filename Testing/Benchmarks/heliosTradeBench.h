@@ -16,6 +16,9 @@
 #include "vtkHeliosGaussianDecomposition.h"
 #endif
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 
 namespace helios::bench
@@ -110,11 +113,13 @@ public:
     this->Scanner->Update();
   }
 
-  RunEchoes Run(const Way& way)
+  vtkSmartPointer<vtkPolyData> Run(const Way& way)
   {
     this->Set(way);
     this->Fire(this->Pulses);
-    return GetEchoes(this->Scanner->GetOutput(), this->Pulses);
+    auto echoes = vtkSmartPointer<vtkPolyData>::New();
+    echoes->ShallowCopy(this->Scanner->GetOutput());
+    return echoes;
   }
 
   vtkNew<vtkHeliosScanner> Scanner;

@@ -5,6 +5,7 @@
 #ifndef heliosTradeErrors_h
 #define heliosTradeErrors_h
 
+#include "heliosEchoComparison.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -62,57 +63,15 @@ struct TradeErrors
 };
 
 /// Matches are the nearest, within 0.6 of the least separation of two equal echoes, c sigma.
-inline TradeErrors Compare(const RunEchoes& run, const RunEchoes& reference, double separation)
+inline TradeErrors Compare(vtkPolyData* run, vtkPolyData* reference, double separation)
 {
-  TradeErrors errors;
-  std::vector<double> away;
-  double bias = 0.0, amplitude2 = 0.0;
-  std::size_t expected = 0, given = 0;
-  for (std::size_t pulse = 0; pulse < reference.size(); ++pulse)
-  {
-    std::vector<bool> taken(run[pulse].size(), false);
-    expected += reference[pulse].size();
-    given += run[pulse].size();
-    for (const RunEcho& echo : reference[pulse])
-    {
-      std::size_t best = taken.size();
-      double nearest = 0.6 * separation;
-      for (std::size_t i = 0; i < taken.size(); ++i)
-      {
-        const double distance = std::abs(run[pulse][i].Range - echo.Range);
-        if (!taken[i] && distance <= nearest)
-        {
-          nearest = distance;
-          best = i;
-        }
-      }
-      if (best < taken.size())
-      {
-        taken[best] = true;
-        away.push_back(nearest);
-        bias += run[pulse][best].Range - echo.Range;
-        const double ratio = run[pulse][best].Amplitude / echo.Amplitude - 1.0;
-        amplitude2 += ratio * ratio;
-      }
-    }
-  }
-  const auto found = static_cast<double>(away.size());
-  double range2 = 0.0;
-  for (const double distance : away)
-  {
-    range2 += distance * distance;
-  }
-  std::sort(away.begin(), away.end());
-  errors.Missed = 100.0 * (static_cast<double>(expected) - found) / static_cast<double>(expected);
-  errors.Extra = 100.0 * (static_cast<double>(given) - found) / static_cast<double>(expected);
-  if (!away.empty())
-  {
-    errors.RangeBias = bias / found;
-    errors.RangeRms = std::sqrt(range2 / found);
-    errors.RangeP99 = away[away.size() * 99 / 100];
-    errors.AmplitudeRms = std::sqrt(amplitude2 / found);
-  }
-  return errors;
+  EchoMatching matching;
+  matching.Distance = 0.6 * separation;
+  EchoComparison comparison;
+  comparison.Add(run, reference, matching);
+  const EchoErrors errors = comparison.GetErrors();
+  return { 100.0 * errors.Missed.Value, 100.0 * errors.Invented.Value, errors.RangeBias,
+    errors.RangeRms.Value, errors.RangeP99, errors.AmplitudeRms.Value };
 }
 
 } // namespace helios::bench

@@ -37,6 +37,7 @@ examples:
   vtkhelios run --help                              all options and outputs of a run
   vtkhelios plan scene.xml                          find scan positions, write them as a survey
   vtkhelios validate survey.xml                     list all its errors and warnings
+  vtkhelios tradeoff survey.xml                     accuracy against time, what its scene requires
   vtkhelios view survey.xml                         watch it run
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    re-run echo detection on stored waveforms
   vtkhelios convert output/village village.laz      points to LAS, LAZ, COPC, E57, PLY, PCD, VTK, text

@@ -3,6 +3,7 @@
 """A run, or its estimate, as text: from the report of the player."""
 
 from .._run_files import SUMMARY_NAME
+from ._accuracy import accuracy_lines
 from ._progress import duration
 
 MAXIMUM_LEGS = 20
@@ -40,6 +41,8 @@ def summary_lines(report, folder):
         f"{timings['load_s']:.2f} s to load the scene"
     )
     yield from file_lines(report["legs"], folder)
+    if "accuracy" in report:
+        yield from accuracy_lines(report["accuracy"])
 
 
 def file_lines(legs, folder):

@@ -65,6 +65,13 @@ beam sampling:
   of the ranges, 1 % of the amplitudes and echoes). --range-tolerance and --energy-tolerance, or
   --sub-rays, override the survey. The end of a run prints the statistics. See Docs/instrument.md.
 
+accuracy:
+  At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again with 4096
+  sub-rays in fine bins, and prints the difference: median and 95th percentile of the range error, missed and
+  invented echoes and the RMS of the amplitude, each with its 95 % confidence interval, beside what
+  was asked and beside the error of this reference itself. run_summary.json has it as "accuracy".
+  Noise and turbid voxels are left out. The point files do not depend on it.
+
 where files are searched: absolute names are used unchanged; others in every --assets folder in
 order, the folder of the survey, the working directory, and the data shipped with vtkHelios.
 
@@ -182,6 +189,11 @@ def add_arguments(parser):
     )
     parser.add_argument(
         "--no-noise", action="store_true", help="ranges without the scanner's noise"
+    )
+    parser.add_argument(
+        "--no-accuracy-report",
+        action="store_true",
+        help="do not compute 200 to 1000 of the pulses again to measure the accuracy of the run",
     )
     parser.add_argument(
         "--threads",
@@ -339,6 +351,7 @@ def make_player(arguments, survey, messages):
     options.SetSeed(seed)
     options.SetNoise(not arguments.no_noise)
     options.SetRayCaster(arguments.ray_caster)
+    options.SetAccuracyReport(not arguments.no_accuracy_report)
     messages.info(
         f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"

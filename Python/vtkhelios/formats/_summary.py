@@ -53,7 +53,15 @@ EXPECTED = {
 _COUNTS = ("firstReturns", "hitsOutOfRange", "points", "pulses", "pulsesBinned", "pulsesFired")
 _COUNTS += ("pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "subRays")
 _OPTIONS = {None: _option}
+_MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")
+_MEASURES = {name: [_number] for name in (*_MEASURES, "amplitudeRms", "widthRms_ns")}
 WHOLE = {
+    "accuracy": {
+        **_MEASURES, **dict.fromkeys(("pulses", "echoes", "matched"), _count),
+        "asked": {"rangeTolerance_m": _number, "energyTolerance": _number},
+        "reference": {**_MEASURES, "subRays": _count},
+        "reason": _text, "without": [_text],
+    },
     "inputs": [{"bytes": _count, "file": _text, "sha256": _text}],
     "legs": [{
         "leg": _index, "start_s": _number, "duration_s": _number,
@@ -65,7 +73,8 @@ WHOLE = {
     "sampling": _text,
     "scene": _text,
     "survey": _text,
-    "timings": {"legs_s": [_number], "load_s": _number, "run_s": _number, "threads": _count},
+    "timings": {"legs_s": [_number], "threads": _count,
+                **dict.fromkeys(("load_s", "run_s", "accuracy_s"), _number)},
     "totals": dict.fromkeys(_COUNTS, _count),
     "versions": {"VTK": _text, "vtkHelios": _text},
 }  # fmt: skip

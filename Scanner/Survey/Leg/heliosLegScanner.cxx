@@ -7,6 +7,7 @@
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosPulseCount.h"
+#include "heliosPulseSample.h"
 #include "heliosReceiver.h"
 #include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
@@ -19,7 +20,9 @@
 #include "vtkHeliosScanner.h"
 
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -102,7 +105,8 @@ void LegScanner::SetUp(const LegPlan& plan)
     const ScanData& scan = leg.Scans[index];
     channel->SetBeamDeflector(
       MakeDeflector(this->Survey.GetScanner(plan.Leg).GetChannel(index), scan));
-    channel->GetBeamSampler()->SetBeamDivergence(scan.BeamDivergence);
+    channel->GetBeamSampler()->SetBeamDivergence(
+      this->Settings.Options.IsWithout("divergence") ? 0.0 : scan.BeamDivergence);
     channel->SetHeadRotateStart(scan.HeadRotateStart);
     channel->SetHeadRotateStop(scan.HeadRotateStop);
     channel->SetHeadRotateSpeed(scan.HeadRotateSpeed);
@@ -146,8 +150,10 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
 {
   auto channel = vtkSmartPointer<vtkHeliosScanner>::New();
   this->Log.Listen(channel);
-  channel->SetInputDataObject(0, this->Scenes.Get(data.Wavelength));
-  for (SpectralScenes& grid : this->Grids)
+  const RunOptions& options = this->Settings.Options;
+  std::vector<SpectralScenes> none;
+  channel->SetInputDataObject(0, this->GetScene(data.Wavelength));
+  for (SpectralScenes& grid : options.IsWithout("voxels") ? none : this->Grids)
   {
     channel->AddInputDataObject(2, grid.Get(data.Wavelength));
   }
@@ -177,8 +183,31 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
     channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
   }
   channel->SetSeed(this->Settings.Options.Seed);
+  channel->SetPulseStep(this->Settings.Options.PulseStep);
   this->PutOutputs(channel);
   return channel;
+}
+
+//------------------------------------------------------------------------------
+/// The scene at a wavelength [nm], with the materials of the options.
+vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
+{
+  vtkDataObject* scene = this->Scenes.Get(wavelength);
+  vtkDataArray* lobes = scene->GetFieldData()->GetArray(names::MaterialSpecularity);
+  if (!lobes || !this->Settings.Options.IsWithout("specular"))
+  {
+    return scene;
+  }
+  const auto none = vtkSmartPointer<vtkDataArray>::Take(lobes->NewInstance());
+  none->DeepCopy(lobes);
+  none->Fill(0.0);
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(scene->GetFieldData());
+  fields->AddArray(none); // replaces that of the same name
+  const auto copy = vtkSmartPointer<vtkDataObject>::Take(scene->NewInstance());
+  copy->ShallowCopy(scene);
+  copy->SetFieldData(fields);
+  return copy;
 }
 
 //------------------------------------------------------------------------------
@@ -188,6 +217,13 @@ void LegScanner::PutOutputs(vtkHeliosScanner* channel) const
   channel->SetGeneratePulses(this->Settings.Pulses);
   channel->SetGenerateSubRays(this->Settings.SubRays);
   channel->SetGenerateTruth(this->Settings.Truth);
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::SetOptions(const RunOptions& options)
+{
+  this->Settings.Options = options;
+  this->Scanner = None; // with other channels
 }
 
 //------------------------------------------------------------------------------
@@ -266,6 +302,7 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
   bool isGood = true;
   do
   {
+    pulse = std::min(end, this->FindSample(pulse));
     const vtkIdType next = std::min(end, this->Motion.MoveTo(this->Clock, pulse));
     this->PutParts();
     this->PutWindow(pulse, next);
@@ -285,6 +322,19 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
+/// The first pulse of the sample from a pulse on, of any channel.
+vtkIdType LegScanner::FindSample(vtkIdType pulse) const
+{
+  vtkIdType first = AllPulses;
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    const PulseSample sample(channel->GetPulseStep(), channel->GetFirstPulseId());
+    first = std::min(first, sample.Get(sample.CountBelow(pulse)));
+  }
+  return first;
+}
+
+//------------------------------------------------------------------------------
 /// Updates the scene of all channels.
 void LegScanner::PutParts()
 {
@@ -297,7 +347,7 @@ void LegScanner::PutParts()
   const ScannerData& scanner = this->Survey.Scanners[this->Scanner];
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    const auto scene = this->Motion.Move(this->Scenes.Get(scanner.GetChannel(k).Wavelength));
+    const auto scene = this->Motion.Move(this->GetScene(scanner.GetChannel(k).Wavelength));
     this->Channels[k]->SetInputDataObject(0, scene);
   }
 }

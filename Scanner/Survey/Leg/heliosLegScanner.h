@@ -48,6 +48,9 @@ public:
   /// The range [first, last) of each channel's pulses in the time window to run; all after SetUp().
   void SetPulseWindow(vtkIdType first, vtkIdType last);
 
+  /// Runs in another way from the next SetUp() on.
+  void SetOptions(const RunOptions& options);
+
   /// Sets the outputs that the settings request besides the echoes.
   void SetOutputs(const RunSettings& settings);
 
@@ -84,6 +87,8 @@ private:
   void PutWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);
+  vtkSmartPointer<vtkDataObject> GetScene(double wavelength);
+  vtkIdType FindSample(vtkIdType pulse) const;
   void PutParts();
   void Gather();
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosReceiver.h"
 
+#include "heliosConstants.h"
+#include "heliosEchoComparison.h"
+#include "heliosRadiometry.h"
 #include "heliosRunOptions.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosBeamSampler.h"
@@ -13,6 +16,10 @@
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -22,7 +29,13 @@ namespace
 
 constexpr int MostCircles = 64;
 
-void SetUpRadiometry(const ScannerData& data, vtkHeliosScanner* scanner)
+// Echoes that are compared, as in Docs/instrument.md.
+constexpr double LeastShare = 0.02;
+constexpr double LeastThresholds = 2.0;
+constexpr double Separation = 0.6; // of the same echoes, in c sigma
+constexpr double FullReflectance = 0.5;
+
+void SetUpRadiometry(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
 {
   const ReceiverData& receiver = data.Receiver;
   scanner->SetPulseLength(data.PulseLength);
@@ -31,7 +44,7 @@ void SetUpRadiometry(const ScannerData& data, vtkHeliosScanner* scanner)
   scanner->SetOpticalEfficiency(data.OpticalEfficiency);
   scanner->SetReceiverDiameter(data.ReceiverDiameter);
   scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
-  scanner->SetAtmosphericExtinction(receiver.Extinction);
+  scanner->SetAtmosphericExtinction(options.IsWithout("atmosphere") ? 0.0 : receiver.Extinction);
   scanner->SetSolarIrradiance(receiver.SolarIrradiance);
   scanner->SetFilterBandwidth(receiver.FilterBandwidth);
   scanner->SetFieldOfView(receiver.FieldOfView);
@@ -87,11 +100,15 @@ void SetUpSampling(
   }
 }
 
-void SetUpWaveforms(const ReceiverData& receiver, vtkHeliosScanner* scanner)
+void SetUpWaveforms(
+  const ReceiverData& receiver, const RunOptions& options, vtkHeliosScanner* scanner)
 {
-  scanner->SetBinSize(receiver.BinSize);
+  const double size = options.BinSize > 0.0 ? options.BinSize : receiver.BinSize;
+  scanner->SetBinSize(size);
   scanner->SetMaximumWaveformLength(receiver.MaximumLength);
-  scanner->SetNumberOfBins(receiver.NumberOfBins);
+  // as long as with the bins of the survey
+  const double bins = std::ceil(receiver.NumberOfBins * (receiver.BinSize / size));
+  scanner->SetNumberOfBins(static_cast<int>(std::min(bins, double(VTK_INT_MAX))));
 }
 
 void SetUpReturns(const ScannerData& data, vtkHeliosScanner* scanner)
@@ -160,14 +177,30 @@ void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
 } // namespace
 
 //------------------------------------------------------------------------------
+EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)
+{
+  EchoMatching matching;
+  const double extinction = channel.Receiver.Extinction;
+  matching.Distance = Separation * SpeedOfLight * channel.PulseLength / FwhmPerSigma;
+  matching.Extinction = extinction >= 0.0
+    ? extinction
+    : AtmosphericExtinction(channel.AtmosphericVisibility, channel.Wavelength);
+  const LidarEquation equation{ channel.ReceiverDiameter, channel.OpticalEfficiency, 0.0 };
+  matching.FullAmplitude = channel.AveragePower * equation(1.0, FullReflectance, 1.0);
+  matching.LeastShare = std::max(LeastShare, energyTolerance);
+  matching.LeastAmplitude = LeastThresholds * channel.DetectionThreshold;
+  return matching;
+}
+
+//------------------------------------------------------------------------------
 void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
 {
-  SetUpRadiometry(data, scanner);
+  SetUpRadiometry(data, options, scanner);
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   sampler->SetWavelength(data.Wavelength);
   sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
   SetUpSampling(data.Receiver, options, scanner);
-  SetUpWaveforms(data.Receiver, scanner);
+  SetUpWaveforms(data.Receiver, options, scanner);
   SetUpReturns(data, scanner);
   SetUpNoise(data, options.Noise, scanner);
   SetUpErrors(data.Receiver.Errors, scanner);

@@ -12,6 +12,7 @@ class vtkHeliosScanner;
 namespace helios
 {
 
+struct EchoMatching;
 struct RunOptions;
 struct ScannerData;
 
@@ -19,6 +20,10 @@ struct ScannerData;
 /// the data.
 VTKHELIOSSCANNERSURVEY_EXPORT void SetUpReceiver(
   const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner);
+
+/// Which echoes of a channel are compared: of 2 % of a full footprint (of reflectance 0.5) and the
+/// energy tolerance, and of twice the detection threshold.
+EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance);
 
 } // namespace helios
 

@@ -10,6 +10,8 @@
 #include <json/value.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <tuple>
 
 namespace helios
@@ -18,10 +20,18 @@ namespace helios
 namespace
 {
 
+constexpr double LargestBinSize = 1e6; // [ns]
+
 auto Tie(const RunOptions& o)
 {
   return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
-    o.EchoDetector, o.RayCaster);
+    o.BinSize, o.EchoDetector, o.RayCaster, o.Without, o.PulseStep);
+}
+
+std::vector<std::string> SplitWords(const std::string& text)
+{
+  std::istringstream stream(text);
+  return { std::istream_iterator<std::string>(stream), {} };
 }
 
 Status CheckTolerance(const char* name, double value, bool isValid, double least, const char* unit)
@@ -58,6 +68,19 @@ std::vector<std::string> GetEchoDetectorNames()
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> GetModelPartNames()
+{
+  return { "divergence", "atmosphere", "specular", "voxels" };
+}
+
+//------------------------------------------------------------------------------
+bool RunOptions::IsWithout(const std::string& part) const
+{
+  const std::vector<std::string> words = SplitWords(this->Without);
+  return std::find(words.begin(), words.end(), part) != words.end();
+}
+
+//------------------------------------------------------------------------------
 bool RunOptions::operator==(const RunOptions& other) const
 {
   return Tie(*this) == Tie(other);
@@ -79,6 +102,17 @@ Status RunOptions::FindFault() const
     status = Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
       ", but a tolerance selects adaptive sampling; set one of them to 0");
   }
+  if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
+  {
+    Sentence text;
+    text << "BinSize is " << this->BinSize << " ns; give 0 to " << LargestBinSize
+         << " ns, 0 for the survey's value";
+    status = Status::Error(text.str());
+  }
+  for (const std::string& part : SplitWords(this->Without))
+  {
+    status = status.IsOk() ? CheckName("Without", part, GetModelPartNames()) : status;
+  }
   return status.IsOk() ? CheckName("EchoDetector", this->EchoDetector, GetEchoDetectorNames())
                        : status;
 }
@@ -91,8 +125,11 @@ void RunOptions::Describe(Json::Value& options) const
   options["rangeTolerance_m"] = this->RangeTolerance;
   options["energyTolerance"] = this->EnergyTolerance;
   options["subRays"] = this->NumberOfSubRays;
+  options["binSize_ns"] = this->BinSize;
   options["detector"] = this->EchoDetector;
   options["rayCaster"] = this->RayCaster;
+  options["without"] = this->Without;
+  options["pulseStep"] = Json::Int64(this->PulseStep);
 }
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The options of a run that change its echoes: what a survey leaves open, or what overrides it.
+// The options of a run: what a survey leaves open, or what overrides it.
 
 #ifndef heliosRunOptions_h
 #define heliosRunOptions_h
@@ -23,6 +23,9 @@ namespace helios
 /// The valid names of an echo detector; the first is the default.
 std::vector<std::string> GetEchoDetectorNames();
 
+/// The parts of the model that a run can leave out.
+std::vector<std::string> GetModelPartNames();
+
 /// Set by vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
 struct RunOptions
 {
@@ -32,15 +35,22 @@ struct RunOptions
   double RangeTolerance = 0.0;  ///< [m]
   double EnergyTolerance = 0.0; ///< relative
   int NumberOfSubRays = 0;      ///< fixed
+  double BinSize = 0.0;         ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;
+  std::string Without;        ///< names of parts of the model, separated by blanks
+  vtkIdType PulseStep = 1;    ///< a sample: one of so many pulses
+  bool AccuracyReport = true; ///< changes no echo: not among those that are compared
+
+  /// Whether a part of the model is left out.
+  bool IsWithout(const std::string& part) const;
 
   bool operator==(const RunOptions& other) const;
 
   /// Returns an error if a value is not valid: which one, and what is expected.
   Status FindFault() const;
 
-  /// Adds the options to those of a run's summary, without the epoch.
+  /// Adds the options to those of a run's summary, without the epoch and the accuracy report.
   void Describe(Json::Value& options) const;
 };
 

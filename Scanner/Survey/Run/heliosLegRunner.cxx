@@ -103,6 +103,13 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
+LegScanner& LegRunner::Prepare(const LegPlan& plan, const RunOptions& options)
+{
+  this->Scanner.SetOptions(options);
+  return this->Prepare(plan);
+}
+
+//------------------------------------------------------------------------------
 std::string LegRunner::MakeFileName(const LegPlan& plan, int kind, const std::string& channel) const
 {
   using Files = vtkHeliosRunFiles;

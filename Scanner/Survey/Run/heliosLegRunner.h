@@ -47,6 +47,7 @@ public:
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
+  vtkPolyData* GetScene() const { return this->Scene; }
 
   /// Whether there was any error, including those of the objects listened to.
   bool HasError() const;
@@ -59,6 +60,9 @@ public:
 
   /// The scanner, set up for a leg.
   LegScanner& Prepare(const LegPlan& plan);
+
+  /// The same, to run in another way (LegScanner::SetOptions).
+  LegScanner& Prepare(const LegPlan& plan, const RunOptions& options);
 
   /// The outputs of the leg that the scanner is set up for, with unopened writers.
   Outputs MakeOutputs(const LegPlan& plan) const;

@@ -50,8 +50,8 @@ Json::Value DescribeFiles(const LegProgress& progress)
 } // namespace
 
 //------------------------------------------------------------------------------
-Json::Value MakeSummary(
-  const Json::Value& fingerprint, const RunJournal& journal, LegRunner& runner, double loadSeconds)
+Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journal,
+  LegRunner& runner, const Json::Value& accuracy, double loadSeconds, double accuracySeconds)
 {
   Json::Value summary = fingerprint;
   summary["rayCaster"] = runner.GetRayCasterName();
@@ -74,9 +74,14 @@ Json::Value MakeSummary(
     before = progress.Counts;
   }
   summary["totals"] = ToJson(runner.GetCounts());
+  if (!accuracy.isNull())
+  {
+    summary["accuracy"] = accuracy;
+  }
   summary["checksum"] = ComputeChecksum(summary);
   timings["load_s"] = loadSeconds;
   timings["run_s"] = seconds;
+  timings["accuracy_s"] = accuracySeconds;
   timings["threads"] = vtkSMPTools::GetEstimatedNumberOfThreads();
   summary["timings"] = timings;
   return summary;

@@ -17,11 +17,11 @@ class RunJournal;
 
 /**
  * The fingerprint of a finished run and its results: "rayCaster", "sampling", "legs" (times,
- * counts, files), "totals", "checksum". They are equal for runs with equal fingerprints. All that
- * depends on the host is in "timings": "load_s", "run_s", "legs_s", "threads".
+ * counts, files), "totals", "accuracy" unless it is null, "checksum". They are equal for runs with equal fingerprints. All that
+ * depends on the host is in "timings": "load_s", "run_s", "legs_s", "accuracy_s", "threads".
  */
-Json::Value MakeSummary(
-  const Json::Value& fingerprint, const RunJournal& journal, LegRunner& runner, double loadSeconds);
+Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journal,
+  LegRunner& runner, const Json::Value& accuracy, double loadSeconds, double accuracySeconds);
 
 /// The checksum of a summary without its timings: its "checksum".
 std::string ComputeChecksum(Json::Value summary);
