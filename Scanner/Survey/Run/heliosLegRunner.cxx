@@ -370,6 +370,12 @@ std::string LegRunner::DescribeSampling()
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* LegRunner::GetScene() const
+{
+  return this->Scene;
+}
+
+//------------------------------------------------------------------------------
 bool LegRunner::HasError() const
 {
   return this->Log.HasError();

@@ -47,7 +47,7 @@ public:
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
-  vtkPolyData* GetScene() const { return this->Scene; }
+  vtkPolyData* GetScene() const;
 
   /// Whether there was any error, including those of the objects listened to.
   bool HasError() const;
