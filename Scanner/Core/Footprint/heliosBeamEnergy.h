@@ -34,16 +34,6 @@ struct EnergyMoments
     this->XY += factor * other.XY;
     this->YY += factor * other.YY;
   }
-
-  void AddPoint(double energy, double x, double y)
-  {
-    this->Energy += energy;
-    this->X += energy * x;
-    this->Y += energy * y;
-    this->XX += energy * x * x;
-    this->XY += energy * x * y;
-    this->YY += energy * y * y;
-  }
 };
 
 /**

@@ -164,12 +164,53 @@ void Footprint::SetProfile()
   }
 }
 
-/// The intensity in a cell, relative to the axis: a product, unless the beam is wide.
+/// The intensity in a cell, relative to the axis and, unless the beam is wide, to that of the row.
 double Footprint::GetIntensity(int column, int row) const
 {
   return this->Beam.IsProduct()
-    ? this->Profile[static_cast<std::size_t>(column)] * this->Profile[static_cast<std::size_t>(row)]
+    ? this->Profile[static_cast<std::size_t>(column)]
     : this->Beam.GetIntensity(this->Raster.GetCentre(column), this->Raster.GetCentre(row));
+}
+
+//------------------------------------------------------------------------------
+/// Adds the cells of a row to the strips; returns their energy.
+double Footprint::SampleRow(int row, int step)
+{
+  const int* faces = this->Raster.GetFaces(row);
+  const double y = this->Raster.GetCentre(row);
+  const double scale = this->Beam.IsProduct() ? this->Profile[static_cast<std::size_t>(row)] : 1.0;
+  const int first = this->Raster.GetFirst(row);
+  const int last = this->Raster.GetAcross() - first;
+  double total = 0.0;
+  int column = first + (step + step / 2 - first % step) % step;
+  while (column < last)
+  {
+    const int face = faces[column];
+    const bool hasCuts = face >= 0 && this->AllStrips[static_cast<std::size_t>(face)].Count > 0;
+    const double start = this->Raster.GetCentre(column);
+    double energy = 0.0, sumX = 0.0, sumXX = 0.0; // of cells of one strip
+    do
+    {
+      const double x = this->Raster.GetCentre(column);
+      const double intensity = this->GetIntensity(column, row);
+      energy += intensity;
+      sumX += intensity * x;
+      sumXX += intensity * x * x;
+      column += step;
+    } while (column < last && faces[column] == face && !hasCuts);
+    total += scale * energy;
+    if (face >= 0)
+    {
+      EnergyMoments& m = this->Sampled[this->FindStrip(static_cast<std::size_t>(face), start, y)];
+      m.Energy += scale * energy;
+      m.X += scale * sumX;
+      m.Y += scale * energy * y;
+      m.XX += scale * sumXX;
+      m.XY += scale * sumX * y;
+      m.YY += scale * energy * y * y;
+    }
+  }
+  return total;
 }
 
 //------------------------------------------------------------------------------
@@ -183,24 +224,9 @@ void Footprint::Sample(int step, std::vector<FootprintPart>& parts)
   std::fill(this->Sampled.begin(), this->Sampled.end(), EnergyMoments());
   this->SetProfile();
   double total = 0.0;
-  const int across = this->Raster.GetAcross();
-  for (int row = step / 2; row < across; row += step)
+  for (int row = step / 2; row < this->Raster.GetAcross(); row += step)
   {
-    const int* faces = this->Raster.GetFaces(row);
-    const double y = this->Raster.GetCentre(row);
-    const int first = this->Raster.GetFirst(row);
-    const int start = first + (step + step / 2 - first % step) % step;
-    for (int column = start; column < across - first; column += step)
-    {
-      const double x = this->Raster.GetCentre(column);
-      const double intensity = this->GetIntensity(column, row);
-      total += intensity;
-      if (faces[column] >= 0)
-      {
-        const std::size_t strip = this->FindStrip(static_cast<std::size_t>(faces[column]), x, y);
-        this->Sampled[strip].AddPoint(intensity, x, y);
-      }
-    }
+    total += this->SampleRow(row, step);
   }
   for (std::size_t i = 0; i < this->AllStrips.size(); ++i)
   {

@@ -100,6 +100,7 @@ private:
   void SetStrips();
   void SetProfile();
   double GetIntensity(int column, int row) const;
+  double SampleRow(int row, int step);
   std::size_t FindStrip(std::size_t face, double x, double y) const;
   bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
   void AddVisible(
