@@ -17,6 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 import vtkhelios
 
 from vtkhelios.cli import main, make_parser
+from vtkhelios.cli._report import unresolved_lines
 
 from _command_line import PULSES, expect_failure, start
 
@@ -43,6 +44,7 @@ from _command_line import PULSES, expect_failure, start
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
         (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, vtp"),
         (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
+        (["run", "s.xml", "--max-sub-rays", "9"], "'9' is not a whole number from 1024 to 16777216"),
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
         (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),
@@ -288,7 +290,28 @@ def test_sampling(command_line, make_survey, tmp_path):
     assert re.search(rf"pulses   {PULSES:,}: [\d,]+ planar", tolerant)
     fixed = run("--sub-rays", "7")
     assert "sampling fixed, 7 sub-rays per pulse" in fixed
-    assert re.search(r"[\d,]+ binned.*; 7\.0 rays per pulse", fixed)
+    assert re.search(r"[\d,]+ binned.*; 7\.0 sub-rays per pulse", fixed)
+
+
+def test_pulses_beyond_the_most_sub_rays_are_told(command_line, make_survey, tmp_path):
+    survey = make_survey(stop=2)
+    corners, faces = [], []
+    for i in range(8000):  # fins of 0.05 mm at alternating depths fill the beams
+        x, y = 5e-5 * (i - 4000), 10 + 0.4 * (i % 3)
+        corners += [f"v {x:.6f} {y} -9", f"v {x + 5e-5:.6f} {y} -9", f"v {x:.6f} {y} 9"]
+        faces.append(" ".join(str(3 * i + k) for k in (1, 2, 3)))
+    (tmp_path / "plane.obj").write_text("\n".join(corners + [f"f {face}" for face in faces]))
+    text = survey.read_text()
+    survey.write_text(text.replace("<survey ", '<survey rangeTolerance_m="0.000001" ', 1))
+    done = command_line(
+        *("run", survey, "--output", tmp_path / "out", "--max-sub-rays", 1024, "--json"),
+    )
+    assert done.returncode == 0, done.stderr
+    totals = json.loads(done.stdout)["totals"]
+    assert 0 < totals["pulsesUnresolved"] <= totals["pulsesSampled"] <= totals["pulsesFired"]
+    lines = "\n".join(unresolved_lines(totals))
+    assert f"{totals['pulsesUnresolved']:,} of them" in lines and "give --max-sub-rays" in lines
+    assert list(unresolved_lines({"pulsesFired": 5})) == []
 
 
 def test_vtp(command_line, make_survey, tmp_path):

@@ -32,6 +32,7 @@ _OPTIONS = {
     "tolerance": "range_tolerance",
     "energy_tolerance": "energy_tolerance",
     "sub_rays": "number_of_sub_rays",
+    "max_sub_rays": "maximum_sub_rays",
     "bin_size": "bin_size",
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
@@ -182,6 +183,9 @@ class Survey:
             of adaptive beam sampling: 95th percentile of the range error [m], and
             RMS of the amplitude error (fraction of a full footprint), also the
             fraction of missed and invented echoes: the survey's, else 0.001 and 0.01.
+        max_sub_rays
+            the most sub-rays of a beam with too many surfaces for visible areas, 1024 to 2^24: a
+            limit of its time. ``pulsesUnresolved`` counts the pulses that need more. Default: 65536.
         sub_rays
             a fixed number instead.
         detector

@@ -116,6 +116,7 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
   PulseSource::Cursor cursor;
   Pulse pulse;
+  ConeLayer layer;
   int asked = 0;
   int answered = 0;
   for (vtkIdType i = 0; i < samples; ++i)
@@ -123,7 +124,8 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
     if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
     {
       ++asked;
-      answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
+      const bool isMixed = model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Mixed;
+      answered += isMixed && layer.Size == 0 ? 0 : 1;
     }
   }
   constexpr int leastShare = 4; // one in so many pays for all
@@ -153,8 +155,17 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     { model.Gate.Least, model.Gate.Most } };
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
-  model.SmoothSubRays = MakeLazily(sampler, model.Plan.SmoothSubRays);
-  model.EdgeSubRays = MakeLazily(sampler, model.Plan.EdgeSubRays);
+  if (model.Plan.LayerRings > 0 && model.Setback == 0.0)
+  {
+    const auto rings = CopyBeam(sampler);
+    rings->SetPatternToGaussLegendre();
+    rings->SetNumberOfRings(model.Plan.LayerRings);
+    model.LayerSubRays = GetSubRays(rings);
+  }
+  for (int count = model.Plan.FewestSubRays; count <= model.Plan.MostSubRays; count *= 4)
+  {
+    model.RayLevels.push_back(MakeLazily(sampler, count));
+  }
   FinishBeam(model);
 }
 

@@ -3,7 +3,6 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamTracer.h"
 
-#include "heliosConstants.h"
 #include "heliosRayVectors.h"
 
 #include <algorithm>
@@ -16,8 +15,6 @@ namespace helios
 
 namespace
 {
-
-constexpr double SpreadOfRing = 2.5; // of ranges on one surface, in sigma_R: no gaps show
 
 /// Aims sub-rays along a pulse: their directions and offsets, rotated by the beam's rotation.
 HELIOS_CLONES
@@ -51,25 +48,100 @@ vtkHeliosRay* Aim(
   return ray;
 }
 
+constexpr double RimOfRings = 1.75; // at least; times the outermost Gauss-Legendre ring
+
+std::vector<Vec3> GetDirections(const std::vector<SubRay>& subRays)
+{
+  std::vector<Vec3> directions;
+  for (const SubRay& subRay : subRays)
+  {
+    directions.push_back(subRay.Direction);
+  }
+  return directions;
+}
+
 } // namespace
 
 BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
   : Model(model)
   , Response(response)
-  , SigmaRange(0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma())
+  , Layers(GetDirections(model.LayerSubRays))
   , Surfaces(model.Footprints,
       [&model](vtkIdType a, vtkIdType b) { return model.Surfaces.AreAlike(a, b); })
 {
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::FindFootprint(const Pulse& pulse, ScanCounts& counts)
+bool BeamTracer::SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCounts& counts)
 {
-  const Vec3 axis = pulse.GetDirection();
-  if (!this->Surfaces.Find(*this->Model.Cones, pulse.Origin.GetData(), axis.GetData(), this->Parts))
+  const std::vector<SubRay>& subRays = this->Model.LayerSubRays;
+  const std::size_t count = subRays.size();
+  RayBatch& batch = this->More;
+  batch.SubRays = &subRays;
+  batch.Rays.resize(std::max(batch.Rays.size(), count));
+  batch.Hits.resize(batch.Rays.size());
+  this->Layers.Trace(layer, pulse.Origin.GetData(), batch.Rays.data(), batch.Hits.data());
+  const auto [nearest, farthest] =
+    std::minmax_element(batch.Hits.begin(), batch.Hits.begin() + static_cast<std::ptrdiff_t>(count),
+      [](const vtkHeliosHit& a, const vtkHeliosHit& b) { return a.Range < b.Range; });
+  const double spread = RimOfRings * (farthest->Range - nearest->Range);
+  const RangeGate& gate = this->Model.Gate;
+  const auto isNear = [&](double limit)
+  { return limit > nearest->Range - spread && limit < farthest->Range + spread; };
+  if (!(nearest->Range > 0.0) || spread > this->Model.Plan.LayerSpread || isNear(gate.Least) ||
+    isNear(gate.Most))
   {
     return false;
   }
+  this->Select(batch, 0);
+  counts.SubRays += static_cast<vtkIdType>(count);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::CollectSurfaces(const Pulse& pulse)
+{
+  const Vec3 axis = pulse.GetDirection();
+  return this->Surfaces.Collect(*this->Model.Cones, pulse.Origin.GetData(), axis.GetData()) &&
+    this->Surfaces.IsFlat();
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::DivideSurfaces(const Pulse& pulse, ScanCounts& counts)
+{
+  if (!this->Surfaces.Divide(this->Parts))
+  {
+    return false;
+  }
+  counts.SubRays += static_cast<vtkIdType>(this->Parts.size());
+  this->SelectParts(pulse);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::SampleSurfaces(const Pulse& pulse, int level, ScanCounts& counts)
+{
+  const SamplingPlan& plan = this->Model.Plan;
+  const int across = plan.GetCellsAcross(level);
+  if (across > plan.MostCellsAcross)
+  {
+    return false;
+  }
+  // The first level is every second cell of the next one.
+  if (level != 1)
+  {
+    this->Surfaces.Draw(level == 0 ? plan.GetCellsAcross(1) : across);
+  }
+  this->Surfaces.Sample(level == 0 ? 2 : 1, this->Parts);
+  counts.SubRays += static_cast<vtkIdType>(across) * across;
+  this->SelectParts(pulse);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Accepts the parts as sub-rays of a pulse.
+void BeamTracer::SelectParts(const Pulse& pulse)
+{
   const std::size_t count = this->Parts.size();
   this->PartRays.resize(count);
   RayBatch& batch = this->More;
@@ -86,8 +158,6 @@ bool BeamTracer::FindFootprint(const Pulse& pulse, ScanCounts& counts)
     batch.Hits[i] = { part.Range, part.Cell };
   }
   this->Select(batch, 0);
-  counts.SubRays += static_cast<vtkIdType>(count);
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -167,67 +237,15 @@ void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::SampleCrowd(const Pulse& pulse, ScanCounts& counts)
+bool BeamTracer::CastLevel(const Pulse& pulse, int level, ScanCounts& counts)
 {
-  this->CastMore(this->Model.SmoothSubRays->Get(), pulse, counts);
-  if (!this->IsSmooth())
-  {
-    this->CastMore(this->Model.EdgeSubRays->Get(), pulse, counts);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Whether all sub-rays hit one surface whose ranges spread little between neighbours.
-bool BeamTracer::IsSmooth()
-{
-  const std::size_t count = this->SubRays->size();
-  const double rings = 0.5 * std::sqrt(static_cast<double>(count));
-  const auto nearest = [](const vtkHeliosHit& a, const vtkHeliosHit& b)
-  { return a.Range < b.Range; };
-  const auto [least, most] = std::minmax_element(this->Hits, this->Hits + count, nearest);
-  if (most->Range - least->Range > SpreadOfRing * rings * this->SigmaRange)
+  const auto& levels = this->Model.RayLevels;
+  if (static_cast<std::size_t>(level) >= levels.size())
   {
     return false;
   }
-  for (std::size_t i = 1; i < count; ++i)
-  {
-    if (this->IsSilent(this->Hits[i]) || this->IsEdgeBetween(0, i))
-    {
-      return false;
-    }
-  }
+  this->CastMore(levels[static_cast<std::size_t>(level)]->Get(), pulse, counts);
   return true;
-}
-
-//------------------------------------------------------------------------------
-/// Whether b is not near the plane of a, or one returns less than half as much.
-bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
-{
-  const vtkHeliosHit& hitA = this->Hits[a];
-  const vtkHeliosHit& hitB = this->Hits[b];
-  const bool isSilentA = this->IsSilent(hitA);
-  const bool isSilentB = this->IsSilent(hitB);
-  if (hitA.CellId == hitB.CellId || isSilentA || isSilentB)
-  {
-    return isSilentA != isSilentB;
-  }
-  const double powerA = this->Answers.Powers[a];
-  const double powerB = this->Answers.Powers[b];
-  if (std::min(powerA, powerB) < 0.5 * std::max(powerA, powerB))
-  {
-    return true;
-  }
-  const vtkHeliosRay& rayA = this->Rays[a];
-  const vtkHeliosRay& rayB = this->Rays[b];
-  const Vec3& normal = this->Response.GetPlaneNormal(hitA.CellId);
-  double toPlane = hitA.Range * normal.Dot(Vec3(rayA.Direction));
-  if (this->Model.HasOffsets)
-  {
-    toPlane += normal.Dot(Vec3(rayA.Origin) - Vec3(rayB.Origin));
-  }
-  const double slope = normal.Dot(Vec3(rayB.Direction));
-  return !(std::abs(toPlane - slope * hitB.Range) <=
-    std::abs(slope) * this->Model.Plan.GetEdgeTolerance());
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #define heliosBeamTracer_h
 
 #include "heliosFootprint.h"
+#include "heliosLayerSampler.h"
 #include "heliosPulse.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
@@ -33,16 +34,29 @@ public:
   /// Casts all sub-rays of each of some pulses.
   void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
 
-  /// Divides the visible surfaces in the beam of a pulse into parts, and accepts these as its
-  /// sub-rays; false if they are too many.
-  bool FindFootprint(const Pulse& pulse, ScanCounts& counts);
+  /// Samples the layer that fills the beam of a pulse, and accepts its sub-rays; false if its ranges
+  /// spread too much, or reach a limit of the range gate.
+  bool SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCounts& counts);
+
+  /// Collects the surfaces in the beam of a pulse; false if they can only be met by rays.
+  bool CollectSurfaces(const Pulse& pulse);
+
+  /// Of those collected last.
+  std::size_t GetNumberOfSurfaces() const { return this->Surfaces.GetNumberOfFaces(); }
+
+  /// Divides the surfaces collected last into their visible parts, and accepts these as sub-rays of
+  /// the pulse; false if they are too many.
+  bool DivideSurfaces(const Pulse& pulse, ScanCounts& counts);
+
+  /// Samples the surfaces collected last at a level of the plan, and accepts the parts that the
+  /// samples see as sub-rays of the pulse; false if there is no such level.
+  bool SampleSurfaces(const Pulse& pulse, int level, ScanCounts& counts);
+
+  /// Casts the sub-rays of a level of the plan; false if there is no such level.
+  bool CastLevel(const Pulse& pulse, int level, ScanCounts& counts);
 
   /// Casts all sub-rays of a pulse among leaves.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
-
-  /// Casts sub-rays for a pulse with too many triangles for visible areas: some hundred, and
-  /// thousands unless all of those hit one surface.
-  void SampleCrowd(const Pulse& pulse, ScanCounts& counts);
 
   /// Accepts the sub-rays cast last for a pulse as they are.
   void Select(std::size_t slot);
@@ -63,14 +77,11 @@ private:
   void Meet(const Pulse* pulses, std::size_t count, RayBatch& batch);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Select(const RayBatch& batch, std::size_t slot);
-
-  bool IsSmooth();
-  bool IsEdgeBetween(std::size_t a, std::size_t b);
-  bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.Gate.IsSilent(hit); }
+  void SelectParts(const Pulse& pulse);
 
   const ScanModel& Model;
   SurfaceResponse& Response;
-  double SigmaRange;
+  LayerSampler Layers;
   Footprint Surfaces;
   std::vector<FootprintPart> Parts;
   std::vector<SubRay> PartRays;

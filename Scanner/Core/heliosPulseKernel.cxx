@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr vtkIdType PulsesPerGroup = 32; // traced together
+constexpr double LeastShare = 0.02;      // of a full footprint, of echoes that the tolerances bound
 
 double IncidenceDegrees(double cosIncidence)
 {
@@ -98,17 +100,17 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 void PulseKernel::RunFixed(std::size_t slot)
 {
   this->Tracer.Select(slot);
-  this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
-  this->FindEchoes();
+  this->RunReturns();
 }
 
 //------------------------------------------------------------------------------
 PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
-  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse) };
+  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse), false };
   if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MeetsMedium)
   {
-    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
+    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer);
+    cone.HasLayer = this->Layer.Size > 0;
     if (hit.Kind == vtkHeliosConeHit::Empty ||
       (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(pulse, hit)))
     {
@@ -128,17 +130,86 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunOnPlane(pulse, cone.Hit);
     return;
   }
+  if (cone.HasLayer && this->Tracer.SampleLayer(pulse, this->Layer, this->Counts))
+  {
+    this->RunReturns();
+    return;
+  }
   if (cone.MeetsMedium)
   {
     this->Tracer.CastAll(pulse, this->Counts);
+    this->RunReturns();
+    return;
   }
-  else if (!this->Model.Cones || !this->Tracer.FindFootprint(pulse, this->Counts))
+  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse))
   {
-    ++this->Counts.PulsesSampled;
-    this->Tracer.SampleCrowd(pulse, this->Counts);
+    this->Refine([&](int level) { return this->Tracer.CastLevel(pulse, level, this->Counts); });
+    return;
   }
+  if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MostSurfaces &&
+    this->Tracer.DivideSurfaces(pulse, this->Counts))
+  {
+    this->RunReturns();
+    return;
+  }
+  this->Refine([&](int level) { return this->Tracer.SampleSurfaces(pulse, level, this->Counts); });
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of a beam that is sampled, at levels from 0 until two successive ones agree.
+template <typename SampleT>
+void PulseKernel::Refine(SampleT sample)
+{
+  ++this->Counts.PulsesSampled;
+  bool isBinned = false;
+  bool isResolved = false;
+  for (int level = 0; !isResolved && sample(level); ++level)
+  {
+    std::swap(this->Echoes, this->Coarser);
+    this->Echoes.clear();
+    this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
+    isBinned = this->FindEchoes();
+    isResolved = level > 0 && this->AreNear(this->Echoes, this->Coarser) &&
+      this->AreNear(this->Coarser, this->Echoes);
+  }
+  this->Counts.PulsesUnresolved += isResolved ? 0 : 1;
+  this->CountPath(isBinned);
+}
+
+//------------------------------------------------------------------------------
+/// Whether every echo that counts has one of others within the tolerances.
+bool PulseKernel::AreNear(const std::vector<Echo>& echoes, const std::vector<Echo>& others) const
+{
+  const SamplingPlan& plan = this->Model.Plan;
+  return std::all_of(echoes.begin(), echoes.end(),
+    [&](const Echo& echo)
+    {
+      const double full = this->Model.GetFullAmplitude(echo.Range);
+      return echo.Amplitude < LeastShare * full ||
+        std::any_of(others.begin(), others.end(),
+          [&](const Echo& other)
+          {
+            return std::abs(other.Range - echo.Range) <= plan.RangeTolerance &&
+              std::abs(other.Amplitude - echo.Amplitude) <= plan.EnergyTolerance * full;
+          });
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of the sub-rays that were selected.
+void PulseKernel::RunReturns()
+{
   this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
-  this->FindEchoes();
+  this->CountPath(this->FindEchoes());
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::CountPath(bool isBinned)
+{
+  if (!this->Returns.empty())
+  {
+    ++(isBinned ? this->Counts.PulsesBinned : this->Counts.PulsesWithoutBins);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -228,12 +299,12 @@ void PulseKernel::FinishPlane(const PlaneEcho& echo)
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of the returns of a pulse.
-void PulseKernel::FindEchoes()
+/// Adds the echoes of the returns of a pulse; returns whether they needed bins.
+bool PulseKernel::FindEchoes()
 {
   if (this->Returns.empty())
   {
-    return;
+    return false;
   }
   bool isBinned = true;
   switch (this->Model.Path.Echo)
@@ -256,7 +327,7 @@ void PulseKernel::FindEchoes()
       this->Signal.DetectEchoes(this->Returns, this->Echoes);
       break;
   }
-  ++(isBinned ? this->Counts.PulsesBinned : this->Counts.PulsesWithoutBins);
+  return isBinned;
 }
 
 //------------------------------------------------------------------------------

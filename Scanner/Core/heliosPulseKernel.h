@@ -35,6 +35,7 @@ private:
   {
     vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
     bool MeetsMedium;
+    bool HasLayer; ///< one continuous surface fills the beam
   };
   /// The geometry of a beam on a plane.
   struct Incidence
@@ -52,7 +53,12 @@ private:
   void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
   void FinishPlane(const PlaneEcho& echo);
-  void FindEchoes();
+  template <typename SampleT>
+  void Refine(SampleT sample);
+  bool AreNear(const std::vector<Echo>& echoes, const std::vector<Echo>& others) const;
+  void RunReturns();
+  void CountPath(bool isBinned);
+  bool FindEchoes();
   template <typename SourceT>
   void FillWaveform(const SourceT& source);
   double GetBackground();
@@ -78,9 +84,11 @@ private:
 
   // Of the current pulse.
   vtkIdType PulseId = 0;
+  ConeLayer Layer;
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;
   std::vector<Echo> Echoes;
+  std::vector<Echo> Coarser; ///< those of fewer samples
   std::vector<std::size_t> Kept;
   bool HasWaveform = false;
 };

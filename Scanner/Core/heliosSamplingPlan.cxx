@@ -3,7 +3,6 @@
 #include "heliosSamplingPlan.h"
 
 #include "heliosConstants.h"
-#include "heliosFootprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +16,7 @@ namespace
 constexpr double BinRangeLaw = 0.02;
 constexpr int FewestSubRays = 64; // never worse than the 19 of fixed sampling
 constexpr int MostSubRays = 4096;
-constexpr int SmoothSubRays = 256;
-constexpr int EdgeSubRays = 4096;
+constexpr double SurfacesPerCell = 2.0; // across: division and samples take about as long then
 
 /// The number for which the energy error of an edge is at most a fraction.
 int GetNumberOfSubRays(double share)
@@ -29,10 +27,47 @@ int GetNumberOfSubRays(double share)
   return std::max(FewestSubRays, static_cast<int>(full));
 }
 
+/// Gauss-Legendre rings for a continuous surface, and their errors: the root mean square of the
+/// energy of a half plane, where the response changes; the largest of the mean range over a surface that bends at a straight edge,
+/// relative to its distance from one plane at the rim; and of the amplitude of a
+/// plane, for each sigma_R between the ranges of the axis and the rim, up to three.
+struct LayerRule
+{
+  int Rings;
+  double HalfPlane;
+  double Bend;
+  double Amplitude;
+};
+
+constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3 }, { 3, 0.02, 0.006, 1.4e-3 },
+  { 4, 0.015, 0.0035, 6.5e-4 } };
+constexpr double MostSigmas = 3.0;
+constexpr double EnoughSigmas = 0.7; // planes are rarely steeper
+
+/// The smallest rule whose errors are half of the tolerances.
+void SetLayerRule(const Tolerances& tolerances, double sigmaRange, SamplingPlan& plan)
+{
+  plan.LayerRings = 0;
+  for (const LayerRule& rule : LayerRules)
+  {
+    const double sigmas = std::min(MostSigmas, 0.5 * tolerances.Energy / rule.Amplitude);
+    if (sigmas >= EnoughSigmas)
+    {
+      plan.LayerRings = rule.Rings;
+      plan.LayerDistance = std::min(0.5 * tolerances.Range / rule.Bend, 0.5 * sigmaRange);
+      plan.LayerContrast = 0.5 * tolerances.Energy / rule.HalfPlane;
+      plan.LayerSpread = 2.0 * sigmas * sigmaRange;
+      return;
+    }
+  }
+}
+
 } // namespace
 
-SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double sigma)
+SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
 {
+  const double rangeTolerance = tolerances.Range;
+  const double energyTolerance = tolerances.Energy;
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   const double longestEcho = 4.0 * sigmaRange; // sides farther apart are separate echoes
   SamplingPlan plan;
@@ -41,8 +76,11 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   // Less than half of the amplitude tolerance, because small fractions have larger relative errors.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
-  plan.SmoothSubRays = std::max(SmoothSubRays, plan.NumberOfSubRays);
-  plan.EdgeSubRays = std::max(EdgeSubRays, 4 * plan.NumberOfSubRays);
+  plan.MostSubRays = tolerances.MostSubRays;
+  const double across = std::sqrt(1.0 * tolerances.MostSubRays);
+  plan.MostCellsAcross = static_cast<int>(across);
+  plan.MostSurfaces = static_cast<std::size_t>(SurfacesPerCell * across);
+  SetLayerRule(tolerances, sigmaRange, plan);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
   // Two returns have the mean and variance of a part. What is left: with its fourth moment the
@@ -58,9 +96,9 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
 std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
-  text << "adaptive, visible areas of surfaces; in beams of more than " << Footprint::MostTriangles
-       << " triangles " << this->SmoothSubRays << " sub-rays on one surface, " << this->EdgeSubRays
-       << " more at edges; none for planar footprints; waveform bin " << this->DetectionBin
+  text << "adaptive, visible areas of surfaces; beams of more than " << this->MostSurfaces
+       << " surfaces in up to " << this->MostCellsAcross << " x " << this->MostCellsAcross
+       << " cells; none for planar footprints; waveform bin " << this->DetectionBin
        << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }

@@ -8,6 +8,7 @@
 #include "heliosTolerances.h"
 #include "vtkHeliosScannerCoreModule.h"
 
+#include <cstddef>
 #include <string>
 
 namespace helios
@@ -24,9 +25,16 @@ namespace helios
  */
 struct SamplingPlan
 {
-  int NumberOfSubRays = 336;    ///< of a beam among leaves
-  int SmoothSubRays = 336;      ///< of one with too many triangles: these find whether it is smooth
-  int EdgeSubRays = 4096;       ///< of one that is not
+  int NumberOfSubRays = 336;  ///< of a beam among leaves
+  int LayerRings = 3;         ///< of sub-rays of a beam that one continuous surface fills; 0: none
+  double LayerDistance = 0.0; ///< of its triangles from one plane [m]
+  double LayerContrast = 0.0; ///< of their responses, relative
+  double LayerSpread = 0.0;   ///< of their ranges [m]
+  std::size_t MostSurfaces = 512; ///< of a beam that is divided into its visible parts
+  int FewestCellsAcross = 64;     ///< of a beam with more; doubled until answers agree
+  int MostCellsAcross = 256;
+  int FewestSubRays = 256; ///< of one with too many triangles to collect; times 4 until they agree
+  int MostSubRays = 65536;
   double DetectionBin = 0.25;   ///< [ns]
   double LargestDepth = 1.0;    ///< of a visible part that is two returns, in sigma_R
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
@@ -35,17 +43,15 @@ struct SamplingPlan
   double EnergyTolerance = DefaultEnergyTolerance;
   double RangeTolerance = DefaultRangeTolerance; ///< [m]
 
-  /// Sub-rays farther than this from the plane of another indicate an edge, not a curved surface
-  /// [m].
-  double GetEdgeTolerance() const { return 20.0 * this->RangeTolerance; }
+  /// The cells across a beam at a level of refinement, from 0.
+  int GetCellsAcross(int level) const { return this->FewestCellsAcross << level; }
 
   /// As text, for a run's summary.
   std::string Describe() const;
 };
 
-/// For tolerances in range [m] and energy (relative), and a pulse's standard deviation [ns].
-VTKHELIOSSCANNERCORE_EXPORT SamplingPlan PlanSampling(
-  double rangeTolerance, double energyTolerance, double sigma);
+/// For tolerances, and a pulse's standard deviation [ns].
+VTKHELIOSSCANNERCORE_EXPORT SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma);
 
 } // namespace helios
 

@@ -24,7 +24,8 @@ struct ScanCounts
   vtkIdType PulsesFired = 0;
   vtkIdType PulsesHit = 0;         ///< with a surface in the range gate
   vtkIdType PulsesOnPlane = 0;     ///< with a planar footprint: in closed form
-  vtkIdType PulsesSampled = 0;     ///< adaptive, by sub-rays: too many triangles in the beam
+  vtkIdType PulsesSampled = 0;     ///< adaptive, by samples: too many surfaces in the beam
+  vtkIdType PulsesUnresolved = 0;  ///< of those: the largest number of samples was not enough
   vtkIdType PulsesWithoutBins = 0; ///< whose maxima were found by Newton's method
   vtkIdType PulsesBinned = 0;
   vtkIdType SubRays = 0;         ///< traced, or returns of visible parts
@@ -51,6 +52,7 @@ constexpr CountName CountNames[] = {
   { "pulsesHit", &ScanCounts::PulsesHit },
   { "pulsesOnPlane", &ScanCounts::PulsesOnPlane },
   { "pulsesSampled", &ScanCounts::PulsesSampled },
+  { "pulsesUnresolved", &ScanCounts::PulsesUnresolved },
   { "pulsesWithoutBins", &ScanCounts::PulsesWithoutBins },
   { "pulsesBinned", &ScanCounts::PulsesBinned },
   { "subRays", &ScanCounts::SubRays },

@@ -73,9 +73,10 @@ struct ScanModel
   ScanPath Path;
   std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, among leaves
   bool HasOffsets = false;
-  SamplingPlan Plan;                                       // of adaptive sampling
-  std::unique_ptr<LazySubRays> SmoothSubRays, EdgeSubRays; // of it: of beams not divided into parts
-  FootprintSettings Footprints;                            // of adaptive sampling
+  SamplingPlan Plan;                                   // of adaptive sampling
+  std::vector<SubRay> LayerSubRays;                    // of it: of beams that one surface fills
+  std::vector<std::unique_ptr<LazySubRays>> RayLevels; // of it: of beams with too many surfaces
+  FootprintSettings Footprints;                        // of adaptive sampling
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
@@ -95,13 +96,12 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
-  /// Whether two surfaces of one plane return the same energy along an axis, but for half the
-  /// tolerance.
-  bool AreAlike(vtkIdType a, vtkIdType b, const Vec3& axis) const
+  /// Whether two surfaces return the same energy along an axis, but for a relative contrast.
+  bool AreAlike(vtkIdType a, vtkIdType b, const Vec3& axis, double contrast) const
   {
     const double first = this->GetBackscatter(a, axis);
     const double second = this->GetBackscatter(b, axis);
-    return std::abs(first - second) <= 0.5 * this->Plan.EnergyTolerance * std::max(first, second);
+    return std::abs(first - second) <= contrast * std::max(first, second);
   }
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const
   {
@@ -111,17 +111,36 @@ struct ScanModel
       this->Surfaces.GetReflection(this->Surfaces.GetMaterialId(cell)), std::abs(normal.Dot(axis)));
   }
 
-  /// Probes all of a pulse's beam; the range is from the pulse's origin.
-  vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
+  /// The amplitude of a plane of reflectance 0.5 across a whole beam [W].
+  double GetFullAmplitude(double range) const
+  {
+    return this->Power * this->Equation(range, 0.5, 1.0);
+  }
+
+  /// Probes all of a pulse's beam; the range is from the pulse's origin. Sets the layer that fills
+  /// it, if there is one that can be sampled.
+  vtkHeliosConeHit ProbeCone(const Pulse& pulse, ConeLayer& layer) const
   {
     const Vec3 axis = pulse.GetDirection();
     const Vec3 apex = pulse.Origin - this->Setback * axis;
+    PlaneLimits limits(2.0 * this->Plan.RangeTolerance,
+      [this, &axis](vtkIdType a, vtkIdType b)
+      { return this->AreAlike(a, b, axis, 0.5 * this->Plan.EnergyTolerance); });
+    if (this->HasLayers())
+    {
+      limits.LayerDistance = this->Plan.LayerDistance;
+      limits.AreSimilar = [this, &axis](vtkIdType a, vtkIdType b)
+      { return this->AreAlike(a, b, axis, this->Plan.LayerContrast); };
+    }
+    layer.Size = 0;
     vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,
-      { 2.0 * this->Plan.RangeTolerance,
-        [this, &axis](vtkIdType a, vtkIdType b) { return this->AreAlike(a, b, axis); } });
+      limits, this->HasLayers() ? &layer : nullptr);
     hit.Range -= this->Setback;
     return hit;
   }
+
+  /// Whether layers are sampled: sub-rays that start at one point.
+  bool HasLayers() const { return !this->LayerSubRays.empty(); }
 
   /// Whether the beam of a pulse may hit leaves: if so, it takes all its sub-rays.
   bool MeetsMedium(const Pulse& pulse) const

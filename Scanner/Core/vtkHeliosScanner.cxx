@@ -67,6 +67,7 @@ struct vtkHeliosScanner::Scan
 vtkHeliosScanner::vtkHeliosScanner()
   : RangeTolerance(helios::DefaultRangeTolerance)
   , EnergyTolerance(helios::DefaultEnergyTolerance)
+  , MaximumNumberOfSubRays(helios::DefaultMostSubRays)
   , Counts(new helios::ScanCounts)
 {
   this->SetNumberOfInputPorts(3);
@@ -99,6 +100,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sampling: " << (this->Sampling == FIXED ? "Fixed" : "Tolerance") << "\n"
      << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
      << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
+     << indent << "MaximumNumberOfSubRays: " << this->MaximumNumberOfSubRays << "\n"
      << indent << "HeadRotateStart: " << this->HeadRotateStart << " deg\n"
      << indent << "HeadRotateStop: " << this->HeadRotateStop << " deg\n"
      << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
@@ -244,6 +246,12 @@ bool vtkHeliosScanner::CheckSettings()
                   << this->EnergyTolerance << "; give them within [" << helios::LeastRangeTolerance
                   << ", " << helios::LargestTolerance << "] m and [" << helios::LeastEnergyTolerance
                   << ", " << helios::LargestTolerance << "]");
+    return false;
+  }
+  if (!helios::IsMostSubRays(this->MaximumNumberOfSubRays))
+  {
+    vtkErrorMacro(<< "MaximumNumberOfSubRays is " << this->MaximumNumberOfSubRays << "; give "
+                  << helios::LeastMostSubRays << " to " << helios::LargestMostSubRays);
     return false;
   }
   if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])
@@ -406,8 +414,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   traits.HasPlainMaxima = m.HasPlainMaxima();
   if (traits.IsAdaptive())
   {
-    m.Plan = helios::PlanSampling(
-      this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
+    m.Plan = this->PlanSampling(m.Receiver.Shape);
     m.Cones = m.Caster ? this->RayCaster->GetConeProbe() : nullptr;
     helios::PrepareAdaptiveBeam(this->BeamSampler, m);
     traits.FindsPlanes = helios::FindsPlanes(m, scan.NumberOfPulses);
@@ -417,6 +424,14 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     helios::PrepareFixedBeam(this->BeamSampler, m);
   }
   m.Path = helios::ChoosePath(traits);
+}
+
+//------------------------------------------------------------------------------
+helios::SamplingPlan vtkHeliosScanner::PlanSampling(const helios::PulseShape& shape) const
+{
+  return helios::PlanSampling(
+    { this->RangeTolerance, this->EnergyTolerance, this->MaximumNumberOfSubRays },
+    shape.GetSigma());
 }
 
 //------------------------------------------------------------------------------
@@ -568,7 +583,5 @@ std::string vtkHeliosScanner::DescribeSampling()
   }
   helios::PulseShape shape;
   const helios::Status status = this->MakePulseShape(shape);
-  return status.IsOk()
-    ? helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, shape.GetSigma()).Describe()
-    : status.Message();
+  return status.IsOk() ? this->PlanSampling(shape).Describe() : status.Message();
 }

@@ -82,6 +82,8 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
+class PulseShape;
+struct SamplingPlan;
 struct ScanCounts;
 struct ScanTraits;
 }
@@ -172,6 +174,17 @@ public:
   vtkGetMacro(RangeTolerance, double);
   vtkSetMacro(EnergyTolerance, double);
   vtkGetMacro(EnergyTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the most sub-rays of a beam with so many surfaces that it must be sampled: with more than
+   * twice the square root of this number, 512 by default. Their number grows until successive
+   * answers agree within the tolerances; GetCount("pulsesUnresolved") counts the pulses for which
+   * this limit is too low. Valid range: [1024, 2^24]. Default: 65536.
+   */
+  vtkSetMacro(MaximumNumberOfSubRays, int);
+  vtkGetMacro(MaximumNumberOfSubRays, int);
   ///@}
 
   ///@{
@@ -381,6 +394,7 @@ private:
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
   helios::ScanTraits GetTraits();
+  helios::SamplingPlan PlanSampling(const helios::PulseShape& shape) const;
   bool RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
   void WarnOfCounts(bool isWholeScan);
   bool CheckErrorTerms();
@@ -399,6 +413,7 @@ private:
   int Sampling = TOLERANCE;
   double RangeTolerance;
   double EnergyTolerance;
+  int MaximumNumberOfSubRays;
   double MountPosition[3] = { 0.0, 0.0, 0.0 };
   double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double BeamOrigin[3] = { 0.0, 0.0, 0.0 };

@@ -161,6 +161,30 @@ int vtkHeliosRunOptions::GetNumberOfSubRaysMaxValue() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetMaximumSubRays(int count)
+{
+  this->Set(this->Data->MaximumSubRays, count);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetMaximumSubRays() const
+{
+  return this->Data->MaximumSubRays;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetMaximumSubRaysMinValue() const
+{
+  return helios::LeastMostSubRays;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetMaximumSubRaysMaxValue() const
+{
+  return helios::LargestMostSubRays;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosRunOptions::SetBinSize(double size)
 {
   this->Set(this->Data->BinSize, size);
@@ -254,6 +278,7 @@ void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RangeTolerance: " << this->Data->RangeTolerance << "\n"
      << indent << "EnergyTolerance: " << this->Data->EnergyTolerance << "\n"
      << indent << "NumberOfSubRays: " << this->Data->NumberOfSubRays << "\n"
+     << indent << "MaximumSubRays: " << this->Data->MaximumSubRays << "\n"
      << indent << "BinSize: " << this->Data->BinSize << "\n"
      << indent << "EchoDetector: " << this->Data->EchoDetector << "\n"
      << indent << "RayCaster: " << this->Data->RayCaster << "\n"

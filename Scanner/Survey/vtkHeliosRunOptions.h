@@ -89,6 +89,18 @@ public:
 
   ///@{
   /**
+   * Set/Get the most sub-rays of a beam in adaptive sampling, as
+   * vtkHeliosScanner::SetMaximumNumberOfSubRays(): a limit of its time. Valid range: 0 or [1024,
+   * 2^24]. Default: 0, the default of the scanner.
+   */
+  void SetMaximumSubRays(int count);
+  int GetMaximumSubRays() const;
+  int GetMaximumSubRaysMinValue() const;
+  int GetMaximumSubRaysMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the bins of waveforms [ns]. Valid range: [0, 1e6]. Default: 0, as in the survey.
    */
   void SetBinSize(double size);

@@ -33,6 +33,7 @@ def summary_lines(report, folder):
     if len(report["legs"]) > 1:
         yield from table_lines(report["legs"], [("time [s]", 10, timings["legs_s"])])
     yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
+    yield from unresolved_lines(totals)
     yield f"points   {totals['points']:,} ({totals['firstReturns']:,} first returns)"
     yield (
         f"time     {seconds:.2f} s with {counted(threads, 'thread')}: "
@@ -131,7 +132,18 @@ def describe_paths(totals):
     }
     ways["without hits"] = pulses - sum(ways.values())
     said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
-    return f"{said}; {totals['subRays'] / pulses:.1f} rays per pulse"
+    return f"{said}; {totals['subRays'] / pulses:.1f} sub-rays per pulse"
+
+
+def unresolved_lines(totals):
+    """For how many pulses the tolerances may not be kept."""
+    count = totals.get("pulsesUnresolved", 0)
+    if count > 0:
+        share = 100 * count / max(1, totals["pulsesFired"])
+        yield (
+            f"         {count:,} of them ({share:.2g} %) need more sub-rays for the tolerances: "
+            "give --max-sub-rays"
+        )
 
 
 def counted(number, what):

@@ -60,10 +60,11 @@ run time, points and bytes beforehand:
 
 beam sampling:
   A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
-  adaptive: a closed form for planar footprints, the visible areas of all surfaces in other beams,
-  and rays only in beams of more than 500 triangles, as few as the tolerances allow (1 mm for 95 %
-  of the ranges, 1 % of the amplitudes and echoes). --range-tolerance and --energy-tolerance, or
-  --sub-rays, override the survey. The end of a run prints the statistics. See Docs/instrument.md.
+  adaptive, to the tolerances (1 mm for 95 % of the ranges, 1 % of the amplitudes and echoes): a
+  closed form for planar footprints, the visible areas of all surfaces in other beams, and samples
+  in beams of more than 512 surfaces, until successive answers agree or there are --max-sub-rays of
+  them. --range-tolerance and --energy-tolerance, or --sub-rays, override the survey. The end of a
+  run prints the statistics. See Docs/instrument.md.
 
 accuracy:
   At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again with 4096
@@ -268,6 +269,16 @@ def add_sampling_arguments(parser, options):
         "and missed and invented echoes (default: the survey's, else 0.01)",
     )
     parser.add_argument(
+        "--max-sub-rays",
+        metavar="N",
+        type=whole_number(
+            options.GetMaximumSubRaysMaxValue(), options.GetMaximumSubRaysMinValue()
+        ),
+        default=0,
+        help="adaptive beam sampling: the most sub-rays of a beam with too many surfaces for visible "
+        "areas; the end of a run tells for how many pulses it is not enough (default: 65536)",
+    )
+    parser.add_argument(
         "--sub-rays",
         metavar="N",
         type=whole_number(options.GetNumberOfSubRaysMaxValue()),
@@ -347,6 +358,7 @@ def make_player(arguments, survey, messages):
     options.SetRangeTolerance(arguments.range_tolerance)
     options.SetEnergyTolerance(arguments.energy_tolerance)
     options.SetNumberOfSubRays(arguments.sub_rays)
+    options.SetMaximumSubRays(arguments.max_sub_rays)
     options.SetEchoDetector(arguments.detector)
     options.SetSeed(seed)
     options.SetNoise(not arguments.no_noise)

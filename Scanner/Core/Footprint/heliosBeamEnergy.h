@@ -25,7 +25,6 @@ struct EnergyMoments
   void Add(const EnergyMoments& other) { this->AddTimes(1.0, other); }
   void Subtract(const EnergyMoments& other) { this->AddTimes(-1.0, other); }
 
-private:
   void AddTimes(double factor, const EnergyMoments& other)
   {
     this->Energy += factor * other.Energy;
@@ -47,7 +46,8 @@ private:
  * divergence theorem gives the first moments, the sums of the integrals of n g ds / 2 a, and the
  * second ones, those of x n g ds / 2 a plus, for x x and y y, (the energy - f(1) times the area) / 2 a. Beyond
  * the circle E is 1 and g is 0. Along an edge the integrals are evaluated by Gauss's rule to 1e-6 of
- * the beam's energy. For wide beams the moments are those of a Gaussian in r, which has the same
+ * the beam's energy; in a small polygon, from its area and its moments and the Taylor series of the
+ * intensity about its centroid. For wide beams the moments are those of a Gaussian in r, which has the same
  * rim.
  */
 class VTKHELIOSSCANNERCORE_EXPORT BeamEnergy
@@ -62,6 +62,12 @@ public:
   double GetTangent() const { return this->Tangent; }
 
   EnergyMoments Integrate(const Polygon& polygon) const;
+
+  /// The intensity at a point of the cross-section, relative to the axis.
+  double GetIntensity(double x, double y) const;
+
+  /// Whether the intensity at (x, y) is the product of those at (x, 0) and (0, y).
+  bool IsProduct() const { return !this->IsWide; }
 
 private:
   /// Sums over edges.
@@ -90,6 +96,8 @@ private:
       ++this->Size;
     }
   };
+  bool IsSmall(const Polygon& polygon) const;
+  EnergyMoments IntegrateSmall(const Polygon& polygon) const;
   void AddInside(const double from[2], const double step[2], double first, double last,
     Nodes& nodes, Sums& sums) const;
   void AddNodes(Nodes& nodes, Sums& sums) const;

@@ -69,12 +69,20 @@ int FindCorner(const Facet& facet, const double corner[3])
 {
   for (int i = 0; i < facet.Size; ++i)
   {
-    if (std::equal(corner, corner + 3, facet.Corners[i]))
+    const double* other = facet.Corners[i];
+    if (corner[0] == other[0] && corner[1] == other[1] && corner[2] == other[2])
     {
       return i;
     }
   }
   return -1;
+}
+
+/// Whether a triangle has at least two corners of a facet.
+bool SharesEdge(const Facet& facet, const ConeTriangle& triangle)
+{
+  const auto isShared = [&facet](const double* corner) { return FindCorner(facet, corner) >= 0; };
+  return std::count_if(triangle.Corners, triangle.Corners + 3, isShared) >= 2;
 }
 
 void Insert(Facet& facet, int place, const double corner[3])
@@ -92,8 +100,9 @@ void Remove(Facet& facet, int place)
   --facet.Size;
 }
 
-/// Adds a triangle that shares one or two edges with a facet; false if it does not, or does not fit.
-bool Add(Facet& facet, const Facet& triangle)
+/// Adds a triangle that shares one or two edges with a facet; returns the corner where the facet
+/// changed, or -1 if it does not, or does not fit.
+int Add(Facet& facet, const Facet& triangle)
 {
   int places[3];
   int shared = 0;
@@ -112,15 +121,15 @@ bool Add(Facet& facet, const Facet& triangle)
     if (shared == 2 && third < 0 && follows(from, to) && facet.Size < Facet::Capacity)
     {
       Insert(facet, to + 1, triangle.Corners[(i + 2) % 3]);
-      return true;
+      return to + 1;
     }
     if (shared == 3 && facet.Size > 3 && follows(from, to) && follows(to, third))
     {
       Remove(facet, to);
-      return true;
+      return to;
     }
   }
-  return false;
+  return -1;
 }
 
 /// Whether a corner turns left about the normal.
@@ -138,6 +147,19 @@ bool IsLeftTurn(const Facet& facet, int corner, const double normal[3])
   Cross(a, b, n);
   const double turn = Dot(n, normal);
   return turn >= 0.0 || turn * turn <= Straight * Dot(a, a) * Dot(b, b) * Dot(normal, normal);
+}
+
+/// Whether a corner and its neighbours turn left.
+bool IsConvexNear(const Facet& facet, int corner, const double normal[3])
+{
+  for (int step = facet.Size - 1; step <= facet.Size + 1; ++step)
+  {
+    if (!IsLeftTurn(facet, (corner + step) % facet.Size, normal))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool IsConvex(const Facet& facet, const double normal[3])
@@ -196,21 +218,30 @@ void FacetMaker::Make(const ConeView& view, std::vector<Facet>& facets) const
       std::transform(normal, normal + 3, normal, std::negate<>());
     }
     Facet growing = facets.back();
+    bool wasConvex = true;
     for (std::size_t k = i + 1; k < triangles.size(); ++k)
     {
       const ConeTriangle& next = triangles[k];
+      if (!SharesEdge(growing, next))
+      {
+        break;
+      }
       double own[3];
       GetNormal(next, own);
       const bool isOn = AreParallel(own, normal) &&
         std::all_of(next.Corners, next.Corners + 3,
           [&](const double* corner)
           { return this->IsOnPlane(normal, std::abs(constant), corner); });
-      if (!isOn || !this->CanJoin(first, next) ||
-        !Add(growing, MakeFacet(next, k, Dot(own, normal) < 0.0)))
+      const int changed = isOn && this->CanJoin(first, next)
+        ? Add(growing, MakeFacet(next, k, Dot(own, normal) < 0.0))
+        : -1;
+      if (changed < 0)
       {
         break;
       }
-      if (IsConvex(growing, normal)) // not so between the first and the last triangle of a fan
+      // Not so between the first and the last triangle of a fan.
+      wasConvex = wasConvex ? IsConvexNear(growing, changed, normal) : IsConvex(growing, normal);
+      if (wasConvex)
       {
         growing.Last = k + 1;
         facets.back() = growing;

@@ -16,6 +16,8 @@ constexpr double LeastDeviation = 0.02; // of the ranges of a part that is two, 
 constexpr double LeastRest = 1e-4;      // of a backdrop by its complement, which errs by 1e-6
 constexpr double Flatness = 1e-3;       // of a facet, in the depth
 constexpr double MostStrips = 4096.0;
+constexpr double LargestRatio = 0.1; // of the depths of a part: its powers vary with 1 / depth^2
+constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
 
 /// Whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
@@ -50,25 +52,47 @@ Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike are
 }
 
 //------------------------------------------------------------------------------
-bool Footprint::Find(const ConeProbe& probe, const double origin[3], const double axis[3],
-  std::vector<FootprintPart>& parts)
+bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const double axis[3])
 {
-  parts.clear();
   const double setback = this->Settings.Setback;
   const double apex[3] = { origin[0] - setback * axis[0], origin[1] - setback * axis[1],
     origin[2] - setback * axis[2] };
-  const double tangent = this->Beam.GetTangent();
-  if (!probe.Collect(apex, axis, tangent, setback, MostTriangles, this->View))
+  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), setback, MostTriangles, this->View))
   {
     return false;
   }
   this->Maker.Make(this->View, this->Facets);
   this->Surfaces.Project(this->Facets, this->Projection);
-  const std::size_t count = this->Surfaces.GetNumberOfFaces();
+  this->AllStrips.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Footprint::IsFlat() const
+{
+  const double tangent = this->Projection.Tangent;
+  double least = HUGE_VAL; // inverse depth
+  for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
+  {
+    least = std::min(least, this->Surfaces.GetFace(i).Least);
+  }
+  return this->Surfaces.AreEdgesStraight() &&
+    !(0.5 * tangent * tangent > Curvature * this->Settings.Depth * least);
+}
+
+//------------------------------------------------------------------------------
+bool Footprint::Divide(std::vector<FootprintPart>& parts)
+{
+  parts.clear();
+  const std::size_t count = this->GetNumberOfFaces();
   this->Shares.assign(count, Share());
   this->AllVisible.clear();
   this->Backdrops.clear();
   const bool isOneLayer = this->Surfaces.AreOneLayer();
+  if (!isOneLayer)
+  {
+    this->Surfaces.Sort();
+  }
   bool isGood = true;
   for (std::size_t i = 0; i < count && isGood; ++i)
   {
@@ -94,6 +118,129 @@ bool Footprint::Find(const ConeProbe& probe, const double origin[3], const doubl
 }
 
 //------------------------------------------------------------------------------
+/// Finds the cuts of all faces.
+void Footprint::SetStrips()
+{
+  this->AllCuts.clear();
+  std::size_t strips = 0;
+  for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
+  {
+    this->SetCuts(this->GetSpread(this->Surfaces.GetFace(i)));
+    this->AllStrips.push_back({ this->AllCuts.size(), strips, this->Cuts.size(), this->HasRest });
+    this->AllCuts.insert(this->AllCuts.end(), this->Cuts.begin(), this->Cuts.end());
+    strips += this->Cuts.size() + 1;
+  }
+  this->Sampled.resize(strips);
+}
+
+//------------------------------------------------------------------------------
+/// The strip of a face at a point of the cross-section.
+std::size_t Footprint::FindStrip(std::size_t face, double x, double y) const
+{
+  const Strips& strips = this->AllStrips[face];
+  if (strips.Count == 0)
+  {
+    return strips.FirstStrip;
+  }
+  const double depth = 1.0 / this->Surfaces.GetFace(face).Inverse(x, y);
+  const auto first = this->AllCuts.begin() + static_cast<std::ptrdiff_t>(strips.FirstCut);
+  const auto cut =
+    std::upper_bound(first, first + static_cast<std::ptrdiff_t>(strips.Count), depth);
+  return strips.FirstStrip + static_cast<std::size_t>(cut - first);
+}
+
+//------------------------------------------------------------------------------
+/// Computes the intensity at the columns of a row through the axis.
+void Footprint::SetProfile()
+{
+  const auto across = static_cast<std::size_t>(this->Raster.GetAcross());
+  if (this->Profile.size() != across)
+  {
+    this->Profile.resize(across);
+    for (std::size_t i = 0; i < across; ++i)
+    {
+      this->Profile[i] = this->Beam.GetIntensity(this->Raster.GetCentre(static_cast<int>(i)), 0.0);
+    }
+  }
+}
+
+/// The intensity in a cell, relative to the axis and, unless the beam is wide, to that of the row.
+double Footprint::GetIntensity(int column, int row) const
+{
+  return this->Beam.IsProduct()
+    ? this->Profile[static_cast<std::size_t>(column)]
+    : this->Beam.GetIntensity(this->Raster.GetCentre(column), this->Raster.GetCentre(row));
+}
+
+//------------------------------------------------------------------------------
+/// Adds the cells of a row to the strips; returns their energy.
+double Footprint::SampleRow(int row, int step)
+{
+  const int* faces = this->Raster.GetFaces(row);
+  const double y = this->Raster.GetCentre(row);
+  const double scale = this->Beam.IsProduct() ? this->Profile[static_cast<std::size_t>(row)] : 1.0;
+  const int first = this->Raster.GetFirst(row);
+  const int last = this->Raster.GetAcross() - first;
+  double total = 0.0;
+  int column = first + (step + step / 2 - first % step) % step;
+  while (column < last)
+  {
+    const int face = faces[column];
+    const bool hasCuts = face >= 0 && this->AllStrips[static_cast<std::size_t>(face)].Count > 0;
+    const double start = this->Raster.GetCentre(column);
+    double energy = 0.0, sumX = 0.0, sumXX = 0.0; // of cells of one strip
+    do
+    {
+      const double x = this->Raster.GetCentre(column);
+      const double intensity = this->GetIntensity(column, row);
+      energy += intensity;
+      sumX += intensity * x;
+      sumXX += intensity * x * x;
+      column += step;
+    } while (column < last && faces[column] == face && !hasCuts);
+    total += scale * energy;
+    if (face >= 0)
+    {
+      EnergyMoments& m = this->Sampled[this->FindStrip(static_cast<std::size_t>(face), start, y)];
+      m.Energy += scale * energy;
+      m.X += scale * sumX;
+      m.Y += scale * energy * y;
+      m.XX += scale * sumXX;
+      m.XY += scale * sumX * y;
+      m.YY += scale * energy * y * y;
+    }
+  }
+  return total;
+}
+
+//------------------------------------------------------------------------------
+void Footprint::Sample(int step, std::vector<FootprintPart>& parts)
+{
+  parts.clear();
+  if (this->AllStrips.empty())
+  {
+    this->SetStrips();
+  }
+  std::fill(this->Sampled.begin(), this->Sampled.end(), EnergyMoments());
+  this->SetProfile();
+  double total = 0.0;
+  for (int row = step / 2; row < this->Raster.GetAcross(); row += step)
+  {
+    total += this->SampleRow(row, step);
+  }
+  for (std::size_t i = 0; i < this->AllStrips.size(); ++i)
+  {
+    const Strips& strips = this->AllStrips[i];
+    for (std::size_t k = 0; k < strips.Count + (strips.HasRest ? 0 : 1); ++k)
+    {
+      EnergyMoments moments;
+      moments.AddTimes(1.0 / total, this->Sampled[strips.FirstStrip + k]);
+      this->AddPart(this->Surfaces.GetFace(i), moments, parts);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 /// The limits of depth in a beam, and of the corners themselves, whatever the rounding.
 Footprint::Interval Footprint::GetSpread(const VisibleSurfaces::Face& face) const
 {
@@ -108,7 +255,7 @@ Footprint::Interval Footprint::GetSpread(
   const VisibleSurfaces::Face& face, const Share& share) const
 {
   Interval spread = this->GetSpread(face);
-  if (!(spread.Far > spread.Near + this->Settings.Depth))
+  if (!(spread.Far > spread.Near + std::min(this->Settings.Depth, LargestRatio * spread.Near)))
   {
     return spread;
   }
@@ -193,9 +340,13 @@ EnergyMoments Footprint::GetHidden(const Polygon& polygon) const
       {
         continue;
       }
+      if (this->Surfaces.IsNearer(by) && IsInside(part.Outline, polygon))
+      {
+        sum.Add(part.Moments);
+        continue;
+      }
       const Polygon nearer = this->Surfaces.GetNearer(part.Outline, by);
-      const bool isWhole = nearer.IsSame(part.Outline) && IsInside(part.Outline, polygon);
-      sum.Add(isWhole ? part.Moments : this->Beam.Integrate(Intersect(nearer, polygon)));
+      sum.Add(this->Beam.Integrate(Intersect(nearer, polygon)));
     }
   }
   return sum;
@@ -209,7 +360,8 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
   const std::size_t before = parts.size();
   this->SetCuts(this->GetSpread(face));
   Polygon rest = face.Outline;
-  for (std::size_t i = 0; i <= this->Cuts.size(); ++i)
+  const std::size_t last = this->Cuts.size() - (this->HasRest ? 1 : 0);
+  for (std::size_t i = 0; i <= last; ++i)
   {
     Polygon strip = rest;
     if (i < this->Cuts.size())
@@ -235,15 +387,19 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
 }
 
 //------------------------------------------------------------------------------
-/// Cuts depths at equal steps, and at the range gate.
+/// Cuts depths at equal steps, and at the range gate. A face that is deeper than all strips, which is
+/// at a grazing angle, returns next to nothing from its rest, and is cut off there.
 void Footprint::SetCuts(const Interval& interval)
 {
   this->Cuts.clear();
   const double spread = interval.Far - interval.Near;
-  const double count = std::min(MostStrips, std::ceil(spread / this->Settings.Depth));
-  for (double k = 1.0; k < count; ++k)
+  const double depth = std::min(this->Settings.Depth, LargestRatio * interval.Near);
+  const double count = std::ceil(spread / depth);
+  this->HasRest = count > MostStrips;
+  const double step = this->HasRest ? depth : spread / count;
+  for (double k = 1.0; k < std::min(count, MostStrips); ++k)
   {
-    this->Cuts.push_back(interval.Near + k * spread / count);
+    this->Cuts.push_back(interval.Near + k * step);
   }
   for (const double limit : this->Settings.Gate)
   {
@@ -265,7 +421,10 @@ void Footprint::AddStrips(
     this->AddPart(face, this->Beam.Integrate(Clip(rest, nearer)), parts);
     rest = Clip(rest, nearer.GetOpposite());
   }
-  this->AddPart(face, this->Beam.Integrate(rest), parts);
+  if (!this->HasRest)
+  {
+    this->AddPart(face, this->Beam.Integrate(rest), parts);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -328,9 +487,10 @@ void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& 
       length;
   }
   part.Cell = this->FindCell(face, centre);
-  // A range is along an asymptote of the beam.
+  // A range is along an asymptote of the beam; on average over the part.
   const double tangent = this->Projection.Tangent;
-  const double stretch = std::sqrt(1.0 + tangent * tangent * (x * x + y * y));
+  const double square = (moments.XX + moments.YY) / moments.Energy;
+  const double stretch = std::sqrt(1.0 + tangent * tangent * square);
   if (depth.Deviation < LeastDeviation * this->Settings.Depth)
   {
     part.Range = depth.Mean * stretch;

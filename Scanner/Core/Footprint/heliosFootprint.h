@@ -8,6 +8,7 @@
 #include "heliosBeamEnergy.h"
 #include "heliosConeProbe.h"
 #include "heliosFacets.h"
+#include "heliosFootprintRaster.h"
 #include "heliosVisibleSurfaces.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -48,14 +49,28 @@ public:
   explicit Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike = {});
 
   /**
-   * The parts of a beam from an origin along a unit axis. False if it holds too many triangles for
-   * this method, or visible parts.
+   * Collects the surfaces in a beam from an origin along a unit axis, for the methods below. False
+   * if these are more than MostTriangles triangles, or if the beam is too wide.
    */
-  bool Find(const ConeProbe& probe, const double origin[3], const double axis[3],
-    std::vector<FootprintPart>& parts);
+  bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3]);
 
-  /// The largest number of triangles in a beam.
-  static constexpr std::size_t MostTriangles = 500;
+  /// Whether the surfaces can be divided, or seen by cells: not if the beam is so wide that the
+  /// ranges at one depth differ, or if its waist bends the edges in it.
+  bool IsFlat() const;
+
+  /// The number of surfaces: flat polygons.
+  std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
+
+  /// The exact visible parts. False if these are too many for this method.
+  bool Divide(std::vector<FootprintPart>& parts);
+
+  /// Draws the surfaces onto a grid of so many cells across the beam, for Sample().
+  void Draw(int across) { this->Raster.Draw(this->Surfaces, across); }
+
+  /// The parts that cells see: those of all cells, or of one of step * step.
+  void Sample(int step, std::vector<FootprintPart>& parts);
+
+  static constexpr std::size_t MostTriangles = 30000; ///< in a beam
 
 private:
   /// Depths [m].
@@ -76,6 +91,17 @@ private:
     std::size_t First = 0;
     std::size_t Last = 0;
   };
+  /// The cuts of a face, and the places of its strips, among those of all.
+  struct Strips
+  {
+    std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
+    bool HasRest = false;
+  };
+  void SetStrips();
+  void SetProfile();
+  double GetIntensity(int column, int row) const;
+  double SampleRow(int row, int step);
+  std::size_t FindStrip(std::size_t face, double x, double y) const;
   bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
   void AddVisible(
     std::size_t face, const Polygon* visible, std::size_t count, std::vector<FootprintPart>& parts);
@@ -107,6 +133,12 @@ private:
   std::vector<Share> Shares;          ///< of the faces
   std::vector<std::size_t> Backdrops; ///< faces
   std::vector<double> Cuts;           ///< depths between strips of a face [m]
+  bool HasRest = false;               ///< whether the face is deeper than all strips
+  FootprintRaster Raster;
+  std::vector<double> Profile;        ///< of the beam, along a row of the raster
+  std::vector<Strips> AllStrips;      ///< of the faces
+  std::vector<double> AllCuts;        ///< [m]
+  std::vector<EnergyMoments> Sampled; ///< of the strips
 };
 
 } // namespace helios

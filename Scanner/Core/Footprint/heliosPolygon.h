@@ -42,12 +42,6 @@ struct Polygon
     return *this;
   }
 
-  bool IsSame(const Polygon& other) const
-  {
-    return this->Size == other.Size && std::equal(this->X, this->X + this->Size, other.X) &&
-      std::equal(this->Y, this->Y + this->Size, other.Y);
-  }
-
   bool IsEmpty() const { return this->Size < 3; }
 
   void Add(double x, double y)

@@ -20,6 +20,7 @@ constexpr double Frame = 2.0;           // half side of the square that large fa
 constexpr double Large = 100.0;         // coordinates from which they are, without a waist
 constexpr std::size_t ManyHiding = 3;   // faces, from which complements are faster than parts
 constexpr std::size_t MostParts = 4096; // of a face
+constexpr std::size_t MostOfLayer = 64; // facets
 
 /// A polygon in space, with corners of which depth z is the third coordinate.
 struct SpacePolygon
@@ -182,16 +183,42 @@ void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjec
   this->Faces.clear();
   this->EdgeSum = 0;
   this->HasFacetAtApex = false;
+  this->LargestBend = 0.0;
+  this->IsLayer = facets.size() <= MostOfLayer;
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
-    this->AddEdges(facets[i]);
+    if (this->IsLayer)
+    {
+      this->AddEdges(facets[i]);
+    }
+    this->AddBend(facets[i]);
     this->ProjectFacet(facets[i], i);
   }
-  this->SortFaces();
 }
 
 //------------------------------------------------------------------------------
-void VisibleSurfaces::SortFaces()
+/// Between two depths of an edge the radius of the beam, over the depth, changes by the bend.
+void VisibleSurfaces::AddBend(const Facet& facet)
+{
+  if (!(this->Beam.Setback > 0.0))
+  {
+    return;
+  }
+  const SpacePolygon space = CutToBeam(facet, this->Beam);
+  double least = HUGE_VAL;
+  double most = 0.0;
+  for (int i = 0; i < space.Size; ++i)
+  {
+    const double depth = space.Corners[i][2] - this->Beam.Setback;
+    const double ratio = std::hypot(1.0, this->Beam.Setback / std::max(depth, 1e-300));
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  this->LargestBend = std::max(this->LargestBend, most > least ? most / least - 1.0 : 0.0);
+}
+
+//------------------------------------------------------------------------------
+void VisibleSurfaces::Sort()
 {
   const std::size_t count = this->Faces.size();
   Order& order = this->Nearest;
@@ -314,7 +341,7 @@ void VisibleSurfaces::AddEdges(const Facet& facet)
 //------------------------------------------------------------------------------
 bool VisibleSurfaces::AreOneLayer() const
 {
-  if (this->EdgeSum != 0 || this->HasFacetAtApex)
+  if (!this->IsLayer || this->EdgeSum != 0 || this->HasFacetAtApex)
   {
     return false;
   }
@@ -342,27 +369,33 @@ void VisibleSurfaces::FindHiding(std::size_t face)
   order.FindOverlaps(PolygonBounds(f.Outline));
   this->Current = face;
   this->Hiding.clear();
-  bool isBehindAll = true;
-  for (std::size_t i = 0; i < order.Faces.size(); ++i)
+  for (std::size_t i = 0; i < order.Faces.size() && order.Most[i] >= f.Least; ++i)
   {
     const std::size_t other = order.Faces[i];
-    if (!order.Overlap[i] || other == face)
+    if (order.Overlap[i] && other != face && this->IsNearerSomewhere(this->Faces[other], f))
     {
-      continue;
-    }
-    const Face& o = this->Faces[other];
-    const bool hides = order.Most[i] >= f.Least && this->IsNearerSomewhere(o, f);
-    const bool isHidden = isBehindAll && this->IsNearerSomewhere(f, o);
-    if ((hides || isHidden) && DoOverlap(o.Outline, f.Outline))
-    {
-      isBehindAll = isBehindAll && !isHidden;
-      if (hides)
-      {
-        this->Hiding.push_back(other);
-      }
+      this->Hiding.push_back(other); // if their outlines overlap, which Subtract() finds
     }
   }
-  this->IsBehindAll = isBehindAll && this->Hiding.size() > ManyHiding;
+  this->IsBehindAll = this->Hiding.size() > ManyHiding && !this->HidesAny(face);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a face hides anything of those whose bounds overlap; the farthest are the likeliest.
+bool VisibleSurfaces::HidesAny(std::size_t face) const
+{
+  const Face& f = this->Faces[face];
+  for (std::size_t i = this->Nearest.Faces.size(); i-- > 0;)
+  {
+    const std::size_t other = this->Nearest.Faces[i];
+    if (this->Nearest.Overlap[i] && other != face &&
+      this->IsNearerSomewhere(f, this->Faces[other]) &&
+      DoOverlap(this->Faces[other].Outline, f.Outline))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -383,11 +416,17 @@ bool VisibleSurfaces::IsNearerSomewhere(const Face& a, const Face& b) const
 }
 
 //------------------------------------------------------------------------------
+bool VisibleSurfaces::IsNearer(std::size_t by) const
+{
+  return this->Faces[by].Least >= this->Faces[this->Current].Most;
+}
+
+//------------------------------------------------------------------------------
 Polygon VisibleSurfaces::GetNearer(const Polygon& polygon, std::size_t by) const
 {
   const Face& face = this->Faces[this->Current];
   const Face& other = this->Faces[by];
-  if (other.Least >= face.Most)
+  if (this->IsNearer(by))
   {
     return polygon;
   }

@@ -67,12 +67,20 @@ public:
   /// Projects facets onto the cross-section of a beam.
   void Project(const std::vector<Facet>& facets, const BeamProjection& beam);
 
+  /// Sorts the faces by depth, for FindHiding().
+  void Sort();
+
+  /// Whether the edges in the beam are straight lines in its cross-section: without a waist, and
+  /// nearly so if their depths differ little, or are far beyond the Rayleigh range.
+  bool AreEdgesStraight() const { return this->LargestBend <= MostBend; }
+
   std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
   const Face& GetFace(std::size_t face) const { return this->Faces[face]; }
 
   /**
    * Whether the faces cover the beam once, so that none hides another: no edge in the beam belongs
-   * to one facet only, and the facets on both sides of it face the apex.
+   * to one facet only, and the facets on both sides of it face the apex. Not tested for more than 64
+   * facets.
    */
   bool AreOneLayer() const;
 
@@ -90,6 +98,9 @@ public:
   /// The visible parts, until the next call; null if they are too many.
   const std::vector<Polygon>* FindVisible();
 
+  /// Whether all of another face is nearer.
+  bool IsNearer(std::size_t by) const;
+
   /// The part of a polygon of another face that hides it.
   Polygon GetNearer(const Polygon& polygon, std::size_t by) const;
   ///@}
@@ -97,9 +108,10 @@ public:
 private:
   void ProjectFacet(const Facet& facet, std::size_t index);
   void AddEdges(const Facet& facet);
-  void SortFaces();
+  void AddBend(const Facet& facet);
   static bool Split(Polygon& inside, const HalfPlane& side, Polygon& outside);
   bool Subtract(const Polygon& hidden);
+  bool HidesAny(std::size_t face) const;
   bool IsNearerSomewhere(const Face& a, const Face& b) const;
 
   /// The faces from the nearest to the farthest, by their nearest corners, and their bounds, rounded
@@ -112,10 +124,13 @@ private:
     std::vector<int> Overlap; ///< with the bounds of a face: -1 or 0
     void FindOverlaps(const PolygonBounds& bounds);
   };
+  static constexpr double MostBend = 1e-3; ///< of the radius, relative
+  double LargestBend = 0.0;
   BeamProjection Beam;
   std::vector<Face> Faces;
   vtkTypeUInt64 EdgeSum = 0; ///< of edges in the beam; those of opposite direction cancel
   bool HasFacetAtApex = false;
+  bool IsLayer = false; ///< whether the facets may be one layer
   Order Nearest;
   std::size_t Current = 0;
   std::vector<std::size_t> Hiding;

@@ -30,9 +30,9 @@ public:
   }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits) const override
+    const PlaneLimits& limits, ConeLayer* layer) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree);
+    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer);
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,

@@ -5,6 +5,7 @@
 #ifndef heliosConeProbe_h
 #define heliosConeProbe_h
 
+#include "heliosConeLayer.h"
 #include "heliosConeView.h"
 #include "heliosPlaneLimits.h"
 #include "vtkHeliosRay.h"
@@ -32,10 +33,11 @@ public:
   /**
    * Probes a cone with its apex at origin about a unit axis. Empty and OnePlane, within limits, are
    * exact for the whole cone; cell and range are those of vtkHeliosRayCaster::Intersect() for the
-   * axis.
+   * axis. A layer, if given, is set to the surface that fills the cone, for OnePlane and for Mixed;
+   * to none if there is no such surface within the limits.
    */
   virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits) const = 0;
+    const PlaneLimits& limits, ConeLayer* layer = nullptr) const = 0;
 
   /**
    * Collects the triangles that touch the cone beyond a depth along its axis, apart from some that

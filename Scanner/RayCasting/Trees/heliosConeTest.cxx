@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
@@ -108,6 +109,8 @@ private:
   vtkTypeInt32 Triangles[2 * Step + 1];
 };
 
+constexpr double NoLength = 1e-300; // of an edge
+
 const vtkHeliosConeHit Unknown{ vtkHeliosConeHit::Mixed, -1, 0.0 };
 
 } // namespace
@@ -134,8 +137,14 @@ ConeTest::ConeTest(
   const double b = w[0] * w[1] * a;
   const double u[3] = { 1.0 + sign * w[0] * w[0] * a, sign * b, -sign * w[0] };
   const double v[3] = { b, sign + w[1] * w[1] * a, -w[1] };
-  std::copy_n(u, 3, this->Frame[0]);
-  std::copy_n(v, 3, this->Frame[1]);
+  // Turned by the golden ratio: cells across the cone are not parallel to walls and eaves.
+  constexpr double cosine = 0.85065080835203993;
+  constexpr double sine = 0.52573111211913361;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Frame[0][i] = cosine * u[i] + sine * v[i];
+    this->Frame[1][i] = cosine * v[i] - sine * u[i];
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -219,12 +228,16 @@ bool ConeTest::Walk(const BeamTree& tree, AddT add)
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosConeHit ConeTest::Run(const BeamTree& tree)
+vtkHeliosConeHit ConeTest::Run(const BeamTree& tree, ConeLayer* layer)
 {
+  if (layer)
+  {
+    layer->Size = 0;
+  }
   const bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers &&
     this->Walk(
       tree, [this, &tree](vtkTypeInt32 triangle) { return this->Add(tree.GetMesh(), triangle); });
-  return isKnown ? this->Judge() : Unknown;
+  return isKnown ? this->Classify(layer) : Unknown;
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +363,8 @@ bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
   if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
   {
     this->Hit = { range, triangle };
-    this->Farthest = this->GetPlane(c).Farthest + this->Limits.Distance;
+    this->Farthest =
+      this->GetPlane(c).Farthest + std::max(this->Limits.Distance, this->Limits.LayerDistance);
   }
   return true;
 }
@@ -454,9 +468,9 @@ ConeTest::Plane ConeTest::GetPlane(const Candidate& c) const
 }
 
 /// Whether a triangle lies behind the plane by more than the tolerance.
-bool ConeTest::IsBehind(const Candidate& c, const Plane& plane) const
+bool ConeTest::IsBehind(const Candidate& c, const Plane& plane, double distance) const
 {
-  const double least = plane.Constant * (1 + this->Limits.Distance / plane.Nearest + Margin);
+  const double least = plane.Constant * (1 + distance / plane.Nearest + Margin);
   for (const auto& p : c.Corners)
   {
     const double doubt = Error * GetLength(plane.Normal) * GetLength(p);
@@ -469,7 +483,7 @@ bool ConeTest::IsBehind(const Candidate& c, const Plane& plane) const
 }
 
 /// Whether the plane of a triangle is within the tolerance of another, over the cone.
-bool ConeTest::IsOn(const Candidate& c, const Plane& plane) const
+bool ConeTest::IsOn(const Candidate& c, const Plane& plane, double distance) const
 {
   const Plane other = this->GetPlane(c);
   if (!(plane.Farthest < NoHit && other.Farthest < NoHit))
@@ -484,7 +498,7 @@ bool ConeTest::IsOn(const Candidate& c, const Plane& plane) const
   }
   const double across = std::sqrt(slope[0] * slope[0] + slope[1] * slope[1]);
   const double most = std::abs(slope[2]) + this->Tangent * across;
-  return most * plane.Farthest * other.Farthest <= this->Limits.Distance;
+  return most * plane.Farthest * other.Farthest <= distance;
 }
 
 /// Whether another candidate adjoins an edge on its other side.
@@ -528,56 +542,112 @@ bool ConeTest::DropFarther()
 }
 
 /// The combined result of the candidates.
-vtkHeliosConeHit ConeTest::Judge()
+vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
 {
   if (this->Count == 0)
   {
     return { vtkHeliosConeHit::Empty, -1, NoHit };
   }
-  const Candidate* first = std::find_if(this->Candidates, this->Candidates + this->Count,
-    [this](const Candidate& c) { return c.Triangle == this->Hit.CellId; });
-  if (first == this->Candidates + this->Count)
+  Candidate* const end = this->Candidates + this->Count;
+  Candidate* const hit = std::find_if(
+    this->Candidates, end, [this](const Candidate& c) { return c.Triangle == this->Hit.CellId; });
+  if (hit == end)
   {
     return Unknown;
   }
-  const Plane plane = this->GetPlane(*first);
-  const vtkTypeInt32 hit = first->Triangle;
-  // All candidates left must be on the plane; otherwise it is mixed.
-  int count = 0;
-  bool isCovered = false;
-  for (int i = 0; i < this->Count; ++i)
+  std::swap(*hit, this->Candidates[0]);
+  const int count = this->Count;
+  const bool isPlane = this->AreOneSurface(this->Limits.Distance, this->Limits.AreAlike);
+  if (layer && !isPlane && this->Limits.LayerDistance > 0.0)
   {
-    const Candidate& c = this->Candidates[i];
-    if (c.Triangle != hit && this->IsBehind(c, plane))
+    this->Count = count;
+    if (this->AreOneSurface(this->Limits.LayerDistance, this->Limits.AreSimilar) &&
+      this->CountAtAxis() == 1)
     {
+      this->SetLayer(*layer);
+    }
+    return Unknown;
+  }
+  if (layer && isPlane)
+  {
+    this->SetLayer(*layer);
+  }
+  return isPlane ? vtkHeliosConeHit{ vtkHeliosConeHit::OnePlane, this->Hit.CellId, this->Hit.Range }
+                 : Unknown;
+}
+
+/// Whether the candidates are within a distance of the plane of the first, related to it, and cover
+/// the cone without a gap. Those behind are moved to the end, and not counted any more.
+bool ConeTest::AreOneSurface(double distance, const PlaneLimits::Relation& relation)
+{
+  const vtkTypeInt32 first = this->Candidates[0].Triangle;
+  const Plane plane = this->GetPlane(this->Candidates[0]);
+  bool isCovered = this->Candidates[0].Covers;
+  for (int i = 1; i < this->Count;)
+  {
+    Candidate& c = this->Candidates[i];
+    if (this->IsBehind(c, plane, distance))
+    {
+      std::swap(c, this->Candidates[--this->Count]);
       continue;
     }
-    const bool isLike =
-      c.Triangle == hit || !this->Limits.AreAlike || this->Limits.AreAlike(hit, c.Triangle);
-    if (c.Triangle != hit && !(this->IsOn(c, plane) && isLike))
+    if (!this->IsOn(c, plane, distance) || (relation && !relation(first, c.Triangle)))
     {
-      return Unknown;
+      return false;
     }
     isCovered = isCovered || c.Covers;
-    if (count != i)
-    {
-      this->Candidates[count] = c;
-    }
-    ++count;
+    ++i;
   }
-  this->Count = count;
-  for (int i = 0; i < count && !isCovered; ++i)
+  for (int i = 0; i < this->Count && !isCovered; ++i)
   {
     for (int edge = 0; edge < 3; ++edge)
     {
       const Candidate& c = this->Candidates[i];
       if (c.Sign == 0.0 || (this->EdgeTouches(c, edge, this->Tangent) && !this->IsShared(i, edge)))
       {
-        return Unknown;
+        return false;
       }
     }
   }
-  return { vtkHeliosConeHit::OnePlane, hit, this->Hit.Range };
+  return true;
+}
+
+/// The candidates that the axis meets: without gaps, as many as anywhere in the cone.
+int ConeTest::CountAtAxis() const
+{
+  return static_cast<int>(std::count_if(this->Candidates, this->Candidates + this->Count,
+    [](const Candidate& c)
+    {
+      return c.Sign * c.Edges[0][2] > 0.0 && c.Sign * c.Edges[1][2] > 0.0 &&
+        c.Sign * c.Edges[2][2] > 0.0;
+    }));
+}
+
+/// Sets a layer to the candidates.
+void ConeTest::SetLayer(ConeLayer& layer) const
+{
+  std::copy_n(&this->Frame[0][0], 9, &layer.Frame[0][0]);
+  layer.Size = this->Count;
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Candidate& c = this->Candidates[i];
+    const Plane plane = this->GetPlane(c);
+    ConeLayer::Piece& piece = layer.Pieces[i];
+    piece.Cell = c.Triangle;
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const double* e = c.Edges[edge];
+      const double scale = c.Sign / std::max(GetLength(e), NoLength);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        piece.Edges[edge][axis] = scale * e[axis];
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      piece.Inverse[axis] = plane.Normal[axis] / plane.Constant;
+    }
+  }
 }
 
 } // namespace helios

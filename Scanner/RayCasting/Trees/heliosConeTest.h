@@ -6,6 +6,7 @@
 #define heliosConeTest_h
 
 #include "heliosBeamTree.h"
+#include "heliosConeLayer.h"
 #include "heliosConeView.h"
 #include "heliosPlaneLimits.h"
 #include "vtkHeliosRay.h"
@@ -32,7 +33,8 @@ public:
   ConeTest(
     const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
-  vtkHeliosConeHit Run(const BeamTree& tree);
+  /// As ConeProbe::Probe().
+  vtkHeliosConeHit Run(const BeamTree& tree, ConeLayer* layer);
 
   /// As ConeProbe::Collect().
   bool Collect(const BeamTree& tree, double nearest, std::size_t most, ConeView& view);
@@ -70,13 +72,16 @@ private:
   bool Touches(Candidate& c) const;
   bool EdgeTouches(const Candidate& c, int edge, double radius) const;
   Plane GetPlane(const Candidate& c) const;
-  bool IsBehind(const Candidate& c, const Plane& plane) const;
-  bool IsOn(const Candidate& c, const Plane& plane) const;
+  bool IsBehind(const Candidate& c, const Plane& plane, double distance) const;
+  bool IsOn(const Candidate& c, const Plane& plane, double distance) const;
   bool IsShared(int member, int edge) const;
   bool DropFarther();
-  vtkHeliosConeHit Judge();
+  vtkHeliosConeHit Classify(ConeLayer* layer);
+  bool AreOneSurface(double distance, const PlaneLimits::Relation& relation);
+  int CountAtAxis() const;
+  void SetLayer(ConeLayer& layer) const;
 
-  static constexpr int MaximumCandidates = 24;
+  static constexpr int MaximumCandidates = ConeLayer::Capacity;
 
   const double* Origin;
   double Tangent;

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -37,9 +39,30 @@ struct ConeView
     };
     this->Triangles.erase(std::remove_if(this->Triangles.begin(), this->Triangles.end(), isHidden),
       this->Triangles.end());
-    std::sort(this->Triangles.begin(), this->Triangles.end(),
-      [](const ConeTriangle& a, const ConeTriangle& b) { return a.Cell < b.Cell; });
+    this->SortByCell();
   }
+
+private:
+  /// Sorts keys instead of triangles, which are large.
+  void SortByCell()
+  {
+    const std::size_t count = this->Triangles.size();
+    this->Keys.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Keys[i] = { this->Triangles[i].Cell, i };
+    }
+    std::sort(this->Keys.begin(), this->Keys.end());
+    this->Sorted.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Sorted[i] = this->Triangles[this->Keys[i].second];
+    }
+    this->Triangles.swap(this->Sorted);
+  }
+
+  std::vector<std::pair<vtkIdType, std::size_t>> Keys;
+  std::vector<ConeTriangle> Sorted;
 };
 
 } // namespace helios

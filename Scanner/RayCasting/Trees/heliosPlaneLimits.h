@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When a cone that several triangles fill meets one plane.
+// When a cone that several triangles fill meets one plane, or one surface.
 
 #ifndef heliosPlaneLimits_h
 #define heliosPlaneLimits_h
@@ -13,16 +13,24 @@
 namespace helios
 {
 
-/// What surfaces have in common that count as one plane.
+/// What triangles have in common that count as one plane, or as one layer (ConeLayer).
 struct PlaneLimits
 {
+  using Relation = std::function<bool(vtkIdType, vtkIdType)>;
+
   /// The maximum distance from one plane, along the axis, inside the cone [m].
   double Distance = 0.0;
 
   /// Whether two triangles respond alike; without it, all do.
-  std::function<bool(vtkIdType, vtkIdType)> AreAlike;
+  Relation AreAlike;
 
-  PlaneLimits(double distance, std::function<bool(vtkIdType, vtkIdType)> areAlike = {})
+  ///@{
+  /// The same of a layer; 0: no layer is sought.
+  double LayerDistance = 0.0;
+  Relation AreSimilar;
+  ///@}
+
+  PlaneLimits(double distance, Relation areAlike = {})
     : Distance(distance)
     , AreAlike(std::move(areAlike))
   {

@@ -83,6 +83,10 @@ void SetUpSampling(
     options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance);
   scanner->SetEnergyTolerance(
     options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance);
+  if (options.MaximumSubRays > 0)
+  {
+    scanner->SetMaximumNumberOfSubRays(options.MaximumSubRays);
+  }
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   scanner->SetSamplingToFixed();
   if (options.NumberOfSubRays > 0)

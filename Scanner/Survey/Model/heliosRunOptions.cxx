@@ -25,7 +25,7 @@ constexpr double LargestBinSize = 1e6; // [ns]
 auto Tie(const RunOptions& o)
 {
   return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
-    o.BinSize, o.EchoDetector, o.RayCaster, o.Without, o.PulseStep);
+    o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Without, o.PulseStep);
 }
 
 std::vector<std::string> SplitWords(const std::string& text)
@@ -102,6 +102,12 @@ Status RunOptions::FindFault() const
     status = Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
       ", but a tolerance selects adaptive sampling; set one of them to 0");
   }
+  if (status.IsOk() && this->MaximumSubRays != 0 && !IsMostSubRays(this->MaximumSubRays))
+  {
+    status = Status::Error("MaximumSubRays is " + std::to_string(this->MaximumSubRays) + "; give " +
+      std::to_string(LeastMostSubRays) + " to " + std::to_string(LargestMostSubRays) +
+      ", or 0 for " + std::to_string(DefaultMostSubRays));
+  }
   if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
   {
     Sentence text;
@@ -125,6 +131,7 @@ void RunOptions::Describe(Json::Value& options) const
   options["rangeTolerance_m"] = this->RangeTolerance;
   options["energyTolerance"] = this->EnergyTolerance;
   options["subRays"] = this->NumberOfSubRays;
+  options["maximumSubRays"] = this->MaximumSubRays;
   options["binSize_ns"] = this->BinSize;
   options["detector"] = this->EchoDetector;
   options["rayCaster"] = this->RayCaster;

@@ -35,6 +35,7 @@ struct RunOptions
   double RangeTolerance = 0.0;  ///< [m]
   double EnergyTolerance = 0.0; ///< relative
   int NumberOfSubRays = 0;      ///< fixed
+  int MaximumSubRays = 0;       ///< of adaptive sampling, of a beam; 0: the default of the scanner
   double BinSize = 0.0;         ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;

@@ -153,3 +153,29 @@ TEST_CASE("The energies of the parts of a polygon add up to its energy")
     CHECK(std::abs(sum.YY - all.YY) < 2e-6);
   }
 }
+
+TEST_CASE("Small polygons have the energies of the large one that they fill")
+{
+  const BeamEnergy beam(1.5e-4, 1.5);
+  constexpr int cells = 40;
+  EnergyMoments sum;
+  for (int i = 0; i < cells; ++i)
+  {
+    for (int j = 0; j < cells; ++j)
+    {
+      const double x = -0.2 + 0.5 * i / cells;
+      const double y = 0.1 + 0.5 * j / cells;
+      const double step = 0.5 / cells;
+      sum.Add(beam.Integrate(
+        MakePolygon({ { x, y }, { x + step, y }, { x + step, y + step }, { x, y + step } })));
+    }
+  }
+  const EnergyMoments whole =
+    beam.Integrate(MakePolygon({ { -0.2, 0.1 }, { 0.3, 0.1 }, { 0.3, 0.6 }, { -0.2, 0.6 } }));
+  CHECK(sum.Energy == Approx(whole.Energy).epsilon(2e-5));
+  CHECK(sum.X == Approx(whole.X).epsilon(1e-4));
+  CHECK(sum.Y == Approx(whole.Y).epsilon(2e-5));
+  CHECK(sum.XX == Approx(whole.XX).epsilon(1e-4));
+  CHECK(sum.XY == Approx(whole.XY).epsilon(1e-4));
+  CHECK(sum.YY == Approx(whole.YY).epsilon(1e-4));
+}

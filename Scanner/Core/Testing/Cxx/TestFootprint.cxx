@@ -59,6 +59,16 @@ Cells Summarize(const ItemsT& items)
   return cells;
 }
 
+Cells SummarizeParts(const std::vector<FootprintPart>& parts)
+{
+  std::vector<std::tuple<vtkIdType, double, double>> items;
+  for (const FootprintPart& part : parts)
+  {
+    items.emplace_back(part.Cell, part.Energy, part.Range);
+  }
+  return Summarize(items);
+}
+
 /// A scene along y, and a beam along y from the origin.
 class Scene
 {
@@ -94,19 +104,35 @@ public:
   {
     std::vector<FootprintPart> parts;
     Footprint footprint(this->Settings, this->AreAlike);
-    REQUIRE(footprint.Find(*this->Caster->GetConeProbe(), Origin, Axis, parts));
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
+    REQUIRE(footprint.Divide(parts));
     return parts;
   }
 
-  Cells GetFootprint()
+  /// The same by cells; one of step * step.
+  Cells Sample(int across, int step = 1)
   {
-    std::vector<std::tuple<vtkIdType, double, double>> items;
-    for (const FootprintPart& part : this->FindParts())
-    {
-      items.emplace_back(part.Cell, part.Energy, part.Range);
-    }
-    return Summarize(items);
+    std::vector<FootprintPart> parts;
+    Footprint footprint(this->Settings, this->AreAlike);
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
+    footprint.Draw(across);
+    footprint.Sample(step, parts);
+    return SummarizeParts(parts);
   }
+
+  bool Collect() const
+  {
+    return Footprint(this->Settings).Collect(*this->Caster->GetConeProbe(), Origin, Axis);
+  }
+
+  bool IsFlat() const
+  {
+    Footprint footprint(this->Settings);
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
+    return footprint.IsFlat();
+  }
+
+  Cells GetFootprint() { return SummarizeParts(this->FindParts()); }
 
   /// The same by sub-rays.
   Cells Trace() { return Summarize(this->TraceAll()); }
@@ -161,8 +187,8 @@ double GetEnergy(const Cells& cells, vtkIdType id)
   return found == cells.end() ? 0.0 : found->second.Energy;
 }
 
-/// Both have the same energies, and mean ranges and their spreads where the energy is not small.
-void CheckSame(const Cells& cells, const Cells& traced, vtkIdType count, double negligible)
+/// Both have the same energies.
+void CheckEnergies(const Cells& cells, const Cells& traced, vtkIdType count)
 {
   for (vtkIdType id = 0; id < count; ++id)
   {
@@ -173,6 +199,16 @@ void CheckSame(const Cells& cells, const Cells& traced, vtkIdType count, double 
       CAPTURE(id, energy);
       CHECK(difference < 1e-3);
     }
+  }
+}
+
+/// Both have the same energies, and mean ranges and their spreads where the energy is not small.
+void CheckSame(const Cells& cells, const Cells& traced, vtkIdType count, double negligible)
+{
+  CheckEnergies(cells, traced, count);
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    const double energy = GetEnergy(traced, id);
     if (energy > 0.02)
     {
       const double deviation = std::sqrt(traced.at(id).Square / energy);
@@ -364,7 +400,23 @@ TEST_CASE("A wide beam has the energies that sub-rays find")
   Scatter(scene, random, 100, 20.0, 20.0, 1.0);
   scene.Settings.Depth = 0.5;
   scene.Build();
-  CheckSame(scene.GetFootprint(), scene.Trace(), 100, 0.03 * scene.Settings.Depth);
+  CheckEnergies(scene.GetFootprint(), scene.Trace(), 100);
+}
+
+TEST_CASE("A part of a wide beam is as far as its sub-rays on average")
+{
+  constexpr double w = 0.02;
+  Scene scene(w);
+  scene.AddWall(2.0, -25.0, -25.0);
+  scene.Build();
+  const std::vector<FootprintPart> parts = scene.FindParts();
+  double mean = 0.0;
+  for (const FootprintPart& part : parts)
+  {
+    mean += part.Energy * part.Range;
+  }
+  // With the variance of the truncated beam, as in heliosPlaneEcho.h.
+  CHECK(mean == Approx(2.0 * (1.0 + 0.475 * 0.5 * w * w)).epsilon(3e-6));
 }
 
 TEST_CASE("Of coincident triangles the first one is visible")
@@ -438,15 +490,84 @@ TEST_CASE("Where a beam has a waist, its radius is that of a Gaussian beam")
   CHECK(cells.begin()->second.Mean == Approx(10.0).epsilon(1e-6));
 }
 
-TEST_CASE("Too many triangles in a beam are not divided")
+TEST_CASE("Too many triangles in a beam are not collected")
 {
   Scene scene;
   std::mt19937 random(1);
-  Scatter(scene, random, static_cast<int>(Footprint::MostTriangles) + 500, 0.002, 1.0, 1.0);
+  Scatter(scene, random, static_cast<int>(1.5 * Footprint::MostTriangles), 0.002, 1.0, 1.0);
   scene.Build();
-  std::vector<FootprintPart> parts;
-  vtkNew<vtkHeliosBeamRayCaster> caster;
-  REQUIRE(caster->Build(scene.Mesh));
-  CHECK_FALSE(
-    Footprint(scene.Settings).Find(*caster->GetConeProbe(), Scene::Origin, Scene::Axis, parts));
+  CHECK_FALSE(scene.Collect());
+}
+
+TEST_CASE("A wide beam is not flat where its ranges at one depth differ")
+{
+  Scene scene(0.05); // the rim is 0.28 % farther
+  scene.AddWall(10.0, -25.0, -25.0);
+  scene.Settings.Depth = 0.2;
+  scene.Build();
+  CHECK_FALSE(scene.IsFlat());
+  scene.Settings.Depth = 0.4;
+  CHECK(scene.IsFlat());
+}
+
+TEST_CASE("A beam with a waist is not flat where it bends edges")
+{
+  const double depth = GENERATE(10.0, 10.001);
+  Scene scene(1e-3);
+  scene.Settings.Setback = 5.0;
+  scene.AddTriangle({ { -1, 10, 0 }, { 1, 10, 0 }, { 0.001, depth == 10.0 ? 10.0 : 14.0, 1 } });
+  scene.Build();
+  CHECK(scene.IsFlat() == (depth == 10.0));
+}
+
+TEST_CASE("Cells see the visible areas")
+{
+  const int count = GENERATE(1, 20, 400);
+  Scene scene;
+  std::mt19937 random(static_cast<unsigned>(count));
+  Scatter(scene, random, count, count > 100 ? 0.03 : 0.1, 1.0, 1.0);
+  scene.AddWall(103.0, -25.0, -25.0);
+  scene.Build();
+  const Cells exact = scene.GetFootprint();
+  double last = 1.0;
+  for (const int across : { 64, 256, 1024 })
+  {
+    const Cells cells = scene.Sample(across);
+    double sum = 0.0;
+    double worst = 0.0;
+    for (vtkIdType id = 0; id < count + 2; ++id)
+    {
+      sum += GetEnergy(cells, id);
+      worst = std::max(worst, std::abs(GetEnergy(cells, id) - GetEnergy(exact, id)));
+    }
+    CAPTURE(count, across);
+    CHECK(sum == Approx(1.0).epsilon(1e-9));
+    CHECK(worst < 0.6 / across); // half a cell along an edge through the axis has 0.75 / across
+    CHECK(worst < last);
+    last = worst;
+  }
+}
+
+TEST_CASE("Cells that are left out change little, and faces without gaps leave none")
+{
+  Scene scene;
+  for (int i = -40; i < 40; ++i) // a fan about the axis, with corners on no cell
+  {
+    const double turn = 0.0785398 * i;
+    const double next = 0.0785398 * (i + 1);
+    scene.AddTriangle({ { 0.0001, 100, 0.0002 }, { std::cos(turn), 100, std::sin(turn) },
+      { std::cos(next), 100, std::sin(next) } });
+  }
+  scene.Build();
+  for (const int step : { 1, 2, 3 })
+  {
+    const Cells cells = scene.Sample(96, step);
+    double sum = 0.0;
+    for (const auto& [id, cell] : cells)
+    {
+      sum += cell.Energy;
+      CHECK(cell.Mean == Approx(100.0).epsilon(2e-6));
+    }
+    CHECK(sum == Approx(1.0).epsilon(1e-9));
+  }
 }

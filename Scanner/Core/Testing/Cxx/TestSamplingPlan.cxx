@@ -3,23 +3,84 @@
 #include "heliosSamplingPlan.h"
 
 #include "heliosConstants.h"
+#include "vtkHeliosBeamSampler.h"
 
 #include <catch2/catch.hpp>
+
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
 
 using helios::PlanSampling;
 
 TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
 {
   constexpr double sigma = 4.0 / helios::FwhmPerSigma;
-  const helios::SamplingPlan plan = PlanSampling(1e-3, 1e-2, sigma);
+  const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2 }, sigma);
   CHECK(plan.NumberOfSubRays == 336);
-  CHECK(plan.SmoothSubRays == 336);
-  CHECK(plan.EdgeSubRays == 4096);
-  const helios::SamplingPlan fine = PlanSampling(3e-4, 3e-3, sigma);
+  CHECK(plan.LayerRings == 2);
+  CHECK(plan.GetCellsAcross(0) == 64);
+  CHECK(plan.GetCellsAcross(2) == plan.MostCellsAcross);
+  const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
-  CHECK(fine.EdgeSubRays == 4 * 1660);
-  const helios::SamplingPlan coarse = PlanSampling(1.0, 1.0, sigma);
+  CHECK(fine.LayerRings == 3);
+  CHECK(PlanSampling({ 1e-4, 1e-4 }, sigma).LayerRings == 0);
+  const helios::SamplingPlan coarse = PlanSampling({ 1.0, 1.0 }, sigma);
   CHECK(coarse.NumberOfSubRays == 64);
-  CHECK(coarse.SmoothSubRays == 256);
-  CHECK(coarse.EdgeSubRays == 4096);
+}
+
+TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces", "[SamplingPlan]")
+{
+  const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2, 1 << 20 }, 1.7);
+  CHECK(plan.MostCellsAcross == 1024);
+  CHECK(plan.MostSurfaces == 2048);
+  CHECK(plan.MostSubRays == 1 << 20);
+}
+
+TEST_CASE("SamplingPlan: the errors of rings are those of the layer rules", "[SamplingPlan]")
+{
+  constexpr double tolerance = 1e-2;
+  for (const double energy : { 1e-2, 3e-3, 1.1e-3 })
+  {
+    const helios::SamplingPlan plan = PlanSampling({ tolerance, energy }, 1.7);
+    vtkNew<vtkHeliosBeamSampler> sampler;
+    sampler->SetBeamDivergence(2e-3);
+    sampler->SetPatternToGaussLegendre();
+    sampler->SetNumberOfRings(plan.LayerRings);
+    const double rim = 1e-3 * sampler->GetTruncation();
+    // Energies and means beyond a line through the beam, against a fine spiral.
+    vtkNew<vtkHeliosBeamSampler> fine;
+    fine->SetBeamDivergence(2e-3);
+    fine->SetPatternToVogel();
+    fine->SetNumberOfSubRays(65536);
+    double largestBend = 0.0;
+    double squares = 0.0;
+    int count = 0;
+    for (int turn = 0; turn < 8; ++turn)
+    {
+      for (double offset = -0.95; offset < 1.0; offset += 0.1)
+      {
+        const auto sum = [&](vtkHeliosBeamSampler* beam, bool isBend)
+        {
+          double total = 0.0;
+          for (int k = 0; k < beam->GetNumberOfSubRays(); ++k)
+          {
+            double d[3];
+            beam->GetDirection(k, d);
+            const double along = (std::cos(0.1 * turn) * d[0] + std::sin(0.1 * turn) * d[2]) / rim;
+            const double beyond = (along - offset) / (1.0 - offset);
+            total += beyond > 0.0 ? beam->GetWeight(k) * (isBend ? beyond : 1.0) : 0.0;
+          }
+          return total;
+        };
+        largestBend = std::max(largestBend, std::abs(sum(sampler, true) - sum(fine, true)));
+        squares += std::pow(sum(sampler, false) - sum(fine, false), 2);
+        ++count;
+      }
+    }
+    CAPTURE(energy, plan.LayerRings);
+    CHECK(largestBend * plan.LayerDistance <= 0.5 * tolerance);
+    CHECK(std::sqrt(squares / count) * plan.LayerContrast <= 0.5 * energy);
+  }
 }

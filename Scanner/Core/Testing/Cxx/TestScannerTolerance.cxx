@@ -199,27 +199,91 @@ TEST_CASE("Tolerance: a wall needs no sub-rays, an edge does", "[Tolerance]")
   CHECK(edge.Scanner->GetCount("subRays") <= 4 * 1000); // parts of three triangles
 }
 
-TEST_CASE("Tolerance: beams with too many triangles take more sub-rays at edges", "[Tolerance]")
+/// Slats of which every second one is nearer, before a wall: more than can be divided.
+vtkSmartPointer<vtkPolyData> MakeSlats(int count)
 {
-  std::vector<Rectangle> strips;
-  for (int i = -1000; i < 1000; ++i)
+  std::vector<Rectangle> slats;
+  for (int i = -count / 2; i < count / 2; ++i)
   {
-    strips.push_back({ { 2e-5 * i, 50, 0.0001 }, { 2e-5, 0, 0 }, { 0, 0, 1 } });
+    const double step = 0.04 / count;
+    slats.push_back({ { step * i, 50 + 0.001 * (i % 2), 0.0001 }, { step, 0, 0 }, { 0, 0, 1 } });
   }
-  strips.push_back(Wall(60));
-  Bench edge(MakeScene(strips));
-  edge.Scanner->SetSamplingToTolerance();
-  CHECK(edge.Run()->GetNumberOfPoints() == 2000);
-  CHECK(edge.Scanner->GetCount("pulsesSampled") == 1000);
-  CHECK(edge.Scanner->GetCount("subRays") == (336 + 4096) * 1000);
-  edge.Scanner->SetRangeTolerance(1e-2);
-  edge.Scanner->SetEnergyTolerance(0.1);
-  CHECK(edge.Run()->GetNumberOfPoints() == 2000);
-  CHECK(edge.Scanner->GetCount("subRays") == (256 + 4096) * 1000);
+  slats.push_back(Wall(60));
+  return MakeScene(slats);
 }
 
-TEST_CASE("Tolerance: a wire before a wall of many triangles is found, the wall alone is smooth",
-  "[Tolerance]")
+TEST_CASE(
+  "Tolerance: beams with too many surfaces are sampled until the answers agree", "[Tolerance]")
+{
+  Bench slats(MakeSlats(2000));
+  slats.Scanner->SetSamplingToTolerance();
+  slats.Scanner->SetDuration(0.0005); // 50 pulses
+  vtkPolyData* echoes = slats.Run();
+  CHECK(echoes->GetNumberOfPoints() == 100);
+  CHECK(slats.Scanner->GetCount("pulsesSampled") == 50);
+  CHECK(slats.Scanner->GetCount("pulsesUnresolved") == 0);
+  // Half of the beam less 0.1 mm of a radius of 7.5 mm.
+  const double full =
+    Value(echoes, names::Amplitude, 0) + 1.44 * Value(echoes, names::Amplitude, 1);
+  CHECK(Value(echoes, names::Amplitude, 0) / full ==
+    Approx(0.5 * std::erfc(std::sqrt(2.0) * 0.0001 / 0.0075)).margin(1e-2));
+  const vtkIdType subRays = slats.Scanner->GetCount("subRays");
+
+  slats.Scanner->SetEnergyTolerance(2e-4);
+  slats.Run();
+  CHECK(slats.Scanner->GetCount("subRays") > subRays);
+  slats.Scanner->SetMaximumNumberOfSubRays(1024);
+  slats.Run();
+  CHECK(slats.Scanner->GetCount("pulsesUnresolved") == 50);
+  slats.Scanner->SetMaximumNumberOfSubRays(1 << 24);
+  slats.Run();
+  CHECK(slats.Scanner->GetCount("pulsesSampled") == 0); // 2000 surfaces can be divided then
+}
+
+TEST_CASE(
+  "Tolerance: a beam too wide to be divided is sampled by rays until they agree", "[Tolerance]")
+{
+  Bench wide(MakeScene({ { { -500, 50, 0.1 }, { 1000, 0, 0 }, { 0, 0, 500 } }, Wall(60, 500) }));
+  wide.Scanner->SetSamplingToTolerance();
+  wide.Scanner->SetDuration(0.0001);
+  wide.Scanner->GetBeamSampler()->SetBeamDivergence(0.2);
+  const vtkIdType before = wide.Run()->GetNumberOfPoints();
+  CHECK(before == 20);
+  CHECK(wide.Scanner->GetCount("pulsesSampled") == 10);
+}
+
+TEST_CASE("Tolerance: the limit of sub-rays has a range", "[Tolerance]")
+{
+  Bench bench(MakeScene({ Wall(60) }));
+  bench.Scanner->SetSamplingToTolerance();
+  for (const int limit : { 1023, (1 << 24) + 1 })
+  {
+    bench.Scanner->SetMaximumNumberOfSubRays(limit);
+    vtkNew<helios::ErrorObserver> observer;
+    observer->Watch(bench.Scanner);
+    bench.Run();
+    CHECK(observer->HasError(
+      "MaximumNumberOfSubRays is " + std::to_string(limit) + "; give 1024 to 16777216"));
+  }
+}
+
+TEST_CASE("Tolerance: a curved surface is sampled where it fills the beam", "[Tolerance]")
+{
+  // Facets that differ by 10 degrees: 2 mm at the rim.
+  constexpr double edge = 1.0 / 1024;
+  const std::vector<Rectangle> roof = { { { -50, 50, -50 }, { 100, 0, 0 }, { 0, 0, 50 + edge } },
+    { { -50, 50, edge }, { 100, 0, 0 }, { 0, 8.816, 50 } } };
+  Bench bench(MakeScene(roof));
+  bench.Tripod->SetHeading(3);
+  bench.Scanner->SetSamplingToTolerance();
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(bench.Scanner->GetCount("subRays") == 16 * 1000);
+  CHECK(
+    Value(echoes, names::Range, 0) == Approx(50 / std::cos(3 * 0.017453292519943295)).margin(2e-4));
+}
+
+TEST_CASE("Tolerance: a wire before a wall of many triangles is found", "[Tolerance]")
 {
   const bool hasWire = GENERATE(false, true);
   std::vector<Rectangle> scene;
@@ -236,8 +300,7 @@ TEST_CASE("Tolerance: a wire before a wall of many triangles is found, the wall 
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(6e-4);
   bench.Scanner->GetEchoDetector()->SetDetectionThreshold(0.0);
   CHECK(bench.Run()->GetNumberOfPoints() == (hasWire ? 2000 : 1000));
-  CHECK(bench.Scanner->GetCount("pulsesSampled") == 1000);
-  CHECK(bench.Scanner->GetCount("subRays") == (hasWire ? 336 + 4096 : 336) * 1000);
+  CHECK(bench.Scanner->GetCount("pulsesUnresolved") == 0);
 }
 
 TEST_CASE("Tolerance: the range gate is an edge on one triangle", "[Tolerance]")
@@ -375,15 +438,12 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");
   bench.Scanner->SetSamplingToTolerance();
-  CHECK(
-    bench.Scanner->DescribeSampling().find(
-      "adaptive, visible areas of surfaces; in beams of more than 500 triangles 336 sub-rays on "
-      "one surface, 4096 more at edges") == 0);
-  bench.Scanner->SetRangeTolerance(1e-2);
-  bench.Scanner->SetEnergyTolerance(0.1);
   CHECK(bench.Scanner->DescribeSampling().find(
-          "adaptive, visible areas of surfaces; in beams of more "
-          "than 500 triangles 256 sub-rays on one surface, 4096 more at edges") == 0);
+          "adaptive, visible areas of surfaces; beams of more than 512 surfaces in up to 256 x 256 "
+          "cells; none for planar footprints; waveform bin ") == 0);
+  bench.Scanner->SetMaximumNumberOfSubRays(1 << 20);
+  CHECK(bench.Scanner->DescribeSampling().find("more than 2048 surfaces in up to 1024 x 1024") !=
+    std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 1 sub-rays per pulse");
 }

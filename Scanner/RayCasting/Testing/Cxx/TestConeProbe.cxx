@@ -491,3 +491,83 @@ TEST_CASE("ConeProbe: distant triangles are included", "[ConeProbe]")
   CHECK(ProbeAt(soup, { 0, 0, -9 }, 0.01, { 0, 0, 60 }) == OnePlane);
   CHECK(ProbeAt(soup, { 3, 0, 0 }, 0.01, { 3, 0, 5 }) == Empty);
 }
+
+namespace
+{
+
+/// The layer in a cone of 10 mm radius, from 10 m above (0.001, 0.002).
+helios::ConeLayer FindLayer(const Soup& soup, double distance)
+{
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  helios::PlaneLimits limits(1e-6);
+  limits.LayerDistance = distance;
+  const double from[3] = { 0.001, 0.002, 10 };
+  const double axis[3] = { 0, 0, -1 };
+  helios::ConeLayer layer;
+  const vtkHeliosConeHit hit = caster->GetConeProbe()->Probe(from, axis, 1e-3, limits, &layer);
+  CHECK((hit.Kind == Mixed || layer.Size > 0));
+  return layer;
+}
+
+/// A fold along y, whose right side rises.
+void AddFold(Soup& soup, double z, double slope)
+{
+  soup.AddTriangle({ 0, -9, z }, { 0, 9, z }, { -9, 0, z });
+  soup.AddTriangle({ 0, -9, z }, { 0, 9, z }, { 9, 0, z + 9 * slope });
+}
+
+} // namespace
+
+TEST_CASE("ConeProbe: a layer is a surface without gaps, and without others near it", "[ConeProbe]")
+{
+  Soup fold;
+  AddFold(fold, 0, 0.2);
+  CHECK(FindLayer(fold, 0.01).Size == 2);
+  CHECK(FindLayer(fold, 0.001).Size == 0); // bends by 2 mm
+  CHECK(FindLayer(fold, 0.0).Size == 0);
+
+  Soup plate = fold; // its other side
+  AddFold(plate, -0.004, 0.2);
+  CHECK(FindLayer(plate, 0.001).Size == 0);
+  CHECK(FindLayer(plate, 0.01).Size == 0);
+  Soup thick = fold;
+  AddFold(thick, -0.02, 0.2);
+  CHECK(FindLayer(thick, 0.01).Size == 2);
+
+  Soup covered = fold;
+  covered.AddTriangle({ 0.002, 0, 0.003 }, { 0.004, 0, 0.003 }, { 0.002, 0.003, 0.003 });
+  CHECK(FindLayer(covered, 0.01).Size == 0);
+
+  Soup gap;
+  gap.AddTriangle({ 0, -9, 0 }, { 0, 9, 0 }, { -9, 0, 0 });
+  gap.AddTriangle({ 1e-9, -9, 0 }, { 1e-9, 9, 0 }, { 9, 0, 1.8 });
+  CHECK(FindLayer(gap, 0.01).Size == 0);
+}
+
+TEST_CASE("ConeProbe: the pieces of a layer have the depths of their triangles", "[ConeProbe]")
+{
+  Soup fold;
+  AddFold(fold, 0, 0.2);
+  const helios::ConeLayer layer = FindLayer(fold, 0.01);
+  REQUIRE(layer.Size == 2);
+  for (int i = 0; i < layer.Size; ++i)
+  {
+    const auto& piece = layer.Pieces[i];
+    const double x[2] = { piece.Cell == 0 ? -5e-4 : 5e-4, 3e-4 }; // in the world, of a depth of 1
+    double local[2] = { 0, 0 };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      local[axis] = x[0] * layer.Frame[axis][0] + x[1] * layer.Frame[axis][1];
+    }
+    for (const auto& edge : piece.Edges)
+    {
+      CHECK(edge[0] * local[0] + edge[1] * local[1] + edge[2] > 0.0);
+    }
+    const double inverse =
+      piece.Inverse[0] * local[0] + piece.Inverse[1] * local[1] + piece.Inverse[2];
+    // 10 - 0.2 (0.001 + x h) on the right side.
+    const double depth = piece.Cell == 0 ? 10.0 : (10.0 - 0.2 * 0.001) / (1.0 + 0.2 * x[0]);
+    CHECK(1.0 / inverse == Approx(depth).epsilon(1e-12));
+  }
+}
