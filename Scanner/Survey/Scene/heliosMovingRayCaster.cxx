@@ -187,29 +187,29 @@ public:
   bool IsComplete() const { return this->Resting.IsComplete() && this->Moving.IsComplete(); }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits) const override
+    const PlaneLimits& limits, ConeLayer* layer) const override
   {
     const auto probe = [&](const Part& part)
-    {
-      const auto areAlike = [&part, &limits](vtkIdType a, vtkIdType b)
-      { return limits.AreAlike(part.GetCell(a), part.GetCell(b)); };
-      const PlaneLimits own =
-        limits.AreAlike ? PlaneLimits(limits.Distance, areAlike) : PlaneLimits(limits.Distance);
-      vtkHeliosConeHit hit = part.Cells.empty()
-        ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, 0.0 }
-        : part.Cones->Probe(origin, axis, tanHalfAngle, own);
-      const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
-      hit.CellId = isPlane ? part.GetCell(hit.CellId) : hit.CellId;
-      return hit;
-    };
+    { return part.Probe(origin, axis, tanHalfAngle, limits, layer); };
     const vtkHeliosConeHit moving = probe(this->Moving);
     if (moving.Kind == vtkHeliosConeHit::Empty)
     {
       return probe(this->Resting);
     }
-    const bool isAlone = moving.Kind == vtkHeliosConeHit::OnePlane &&
-      probe(this->Resting).Kind == vtkHeliosConeHit::Empty;
-    return isAlone ? moving : vtkHeliosConeHit{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+    // A layer of the moving triangles is one of all if the others are away.
+    const bool isFilled = moving.Kind == vtkHeliosConeHit::OnePlane || (layer && layer->Size > 0);
+    ConeLayer none;
+    if (isFilled &&
+      this->Resting.Probe(origin, axis, tanHalfAngle, limits, layer ? &none : nullptr).Kind ==
+        vtkHeliosConeHit::Empty)
+    {
+      return moving;
+    }
+    if (layer)
+    {
+      layer->Size = 0;
+    }
+    return { vtkHeliosConeHit::Mixed, -1, 0.0 };
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
@@ -252,6 +252,37 @@ private:
 
     /// The id of a cell in the whole scene.
     vtkIdType GetCell(vtkIdType cell) const { return this->Cells[static_cast<std::size_t>(cell)]; }
+
+    /// Probes its triangles; the result names cells of the whole scene.
+    vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
+      const PlaneLimits& limits, ConeLayer* layer) const
+    {
+      if (this->Cells.empty())
+      {
+        if (layer)
+        {
+          layer->Size = 0;
+        }
+        return { vtkHeliosConeHit::Empty, -1, 0.0 };
+      }
+      const auto rename = [this](const PlaneLimits::Relation& relation)
+      {
+        return relation ? PlaneLimits::Relation([this, &relation](vtkIdType a, vtkIdType b)
+                            { return relation(this->GetCell(a), this->GetCell(b)); })
+                        : relation;
+      };
+      PlaneLimits own = limits;
+      own.AreAlike = rename(limits.AreAlike);
+      own.AreSimilar = rename(limits.AreSimilar);
+      vtkHeliosConeHit hit = this->Cones->Probe(origin, axis, tanHalfAngle, own, layer);
+      const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
+      hit.CellId = isPlane ? this->GetCell(hit.CellId) : hit.CellId;
+      for (int i = 0; layer && i < layer->Size; ++i)
+      {
+        layer->Pieces[i].Cell = this->GetCell(layer->Pieces[i].Cell);
+      }
+      return hit;
+    }
   };
 
   Part Resting;
