@@ -67,10 +67,11 @@ struct VTKHELIOSFILTERSIO_EXPORT LasSummary
 struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 {
   static constexpr int Size14 = 375;
+  static constexpr double StandardTimeOffset = 1e9; ///< [s]
 
   ///@{
   /// Bits of Encoding.
-  static constexpr int StandardTime = 1; ///< GPS time minus 1e9 s
+  static constexpr int StandardTime = 1; ///< GPS time minus StandardTimeOffset
   static constexpr int ExternalWaves = 4;
   static constexpr int HasWkt = 16;
   ///@}

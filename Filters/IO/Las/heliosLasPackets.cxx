@@ -32,7 +32,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int LastDescriptorId = 354;
 constexpr double LargestId = 9e18;
 ///@{

@@ -20,7 +20,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int SmallestScale = -46; // exponent of 2 of the finest full scale [W]
 constexpr int ScaleStep = 8;
 constexpr double Middle = 2147483648.0; // sample value of 0 W

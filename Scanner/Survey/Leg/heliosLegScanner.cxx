@@ -3,6 +3,7 @@
 #include "heliosLegScanner.h"
 
 #include "heliosChannelMerge.h"
+#include "heliosConstants.h"
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
@@ -35,7 +36,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double BytesPerKibibyte = 1024.0;
 constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr vtkIdType AllPulses = VTK_ID_MAX;
 constexpr auto None = static_cast<std::size_t>(-1);
