@@ -178,9 +178,9 @@ private:
 /// Returns the error of VTK's parser for a text, without its source location.
 Status Parse(const std::string& text)
 {
-  std::string said;
+  std::string message;
   vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&said);
+  listener->SetClientData(&message);
   listener->SetCallback(
     [](vtkObject*, unsigned long, void* client, void* data)
     {
@@ -190,14 +190,14 @@ Status Parse(const std::string& text)
     });
   const Parser parser = MakeParser(text);
   parser->AddObserver(vtkCommand::ErrorEvent, listener);
-  if (parser->IsScalarResult() && said.empty())
+  if (parser->IsScalarResult() && message.empty())
   {
     return {};
   }
-  const std::size_t from = said.find(" - ");
-  const std::size_t to = said.find("\tExpression");
+  const std::size_t from = message.find(" - ");
+  const std::size_t to = message.find("\tExpression");
   const std::string core =
-    from == std::string::npos ? "it has no value" : said.substr(from + 3, to - from - 3);
+    from == std::string::npos ? "it has no value" : message.substr(from + 3, to - from - 3);
   return Status::Error(core + "; write a term between operators, such as 0.001 * sin(t)");
 }
 

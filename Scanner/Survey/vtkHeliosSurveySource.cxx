@@ -94,7 +94,7 @@ private:
   bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
   bool Tell(double progress);
 
-  vtkWeakPointer<vtkHeliosSurvey> Heard;
+  vtkWeakPointer<vtkHeliosSurvey> Observed;
   helios::RunSettings Settings;
   vtkMTimeType PlanTime = 0; // of the scene that the legs were planned in
   double PulsesDone = 0.0;
@@ -106,9 +106,9 @@ private:
 bool vtkHeliosSurveySource::Internals::CheckSurvey()
 {
   vtkHeliosSurvey* survey = this->Source->Survey;
-  if (survey && this->Heard != survey)
+  if (survey && this->Observed != survey)
   {
-    this->Heard = survey;
+    this->Observed = survey;
     this->Log.Listen(survey);
   }
   return !survey || survey->GetNumberOfLegs() == 0 || survey->Check();

@@ -337,8 +337,8 @@ void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
     this->Remember();
   }
   this->IsSliding = !isOver;
-  const std::string said = SetSetting(this->Edit, name, value);
-  if (!said.empty() && isOver)
+  const std::string message = SetSetting(this->Edit, name, value);
+  if (!message.empty() && isOver)
   {
     this->Owner.Tell(said);
   }

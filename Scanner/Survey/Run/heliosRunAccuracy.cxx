@@ -16,7 +16,7 @@ namespace helios
 namespace
 {
 
-// The sample: pulses that hit something, and at most so many others for each of them.
+// The sample: pulses that hit something, and at most MostMisses others for each of them.
 constexpr vtkIdType FewestHits = 200;
 constexpr vtkIdType MostHits = 1000;
 constexpr vtkIdType HitsPerSample = 20000;
