@@ -116,18 +116,18 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
   PulseSource::Cursor cursor;
   Pulse pulse;
-  int asked = 0;
-  int answered = 0;
+  int probed = 0;
+  int resolved = 0;
   for (vtkIdType i = 0; i < samples; ++i)
   {
     if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
     {
-      ++asked;
-      answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
+      ++probed;
+      resolved += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
     }
   }
-  constexpr int leastShare = 4; // one in so many pays for all
-  return leastShare * answered >= asked;
+  constexpr int resolvedShare = 4; // pays from one of 4 on
+  return resolvedShare * resolved >= probed;
 }
 
 //------------------------------------------------------------------------------

@@ -92,7 +92,7 @@ private:
   bool PlanLegs();
   Shots FindShots(const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const;
   bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
-  bool Tell(double progress);
+  bool ReportProgress(double progress);
 
   vtkWeakPointer<vtkHeliosSurvey> Observed;
   helios::RunSettings Settings;
@@ -156,7 +156,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.SubRays = this->Source->GenerateSubRays;
   settings.Truth = this->Source->GenerateTruth;
   if (!this->CheckOptions(settings) ||
-    !this->Loader.Load([this](const std::string&) { return this->Tell(0.0); }, settings))
+    !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
     return false;
   }
@@ -279,7 +279,7 @@ bool vtkHeliosSurveySource::Internals::RunLeg(
   {
     const vtkIdType end = std::min(shots.Last, shot + step);
     scanner.SetPulseWindow(shot, end);
-    if (!this->Tell(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
+    if (!this->ReportProgress(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
     {
       return false;
     }
@@ -297,7 +297,7 @@ bool vtkHeliosSurveySource::Internals::RunLeg(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::Tell(double progress)
+bool vtkHeliosSurveySource::Internals::ReportProgress(double progress)
 {
   this->Source->UpdateProgress(progress);
   return !this->Source->AbortRequested && !this->Source->GetAbortExecute();

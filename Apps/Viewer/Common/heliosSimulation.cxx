@@ -41,7 +41,7 @@ Pose GetPose(vtkPolyData* way, vtkIdType sample)
 }
 
 template <typename Data>
-vtkSmartPointer<Data> Keep(vtkHeliosSurveySource* source, int port)
+vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
 {
   auto kept = vtkSmartPointer<Data>::New();
   kept->ShallowCopy(source->GetOutputDataObject(port));
@@ -215,25 +215,25 @@ double Simulation::GetComputingSeconds() const
 //------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
 {
-  return this->Ask({ pulse, pulse + 1, true, {} });
+  return this->Submit({ pulse, pulse + 1, true, {} });
 }
 
 //------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType first, vtkIdType last)
 {
-  return this->Ask({ first, last, false, {} });
+  return this->Submit({ first, last, false, {} });
 }
 
 //------------------------------------------------------------------------------
-std::future<PulseRecord> Simulation::Ask(Question question)
+std::future<PulseRecord> Simulation::Submit(Request request)
 {
-  std::future<PulseRecord> answer = question.Answer.get_future();
+  std::future<PulseRecord> record = request.Record.get_future();
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Questions.push_back(std::move(question));
+    this->Requests.push_back(std::move(request));
   }
   this->Wake.notify_all();
-  return answer;
+  return record;
 }
 
 //------------------------------------------------------------------------------
@@ -252,10 +252,10 @@ void Simulation::Work()
         break;
       }
     }
-    isGood = this->Answer() && this->RunBlock();
+    isGood = this->RunRequests() && this->RunBlock();
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Questions.clear(); // their futures then throw
+  this->Requests.clear(); // their futures then throw
   if (!isGood && !this->IsEnding)
   {
     this->State = Phase::Failed;
@@ -331,7 +331,7 @@ bool Simulation::HasWork() const
 {
   const bool isBefore =
     this->NextPulse<this->NumberOfPulses&& this->Source->FindPulse(this->Target)> this->NextPulse;
-  return !this->Questions.empty() || (isBefore && this->Blocks.size() < LongestQueue);
+  return !this->Requests.empty() || (isBefore && this->Blocks.size() < LongestQueue);
 }
 
 //------------------------------------------------------------------------------
@@ -371,29 +371,30 @@ bool Simulation::RunBlock()
   const bool isLast = end == this->NumberOfPulses;
   const double time = isLast ? this->GetEndTime() : this->Source->GetPulseTime(end);
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Blocks.push_back({ Keep<vtkPolyData>(this->Source, 0), time, end });
+  this->Blocks.push_back({ CopyOutput<vtkPolyData>(this->Source, 0), time, end });
   this->State = isLast ? Phase::Finished : this->State;
   this->ComputingSeconds += seconds.count();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool Simulation::Answer()
+bool Simulation::RunRequests()
 {
-  std::deque<Question> questions;
+  std::deque<Request> requests;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    questions.swap(this->Questions);
+    requests.swap(this->Requests);
   }
-  for (Question& question : questions)
+  for (Request& request : requests)
   {
     this->Source->GenerateWaveformsOn();
     this->Source->GeneratePulsesOn();
-    this->Source->SetGenerateSubRays(question.HasSubRays);
-    this->Source->SetPulseWindow(question.First, question.Last);
+    this->Source->SetGenerateSubRays(request.HasSubRays);
+    this->Source->SetPulseWindow(request.First, request.Last);
     this->Source->Update();
-    question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0), Keep<vtkTable>(this->Source, 1),
-      Keep<vtkPolyData>(this->Source, 2), Keep<vtkPolyData>(this->Source, 3) });
+    request.Record.set_value(
+      { CopyOutput<vtkPolyData>(this->Source, 0), CopyOutput<vtkTable>(this->Source, 1),
+        CopyOutput<vtkPolyData>(this->Source, 2), CopyOutput<vtkPolyData>(this->Source, 3) });
     this->Source->GenerateWaveformsOff();
     this->Source->GeneratePulsesOff();
     this->Source->GenerateSubRaysOff();

@@ -136,21 +136,21 @@ private:
     double EndTime;
     vtkIdType EndPulse;
   };
-  struct Question
+  struct Request
   {
     vtkIdType First;
     vtkIdType Last; ///< past the end
     bool HasSubRays;
-    std::promise<PulseRecord> Answer;
+    std::promise<PulseRecord> Record;
   };
 
-  std::future<PulseRecord> Ask(Question question);
+  std::future<PulseRecord> Submit(Request request);
   void Work();
   bool Load();
   void ReadLegs();
   bool HasWork() const;
   bool RunBlock();
-  bool Answer();
+  bool RunRequests();
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   vtkNew<vtkHeliosSurveySource> Source;
@@ -172,7 +172,7 @@ private:
   bool IsEnding = false;
   double Target;
   std::deque<Block> Blocks;
-  std::deque<Question> Questions;
+  std::deque<Request> Requests;
   double CollectedTime = 0.0;
   vtkIdType CollectedPulses = 0;
   double ComputingSeconds = 0.0;

@@ -89,7 +89,8 @@ bool EditTool::Begin()
 {
   if (!this->Owner.GetSceneView())
   {
-    this->Owner.Tell("direct control needs a scene: open a survey or a scene, and wait for it");
+    this->Owner.ShowMessage(
+      "direct control needs a scene: open a survey or a scene, and wait for it");
     return false;
   }
   std::vector<std::string> files;
@@ -116,7 +117,7 @@ bool EditTool::BeginWithSurvey()
   this->FindGround();
   if (!left.empty())
   {
-    this->Owner.Tell(left);
+    this->Owner.ShowMessage(left);
   }
   return true;
 }
@@ -162,7 +163,7 @@ bool EditTool::BeginWithScene()
   }
   if (this->Edit.Platform.empty() || this->Edit.Scanner.empty())
   {
-    this->Owner.Complain(
+    this->Owner.ShowError(
       "direct control needs a catalogue of platforms and scanners: give its folder with --assets");
     return false;
   }

@@ -81,8 +81,8 @@ public:
   void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
   /// Shows a message for a while; errors also on standard error.
-  void Tell(const std::string& message);
-  void Complain(const std::string& error);
+  void ShowMessage(const std::string& message);
+  void ShowError(const std::string& error);
 
   /// Requests a new frame.
   void Redraw() { this->IsDirty = true; }

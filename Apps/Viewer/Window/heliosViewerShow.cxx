@@ -112,7 +112,7 @@ void Viewer::ShowMesh(vtkPolyData* scene)
   const Status status = this->Mesh->SetScene(scene);
   if (!status.IsOk())
   {
-    this->Complain(status.Message());
+    this->ShowError(status.Message());
   }
 }
 
@@ -171,7 +171,7 @@ void Viewer::FinishLoading()
   const Simulation::Phase phase = this->Running->GetPhase();
   if (phase == Simulation::Phase::Failed && !this->HasFailed)
   {
-    this->Complain(this->Running->GetMessage());
+    this->ShowError(this->Running->GetMessage());
     this->HasFailed = true;
     this->ExitCode = 1;
     this->IsLoading = false;
@@ -204,8 +204,8 @@ void Viewer::ShowWays()
   const std::string problem = this->Platform->ReadModels(this->Legs);
   if (!problem.empty())
   {
-    std::cerr << "warning: " << problem << "\n";
-    this->Tell(problem);
+    std::cerr << "warning: " << status.Message() << "\n";
+    this->ShowMessage(status.Message());
   }
 }
 

@@ -22,12 +22,12 @@ namespace helios
 ///@{
 /// Stores a number as bytes; LAS is little-endian, and so are all supported machines.
 template <typename T>
-void PutLas(char* bytes, T value)
+void StoreLas(char* bytes, T value)
 {
   std::memcpy(bytes, &value, sizeof(T));
 }
 template <typename T>
-T GetLas(const char* bytes)
+T LoadLas(const char* bytes)
 {
   T value;
   std::memcpy(&value, bytes, sizeof(T));

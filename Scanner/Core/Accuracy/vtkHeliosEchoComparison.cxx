@@ -48,7 +48,7 @@ public:
     this->Add(name, { value, value, value });
   }
 
-  void Put(vtkTable* table) const
+  void AddColumns(vtkTable* table) const
   {
     table->AddColumn(this->Names);
     for (const auto& column : this->Columns)
@@ -103,7 +103,7 @@ int vtkHeliosEchoComparison::RequestData(
   }
   table.AddCount("echoes", errors.Echoes);
   table.AddCount("matched", errors.Matched);
-  table.Put(vtkTable::GetData(outputs));
+  table.AddColumns(vtkTable::GetData(outputs));
   return 1;
 }
 
