@@ -553,6 +553,12 @@ vtkIdType vtkHeliosScanner::GetCount(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosScanner::GetCountNames()
+{
+  return helios::GetCountNames();
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosScanner::GetLargestAmplitude() const
 {
   return this->Counts->LargestAmplitude;

@@ -471,6 +471,13 @@ void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosSurveySource::GetLegPulseLength(int leg) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  return plan ? this->Loaded->Loader.GetSurvey().GetScanner(plan->Leg).PulseLength : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosSurveySource::GetPulseTime(vtkIdType pulse) const
 {
   const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindPulse(pulse) : nullptr;

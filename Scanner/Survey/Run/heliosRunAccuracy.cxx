@@ -209,8 +209,8 @@ Json::Value RunAccuracy::Describe() const
   const BeamSampling sampling = ChooseSampling(scanner.Receiver, this->Settings.Options);
   if (sampling.IsAdaptive)
   {
-    described["asked"]["rangeTolerance_m"] = asked.Range;
-    described["asked"]["energyTolerance"] = asked.Energy;
+    described["asked"]["rangeTolerance_m"] = sampling.RangeTolerance;
+    described["asked"]["energyTolerance"] = sampling.EnergyTolerance;
   }
   described["without"] = Json::arrayValue;
   if (this->Settings.Options.Noise)
