@@ -185,8 +185,8 @@ Status Parse(const std::string& text)
     [](vtkObject*, unsigned long, void* client, void* data)
     {
       auto& log = *static_cast<std::string*>(client);
-      const char* message = static_cast<const char*>(data);
-      log = log.empty() && message ? message : log;
+      const char* report = static_cast<const char*>(data);
+      log = log.empty() && report ? report : log;
     });
   const Parser parser = MakeParser(text);
   parser->AddObserver(vtkCommand::ErrorEvent, listener);

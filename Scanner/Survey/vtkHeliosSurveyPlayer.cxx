@@ -27,6 +27,8 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosSurveyPlayer);
 

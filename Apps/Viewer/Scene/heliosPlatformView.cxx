@@ -176,7 +176,7 @@ double PlatformView::FindScale(const Vec3& position, double size) const
 }
 
 //------------------------------------------------------------------------------
-std::string PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
+Status PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
 {
   std::string problems;
   for (const SimulatedLeg& leg : legs)
@@ -188,7 +188,7 @@ std::string PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
       problems += isNew ? (problems.empty() ? "" : "\n") + problem : "";
     }
   }
-  return problems;
+  return problems.empty() ? Status() : Status::Error(problems);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "heliosModelFile.h"
 #include "heliosPose.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 
 #include <vtkNew.h>
 #include <vtkType.h>
@@ -43,8 +44,8 @@ public:
   void SetFanVisible(bool visible);
   bool IsFanVisible() const;
 
-  /// Reads the models of all legs; returns errors, one per line.
-  std::string ReadModels(const std::vector<SimulatedLeg>& legs);
+  /// Reads the models of all legs; the error has one line per file.
+  Status ReadModels(const std::vector<SimulatedLeg>& legs);
 
   /// Places the platform of a leg at a time [m], [s], scaled up to stay visible. Its model is
   /// shown, or one of its kind if that cannot be shown.

@@ -201,8 +201,8 @@ void Viewer::ShowWays()
   this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
   this->Platform->SetWays(this->Legs);
   this->Platform->SetFanVisible(this->Options.Fan);
-  const std::string problem = this->Platform->ReadModels(this->Legs);
-  if (!problem.empty())
+  const Status status = this->Platform->ReadModels(this->Legs);
+  if (!status.IsOk())
   {
     std::cerr << "warning: " << status.Message() << "\n";
     this->ShowMessage(status.Message());

@@ -88,11 +88,11 @@ int vtkHeliosEchoComparison::RequestData(
   matching.LeastShare = this->LeastShare;
   matching.LeastAmplitude = this->LeastAmplitude;
   helios::EchoComparison comparison;
-  const std::string fault =
+  const helios::Status status =
     comparison.Add(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]), matching);
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   const helios::EchoErrors errors = comparison.GetErrors();

@@ -10,6 +10,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+
 class vtkHeliosBeamDeflector;
 
 namespace helios

@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosPulseSample.h"
 #include "heliosReceiver.h"
+#include "heliosStatus.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
