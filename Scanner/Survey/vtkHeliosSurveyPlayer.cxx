@@ -145,7 +145,13 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.Format = TextOf(player->Format);
   if (vtkHeliosRunFiles::GetFileName("", vtkHeliosRunFiles::POINTS, this->Settings.Format).empty())
   {
-    return this->Fail("Format is \"" + this->Settings.Format + "\"; give xyz, las or vtp.");
+    std::vector<std::string> formats;
+    for (int i = 0; i < vtkHeliosRunFiles::GetNumberOfFormats(); ++i)
+    {
+      formats.emplace_back(vtkHeliosRunFiles::GetFormat(i));
+    }
+    return this->Fail("Format is \"" + this->Settings.Format + "\"; give " +
+      helios::Enumerate(formats, "or") + ".");
   }
   this->Settings.Folder = player->GetRunFolder();
   this->Settings.Waveforms = player->WriteWaveforms;
