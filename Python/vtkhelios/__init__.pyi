@@ -3799,13 +3799,17 @@ class vtkHeliosRayCaster(vtkObject):
     """vtkHeliosRayCaster - intersects batches of rays with the triangles of a scene"""
     @property
     def accelerator_size(self) -> int:
-        """The size of the accelerator in bytes, without the scene."""
+        """The name of the backend, as in vtkHeliosRayCasterFactory; the
+        size of its accelerator [bytes].
+        """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def name(self) -> Optional[str]:
-        """The name of the backend, as in vtkHeliosRayCasterFactory."""
+        """The name of the backend, as in vtkHeliosRayCasterFactory; the
+        size of its accelerator [bytes].
+        """
     def Build(self, scene: vtkPolyData) -> bool: ...
     def GetAcceleratorSize(self) -> int: ...
     def GetName(self) -> str: ...
