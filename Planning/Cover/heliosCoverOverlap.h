@@ -21,7 +21,6 @@ class VTKHELIOSPLANNING_EXPORT OverlapNetwork
 public:
   OverlapNetwork(const CoverProblem& problem, double share);
 
-  double GetShare() const { return this->Share; }
   bool AreNeighbours(int a, int b) const;
 
   /// The neighbours of a candidate, as bits.

@@ -71,7 +71,6 @@ public:
   PlayClock& GetClock() { return this->Clock; }
   Hud& GetHud() { return *this->Words; }
   TimeBar* GetTimeBar() { return this->Bar.get(); }
-  Recorder& GetRecorder() { return this->Video; }
   ///@}
 
   /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.
@@ -100,8 +99,6 @@ public:
   void ToggleRecording();
 
   void Close();
-
-  int GetExitCode() const { return this->ExitCode; }
 
 private:
   Status SetUpCamera();
