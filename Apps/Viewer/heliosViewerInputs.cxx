@@ -121,14 +121,14 @@ Status ShowPlan(Viewer& viewer, const std::string& path)
 
 /// The trajectories in the files of a run, as legs of a replay.
 std::vector<SimulatedLeg> MakeLegs(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
+  const std::vector<vtkSmartPointer<vtkPolyData>>& trajectories, double end)
 {
   std::vector<SimulatedLeg> legs;
-  for (vtkPolyData* way : ways)
+  for (vtkPolyData* trajectory : trajectories)
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(legs.size());
-    SetWay(way, leg);
+    SetTrajectory(trajectory, leg);
     if (leg.Times.empty())
     {
       continue;

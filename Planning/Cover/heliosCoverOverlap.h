@@ -43,7 +43,7 @@ public:
   Choice RemoveNeedless(const Choice& order, const StopTest& stop = {}) const;
 
 private:
-  Choice FindWay(const std::vector<Choice>& parts, const StopTest& stop);
+  Choice FindPath(const std::vector<Choice>& parts, const StopTest& stop);
 
   const CoverProblem* Problem;
   double Share;

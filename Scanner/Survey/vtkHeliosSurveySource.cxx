@@ -518,9 +518,9 @@ vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, doubl
     return nullptr;
   }
   const helios::TrajectorySampler sampler(*plan, std::max(0.0, interval));
-  const auto way = sampler.GetSamples(0, sampler.GetNumberOfSamples());
-  helios::AddPathCell(way);
-  return way;
+  const auto trajectory = sampler.GetSamples(0, sampler.GetNumberOfSamples());
+  helios::AddPathCell(trajectory);
+  return trajectory;
 }
 
 //------------------------------------------------------------------------------

@@ -32,12 +32,12 @@ constexpr vtkIdType MostPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
 constexpr double SamplesPerLeg = 2000.0; // of the trajectory
 
-Pose GetPose(vtkPolyData* way, vtkIdType sample)
+Pose GetPose(vtkPolyData* trajectory, vtkIdType sample)
 {
   double q[4] = { 1.0, 0.0, 0.0, 0.0 };
-  vtkDataArray* orientations = way->GetPointData()->GetArray(names::Orientation);
+  vtkDataArray* orientations = trajectory->GetPointData()->GetArray(names::Orientation);
   orientations ? orientations->GetTuple(sample, q) : void();
-  return { Vec3(way->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
+  return { Vec3(trajectory->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
 }
 
 template <typename Data>
@@ -86,13 +86,13 @@ const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
 }
 
 //------------------------------------------------------------------------------
-void SetWay(vtkPolyData* way, SimulatedLeg& leg)
+void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg)
 {
-  vtkDataArray* clock = way->GetPointData()->GetArray(names::GpsTime);
-  for (vtkIdType k = 0; k < way->GetNumberOfPoints(); ++k)
+  vtkDataArray* clock = trajectory->GetPointData()->GetArray(names::GpsTime);
+  for (vtkIdType k = 0; k < trajectory->GetNumberOfPoints(); ++k)
   {
     leg.Times.push_back(clock ? clock->GetTuple1(k) : 0.0);
-    leg.Poses.push_back(GetPose(way, k));
+    leg.Poses.push_back(GetPose(trajectory, k));
   }
 }
 
@@ -298,8 +298,8 @@ void Simulation::ReadLegs()
     vtkIdType pulses[2];
     this->Source->GetLegTimes(i, times);
     this->Source->GetLegPulses(i, pulses);
-    const auto way = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
-    if (!way || way->GetNumberOfPoints() == 0)
+    const auto trajectory = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
+    if (!trajectory || trajectory->GetNumberOfPoints() == 0)
     {
       continue;
     }
@@ -320,7 +320,7 @@ void Simulation::ReadLegs()
     leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
     leg.HeadStart = scan.HeadRotateStart;
     leg.HeadSpeed = scan.HeadRotateSpeed;
-    SetWay(way, leg);
+    SetTrajectory(trajectory, leg);
     this->Legs.push_back(leg);
   }
 }

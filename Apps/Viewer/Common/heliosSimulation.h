@@ -61,7 +61,7 @@ struct SimulatedLeg
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
 
 /// Sets a trajectory: a polyline with GpsTime and Orientation.
-void SetWay(vtkPolyData* way, SimulatedLeg& leg);
+void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg);
 
 /// All data of a pulse.
 struct PulseRecord

@@ -40,23 +40,23 @@ Pose FindPose(const SurveyEdit& edit, std::size_t leg)
 }
 
 /// Trajectories and positions for PlatformView.
-std::vector<SimulatedLeg> MakeWays(const SurveyEdit& edit)
+std::vector<SimulatedLeg> MakeTrajectories(const SurveyEdit& edit)
 {
-  std::vector<SimulatedLeg> ways;
+  std::vector<SimulatedLeg> trajectories;
   for (std::size_t i = 0; i < edit.Legs.size(); ++i)
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(i);
     leg.Poses.push_back(FindPose(edit, i));
-    ways.push_back(leg);
+    trajectories.push_back(leg);
     if (edit.IsMoving() && i + 1 < edit.Legs.size())
     {
       leg.IsMoving = true;
       leg.Poses.push_back(FindPose(edit, i + 1));
-      ways.push_back(leg);
+      trajectories.push_back(leg);
     }
   }
-  return ways;
+  return trajectories;
 }
 
 } // namespace
@@ -234,7 +234,7 @@ void EditTool::ShowGhost()
     this->Models = this->Models ? this->Models : std::make_shared<ModelFiles>();
     this->Ghost = std::make_unique<PlatformView>(
       this->Owner.GetRenderer(), this->Owner.GetOrigin(), this->Models);
-    this->Ghost->SetWays(MakeWays(this->Edit));
+    this->Ghost->SetTrajectories(MakeTrajectories(this->Edit));
     this->PlaceGhost();
   }
 }

@@ -33,7 +33,7 @@ public:
   ~PlatformView();
 
   /// The trajectories of the legs, as lines; scan positions as points.
-  void SetWays(const std::vector<SimulatedLeg>& legs);
+  void SetTrajectories(const std::vector<SimulatedLeg>& legs);
 
   /// Platform, scanner, trajectories.
   void SetVisible(bool visible);
@@ -69,7 +69,7 @@ private:
   bool IsVisible = true;
   vtkNew<vtkActor> Body;
   vtkNew<vtkActor> Scanner;
-  vtkNew<vtkActor> Ways;
+  vtkNew<vtkActor> Trajectories;
   vtkNew<vtkActor> Stands;
   vtkNew<vtkActor> Fan;
   vtkNew<vtkPolyData> Beams;

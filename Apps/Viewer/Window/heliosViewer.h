@@ -109,7 +109,7 @@ private:
   void SetUpKeys();
   void Begin(const double bounds[6], bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
-  void ShowWays();
+  void ShowTrajectories();
   void ShowBox(const double bounds[6], bool hasData);
   void SetSpan(double start, double end);
   int RunInteractively();

@@ -93,7 +93,7 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   const bool hasPoints = this->Points->GetBounds(bounds);
   this->ShowBox(bounds, hasPoints);
   this->PointsView->Update();
-  this->ShowWays();
+  this->ShowTrajectories();
   this->SetCameraMode(this->Camera.GetMode());
   this->Camera.Reset();
   if (this->Points->GetTimeRange(times))
@@ -191,15 +191,15 @@ void Viewer::FinishLoading()
   {
     this->Mover = std::make_unique<SceneMover>(this->Survey->GetData().Scene, *this->Mesh);
   }
-  this->ShowWays();
+  this->ShowTrajectories();
   this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
 }
 
 //------------------------------------------------------------------------------
-void Viewer::ShowWays()
+void Viewer::ShowTrajectories()
 {
   this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
-  this->Platform->SetWays(this->Legs);
+  this->Platform->SetTrajectories(this->Legs);
   this->Platform->SetFanVisible(this->Options.Fan);
   const Status status = this->Platform->ReadModels(this->Legs);
   if (!status.IsOk())
