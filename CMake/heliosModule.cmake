@@ -55,16 +55,20 @@ function(helios_drop_disabled_modules files)
 endfunction()
 
 # helios_add_test_program(<module> <folder> [LINK <module>...])
-# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, one ctest per case. Cases tagged
+# One Catch2 program of all Test*.cxx below <folder>/Testing/Cxx, one ctest per case. Cases tagged
 # [mutation] pass damaged files to a reader and are in Test*Mutations.cxx.
 function(helios_add_test_program module folder)
   cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/Testing/Cxx/Test*.cxx")
+  set(tests "${CMAKE_SOURCE_DIR}/${folder}/Testing/Cxx")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${tests}/Test*.cxx")
   if(NOT sources OR NOT TARGET vtkHelios::${module})
     return()
   endif()
   set(program vtkHelios${module}Tests)
   add_executable(${program} ${sources})
+  file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS "${tests}/*")
+  list(FILTER folders EXCLUDE REGEX "[.](h|cxx)$")
+  target_include_directories(${program} PRIVATE "${tests}" ${folders})
   target_compile_options(${program} PRIVATE ${vtkhelios_warnings} -ffp-contract=off)
   list(TRANSFORM arg_LINK REPLACE "^([^:]+)$" "vtkHelios::\\1")
   target_link_libraries(${program} PRIVATE heliosTesting vtkHelios::${module} ${arg_LINK})

@@ -32,7 +32,7 @@ LineOfSight::LineOfSight(
   this->Rays.reserve(PointsAtOnce);
 }
 
-SightSum LineOfSight::Look(const Vec3& eye, vtkIdType first, vtkTypeUInt64* words)
+SightSum LineOfSight::FindVisible(const Vec3& eye, vtkIdType first, vtkTypeUInt64* words)
 {
   this->Aim(eye, first);
   this->Cast();

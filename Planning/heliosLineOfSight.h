@@ -56,7 +56,7 @@ public:
    * Tests visibility from eye of the test points from first on, at most PointsAtOnce, and sets the
    * bits of those seen: test point first is bit 0 of words[0].
    */
-  SightSum Look(const Vec3& eye, vtkIdType first, vtkTypeUInt64* words);
+  SightSum FindVisible(const Vec3& eye, vtkIdType first, vtkTypeUInt64* words);
 
 private:
   struct Target

@@ -86,7 +86,7 @@ public:
     this->Report(0.7);
     if (this->Settings.Method >= PlanMethod::Best && !this->Network && this->Problem.IsFull)
     {
-      this->LookForFewer();
+      this->FindFewer();
     }
     if (this->Settings.Method == PlanMethod::Optimal)
     {
@@ -193,7 +193,7 @@ private:
   }
 
   /// For small problems an enumeration of the remaining candidates is enough.
-  void LookForFewer()
+  void FindFewer()
   {
     CoverAnswer answer = CoverAnswer::Found;
     while (answer == CoverAnswer::Found && !this->IsCountProved())
@@ -259,7 +259,7 @@ private:
     {
       const AngleTable table(this->Problem, this->Angles);
       const CoverSolver solver = [this](const CoverProblem& p, int count, Choice& c)
-      { return this->Answer(p, count, c); };
+      { return this->FindCover(p, count, c); };
       const bool isWorst = MinimiseWorst(this->Problem, table, this->Angles, solver, choice);
       ImproveBySwaps(
         this->Problem, this->Angles, nullptr, QualityWork, choice, this->Settings.Stop);
@@ -276,7 +276,7 @@ private:
   }
 
   /// Searches for a cover of this many scans.
-  CoverAnswer Answer(const CoverProblem& problem, int count, Choice& choice) const
+  CoverAnswer FindCover(const CoverProblem& problem, int count, Choice& choice) const
   {
     const StopTest& stop = this->Settings.Stop;
     const ReducedCover reduced = ReduceCover(problem, {}, stop);
@@ -341,8 +341,8 @@ bool IsBetter(
 {
   return a.size() != b.size()
     ? a.size() < b.size()
-    : Incidence::Judge(problem, incidence.GetBest(problem, a))
-        .IsBetterThan(Incidence::Judge(problem, incidence.GetBest(problem, b)));
+    : Incidence::ComputeQuality(problem, incidence.GetBest(problem, a))
+        .IsBetterThan(Incidence::ComputeQuality(problem, incidence.GetBest(problem, b)));
 }
 
 /// One plan for each connected part that sees enough; the best of them.

@@ -21,7 +21,7 @@ public:
 
   vtkIdType GetCoveredCount() const;
   double GetCoveredWeight() const { return this->Counts.GetCoveredWeight(); }
-  Quality GetQuality() const { return Incidence::Judge(this->Problem, this->Best); }
+  Quality GetQuality() const { return Incidence::ComputeQuality(this->Problem, this->Best); }
 
   void WriteCandidates(
     vtkPolyData* input, const std::vector<double>& meanAngles, vtkPolyData* output) const;

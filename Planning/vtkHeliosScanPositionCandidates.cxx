@@ -141,7 +141,7 @@ public:
         {
           for (vtkIdType j = begin; j < end; ++j)
           {
-            this->LookAtRow(j);
+            this->CheckRow(j);
           }
         });
       this->Self->UpdateProgress(static_cast<double>(row) / static_cast<double>(rows));
@@ -251,7 +251,7 @@ private:
       });
   }
 
-  void LookAtRow(vtkIdType row)
+  void CheckRow(vtkIdType row)
   {
     const vtkIdType count = this->X.GetCount();
     const double* bounds = this->Scene.GetBounds();
@@ -268,11 +268,11 @@ private:
       Place& place = this->Places[static_cast<std::size_t>(row * count + i)];
       place.Cell = hits[i].CellId;
       place.Height = top - hits[i].Range;
-      this->Judge(rays[i].Origin, place);
+      this->Classify(rays[i].Origin, place);
     }
   }
 
-  void Judge(const double* origin, Place& place) const
+  void Classify(const double* origin, Place& place) const
   {
     if (place.Cell < 0)
     {

@@ -79,7 +79,7 @@ public:
   void Output(vtkPolyData* candidates, vtkPolyData* testPoints, vtkPolyData* selected)
   {
     const helios::PlanOutput output(this->Problem, this->Angles, this->Result.Selected);
-    this->Tell(output);
+    this->StoreResult(output);
     output.WriteCandidates(this->Candidates, this->MeanAngles, candidates);
     this->AddNumbers(candidates);
     output.WriteTestPoints(this->TestPoints, testPoints);
@@ -280,7 +280,7 @@ private:
     return this->Self->GetAbortExecute() != 0;
   }
 
-  void Tell(const helios::PlanOutput& output)
+  void StoreResult(const helios::PlanOutput& output)
   {
     vtkHeliosScanPositionPlanner* self = this->Self;
     const double covered = output.GetCoveredWeight();

@@ -130,7 +130,7 @@ public:
       {
         return false;
       }
-      this->LookFrom(first, std::min(count, first + atOnce));
+      this->FillRows(first, std::min(count, first + atOnce));
     }
     return true;
   }
@@ -168,7 +168,7 @@ private:
   }
 
   /// Threads process ranges of test points of any candidate.
-  void LookFrom(vtkIdType first, vtkIdType last)
+  void FillRows(vtkIdType first, vtkIdType last)
   {
     const vtkIdType runs = this->GetRunCount();
     std::vector<helios::SightSum> sums(static_cast<std::size_t>((last - first) * runs));
@@ -184,7 +184,7 @@ private:
           this->Candidates->GetPoints()->GetPoint(candidate, eye);
           vtkTypeUInt64* row = this->Words->GetPointer(0) +
             candidate * static_cast<vtkIdType>(this->Words->GetNumberOfComponents());
-          sums[static_cast<std::size_t>(i)] = sight.Look(Vec3(eye), point, row + point / 64);
+          sums[static_cast<std::size_t>(i)] = sight.FindVisible(Vec3(eye), point, row + point / 64);
         }
       });
     for (vtkIdType candidate = first; candidate < last; ++candidate)

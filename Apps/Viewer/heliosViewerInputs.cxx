@@ -60,7 +60,7 @@ bool HasSurvey(const fs::path& path)
 
 /// Search folders of an XML file.
 template <typename Reader>
-void LookUp(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
+void SetInput(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
 {
   reader->SetFileName(fileName.c_str());
   for (const std::string& folder : assets)
@@ -73,7 +73,7 @@ Status ShowSurveyFile(Viewer& viewer, const std::string& fileName)
 {
   vtkNew<vtkHeliosSurveyReader> reader;
   ErrorText errors(reader);
-  LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
+  SetInput(reader.Get(), fileName, viewer.GetOptions().Assets);
   if (!reader->Read())
   {
     return Status::Error(errors.Get(fileName + ": cannot be read"));
@@ -86,7 +86,7 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
 {
   vtkNew<vtkHeliosPlannerReader> reader;
   ErrorText errors(reader);
-  LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
+  SetInput(reader.Get(), fileName, viewer.GetOptions().Assets);
   reader->SetDefaultPlatform(DefaultPlatform);
   reader->SetDefaultScanner(DefaultScanner);
   reader->KeepGridsOn();
@@ -121,14 +121,14 @@ Status ShowPlan(Viewer& viewer, const std::string& path)
 
 /// The trajectories in the files of a run, as legs of a replay.
 std::vector<SimulatedLeg> MakeLegs(
-  const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
+  const std::vector<vtkSmartPointer<vtkPolyData>>& trajectories, double end)
 {
   std::vector<SimulatedLeg> legs;
-  for (vtkPolyData* way : ways)
+  for (vtkPolyData* trajectory : trajectories)
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(legs.size());
-    SetWay(way, leg);
+    SetTrajectory(trajectory, leg);
     if (leg.Times.empty())
     {
       continue;

@@ -148,7 +148,7 @@ struct CoordinateTransform::Internals
   ProjObject Operation;
 
   Status MakeOperation();
-  std::string DescribeNoWay(const PJ* source, const PJ* target) const;
+  std::string DescribeNoOperation(const PJ* source, const PJ* target) const;
   void Apply(const double from[3], double to[3]);
 };
 
@@ -170,11 +170,12 @@ Status CoordinateTransform::Internals::MakeOperation()
   this->Operation.reset(
     plain ? proj_normalize_for_visualization(context.Get(), plain.get()) : nullptr);
   return this->Operation ? Status()
-                         : Status::Error(this->DescribeNoWay(source.get(), target.get()));
+                         : Status::Error(this->DescribeNoOperation(source.get(), target.get()));
 }
 
 //------------------------------------------------------------------------------
-std::string CoordinateTransform::Internals::DescribeNoWay(const PJ* source, const PJ* target) const
+std::string CoordinateTransform::Internals::DescribeNoOperation(
+  const PJ* source, const PJ* target) const
 {
   const std::string reason = this->Context->ReleaseMessage();
   const Grids grids = FindMissingGrids(*this->Context, source, target, nullptr);

@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-void KeepMessage(void* kept, int, const char* text)
+void StoreMessage(void* kept, int, const char* text)
 {
   *static_cast<std::string*>(kept) = text;
 }
@@ -54,7 +54,7 @@ bool IsName(const ProjContext& context, const std::string& text)
 ProjContext::ProjContext()
   : Context(proj_context_create())
 {
-  proj_log_func(this->Context, &this->Message, KeepMessage);
+  proj_log_func(this->Context, &this->Message, StoreMessage);
   proj_context_set_enable_network(this->Context, 0);
 }
 

@@ -35,13 +35,13 @@ public:
     if (this->Steps >= Interval)
     {
       this->Steps = 0;
-      this->Ask();
+      this->Poll();
     }
   }
 
   const std::function<bool()>& GetShouldStop() const { return this->ShouldStop; }
 
-  void Ask() const
+  void Poll() const
   {
     if (this->ShouldStop && this->ShouldStop())
     {

@@ -32,7 +32,7 @@ namespace
 {
 
 // Points that test a sample: a plane with few of these is not found by samples of three.
-constexpr std::size_t MostJudges = 20000;
+constexpr std::size_t MostSamples = 20000;
 
 /// Silences PCL, which reports each sample of three collinear points to stderr and draws another.
 class QuietPcl
@@ -177,11 +177,11 @@ private:
   /// The remaining points on the plane that contains most of the test points.
   void FindOne(pcl::PointIndices& found)
   {
-    const auto step = (this->Left->size() + MostJudges - 1) / MostJudges;
-    pcl::IndicesPtr judges(new pcl::Indices);
+    const auto step = (this->Left->size() + MostSamples - 1) / MostSamples;
+    pcl::IndicesPtr samples(new pcl::Indices);
     for (std::size_t i = 0; i < this->Left->size(); i += step)
     {
-      judges->push_back((*this->Left)[i]);
+      samples->push_back((*this->Left)[i]);
     }
     const auto one = std::make_shared<Segmentation>();
     pcl::SACSegmentation<pcl::PointXYZ>& segmentation = one->Method;
@@ -192,7 +192,7 @@ private:
     segmentation.setMaxIterations(this->Settings.MaximumNumberOfIterations);
     segmentation.setProbability(this->Settings.Probability);
     segmentation.setInputCloud(this->Input.GetCloud());
-    segmentation.setIndices(judges);
+    segmentation.setIndices(samples);
     const double share = static_cast<double>(this->Number) / this->Settings.MaximumNumberOfPlanes;
     this->IsStopped = !helios::RunApart(
       this->Report, share, [one] { one->Method.segment(one->Found, one->Plane); });

@@ -29,7 +29,7 @@ namespace
 constexpr vtkIdType BlockSize = 1 << 18; // points between two progress reports
 constexpr vtkIdType None = VTK_ID_MAX;
 
-void KeepSmallest(std::atomic<vtkIdType>& smallest, vtkIdType value)
+void StoreSmallest(std::atomic<vtkIdType>& smallest, vtkIdType value)
 {
   vtkIdType current = smallest;
   while (value < current && !smallest.compare_exchange_weak(current, value))
@@ -106,7 +106,7 @@ Status Reprojection::Run(vtkDataArray* places, const Work& work, const std::stri
       doubles ? doubles->GetTypedTuple(i, p) : places->GetTuple(i, p);
       if (!work(transform, p, i))
       {
-        KeepSmallest(failed, i);
+        StoreSmallest(failed, i);
       }
     }
   };

@@ -56,8 +56,8 @@ struct vtkHeliosMeshRepair::Mesh
   }
 
   /// Keeps the cells i with keep(i); returns the number dropped.
-  template <typename KeepT>
-  vtkIdType Keep(KeepT keep)
+  template <typename FilterT>
+  vtkIdType FilterCells(FilterT keep)
   {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < this->Cells.size(); ++i)
@@ -172,7 +172,7 @@ bool vtkHeliosMeshRepair::Read(vtkPolyData* input, Mesh& mesh)
 //------------------------------------------------------------------------------
 void vtkHeliosMeshRepair::DropNonFinite(Mesh& mesh)
 {
-  this->NumberOfNonFiniteTriangles = mesh.Keep(
+  this->NumberOfNonFiniteTriangles = mesh.FilterCells(
     [&mesh](std::size_t i)
     {
       return std::all_of(&mesh.Corners[3 * i], &mesh.Corners[3 * i] + 3,
@@ -218,7 +218,7 @@ void vtkHeliosMeshRepair::FindPlaces(Mesh& mesh)
 //------------------------------------------------------------------------------
 void vtkHeliosMeshRepair::DropDegenerate(Mesh& mesh)
 {
-  this->NumberOfDegenerateTriangles = mesh.Keep(
+  this->NumberOfDegenerateTriangles = mesh.FilterCells(
     [&mesh](std::size_t i)
     {
       const vtkTypeInt32* c = &mesh.Places[3 * i];
@@ -237,7 +237,7 @@ void vtkHeliosMeshRepair::DropDuplicates(Mesh& mesh)
     isDuplicate[faces[i].Cell] = faces[i].IsSameFace(faces[i - 1]);
   }
   this->NumberOfDuplicateTriangles =
-    mesh.Keep([&isDuplicate](std::size_t i) { return !isDuplicate[i]; });
+    mesh.FilterCells([&isDuplicate](std::size_t i) { return !isDuplicate[i]; });
 }
 
 //------------------------------------------------------------------------------

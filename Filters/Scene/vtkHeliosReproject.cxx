@@ -69,9 +69,10 @@ bool vtkHeliosReproject::FindSystems(
                   << (sourceProblem.IsOk() ? targetProblem.Message() : sourceProblem.Message()));
     return false;
   }
-  helios::CoordinateSystem said;
+  helios::CoordinateSystem declared;
   const bool isWarned = this->Warned > this->GetMTime();
-  if (!isWarned && !given.empty() && !own.empty() && !(said.Set(own).IsOk() && said == source))
+  if (!isWarned && !given.empty() && !own.empty() &&
+    !(declared.Set(own).IsOk() && declared == source))
   {
     vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", but the input has " << own
                     << "; SourceCRS is used");

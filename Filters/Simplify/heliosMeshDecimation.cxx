@@ -337,7 +337,7 @@ DecimatedPatch MeshDecimation::Run(const std::vector<double>& tolerances, StopCh
   decimater.module(distance).SetTolerances(tolerances);
   decimater.module(distance).SetStopCheck(check);
   decimater.initialize();
-  check.Ask();
+  check.Poll();
   decimater.Repeat(this->History);
   decimater.decimate();
   this->History = decimater.module(distance).GetHistory();

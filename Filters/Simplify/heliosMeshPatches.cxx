@@ -56,9 +56,9 @@ MeshPatches::MeshPatches(const PatchSource& source, StopCheck& check)
   std::iota(this->Fans.begin(), this->Fans.end(), 0);
   std::iota(this->Components.begin(), this->Components.end(), 0);
   this->Join(check);
-  check.Ask();
+  check.Poll();
   this->Lock();
-  check.Ask();
+  check.Poll();
   this->Sort();
 }
 

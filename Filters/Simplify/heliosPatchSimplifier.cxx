@@ -61,7 +61,7 @@ SimplifiedPatch Simplify(const Patch& patch, double limit, StopCheck& check)
   SimplifiedPatch result;
   for (int round = 0; round < NumberOfRounds; ++round)
   {
-    check.Ask();
+    check.Poll();
     result.Mesh = decimation.Run(tolerances, check);
     if (result.Mesh.Triangles.size() == patch.Cells.size())
     {

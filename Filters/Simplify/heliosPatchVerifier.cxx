@@ -130,7 +130,7 @@ void PatchVerifier::Check(const std::vector<vtkIdType>& which, const std::vector
   Portion portion;
   for (vtkIdType begin = 0; begin < count;)
   {
-    this->Stop.Ask();
+    this->Stop.Poll();
     const vtkIdType end = std::min(count, begin + portion.Get());
     portion.Run([&]() { vtkSMPTools::For(begin, end, measure); });
     begin = end;

@@ -111,7 +111,7 @@ public:
     }
     while (begin < count)
     {
-      this->Check.Ask();
+      this->Check.Poll();
       std::size_t end = begin; // a batch of about one large patch
       for (vtkIdType size = 0; end < count && size < 4 * Large; ++end)
       {
@@ -128,7 +128,7 @@ public:
         });
       begin = end;
     }
-    this->Check.Ask();
+    this->Check.Poll();
   }
 
   void Finish(vtkPolyData* scene, vtkPolyData* output)

@@ -68,7 +68,7 @@ private:
     for (int k = 1; k < count; ++k)
     {
       at = (at + stride) % count;
-      this->Keep(this->Members.Get(this->Elements[at]));
+      this->Intersect(this->Members.Get(this->Elements[at]));
       if (this->IsFew(count - k))
       {
         return;
@@ -91,7 +91,7 @@ private:
     }
   }
 
-  void Keep(const Word* row)
+  void Intersect(const Word* row)
   {
     this->Work -= static_cast<std::int64_t>(this->Common.size()) + 4;
     std::size_t kept = 0;
@@ -173,24 +173,24 @@ public:
   }
 
   /// Keeps the largest sets.
-  std::vector<int> KeepLargest(const StopTest& stop)
+  std::vector<int> SelectLargest(const StopTest& stop)
   {
-    return this->Keep(stop,
+    return this->Select(stop,
       [this](int s, int t)
       { this->Lost[s] = this->Lost[s] || this->Sizes[t] > this->Sizes[s] || t < s; });
   }
 
   /// Keeps the smallest sets.
-  std::vector<int> KeepSmallest(const StopTest& stop)
+  std::vector<int> SelectSmallest(const StopTest& stop)
   {
-    return this->Keep(stop,
+    return this->Select(stop,
       [this](int s, int t)
       { this->Lost[t] = this->Lost[t] || this->Sizes[t] > this->Sizes[s] || s < t; });
   }
 
 private:
-  template <typename JudgeT>
-  std::vector<int> Keep(const StopTest& stop, JudgeT judge)
+  template <typename CompareT>
+  std::vector<int> Select(const StopTest& stop, CompareT compare)
   {
     for (const int s : SortBySize(this->Sizes))
     {
@@ -200,7 +200,7 @@ private:
       }
       if (!this->Lost[s])
       {
-        this->Search.Visit(s, [&](int t) { judge(s, t); });
+        this->Search.Visit(s, [&](int t) { compare(s, t); });
       }
     }
     std::vector<int> kept;
@@ -234,7 +234,7 @@ std::vector<int> Pick(const std::vector<int>& values, const std::vector<int>& wh
 bool LeaveOutPoints(ReducedCover& cover, std::int64_t& work, const StopTest& stop)
 {
   const std::vector<int> kept =
-    Sieve(cover.Columns.View(), cover.Rows.View(), work).KeepSmallest(stop);
+    Sieve(cover.Columns.View(), cover.Rows.View(), work).SelectSmallest(stop);
   if (kept.size() == cover.Points.size())
   {
     return false;
@@ -248,7 +248,7 @@ bool LeaveOutPoints(ReducedCover& cover, std::int64_t& work, const StopTest& sto
 bool LeaveOutCandidates(ReducedCover& cover, std::int64_t& work, const StopTest& stop)
 {
   const std::vector<int> kept =
-    Sieve(cover.Rows.View(), cover.Columns.View(), work).KeepLargest(stop);
+    Sieve(cover.Rows.View(), cover.Columns.View(), work).SelectLargest(stop);
   if (kept.size() == cover.Candidates.size())
   {
     return false;

@@ -102,16 +102,16 @@ bool OverlapNetwork::Connect(Choice& choice, const StopTest& stop)
     {
       return true;
     }
-    const Choice way = this->FindWay(parts, stop);
-    if (way.empty())
+    const Choice path = this->FindPath(parts, stop);
+    if (path.empty())
     {
       return false;
     }
-    choice.insert(choice.end(), way.begin(), way.end());
+    choice.insert(choice.end(), path.begin(), path.end());
   }
 }
 
-Choice OverlapNetwork::FindWay(const std::vector<Choice>& parts, const StopTest& stop)
+Choice OverlapNetwork::FindPath(const std::vector<Choice>& parts, const StopTest& stop)
 {
   Choice shortest;
   for (std::size_t start = 0; start + 1 < parts.size(); ++start)
@@ -139,14 +139,14 @@ Choice OverlapNetwork::FindWay(const std::vector<Choice>& parts, const StopTest&
       const Words& neighbours = this->GetNeighbours(a);
       if (HasCommon(neighbours.data(), targets.data(), length))
       {
-        Choice way;
+        Choice path;
         for (int b = a; from[b] >= 0; b = from[b])
         {
-          way.push_back(b);
+          path.push_back(b);
         }
-        if (shortest.empty() || way.size() < shortest.size())
+        if (shortest.empty() || path.size() < shortest.size())
         {
-          shortest = way;
+          shortest = path;
         }
         break;
       }

@@ -21,7 +21,6 @@ class VTKHELIOSPLANNING_EXPORT OverlapNetwork
 public:
   OverlapNetwork(const CoverProblem& problem, double share);
 
-  double GetShare() const { return this->Share; }
   bool AreNeighbours(int a, int b) const;
 
   /// The neighbours of a candidate, as bits.
@@ -44,7 +43,7 @@ public:
   Choice RemoveNeedless(const Choice& order, const StopTest& stop = {}) const;
 
 private:
-  Choice FindWay(const std::vector<Choice>& parts, const StopTest& stop);
+  Choice FindPath(const std::vector<Choice>& parts, const StopTest& stop);
 
   const CoverProblem* Problem;
   double Share;

@@ -51,7 +51,6 @@ public:
 
   int GetCount(int point) const { return this->Counts[point]; }
   const Words& GetCovered() const { return this->Covered; }
-  const Words& GetCoveredOnce() const { return this->Once; }
   double GetCoveredWeight() const { return this->Weight; }
 
   /// Whether a member sees no point exclusively.

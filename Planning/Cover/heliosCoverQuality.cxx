@@ -60,7 +60,7 @@ bool MinimiseWorst(const CoverProblem& problem, const AngleTable& table, const I
   const CoverSolver& solver, Choice& choice)
 {
   const auto getWorst = [&](const Choice& c)
-  { return Incidence::Judge(problem, incidence.GetBest(problem, c)).Worst; };
+  { return Incidence::ComputeQuality(problem, incidence.GetBest(problem, c)).Worst; };
   const std::vector<double> angles = table.GetThresholds(getWorst(choice));
   const int count = static_cast<int>(choice.size());
   bool isProved = true;
@@ -90,7 +90,7 @@ bool MinimiseWorst(const CoverProblem& problem, const AngleTable& table, const I
 bool MinimiseMean(const CoverProblem& problem, const AngleTable& table, const Incidence& incidence,
   std::int64_t work, Choice& choice, const StopTest& stop)
 {
-  const double worst = Incidence::Judge(problem, incidence.GetBest(problem, choice)).Worst;
+  const double worst = Incidence::ComputeQuality(problem, incidence.GetBest(problem, choice)).Worst;
   const BitMatrix rows = table.Restrict(worst);
   const CoverProblem restricted(rows.View(), problem.Weights);
   const ReducedCover reduced = ReduceCover(restricted, { false, true }, stop);

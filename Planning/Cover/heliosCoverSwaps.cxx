@@ -21,7 +21,7 @@ public:
     , Network(network)
     , Work(work)
     , Members(choice)
-    , Best(Incidence::Judge(problem, incidence.GetBest(problem, choice)))
+    , Best(Incidence::ComputeQuality(problem, incidence.GetBest(problem, choice)))
     , Stop(stop)
   {
   }
@@ -111,7 +111,7 @@ private:
     VisitBits(this->Problem.Rows.Get(b), this->Problem.Rows.Length,
       [&](int v) { best[v] = std::fmin(best[v], this->Angles.GetAngle(b, v)); });
     this->Work -= this->Problem.Rows.Columns;
-    const Quality quality = Incidence::Judge(this->Problem, best);
+    const Quality quality = Incidence::ComputeQuality(this->Problem, best);
     Choice members = this->Members;
     members[k] = b;
     if (!quality.IsBetterThan(this->Best) ||

@@ -96,7 +96,7 @@ std::vector<double> Incidence::GetBest(const CoverProblem& problem, const Choice
   return best;
 }
 
-Quality Incidence::Judge(const CoverProblem& problem, const std::vector<double>& best)
+Quality Incidence::ComputeQuality(const CoverProblem& problem, const std::vector<double>& best)
 {
   double worst = None;
   double sum = 0.0;

@@ -50,7 +50,7 @@ public:
   std::vector<double> GetBest(const CoverProblem& problem, const Choice& choice) const;
 
   /// The largest of these angles, and their mean by weight.
-  static Quality Judge(const CoverProblem& problem, const std::vector<double>& best);
+  static Quality ComputeQuality(const CoverProblem& problem, const std::vector<double>& best);
 
 private:
   std::vector<Vector> Positions;

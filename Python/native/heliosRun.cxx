@@ -134,7 +134,7 @@ public:
     }
     this->Last = now;
     const vtkPythonScopeGilEnsurer lock(true);
-    if (!this->Tell(caller))
+    if (!this->ReportProgress(caller))
     {
       PyErr_Fetch(&this->Type, &this->Value, &this->Traceback);
       this->IsStopping = true;
@@ -175,7 +175,7 @@ private:
   }
 
   /// Returns false if a signal or the callback raises.
-  bool Tell(vtkObject* caller)
+  bool ReportProgress(vtkObject* caller)
   {
     if (PyErr_CheckSignals() != 0)
     {

@@ -22,8 +22,8 @@ WHOLE = {
     "rayCaster": "bvh", "sampling": "1 sub-ray", "scene": "ed43", "survey": "village",
     "timings": {"legs_s": [2.25], "load_s": 0.25, "run_s": 2.25, "threads": 2},
     "totals": {"firstReturns": 1, "hitsOutOfRange": 0, "points": 1, "pulses": 2, "pulsesBinned": 0,
-               "pulsesFired": 2, "pulsesHit": 1, "pulsesOnPlane": 1, "pulsesWithoutBins": 0,
-               "subRays": 4, "largestAmplitude_W": 1e-7},
+               "pulsesFired": 2, "pulsesHit": 1, "pulsesOnPlane": 1, "pulsesSampled": 0,
+               "pulsesWithoutBins": 0, "subRays": 4, "largestAmplitude_W": 1e-7},
     "versions": {"VTK": "9.1.0", "vtkHelios": "0.1.0"},
 }  # fmt: skip
 

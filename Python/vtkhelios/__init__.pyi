@@ -3799,13 +3799,17 @@ class vtkHeliosRayCaster(vtkObject):
     """vtkHeliosRayCaster - intersects batches of rays with the triangles of a scene"""
     @property
     def accelerator_size(self) -> int:
-        """The size of the accelerator in bytes, without the scene."""
+        """The name of the backend, as in vtkHeliosRayCasterFactory; the
+        size of its accelerator [bytes].
+        """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def name(self) -> Optional[str]:
-        """The name of the backend, as in vtkHeliosRayCasterFactory."""
+        """The name of the backend, as in vtkHeliosRayCasterFactory; the
+        size of its accelerator [bytes].
+        """
     def Build(self, scene: vtkPolyData) -> bool: ...
     def GetAcceleratorSize(self) -> int: ...
     def GetName(self) -> str: ...
@@ -4678,6 +4682,11 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """Set/Get the id of pulse 0, and the ids of leg and channel that
     the outputs carry. Default: 0.
     """
+    @property
+    def count_names(self) -> Any:
+        """The names of the counts of a scan or of a run of
+        vtkHeliosSurveyPlayer, separated by blanks.
+        """
     duration: float
     """Set/Get the duration of the scan [s]; negative: on a static
     platform until the head rotation ends, else until the trajectory
@@ -4830,6 +4839,8 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     def GetBeamSampler(self) -> vtkHeliosBeamSampler: ...
     def GetChannelId(self) -> int: ...
     def GetCount(self, name: str) -> int: ...
+    @staticmethod
+    def GetCountNames() -> str: ...
     def GetDuration(self) -> float: ...
     def GetDurationMaxValue(self) -> float: ...
     def GetDurationMinValue(self) -> float: ...
@@ -5602,8 +5613,9 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
         """Get the results of Load(); empty before. The scene as one mesh,
         moving parts at their start; the number of pulses of all legs;
         the pulse ids [i0, i1) and the time [t0, t1] of a leg [s], both
-        empty ranges for a leg that fires no pulses; the time of a pulse,
-        and the first pulse at a time or later [s].
+        empty ranges for a leg that fires no pulses; the length of its
+        pulses, the full width at half maximum, or 0 [ns]; the time of a
+        pulse, and the first pulse at a time or later [s].
         """
     options: Optional[vtkHeliosRunOptions]
     """Set/Get the options of the run: epoch, seed, sampling of the
@@ -5631,8 +5643,9 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
         """Get the results of Load(); empty before. The scene as one mesh,
         moving parts at their start; the number of pulses of all legs;
         the pulse ids [i0, i1) and the time [t0, t1] of a leg [s], both
-        empty ranges for a leg that fires no pulses; the time of a pulse,
-        and the first pulse at a time or later [s].
+        empty ranges for a leg that fires no pulses; the length of its
+        pulses, the full width at half maximum, or 0 [ns]; the time of a
+        pulse, and the first pulse at a time or later [s].
         """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey to run. Required; no default."""
@@ -5659,6 +5672,7 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     def GetGenerateTruth(self) -> bool: ...
     def GetGenerateWaveforms(self) -> bool: ...
     def GetGrid(self, grid: int) -> vtkImageData: ...
+    def GetLegPulseLength(self, leg: int) -> float: ...
     def GetLegPulses(self, leg: int, ids: MutableSequence[int]) -> None: ...
     def GetLegTimes(self, leg: int, times: MutableSequence[float]) -> None: ...
     def GetMTime(self) -> int: ...

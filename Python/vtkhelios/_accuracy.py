@@ -8,9 +8,8 @@ import typing
 
 from ._join import join_clouds
 from ._pipeline import PipelineError
+from .array_names import PULSE_IDS
 
-SPEED_OF_LIGHT, FWHM_PER_SIGMA = 0.299792458, 2.3548200450309493  # [m/ns]
-SEPARATION = 0.6  # of echoes that are the same, in c sigma (vtkHeliosSurveySource)
 PULSES_PER_WINDOW = 256  # of the sample, between signs of progress
 WINDOWS, SHORTEST, GROWTH = 4, 32, 4  # of pulses that are timed
 ENOUGH_SECONDS, LONGEST_WINDOW = 0.1, 16384
@@ -82,16 +81,20 @@ class Sampler:
     def make_comparison(self):
         """A vtkHeliosEchoComparison for the survey's scanner."""
         comparison = _class("vtkHeliosEchoComparison")()
-        legs = [leg.index for leg in self._survey.legs if leg.active]
-        source = self._survey.source_of(self._options)
-        for leg in reversed(legs):  # the first that fires pulses
-            source.SetUpComparison(comparison, leg)
+        source, leg = self._first_leg()
+        source.SetUpComparison(comparison, leg)
         return comparison
 
     def pulse_length(self):
         """Full width at half maximum [ns]."""
-        sigma = self.make_comparison().GetMatchingDistance() / SEPARATION / SPEED_OF_LIGHT
-        return sigma * FWHM_PER_SIGMA
+        source, leg = self._first_leg()
+        return source.GetLegPulseLength(leg)
+
+    def _first_leg(self):
+        """The loaded source, and the first leg that fires pulses."""
+        source = self._survey.source_of(self._options)
+        legs = [leg.index for leg in self._survey.legs if leg.active]
+        return source, next(leg for leg in legs if source.GetLegPulseLength(leg) > 0)
 
     def time(self, **options):
         """Processor time per pulse index [s]: of consecutive pulses, in windows of all the survey."""
@@ -114,7 +117,7 @@ class Sampler:
 
 
 def _count_pulses(cloud):
-    ids = cloud["PulseIds"] if len(cloud) else ()
+    ids = cloud[PULSE_IDS] if len(cloud) else ()
     return len(set(map(int, ids)))
 
 

@@ -200,7 +200,7 @@ class Survey:
             parts of the model that are left out: "divergence", "atmosphere", "specular" or
             "voxels", or several, separated by blanks.
         pulse_step
-            a sample: one of so many pulses.
+            a sample: every n-th pulse.
 
         Raises PipelineError with the message of any filter.
         """

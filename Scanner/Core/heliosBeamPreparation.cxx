@@ -117,19 +117,19 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   PulseSource::Cursor cursor;
   Pulse pulse;
   ConeLayer layer;
-  int asked = 0;
-  int answered = 0;
+  int probed = 0;
+  int resolved = 0;
   for (vtkIdType i = 0; i < samples; ++i)
   {
     if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
     {
-      ++asked;
+      ++probed;
       const bool isMixed = model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Mixed;
-      answered += isMixed && layer.Size == 0 ? 0 : 1;
+      resolved += isMixed && layer.Size == 0 ? 0 : 1;
     }
   }
-  constexpr int leastShare = 4; // one in so many pays for all
-  return leastShare * answered >= asked;
+  constexpr int resolvedShare = 4; // pays from one of 4 on
+  return resolvedShare * resolved >= probed;
 }
 
 //------------------------------------------------------------------------------

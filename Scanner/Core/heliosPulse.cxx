@@ -86,14 +86,14 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   const bool isUnknown = this->Noise && this->Noise->IsUnknown();
   if (this->Noise && !isUnknown)
   {
-    this->Shake(index, position, platform);
+    this->AddNoise(index, position, platform);
   }
   this->PlaceBeam(position, platform, head, beam, pulse);
   pulse.Reported = pulse.GetDirection();
   pulse.ReportedOrigin = pulse.Origin;
   if (isUnknown)
   {
-    this->Shake(index, position, platform);
+    this->AddNoise(index, position, platform);
     this->PlaceBeam(position, platform, head, beam, pulse);
   }
   if (this->Errors || this->AngleAccuracy > 0.0)
@@ -112,7 +112,7 @@ void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, cons
 }
 
 /// Moves and rotates the platform by its noise.
-void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) const
+void PulseSource::AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const
 {
   double values[6];
   this->Noise->GetValues(static_cast<vtkIdType>(this->Seed), this->Ids.Get(index), values);

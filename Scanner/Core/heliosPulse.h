@@ -93,7 +93,7 @@ private:
   const Head& GetHead(double angle, Cursor& cursor) const;
   void PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
     const Rotation& beam, Pulse& pulse) const;
-  void Shake(vtkIdType index, Vec3& position, Rotation& platform) const;
+  void AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;
 };

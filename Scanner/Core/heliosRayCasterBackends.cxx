@@ -24,7 +24,7 @@ namespace
 {
 
 /// A backend registers itself when its library is loaded; naming it here keeps the library linked.
-void KeepBackends()
+void LinkBackends()
 {
 #if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingCgal
   vtkNew<vtkHeliosCgalRayCaster> cgal;
@@ -41,7 +41,7 @@ void KeepBackends()
 
 vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster()
 {
-  KeepBackends();
+  LinkBackends();
   return vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create(nullptr));
 }
 

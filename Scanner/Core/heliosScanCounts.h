@@ -73,7 +73,18 @@ inline void ScanCounts::Add(const ScanCounts& other)
   }
 }
 
-/// A count by its name; -1 if there is none with that name.
+/// The names of all counts, separated by blanks.
+inline std::string GetCountNames()
+{
+  std::string names;
+  for (const CountName& count : CountNames)
+  {
+    names += (names.empty() ? "" : " ") + std::string(count.Name);
+  }
+  return names;
+}
+
+/// A count by its name; -1 for any other name.
 inline vtkIdType GetCount(const ScanCounts& counts, const std::string& name)
 {
   for (const CountName& count : CountNames)

@@ -115,25 +115,25 @@ void Squeeze(vtkFieldData* data)
   }
 }
 
-void Put(double* column, vtkIdType row, const Vec3& value)
+void Store(double* column, vtkIdType row, const Vec3& value)
 {
   std::copy_n(value.GetData(), 3, column + 3 * row);
 }
 
-/// Calls put(record, row) for all records of all chunks, in parallel over chunks.
-template <typename RecordT, typename PutT>
+/// Calls store(record, row) for all records of all chunks, in parallel over chunks.
+template <typename RecordT, typename StoreT>
 void ForEachRecord(const std::vector<ChunkResult>& chunks,
-  std::vector<RecordT> ChunkResult::*records, const std::vector<vtkIdType>& offsets, PutT put)
+  std::vector<RecordT> ChunkResult::*records, const std::vector<vtkIdType>& offsets, StoreT store)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
-    [&chunks, &offsets, records, put](vtkIdType begin, vtkIdType end)
+    [&chunks, &offsets, records, store](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType c = begin; c < end; ++c)
       {
         vtkIdType row = offsets[static_cast<std::size_t>(c)];
         for (const RecordT& record : chunks[static_cast<std::size_t>(c)].*records)
         {
-          put(record, row++);
+          store(record, row++);
         }
       }
     });
@@ -166,7 +166,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, 
   ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
     [=](const EchoRecord& e, vtkIdType row)
     {
-      Put(points, row, e.Point);
+      Store(points, row, e.Point);
       times[row] = e.Time;
       pulses[row] = e.PulseId;
       channels[row] = firstChannel + e.Channel;
@@ -203,8 +203,8 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
   ForEachRecord(chunks, &ChunkResult::Truths, offsets,
     [=](const TruthRecord& t, vtkIdType row)
     {
-      Put(points, row, t.Point);
-      Put(normals, row, t.Normal);
+      Store(points, row, t.Point);
+      Store(normals, row, t.Normal);
     });
 }
 
@@ -224,8 +224,8 @@ void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
   ForEachRecord(chunks, &ChunkResult::Pulses, offsets,
     [=](const PulseRecord& p, vtkIdType row)
     {
-      Put(origins, row, p.Origin);
-      Put(directions, row, p.Direction);
+      Store(origins, row, p.Origin);
+      Store(directions, row, p.Direction);
       times[row] = p.Time;
       pulses[row] = p.PulseId;
       angles[row] = p.ScanAngle;
@@ -247,7 +247,7 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
   ForEachRecord(chunks, &ChunkResult::SubRays, offsets,
     [=](const SubRayRecord& s, vtkIdType row)
     {
-      Put(points, row, s.Point);
+      Store(points, row, s.Point);
       pulses[row] = s.PulseId;
       cells[row] = s.CellId;
       weights[row] = s.Weight;
@@ -277,8 +277,8 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSetting
     [=](const WaveformRecord& w, vtkIdType row)
     {
       pulses[row] = w.PulseId;
-      Put(origins, row, w.Origin);
-      Put(directions, row, w.Direction);
+      Store(origins, row, w.Origin);
+      Store(directions, row, w.Direction);
       times[row] = w.Time;
       starts[row] = w.StartTime;
       bins[row] = binSize;

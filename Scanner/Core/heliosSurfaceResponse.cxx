@@ -40,9 +40,10 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
 }
 
 /// Fills the columns, padding the lanes with a valid range.
-void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
+void SurfaceResponse::FillColumns(
+  const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
 {
-  Columns& c = this->Asked;
+  Columns& c = this->Batch;
   const RangeGate gate = this->Model.Gate;
   const Surface* surface = nullptr;
   vtkIdType cell = -1; // of the surface: the next sub-ray often hits it, too
@@ -81,7 +82,7 @@ void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, st
 /// The cases that columns do not handle, one by one: transmissions far from each other, and lobes.
 void SurfaceResponse::Refine(std::size_t count, double* powers, const double* cosines)
 {
-  const Columns& c = this->Asked;
+  const Columns& c = this->Batch;
   for (std::size_t i = 0; i < count; ++i)
   {
     if (c.Reflectance[i] > 0.0)
@@ -101,10 +102,10 @@ void SurfaceResponse::GetReplies(
     const std::size_t size = std::min(Columns::Size, count - first);
     double* powers = replies.Powers.data() + first;
     double* cosines = replies.Cosines.data() + first;
-    this->Ask(rays + first, hits + first, size);
-    this->Transmission(this->Asked.Range[0]); // starts the series there, or near
-    const bool isNear = this->Asked.Compute(size, this->Gain, this->Transmission, powers, cosines);
-    if (!isNear || this->Asked.HasLobes)
+    this->FillColumns(rays + first, hits + first, size);
+    this->Transmission(this->Batch.Range[0]); // starts the series there, or near
+    const bool isNear = this->Batch.Compute(size, this->Gain, this->Transmission, powers, cosines);
+    if (!isNear || this->Batch.HasLobes)
     {
       this->Refine(size, powers, cosines);
     }

@@ -92,7 +92,7 @@ private:
     bool Compute(std::size_t count, double gain, const NearbyTransmission& transmission,
       double* powers, double* cosines) const;
   };
-  void Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
+  void FillColumns(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
   void Refine(std::size_t count, double* powers, const double* cosines);
   /// The return of a white surface at normal incidence [W].
   double GetWhitePower(double range)
@@ -124,7 +124,7 @@ private:
   const double Gain; // of a white surface at 1 m, without extinction [W]
   NearbyTransmission Transmission;
   std::array<Surface, 64> Known;
-  Columns Asked;
+  Columns Batch;
 };
 
 } // namespace helios

@@ -284,8 +284,8 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
   source.Errors = this->ErrorModel;
-  const bool shakes = this->PlatformNoise && this->PlatformNoise->IsOn();
-  source.Noise = shakes ? this->PlatformNoise.Get() : nullptr;
+  const bool isNoisy = this->PlatformNoise && this->PlatformNoise->IsOn();
+  source.Noise = isNoisy ? this->PlatformNoise.Get() : nullptr;
   source.AngleAccuracy = this->AngleAccuracy;
   source.Seed = static_cast<std::uint64_t>(this->Seed);
   source.Ids = { this->FirstPulseId, this->PulseIdStride };
@@ -565,6 +565,12 @@ void vtkHeliosScanner::WarnOfCounts(bool isWholeScan)
 vtkIdType vtkHeliosScanner::GetCount(const std::string& name) const
 {
   return helios::GetCount(*this->Counts, name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosScanner::GetCountNames()
+{
+  return helios::GetCountNames();
 }
 
 //------------------------------------------------------------------------------

@@ -359,6 +359,11 @@ public:
   vtkIdType GetCount(const std::string& name) const;
 
   /**
+   * The names of the counts of a scan or of a run of vtkHeliosSurveyPlayer, separated by blanks.
+   */
+  static std::string GetCountNames();
+
+  /**
    * The largest signal of a pulse of the last update [W], detected or not.
    */
   double GetLargestAmplitude() const;

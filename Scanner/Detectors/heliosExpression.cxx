@@ -178,26 +178,26 @@ private:
 /// Returns the error of VTK's parser for a text, without its source location.
 Status Parse(const std::string& text)
 {
-  std::string said;
+  std::string message;
   vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&said);
+  listener->SetClientData(&message);
   listener->SetCallback(
     [](vtkObject*, unsigned long, void* client, void* data)
     {
       auto& log = *static_cast<std::string*>(client);
-      const char* message = static_cast<const char*>(data);
-      log = log.empty() && message ? message : log;
+      const char* report = static_cast<const char*>(data);
+      log = log.empty() && report ? report : log;
     });
   const Parser parser = MakeParser(text);
   parser->AddObserver(vtkCommand::ErrorEvent, listener);
-  if (parser->IsScalarResult() && said.empty())
+  if (parser->IsScalarResult() && message.empty())
   {
     return {};
   }
-  const std::size_t from = said.find(" - ");
-  const std::size_t to = said.find("\tExpression");
+  const std::size_t from = message.find(" - ");
+  const std::size_t to = message.find("\tExpression");
   const std::string core =
-    from == std::string::npos ? "it has no value" : said.substr(from + 3, to - from - 3);
+    from == std::string::npos ? "it has no value" : message.substr(from + 3, to - from - 3);
   return Status::Error(core + "; write a term between operators, such as 0.001 * sin(t)");
 }
 

@@ -14,7 +14,7 @@ vtkStandardNewMacro(vtkHeliosBeamSampler);
 namespace
 {
 
-constexpr double QuarterTurn = 0.5 * 3.14159265358979323846;
+constexpr double QuarterTurn = 0.5 * vtkMath::Pi();
 constexpr double GoldenSection = 0.61803398874989484820;
 constexpr double WeightUnit = 0x1p-53;
 

@@ -34,12 +34,12 @@ SpeedChange Fly(const DriveLimits& limits, double from, double to, const Maneuve
     change.Distance += end.Distance;
     speed = end.Speed;
   };
-  add(DrivePhase::Ramp(limits, speed, limits.Keep(from), maneuver.Peak));
+  add(DrivePhase::Ramp(limits, speed, limits.GetDrive(from), maneuver.Peak));
   if (maneuver.Wait > 0.0)
   {
     add(DrivePhase::Hold(limits, speed, maneuver.Peak, maneuver.Wait));
   }
-  add(DrivePhase::Ramp(limits, speed, maneuver.Peak, limits.Keep(to)));
+  add(DrivePhase::Ramp(limits, speed, maneuver.Peak, limits.GetDrive(to)));
   return change;
 }
 
@@ -62,7 +62,7 @@ double GetLongestWait(const DriveLimits& limits, double from, double to, double 
     return wait;
   }
   // Until it is at rest.
-  const double speed = DrivePhase::Ramp(limits, from, limits.Keep(from), peak).GetEnd().Speed;
+  const double speed = DrivePhase::Ramp(limits, from, limits.GetDrive(from), peak).GetEnd().Speed;
   const double w = std::sqrt(limits.Drag * std::abs(peak));
   return w > 0.0 ? std::atan(speed * w / std::abs(peak)) / w : speed / std::abs(peak);
 }
@@ -73,7 +73,7 @@ SpeedChange ChangeWithin(const DriveLimits& limits, double from, double to, doub
   {
     return {};
   }
-  const double base = limits.Keep(to);
+  const double base = limits.GetDrive(to);
   const auto gentle = [&](double effort) {
     return Maneuver{ base + effort * (extreme - base), 0.0 };
   };
@@ -152,7 +152,7 @@ DrivePhase DrivePhase::Hold(const DriveLimits& limits, double speed, double driv
 //------------------------------------------------------------------------------
 DrivePhase DrivePhase::Cruise(const DriveLimits& limits, double speed, double duration)
 {
-  DrivePhase phase = Hold(limits, speed, limits.Keep(speed), duration);
+  DrivePhase phase = Hold(limits, speed, limits.GetDrive(speed), duration);
   phase.Cruises = true;
   return phase;
 }

@@ -23,7 +23,7 @@ struct DriveLimits
   double Step;  // of the integration while the drive changes [s]
 
   /// The drive that keeps a speed constant.
-  double Keep(double speed) const { return this->Drag * speed * speed; }
+  double GetDrive(double speed) const { return this->Drag * speed * speed; }
 };
 
 /// A period in which the drive is constant, or changes at a constant rate.

@@ -124,7 +124,7 @@ std::vector<helios::MotionPiece> MakeMotion(
 //------------------------------------------------------------------------------
 bool vtkHeliosGroundVehiclePlatform::Move(vtkPolyData* waypoints, std::vector<State>& path)
 {
-  if (!this->CheckSpeeds(waypoints, "A vehicle's path") || !this->CheckWay(waypoints))
+  if (!this->CheckSpeeds(waypoints, "A vehicle's path") || !this->CheckPath(waypoints))
   {
     return false;
   }
@@ -164,7 +164,7 @@ bool vtkHeliosGroundVehiclePlatform::Move(vtkPolyData* waypoints, std::vector<St
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosGroundVehiclePlatform::CheckWay(vtkPolyData* waypoints)
+bool vtkHeliosGroundVehiclePlatform::CheckPath(vtkPolyData* waypoints)
 {
   double length = 0.0;
   for (vtkIdType i = 1; i < waypoints->GetNumberOfPoints(); ++i)

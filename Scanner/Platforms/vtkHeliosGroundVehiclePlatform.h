@@ -149,7 +149,7 @@ private:
   void operator=(const vtkHeliosGroundVehiclePlatform&) = delete;
 
   bool CheckClimb(vtkIdType waypoint, double grade);
-  bool CheckWay(vtkPolyData* waypoints);
+  bool CheckPath(vtkPolyData* waypoints);
 
   double Mass = 1500.0;
   double EngineForce = 6000.0;

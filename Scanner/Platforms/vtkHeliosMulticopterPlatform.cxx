@@ -39,7 +39,7 @@ helios::Passing GetPassing(bool stops, bool smooth)
 bool vtkHeliosMulticopterPlatform::Move(vtkPolyData* waypoints, std::vector<State>& path)
 {
   if (!this->CheckSpeeds(waypoints, "A flight") || !this->CheckWaypointArrays(waypoints) ||
-    !this->CheckWay(waypoints))
+    !this->CheckPath(waypoints))
   {
     return false;
   }
@@ -97,7 +97,7 @@ bool vtkHeliosMulticopterPlatform::CheckWaypointArrays(vtkPolyData* waypoints)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosMulticopterPlatform::CheckWay(vtkPolyData* waypoints)
+bool vtkHeliosMulticopterPlatform::CheckPath(vtkPolyData* waypoints)
 {
   const double weight = this->Mass * helios::StandardGravity;
   if (this->MaximumThrust > 0.0 && !(this->MaximumThrust > 1.01 * weight))

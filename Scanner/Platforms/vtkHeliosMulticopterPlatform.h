@@ -181,7 +181,7 @@ private:
   void operator=(const vtkHeliosMulticopterPlatform&) = delete;
 
   bool CheckWaypointArrays(vtkPolyData* waypoints);
-  bool CheckWay(vtkPolyData* waypoints);
+  bool CheckPath(vtkPolyData* waypoints);
 
   double Mass = 10.0;
   double MaximumThrust = 0.0;

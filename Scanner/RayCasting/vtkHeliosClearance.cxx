@@ -46,7 +46,7 @@ public:
   }
 
   /// The height above the surface below, along the segment from a to b.
-  double LookDown(const Vec3& a, const Vec3& b, double spacing) const
+  double FindHeight(const Vec3& a, const Vec3& b, double spacing) const
   {
     const double pieces = std::max(1.0, std::ceil((b - a).Norm() / spacing));
     double height = this->GetHeight(b);
@@ -58,7 +58,7 @@ public:
   }
 
   /// The distance to the nearest surface within a radius, from the segment from a to b.
-  double LookAround(const Vec3& a, const Vec3& b, double radius) const
+  double FindDistance(const Vec3& a, const Vec3& b, double radius) const
   {
     // Short segments have tight boxes.
     const double pieces = std::max(1.0, std::ceil((b - a).Norm() / radius));
@@ -136,7 +136,7 @@ int vtkHeliosClearance::RequestData(
   vtkNew<vtkDoubleArray> clearances;
   clearances->SetName(names::Clearance);
   if (!this->Measure(path, vtkPolyData::GetData(inputs[1]), clearances) ||
-    !this->Judge(path, clearances))
+    !this->CheckClearances(path, clearances))
   {
     return 0;
   }
@@ -175,8 +175,8 @@ bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubl
       return false;
     }
     clearances->SetValue(i,
-      this->Direction == DOWN ? surroundings.LookDown(a, b, this->Spacing)
-                              : surroundings.LookAround(a, b, this->Radius));
+      this->Direction == DOWN ? surroundings.FindHeight(a, b, this->Spacing)
+                              : surroundings.FindDistance(a, b, this->Radius));
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(count));
     if (this->GetAbortExecute())
     {
@@ -188,7 +188,7 @@ bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubl
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosClearance::Judge(vtkPolyData* path, vtkDoubleArray* clearances)
+bool vtkHeliosClearance::CheckClearances(vtkPolyData* path, vtkDoubleArray* clearances)
 {
   vtkIdType nearest = 0;
   for (vtkIdType i = 0; i < clearances->GetNumberOfValues(); ++i)

@@ -123,7 +123,7 @@ private:
   void operator=(const vtkHeliosClearance&) = delete;
 
   bool Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubleArray* clearances);
-  bool Judge(vtkPolyData* path, vtkDoubleArray* clearances);
+  bool CheckClearances(vtkPolyData* path, vtkDoubleArray* clearances);
 
   int Direction = ALL_AROUND;
   double Radius = 100.0;

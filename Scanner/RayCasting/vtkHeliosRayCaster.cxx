@@ -104,7 +104,7 @@ bool vtkHeliosRayCaster::TryToBuild()
 {
   try
   {
-    this->Built->Check.Ask();
+    this->Built->Check.Poll();
     return this->BuildAccelerator(*this->Mesh);
   }
   catch (const helios::Stopped&)

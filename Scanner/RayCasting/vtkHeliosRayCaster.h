@@ -4,17 +4,13 @@
  * @class   vtkHeliosRayCaster
  * @brief   intersects batches of rays with the triangles of a scene
  *
- * A strategy: after one Build() from a scene, any number of threads may query
- * it. Every backend takes hit and range from the same double-precision
- * watertight test (Woop et al. 2013) on the scene's own points, so all are
- * byte-identical: no leak through shared edges and vertices; of triangles at
- * equal range the one with the lowest cell id. Triangles without area are never
- * hit. Both sides of a triangle are hit. (vtkHeliosObbTreeRayCaster, for
- * cross-checks, fulfils this only approximately.)
+ * A strategy: after Build(), any number of threads may query it. Every backend takes hit and range
+ * from the same double-precision watertight test (Woop et al. 2013) on the scene's own points, so
+ * all are byte-identical: no leak through shared edges and vertices; of triangles at equal range the
+ * one with the lowest cell id. Triangles without area are never hit, others from both sides.
+ * (vtkHeliosObbTreeRayCaster, for cross-checks, fulfils this only approximately.)
  *
- * @sa
- * vtkHeliosRayCasterFactory vtkHeliosBeamRayCaster vtkHeliosBvhRayCaster
- * vtkHeliosScanner
+ * @sa vtkHeliosRayCasterFactory vtkHeliosBeamRayCaster vtkHeliosBvhRayCaster vtkHeliosScanner
  */
 
 #ifndef vtkHeliosRayCaster_h
@@ -45,22 +41,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Builds the accelerator for a scene of triangles. Does nothing if it was
-   * built from this scene and the scene has not been modified since. Returns
-   * false, after an error that gives the reason, for a scene that is empty or
-   * has other cells than triangles or points that are not finite.
+   * Builds the accelerator for a scene of triangles, if it has changed. Returns false, after an
+   * error, for a scene that is empty, or has other cells or points that are not finite.
    */
   bool Build(vtkPolyData* scene);
 
   /**
-   * The first hit of each of count rays. Rays adjacent in the array should be
-   * adjacent in space: they are traced together.
+   * The first hit of each of count rays; those adjacent in the array are traced together.
    */
   virtual void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const = 0;
 
   /**
-   * The first hits of beams, each of n nearby rays: byte-identical to
-   * Intersect(), but faster.
+   * The first hits of beams, each of n nearby rays: byte-identical to Intersect(), but faster.
    */
   virtual void IntersectBeams(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
@@ -72,34 +64,27 @@ public:
     const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const = 0;
 
   /**
-   * The first hits of rays given as arrays of 3 components, for Python: fills
-   * ranges [units of the direction's length] (infinite for a miss) and cellIds
-   * (-1 for a miss). Returns false, after an error, for arrays of other shape
-   * or a caster that is not built.
+   * The first hits of rays given as arrays of 3 components, for Python: fills ranges [units of the
+   * direction's length] and cellIds; of a miss infinite and -1. False after an error.
    */
   bool Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions, vtkDoubleArray* ranges,
     vtkIdTypeArray* cellIds);
 
+  ///@{
   /**
-   * The name of the backend, as in vtkHeliosRayCasterFactory.
+   * The name of the backend, as in vtkHeliosRayCasterFactory; the size of its accelerator [bytes].
    */
   virtual const char* GetName() const = 0;
-
-  /**
-   * The size of the accelerator in bytes, without the scene.
-   */
   virtual std::size_t GetAcceleratorSize() const = 0;
+  ///@}
 
 #ifndef __VTK_WRAP__
-  /// The probe of cones in the built scene, until the next build. The first call makes it and is
-  /// not thread-safe. Null without a scene, after an abort request, for too many triangles.
+  /// The cone probe of the scene, until the next build. The first call makes it, in one thread. Null
+  /// without a scene, after an abort request, for too many triangles.
   const helios::ConeProbe* GetConeProbe();
 
-  /**
-   * A callback polled about ten times/s by Build() and GetConeProbe(), in the calling thread (by
-   * vtkHeliosObbTreeRayCaster only at the start); null: none. If it returns true, they stop, and
-   * Build() ends with an error and no scene.
-   */
+  /// Polled about ten times/s by Build() and GetConeProbe() (vtkHeliosObbTreeRayCaster: at the
+  /// start), in the calling thread. If it returns true, they stop, Build() with an error.
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
   /// The triangles of the built scene.

@@ -27,6 +27,8 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosSurveyPlayer);
 
@@ -75,7 +77,7 @@ private:
   void MeasureAccuracy();
   bool Conclude();
   bool ConcludeFinished();
-  bool Tell(const std::string& step);
+  bool ReportStep(const std::string& step);
   bool Count(const helios::ScanCounts& counts);
   void SetCounts(const helios::ScanCounts& counts);
   bool Fail(const std::string& text);
@@ -121,7 +123,7 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
     [this](double share)
     {
       this->Player->Progress = share;
-      return this->Tell("sampling");
+      return this->ReportStep("sampling");
     });
   if (this->Log.HasError())
   {
@@ -143,7 +145,13 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.Format = TextOf(player->Format);
   if (vtkHeliosRunFiles::GetFileName("", vtkHeliosRunFiles::POINTS, this->Settings.Format).empty())
   {
-    return this->Fail("Format is \"" + this->Settings.Format + "\"; give xyz, las or vtp.");
+    std::vector<std::string> formats;
+    for (int i = 0; i < vtkHeliosRunFiles::GetNumberOfFormats(); ++i)
+    {
+      formats.emplace_back(vtkHeliosRunFiles::GetFormat(i));
+    }
+    return this->Fail("Format is \"" + this->Settings.Format + "\"; give " +
+      helios::Enumerate(formats, "or") + ".");
   }
   this->Settings.Folder = player->GetRunFolder();
   this->Settings.Waveforms = player->WriteWaveforms;
@@ -168,7 +176,7 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   {
     return this->Fail(status.Message());
   }
-  this->Tell("hashing the input files");
+  this->ReportStep("hashing the input files");
   this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
   if (!this->Resumes)
   {
@@ -220,7 +228,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierFiles()
   if (status.IsOk())
   {
     status = check.CheckBlocks(*this->Journal, this->Player->BytesToCheck,
-      [this] { return this->Tell("checking the files of the earlier run"); });
+      [this] { return this->ReportStep("checking the files of the earlier run"); });
   }
   if (!status.IsOk())
   {
@@ -234,7 +242,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierFiles()
 bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
-  const auto onStep = [this](const std::string& step) { return this->Tell(step); };
+  const auto onStep = [this](const std::string& step) { return this->ReportStep(step); };
   const bool isLoaded = this->Player->Source->LoadScene(onStep, this->Settings);
   if (!isLoaded && !this->Log.HasError())
   {
@@ -290,7 +298,7 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
   for (const helios::LegPlan& plan : this->Runner->GetPlans())
   {
     this->Player->CurrentLeg = static_cast<int>(plan.Leg);
-    if (!this->Tell("running leg " + std::to_string(plan.Leg)) ||
+    if (!this->ReportStep("running leg " + std::to_string(plan.Leg)) ||
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
       const std::string error = this->Log.GetLastError();
@@ -334,7 +342,7 @@ void vtkHeliosSurveyPlayer::Internals::MeasureAccuracy()
   }
   const auto start = std::chrono::steady_clock::now();
   helios::RunAccuracy accuracy(*this->Runner, this->Settings, this->Log);
-  accuracy.Measure([this](double) { return this->Tell("measuring the accuracy"); });
+  accuracy.Measure([this](double) { return this->ReportStep("measuring the accuracy"); });
   this->Accuracy = accuracy.Describe();
   this->AccuracySeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -385,7 +393,7 @@ bool vtkHeliosSurveyPlayer::Internals::ConcludeFinished()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::Tell(const std::string& step)
+bool vtkHeliosSurveyPlayer::Internals::ReportStep(const std::string& step)
 {
   this->Player->Message = step;
   double progress = this->Player->Progress;

@@ -227,9 +227,8 @@ public:
 
   /**
    * A count of the blocks done, by its name: "pulses", pulse indices, whether emitted or not;
-   * "points" and "firstReturns", written; and those of vtkHeliosScanner::GetCount(): "pulsesFired",
-   * "pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "pulsesBinned", "subRays", "hitsOutOfRange".
-   * -1 for any other name.
+   * "points" and "firstReturns", written; and those of vtkHeliosScanner::GetCount(). -1 for any
+   * other name.
    */
   vtkIdType GetCount(const std::string& name) const;
 

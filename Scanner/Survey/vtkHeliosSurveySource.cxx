@@ -92,9 +92,9 @@ private:
   bool PlanLegs();
   Shots FindShots(const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const;
   bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
-  bool Tell(double progress);
+  bool ReportProgress(double progress);
 
-  vtkWeakPointer<vtkHeliosSurvey> Heard;
+  vtkWeakPointer<vtkHeliosSurvey> Observed;
   helios::RunSettings Settings;
   vtkMTimeType PlanTime = 0; // of the scene that the legs were planned in
   double PulsesDone = 0.0;
@@ -106,9 +106,9 @@ private:
 bool vtkHeliosSurveySource::Internals::CheckSurvey()
 {
   vtkHeliosSurvey* survey = this->Source->Survey;
-  if (survey && this->Heard != survey)
+  if (survey && this->Observed != survey)
   {
-    this->Heard = survey;
+    this->Observed = survey;
     this->Log.Listen(survey);
   }
   return !survey || survey->GetNumberOfLegs() == 0 || survey->Check();
@@ -156,7 +156,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.SubRays = this->Source->GenerateSubRays;
   settings.Truth = this->Source->GenerateTruth;
   if (!this->CheckOptions(settings) ||
-    !this->Loader.Load([this](const std::string&) { return this->Tell(0.0); }, settings))
+    !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
     return false;
   }
@@ -279,7 +279,7 @@ bool vtkHeliosSurveySource::Internals::RunLeg(
   {
     const vtkIdType end = std::min(shots.Last, shot + step);
     scanner.SetPulseWindow(shot, end);
-    if (!this->Tell(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
+    if (!this->ReportProgress(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
     {
       return false;
     }
@@ -297,7 +297,7 @@ bool vtkHeliosSurveySource::Internals::RunLeg(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::Tell(double progress)
+bool vtkHeliosSurveySource::Internals::ReportProgress(double progress)
 {
   this->Source->UpdateProgress(progress);
   return !this->Source->AbortRequested && !this->Source->GetAbortExecute();
@@ -471,6 +471,13 @@ void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosSurveySource::GetLegPulseLength(int leg) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  return plan ? this->Loaded->Loader.GetSurvey().GetScanner(plan->Leg).PulseLength : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosSurveySource::GetPulseTime(vtkIdType pulse) const
 {
   const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindPulse(pulse) : nullptr;
@@ -511,9 +518,9 @@ vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, doubl
     return nullptr;
   }
   const helios::TrajectorySampler sampler(*plan, std::max(0.0, interval));
-  const auto way = sampler.GetSamples(0, sampler.GetNumberOfSamples());
-  helios::AddPathCell(way);
-  return way;
+  const auto trajectory = sampler.GetSamples(0, sampler.GetNumberOfSamples());
+  helios::AddPathCell(trajectory);
+  return trajectory;
 }
 
 //------------------------------------------------------------------------------

@@ -120,13 +120,14 @@ public:
   /**
    * Get the results of Load(); empty before. The scene as one mesh, moving parts at their start;
    * the number of pulses of all legs; the pulse ids [i0, i1) and the time [t0, t1] of a leg [s],
-   * both empty ranges for a leg that fires no pulses; the time of a pulse, and the first pulse at a
-   * time or later [s].
+   * both empty ranges for a leg that fires no pulses; the length of its pulses, the full width at
+   * half maximum, or 0 [ns]; the time of a pulse, and the first pulse at a time or later [s].
    */
   vtkPolyData* GetScene() const;
   vtkIdType GetNumberOfPulses() const;
   void GetLegPulses(int leg, vtkIdType ids[2]) const;
   void GetLegTimes(int leg, double times[2]) const;
+  double GetLegPulseLength(int leg) const;
   double GetPulseTime(vtkIdType pulse) const;
   vtkIdType FindPulse(double time) const;
   ///@}

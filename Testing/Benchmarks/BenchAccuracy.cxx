@@ -12,6 +12,7 @@
 #include "heliosAccuracyScenes.h"
 #include "heliosBenchClock.h"
 #include "heliosTradeBench.h"
+#include "heliosTradeErrors.h"
 
 #include <vtkSMPTools.h>
 
@@ -49,7 +50,7 @@ Accuracy GetAccuracy(vtkPolyData* run, vtkPolyData* reference, double threshold,
   matching.FullAmplitude = full;
   matching.LeastAmplitude = threshold;
   helios::EchoComparison comparison;
-  comparison.Add(run, reference, matching);
+  helios::bench::Require(comparison.Add(run, reference, matching));
   const helios::EchoErrors errors = comparison.GetErrors();
   return { errors.RangeP50.Value, errors.RangeP95.Value, errors.RangeRms.Value, errors.Lost.Value,
     errors.AmplitudeRms.Value };

@@ -42,7 +42,7 @@ double GetReach(const helios::Incidence::Vector& c, double direction)
   return 1.0 + 0.35 * sum;
 }
 
-helios::BitMatrix Look(
+helios::BitMatrix FindVisible(
   const Vectors& candidates, const Vectors& points, double reach, double hidden)
 {
   std::mt19937 random(1);
@@ -97,7 +97,7 @@ int main(int argc, char* argv[])
   const auto get = [&](int k, double value) { return argc > k ? std::atof(argv[k]) : value; };
   const Vectors candidates = MakeGrid(static_cast<int>(get(1, 100)), 0.4, 0.01);
   const Vectors points = MakeGrid(static_cast<int>(get(2, 316)), 0.5, 0.0);
-  const helios::BitMatrix rows = Look(candidates, points, get(3, 0.1), get(4, 0.0));
+  const helios::BitMatrix rows = FindVisible(candidates, points, get(3, 0.1), get(4, 0.0));
   const helios::CoverProblem problem(rows.View());
   double bits = 0.0;
   for (int a = 0; a < rows.View().Rows; ++a)

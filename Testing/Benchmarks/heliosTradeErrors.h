@@ -6,6 +6,7 @@
 #define heliosTradeErrors_h
 
 #include "heliosEchoComparison.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <vector>
 
 namespace helios::bench
@@ -62,13 +65,23 @@ struct TradeErrors
   }
 };
 
+/// Ends the program after an error.
+inline void Require(const Status& status)
+{
+  if (!status.IsOk())
+  {
+    std::cerr << status.Message() << "\n";
+    std::exit(1);
+  }
+}
+
 /// Matches are the nearest, within 0.6 of the least separation of two equal echoes, c sigma.
 inline TradeErrors Compare(vtkPolyData* run, vtkPolyData* reference, double separation)
 {
   EchoMatching matching;
   matching.Distance = 0.6 * separation;
   EchoComparison comparison;
-  comparison.Add(run, reference, matching);
+  Require(comparison.Add(run, reference, matching));
   const EchoErrors errors = comparison.GetErrors();
   return { 100.0 * errors.Missed.Value, 100.0 * errors.Invented.Value, errors.RangeBias,
     errors.RangeRms.Value, errors.RangeP99, errors.AmplitudeRms.Value };

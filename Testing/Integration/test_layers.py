@@ -38,15 +38,6 @@ def test_units_have_no_cycles():
     assert layers.find_unit_cycles(MODULES.values()) == []
 
 
-@pytest.mark.parametrize("name", MODULES)
-def test_folders_are_small(name):
-    sizes = {
-        path: sum(file.is_file() for file in path.iterdir())
-        for path in layers.folders_of(MODULES[name])
-    }
-    assert {path.name: size for path, size in sizes.items() if size >= 40} == {}
-
-
 def test_cycles_are_found(tmp_path):
     for folder, other in (("A", "B"), ("B", "A")):
         (tmp_path / folder).mkdir()

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Formatting, spelling and licence lines of all tracked files."""
 
+import collections
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -13,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def tracked(*suffixes):
-    """The tracked files with these suffixes, without inputs of the fuzz tests."""
+    """The tracked files with these suffixes (none: all), without inputs of the fuzz tests."""
     if not shutil.which("git") or not (ROOT / ".git").exists():
         pytest.skip("not a git checkout")
     listing = subprocess.run(
@@ -23,7 +25,9 @@ def tracked(*suffixes):
     return [
         str(path)
         for path in files
-        if path.suffix in suffixes and "seeds" not in path.parts and (ROOT / path).is_file()
+        if (not suffixes or path.suffix in suffixes)
+        and "seeds" not in path.parts
+        and (ROOT / path).is_file()
     ]
 
 
@@ -65,11 +69,48 @@ def test_spelling():
 
 
 def test_licence_lines():
-    files = tracked(".h", ".cxx", ".py", ".sh", ".cmake", ".module") + [
+    files = tracked(".h", ".cxx", ".py", ".sh", ".cmake", ".module", ".in", ".toml", ".yml") + [
         name for name in tracked(".txt") if name.endswith("CMakeLists.txt")
     ]
     missing = [name for name in files if "SPDX-License-Identifier" not in (ROOT / name).read_text()]
     assert missing == []
+
+
+def test_folders_are_small():
+    sizes = collections.Counter(str(pathlib.Path(name).parent) for name in tracked())
+    assert {folder: size for folder, size in sizes.items() if size >= 40} == {}
+
+
+# Verbs that do not say what a function does (CONTRIBUTING.md); properties and VTK's names are allowed.
+_VERBS = re.compile(
+    r"\b(?!(?:TakeReference|TakeSmartPointer|TellG|Keep(?:Invalid|Grids|FileTimes)\w*|"
+    r"Keeps\w*)\b)(?:Take|Put|Look|Keep|Tell|Complain|Judge|Note|Shake|Relate|Settle|Ask|Answer)"
+    r"(?:[A-Z]\w*)?\("
+)
+
+
+def find_verbs(text):
+    """The names of functions in C++ with a verb that does not say what happens."""
+    code = re.sub(r"//[^\n]*|>::Take\(", "", text)
+    return [name for name in _VERBS.findall(code) if name != "Note("]
+
+
+def test_verbs_are_found():
+    assert find_verbs("void TellAll();\nint Put(int);\nx.LookAtRow(3);") == [
+        "TellAll(",
+        "Put(",
+        "LookAtRow(",
+    ]
+    assert find_verbs("vtkSmartPointer<A>::Take(b); r->KeepInvalidOn(); = Note();") == []
+
+
+def test_functions_are_named_by_verbs():
+    found = {
+        name: find_verbs((ROOT / name).read_text())
+        for name in tracked(".h", ".cxx")
+        if "heliosConeTest" not in name
+    }
+    assert {name: verbs for name, verbs in found.items() if verbs} == {}
 
 
 def test_errors_are_a_status():

@@ -3,6 +3,7 @@
 #include "heliosCloudReader.h"
 
 #include "heliosCloud.h"
+#include "heliosErrorText.h"
 #include "heliosInputFile.h"
 #include "heliosJsonText.h"
 #include "heliosPlyPoints.h"
@@ -97,24 +98,24 @@ std::string GetTrajectoryName(const std::string& path)
   return name.empty() ? name : (points.parent_path() / name).string();
 }
 
-/// Keeps the first error of a reader, without its code location.
-void KeepError(vtkObject*, unsigned long, void* kept, void* text)
+/// Stores the first error of a reader.
+void StoreFirst(vtkObject*, unsigned long, void* first, void* text)
 {
-  std::string message = text ? static_cast<const char*>(text) : "";
-  const std::size_t at = message.find("): ");
-  message = at == std::string::npos ? message : message.substr(at + 3);
-  message.erase(message.find_last_not_of(" \n") + 1);
-  auto* error = static_cast<std::string*>(kept);
-  *error = error->empty() ? message : *error;
+  auto* error = static_cast<std::string*>(first);
+  if (error->empty() && text)
+  {
+    *error = StripOrigin(static_cast<const char*>(text));
+  }
 }
 
-void KeepErrors(vtkAlgorithm* reader, std::string& error)
+/// Reports errors of a reader and of its executive in a text, the first one only.
+void ObserveErrors(vtkAlgorithm* reader, std::string& error)
 {
-  vtkNew<vtkCallbackCommand> keeper;
-  keeper->SetCallback(KeepError);
-  keeper->SetClientData(&error);
-  reader->AddObserver(vtkCommand::ErrorEvent, keeper);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keeper);
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(StoreFirst);
+  observer->SetClientData(&error);
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
 }
 
 std::string WithPath(const std::string& path, const std::string& message)
@@ -325,7 +326,7 @@ Status CloudReader::ReadEchoes(const std::string& path)
 {
   vtkNew<vtkHeliosPointTextReader> reader;
   std::string error;
-  KeepErrors(reader, error);
+  ObserveErrors(reader, error);
   vtkNew<vtkStringArray> known;
   for (const std::string& name : this->PartNames)
   {
@@ -360,7 +361,7 @@ Status CloudReader::ReadEchoes(const std::string& path)
 Status CloudReader::ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg)
 {
   std::string error;
-  KeepErrors(reader, error);
+  ObserveErrors(reader, error);
   for (int piece = 0; piece < pieces && error.empty() && !this->Stopped; ++piece)
   {
     const bool isRead = reader->UpdatePiece(piece, pieces, 0) != 0;
@@ -383,7 +384,7 @@ Status CloudReader::ReadTrajectory(const std::string& path)
 {
   vtkNew<vtkHeliosTrajectoryReader> reader;
   std::string error;
-  KeepErrors(reader, error);
+  ObserveErrors(reader, error);
   reader->UseWriterFormat();
   reader->SetFileName(path.c_str());
   reader->Update();

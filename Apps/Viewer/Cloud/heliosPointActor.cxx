@@ -47,7 +47,7 @@ void PointActor::Show(const float* xyz, vtkIdType count)
 {
   if (xyz != this->Shown || count != this->Count || this->Changed)
   {
-    this->Put(xyz, this->Rgba.data(), count);
+    this->SetPoints(xyz, this->Rgba.data(), count);
   }
   this->SomeXyz = {};
   this->SomeRgba = {};
@@ -64,11 +64,12 @@ void PointActor::ShowSome(const float* xyz, const std::vector<vtkIdType>& which)
     const std::uint8_t* color = this->Rgba.data() + 4 * i;
     this->SomeRgba.insert(this->SomeRgba.end(), color, color + 4);
   }
-  this->Put(this->SomeXyz.data(), this->SomeRgba.data(), static_cast<vtkIdType>(which.size()));
+  this->SetPoints(
+    this->SomeXyz.data(), this->SomeRgba.data(), static_cast<vtkIdType>(which.size()));
 }
 
 //------------------------------------------------------------------------------
-void PointActor::Put(const float* xyz, const std::uint8_t* rgba, vtkIdType count)
+void PointActor::SetPoints(const float* xyz, const std::uint8_t* rgba, vtkIdType count)
 {
   if (xyz != this->Shown || count != this->Count || !this->SomeXyz.empty())
   {

@@ -51,7 +51,7 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  void Put(const float* xyz, const std::uint8_t* rgba, vtkIdType count);
+  void SetPoints(const float* xyz, const std::uint8_t* rgba, vtkIdType count);
 
   vtkRenderer* Renderer;
   vtkNew<vtkActor> Actor;

@@ -17,7 +17,7 @@ namespace helios::viewer
 namespace
 {
 
-const char* const WaysOut =
+const char* const Remedy =
   "; log in to a desktop, use ssh -X, or draw without a window: "
   "xvfb-run -a vtkhelios view ... --offscreen --still picture.png (Debian package xvfb)";
 
@@ -37,12 +37,12 @@ Status CheckDisplay()
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name)
   {
-    return Status::Error(std::string("there is no display (DISPLAY is not set)") + WaysOut);
+    return Status::Error(std::string("there is no display (DISPLAY is not set)") + Remedy);
   }
   Display* display = XOpenDisplay(nullptr);
   if (!display)
   {
-    return Status::Error("the display " + std::string(name) + " cannot be opened" + WaysOut);
+    return Status::Error("the display " + std::string(name) + " cannot be opened" + Remedy);
   }
   XCloseDisplay(display);
   return {};

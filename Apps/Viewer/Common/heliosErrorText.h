@@ -18,6 +18,15 @@
 namespace helios::viewer
 {
 
+/// A message of VTK without its file, line and object.
+inline std::string StripOrigin(const std::string& message)
+{
+  const std::size_t object = message.find("): ");
+  std::string text = object == std::string::npos ? message : message.substr(object + 3);
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
 /// Keeps the errors of an object, one per line, without VTK's prefix. Errors of the pipeline of an
 /// algorithm are dropped.
 class ErrorText
@@ -27,7 +36,7 @@ public:
     : Object(object)
   {
     this->Observer->SetClientData(this);
-    this->Observer->SetCallback(Keep);
+    this->Observer->SetCallback(Append);
     this->Tag = object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
     if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
     {
@@ -59,14 +68,10 @@ public:
   }
 
 private:
-  static void Keep(vtkObject*, unsigned long, void* self, void* text)
+  static void Append(vtkObject*, unsigned long, void* self, void* text)
   {
     std::string& kept = static_cast<ErrorText*>(self)->Text;
-    std::string error = static_cast<const char*>(text);
-    const std::size_t name = error.find("): ");
-    error = name == std::string::npos ? error : error.substr(name + 3);
-    error.erase(error.find_last_not_of(" \n") + 1);
-    kept += (kept.empty() ? "" : "\n") + error;
+    kept += (kept.empty() ? "" : "\n") + StripOrigin(static_cast<const char*>(text));
   }
 
   vtkWeakPointer<vtkObject> Object;

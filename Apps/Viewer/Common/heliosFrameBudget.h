@@ -19,12 +19,12 @@ public:
   static constexpr double AfterInput = 0.4; ///< input counts as ongoing [s]
 
   /// Records user input at a time [s].
-  void NoteInput(double now) { this->LastInput = now; }
+  void RecordInput(double now) { this->LastInput = now; }
 
   bool IsBusy(double now) const { return now - this->LastInput < AfterInput; }
 
   /// Records a drawn frame and its duration [s].
-  void NoteFrame(double now, double seconds)
+  void RecordFrame(double now, double seconds)
   {
     this->LastFrame = now;
     this->Cost = seconds;

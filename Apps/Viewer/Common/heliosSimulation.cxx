@@ -32,16 +32,16 @@ constexpr vtkIdType MostPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
 constexpr double SamplesPerLeg = 2000.0; // of the trajectory
 
-Pose GetPose(vtkPolyData* way, vtkIdType sample)
+Pose GetPose(vtkPolyData* trajectory, vtkIdType sample)
 {
   double q[4] = { 1.0, 0.0, 0.0, 0.0 };
-  vtkDataArray* orientations = way->GetPointData()->GetArray(names::Orientation);
+  vtkDataArray* orientations = trajectory->GetPointData()->GetArray(names::Orientation);
   orientations ? orientations->GetTuple(sample, q) : void();
-  return { Vec3(way->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
+  return { Vec3(trajectory->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
 }
 
 template <typename Data>
-vtkSmartPointer<Data> Keep(vtkHeliosSurveySource* source, int port)
+vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
 {
   auto kept = vtkSmartPointer<Data>::New();
   kept->ShallowCopy(source->GetOutputDataObject(port));
@@ -86,13 +86,13 @@ const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
 }
 
 //------------------------------------------------------------------------------
-void SetWay(vtkPolyData* way, SimulatedLeg& leg)
+void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg)
 {
-  vtkDataArray* clock = way->GetPointData()->GetArray(names::GpsTime);
-  for (vtkIdType k = 0; k < way->GetNumberOfPoints(); ++k)
+  vtkDataArray* clock = trajectory->GetPointData()->GetArray(names::GpsTime);
+  for (vtkIdType k = 0; k < trajectory->GetNumberOfPoints(); ++k)
   {
     leg.Times.push_back(clock ? clock->GetTuple1(k) : 0.0);
-    leg.Poses.push_back(GetPose(way, k));
+    leg.Poses.push_back(GetPose(trajectory, k));
   }
 }
 
@@ -215,25 +215,25 @@ double Simulation::GetComputingSeconds() const
 //------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
 {
-  return this->Ask({ pulse, pulse + 1, true, {} });
+  return this->Submit({ pulse, pulse + 1, true, {} });
 }
 
 //------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType first, vtkIdType last)
 {
-  return this->Ask({ first, last, false, {} });
+  return this->Submit({ first, last, false, {} });
 }
 
 //------------------------------------------------------------------------------
-std::future<PulseRecord> Simulation::Ask(Question question)
+std::future<PulseRecord> Simulation::Submit(Request request)
 {
-  std::future<PulseRecord> answer = question.Answer.get_future();
+  std::future<PulseRecord> record = request.Record.get_future();
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Questions.push_back(std::move(question));
+    this->Requests.push_back(std::move(request));
   }
   this->Wake.notify_all();
-  return answer;
+  return record;
 }
 
 //------------------------------------------------------------------------------
@@ -252,10 +252,10 @@ void Simulation::Work()
         break;
       }
     }
-    isGood = this->Answer() && this->RunBlock();
+    isGood = this->RunRequests() && this->RunBlock();
   }
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Questions.clear(); // their futures then throw
+  this->Requests.clear(); // their futures then throw
   if (!isGood && !this->IsEnding)
   {
     this->State = Phase::Failed;
@@ -298,8 +298,8 @@ void Simulation::ReadLegs()
     vtkIdType pulses[2];
     this->Source->GetLegTimes(i, times);
     this->Source->GetLegPulses(i, pulses);
-    const auto way = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
-    if (!way || way->GetNumberOfPoints() == 0)
+    const auto trajectory = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
+    if (!trajectory || trajectory->GetNumberOfPoints() == 0)
     {
       continue;
     }
@@ -320,7 +320,7 @@ void Simulation::ReadLegs()
     leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
     leg.HeadStart = scan.HeadRotateStart;
     leg.HeadSpeed = scan.HeadRotateSpeed;
-    SetWay(way, leg);
+    SetTrajectory(trajectory, leg);
     this->Legs.push_back(leg);
   }
 }
@@ -331,7 +331,7 @@ bool Simulation::HasWork() const
 {
   const bool isBefore =
     this->NextPulse<this->NumberOfPulses&& this->Source->FindPulse(this->Target)> this->NextPulse;
-  return !this->Questions.empty() || (isBefore && this->Blocks.size() < LongestQueue);
+  return !this->Requests.empty() || (isBefore && this->Blocks.size() < LongestQueue);
 }
 
 //------------------------------------------------------------------------------
@@ -371,29 +371,30 @@ bool Simulation::RunBlock()
   const bool isLast = end == this->NumberOfPulses;
   const double time = isLast ? this->GetEndTime() : this->Source->GetPulseTime(end);
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Blocks.push_back({ Keep<vtkPolyData>(this->Source, 0), time, end });
+  this->Blocks.push_back({ CopyOutput<vtkPolyData>(this->Source, 0), time, end });
   this->State = isLast ? Phase::Finished : this->State;
   this->ComputingSeconds += seconds.count();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool Simulation::Answer()
+bool Simulation::RunRequests()
 {
-  std::deque<Question> questions;
+  std::deque<Request> requests;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    questions.swap(this->Questions);
+    requests.swap(this->Requests);
   }
-  for (Question& question : questions)
+  for (Request& request : requests)
   {
     this->Source->GenerateWaveformsOn();
     this->Source->GeneratePulsesOn();
-    this->Source->SetGenerateSubRays(question.HasSubRays);
-    this->Source->SetPulseWindow(question.First, question.Last);
+    this->Source->SetGenerateSubRays(request.HasSubRays);
+    this->Source->SetPulseWindow(request.First, request.Last);
     this->Source->Update();
-    question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0), Keep<vtkTable>(this->Source, 1),
-      Keep<vtkPolyData>(this->Source, 2), Keep<vtkPolyData>(this->Source, 3) });
+    request.Record.set_value(
+      { CopyOutput<vtkPolyData>(this->Source, 0), CopyOutput<vtkTable>(this->Source, 1),
+        CopyOutput<vtkPolyData>(this->Source, 2), CopyOutput<vtkPolyData>(this->Source, 3) });
     this->Source->GenerateWaveformsOff();
     this->Source->GeneratePulsesOff();
     this->Source->GenerateSubRaysOff();

@@ -61,7 +61,7 @@ struct SimulatedLeg
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
 
 /// Sets a trajectory: a polyline with GpsTime and Orientation.
-void SetWay(vtkPolyData* way, SimulatedLeg& leg);
+void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg);
 
 /// All data of a pulse.
 struct PulseRecord
@@ -136,21 +136,21 @@ private:
     double EndTime;
     vtkIdType EndPulse;
   };
-  struct Question
+  struct Request
   {
     vtkIdType First;
     vtkIdType Last; ///< past the end
     bool HasSubRays;
-    std::promise<PulseRecord> Answer;
+    std::promise<PulseRecord> Record;
   };
 
-  std::future<PulseRecord> Ask(Question question);
+  std::future<PulseRecord> Submit(Request request);
   void Work();
   bool Load();
   void ReadLegs();
   bool HasWork() const;
   bool RunBlock();
-  bool Answer();
+  bool RunRequests();
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   vtkNew<vtkHeliosSurveySource> Source;
@@ -172,7 +172,7 @@ private:
   bool IsEnding = false;
   double Target;
   std::deque<Block> Blocks;
-  std::deque<Question> Questions;
+  std::deque<Request> Requests;
   double CollectedTime = 0.0;
   vtkIdType CollectedPulses = 0;
   double ComputingSeconds = 0.0;

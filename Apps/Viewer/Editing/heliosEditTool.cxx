@@ -88,7 +88,7 @@ void EditTool::MakeActions()
     tool.Owner.GetInteractor()->GetEventPosition(at[0], at[1]);
     SceneView* scene = tool.Owner.GetSceneView();
     const auto pick = scene ? scene->Pick(at[0], at[1]) : std::nullopt;
-    pick ? tool.AddPart(*pick) : tool.Owner.Tell("point at the surface to place it on");
+    pick ? tool.AddPart(*pick) : tool.Owner.ShowMessage("point at the surface to place it on");
   };
   this->Actions["a"] = atMouse;
   this->Actions["A"] = [](EditTool& tool) { tool.SetMode(Mode::Area); };
@@ -168,7 +168,7 @@ bool EditTool::Toggle()
   }
   this->SetMode(Mode::Scanner);
   this->HasChanges ? this->ShowGhost() : void();
-  this->Owner.Tell(
+  this->Owner.ShowMessage(
     this->IsOn ? "direct control: click the scan position, Return scans" : "direct control is off");
   return true;
 }
@@ -198,7 +198,7 @@ void EditTool::ClickAt(int x, int y, bool isMore)
   const auto pick = scene ? scene->Pick(x, y) : std::nullopt;
   if (!pick)
   {
-    this->Owner.Tell("there is no surface there: click on one of the scene");
+    this->Owner.ShowMessage("there is no surface there: click on one of the scene");
     return;
   }
   switch (this->Doing)
@@ -237,14 +237,14 @@ void EditTool::SetCorner(const ScenePick& pick)
   {
     this->HasCorner = true;
     this->Corner = pick.Position;
-    this->Owner.Tell("now click the opposite corner");
+    this->Owner.ShowMessage("now click the opposite corner");
     return;
   }
   this->Remember();
   SetArea(this->Edit, this->Corner, pick.Position);
   this->SetMode(Mode::Scanner);
   this->ShowGhost();
-  this->Owner.Tell("flight lines: " + std::to_string(this->Edit.Legs.size() / 2));
+  this->Owner.ShowMessage("flight lines: " + std::to_string(this->Edit.Legs.size() / 2));
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +252,7 @@ void EditTool::SetMode(Mode mode)
 {
   if (mode == Mode::Area && !this->Edit.IsMoving())
   {
-    this->Owner.Tell("flight lines need a moving platform: press Tab for one");
+    this->Owner.ShowMessage("flight lines need a moving platform: press Tab for one");
     return;
   }
   if (mode == Mode::Parts && !this->LoadScene())
@@ -265,7 +265,7 @@ void EditTool::SetMode(Mode mode)
   this->ShowPanel();
   if (mode == Mode::Area)
   {
-    this->Owner.Tell("flight lines: click a corner of the rectangle, then the opposite one");
+    this->Owner.ShowMessage("flight lines: click a corner of the rectangle, then the opposite one");
   }
 }
 
@@ -295,7 +295,7 @@ void EditTool::ChangePlatform(int step)
   const auto* next = FindNext(this->Choice.Platforms, this->Edit.Platform, step);
   if (!next)
   {
-    this->Owner.Tell("the catalogue has no platform: give its folder with --assets");
+    this->Owner.ShowMessage("the catalogue has no platform: give its folder with --assets");
     return;
   }
   this->Remember();
@@ -319,7 +319,8 @@ void EditTool::ChangeScanner(int step, bool isRemembered)
   }
   if (!next)
   {
-    this->Owner.Tell("the catalogue has no other instrument for it: give a folder with --assets");
+    this->Owner.ShowMessage(
+      "the catalogue has no other instrument for it: give a folder with --assets");
     return;
   }
   isRemembered ? void() : this->Remember();
@@ -337,10 +338,10 @@ void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
     this->Remember();
   }
   this->IsSliding = !isOver;
-  const std::string said = SetSetting(this->Edit, name, value);
-  if (!said.empty() && isOver)
+  const std::string message = SetSetting(this->Edit, name, value);
+  if (!message.empty() && isOver)
   {
-    this->Owner.Tell(said);
+    this->Owner.ShowMessage(message);
   }
   this->Panel->ShowValues(this->Edit);
   this->Panel->SetHeading(this->MakeHeading());
@@ -370,7 +371,7 @@ void EditTool::Scan()
     MakeSurveyText(edit), this->Owner.GetOptions().Assets, log);
   if (log.HasError())
   {
-    this->Owner.Complain("not scanned: " + log.GetLastError());
+    this->Owner.ShowError("not scanned: " + log.GetLastError());
     return;
   }
   this->Ghost.reset();
@@ -380,7 +381,7 @@ void EditTool::Scan()
   this->Owner.GetClock().SetPlaying(true);
   this->Owner.ShowSurvey(survey, true);
   this->IsMine = false;
-  this->Owner.Tell("scanning; s saves the survey");
+  this->Owner.ShowMessage("scanning; s saves the survey");
 }
 
 //------------------------------------------------------------------------------
@@ -403,11 +404,11 @@ void EditTool::Save()
     status.IsOk() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log) : status;
   if (!status.IsOk())
   {
-    this->Owner.Complain(status.Message());
+    this->Owner.ShowError(status.Message());
     return;
   }
   this->Saved = file.string();
-  this->Owner.Tell("saved: vtkhelios run " + this->Saved);
+  this->Owner.ShowMessage("saved: vtkhelios run " + this->Saved);
 }
 
 //------------------------------------------------------------------------------

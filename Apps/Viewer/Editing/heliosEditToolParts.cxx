@@ -59,7 +59,7 @@ bool EditTool::LoadScene()
   Messages log(owner);
   if (!this->Scene.Load(this->Edit.Scene, this->GetFolder(), this->Owner.GetOptions().Assets, log))
   {
-    this->Owner.Complain("the scene cannot be changed: " + log.GetLastError());
+    this->Owner.ShowError("the scene cannot be changed: " + log.GetLastError());
     return false;
   }
   this->FindFiles();
@@ -177,7 +177,7 @@ void EditTool::AddPart(const ScenePick& pick)
 {
   if (this->Files.empty())
   {
-    this->Owner.Tell("no OBJ file was found next to the scene or in --assets");
+    this->Owner.ShowMessage("no OBJ file was found next to the scene or in --assets");
     return;
   }
   vtkNew<vtkHeliosSurvey> owner;
@@ -188,7 +188,7 @@ void EditTool::AddPart(const ScenePick& pick)
   if (part < 0)
   {
     this->Befores.pop_back();
-    this->Owner.Complain(log.GetLastError());
+    this->Owner.ShowError(log.GetLastError());
     return;
   }
   this->Part = this->Scene.GetPartName(part);
@@ -202,7 +202,7 @@ void EditTool::ChangeParts(bool isGood)
   if (!isGood)
   {
     this->Befores.pop_back();
-    this->Owner.Tell(this->Part.empty()
+    this->Owner.ShowMessage(this->Part.empty()
         ? "select a part first: click on it"
         : this->Part + ": this change is not possible; a scene keeps at least one part");
     return;
@@ -222,13 +222,13 @@ void EditTool::ShowScene()
   SceneView* view = this->Owner.GetSceneView();
   if (!mesh)
   {
-    this->Owner.Complain("the scene cannot be shown: " + log.GetLastError());
+    this->Owner.ShowError("the scene cannot be shown: " + log.GetLastError());
     this->Undo();
     return;
   }
   if (const Status status = view ? view->SetScene(mesh) : Status(); !status.IsOk())
   {
-    this->Owner.Complain(status.Message());
+    this->Owner.ShowError(status.Message());
   }
   if (this->Scene.FindPart(this->Part) < 0)
   {
@@ -242,7 +242,7 @@ void EditTool::Undo()
 {
   if (this->Befores.empty())
   {
-    this->Owner.Tell("nothing is left to undo");
+    this->Owner.ShowMessage("nothing is left to undo");
     return;
   }
   const Before before = this->Befores.back();

@@ -40,23 +40,23 @@ Pose FindPose(const SurveyEdit& edit, std::size_t leg)
 }
 
 /// Trajectories and positions for PlatformView.
-std::vector<SimulatedLeg> MakeWays(const SurveyEdit& edit)
+std::vector<SimulatedLeg> MakeTrajectories(const SurveyEdit& edit)
 {
-  std::vector<SimulatedLeg> ways;
+  std::vector<SimulatedLeg> trajectories;
   for (std::size_t i = 0; i < edit.Legs.size(); ++i)
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(i);
     leg.Poses.push_back(FindPose(edit, i));
-    ways.push_back(leg);
+    trajectories.push_back(leg);
     if (edit.IsMoving() && i + 1 < edit.Legs.size())
     {
       leg.IsMoving = true;
       leg.Poses.push_back(FindPose(edit, i + 1));
-      ways.push_back(leg);
+      trajectories.push_back(leg);
     }
   }
-  return ways;
+  return trajectories;
 }
 
 } // namespace
@@ -89,7 +89,8 @@ bool EditTool::Begin()
 {
   if (!this->Owner.GetSceneView())
   {
-    this->Owner.Tell("direct control needs a scene: open a survey or a scene, and wait for it");
+    this->Owner.ShowMessage(
+      "direct control needs a scene: open a survey or a scene, and wait for it");
     return false;
   }
   std::vector<std::string> files;
@@ -116,7 +117,7 @@ bool EditTool::BeginWithSurvey()
   this->FindGround();
   if (!left.empty())
   {
-    this->Owner.Tell(left);
+    this->Owner.ShowMessage(left);
   }
   return true;
 }
@@ -162,7 +163,7 @@ bool EditTool::BeginWithScene()
   }
   if (this->Edit.Platform.empty() || this->Edit.Scanner.empty())
   {
-    this->Owner.Complain(
+    this->Owner.ShowError(
       "direct control needs a catalogue of platforms and scanners: give its folder with --assets");
     return false;
   }
@@ -233,7 +234,7 @@ void EditTool::ShowGhost()
     this->Models = this->Models ? this->Models : std::make_shared<ModelFiles>();
     this->Ghost = std::make_unique<PlatformView>(
       this->Owner.GetRenderer(), this->Owner.GetOrigin(), this->Models);
-    this->Ghost->SetWays(MakeWays(this->Edit));
+    this->Ghost->SetTrajectories(MakeTrajectories(this->Edit));
     this->PlaceGhost();
   }
 }

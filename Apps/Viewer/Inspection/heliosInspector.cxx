@@ -153,7 +153,8 @@ void Inspector::Toggle()
   const int* size = this->Owner.GetWindow()->GetSize();
   const auto echo = this->Owner.GetCloudView().Pick(
     0.5 * size[0], 0.5 * size[1], 0.25 * std::min(size[0], size[1]));
-  echo ? this->Inspect(echo->Row) : this->Owner.Tell("no echo is near the middle of the window");
+  echo ? this->Inspect(echo->Row)
+       : this->Owner.ShowMessage("no echo is near the middle of the window");
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +169,7 @@ void Inspector::Inspect(vtkIdType row)
     this->Reading = PulseReading();
     this->Reading.Pulse = echo.PulseId;
     this->FindEchoes(echo);
-    this->Ask(echo);
+    this->RequestPulse(echo);
   }
   this->Show();
 }
@@ -195,16 +196,16 @@ void Inspector::FindEchoes(const Echo& echo)
 }
 
 //------------------------------------------------------------------------------
-void Inspector::Ask(const Echo& echo)
+void Inspector::RequestPulse(const Echo& echo)
 {
   this->Problem.clear();
-  this->Answer = {};
+  this->Record = {};
   if (echo.PulseId < 0)
   {
     this->Problem = "no waveform: the points of the cloud have no pulse numbers";
     return;
   }
-  this->Answer = this->Find(echo.Leg, echo.PulseId, echo.PulseId + 1, true);
+  this->Record = this->Find(echo.Leg, echo.PulseId, echo.PulseId + 1, true);
 }
 
 //------------------------------------------------------------------------------
@@ -287,15 +288,15 @@ void Inspector::ShowLine()
   const Echo echo = row >= 0 ? cloud.GetEcho(row) : Echo();
   if (echo.PulseId < 0)
   {
-    this->Owner.Tell("no waveforms: there is no echo with a pulse number yet");
+    this->Owner.ShowMessage("no waveforms: there is no echo with a pulse number yet");
     return;
   }
   const vtkIdType line = std::min(this->FindLineLength(echo.Leg), MostPulses);
   const vtkIdType last = this->Row >= 0 ? echo.PulseId + line / 2 : echo.PulseId + 1;
-  this->LineAnswer = this->Find(echo.Leg, std::max<vtkIdType>(0, last - line), last, false);
-  if (!this->LineAnswer.valid())
+  this->LineRecord = this->Find(echo.Leg, std::max<vtkIdType>(0, last - line), last, false);
+  if (!this->LineRecord.valid())
   {
-    this->Owner.Tell(this->Problem);
+    this->Owner.ShowMessage(this->Problem);
   }
 }
 
@@ -304,12 +305,12 @@ bool Inspector::OnFrame()
 {
   const int* size = this->Owner.GetWindow()->GetSize();
   bool isNew = this->Chart.Resize(size[0], size[1]) && this->Chart.IsVisible();
-  if (IsReady(this->Answer))
+  if (IsReady(this->Record))
   {
-    this->ReceiveAnswer();
+    this->ReceivePulse();
     isNew = true;
   }
-  if (IsReady(this->LineAnswer))
+  if (IsReady(this->LineRecord))
   {
     this->ReceiveLine();
     isNew = true;
@@ -320,10 +321,10 @@ bool Inspector::OnFrame()
 }
 
 //------------------------------------------------------------------------------
-void Inspector::ReceiveAnswer()
+void Inspector::ReceivePulse()
 {
   PulseRecord record;
-  this->Problem = Receive(this->Answer, record).Message();
+  this->Problem = Receive(this->Record, record).Message();
   if (this->Problem.empty())
   {
     const std::vector<PulseEcho> known = std::move(this->Reading.Echoes);
@@ -340,7 +341,7 @@ void Inspector::ReceiveAnswer()
       record.Waveform, std::max(0.2, WaveShare * length), 1, this->Reading.Pulse);
     if (!status.IsOk())
     {
-      this->Owner.Tell(status.Message());
+      this->Owner.ShowMessage(status.Message());
     }
   }
 }
@@ -349,7 +350,7 @@ void Inspector::ReceiveAnswer()
 void Inspector::ReceiveLine()
 {
   PulseRecord record;
-  Status status = Receive(this->LineAnswer, record);
+  Status status = Receive(this->LineRecord, record);
   if (status.IsOk() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
   {
     const vtkIdType count = record.Waveform->GetNumberOfRows();
@@ -360,7 +361,7 @@ void Inspector::ReceiveLine()
     this->View.SetOrigin(this->Owner.GetOrigin());
     status = this->View.SetWaveforms(
       record.Waveform, std::max(0.5, LineShare * range), static_cast<int>(nth), -1);
-    this->Owner.Tell(Format("waveforms of %lld of %lld pulses of the line",
+    this->Owner.ShowMessage(Format("waveforms of %lld of %lld pulses of the line",
       static_cast<long long>(this->View.GetNumberOfWaveforms()), static_cast<long long>(count)));
   }
   else if (status.IsOk())
@@ -369,7 +370,7 @@ void Inspector::ReceiveLine()
   }
   if (!status.IsOk())
   {
-    this->Owner.Tell(status.Message());
+    this->Owner.ShowMessage(status.Message());
   }
 }
 
@@ -392,8 +393,8 @@ void Inspector::Close()
   this->Row = -1;
   this->Reading = PulseReading();
   this->Problem.clear();
-  this->Answer = {};
-  this->LineAnswer = {};
+  this->Record = {};
+  this->LineRecord = {};
   this->View.Clear();
   this->Chart.Hide();
   this->Owner.Redraw();

@@ -47,7 +47,7 @@ public:
   void Close();
 
   /// Whether a result is pending.
-  bool IsWaiting() const { return this->Answer.valid() || this->LineAnswer.valid(); }
+  bool IsWaiting() const { return this->Record.valid() || this->LineRecord.valid(); }
 
   vtkIdType GetRow() const { return this->Row; } ///< -1: not shown
   const PulseReading& GetReading() const { return this->Reading; }
@@ -59,9 +59,9 @@ private:
   void StepEcho(int step);
   void StepPulse(int step);
   void ShowLine();
-  void ReceiveAnswer();
+  void ReceivePulse();
   void ReceiveLine();
-  void Ask(const Echo& echo);
+  void RequestPulse(const Echo& echo);
   std::future<PulseRecord> Find(int leg, vtkIdType first, vtkIdType last, bool hasSubRays);
   void Show();
   void FindEchoes(const Echo& echo);
@@ -76,8 +76,8 @@ private:
   vtkIdType Row = -1;
   PulseReading Reading;
   std::string Problem; ///< why there is no waveform
-  std::future<PulseRecord> Answer;
-  std::future<PulseRecord> LineAnswer;
+  std::future<PulseRecord> Record;
+  std::future<PulseRecord> LineRecord;
 };
 
 } // namespace helios::viewer

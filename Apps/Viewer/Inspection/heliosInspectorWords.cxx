@@ -50,7 +50,7 @@ std::string Inspector::DescribeEcho() const
                                  : DescribePower(echo.Amplitude);
   text += Say(", %.2f ns wide", width) + Say(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
   text += "\n" + this->DescribeSurface(echo);
-  if (this->Answer.valid())
+  if (this->Record.valid())
   {
     text += "\n\nlooking for the waveform ...";
   }
@@ -86,7 +86,7 @@ std::string Inspector::DescribeSurface(const Echo& echo) const
 //------------------------------------------------------------------------------
 std::string Inspector::GetStatus() const
 {
-  return this->Answer.valid() ? "inspecting ..." : this->LineAnswer.valid() ? "waveforms ..." : "";
+  return this->Record.valid() ? "inspecting ..." : this->LineRecord.valid() ? "waveforms ..." : "";
 }
 
 //------------------------------------------------------------------------------

@@ -193,7 +193,7 @@ vtkSmartPointer<vtkTable> SearchFile(const std::string& file,
 }
 
 /// Puts those of a leg first.
-void PutFirst(std::vector<std::string>& files, int leg)
+void MoveToFront(std::vector<std::string>& files, int leg)
 {
   char name[32];
   std::snprintf(name, sizeof(name), "leg%03d_", leg);
@@ -251,7 +251,7 @@ std::future<PulseRecord> WaveformSearch::Find(
 {
   this->Stop();
   std::vector<std::string> order = files;
-  PutFirst(order, leg);
+  MoveToFront(order, leg);
   std::packaged_task<PulseRecord()> task(
     [this, order, first, last]
     {

@@ -79,10 +79,10 @@ PlatformView::PlatformView(
   this->Scanner->GetProperty()->SetColor(0.95, 0.55, 0.1);
   this->Body->PickableOff();
   this->Scanner->PickableOff();
-  SetFlat(this->Ways, 0.95, 0.75, 0.2);
+  SetFlat(this->Trajectories, 0.95, 0.75, 0.2);
   SetFlat(this->Stands, 0.95, 0.75, 0.2);
   SetFlat(this->Fan, 0.2, 1.0, 0.35);
-  this->Ways->GetProperty()->SetLineWidth(1.5F);
+  this->Trajectories->GetProperty()->SetLineWidth(1.5F);
   this->Stands->GetProperty()->SetPointSize(7.0F);
   this->Fan->GetProperty()->SetOpacity(0.35);
   Show(this->Fan, this->Beams);
@@ -90,7 +90,7 @@ PlatformView::PlatformView(
   {
     actor->VisibilityOff(); // until placed
   }
-  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(),
+  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Trajectories.Get(),
          this->Stands.Get(), this->Fan.Get() })
   {
     renderer->AddActor(actor);
@@ -100,7 +100,7 @@ PlatformView::PlatformView(
 //------------------------------------------------------------------------------
 PlatformView::~PlatformView()
 {
-  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(),
+  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Trajectories.Get(),
          this->Stands.Get(), this->Fan.Get() })
   {
     this->Renderer->RemoveActor(actor);
@@ -108,9 +108,9 @@ PlatformView::~PlatformView()
 }
 
 //------------------------------------------------------------------------------
-void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
+void PlatformView::SetTrajectories(const std::vector<SimulatedLeg>& legs)
 {
-  vtkNew<vtkPolyData> ways;
+  vtkNew<vtkPolyData> trajectories;
   vtkNew<vtkPolyData> stands;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -126,11 +126,11 @@ void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
     vtkCellArray* cells = leg.IsMoving ? lines : vertices;
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  ways->SetPoints(points);
-  ways->SetLines(lines);
+  trajectories->SetPoints(points);
+  trajectories->SetLines(lines);
   stands->SetPoints(points);
   stands->SetVerts(vertices);
-  Show(this->Ways, ways);
+  Show(this->Trajectories, trajectories);
   Show(this->Stands, stands);
 }
 
@@ -138,7 +138,7 @@ void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
 void PlatformView::SetVisible(bool visible)
 {
   this->IsVisible = visible;
-  this->Ways->SetVisibility(visible);
+  this->Trajectories->SetVisibility(visible);
   this->Stands->SetVisibility(visible);
   this->SetModelVisible(visible);
 }
@@ -176,7 +176,7 @@ double PlatformView::FindScale(const Vec3& position, double size) const
 }
 
 //------------------------------------------------------------------------------
-std::string PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
+Status PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
 {
   std::string problems;
   for (const SimulatedLeg& leg : legs)
@@ -188,7 +188,7 @@ std::string PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
       problems += isNew ? (problems.empty() ? "" : "\n") + problem : "";
     }
   }
-  return problems;
+  return problems.empty() ? Status() : Status::Error(problems);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "heliosModelFile.h"
 #include "heliosPose.h"
 #include "heliosSimulation.h"
+#include "heliosStatus.h"
 
 #include <vtkNew.h>
 #include <vtkType.h>
@@ -32,7 +33,7 @@ public:
   ~PlatformView();
 
   /// The trajectories of the legs, as lines; scan positions as points.
-  void SetWays(const std::vector<SimulatedLeg>& legs);
+  void SetTrajectories(const std::vector<SimulatedLeg>& legs);
 
   /// Platform, scanner, trajectories.
   void SetVisible(bool visible);
@@ -43,8 +44,8 @@ public:
   void SetFanVisible(bool visible);
   bool IsFanVisible() const;
 
-  /// Reads the models of all legs; returns errors, one per line.
-  std::string ReadModels(const std::vector<SimulatedLeg>& legs);
+  /// Reads the models of all legs; the error has one line per file.
+  Status ReadModels(const std::vector<SimulatedLeg>& legs);
 
   /// Places the platform of a leg at a time [m], [s], scaled up to stay visible. Its model is
   /// shown, or one of its kind if that cannot be shown.
@@ -68,7 +69,7 @@ private:
   bool IsVisible = true;
   vtkNew<vtkActor> Body;
   vtkNew<vtkActor> Scanner;
-  vtkNew<vtkActor> Ways;
+  vtkNew<vtkActor> Trajectories;
   vtkNew<vtkActor> Stands;
   vtkNew<vtkActor> Fan;
   vtkNew<vtkPolyData> Beams;

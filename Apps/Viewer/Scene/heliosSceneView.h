@@ -98,7 +98,6 @@ public:
 
   /// Smooth over edges below 40 degrees. Default: off (flat triangles).
   void SetSmooth(bool on);
-  bool GetSmooth() const { return this->Smooth; }
 
   /// In [0, 1]. Default: 1.
   void SetOpacity(double opacity);

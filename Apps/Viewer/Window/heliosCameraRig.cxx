@@ -25,7 +25,7 @@ constexpr double ViewAngle = 45.0;        // [deg]
 constexpr double ScannerViewAngle = 75.0; // [deg]
 constexpr double DegreesPerSecond = 6.0;  // of the orbit
 constexpr double NearestFollow = 20.0;    // [m], from the platform
-constexpr double LookSeconds = 0.4;       // for the scanner view to turn
+constexpr double TurnSeconds = 0.4;       // for the scanner view to turn
 constexpr double LargestNumber = 1e9;     // of key frames [m, s]
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
@@ -106,17 +106,17 @@ void CameraRig::SetMode(CameraMode mode)
   const bool wasParallel = camera->GetParallelProjection() != 0;
   this->Mode = mode;
   this->IsFollowing = false;
-  this->LookDirection = Vec3(0.0, 0.0, 0.0);
+  this->ViewDirection = Vec3(0.0, 0.0, 0.0);
   this->ScriptTime = 0.0;
   camera->SetParallelProjection(mode == CameraMode::Top || mode == CameraMode::Side);
   camera->SetViewAngle(mode == CameraMode::Scanner ? ScannerViewAngle : ViewAngle);
   if (mode == CameraMode::Top)
   {
-    this->LookParallel(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0));
+    this->SetParallelView(Vec3(0.0, 0.0, -1.0), Vec3(0.0, 1.0, 0.0));
   }
   else if (mode == CameraMode::Side)
   {
-    this->LookParallel(Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0));
+    this->SetParallelView(Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0));
   }
   else if (wasParallel || mode == CameraMode::Orbit)
   {
@@ -143,7 +143,7 @@ void CameraRig::Reset()
 }
 
 //------------------------------------------------------------------------------
-void CameraRig::LookParallel(const Vec3& direction, const Vec3& up)
+void CameraRig::SetParallelView(const Vec3& direction, const Vec3& up)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const Vec3 center = this->GetCenter();
@@ -176,7 +176,7 @@ void CameraRig::Update(double seconds, const Subject* subject)
   }
   else if (this->Mode == CameraMode::Scanner && subject)
   {
-    this->LookFromScanner(seconds, *subject);
+    this->ViewFromScanner(seconds, *subject);
   }
 }
 
@@ -226,18 +226,18 @@ void CameraRig::Follow(const Subject& subject)
 }
 
 //------------------------------------------------------------------------------
-void CameraRig::LookFromScanner(double seconds, const Subject& subject)
+void CameraRig::ViewFromScanner(double seconds, const Subject& subject)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const Vec3 eye = subject.Scanner.Position;
   const Vec3 ahead = Rotate(subject.Scanner.Orientation, Vec3(0.0, 1.0, 0.0));
   const Vec3 wish = subject.HasTarget ? Unit(subject.Target - eye) : ahead;
-  const bool isFirst = this->LookDirection.SquaredNorm() == 0.0;
-  const double share = isFirst ? 1.0 : 1.0 - std::exp(-seconds / LookSeconds);
-  this->LookDirection = Unit(this->LookDirection + share * (wish - this->LookDirection));
-  const Vec3 focal = eye + this->GetSize() * this->LookDirection;
+  const bool isFirst = this->ViewDirection.SquaredNorm() == 0.0;
+  const double share = isFirst ? 1.0 : 1.0 - std::exp(-seconds / TurnSeconds);
+  this->ViewDirection = Unit(this->ViewDirection + share * (wish - this->ViewDirection));
+  const Vec3 focal = eye + this->GetSize() * this->ViewDirection;
   Vec3 up(0.0, 0.0, 1.0);
-  if (std::abs(this->LookDirection[2]) > 0.95) // straight down: forward is up
+  if (std::abs(this->ViewDirection[2]) > 0.95) // straight down: forward is up
   {
     up = Rotate(subject.Platform.Orientation, Vec3(0.0, 1.0, 0.0));
   }

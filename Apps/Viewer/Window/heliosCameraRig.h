@@ -73,8 +73,8 @@ public:
 
 private:
   void Follow(const Subject& subject);
-  void LookFromScanner(double seconds, const Subject& subject);
-  void LookParallel(const Vec3& direction, const Vec3& up);
+  void ViewFromScanner(double seconds, const Subject& subject);
+  void SetParallelView(const Vec3& direction, const Vec3& up);
   void TurnRound(double seconds);
   void FollowScript();
   Vec3 GetCenter() const;
@@ -86,7 +86,7 @@ private:
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   bool IsFollowing = false;
   Vec3 LastPosition{ 0.0, 0.0, 0.0 };
-  Vec3 LookDirection{ 0.0, 0.0, 0.0 };
+  Vec3 ViewDirection{ 0.0, 0.0, 0.0 };
   double ScriptTime = 0.0;
   Vec3 Origin{ 0.0, 0.0, 0.0 };
 };

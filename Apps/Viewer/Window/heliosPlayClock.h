@@ -46,14 +46,14 @@ public:
   /// The time that the simulation must reach now, slightly ahead of the shown time [s].
   double GetTarget() const
   {
-    return this->Playing ? this->Time + this->Speed * LookAhead : this->Time;
+    return this->Playing ? this->Time + this->Speed * Lookahead : this->Time;
   }
 
   /// Advances wall time [s]; echoes exist up to a time [s], nothing later is shown.
   void Advance(double seconds, double available);
 
 private:
-  static constexpr double LookAhead = 0.2; // wall time [s]
+  static constexpr double Lookahead = 0.2; // wall time [s]
 
   double Start = 0.0;
   double End = 0.0;

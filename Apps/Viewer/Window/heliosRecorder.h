@@ -34,7 +34,6 @@ public:
   Status Close();
 
   bool IsOpen() const { return this->Opened; }
-  int GetNumberOfFrames() const { return this->NumberOfFrames; }
   const std::string& GetFileName() const { return this->FileName; }
 
 private:

@@ -194,7 +194,7 @@ int Viewer::RunInteractively()
   const Status status = this->Video.Close();
   if (!status.IsOk())
   {
-    this->Complain(status.Message());
+    this->ShowError(status.Message());
   }
   return this->ExitCode;
 }
@@ -328,7 +328,7 @@ void Viewer::Draw()
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
   const double end = this->Now();
-  this->Budget.NoteFrame(end, end - start);
+  this->Budget.RecordFrame(end, end - start);
   this->PointsView->ReportFrame(end - start);
   this->FramesPerSecond = 1.0 / std::max(1e-3, end - start);
   ++this->NumberOfFrames;
@@ -347,7 +347,7 @@ void Viewer::WriteState() const
 }
 
 //------------------------------------------------------------------------------
-void Viewer::Tell(const std::string& message)
+void Viewer::ShowMessage(const std::string& message)
 {
   this->Message = message;
   this->MessageUntil = this->Now() + MessageSeconds;
@@ -355,10 +355,10 @@ void Viewer::Tell(const std::string& message)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::Complain(const std::string& error)
+void Viewer::ShowError(const std::string& error)
 {
   std::cerr << "error: " << error << "\n";
-  this->Tell(error);
+  this->ShowMessage(error);
   this->MessageUntil = std::numeric_limits<double>::infinity();
 }
 

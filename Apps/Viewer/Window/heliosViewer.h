@@ -71,7 +71,6 @@ public:
   PlayClock& GetClock() { return this->Clock; }
   Hud& GetHud() { return *this->Words; }
   TimeBar* GetTimeBar() { return this->Bar.get(); }
-  Recorder& GetRecorder() { return this->Video; }
   ///@}
 
   /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.
@@ -81,8 +80,8 @@ public:
   void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
   /// Shows a message for a while; errors also on standard error.
-  void Tell(const std::string& message);
-  void Complain(const std::string& error);
+  void ShowMessage(const std::string& message);
+  void ShowError(const std::string& error);
 
   /// Requests a new frame.
   void Redraw() { this->IsDirty = true; }
@@ -101,8 +100,6 @@ public:
 
   void Close();
 
-  int GetExitCode() const { return this->ExitCode; }
-
 private:
   Status SetUpCamera();
   bool LoadInputs();
@@ -112,7 +109,7 @@ private:
   void SetUpKeys();
   void Begin(const double bounds[6], bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
-  void ShowWays();
+  void ShowTrajectories();
   void ShowBox(const double bounds[6], bool hasData);
   void SetSpan(double start, double end);
   int RunInteractively();

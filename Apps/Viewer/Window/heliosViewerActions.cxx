@@ -42,7 +42,7 @@ void ChangeColors(Viewer& viewer, int step)
   const auto count = static_cast<int>(all.size());
   const int next = (static_cast<int>(now - all.begin()) + step + count) % count;
   viewer.GetCloudView().SetColorBy(all[static_cast<std::size_t>(next)].second);
-  viewer.Tell("colours: " + all[static_cast<std::size_t>(next)].first);
+  viewer.ShowMessage("colours: " + all[static_cast<std::size_t>(next)].first);
 }
 
 /// Half of the cloud's box in each direction, about its centre.

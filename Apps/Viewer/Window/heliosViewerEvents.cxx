@@ -62,7 +62,7 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
   const bool isMove = event == vtkCommand::MouseMoveEvent;
   if (!isMove || viewer->IsDragging)
   {
-    viewer->Budget.NoteInput(viewer->Now());
+    viewer->Budget.RecordInput(viewer->Now());
     viewer->Redraw();
   }
   switch (event)
@@ -103,7 +103,7 @@ void Viewer::OnKey()
 void Viewer::OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*)
 {
   auto* viewer = static_cast<Viewer*>(self);
-  viewer->Budget.NoteInput(viewer->Now());
+  viewer->Budget.RecordInput(viewer->Now());
   viewer->Redraw();
   viewer->IsDragging = false;
   if (event == vtkCommand::LeftButtonReleaseEvent)

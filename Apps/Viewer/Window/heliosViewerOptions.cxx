@@ -173,7 +173,7 @@ Status CheckTogether(const ViewerOptions& options)
     : Status();
 }
 
-OptionsResult Complain(const std::string& text)
+OptionsResult ReportError(const std::string& text)
 {
   std::cerr << "error: " << text << "\n";
   return OptionsResult::Wrong;
@@ -207,14 +207,14 @@ OptionsResult ReadOptions(int argc, char** argv, ViewerOptions& options)
   options.HasSpeed = !speed.empty();
   if (!speed.empty() && !ReadSpeed(speed, options))
   {
-    return Complain("--speed " + speed + ": give 0.01 to 1000, or max");
+    return ReportError("--speed " + speed + ": give 0.01 to 1000, or max");
   }
   if (!size.empty() && !ReadSize(size, options))
   {
-    return Complain("--size " + size + ": give WIDTHxHEIGHT, 64x64 to 16384x16384");
+    return ReportError("--size " + size + ": give WIDTHxHEIGHT, 64x64 to 16384x16384");
   }
   const Status status = CheckTogether(options);
-  return status.IsOk() ? OptionsResult::Go : Complain(status.Message());
+  return status.IsOk() ? OptionsResult::Go : ReportError(status.Message());
 }
 
 } // namespace helios::viewer

@@ -45,7 +45,7 @@ int Viewer::RunScripted()
     status = status.IsOk() ? end : status;
     if (!status.IsOk())
     {
-      this->Complain(status.Message());
+      this->ShowError(status.Message());
       this->ExitCode = 1;
     }
   }
@@ -100,7 +100,7 @@ void Viewer::AddVideoFrame(double now)
   if (!status.IsOk())
   {
     static_cast<void>(this->Video.Close()); // the first error is told
-    this->Complain(status.Message());
+    this->ShowError(status.Message());
   }
 }
 
@@ -110,10 +110,10 @@ void Viewer::SaveStill(const std::string& fileName)
   const Status status = WriteStill(this->Window, fileName);
   if (status.IsOk())
   {
-    this->Tell("saved " + fileName);
+    this->ShowMessage("saved " + fileName);
     return;
   }
-  this->Complain(status.Message());
+  this->ShowError(status.Message());
   this->ExitCode = 1;
 }
 
@@ -125,8 +125,8 @@ void Viewer::ToggleRecording()
   const Status status = wasOpen
     ? this->Video.Close()
     : this->Video.Open(this->Window, name, this->Options.FramesPerSecond);
-  status.IsOk() ? this->Tell((wasOpen ? "saved " : "recording ") + name)
-                : this->Complain(status.Message());
+  status.IsOk() ? this->ShowMessage((wasOpen ? "saved " : "recording ") + name)
+                : this->ShowError(status.Message());
 }
 
 } // namespace helios::viewer

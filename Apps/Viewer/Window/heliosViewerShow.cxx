@@ -93,7 +93,7 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   const bool hasPoints = this->Points->GetBounds(bounds);
   this->ShowBox(bounds, hasPoints);
   this->PointsView->Update();
-  this->ShowWays();
+  this->ShowTrajectories();
   this->SetCameraMode(this->Camera.GetMode());
   this->Camera.Reset();
   if (this->Points->GetTimeRange(times))
@@ -112,7 +112,7 @@ void Viewer::ShowMesh(vtkPolyData* scene)
   const Status status = this->Mesh->SetScene(scene);
   if (!status.IsOk())
   {
-    this->Complain(status.Message());
+    this->ShowError(status.Message());
   }
 }
 
@@ -171,7 +171,7 @@ void Viewer::FinishLoading()
   const Simulation::Phase phase = this->Running->GetPhase();
   if (phase == Simulation::Phase::Failed && !this->HasFailed)
   {
-    this->Complain(this->Running->GetMessage());
+    this->ShowError(this->Running->GetMessage());
     this->HasFailed = true;
     this->ExitCode = 1;
     this->IsLoading = false;
@@ -191,21 +191,21 @@ void Viewer::FinishLoading()
   {
     this->Mover = std::make_unique<SceneMover>(this->Survey->GetData().Scene, *this->Mesh);
   }
-  this->ShowWays();
+  this->ShowTrajectories();
   this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
 }
 
 //------------------------------------------------------------------------------
-void Viewer::ShowWays()
+void Viewer::ShowTrajectories()
 {
   this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
-  this->Platform->SetWays(this->Legs);
+  this->Platform->SetTrajectories(this->Legs);
   this->Platform->SetFanVisible(this->Options.Fan);
-  const std::string problem = this->Platform->ReadModels(this->Legs);
-  if (!problem.empty())
+  const Status status = this->Platform->ReadModels(this->Legs);
+  if (!status.IsOk())
   {
-    std::cerr << "warning: " << problem << "\n";
-    this->Tell(problem);
+    std::cerr << "warning: " << status.Message() << "\n";
+    this->ShowMessage(status.Message());
   }
 }
 

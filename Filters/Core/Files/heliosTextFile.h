@@ -70,7 +70,7 @@ public:
   /// "path:line: " of the last line read.
   std::string GetPlace() const { return Place(this->GetPath(), this->Line); }
   bool IsStopped() const { return this->Lines.IsStopped(); }
-  /// Error message of reading, or an empty string.
+  /// Error message of reading; empty after success.
   const std::string& GetError() const { return this->Lines.GetError(); }
 
 private:

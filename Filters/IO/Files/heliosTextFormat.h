@@ -100,7 +100,7 @@ public:
     }
     at = std::to_chars(at, at + 20, whole).ptr;
     *at++ = '.';
-    PutDigits<Decimals>(at, fraction);
+    WriteDigits<Decimals>(at, fraction);
     this->Size += static_cast<std::size_t>(at + Decimals - begin);
   }
 
@@ -124,7 +124,7 @@ private:
   }
 
   template <int Count>
-  static void PutDigits(char* at, std::uint32_t value)
+  static void WriteDigits(char* at, std::uint32_t value)
   {
     for (int i = Count - 2; i >= 0; i -= 2)
     {

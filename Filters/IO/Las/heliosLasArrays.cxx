@@ -36,25 +36,25 @@ double GetExtra(const char* bytes, int type)
   switch (type)
   {
     case 1:
-      return GetLas<std::uint8_t>(bytes);
+      return LoadLas<std::uint8_t>(bytes);
     case 2:
-      return GetLas<std::int8_t>(bytes);
+      return LoadLas<std::int8_t>(bytes);
     case 3:
-      return GetLas<std::uint16_t>(bytes);
+      return LoadLas<std::uint16_t>(bytes);
     case 4:
-      return GetLas<std::int16_t>(bytes);
+      return LoadLas<std::int16_t>(bytes);
     case 5:
-      return GetLas<std::uint32_t>(bytes);
+      return LoadLas<std::uint32_t>(bytes);
     case 6:
-      return GetLas<std::int32_t>(bytes);
+      return LoadLas<std::int32_t>(bytes);
     case 7:
-      return static_cast<double>(GetLas<std::uint64_t>(bytes));
+      return static_cast<double>(LoadLas<std::uint64_t>(bytes));
     case 8:
-      return static_cast<double>(GetLas<std::int64_t>(bytes));
+      return static_cast<double>(LoadLas<std::int64_t>(bytes));
     case 9:
-      return static_cast<double>(GetLas<float>(bytes));
+      return static_cast<double>(LoadLas<float>(bytes));
     default:
-      return GetLas<double>(bytes);
+      return LoadLas<double>(bytes);
   }
 }
 
@@ -147,7 +147,7 @@ void LasArrays::AddPoints()
       {
         for (int axis = 0; axis < 3; ++axis)
         {
-          const auto number = GetLas<std::int32_t>(records + i * header.PointLength + 4 * axis);
+          const auto number = LoadLas<std::int32_t>(records + i * header.PointLength + 4 * axis);
           points[3 * (first + i) + axis] = header.GetCoordinate(number, axis);
         }
       }
@@ -159,10 +159,10 @@ void LasArrays::AddFields()
   if (this->Form.Time >= 0)
   {
     this->AddField<vtkDoubleArray>(names::GpsTime,
-      [place = this->Form.Time](const char* record) { return GetLas<double>(record + place); });
+      [place = this->Form.Time](const char* record) { return LoadLas<double>(record + place); });
   }
   this->AddField<vtkUnsignedShortArray>(
-    names::Intensity, [](const char* record) { return GetLas<std::uint16_t>(record + 12); });
+    names::Intensity, [](const char* record) { return LoadLas<std::uint16_t>(record + 12); });
   if (this->Form.IsLong)
   {
     this->AddLongFields();
@@ -179,7 +179,7 @@ void LasArrays::AddFields()
   {
     this->AddField<vtkUnsignedShortArray>(names::NearInfrared,
       [place = this->Form.Infrared](const char* record)
-      { return GetLas<std::uint16_t>(record + place); });
+      { return LoadLas<std::uint16_t>(record + place); });
   }
 }
 
@@ -194,12 +194,12 @@ void LasArrays::AddLongFields()
   this->AddField<Bytes>(names::ScanDirection, [](const char* r) { return r[15] >> 6 & 1; });
   this->AddField<Bytes>(names::EdgeOfFlightLine, [](const char* r) { return r[15] >> 7 & 1; });
   this->AddField<vtkIntArray>(
-    names::ClassificationIds, [](const char* r) { return GetLas<std::uint8_t>(r + 16); });
+    names::ClassificationIds, [](const char* r) { return LoadLas<std::uint8_t>(r + 16); });
   this->AddField<Bytes>(names::UserData, [](const char* r) { return r[17]; });
   this->AddField<vtkDoubleArray>(
-    names::ScanAngle, [](const char* r) { return GetLas<std::int16_t>(r + 18) * 3.0 / 500.0; });
+    names::ScanAngle, [](const char* r) { return LoadLas<std::int16_t>(r + 18) * 3.0 / 500.0; });
   this->AddField<vtkIntArray>(
-    names::LegIds, [](const char* r) { return GetLas<std::uint16_t>(r + 20) - 1; });
+    names::LegIds, [](const char* r) { return LoadLas<std::uint16_t>(r + 20) - 1; });
 }
 
 /// Formats 0 to 5.
@@ -213,10 +213,10 @@ void LasArrays::AddShortFields()
   this->AddField<vtkIntArray>(names::ClassificationIds, [](const char* r) { return r[15] & 31; });
   this->AddField<Bytes>(names::ClassificationFlags, [](const char* r) { return r[15] >> 5 & 7; });
   this->AddField<vtkDoubleArray>(
-    names::ScanAngle, [](const char* r) { return GetLas<std::int8_t>(r + 16); });
+    names::ScanAngle, [](const char* r) { return LoadLas<std::int8_t>(r + 16); });
   this->AddField<Bytes>(names::UserData, [](const char* r) { return r[17]; });
   this->AddField<vtkIntArray>(
-    names::LegIds, [](const char* r) { return GetLas<std::uint16_t>(r + 18) - 1; });
+    names::LegIds, [](const char* r) { return LoadLas<std::uint16_t>(r + 18) - 1; });
 }
 
 void LasArrays::AddColors(int place)
@@ -229,7 +229,7 @@ void LasArrays::AddColors(int place)
       for (vtkIdType i = 0; i < 3 * count; ++i)
       {
         const char* bytes = records + i / 3 * length + place + 2 * (i % 3);
-        values[3 * first + i] = static_cast<float>(GetLas<std::uint16_t>(bytes)) / 65535.0F;
+        values[3 * first + i] = static_cast<float>(LoadLas<std::uint16_t>(bytes)) / 65535.0F;
       }
     });
 }

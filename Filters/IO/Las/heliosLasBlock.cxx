@@ -325,11 +325,11 @@ void LasBlock::EncodeColor(vtkIdType row, char* record) const
 {
   for (int k = 0; k < 3; ++k)
   {
-    PutLas(record + 30 + 2 * k, GetColor(this->Color.GetNumber(row, k) / this->FullColor));
+    StoreLas(record + 30 + 2 * k, GetColor(this->Color.GetNumber(row, k) / this->FullColor));
   }
   if (this->Waves)
   {
-    PutLas(record + 36, std::uint16_t(0)); // near infrared
+    StoreLas(record + 36, std::uint16_t(0)); // near infrared
   }
 }
 
@@ -343,7 +343,7 @@ bool LasBlock::EncodeFields(const LasScaling& scaling, vtkIdType row, char* reco
     {
       return false;
     }
-    PutLas(record + 4 * axis, static_cast<std::int32_t>(number));
+    StoreLas(record + 4 * axis, static_cast<std::int32_t>(number));
   }
   const double time = this->Time.IsSet() ? this->Time.GetNumber(row) + scaling.TimeShift : 0.0;
   const vtkTypeInt64 source = GetInteger(this->Leg, row, -1) + 1;
@@ -363,7 +363,7 @@ bool LasBlock::EncodeFields(const LasScaling& scaling, vtkIdType row, char* reco
   {
     ++this->OddClasses;
   }
-  PutLas(record + 12, this->GetIntensity(scaling, row));
+  StoreLas(record + 12, this->GetIntensity(scaling, row));
   record[14] = static_cast<char>(
     GetReturn(this->ReturnNumber, row) | GetReturn(this->NumberOfReturns, row) << 4);
   record[15] = static_cast<char>((GetInteger(this->Flags, row, 0) & 15) |
@@ -371,9 +371,9 @@ bool LasBlock::EncodeFields(const LasScaling& scaling, vtkIdType row, char* reco
     (GetInteger(this->Edge, row, 0) & 1) << 7);
   record[16] = static_cast<char>(isOdd ? 1 : label);
   record[17] = static_cast<char>(GetInteger(this->UserData, row, 0));
-  PutLas(record + 18, GetAngle(this->ScanAngle.IsSet() ? this->ScanAngle.GetNumber(row) : 0.0));
-  PutLas(record + 20, static_cast<std::uint16_t>(source));
-  PutLas(record + 22, time);
+  StoreLas(record + 18, GetAngle(this->ScanAngle.IsSet() ? this->ScanAngle.GetNumber(row) : 0.0));
+  StoreLas(record + 20, static_cast<std::uint16_t>(source));
+  StoreLas(record + 22, time);
   return true;
 }
 

@@ -32,8 +32,8 @@ int GetGeoKey(const std::string& keys, int key)
   for (std::size_t at = entry; at + entry <= keys.size(); at += entry)
   {
     const char* bytes = keys.data() + at;
-    const int code = GetLas<std::uint16_t>(bytes + 6);
-    if (GetLas<std::uint16_t>(bytes) == key && GetLas<std::uint16_t>(bytes + 2) == 0)
+    const int code = LoadLas<std::uint16_t>(bytes + 6);
+    if (LoadLas<std::uint16_t>(bytes) == key && LoadLas<std::uint16_t>(bytes + 2) == 0)
     {
       return code > 0 && code < UndefinedCode ? code : 0;
     }
@@ -153,7 +153,7 @@ Status LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExten
   }
   place += headSize;
   const std::uint64_t size =
-    isExtended ? GetLas<std::uint64_t>(head + 20) : GetLas<std::uint16_t>(head + 20);
+    isExtended ? LoadLas<std::uint64_t>(head + 20) : LoadLas<std::uint16_t>(head + 20);
   if (size > end - place)
   {
     return Status::Error("has " + where + " of " + std::to_string(size) + " bytes at byte " +
@@ -161,7 +161,7 @@ Status LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExten
   }
   LasRecord record;
   record.User = GetLasText({ head + 2, 16 });
-  record.Id = GetLas<std::uint16_t>(head + 18);
+  record.Id = LoadLas<std::uint16_t>(head + 18);
   record.Description = GetLasText({ head + (isExtended ? 28 : 22), 32 });
   const bool isKept = !isExtended || record.User == LasProjectionUser ||
     (record.User == LasSpecUser && record.Id == LasExtraBytesId);

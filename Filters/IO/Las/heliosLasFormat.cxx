@@ -67,21 +67,21 @@ constexpr int OffsetOption = 16;
 constexpr int TypeSizes[] = { 1, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
 ///@}
 
-void PutText(std::string& bytes, std::size_t at, std::size_t size, const std::string& text)
+void StoreText(std::string& bytes, std::size_t at, std::size_t size, const std::string& text)
 {
   bytes.replace(at, std::min(size, text.size()), text, 0, size);
 }
 
 template <typename T>
-void Put(std::string& bytes, std::size_t at, T value)
+void Store(std::string& bytes, std::size_t at, T value)
 {
-  PutLas(bytes.data() + at, value);
+  StoreLas(bytes.data() + at, value);
 }
 
 template <typename T>
 T Get(std::string_view bytes, std::size_t at)
 {
-  return GetLas<T>(bytes.data() + at);
+  return LoadLas<T>(bytes.data() + at);
 }
 
 std::string Show(double value)
@@ -124,7 +124,7 @@ void LasSummary::Add(const char* records, std::int64_t count, std::int64_t lengt
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const auto number = GetLas<std::int32_t>(record + 4 * axis);
+      const auto number = LoadLas<std::int32_t>(record + 4 * axis);
       const bool isFirst = this->Count == 0;
       this->Minimum[axis] = isFirst ? number : std::min(this->Minimum[axis], number);
       this->Maximum[axis] = isFirst ? number : std::max(this->Maximum[axis], number);
@@ -156,32 +156,32 @@ std::string LasHeader::Encode() const
 {
   std::string bytes(Size14, '\0');
   bytes.replace(0, 4, "LASF");
-  Put(bytes, AtEncoding, static_cast<std::uint16_t>(this->Encoding));
+  Store(bytes, AtEncoding, static_cast<std::uint16_t>(this->Encoding));
   bytes[AtVersion] = 1;
   bytes[AtVersion + 1] = 4;
-  PutText(bytes, AtSystem, TextSize, this->System);
-  PutText(bytes, AtSoftware, TextSize, this->Software);
-  Put(bytes, AtDay, static_cast<std::uint16_t>(this->CreationDay));
-  Put(bytes, AtYear, static_cast<std::uint16_t>(this->CreationYear));
-  Put(bytes, AtHeaderSize, static_cast<std::uint16_t>(Size14));
-  Put(bytes, AtPointsBegin, this->PointsBegin);
-  Put(bytes, AtNumberOfRecords, this->NumberOfRecords);
+  StoreText(bytes, AtSystem, TextSize, this->System);
+  StoreText(bytes, AtSoftware, TextSize, this->Software);
+  Store(bytes, AtDay, static_cast<std::uint16_t>(this->CreationDay));
+  Store(bytes, AtYear, static_cast<std::uint16_t>(this->CreationYear));
+  Store(bytes, AtHeaderSize, static_cast<std::uint16_t>(Size14));
+  Store(bytes, AtPointsBegin, this->PointsBegin);
+  Store(bytes, AtNumberOfRecords, this->NumberOfRecords);
   bytes[AtFormat] = static_cast<char>(this->Format);
-  Put(bytes, AtPointLength, static_cast<std::uint16_t>(this->PointLength));
+  Store(bytes, AtPointLength, static_cast<std::uint16_t>(this->PointLength));
   for (int axis = 0; axis < 3; ++axis)
   {
     const bool hasBox = this->Points.Count > 0;
     const std::int32_t maximum = this->Points.Maximum[axis];
     const std::int32_t minimum = this->Points.Minimum[axis];
-    Put(bytes, AtScale + 8 * axis, this->Scale[axis]);
-    Put(bytes, AtOffset + 8 * axis, this->Offset[axis]);
-    Put(bytes, AtBox + 16 * axis, hasBox ? this->GetCoordinate(maximum, axis) : 0.0);
-    Put(bytes, AtBox + 16 * axis + 8, hasBox ? this->GetCoordinate(minimum, axis) : 0.0);
+    Store(bytes, AtScale + 8 * axis, this->Scale[axis]);
+    Store(bytes, AtOffset + 8 * axis, this->Offset[axis]);
+    Store(bytes, AtBox + 16 * axis, hasBox ? this->GetCoordinate(maximum, axis) : 0.0);
+    Store(bytes, AtBox + 16 * axis + 8, hasBox ? this->GetCoordinate(minimum, axis) : 0.0);
   }
-  Put(bytes, AtCount, this->Points.Count);
+  Store(bytes, AtCount, this->Points.Count);
   for (std::size_t i = 0; i < this->Points.ByReturn.size(); ++i)
   {
-    Put(bytes, AtByReturn + 8 * i, this->Points.ByReturn[i]);
+    Store(bytes, AtByReturn + 8 * i, this->Points.ByReturn[i]);
   }
   return bytes;
 }
@@ -296,10 +296,10 @@ Status LasHeader::DecodeCounts(std::string_view bytes)
 std::string LasRecord::Encode() const
 {
   std::string bytes(HeadSize, '\0');
-  PutText(bytes, 2, 16, this->User);
-  Put(bytes, 18, static_cast<std::uint16_t>(this->Id));
-  Put(bytes, 20, static_cast<std::uint16_t>(this->Data.size()));
-  PutText(bytes, 22, TextSize, this->Description);
+  StoreText(bytes, 2, 16, this->User);
+  Store(bytes, 18, static_cast<std::uint16_t>(this->Id));
+  Store(bytes, 20, static_cast<std::uint16_t>(this->Data.size()));
+  StoreText(bytes, 22, TextSize, this->Description);
   return bytes + this->Data;
 }
 
@@ -310,8 +310,8 @@ std::string EncodeLasExtras(const std::vector<LasExtra>& extras)
   {
     std::string entry(ExtraSize, '\0');
     entry[AtExtraType] = static_cast<char>(extra.Type);
-    PutText(entry, AtExtraName, TextSize, extra.Name);
-    PutText(entry, AtExtraDescription, TextSize, extra.Description);
+    StoreText(entry, AtExtraName, TextSize, extra.Name);
+    StoreText(entry, AtExtraDescription, TextSize, extra.Description);
     data += entry;
   }
   return data;

@@ -22,12 +22,12 @@ namespace helios
 ///@{
 /// Stores a number as bytes; LAS is little-endian, and so are all supported machines.
 template <typename T>
-void PutLas(char* bytes, T value)
+void StoreLas(char* bytes, T value)
 {
   std::memcpy(bytes, &value, sizeof(T));
 }
 template <typename T>
-T GetLas(const char* bytes)
+T LoadLas(const char* bytes)
 {
   T value;
   std::memcpy(&value, bytes, sizeof(T));
@@ -67,10 +67,11 @@ struct VTKHELIOSFILTERSIO_EXPORT LasSummary
 struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 {
   static constexpr int Size14 = 375;
+  static constexpr double StandardTimeOffset = 1e9; ///< [s]
 
   ///@{
   /// Bits of Encoding.
-  static constexpr int StandardTime = 1; ///< GPS time minus 1e9 s
+  static constexpr int StandardTime = 1; ///< GPS time minus StandardTimeOffset
   static constexpr int ExternalWaves = 4;
   static constexpr int HasWkt = 16;
   ///@}

@@ -32,7 +32,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int LastDescriptorId = 354;
 constexpr double LargestId = 9e18;
 ///@{
@@ -164,12 +163,12 @@ Status LasPackets::AddDescriptor(const LasRecord& record)
   const int index = record.Id - LasWaves::FirstDescriptorId + 1;
   const char* data = record.Data.data();
   Descriptor descriptor;
-  if (record.Data.size() == DescriptorSize && GetLas<std::uint32_t>(data + 2) == 0)
+  if (record.Data.size() == DescriptorSize && LoadLas<std::uint32_t>(data + 2) == 0)
   {
     this->Descriptors[index] = descriptor; // empty, as in the tables of some programs
     return {};
   }
-  descriptor.Bits = record.Data.size() == DescriptorSize ? GetLas<std::uint8_t>(data) : 0;
+  descriptor.Bits = record.Data.size() == DescriptorSize ? LoadLas<std::uint8_t>(data) : 0;
   const bool isKnown =
     (descriptor.Bits == 8 || descriptor.Bits == 16 || descriptor.Bits == 32) && data[1] == 0;
   if (!isKnown)
@@ -177,10 +176,10 @@ Status LasPackets::AddDescriptor(const LasRecord& record)
     return Status::Error("has a waveform descriptor " + std::to_string(index) +
       " that does not have 8, 16 or 32 bits without compression");
   }
-  descriptor.Count = GetLas<std::uint32_t>(data + 2);
-  descriptor.Spacing = GetLas<std::uint32_t>(data + 6);
-  descriptor.Gain = GetLas<double>(data + 10);
-  descriptor.Offset = GetLas<double>(data + 18);
+  descriptor.Count = LoadLas<std::uint32_t>(data + 2);
+  descriptor.Spacing = LoadLas<std::uint32_t>(data + 6);
+  descriptor.Gain = LoadLas<double>(data + 10);
+  descriptor.Offset = LoadLas<double>(data + 18);
   const double largest = std::ldexp(std::abs(descriptor.Gain), descriptor.Bits);
   if (!(largest + std::abs(descriptor.Offset) <= VTK_FLOAT_MAX))
   {
@@ -197,18 +196,18 @@ void LasPackets::Add(const char* records, vtkIdType first, vtkIdType count)
   {
     const char* wave = records + i * this->PointLength + this->Form.Wave;
     Packet packet;
-    packet.Index = GetLas<std::uint8_t>(wave);
-    packet.Place = GetLas<std::uint64_t>(wave + 1);
+    packet.Index = LoadLas<std::uint8_t>(wave);
+    packet.Place = LoadLas<std::uint64_t>(wave + 1);
     if (packet.Index == 0 || !this->Places.insert(packet.Place).second)
     {
       continue;
     }
     packet.Row = first + i;
-    packet.Size = GetLas<std::uint32_t>(wave + 9);
-    packet.Location = GetLas<float>(wave + 13);
+    packet.Size = LoadLas<std::uint32_t>(wave + 9);
+    packet.Location = LoadLas<float>(wave + 13);
     for (int k = 0; k < 3; ++k)
     {
-      packet.Step[k] = this->StepSign * GetLas<float>(wave + 17 + 4 * k);
+      packet.Step[k] = this->StepSign * LoadLas<float>(wave + 17 + 4 * k);
     }
     this->Packets.push_back(packet);
   }
@@ -292,9 +291,9 @@ Status LasPackets::ReadSamples(const Packet& packet, std::vector<float>& samples
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const char* bytes = this->Bytes.data() + i * static_cast<std::size_t>(descriptor.Bits / 8);
-    const double number = descriptor.Bits == 8 ? GetLas<std::uint8_t>(bytes)
-      : descriptor.Bits == 16                  ? GetLas<std::uint16_t>(bytes)
-                                               : GetLas<std::uint32_t>(bytes);
+    const double number = descriptor.Bits == 8 ? LoadLas<std::uint8_t>(bytes)
+      : descriptor.Bits == 16                  ? LoadLas<std::uint16_t>(bytes)
+                                               : LoadLas<std::uint32_t>(bytes);
     samples[i] = static_cast<float>(descriptor.Offset + descriptor.Gain * number);
   }
   while (samples.size() > 1 && samples.back() == 0.0F)

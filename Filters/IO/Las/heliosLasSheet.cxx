@@ -26,7 +26,7 @@ constexpr std::uint64_t PointsPerRound = 1 << 14;
 /// End of the packet of a point in the packet file; 0: no packet.
 std::uint64_t GetPacketEnd(const char* wave)
 {
-  return wave[0] ? GetLas<std::uint64_t>(wave + 1) + GetLas<std::uint32_t>(wave + 9) : 0;
+  return wave[0] ? LoadLas<std::uint64_t>(wave + 1) + LoadLas<std::uint32_t>(wave + 9) : 0;
 }
 
 /// Counts all points of a file, and finds the end of their last packet.
@@ -127,7 +127,7 @@ Status LasSheet::Read(
   this->Arrays = extras ? extras->Data : std::string();
   this->Wkt = file.GetCrs();
   this->Spacing = descriptor && descriptor->Data.size() >= 10
-    ? GetLas<std::uint32_t>(descriptor->Data.data() + 6)
+    ? LoadLas<std::uint32_t>(descriptor->Data.data() + 6)
     : 0;
   this->Scaling.Scale = this->Header.Scale;
   this->Scaling.Offset = this->Header.Offset;

@@ -20,7 +20,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int SmallestScale = -46; // exponent of 2 of the finest full scale [W]
 constexpr int ScaleStep = 8;
 constexpr double Middle = 2147483648.0; // sample value of 0 W
@@ -66,10 +65,10 @@ std::string LasWaves::EncodeDescriptors(std::uint32_t spacing)
         std::string(26, '\0') };
       char* data = record.Data.data();
       data[0] = 32; // bits per sample; not compressed
-      PutLas(data + 2, GetLengths()[static_cast<std::size_t>(length)]);
-      PutLas(data + 6, spacing);
-      PutLas(data + 10, GetFullScale(scale) / Middle);
-      PutLas(data + 18, -GetFullScale(scale));
+      StoreLas(data + 2, GetLengths()[static_cast<std::size_t>(length)]);
+      StoreLas(data + 6, spacing);
+      StoreLas(data + 10, GetFullScale(scale) / Middle);
+      StoreLas(data + 18, -GetFullScale(scale));
       records += record.Encode();
     }
   }
@@ -82,8 +81,8 @@ std::string LasWaves::EncodeFileHead(std::uint64_t size)
   const std::string user = LasSpecUser;
   const std::string description = "waveform packets";
   head.replace(2, user.size(), user);
-  PutLas(head.data() + 18, static_cast<std::uint16_t>(PacketsId));
-  PutLas(head.data() + 20, size - LasRecord::ExtendedHeadSize);
+  StoreLas(head.data() + 18, static_cast<std::uint16_t>(PacketsId));
+  StoreLas(head.data() + 20, size - LasRecord::ExtendedHeadSize);
   head.replace(28, description.size(), description);
   return head;
 }
@@ -207,7 +206,7 @@ Status LasWaves::MakePacket(vtkIdType waveform)
   {
     const double value = i < count ? this->Table.Samples.GetNumber(first + i) : 0.0;
     const double number = std::clamp(std::nearbyint(value * perWatt) + Middle, 0.0, Largest);
-    PutLas(this->Packets.data() + at + 4 * i, static_cast<std::uint32_t>(number));
+    StoreLas(this->Packets.data() + at + 4 * i, static_cast<std::uint32_t>(number));
   }
   return {};
 }
@@ -229,15 +228,15 @@ void LasWaves::EncodePoint(vtkIdType row, const double point[3], char* bytes) co
       this->Table.Direction.GetNumber(waveform, axis);
   }
   const double time = 2.0 * range / SpeedOfLight - this->Table.StartTime.GetNumber(waveform);
-  PutLas(bytes, static_cast<std::uint8_t>(packet.Form));
-  PutLas(bytes + 1, packet.Place);
-  PutLas(bytes + 9, 4 * GetLengths()[static_cast<std::size_t>(length)]);
-  PutLas(bytes + 13, static_cast<float>(PicosecondsPerNanosecond * time));
+  StoreLas(bytes, static_cast<std::uint8_t>(packet.Form));
+  StoreLas(bytes + 1, packet.Place);
+  StoreLas(bytes + 9, 4 * GetLengths()[static_cast<std::size_t>(length)]);
+  StoreLas(bytes + 13, static_cast<float>(PicosecondsPerNanosecond * time));
   for (int axis = 0; axis < 3; ++axis)
   {
     const double step = -0.5 * SpeedOfLight / PicosecondsPerNanosecond *
       this->Table.Direction.GetNumber(waveform, axis);
-    PutLas(bytes + 17 + 4 * axis, static_cast<float>(step));
+    StoreLas(bytes + 17 + 4 * axis, static_cast<float>(step));
   }
 }
 

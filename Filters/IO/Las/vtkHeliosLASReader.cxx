@@ -31,7 +31,6 @@ namespace
 {
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
-constexpr double StandardTimeOffset = 1e9; // [s]
 
 /// The first point of piece i of n, computed without overflow of count * i.
 std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
@@ -47,7 +46,7 @@ void SetFields(const helios::LasFile& file, vtkPolyData* output)
   {
     vtkNew<vtkDoubleArray> epoch;
     epoch->SetName(vtkHeliosArrayNames::GpsEpoch);
-    epoch->InsertNextValue(StandardTimeOffset);
+    epoch->InsertNextValue(helios::LasHeader::StandardTimeOffset);
     output->GetFieldData()->AddArray(epoch);
   }
 }

@@ -27,7 +27,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double StandardTimeOffset = 1e9; // [s]
 constexpr std::size_t LongestRecord = 65535;
 
 } // namespace
@@ -173,7 +172,7 @@ bool vtkHeliosLASWriter::MakeSheet(
     return this->RefusePoints("the field array GpsEpoch of a block is not one number; give seconds "
                               "of GPS time since 6 January 1980");
   }
-  sheet.Scaling.TimeShift = epoch != 0.0 ? epoch - StandardTimeOffset : 0.0;
+  sheet.Scaling.TimeShift = epoch != 0.0 ? epoch - helios::LasHeader::StandardTimeOffset : 0.0;
   sheet.Arrays = helios::EncodeLasExtras(block.GetExtras());
   sheet.Header.Encoding = helios::LasHeader::HasWkt |
     (epoch != 0.0 ? helios::LasHeader::StandardTime : 0) |

@@ -141,7 +141,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
     return this->ReadIsGround(file, words);
   if (key == "helios_spectra")
     return this->ReadSpectrum(file, words);
-  this->NoteUnknown(file, key);
+  this->CountUnknown(file, key);
   return true;
 }
 
@@ -299,7 +299,7 @@ int MtlFile::Find(std::string_view name) const
   return first == this->FirstWordRows.end() ? -1 : first->second;
 }
 
-void MtlFile::NoteUnknown(TextFile& file, std::string_view key)
+void MtlFile::CountUnknown(TextFile& file, std::string_view key)
 {
   if (this->Unknown.Count++ == 0)
   {

@@ -57,7 +57,7 @@ private:
   bool ReadSpectrum(TextFile& file, TextWords& words);
   bool Start(TextFile& file, std::string_view name);
   void Finish(const std::string& path);
-  void NoteUnknown(TextFile& file, std::string_view key);
+  void CountUnknown(TextFile& file, std::string_view key);
 
   MaterialTable& Materials;
   TextReport& Report;

@@ -98,7 +98,7 @@ bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
   }
   else if (!IsIgnored(keyword))
   {
-    this->NoteUnknown(keyword);
+    this->CountUnknown(keyword);
   }
   return true;
 }
@@ -320,7 +320,7 @@ int ObjParser::AddUse(std::string_view name, std::int64_t line)
   return place->second;
 }
 
-void ObjParser::NoteUnknown(std::string_view keyword)
+void ObjParser::CountUnknown(std::string_view keyword)
 {
   if (this->UnknownCount++ == 0)
   {

@@ -73,7 +73,7 @@ private:
   int AddUse(std::string_view name, std::int64_t line);
   void AddLibrary(std::string_view names);
   void Use(std::string_view name);
-  void NoteUnknown(std::string_view keyword);
+  void CountUnknown(std::string_view keyword);
   bool CheckIndices();
   bool Fail(const std::string& message);
   bool FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words);

@@ -99,10 +99,10 @@ struct RasterFile::Internals
   double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
   Status Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
-  void Note(const GdalMessages& messages);
+  void AddMessages(const GdalMessages& messages);
 };
 
-void RasterFile::Internals::Note(const GdalMessages& messages)
+void RasterFile::Internals::AddMessages(const GdalMessages& messages)
 {
   if (this->NumberOfMessages == 0 && !messages.Warnings.empty())
   {
@@ -394,7 +394,7 @@ Status RasterFile::Open(const std::string& path, const RasterOptions& options)
     return Status::Error(path + ": " + status.Message());
   }
   self.FindNoData(options.NoData);
-  self.Note(messages);
+  self.AddMessages(messages);
   return {};
 }
 
@@ -413,7 +413,7 @@ Status RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* heigh
       std::to_string(firstRow + count - 1) + " (from 0) cannot be read: " + messages.Error +
       "; the file is damaged, get it again");
   }
-  self.Note(messages);
+  self.AddMessages(messages);
   const Status status = self.Convert(firstRow, count, heights);
   if (self.HasGap(0, firstRow, self.Columns, count))
   {

@@ -6,6 +6,7 @@
 #ifndef heliosPointColumns_h
 #define heliosPointColumns_h
 
+#include "heliosConstants.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkType.h>
@@ -31,7 +32,7 @@ inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
   { "x", "", VTK_DOUBLE, 4, 1.0, 0.0 },
   { "y", "", VTK_DOUBLE, 4, 1.0, 0.0 },
   { "z", "", VTK_DOUBLE, 4, 1.0, 0.0 },
-  { "intensity", vtkHeliosArrayNames::Amplitude, VTK_DOUBLE, 4, 1e9, 0.0 }, // nW
+  { "intensity", vtkHeliosArrayNames::Amplitude, VTK_DOUBLE, 4, NanowattsPerWatt, 0.0 },
   { "echo width", vtkHeliosArrayNames::EchoWidth, VTK_DOUBLE, 4, 1.0, 0.0 },
   { "return number", vtkHeliosArrayNames::ReturnNumber, VTK_UNSIGNED_CHAR, 0, 1.0, 1.0 },
   { "number of returns", vtkHeliosArrayNames::NumberOfReturns, VTK_UNSIGNED_CHAR, 0, 1.0, 1.0 },

@@ -3,6 +3,7 @@
 #include "vtkHeliosPulseTextWriter.h"
 
 #include "heliosColumn.h"
+#include "heliosConstants.h"
 #include "heliosTextFormat.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -18,7 +19,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double NanosecondsPerSecond = 1e9;
 constexpr vtkIdType TypicalRowSize = 100;
 
 /// The columns of a block, and their formatting.
@@ -38,7 +38,7 @@ struct PulseLines
       text.AppendFixed<9>(this->Direction.GetNumber(row, axis));
       text.Append(' ');
     }
-    text.AppendFixed<4>(NanosecondsPerSecond * this->Time.GetNumber(row));
+    text.AppendFixed<4>(helios::NanosecondsPerSecond * this->Time.GetNumber(row));
     text.Append(' ');
     text.AppendInteger(this->Pulse.GetInteger(row));
     text.Append(' ');

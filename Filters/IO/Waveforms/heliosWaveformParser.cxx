@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosWaveformParser.h"
 
+#include "heliosConstants.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkFieldData.h>
@@ -20,7 +21,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double NanowattsPerWatt = 1e9;
 constexpr double TimeRounding = 1.0001e-4; // [ns], of the difference of two file times
 constexpr double DirectionRounding = 1e-3; // of the length of a direction with 4 decimals
 constexpr int FirstSample = 10;            // column

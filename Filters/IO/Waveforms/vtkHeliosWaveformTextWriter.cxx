@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformTextWriter.h"
 
+#include "heliosConstants.h"
 #include "heliosStatus.h"
 #include "heliosTextFormat.h"
 #include "heliosWaveformTable.h"
@@ -14,7 +15,6 @@ vtkStandardNewMacro(vtkHeliosWaveformTextWriter);
 namespace
 {
 
-constexpr double NanowattsPerWatt = 1e9;
 constexpr vtkIdType TypicalRowSize = 128; // without the samples
 constexpr vtkIdType TypicalSampleSize = 13;
 
@@ -43,7 +43,7 @@ void AppendLine(const helios::WaveformTable& table, vtkIdType row, helios::TextB
   for (vtkIdType i = first; i < first + count; ++i)
   {
     text.Append(' ');
-    text.AppendFixed<9>(NanowattsPerWatt * table.Samples.GetNumber(i));
+    text.AppendFixed<9>(helios::NanowattsPerWatt * table.Samples.GetNumber(i));
   }
   text.Append('\n');
 }

@@ -138,7 +138,7 @@ private:
       AddTube(this->Mesh, { curve.Base, end }, { radius }, PetioleSides);
       curve.Base = end;
     }
-    this->KeepAboveGround(curve);
+    this->RaiseAboveGround(curve);
     this->Mesh.SetMaterial(synthetic::CropLeaf());
     return this->AddStrip(curve);
   }
@@ -186,7 +186,7 @@ private:
   }
 
   /// Raises a leaf that would reach into the soil until it does not.
-  void KeepAboveGround(LeafCurve& curve) const
+  void RaiseAboveGround(LeafCurve& curve) const
   {
     for (int i = 0; i < 40 && !this->IsAboveGround(curve); ++i)
     {

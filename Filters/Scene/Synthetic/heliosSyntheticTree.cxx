@@ -222,7 +222,7 @@ private:
     const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
     const double length = (0.2 + 0.25 * u[2]) * this->Axes[0];
     const Vec3 end =
-      this->PutInside(start + Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z) * length);
+      this->MoveInside(start + Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z) * length);
     AddTube(this->Mesh, { start, end }, { radius }, 3);
     this->Anchors.push_back(end);
   }
@@ -232,13 +232,13 @@ private:
     const auto u = this->Random.Uniform(leaf, LeafDraw);
     const auto anchor = static_cast<std::size_t>(u[0] * static_cast<double>(this->Anchors.size()));
     const Vec3 offset = this->Random.Normal(leaf, LeafDraw + 1) * (0.1 * this->Axes[0]);
-    const Vec3 centre = this->PutInside(this->Anchors[anchor] + offset);
+    const Vec3 centre = this->MoveInside(this->Anchors[anchor] + offset);
     AddLeaf(this->Mesh, centre, this->Random.Normal(leaf, LeafDraw + 3),
       { u[1] - 0.5, u[2] - 0.5, u[3] - 0.5 }, length, 0.6 * length);
   }
 
   /// The point itself, or if it is not inside the crown, the nearest one in the crown's metric.
-  Vec3 PutInside(const Vec3& point) const
+  Vec3 MoveInside(const Vec3& point) const
   {
     const Vec3 p = (point - this->Centre) / this->Axes;
     const double norm = p.Norm();

@@ -37,7 +37,7 @@ SmallCover MakeCover(int seed)
   return cover;
 }
 
-void AskForPart(SmallCover& cover, int seed)
+void RequirePart(SmallCover& cover, int seed)
 {
   const double share = 0.5 + 0.1 * (seed % 5);
   cover.Problem.Require(share * cover.Problem.GetWeight(cover.Problem.Coverable.data()));
@@ -182,7 +182,7 @@ TEST_CASE("Cover: limited coverage is reached", "[Cover]")
   {
     INFO(seed);
     SmallCover cover = MakeCover(seed);
-    AskForPart(cover, seed);
+    RequirePart(cover, seed);
     const std::size_t optimum = cover.GetOptima()[0].size();
     const helios::ReducedCover reduced = helios::ReduceCover(cover.Problem, { true, false });
     const Choice best = reduced.Restore(helios::ChooseBest(reduced.Problem, {}));

@@ -42,21 +42,23 @@ struct Trial
     : Cover(10, 30, 0.4, seed)
     , Angles(MakeIncidence(10, 30, seed))
     , Optima(Cover.GetOptima())
-    , Best(Judge(Optima[0]))
+    , Best(ComputeQuality(Optima[0]))
     , Worst(Best)
   {
     for (const Choice& choice : this->Optima)
     {
-      this->Best = this->Judge(choice).IsBetterThan(this->Best) ? this->Judge(choice) : this->Best;
-      const bool isWorse = this->Worst.IsBetterThan(this->Judge(choice));
+      this->Best = this->ComputeQuality(choice).IsBetterThan(this->Best)
+        ? this->ComputeQuality(choice)
+        : this->Best;
+      const bool isWorse = this->Worst.IsBetterThan(this->ComputeQuality(choice));
       this->Start = isWorse || this->Start.empty() ? choice : this->Start;
-      this->Worst = isWorse ? this->Judge(choice) : this->Worst;
+      this->Worst = isWorse ? this->ComputeQuality(choice) : this->Worst;
     }
   }
 
-  Quality Judge(const Choice& choice) const
+  Quality ComputeQuality(const Choice& choice) const
   {
-    return helios::Incidence::Judge(
+    return helios::Incidence::ComputeQuality(
       this->Cover.Problem, this->Angles.GetBest(this->Cover.Problem, choice));
   }
 
@@ -104,11 +106,11 @@ TEST_CASE("CoverQuality: bisection finds the smallest worst angle, enumeration t
     const helios::AngleTable table(trial.Cover.Problem, trial.Angles);
     Choice choice = trial.Start;
     CHECK(helios::MinimiseWorst(trial.Cover.Problem, table, trial.Angles, Solve, choice));
-    CHECK(trial.Judge(choice).Worst == trial.Best.Worst);
+    CHECK(trial.ComputeQuality(choice).Worst == trial.Best.Worst);
     CHECK(choice.size() == trial.Start.size());
     CHECK(helios::MinimiseMean(trial.Cover.Problem, table, trial.Angles, 100000000, choice));
-    CHECK(trial.Judge(choice).Worst == trial.Best.Worst);
-    CHECK(trial.Judge(choice).Mean == Approx(trial.Best.Mean).epsilon(1e-12));
+    CHECK(trial.ComputeQuality(choice).Worst == trial.Best.Worst);
+    CHECK(trial.ComputeQuality(choice).Mean == Approx(trial.Best.Mean).epsilon(1e-12));
     CHECK_FALSE(helios::MinimiseMean(trial.Cover.Problem, table, trial.Angles, 1, choice));
     better += trial.Best.Worst < trial.Worst.Worst ? 1 : 0;
   }
@@ -135,15 +137,15 @@ TEST_CASE("CoverQuality: swaps never worsen a plan, and end at a local optimum",
     Choice choice = trial.Start;
     helios::ImproveBySwaps(trial.Cover.Problem, trial.Angles, nullptr, 100000000, choice);
     CHECK(trial.Cover.IsEnough(choice));
-    CHECK_FALSE(trial.Worst.IsBetterThan(trial.Judge(choice)));
+    CHECK_FALSE(trial.Worst.IsBetterThan(trial.ComputeQuality(choice)));
     for (std::size_t k = 0; k < choice.size(); ++k)
     {
       for (int b = 0; b < 10; ++b)
       {
         Choice other = choice;
         other[k] = b;
-        CHECK_FALSE(
-          (trial.Cover.IsEnough(other) && trial.Judge(other).IsBetterThan(trial.Judge(choice))));
+        CHECK_FALSE((trial.Cover.IsEnough(other) &&
+          trial.ComputeQuality(other).IsBetterThan(trial.ComputeQuality(choice))));
       }
     }
     Choice same = trial.Start;

@@ -63,7 +63,7 @@ public:
     {
       this->AddTestPoint(p[0] + 0.013, p[1] + 0.017, 0.0, { 0.0, 0.0, 1.0 });
     }
-    this->Look();
+    this->FillVisibility();
   }
 
   vtkSmartPointer<vtkPolyData> GetCandidates() const { return this->Candidates; }
@@ -199,7 +199,7 @@ private:
     this->Normals->InsertNextTuple(normal.data());
   }
 
-  void Look()
+  void FillVisibility()
   {
     const vtkIdType testPoints = this->Points->GetNumberOfPoints();
     vtkNew<vtkTypeUInt64Array> rows;

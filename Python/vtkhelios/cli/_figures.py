@@ -38,7 +38,7 @@ class Figures:
         self.legs = []  # points of each file
         self.low = np.full(3, np.inf)
         self.high = np.full(3, -np.inf)
-        self.range_is_reckoned = False
+        self.range_is_computed = False
         self._path = None  # of the platform: times, positions
         self._scan = None
 
@@ -91,7 +91,7 @@ class Figures:
         if RANGE in chunk or GPS_TIME not in chunk:
             return None
         trajectory = reader.trajectory(reader.files[reader.scan])
-        self.range_is_reckoned |= trajectory is not None
+        self.range_is_computed |= trajectory is not None
         return trajectory and trajectory[:2]
 
     def _ranges(self, chunk):

@@ -114,7 +114,7 @@ def _histograms(figures):
         if not len(histogram.counts):
             missing.append(title.lower())
             continue
-        if key == "range" and figures.range_is_reckoned:
+        if key == "range" and figures.range_is_computed:
             note = "distance to the platform: text files have no ranges"
         median = histogram.quantile(0.5)
         png = _charts.histogram(*_focus(histogram), axis, median, unit, log=key == "width")

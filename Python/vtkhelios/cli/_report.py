@@ -131,8 +131,8 @@ def describe_paths(totals):
         "binned": totals["pulsesBinned"],
     }
     ways["without hits"] = pulses - sum(ways.values())
-    said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
-    return f"{said}; {totals['subRays'] / pulses:.1f} sub-rays per pulse"
+    counts = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
+    return f"{counts}; {totals['subRays'] / pulses:.1f} sub-rays per pulse"
 
 
 def unresolved_lines(totals):

@@ -4,6 +4,8 @@
 
 import json
 
+import vtkhelios
+
 from ._base import FormatError, check_file
 
 CURE = "run the survey again"
@@ -50,8 +52,7 @@ EXPECTED = {
 }
 
 # Contents of a summary: a dict by its keys, a list by its one kind of entry; any keys in OPTIONS.
-_COUNTS = ("firstReturns", "hitsOutOfRange", "points", "pulses", "pulsesBinned", "pulsesFired")
-_COUNTS += ("pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "subRays")
+_COUNTS = vtkhelios.vtkHeliosScanner.GetCountNames().split()
 _OPTIONS = {None: _option}
 _MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")
 _MEASURES = {name: [_number] for name in (*_MEASURES, "amplitudeRms", "widthRms_ns")}

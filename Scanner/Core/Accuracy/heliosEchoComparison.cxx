@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 namespace helios
 {
@@ -29,7 +30,7 @@ double EchoMatching::GetLeastAmplitude(double range) const
 }
 
 //------------------------------------------------------------------------------
-std::string EchoComparison::Read(vtkPolyData* data, Echoes& echoes)
+Status EchoComparison::Read(vtkPolyData* data, Echoes& echoes)
 {
   vtkDataArray* arrays[4];
   const char* const wanted[] = { names::PulseIds, names::Range, names::Amplitude,
@@ -39,8 +40,8 @@ std::string EchoComparison::Read(vtkPolyData* data, Echoes& echoes)
     arrays[i] = data->GetPointData()->GetArray(wanted[i]);
     if (!arrays[i] && data->GetNumberOfPoints() > 0)
     {
-      return std::string("echoes have no point array ") + wanted[i] +
-        "; compare outputs of vtkHeliosScanner";
+      return Status::Error(std::string("echoes have no point array ") + wanted[i] +
+        "; compare outputs of vtkHeliosScanner");
     }
   }
   echoes.reserve(static_cast<std::size_t>(data->GetNumberOfPoints()));
@@ -56,16 +57,16 @@ std::string EchoComparison::Read(vtkPolyData* data, Echoes& echoes)
 }
 
 //------------------------------------------------------------------------------
-std::string EchoComparison::Add(
+Status EchoComparison::Add(
   vtkPolyData* data, vtkPolyData* referenceData, const EchoMatching& matching)
 {
   Echoes echoes;
   Echoes reference;
-  std::string fault = Read(data, echoes);
-  fault = fault.empty() ? Read(referenceData, reference) : fault;
-  if (!fault.empty())
+  Status status = Read(data, echoes);
+  status = status.IsOk() ? Read(referenceData, reference) : status;
+  if (!status.IsOk())
   {
-    return fault;
+    return status;
   }
   Echo* other = reference.data();
   Echo* const otherEnd = other + reference.size();

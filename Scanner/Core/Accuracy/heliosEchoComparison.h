@@ -6,11 +6,11 @@
 #define heliosEchoComparison_h
 
 #include "heliosConfidence.h"
+#include "heliosStatus.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>
 
-#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -77,9 +77,8 @@ constexpr EchoMeasure EchoMeasures[] = {
 class VTKHELIOSSCANNERCORE_EXPORT EchoComparison
 {
 public:
-  /// Adds echoes with PulseIds, Range, Amplitude and EchoWidth. Returns what is wrong with them, or
-  /// an empty string.
-  std::string Add(vtkPolyData* echoes, vtkPolyData* reference, const EchoMatching& matching);
+  /// Adds echoes; an error if PulseIds, Range, Amplitude or EchoWidth is missing.
+  Status Add(vtkPolyData* echoes, vtkPolyData* reference, const EchoMatching& matching);
 
   EchoErrors GetErrors() const;
 
@@ -94,7 +93,7 @@ private:
   };
   using Echoes = std::vector<Echo>;
 
-  static std::string Read(vtkPolyData* data, Echoes& echoes);
+  static Status Read(vtkPolyData* data, Echoes& echoes);
   void Match(
     Echo* first, Echo* last, Echo* otherFirst, Echo* otherLast, const EchoMatching& matching);
   void AddPair(const Echo& echo, const Echo& reference, const EchoMatching& matching);

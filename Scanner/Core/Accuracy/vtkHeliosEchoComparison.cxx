@@ -48,7 +48,7 @@ public:
     this->Add(name, { value, value, value });
   }
 
-  void Put(vtkTable* table) const
+  void AddColumns(vtkTable* table) const
   {
     table->AddColumn(this->Names);
     for (const auto& column : this->Columns)
@@ -88,11 +88,11 @@ int vtkHeliosEchoComparison::RequestData(
   matching.LeastShare = this->LeastShare;
   matching.LeastAmplitude = this->LeastAmplitude;
   helios::EchoComparison comparison;
-  const std::string fault =
+  const helios::Status status =
     comparison.Add(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]), matching);
-  if (!fault.empty())
+  if (!status.IsOk())
   {
-    vtkErrorMacro(<< fault);
+    vtkErrorMacro(<< status.Message());
     return 0;
   }
   const helios::EchoErrors errors = comparison.GetErrors();
@@ -103,7 +103,7 @@ int vtkHeliosEchoComparison::RequestData(
   }
   table.AddCount("echoes", errors.Echoes);
   table.AddCount("matched", errors.Matched);
-  table.Put(vtkTable::GetData(outputs));
+  table.AddColumns(vtkTable::GetData(outputs));
   return 1;
 }
 

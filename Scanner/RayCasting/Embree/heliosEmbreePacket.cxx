@@ -199,7 +199,7 @@ bool RayQuad::TestLane(int lane, const TrianglePair& pair, float& far)
   for (int i = 0; i < pair.Count; ++i)
   {
     double corners[3][3], sheared[3][2], edges[3];
-    Relate<double>(ray.Origin, pair.Points[i], corners);
+    ComputeOffsets<double>(ray.Origin, pair.Points[i], corners);
     GetEdgeFunctions(ray, this->Axes[lane], corners, sheared, edges);
     if (!IsInside(sheared, edges))
     {

@@ -76,17 +76,17 @@ struct Watch
     auto* watch = static_cast<Watch*>(self);
     if (std::this_thread::get_id() == watch->Thread && !watch->IsStopped)
     {
-      watch->Ask();
+      watch->Poll();
     }
     return !watch->IsStopped;
   }
 
   /// Exceptions must not propagate through Embree.
-  void Ask()
+  void Poll()
   {
     try
     {
-      this->Check.Ask();
+      this->Check.Poll();
     }
     catch (const Stopped&)
     {

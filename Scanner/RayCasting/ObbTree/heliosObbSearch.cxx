@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPoints> MakeLocalPoints(const TriangleMesh& mesh, const doubl
 double GetPlaneRange(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3];
-  Relate<double>(ray.Origin, points, corners);
+  ComputeOffsets<double>(ray.Origin, points, corners);
   const TrianglePlane plane = GetPlane(points);
   RangeTerms<double> terms;
   terms.Set(plane, corners);

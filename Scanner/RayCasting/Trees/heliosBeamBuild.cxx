@@ -168,7 +168,7 @@ void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
     (isInside ? inside : outside).push_back(i);
   }
   this->OutliersExist = !outside.empty();
-  check.Ask();
+  check.Poll();
   this->Outliers.Build(mesh, std::move(outside), check);
   if (inside.empty())
   {

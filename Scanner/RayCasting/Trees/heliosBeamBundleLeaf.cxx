@@ -42,7 +42,7 @@ struct Seen
 
   HELIOS_INLINE void SetCorners(const PlaceT origin[3], const double* const points[3])
   {
-    Relate<PlaceT>(origin, points, this->Corners);
+    ComputeOffsets<PlaceT>(origin, points, this->Corners);
   }
 };
 
@@ -62,7 +62,7 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
     const Masks isPossible = inside;
     helios::GetInside(isPossible, sheared, edges, inside);
   }
-  KeepBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
+  SelectBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
   better |= isBetter;
 }
 

@@ -91,7 +91,7 @@ private:
     {
       corners[k] = Vec3(this->Tree.Mesh->GetCorner(triangle, k)) - this->Start; // small numbers
     }
-    const double distance = WayToTriangle({ 0.0, 0.0, 0.0 }, this->Way, corners);
+    const double distance = SegmentToTriangle({ 0.0, 0.0, 0.0 }, this->Way, corners);
     if (distance <= this->Reach)
     {
       this->Nearest = this->Reach = distance;

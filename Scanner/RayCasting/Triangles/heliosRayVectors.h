@@ -59,7 +59,7 @@ HELIOS_INLINE void SetMasks(std::uint32_t bytes, Masks& masks)
 }
 
 /// Of lanes inside a triangle but for an edge function of zero, removes those that are not inside.
-__attribute__((noinline)) inline void SettleTies(
+__attribute__((noinline)) inline void ResolveTies(
   const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
 {
   for (int lane = 0; lane < QuadWidth; ++lane)
@@ -81,7 +81,7 @@ HELIOS_INLINE void GetInside(
   const Masks tied = inside & ((edges[0] == 0.0) | (edges[1] == 0.0) | (edges[2] == 0.0));
   if (Any(tied))
   {
-    SettleTies(sheared, edges, inside);
+    ResolveTies(sheared, edges, inside);
   }
 }
 
@@ -104,7 +104,7 @@ struct LazyPlane
 
 /// Keeps the hits with a triangle that are better; returns the lanes that have one.
 template <typename PlaceT>
-HELIOS_INLINE void KeepBetter(RayLanes& rays, const Masks& inside, long long triangle,
+HELIOS_INLINE void SelectBetter(RayLanes& rays, const Masks& inside, long long triangle,
   const TrianglePlane& plane, const RangeTerms<PlaceT>& terms, Masks& better)
 {
   const Doubles range = GetRange(rays, plane, terms);
@@ -120,7 +120,7 @@ HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& i
   long long triangle, const double* const points[3], LazyPlane& plane, Masks& better)
 {
   Doubles corners[3][3], sheared[3][2], edges[3];
-  Relate<Doubles>(rays.Origin, points, corners);
+  ComputeOffsets<Doubles>(rays.Origin, points, corners);
   GetEdgeFunctions(rays, axes, corners, sheared, edges);
   Masks inside;
   GetInside(isValid, sheared, edges, inside);
@@ -131,7 +131,7 @@ HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& i
   }
   RangeTerms<Doubles> terms;
   terms.Set(plane.Get(points), corners);
-  KeepBetter(rays, inside, triangle, plane.Plane, terms, better);
+  SelectBetter(rays, inside, triangle, plane.Plane, terms, better);
 }
 
 } // namespace helios

@@ -29,7 +29,7 @@ bool IsOver(const Vec3& p, const Vec3 corners[3], const Vec3& normal)
 } // namespace
 
 // Ericson 2005, Real-Time Collision Detection, 5.1.9.
-double WayToWay(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1)
+double SegmentToSegment(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1)
 {
   const Vec3 d0 = b0 - a0;
   const Vec3 d1 = b1 - a1;
@@ -55,12 +55,12 @@ double WayToWay(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1)
   return (r + s * d0 - t * d1).Norm();
 }
 
-double WayToTriangle(const Vec3& a, const Vec3& b, const Vec3 corners[3])
+double SegmentToTriangle(const Vec3& a, const Vec3& b, const Vec3 corners[3])
 {
   double distance = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
-    distance = std::min(distance, WayToWay(a, b, corners[i], corners[(i + 1) % 3]));
+    distance = std::min(distance, SegmentToSegment(a, b, corners[i], corners[(i + 1) % 3]));
   }
   const Vec3 cross = (corners[1] - corners[0]).Cross(corners[2] - corners[0]);
   const double length = cross.Norm();

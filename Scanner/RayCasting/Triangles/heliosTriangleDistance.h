@@ -12,7 +12,7 @@ namespace helios
 {
 
 /// The smallest distance between two segments, each from a to b; either may be a point.
-VTKHELIOSSCANNERRAYCASTING_EXPORT double WayToWay(
+VTKHELIOSSCANNERRAYCASTING_EXPORT double SegmentToSegment(
   const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1);
 
 /**
@@ -20,7 +20,7 @@ VTKHELIOSSCANNERRAYCASTING_EXPORT double WayToWay(
  * that to an edge, or from an end of the segment to the inside of the triangle. The segment may be
  * a point, the triangle without area.
  */
-VTKHELIOSSCANNERRAYCASTING_EXPORT double WayToTriangle(
+VTKHELIOSSCANNERRAYCASTING_EXPORT double SegmentToTriangle(
   const Vec3& a, const Vec3& b, const Vec3 corners[3]);
 
 } // namespace helios

@@ -135,7 +135,7 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
 
 /// The corners relative to the ray's origin.
 template <typename PlaceT>
-HELIOS_INLINE void Relate(
+HELIOS_INLINE void ComputeOffsets(
   const PlaceT origin[3], const double* const points[3], PlaceT corners[3][3])
 {
   for (int corner = 0; corner < 3; ++corner)
@@ -318,7 +318,7 @@ bool TestRay::Set(const vtkHeliosRay& ray)
 inline double TestTriangle(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3], sheared[3][2], edges[3];
-  Relate<double>(ray.Origin, points, corners);
+  ComputeOffsets<double>(ray.Origin, points, corners);
   GetEdgeFunctions(ray, ray.Axes, corners, sheared, edges);
   if (!IsInside(sheared, edges))
   {

@@ -135,7 +135,7 @@ std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from)
 }
 
 //------------------------------------------------------------------------------
-std::string Assets::LookFor(const std::string& name, const XmlDocument& from) const
+std::string Assets::FindPath(const std::string& name, const XmlDocument& from) const
 {
   const std::vector<std::string> candidates =
     MakeCandidates(name, name.empty() ? std::vector<std::string>() : this->GetFolders(from));

@@ -39,7 +39,7 @@ public:
   std::string FindFile(const XmlValue& name, const XmlDocument& from);
 
   /// The path of an optional file; empty if it is missing.
-  std::string LookFor(const std::string& name, const XmlDocument& from) const;
+  std::string FindPath(const std::string& name, const XmlDocument& from) const;
 
   /// The paths of all files of a folder whose whole names match a regular expression, in
   /// alphabetical order; empty after an error.

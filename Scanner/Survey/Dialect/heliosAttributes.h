@@ -29,7 +29,7 @@ const std::vector<Attribute>& GetAttributes();
 
 /// Whether a struct stores the attribute of a name; null: no.
 template <typename WholeT>
-const Attribute* LookForAttribute(const std::string& name)
+const Attribute* FindStored(const std::string& name)
 {
   for (const Attribute& attribute : GetAttributes<WholeT>())
   {

@@ -74,7 +74,7 @@ public:
       return false;
     }
     XmlValue given = this->MakeValue<WholeT>(name, value);
-    const Attribute* attribute = LookForAttribute<WholeT>(given.Name);
+    const Attribute* attribute = FindStored<WholeT>(given.Name);
     if (!attribute && MadeElements::Keeps(*whole, name))
     {
       const bool isGood = this->Elements.Set(MadeElements::GetTag(*whole), given, log);
@@ -100,7 +100,7 @@ public:
       return {};
     }
     const XmlValue value = this->MakeValue<WholeT>(name, "");
-    return !LookForAttribute<WholeT>(value.Name) && MadeElements::Keeps(*whole, name)
+    return !FindStored<WholeT>(value.Name) && MadeElements::Keeps(*whole, name)
       ? this->Elements.Get(MadeElements::GetTag(*whole), value, log)
       : GetAttribute(*whole, value, log);
   }
@@ -144,7 +144,7 @@ private:
   XmlValue MakeValue(const std::string& name, const std::string& value) const
   {
     const std::string simple = ElementTree::Simplify(name);
-    return { LookForAttribute<WholeT>(simple) ? simple : name, value, this->Where };
+    return { FindStored<WholeT>(simple) ? simple : name, value, this->Where };
   }
 
   bool FindFile(const Attribute* attribute, XmlValue& value, Messages& log);
@@ -154,7 +154,7 @@ private:
   }
   void FollowModel(ScannerData& scanner, const XmlValue& value);
   void FollowModel(PlatformData& platform, const XmlValue& value);
-  ModelData LookForModel(const XmlValue& value) const;
+  ModelData MakeModel(const XmlValue& value) const;
   bool SetFiles(PartData& part, const XmlValue& value);
   static std::unique_ptr<XmlDocument> MakeNowhere(Messages& log);
   void Change();

@@ -81,7 +81,7 @@ void SurveyMaker::FollowModel(ScannerData& scanner, const XmlValue& value)
 {
   if (value.Name == "visModel")
   {
-    scanner.Model = this->LookForModel(value);
+    scanner.Model = this->MakeModel(value);
   }
 }
 
@@ -90,19 +90,19 @@ void SurveyMaker::FollowModel(PlatformData& platform, const XmlValue& value)
 {
   if (value.Name == "model")
   {
-    platform.Model = this->LookForModel(value);
+    platform.Model = this->MakeModel(value);
   }
 }
 
 //------------------------------------------------------------------------------
-ModelData SurveyMaker::LookForModel(const XmlValue& value) const
+ModelData SurveyMaker::MakeModel(const XmlValue& value) const
 {
   Messages silent(nullptr);
   const Assets assets(silent, this->AssetDirectories);
   const auto here = MakeNowhere(silent);
   const std::string place = value.Where + ": " + value.Name + "=\"" + value.Text + "\"";
-  ModelData model = { value.Text, place, assets.LookFor(value.Text, *here) };
-  model.File = model.File.empty() ? assets.LookFor("Models/" + value.Text, *here) : model.File;
+  ModelData model = { value.Text, place, assets.FindPath(value.Text, *here) };
+  model.File = model.File.empty() ? assets.FindPath("Models/" + value.Text, *here) : model.File;
   return value.Text.empty() ? ModelData() : model;
 }
 

@@ -68,7 +68,7 @@ void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
 }
 
 //------------------------------------------------------------------------------
-void ForgetOptics(ScannerData& scanner)
+void ResetOptics(ScannerData& scanner)
 {
   const ScannerData fresh;
   scanner.ScanProduct = fresh.ScanProduct;

@@ -17,7 +17,7 @@ class Messages;
 void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner);
 
 /// Resets all optics, except for the type, to those of a new scanner.
-void ForgetOptics(ScannerData& scanner);
+void ResetOptics(ScannerData& scanner);
 
 /// Checks the complete optics: those that deflect nothing.
 void CheckOptics(const ScannerData& scanner, Messages& log);

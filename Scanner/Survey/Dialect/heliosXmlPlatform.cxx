@@ -82,10 +82,10 @@ void FindModel(const XmlElement& element, const Assets& files, ModelData& model)
   {
     return;
   }
-  model.File = files.LookFor(model.Name, element.GetDocument());
+  model.File = files.FindPath(model.Name, element.GetDocument());
   if (model.File.empty()) // the Java program has a folder for models
   {
-    model.File = files.LookFor("Models/" + model.Name, element.GetDocument());
+    model.File = files.FindPath("Models/" + model.Name, element.GetDocument());
   }
 }
 

@@ -6,6 +6,7 @@
 #include "heliosXmlOptics.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlReceiver.h"
+#include "heliosXmlRules.h"
 
 namespace helios
 {
@@ -35,7 +36,7 @@ ScannerData ReadChannel(const XmlElement& channel, ScannerData scanner, std::siz
   ReadInstrument(channel, scanner);
   if (scanner.Type != whole.Type)
   {
-    ForgetOptics(scanner);
+    ResetOptics(scanner);
     ReadInstrument(channel, scanner);
   }
   return scanner;
@@ -108,7 +109,8 @@ ScannerData ReadScanner(const XmlElement& element)
   if (!element.Has("optics"))
   {
     element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id +
-      " has no optics; give rotating, oscillating, line, conic, palmer or risley");
+      " has no optics; give " +
+      Enumerate(FindXmlRule("scanner")->FindValue("optics")->GetChoices(), "or"));
   }
   ReadInstrument(element, scanner);
   return ReadChannels(element, scanner);

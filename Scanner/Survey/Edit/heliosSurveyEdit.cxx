@@ -95,7 +95,7 @@ double Limit(const EditRange& range, double value)
 }
 
 /// Adds the change of a number to the text.
-void Note(const EditRange& range, double asked, double given, Sentence& text)
+void AddChange(const EditRange& range, double asked, double given, Sentence& text)
 {
   if (asked != given && !std::isnan(asked))
   {
@@ -113,7 +113,7 @@ void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, Sentence& text)
     if (double* number = FindNumber(settings, range.Name))
     {
       const double given = Limit(range, std::isnan(*number) ? range.Low : *number);
-      Note(range, *number, given, text);
+      AddChange(range, *number, given, text);
       *number = given;
     }
   }
@@ -349,7 +349,7 @@ std::string SetSetting(SurveyEdit& edit, const std::string& name, double value)
   }
   Sentence text;
   const double given = Limit(*range, value);
-  Note(*range, value, given, text);
+  AddChange(*range, value, given, text);
   *FindNumber(edit, name) = given;
   std::string also = ClampSettings(edit, edit.Settings);
   for (EditLeg& leg : edit.Legs)

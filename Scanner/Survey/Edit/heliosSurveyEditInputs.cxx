@@ -92,7 +92,7 @@ std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
 }
 
 /// Keeps the parts of the <survey> that are not edited.
-void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
+void CopySurvey(const std::string& fileName, SurveyEdit& edit)
 {
   static const std::set<std::string> ours = { "name", "scene", "platform", "scanner",
     "basePlatform" };
@@ -193,7 +193,7 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
   edit = SurveyEdit();
   edit.Name = survey.Name;
   edit.Scene = refer(survey.Scene.Where) + "#" + survey.Scene.Id;
-  KeepSurvey(survey.FileName, edit);
+  CopySurvey(survey.FileName, edit);
   edit.PlatformModel = survey.Platforms.front();
   edit.ScannerModel = survey.Scanners.front();
   edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.Where,

@@ -3,6 +3,7 @@
 #include "heliosLegScanner.h"
 
 #include "heliosChannelMerge.h"
+#include "heliosConstants.h"
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
@@ -35,7 +36,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double BytesPerKibibyte = 1024.0;
 constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr vtkIdType AllPulses = VTK_ID_MAX;
 constexpr auto None = static_cast<std::size_t>(-1);
@@ -184,7 +184,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   }
   channel->SetSeed(this->Settings.Options.Seed);
   channel->SetPulseStep(this->Settings.Options.PulseStep);
-  this->PutOutputs(channel);
+  this->ApplyOutputs(channel);
   return channel;
 }
 
@@ -211,7 +211,7 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::PutOutputs(vtkHeliosScanner* channel) const
+void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
 {
   channel->SetGenerateWaveforms(this->Settings.Waveforms);
   channel->SetGeneratePulses(this->Settings.Pulses);
@@ -235,7 +235,7 @@ void LegScanner::SetOutputs(const RunSettings& settings)
   this->Settings.Truth = settings.Truth;
   for (vtkHeliosScanner* channel : this->Channels)
   {
-    this->PutOutputs(channel);
+    this->ApplyOutputs(channel);
   }
 }
 
@@ -269,11 +269,11 @@ void LegScanner::SetPulseWindow(vtkIdType first, vtkIdType last)
 {
   this->FirstPulse = first;
   this->LastPulse = last;
-  this->PutWindow(first, last);
+  this->ApplyWindow(first, last);
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::PutWindow(vtkIdType first, vtkIdType last)
+void LegScanner::ApplyWindow(vtkIdType first, vtkIdType last)
 {
   for (vtkHeliosScanner* channel : this->Channels)
   {
@@ -304,13 +304,13 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
   {
     pulse = std::min(end, this->FindSample(pulse));
     const vtkIdType next = std::min(end, this->Motion.MoveTo(this->Clock, pulse));
-    this->PutParts();
-    this->PutWindow(pulse, next);
+    this->ApplyParts();
+    this->ApplyWindow(pulse, next);
     isGood = this->UpdateAll(0, 1);
     this->Gather();
     pulse = next;
   } while (isGood && pulse < end);
-  this->PutWindow(this->FirstPulse, this->LastPulse);
+  this->ApplyWindow(this->FirstPulse, this->LastPulse);
   for (std::vector<PiecePile>& ports : this->Gathered)
   {
     for (PiecePile& pile : ports)
@@ -336,7 +336,7 @@ vtkIdType LegScanner::FindSample(vtkIdType pulse) const
 
 //------------------------------------------------------------------------------
 /// Updates the scene of all channels.
-void LegScanner::PutParts()
+void LegScanner::ApplyParts()
 {
   const vtkMTimeType time = this->Motion.GetMoveTime();
   if (time == this->MoveTime)

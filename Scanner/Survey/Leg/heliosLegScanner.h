@@ -82,14 +82,14 @@ private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
-  void PutOutputs(vtkHeliosScanner* channel) const;
+  void ApplyOutputs(vtkHeliosScanner* channel) const;
   bool HasPort(int port) const;
-  void PutWindow(vtkIdType first, vtkIdType last);
+  void ApplyWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);
   vtkSmartPointer<vtkDataObject> GetScene(double wavelength);
   vtkIdType FindSample(vtkIdType pulse) const;
-  void PutParts();
+  void ApplyParts();
   void Gather();
 
   const SurveyData& Survey;

@@ -9,8 +9,7 @@
 #include "vtkHeliosRisleyPrisms.h"
 #include "vtkHeliosRotatingMirror.h"
 
-#include <algorithm>
-#include <iterator>
+#include <sstream>
 
 namespace helios
 {
@@ -106,11 +105,15 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, con
 } // namespace
 
 //------------------------------------------------------------------------------
-const char* GetOpticsName(Optics type)
+std::string GetOpticsName(Optics type)
 {
-  const auto* found = std::find_if(std::begin(OpticsNames), std::end(OpticsNames),
-    [type](const OpticsName& name) { return type == name.Type; });
-  return found->Name;
+  std::istringstream names(OpticsNames);
+  std::string name;
+  for (int i = 0; i <= static_cast<int>(type); ++i)
+  {
+    names >> name;
+  }
+  return name;
 }
 
 //------------------------------------------------------------------------------

@@ -10,24 +10,15 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+
 class vtkHeliosBeamDeflector;
 
 namespace helios
 {
 
-/// Names of optics in files.
-struct OpticsName
-{
-  const char* Name;
-  Optics Type;
-};
-
-constexpr OpticsName OpticsNames[] = { { "rotating", Optics::RotatingMirror },
-  { "oscillating", Optics::OscillatingMirror }, { "line", Optics::FiberArray },
-  { "conic", Optics::ConicMirror }, { "palmer", Optics::PalmerMirror },
-  { "risley", Optics::RisleyPrisms } };
-
-const char* GetOpticsName(Optics type);
+/// The name of optics in files.
+std::string GetOpticsName(Optics type);
 
 VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
   const ScannerData& scanner, const ScanData& scan);

@@ -358,15 +358,15 @@ void ScanResolver::Warning(const Sentence& text)
 {
   if (this->Fires)
   {
-    const std::string said = text.str();
-    std::string key = said; // the same for all channels of a scanner
+    const std::string message = text.str();
+    std::string key = message; // the same for all channels of a scanner
     const std::size_t id = key.find(this->Scanner.Id);
     if (id != std::string::npos && !this->Scanner.Channel.empty())
     {
       key.erase(id + this->Scanner.Id.rfind(", channel "),
         std::string(", channel ").size() + this->Scanner.Channel.size());
     }
-    this->Log.WarnOnce(key, this->Given.Leg.Where + ": " + said);
+    this->Log.WarnOnce(key, this->Given.Leg.Where + ": " + message);
   }
 }
 

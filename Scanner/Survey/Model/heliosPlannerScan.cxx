@@ -71,10 +71,10 @@ bool FindElevations(const PlannerData& data, double& low, double& high)
   const Vec3 axis =
     Rotate(data.Survey.Platforms.front().Mount.Orientation, scanner.HeadRotateAxis.Normalized());
   const Vec3 side = Rotate(scanner.Beam.Orientation, { 1.0, 0.0, 0.0 });
-  const bool isUpright = std::abs(axis[2] - 1.0) < 1e-9 && std::abs(side[0] - 1.0) < 1e-9;
+  const bool isVertical = std::abs(axis[2] - 1.0) < 1e-9 && std::abs(side[0] - 1.0) < 1e-9;
   low = std::max(-90.0, scan.VerticalAngleMin);
   high = std::min(90.0, scan.VerticalAngleMax);
-  return isUpright && scanner.Type == Optics::RotatingMirror && scanner.GetNumberOfChannels() == 1;
+  return isVertical && scanner.Type == Optics::RotatingMirror && scanner.GetNumberOfChannels() == 1;
 }
 
 void SetIfNotGiven(double& target, double value)

@@ -78,29 +78,23 @@ void SetNumberOfSubRays(int count, vtkHeliosBeamSampler* sampler)
 void SetUpSampling(
   const ReceiverData& receiver, const RunOptions& options, vtkHeliosScanner* scanner)
 {
-  const bool hasTolerance = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0;
-  scanner->SetRangeTolerance(
-    options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance);
-  scanner->SetEnergyTolerance(
-    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance);
+  const BeamSampling sampling = ChooseSampling(receiver, options);
+  scanner->SetRangeTolerance(sampling.RangeTolerance);
+  scanner->SetEnergyTolerance(sampling.EnergyTolerance);
+  scanner->SetSampling(sampling.IsAdaptive ? vtkHeliosScanner::TOLERANCE : vtkHeliosScanner::FIXED);
   if (options.MaximumSubRays > 0)
   {
     scanner->SetMaximumNumberOfSubRays(options.MaximumSubRays);
   }
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
-  scanner->SetSamplingToFixed();
   if (options.NumberOfSubRays > 0)
   {
     SetNumberOfSubRays(options.NumberOfSubRays, sampler);
   }
-  else if (receiver.NumberOfCircles > 0 && !hasTolerance)
+  else if (!sampling.IsAdaptive)
   {
     sampler->SetPatternToCircles();
     sampler->SetNumberOfCircles(receiver.NumberOfCircles);
-  }
-  else
-  {
-    scanner->SetSamplingToTolerance();
   }
 }
 
@@ -179,6 +173,17 @@ void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& options)
+{
+  const bool hasTolerance = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0;
+  const bool isFixed =
+    options.NumberOfSubRays > 0 || (receiver.NumberOfCircles > 0 && !hasTolerance);
+  return { !isFixed,
+    options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance,
+    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance };
+}
 
 //------------------------------------------------------------------------------
 EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)

@@ -13,8 +13,18 @@ namespace helios
 {
 
 struct EchoMatching;
+struct ReceiverData;
 struct RunOptions;
 struct ScannerData;
+
+/// How the beams of a scanner are sampled; options override the data.
+struct BeamSampling
+{
+  bool IsAdaptive;
+  double RangeTolerance;  ///< [m]
+  double EnergyTolerance; ///< relative
+};
+BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& options);
 
 /// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; options override
 /// the data.

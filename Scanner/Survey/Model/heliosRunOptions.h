@@ -40,7 +40,7 @@ struct RunOptions
   std::string EchoDetector;
   std::string RayCaster;
   std::string Without;        ///< names of parts of the model, separated by blanks
-  vtkIdType PulseStep = 1;    ///< a sample: one of so many pulses
+  vtkIdType PulseStep = 1;    ///< a sample: every n-th pulse
   bool AccuracyReport = true; ///< changes no echo: not among those that are compared
 
   /// Whether a part of the model is left out.

@@ -65,8 +65,8 @@ std::string FindSpectrum(const std::string& name, const std::vector<std::string>
 }
 
 /// The reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
-double LookUp(const std::string& name, const std::vector<std::string>& folders, double wavelength,
-  Messages& log)
+double ReadReflectance(const std::string& name, const std::vector<std::string>& folders,
+  double wavelength, Messages& log)
 {
   const std::string path = FindSpectrum(name, folders);
   Spectrum spectrum;
@@ -96,7 +96,7 @@ bool NeedsSpectrum(const Material& material)
 }
 
 /// The reflectances of all spectra that materials need, by name.
-std::map<std::string, double> LookUpAll(const MaterialTable& materials,
+std::map<std::string, double> ReadReflectances(const MaterialTable& materials,
   const std::vector<std::string>& folders, double wavelength, Messages& log)
 {
   std::map<std::string, double> reflectances;
@@ -105,7 +105,7 @@ std::map<std::string, double> LookUpAll(const MaterialTable& materials,
     const std::string& name = material.Spectrum;
     if (NeedsSpectrum(material) && reflectances.count(name) == 0)
     {
-      reflectances[name] = LookUp(name, folders, wavelength, log);
+      reflectances[name] = ReadReflectance(name, folders, wavelength, log);
     }
   }
   return reflectances;
@@ -181,7 +181,7 @@ vtkDataObject* SpectralScenes::Get(double wavelength)
   }
   MaterialTable materials = GetMaterials(this->Scene);
   const std::map<std::string, double> reflectances =
-    LookUpAll(materials, this->Folders, wavelength, this->Log);
+    ReadReflectances(materials, this->Folders, wavelength, this->Log);
   if (reflectances.empty())
   {
     return scene = this->Scene;

@@ -30,6 +30,9 @@ enum class Optics
   RisleyPrisms
 };
 
+/// The names of optics in files, in the order of the enumeration.
+constexpr const char* OpticsNames = "rotating oscillating line conic palmer risley";
+
 /// A prism of Risley optics.
 struct PrismData
 {

@@ -55,7 +55,7 @@ void MoveByChance(const LegOffsetData& offset, vtkIdType seed, std::vector<Vec3>
 }
 
 /// Places legs on the ground if requested; false after an error.
-bool PutOnGround(
+bool PlaceOnGround(
   const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
 {
   const auto isOnGround = [](const LegData& leg) { return leg.OnGround; };
@@ -103,7 +103,7 @@ bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegChance
   {
     MoveByChance(survey.LegOffset, chance.Seed, positions);
   }
-  return PutOnGround(survey, scene, log, positions);
+  return PlaceOnGround(survey, scene, log, positions);
 }
 
 //------------------------------------------------------------------------------

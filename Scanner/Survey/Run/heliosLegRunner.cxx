@@ -28,7 +28,7 @@ namespace
 constexpr vtkIdType SamplesPerBlock = 65536;
 
 /// Journals the output once it is fsynced.
-Status Note(
+Status CommitBlock(
   const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
 {
   progress.Files = CollectProgress(outputs, false);
@@ -317,7 +317,8 @@ bool LegRunner::RunBlocks(
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
     noted = std::async(std::launch::async,
-      [&outputs, &journal, &plan, progress] { return Note(outputs, journal, plan.Leg, progress); });
+      [&outputs, &journal, &plan, progress]
+      { return CommitBlock(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
     {
       isNoted();

@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosPulseSample.h"
 #include "heliosReceiver.h"
+#include "heliosStatus.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -16,7 +17,7 @@ namespace helios
 namespace
 {
 
-// The sample: pulses that hit something, and at most so many others for each of them.
+// The sample: pulses that hit something, and at most MostMisses others for each of them.
 constexpr vtkIdType FewestHits = 200;
 constexpr vtkIdType MostHits = 1000;
 constexpr vtkIdType HitsPerSample = 20000;
@@ -39,25 +40,6 @@ Json::Value DescribeErrors(const EchoErrors& errors)
     }
   }
   return described;
-}
-
-/// The tolerances of the run; 0 with fixed sub-rays.
-struct Asked
-{
-  double Range = 0.0;
-  double Energy = 0.0;
-};
-
-Asked GetAsked(const ScannerData& scanner, const RunOptions& options)
-{
-  const ReceiverData& receiver = scanner.Receiver;
-  const bool hasTolerance = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0;
-  if (options.NumberOfSubRays > 0 || (receiver.NumberOfCircles > 0 && !hasTolerance))
-  {
-    return {};
-  }
-  return { options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance,
-    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance };
 }
 
 } // namespace
@@ -196,10 +178,14 @@ void RunAccuracy::Compare(const LegPlan& plan, const std::vector<Way>& ways)
   for (std::size_t i = 0; this->Reason.empty() && i < ways[0].Echoes.size(); ++i)
   {
     const ScannerData& channel = scanner.GetChannel(i % channels);
-    const double energy = GetAsked(channel, this->Settings.Options).Energy;
-    const EchoMatching matching = MakeMatching(channel, energy);
-    this->Errors.Add(ways[0].Echoes[i], ways[1].Echoes[i], matching);
-    this->ReferenceErrors.Add(ways[2].Echoes[i], ways[1].Echoes[i], matching);
+    const BeamSampling sampling = ChooseSampling(channel.Receiver, this->Settings.Options);
+    const EchoMatching matching =
+      MakeMatching(channel, sampling.IsAdaptive ? sampling.EnergyTolerance : 0.0);
+    Status status = this->Errors.Add(ways[0].Echoes[i], ways[1].Echoes[i], matching);
+    status = status.IsOk()
+      ? this->ReferenceErrors.Add(ways[2].Echoes[i], ways[1].Echoes[i], matching)
+      : status;
+    this->Reason = status.Message();
   }
 }
 
@@ -221,11 +207,11 @@ Json::Value RunAccuracy::Describe() const
   described["reference"]["subRays"] = SubRays;
   const ScannerData& scanner =
     this->Runner.GetSurvey().GetScanner(this->Runner.GetPlans().front().Leg);
-  const Asked asked = GetAsked(scanner, this->Settings.Options);
-  if (asked.Range > 0.0)
+  const BeamSampling sampling = ChooseSampling(scanner.Receiver, this->Settings.Options);
+  if (sampling.IsAdaptive)
   {
-    described["asked"]["rangeTolerance_m"] = asked.Range;
-    described["asked"]["energyTolerance"] = asked.Energy;
+    described["asked"]["rangeTolerance_m"] = sampling.RangeTolerance;
+    described["asked"]["energyTolerance"] = sampling.EnergyTolerance;
   }
   described["without"] = Json::arrayValue;
   if (this->Settings.Options.Noise)

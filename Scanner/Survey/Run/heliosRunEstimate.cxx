@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunEstimate.h"
 
+#include "heliosConstants.h"
 #include "vtkHeliosStreamWriter.h"
 
 #include <vtkPolyData.h>
@@ -32,7 +33,6 @@ constexpr double PulsesPerTrial = 8.0;
 constexpr double TrialGrowth = 8.0;
 constexpr double TrialSeconds = 0.05; // and at most a tenth of the leg's limit
 constexpr double GoldenRatio = 0.6180339887498949;
-constexpr double BytesPerKibibyte = 1024.0;
 constexpr vtkIdType TrajectorySamples = 4096;
 
 double Now()

@@ -48,7 +48,7 @@ bool StartsWith(std::string_view text, std::string_view start)
   return text.substr(0, start.size()) == start;
 }
 
-/// A number without a sign; -1 if the text is none.
+/// A number without a sign; -1 for any other text.
 int ParseNumber(std::string_view text)
 {
   int number = -1;

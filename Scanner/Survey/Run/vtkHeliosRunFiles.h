@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * The subfolder of an epoch, and the epoch of a subfolder; -1 if it is none.
+   * The subfolder of an epoch, and the epoch of a subfolder; -1 for any other folder.
    */
   static std::string GetEpochName(int epoch);
   static int GetEpoch(const std::string& folder);
@@ -79,7 +79,7 @@ public:
 
   /**
    * The name of a file: its stem, kind (FileKind) and format, and the channel if it has only one.
-   * Empty if kind or format is none of these.
+   * Empty for any other kind or format.
    */
   static std::string GetFileName(const std::string& stem, int kind, const std::string& format,
     const std::string& channel = std::string());

@@ -133,7 +133,7 @@ bool MovingRayCaster::BuildMoving(const TriangleMesh& mesh)
 
 //------------------------------------------------------------------------------
 /// At equal ranges the lowest cell is selected, as in one caster.
-void MovingRayCaster::KeepNearer(
+void MovingRayCaster::SelectNearer(
   const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const
 {
   for (vtkIdType i = 0; i < count; ++i)
@@ -169,7 +169,7 @@ void MovingRayCaster::IntersectBeams(
   others.resize(static_cast<std::size_t>(count));
   this->Moving.Caster->IntersectBeams(rays, others.data(), raysPerBeam, beams);
   Name(this->Moving.Cells, others.data(), count);
-  this->KeepNearer(others.data(), hits, count);
+  this->SelectNearer(others.data(), hits, count);
 }
 
 //------------------------------------------------------------------------------

@@ -60,7 +60,7 @@ private:
   };
   void MakeShares(const TriangleMesh& mesh);
   bool BuildMoving(const TriangleMesh& mesh);
-  void KeepNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
+  void SelectNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
 
   vtkSmartPointer<vtkHeliosRayCaster> Kind;
   std::vector<bool> Moves; // by cell

@@ -170,7 +170,7 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
 }
 
 //------------------------------------------------------------------------------
-void PartPipelines::KeepOnly(const std::vector<const PartData*>& parts)
+void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
 {
   const auto isGone = [&parts](const PartData* part)
   { return std::find(parts.begin(), parts.end(), part) == parts.end(); };

@@ -44,7 +44,7 @@ public:
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
   /// Releases the pipelines of all other parts.
-  void KeepOnly(const std::vector<const PartData*>& parts);
+  void RemoveOthers(const std::vector<const PartData*>& parts);
 
   /// The grids of a turbid part after its files were read, with its materials and filters applied.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids(

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int
   this->MakeParts(epoch);
   this->Pipelines.SetOnProgress(&onStep);
   const bool isReady =
-    this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PutOnGround();
+    this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PlaceOnGround();
   auto scene = isReady ? this->Compose(true) : nullptr;
   this->Pipelines.SetOnProgress(nullptr);
   this->Log.Mute(false);
@@ -82,7 +82,7 @@ void SceneBuilder::MakeParts(int epoch)
       this->Parts.push_back({ data, &part.Name, this->Pipelines.Make(*data) });
     }
   }
-  this->Pipelines.KeepOnly(all);
+  this->Pipelines.RemoveOthers(all);
 }
 
 //------------------------------------------------------------------------------
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::MakeGround()
 }
 
 //------------------------------------------------------------------------------
-bool SceneBuilder::PutOnGround()
+bool SceneBuilder::PlaceOnGround()
 {
   vtkNew<vtkPoints> lowest;
   lowest->SetDataTypeToDouble();

@@ -47,7 +47,7 @@ private:
   };
 
   void MakeParts(int epoch);
-  bool PutOnGround();
+  bool PlaceOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
 

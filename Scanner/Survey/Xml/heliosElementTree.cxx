@@ -52,7 +52,7 @@ std::vector<Step> Split(const std::string& path)
 /// The children of a node that a name stands for, and how to add one.
 struct Kin
 {
-  const XmlElementRule* Rule = nullptr; ///< of the children; null: the name is none of a child
+  const XmlElementRule* Rule = nullptr; ///< of the children; null: no child has the name
   std::string Tag;
   std::string Key; ///< the attribute that tells them from others of the tag; empty: none
   std::string Name;

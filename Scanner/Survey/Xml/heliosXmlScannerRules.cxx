@@ -26,7 +26,7 @@ std::vector<XmlValueRule> MakeScannerValues()
   return {
     Text("id", "identifier for references"),
     Text("name", "a title").At<&ScannerData::Name>(),
-    Word("optics", "rotating oscillating line conic palmer risley", "beam deflector").Required().At<&ScannerData::Type>(),
+    Word("optics", OpticsNames, "beam deflector").Required().At<&ScannerData::Type>(),
     Numbers("pulseFreqs_Hz", "supported pulse frequencies, the default first").In("Hz", Frequency).Default("that of the leg").At<&ScannerData::PulseFrequencies>(),
     Number("pulseLength_ns", "full width at half maximum").In("ns", PulseLength).At<&ScannerData::PulseLength>(),
     Number("beamDivergence_rad", "full angle at 1/e2").In("rad", Fraction).At<&ScannerData::BeamDivergence>(),

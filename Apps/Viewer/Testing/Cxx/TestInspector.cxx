@@ -55,7 +55,7 @@ void Wait(Inspector& inspector)
 }
 
 /// Looks down on an echo, 12 m high: its pixel is the window's centre.
-void LookDownOn(Viewer& viewer, const Vec3& position)
+void ViewFromAbove(Viewer& viewer, const Vec3& position)
 {
   const Vec3 at = position - viewer.GetOrigin();
   vtkCamera* camera = viewer.GetRenderer()->GetActiveCamera();
@@ -99,7 +99,7 @@ TEST_CASE("Inspector: a click selects a pulse on two steps")
   const vtkIdType row = FindRow(viewer, 2, -0.12, 0.12);
   REQUIRE(row >= 0);
   const Echo planted = viewer.GetCloud().GetEcho(row);
-  LookDownOn(viewer, planted.Position);
+  ViewFromAbove(viewer, planted.Position);
 
   Inspector inspector(viewer);
   CHECK_FALSE(inspector.OnKey("n", false)); // no selection: the key is not the inspector's

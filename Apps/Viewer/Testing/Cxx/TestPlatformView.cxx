@@ -63,7 +63,7 @@ public:
 
   void Show(const Pose& platform, double time)
   {
-    this->View.ReadModels({ this->Leg });
+    static_cast<void>(this->View.ReadModels({ this->Leg }));
     this->View.Place(this->Leg, platform, time);
     this->Picture.Render();
   }
@@ -130,7 +130,7 @@ TEST_CASE("PlatformView: a model that cannot be shown is reported and replaced b
     INFO(one.File);
     stage.Leg.Model = MakeModel(stage, one.File);
     stage.Leg.ScannerModel = ModelData();
-    const std::string problem = stage.View.ReadModels({ stage.Leg, stage.Leg });
+    const std::string problem = stage.View.ReadModels({ stage.Leg, stage.Leg }).Message();
     INFO(problem);
     CHECK(problem.find("assets.xml:2: model=\"" + std::string(one.File) + "\": ") == 0);
     CHECK(problem.find(one.Words) != std::string::npos);
@@ -154,7 +154,7 @@ TEST_CASE("PlatformView: a small model is enlarged to be visible, and each file 
   std::filesystem::remove(stage.Folder / "small.obj");
   ModelFiles files;
   CHECK_FALSE(files.Find(stage.Leg.Model));
-  CHECK(stage.View.ReadModels({ stage.Leg }).find("small.obj") == std::string::npos);
+  CHECK(stage.View.ReadModels({ stage.Leg }).Message().find("small.obj") == std::string::npos);
 }
 
 TEST_CASE("PlatformView: the viewer shows the model of a survey, or reports why not")

@@ -67,13 +67,13 @@ TEST_CASE("FrameBudget: drawing takes a limited share, and more during interacti
 {
   FrameBudget budget;
   CHECK(budget.IsDue(0.0, true));
-  budget.NoteFrame(10.0, 0.05);
+  budget.RecordFrame(10.0, 0.05);
   CHECK(budget.IsDue(10.01, false)); // no computation
   CHECK_FALSE(budget.IsDue(10.01, true));
   CHECK(budget.IsDue(10.0 + 0.05 / FrameBudget::Share, true));
-  budget.NoteInput(10.02);
+  budget.RecordInput(10.02);
   CHECK(budget.IsDue(10.03, true));
-  budget.NoteFrame(20.0, 30.0); // a frame that took very long
+  budget.RecordFrame(20.0, 30.0); // a frame that took very long
   CHECK_FALSE(budget.IsDue(20.0 + 0.9 * FrameBudget::Longest, true));
   CHECK(budget.IsDue(20.0 + FrameBudget::Longest, true));
 }

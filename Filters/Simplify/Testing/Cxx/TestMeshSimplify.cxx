@@ -590,7 +590,7 @@ struct CountedEvents
   int Count = 0;
   int Last = VTK_INT_MAX;
 
-  static void Take(vtkObject* caller, unsigned long, void* self, void*)
+  static void OnProgress(vtkObject* caller, unsigned long, void* self, void*)
   {
     auto* algorithm = static_cast<vtkAlgorithm*>(caller);
     auto* events = static_cast<CountedEvents*>(self);
@@ -613,7 +613,7 @@ TEST_CASE("MeshSimplify: can be aborted at any time within one large patch", "[M
     simplify->SetMaximumDistance(1e-9); // nothing can be removed: only checks
     vtkNew<vtkCallbackCommand> stop;
     stop->SetClientData(&events);
-    stop->SetCallback(CountedEvents::Take);
+    stop->SetCallback(CountedEvents::OnProgress);
     simplify->AddObserver(vtkCommand::ProgressEvent, stop);
     log->Watch(simplify);
     log->Watch(simplify->GetExecutive());

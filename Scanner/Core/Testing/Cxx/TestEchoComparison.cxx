@@ -72,7 +72,7 @@ EchoErrors Compare(const std::vector<Row>& run, const std::vector<Row>& referenc
   const EchoMatching& matching = EchoMatching())
 {
   EchoComparison comparison;
-  REQUIRE(comparison.Add(MakeEchoes(run), MakeEchoes(reference), matching).empty());
+  REQUIRE(comparison.Add(MakeEchoes(run), MakeEchoes(reference), matching).IsOk());
   return comparison.GetErrors();
 }
 

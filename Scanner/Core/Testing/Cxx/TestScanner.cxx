@@ -29,6 +29,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
+#include <string>
 
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
@@ -54,6 +56,14 @@ TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
   CHECK(Value(echoes, names::PulseIds, 999) == 999);
   CHECK(Value(echoes, names::GpsTime, 999) == 999 / 100000.0);
   CHECK(bench.Scanner->GetCount("pulsesFired") == 1000);
+  std::istringstream names(vtkHeliosScanner::GetCountNames());
+  int count = 0;
+  for (std::string name; names >> name; ++count)
+  {
+    CHECK(bench.Scanner->GetCount(name) >= 0);
+  }
+  CHECK(count == 11);
+  CHECK(bench.Scanner->GetCount("none") == -1);
 }
 
 TEST_CASE("Scanner: energy is independent of the number of sub-rays", "[Scanner]")

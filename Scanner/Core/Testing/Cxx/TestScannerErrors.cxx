@@ -257,7 +257,7 @@ struct EventsBeforePulses
   int Count = 0;
   int Last = VTK_INT_MAX;
 
-  static void Take(vtkObject* caller, unsigned long, void* self, void*)
+  static void OnProgress(vtkObject* caller, unsigned long, void* self, void*)
   {
     auto* scanner = static_cast<vtkAlgorithm*>(caller);
     auto* events = static_cast<EventsBeforePulses*>(self);
@@ -304,7 +304,7 @@ TEST_CASE("Scanner: can be aborted while the scene is prepared", "[Scanner]")
     EventsBeforePulses events;
     vtkNew<vtkCallbackCommand> stop;
     stop->SetClientData(&events);
-    stop->SetCallback(EventsBeforePulses::Take);
+    stop->SetCallback(EventsBeforePulses::OnProgress);
     bench.Scanner->AddObserver(vtkCommand::ProgressEvent, stop);
     REQUIRE(bench.Run()->GetNumberOfPoints() == 1000);
     const int all = events.Count;

@@ -30,7 +30,7 @@ void SetUp(vtkHeliosSpinningChannels* head)
 }
 
 /// Elevation and azimuth of a pulse [deg], the latter in (-180, 180].
-void Look(vtkHeliosSpinningChannels* head, vtkIdType pulse, double& elevation, double& azimuth)
+void GetAngles(vtkHeliosSpinningChannels* head, vtkIdType pulse, double& elevation, double& azimuth)
 {
   double d[3];
   REQUIRE(head->GetDirection(pulse, d));
@@ -49,7 +49,7 @@ TEST_CASE("SpinningChannels: pulse i is channel i mod n at its own azimuth", "[S
   {
     double elevation;
     double azimuth;
-    Look(head, i, elevation, azimuth);
+    GetAngles(head, i, elevation, azimuth);
     const double expected = 360.0 * static_cast<double>(i) / 16000.0;
     REQUIRE(head->GetChannel(i) == i % 16);
     REQUIRE(head->GetDelay(i) == 0.0);
@@ -69,7 +69,7 @@ TEST_CASE(
   head->SetScanFrequency(-20.0);
   double elevation;
   double azimuth;
-  Look(head, 4000, elevation, azimuth);
+  GetAngles(head, 4000, elevation, azimuth);
   CHECK(azimuth == Approx(-90.0).epsilon(1e-14)); // to the right
   CHECK(elevation == Approx(-15.0).epsilon(1e-14));
 }

@@ -93,7 +93,7 @@ TEST_CASE("TriangleDistance: known distances", "[Clearance]")
 {
   const Vec3 triangle[3] = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } };
   const auto distance = [&triangle](const Vec3& a, const Vec3& b)
-  { return helios::WayToTriangle(a, b, triangle); };
+  { return helios::SegmentToTriangle(a, b, triangle); };
   CHECK(distance({ 1, 1, 3 }, { 1, 1, 3 }) == 3.0);  // a point above
   CHECK(distance({ 1, 1, 3 }, { 1, 1, -3 }) == 0.0); // through
   CHECK(distance({ 1, 1, 3 }, { 2, 1, 2 }) == 2.0);  // towards
@@ -103,8 +103,9 @@ TEST_CASE("TriangleDistance: known distances", "[Clearance]")
   CHECK(distance({ -1, 2, 0 }, { -1, 3, 0 }) == Approx(1)); // in its plane, along an edge
   CHECK(distance({ -1, 1, 0 }, { 9, 1, 0 }) == 0.0);        // in its plane, through
   const Vec3 flat[3] = { { 0, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 } };
-  CHECK(helios::WayToTriangle({ 1, 3, 0 }, { 3, 5, 0 }, flat) == 3.0);
-  CHECK(helios::WayToWay({ 0, 0, 1 }, { 1, 0, 1 }, { 3, 0, 1 }, { 5, 0, 1 }) == 2.0); // on one line
+  CHECK(helios::SegmentToTriangle({ 1, 3, 0 }, { 3, 5, 0 }, flat) == 3.0);
+  CHECK(helios::SegmentToSegment({ 0, 0, 1 }, { 1, 0, 1 }, { 3, 0, 1 }, { 5, 0, 1 }) ==
+    2.0); // on one line
 }
 
 TEST_CASE("TriangleDistance: is a lower bound that is reached", "[Clearance]")
@@ -122,7 +123,7 @@ TEST_CASE("TriangleDistance: is a lower bound that is reached", "[Clearance]")
     const Vec3 b = i % 5 == 0
       ? a + 1e-9 * (corners[1] - corners[0])
       : (i % 5 == 1 ? a + corners[2] - corners[0] : size * dice.Point(-1, 1));
-    const double distance = helios::WayToTriangle(a, b, corners);
+    const double distance = helios::SegmentToTriangle(a, b, corners);
     // The nearest point of a grid, refined about the best.
     double best = None, s0 = 0.5, u0 = 0.5, v0 = 0.5;
     for (double width = 0.5; width > 1e-7; width *= 0.6)
@@ -258,7 +259,8 @@ TEST_CASE("Clearance: the tree agrees with brute force", "[Clearance]")
       if (helios::SpansArea(corners[0].GetData(), corners[1].GetData(), corners[2].GetData()))
       {
         truth = std::min(truth,
-          helios::WayToTriangle(samples[i], samples[std::min<std::size_t>(i + 1, 59)], corners));
+          helios::SegmentToTriangle(
+            samples[i], samples[std::min<std::size_t>(i + 1, 59)], corners));
       }
     }
     INFO("sample " << i);

@@ -90,7 +90,8 @@ TEST_CASE("SurveyDialect: invalid channels are errors", "[SurveyDialect]")
       { "assets.xml", before, with("<channel rangeMin_m=\"5\" rangeMax_m=\"4\"/>"),
         { "assets.xml:9", "channel 0", "rangeMin_m=\"5\" is not below" } },
       { "assets.xml", "optics=\"rotating\"", "",
-        { "assets.xml:5", "scanner tls has no optics", "give rotating" } },
+        { "assets.xml:5", "scanner tls has no optics",
+          "give rotating, oscillating, line, conic, palmer or risley" } },
     });
 }
 

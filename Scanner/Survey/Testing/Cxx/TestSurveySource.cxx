@@ -198,6 +198,8 @@ TEST_CASE("SurveySource: pulses of a leg by time", "[SurveySource]")
   CHECK(times[1] == Approx(0.4));
   source.Filter->GetLegPulses(2, ids); // an end point
   CHECK(ids[0] == ids[1]);
+  CHECK(source.Filter->GetLegPulseLength(1) == 4.0); // the default
+  CHECK(source.Filter->GetLegPulseLength(2) == 0.0);
   CHECK(source.Filter->GetPulseTime(50000) == Approx(0.25)); // at 200 kHz
   CHECK(source.Filter->FindPulse(0.25) == 50000);
   CHECK(source.Filter->FindPulse(-1.0) == 0);

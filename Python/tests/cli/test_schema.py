@@ -13,7 +13,7 @@ from vtkhelios.cli.schema import make_files
 
 etree = pytest.importorskip("lxml.etree")
 
-ROOT = pathlib.Path(__file__).absolute().parents[2]
+ROOT = pathlib.Path(__file__).absolute().parents[3]
 SCHEMAS = ROOT / "Data/Schemas"
 DIALECT = ROOT / "Docs/dialect.md"
 

@@ -13,7 +13,7 @@ import pytest
 
 import vtkhelios
 
-STUDIES = pathlib.Path(__file__).resolve().parents[1] / "studies"
+STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
 
 @pytest.fixture

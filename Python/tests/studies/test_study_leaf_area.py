@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import pytest
 
-STUDIES = pathlib.Path(__file__).resolve().parents[1] / "studies"
+STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
 
 @pytest.fixture

@@ -27,7 +27,7 @@ WALL = "v -100 10 -100\nv 100 10 -100\nv 100 10 100\nv -100 10 100\nf 1 2 3\nf 1
 @pytest.fixture(scope="module")
 def fence(tmp_path_factory):
     """Two scan positions before slats of 3 mm, thinner than the beam, and a wall."""
-    small_run = runpy.run_path(pathlib.Path(__file__).with_name("_small_run.py"))
+    small_run = runpy.run_path(pathlib.Path(__file__).parents[1] / "_small_run.py")
     return small_run["write_survey"](tmp_path_factory.mktemp("fence"))
 
 

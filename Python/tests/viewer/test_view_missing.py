@@ -11,7 +11,7 @@ import vtkhelios
 from vtkhelios import cli
 from vtkhelios.cli import view
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 
 
 @pytest.fixture
