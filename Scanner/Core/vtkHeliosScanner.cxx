@@ -231,10 +231,10 @@ bool vtkHeliosScanner::CheckSettings()
     vtkErrorMacro(<< "HeadRotateAxis has no direction");
     return false;
   }
-  if (!std::isfinite(this->BeamSampler->GetBeamDivergence()))
+  const helios::Status beam = helios::CheckBeam(this->BeamSampler);
+  if (!beam.IsOk())
   {
-    vtkErrorMacro(<< "BeamDivergence is " << this->BeamSampler->GetBeamDivergence()
-                  << " rad; give a finite angle, 0 for one ideal ray");
+    vtkErrorMacro(<< beam.Message());
     return false;
   }
   if (!helios::IsRangeTolerance(this->RangeTolerance) ||
