@@ -380,6 +380,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   receiver.BinSize = this->BinSize;
   receiver.Detector = this->EchoDetector;
   receiver.MaximumCount = this->CountSamples();
+  receiver.HasLimit = this->MaximumWaveformLength > 0.0 || this->NumberOfBins > 0;
   receiver.Noise = this->DetectorNoise;
   receiver.Seed = static_cast<std::uint64_t>(this->Seed);
   m.Power = this->AveragePower;
