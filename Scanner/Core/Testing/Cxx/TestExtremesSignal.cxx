@@ -102,6 +102,41 @@ TEST_CASE("Extremes: echoes farther apart than a waveform can be are kept by ada
   }
 }
 
+TEST_CASE("Extremes: pulses of 0.01 ns to 1 ms, by float samples and without", "[Extremes]")
+{
+  double worst = 0.0;
+  for (double length : { 0.01, 1.0, 4.0, 100.0, 1e3, 1e6 })
+  {
+    for (double perPulse : { 2.5, 16.0, 400.0 })
+    {
+      for (Way way : { Way::Adaptive, Way::Circles })
+      {
+        const double bin = length / perPulse;
+        if (bin < 1e-4 || bin > 1e3)
+        {
+          continue;
+        }
+        Triangles wall;
+        wall.AddWall(1e-3, -1, 1, -1, 1);
+        Shot shot(wall.GetScene());
+        shot.SetWay(way);
+        shot.Scanner->SetPulseLength(length);
+        shot.Scanner->SetBinSize(bin);
+        const auto echoes = shot.Fire();
+        CAPTURE(length, perPulse);
+        REQUIRE(echoes.size() == 1);
+        // Half an ulp of each of three samples moves the parabola's peak.
+        const double sigma = length / 2.3548200450309493;
+        const double bound = way == Way::Adaptive
+          ? 1e-10
+          : 0.5 * 0.299792458 * 4 * 0x1p-25 * sigma * sigma / bin + 1e-10;
+        worst = std::max(worst, std::abs(echoes[0].Range - 1e-3) / bound);
+      }
+    }
+  }
+  CHECK(worst <= 1.0);
+}
+
 TEST_CASE("Extremes: a limit of the waveform cuts farther echoes", "[Extremes]")
 {
   for (Way way : { Way::Adaptive, Way::Circles })
@@ -358,4 +393,20 @@ TEST_CASE("Extremes: a platform and a head after 24 h at 10 MHz", "[Extremes]")
   }
   CHECK(place <= 4 * HalfUlp * speed * day);
   CHECK(direction <= 4 * HalfUlp * vtkMath::RadiansFromDegrees(turn * day));
+
+  // Times of an epoch are doubles, too: half of 2.4e-7 s at 60 m/s.
+  constexpr double epoch = 1.4e9;
+  times->SetValue(0, epoch);
+  times->SetValue(1, epoch + day);
+  times->Modified();
+  path->Modified();
+  shot.Scanner->Update();
+  place = 0.0;
+  for (vtkIdType i = 0; i < 1000; ++i)
+  {
+    const Real time = static_cast<Real>(count - 1000 + i) / static_cast<Real>(frequency);
+    place = std::max(place,
+      std::abs(static_cast<double>(pulses->GetPoint(i)[0] - static_cast<Real>(speed) * time)));
+  }
+  CHECK(place <= speed * 0x1p-23);
 }
