@@ -318,8 +318,7 @@ TEST_CASE(
     {
       const int count = width > 5e-4 ? 60 : 240;
       const Vec3 half = 5e5 * width * u;
-      const auto middle = [&](int i)
-      { return Vec3(0, 100, 0) + static_cast<double>(i - count / 2) * width * v; };
+      const auto middle = [&](int i) { return Vec3(0, 100, 0) + (i - 0.5 * count) * width * v; };
       Triangles slivers;
       for (int i = 0; i < count; ++i)
       {
