@@ -342,7 +342,7 @@ TEST_CASE(
       worst = std::max(worst, std::abs(found[i] - truth[i]));
     }
   }
-  CHECK(worst <= 2e-3); // of the spiral
+  CHECK(worst <= 5e-3); // beams of many surfaces may be sampled, too
 }
 
 TEST_CASE("Extremes: with a waist, edges beyond ten Rayleigh ranges are straight", "[Extremes]")
