@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTriangleMesh.h"
 
+#include "heliosFloatCoordinates.h"
 #include "heliosStatus.h"
 
 #include <vtkCellArray.h>
@@ -39,6 +40,10 @@ Status TriangleMesh::Set(vtkPolyData* scene)
   }
 
   vtkDataArray* points = scene->GetPoints()->GetData();
+  if (Status status = CheckFloatCoordinates(points, "the scene"); !status.IsOk())
+  {
+    return status;
+  }
   if (auto* doubles = vtkDoubleArray::FastDownCast(points))
   {
     this->Points = doubles->GetPointer(0);

@@ -4,6 +4,7 @@
 
 #include "heliosConstants.h"
 #include "heliosScanModel.h"
+#include "heliosStatus.h"
 #include "vtkHeliosBeamSampler.h"
 
 #include <vtkMath.h>
@@ -12,11 +13,15 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 namespace helios
 {
 namespace
 {
+
+constexpr double LeastDivergence = 1e-9; // [rad]; below, corners would be beyond 1 / u footprints
+constexpr double LargestWaist = 10.0;    // [m], radius
 
 /// All sub-rays of a sampler.
 std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
@@ -105,6 +110,29 @@ void FinishBeam(ScanModel& model)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+Status CheckBeam(vtkHeliosBeamSampler* sampler)
+{
+  const double divergence = sampler->GetBeamDivergence();
+  const double waist = sampler->GetFootprintRadius(0.0);
+  std::ostringstream text;
+  if (divergence != 0.0 && !(divergence >= LeastDivergence))
+  {
+    text << "BeamDivergence is " << divergence << " rad; give at least " << LeastDivergence
+         << " rad, or 0 for one ideal ray";
+    return Status::Error(text.str());
+  }
+  if (!(waist <= LargestWaist))
+  {
+    text << "BeamQualityFactor " << sampler->GetBeamQualityFactor() << " and BeamDivergence "
+         << divergence << " rad make a waist of " << waist << " m radius, more than "
+         << LargestWaist
+         << " m; raise the divergence, or give BeamQualityFactor 0 for a beam without a waist";
+    return Status::Error(text.str());
+  }
+  return {};
+}
 
 //------------------------------------------------------------------------------
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)

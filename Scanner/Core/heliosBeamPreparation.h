@@ -12,7 +12,11 @@ class vtkHeliosBeamSampler;
 namespace helios
 {
 
+class Status;
 struct ScanModel;
+
+/// Whether the divergence and the waist of a beam are possible.
+Status CheckBeam(vtkHeliosBeamSampler* sampler);
 
 /// Sets a model's beam to the sub-rays of its sampler; without a divergence to one ideal ray.
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);

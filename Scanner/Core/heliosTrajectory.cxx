@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectory.h"
 
+#include "heliosFloatCoordinates.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -45,7 +46,7 @@ Status CheckArrays(vtkPolyData* trajectory)
     return Status::Error(std::string("the array ") + names::Velocity +
       " of the trajectory needs 3 components: x, y, z");
   }
-  return {};
+  return CheckFloatCoordinates(trajectory->GetPoints()->GetData(), "the trajectory");
 }
 
 } // namespace

@@ -233,10 +233,10 @@ bool vtkHeliosScanner::CheckSettings()
     vtkErrorMacro(<< "HeadRotateAxis has no direction");
     return false;
   }
-  if (!std::isfinite(this->BeamSampler->GetBeamDivergence()))
+  const helios::Status beam = helios::CheckBeam(this->BeamSampler);
+  if (!beam.IsOk())
   {
-    vtkErrorMacro(<< "BeamDivergence is " << this->BeamSampler->GetBeamDivergence()
-                  << " rad; give a finite angle, 0 for one ideal ray");
+    vtkErrorMacro(<< beam.Message());
     return false;
   }
   if (!helios::IsRangeTolerance(this->RangeTolerance) ||
@@ -388,6 +388,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   receiver.BinSize = this->BinSize;
   receiver.Detector = this->EchoDetector;
   receiver.MaximumCount = this->CountSamples();
+  receiver.HasLimit = this->MaximumWaveformLength > 0.0 || this->NumberOfBins > 0;
   receiver.Noise = this->DetectorNoise;
   receiver.Seed = static_cast<std::uint64_t>(this->Seed);
   m.Power = this->AveragePower;

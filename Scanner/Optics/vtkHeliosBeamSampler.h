@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as in
-   * data sheets. Valid range: [0, 1], else rejected. Default: 0.0003.
+   * data sheets. Valid range: [0, 1], else rejected; scanners need 0 or at least 1e-9. Default: 0.0003.
    */
   void SetBeamDivergence(double angle);
   vtkGetMacro(BeamDivergence, double);

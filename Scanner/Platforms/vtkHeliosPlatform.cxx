@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPlatform.h"
 
+#include "heliosFloatCoordinates.h"
 #include "heliosMotion.h"
 #include "heliosSum.h"
 #include "vtkHeliosArrayNames.h"
@@ -104,6 +105,13 @@ bool vtkHeliosPlatform::CheckWaypoints(vtkPolyData* waypoints)
     const double* p = waypoints->GetPoint(bad);
     vtkErrorMacro(<< "Waypoint " << bad << " is (" << p[0] << ", " << p[1] << ", " << p[2]
                   << "); coordinates must be finite numbers.");
+    return false;
+  }
+  const helios::Status status =
+    helios::CheckFloatCoordinates(waypoints->GetPoints()->GetData(), "the list of waypoints");
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
     return false;
   }
   if (waypoints->GetPointData()->HasArray(names::LegIds) && !FindValues(waypoints, names::LegIds))

@@ -22,6 +22,7 @@ namespace
 constexpr double MarginInSigma = 5.0;
 constexpr double FarInSigma = 7.0; // returns beyond contribute less than 1e-10
 constexpr int MostIterations = 20; // of Newton's method
+constexpr std::size_t Many = 1000; // returns, that are sorted so that each is compared with few
 
 double TwoWayTime(double range)
 {
@@ -69,19 +70,60 @@ Receiver::Receiver(const ReceiverSettings& settings)
 }
 
 //------------------------------------------------------------------------------
+/// Twice the reach of a pulse, in range.
+double Receiver::Search::GetGap() const
+{
+  return SpeedOfLight * this->BinSize * static_cast<double>(this->Shape.GetReach() + 1);
+}
+
+//------------------------------------------------------------------------------
 bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  const SubReturn* begin = returns.data();
-  const SubReturn* end = begin + returns.size();
+  const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
+  const Iterator begin = returns.data();
+  const Iterator end = begin + returns.size();
   const Limits limits = GetLimits(begin, end);
+  const double samples = TwoWayTime(limits.Farthest - limits.Nearest) / search.BinSize;
+  const bool isLong = samples > 0.5 * static_cast<double>(this->Settings.MaximumCount);
+  this->IsSorted = !this->Settings.HasLimit && (isLong || returns.size() > Many);
+  return this->IsSorted ? this->FindMaximaApart(returns, search, echoes)
+                        : this->FindMaxima(begin, end, limits, search, echoes);
+}
+
+//------------------------------------------------------------------------------
+/// Those of many returns, or of returns too far apart for one window: each group has its own.
+bool Receiver::FindMaximaApart(
+  const std::vector<SubReturn>& returns, const Search& search, std::vector<Echo>& echoes)
+{
+  this->Sorted = returns;
+  std::stable_sort(this->Sorted.begin(), this->Sorted.end(),
+    [](const SubReturn& a, const SubReturn& b) { return a.Range < b.Range; });
+  const double gap = search.GetGap();
+  const Iterator end = this->Sorted.data() + this->Sorted.size();
+  bool isBinned = false;
+  for (Iterator first = this->Sorted.data(), last = first; first != end; first = last)
+  {
+    do
+    {
+      ++last;
+    } while (last != end && last->Range - (last - 1)->Range <= gap);
+    isBinned |= !this->FindMaxima(first, last, GetLimits(first, last), search, echoes);
+  }
+  return !isBinned;
+}
+
+//------------------------------------------------------------------------------
+/// Those of returns in one window.
+bool Receiver::FindMaxima(Iterator begin, Iterator end, const Limits& limits, const Search& search,
+  std::vector<Echo>& echoes)
+{
   if (limits.Farthest - limits.Nearest <= 2.0 * this->SigmaRange)
   {
-    this->FindSingleEcho(returns, limits, echoes);
+    this->FindSingleEcho(begin, end, limits, echoes);
     return true;
   }
-  const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
   bool isBinned = false;
-  if (!this->FindInGroups(returns, limits, search, echoes, isBinned))
+  if (!this->FindInGroups(begin, end, limits, search, echoes, isBinned))
   {
     this->OpenWindow(limits, search.BinSize);
     this->FillAll(begin, end, search.Shape);
@@ -106,12 +148,13 @@ Receiver::Limits Receiver::GetLimits(Iterator begin, Iterator end)
 //------------------------------------------------------------------------------
 /// The echo of the returns within limits; no other return is as near to it.
 void Receiver::FindSingleEcho(
-  const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes)
+  Iterator begin, Iterator end, const Limits& limits, std::vector<Echo>& echoes)
 {
-  this->Maximum.Open(returns.size());
-  for (const SubReturn& r : returns)
+  this->Maximum.Open(static_cast<std::size_t>(end - begin));
+  for (Iterator r = begin; r != end; ++r)
   {
-    this->Maximum.Add(r.Range, r.Power, (r.Range >= limits.Nearest) & (r.Range <= limits.Farthest));
+    this->Maximum.Add(
+      r->Range, r->Power, (r->Range >= limits.Nearest) & (r->Range <= limits.Farthest));
   }
   SingleMaximum::Result peak;
   if (!this->Maximum.Find(this->SigmaRange, peak) ||
@@ -122,29 +165,28 @@ void Receiver::FindSingleEcho(
   const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * peak.Variance; // [ns^2]
   echoes.push_back(
     { peak.Place, peak.Value, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
-      FindNearest(returns.data(), returns.data() + returns.size(), peak.Place) });
+      FindNearest(begin, end, peak.Place) });
 }
 
 //------------------------------------------------------------------------------
 bool Receiver::FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  const Limits limits = GetLimits(returns.data(), returns.data() + returns.size());
+  const Iterator begin = returns.data();
+  const Iterator end = begin + returns.size();
+  this->IsSorted = false;
   bool isBinned;
-  return this->FindInGroups(
-    returns, limits, { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
+  return this->FindInGroups(begin, end, GetLimits(begin, end),
+    { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
 }
 
 //------------------------------------------------------------------------------
 /// Groups of returns that do not overlap are processed separately; sets whether one was binned.
-bool Receiver::FindInGroups(const std::vector<SubReturn>& returns, const Limits& limits,
+bool Receiver::FindInGroups(Iterator begin, Iterator end, const Limits& limits,
   const Search& search, std::vector<Echo>& echoes, bool& isBinned)
 {
-  const SubReturn* begin = returns.data();
-  const SubReturn* end = begin + returns.size();
+  const std::size_t before = echoes.size();
+  const double gap = search.GetGap();
   bool isGood = !this->OpenWindow(limits, search.BinSize);
-  // Twice the reach of a pulse, in range.
-  const double gap =
-    SpeedOfLight * search.BinSize * static_cast<double>(search.Shape.GetReach() + 1);
   isBinned = false;
   this->MakeClusters(begin, end);
   const std::size_t count = this->Clusters.size();
@@ -159,7 +201,7 @@ bool Receiver::FindInGroups(const std::vector<SubReturn>& returns, const Limits&
     const PulseCluster& farthest = this->Clusters[last - 1];
     if (search.KnowsSingles && farthest.Farthest - nearest.Nearest <= 2.0 * this->SigmaRange)
     {
-      this->FindSingleEcho(returns, { nearest.Nearest, farthest.Farthest }, echoes);
+      this->FindSingleEcho(begin, end, { nearest.Nearest, farthest.Farthest }, echoes);
       continue;
     }
     isBinned = true;
@@ -170,7 +212,7 @@ bool Receiver::FindInGroups(const std::vector<SubReturn>& returns, const Limits&
   }
   if (!isGood)
   {
-    echoes.clear();
+    echoes.erase(echoes.begin() + static_cast<std::ptrdiff_t>(before), echoes.end());
   }
   return isGood;
 }
@@ -187,13 +229,31 @@ bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator 
   for (const Peak& peak : this->Peaks)
   {
     vtkHeliosDetectedEcho echo = FitPeak(wave, peak);
+    const auto [first, last] = this->GetNear(begin, end, echo.Time);
     if (search.KnowsSingles)
     {
-      this->Refine(begin, end, search.BinSize, echo);
+      this->Refine(first, last, search.BinSize, echo);
     }
-    this->AddEcho(echo, begin, end, echoes);
+    this->AddEcho(echo, first, last, echoes);
   }
   return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// The returns that contribute to the sum at a time in the window; all of them, if not sorted.
+std::pair<Receiver::Iterator, Receiver::Iterator> Receiver::GetNear(
+  Iterator begin, Iterator end, double time) const
+{
+  if (!this->IsSorted)
+  {
+    return { begin, end };
+  }
+  const double range = GetRange(this->Wave.StartTime, time);
+  const double reach = (FarInSigma + 2.0) * this->SigmaRange; // two bins more, at least
+  const auto isNearer = [](const SubReturn& r, double limit) { return r.Range < limit; };
+  const Iterator first = std::lower_bound(begin, end, range - reach, isNearer);
+  const Iterator last = std::lower_bound(first, end, range + reach, isNearer);
+  return first != last ? std::make_pair(first, last) : std::make_pair(begin, end);
 }
 
 //------------------------------------------------------------------------------
@@ -289,7 +349,7 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
   this->Wave.StartTime = TwoWayTime(nearest) - before;
   const double length = before + TwoWayTime(farthest - nearest) + after;
   const double wanted = std::ceil(length / binSize) + 1.0;
-  const bool cut = wanted > static_cast<double>(this->Settings.MaximumCount);
+  const bool cut = !(wanted <= static_cast<double>(this->Settings.MaximumCount)); // or NaN
   const auto count =
     static_cast<std::size_t>(cut ? static_cast<double>(this->Settings.MaximumCount) : wanted);
   this->Wave.Samples.resize(count);
@@ -326,6 +386,10 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
   const double slotsPerTime = 0.5 * scale / PulseCluster::Reach;
   const double margin = this->Margin;
   this->Clusters.clear();
+  if (!this->ManyClusters.empty())
+  {
+    this->ManyClusters.clear();
+  }
   PulseCluster none{ -1, 0.0, 0.0, 0.0 };
   PulseCluster* cluster = &none; // the next sub-ray often has the same time
   double nearest = 0.0;
@@ -372,11 +436,21 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
 /// The cluster of a slot.
 PulseCluster& Receiver::GetCluster(vtkIdType slot)
 {
-  for (PulseCluster& cluster : this->Clusters)
+  constexpr std::size_t few = 32; // are found faster one by one
+  const std::size_t count = this->Clusters.size();
+  for (std::size_t i = 0; i < std::min(count, few); ++i)
   {
-    if (cluster.Slot == slot)
+    if (this->Clusters[i].Slot == slot)
     {
-      return cluster;
+      return this->Clusters[i];
+    }
+  }
+  if (count >= few)
+  {
+    const auto [place, isNew] = this->ManyClusters.try_emplace(slot, count);
+    if (!isNew)
+    {
+      return this->Clusters[place->second];
     }
   }
   const double width = 2.0 * PulseCluster::Reach * this->Sigma;

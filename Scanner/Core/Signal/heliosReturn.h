@@ -15,6 +15,8 @@
 
 #include <cstdint>
 #include <limits>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -63,7 +65,8 @@ struct ReceiverSettings
   double DetectionBin = 0.25; // of groups of returns that FindMaxima() has to bin [ns]
   const vtkHeliosEchoDetector* Detector = nullptr;
   vtkIdType MaximumCount = VTK_ID_MAX; // of samples of a waveform
-  double Noise = 0.0;                  // standard deviation of a sample [W]
+  bool HasLimit = true; // whether returns beyond that have no echo, or only no sample
+  double Noise = 0.0;   // standard deviation of a sample [W]
   std::uint64_t Seed = 0;
 };
 
@@ -80,7 +83,8 @@ public:
    * The echoes of a pulse in order of range. Groups of returns too far apart to overlap are
    * processed separately; a group that spreads over no more than c sigma has exactly one maximum,
    * found by Newton's method; in others the bins that may hold maxima are filled. Returns true if
-   * no group needed bins. For Gaussian pulses and detectors that find maxima.
+   * no group needed bins. For Gaussian pulses and detectors that find maxima. The nearest returns of
+   * the echoes are valid until the next call.
    */
   bool FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
@@ -114,6 +118,7 @@ private:
     const PulseShape& Shape; // prepared for the bins
     double BinSize;          // [ns]
     bool KnowsSingles;       // whether groups with one maximum skip the bins
+    double GetGap() const;   // between returns whose pulses do not overlap [m]
   };
 
   /// The nearest and the farthest range of returns [m].
@@ -123,13 +128,18 @@ private:
     double Farthest;
   };
   static Limits GetLimits(Iterator begin, Iterator end);
-  bool FindInGroups(const std::vector<SubReturn>& returns, const Limits& limits,
-    const Search& search, std::vector<Echo>& echoes, bool& isBinned);
+  bool FindMaxima(Iterator begin, Iterator end, const Limits& limits, const Search& search,
+    std::vector<Echo>& echoes);
+  bool FindMaximaApart(
+    const std::vector<SubReturn>& returns, const Search& search, std::vector<Echo>& echoes);
+  bool FindInGroups(Iterator begin, Iterator end, const Limits& limits, const Search& search,
+    std::vector<Echo>& echoes, bool& isBinned);
   bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
     std::vector<Echo>& echoes);
+  std::pair<Iterator, Iterator> GetNear(Iterator begin, Iterator end, double time) const;
   void Refine(Iterator begin, Iterator end, double binSize, vtkHeliosDetectedEcho& echo) const;
   void FindSingleEcho(
-    const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes);
+    Iterator begin, Iterator end, const Limits& limits, std::vector<Echo>& echoes);
   bool OpenWindow(const Limits& limits, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
@@ -155,6 +165,9 @@ private:
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum; // of the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
+  std::unordered_map<vtkIdType, std::size_t> ManyClusters; // by slot, those after the first few
+  bool IsSorted = false;                                   // whether the returns are, by range
+  std::vector<SubReturn> Sorted; // those that are many, or too far apart for one window
   SingleMaximum Maximum;
   Waveform Wave;
   std::vector<Peak> Peaks;

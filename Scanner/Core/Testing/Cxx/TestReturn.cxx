@@ -241,3 +241,40 @@ TEST_CASE("Receiver: a truncated waveform, or one without single maxima, is sear
                 .FindBinnedMaxima(MakeReturns({ { 100, 1e-9 } }), echoes));
   CHECK(echoes.empty());
 }
+
+TEST_CASE("Receiver: many returns, sorted, have the echoes that they have unsorted", "[Receiver]")
+{
+  vtkNew<vtkHeliosPeakDetector> detector;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(0, 1);
+  for (const double depth : { 0.3, 40.0, 3000.0 })
+  {
+    std::vector<SubReturn> returns;
+    for (int i = 0; i < 2000; ++i)
+    {
+      returns.push_back({ 100 + depth * number(random), number(random), 1.0, i, i });
+    }
+    helios::ReceiverSettings settings = MakeSettings(detector, 0.25);
+    std::vector<Echo> echoes[2];
+    std::vector<vtkIdType> cells[2];
+    for (const bool isSorted : { false, true })
+    {
+      settings.HasLimit = !isSorted;
+      Receiver receiver(settings);
+      receiver.FindMaxima(returns, echoes[isSorted]);
+      for (const Echo& echo : echoes[isSorted])
+      {
+        cells[isSorted].push_back(echo.Nearest->CellId);
+      }
+    }
+    CAPTURE(depth);
+    REQUIRE(echoes[0].size() == echoes[1].size());
+    CHECK(echoes[0].size() > (depth > 1 ? 20u : 0u));
+    CHECK(cells[0] == cells[1]);
+    for (std::size_t i = 0; i < echoes[0].size(); ++i)
+    {
+      CHECK(std::abs(echoes[0][i].Range - echoes[1][i].Range) < 1e-7);
+      CHECK(echoes[0][i].Amplitude == Approx(echoes[1][i].Amplitude).epsilon(1e-6));
+    }
+  }
+}
