@@ -103,7 +103,7 @@ bool BeamTracer::CollectSurfaces(const Pulse& pulse)
 {
   const Vec3 axis = pulse.GetDirection();
   return this->Surfaces.Collect(*this->Model.Cones, pulse.Origin.GetData(), axis.GetData()) &&
-    this->Surfaces.IsFlat();
+    this->Surfaces.AreEdgesStraight();
 }
 
 //------------------------------------------------------------------------------

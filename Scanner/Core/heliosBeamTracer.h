@@ -41,6 +41,9 @@ public:
   /// Collects the surfaces in the beam of a pulse; false if they can only be met by rays.
   bool CollectSurfaces(const Pulse& pulse);
 
+  /// Whether those collected last can be sampled.
+  bool CanSampleSurfaces() const { return this->Surfaces.IsFlat(); }
+
   /// Of those collected last.
   std::size_t GetNumberOfSurfaces() const { return this->Surfaces.GetNumberOfFaces(); }
 

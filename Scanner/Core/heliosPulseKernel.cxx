@@ -152,7 +152,13 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunReturns();
     return;
   }
-  this->Refine([&](int level) { return this->Tracer.SampleSurfaces(pulse, level, this->Counts); });
+  const bool isFlat = this->Tracer.CanSampleSurfaces();
+  this->Refine(
+    [&](int level)
+    {
+      return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts)
+                    : this->Tracer.CastLevel(pulse, level, this->Counts);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -17,7 +17,8 @@ constexpr double LeastRest = 1e-4;      // of a backdrop by its complement, whic
 constexpr double Flatness = 1e-3;       // of a facet, in the depth
 constexpr double MostStrips = 4096.0;
 constexpr double LargestRatio = 0.1; // of the depths of a part: its powers vary with 1 / depth^2
-constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
+constexpr double Curvature = 0.1;   // largest spread of ranges at one depth, in the depth of a part
+constexpr double MostTiles = 128.0; // across the beam
 
 /// Whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
@@ -64,20 +65,56 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
   this->Maker.Make(this->View, this->Facets);
   this->Surfaces.Project(this->Facets, this->Projection);
   this->AllStrips.clear();
+  this->SetTiles();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool Footprint::IsFlat() const
+/// The ranges at one depth spread over depth T^2 r^2 / 2: tiles are so small that they do so over a
+/// fraction of the depth of a part.
+void Footprint::SetTiles()
 {
-  const double tangent = this->Projection.Tangent;
   double least = HUGE_VAL; // inverse depth
   for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
   {
     least = std::min(least, this->Surfaces.GetFace(i).Least);
   }
-  return this->Surfaces.AreEdgesStraight() &&
-    !(0.5 * tangent * tangent > Curvature * this->Settings.Depth * least);
+  const double tangent = this->Projection.Tangent;
+  const double spread = 0.5 * tangent * tangent / least;
+  // Of a tile at the rim: 2 / count of its radius, twice as much of its square.
+  const double count = std::ceil(4.0 * spread / this->Settings.Depth);
+  this->TilesAcross =
+    spread > Curvature * this->Settings.Depth ? static_cast<int>(std::min(MostTiles, count)) : 1;
+}
+
+//------------------------------------------------------------------------------
+/// Adds a polygon of a face, in tiles.
+void Footprint::AddTiles(
+  const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
+{
+  if (this->IsFlat())
+  {
+    this->AddPart(face, this->Beam.Integrate(polygon), parts);
+    return;
+  }
+  const double size = 2.0 / this->TilesAcross;
+  Polygon restX = polygon;
+  for (int i = 1; i <= this->TilesAcross && !restX.IsEmpty(); ++i)
+  {
+    const HalfPlane left{ -1.0, 0.0, i * size - 1.0 };
+    Polygon restY = i < this->TilesAcross ? Clip(restX, left) : restX;
+    restX = Clip(restX, left.GetOpposite());
+    for (int k = 1; k <= this->TilesAcross && !restY.IsEmpty(); ++k)
+    {
+      const HalfPlane below{ 0.0, -1.0, k * size - 1.0 };
+      const Polygon tile = k < this->TilesAcross ? Clip(restY, below) : restY;
+      restY = Clip(restY, below.GetOpposite());
+      if (!tile.IsEmpty() && PolygonBounds(tile).MayTouchUnitCircle())
+      {
+        this->AddPart(face, this->Beam.Integrate(tile), parts);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +139,7 @@ bool Footprint::Divide(std::vector<FootprintPart>& parts)
       continue;
     }
     this->Surfaces.FindHiding(i);
-    if (this->Surfaces.IsBackdrop())
+    if (this->IsFlat() && this->Surfaces.IsBackdrop())
     {
       this->Backdrops.push_back(i);
       continue;
@@ -314,7 +351,7 @@ void Footprint::AddVisible(
     return;
   }
   this->SetCuts(this->GetSpread(face, share));
-  if (this->Cuts.empty())
+  if (this->Cuts.empty() && this->IsFlat())
   {
     this->AddPart(face, all, parts);
     return;
@@ -418,12 +455,12 @@ void Footprint::AddStrips(
   for (const double cut : this->Cuts)
   {
     const HalfPlane nearer = GetNearerSide(face, cut);
-    this->AddPart(face, this->Beam.Integrate(Clip(rest, nearer)), parts);
+    this->AddTiles(face, Clip(rest, nearer), parts);
     rest = Clip(rest, nearer.GetOpposite());
   }
   if (!this->HasRest)
   {
-    this->AddPart(face, this->Beam.Integrate(rest), parts);
+    this->AddTiles(face, rest, parts);
   }
 }
 

@@ -54,9 +54,13 @@ public:
    */
   bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3]);
 
-  /// Whether the surfaces can be divided, or seen by cells: not if the beam is so wide that the
-  /// ranges at one depth differ, or if its waist bends the edges in it.
-  bool IsFlat() const;
+  /// Whether the edges in the beam are straight: not near a waist. Otherwise the surfaces can be
+  /// neither divided nor sampled.
+  bool AreEdgesStraight() const { return this->Surfaces.AreEdgesStraight(); }
+
+  /// Whether ranges at one depth are equal within the beam: not if it is wide, and far from the
+  /// surfaces. Otherwise these can only be divided.
+  bool IsFlat() const { return this->TilesAcross == 1; }
 
   /// The number of surfaces: flat polygons.
   std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
@@ -97,6 +101,9 @@ private:
     std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
     bool HasRest = false;
   };
+  void SetTiles();
+  void AddTiles(
+    const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
   void SetStrips();
   void SetProfile();
   double GetIntensity(int column, int row) const;
@@ -134,6 +141,7 @@ private:
   std::vector<std::size_t> Backdrops; ///< faces
   std::vector<double> Cuts;           ///< depths between strips of a face [m]
   bool HasRest = false;               ///< whether the face is deeper than all strips
+  int TilesAcross = 1;                ///< of a wide beam: within one, ranges at one depth are equal
   FootprintRaster Raster;
   std::vector<double> Profile;        ///< of the beam, along a row of the raster
   std::vector<Strips> AllStrips;      ///< of the faces

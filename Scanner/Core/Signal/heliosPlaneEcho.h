@@ -42,7 +42,8 @@ struct BeamMoments
  * The echo of a plane at range R on the axis with incidence theta: with s^2 the variance of the
  * beam's angle along an axis, the sub-rays' ranges have the mean R + R s^2 (1 - 2 tan^2) and the
  * standard deviation R s tan, their power the mean (1 + 3 s^2 (tan^2 - 1)) of the axis' own; a
- * Gaussian pulse returns with sigma'^2 = sigma^2 + (2 R s tan / c)^2 and the peak sigma / sigma'.
+ * Gaussian pulse returns with sigma'^2 = sigma^2 + (2 R s tan / c)^2 and the peak sigma / sigma'. The
+ * curvature of equal ranges adds R^2 Var(g^2 / 2) = R^2 s^4 (1 + 2/3 excess) to the variance of ranges.
  */
 struct PlaneModel
 {
@@ -52,15 +53,21 @@ struct PlaneModel
   /// The widening of the echo, (sigma' / sigma)^2 - 1; reach is the range from the cone's apex.
   double GetWidening(double reach, double tanIncidence) const
   {
-    const double spread = 2.0 * reach * tanIncidence / (SpeedOfLight * this->Sigma);
-    return spread * spread * this->Beam.Variance;
+    const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
+    const double s2 = this->Beam.Variance;
+    const double curvature = s2 * s2 * (1.0 + this->Beam.Excess / 1.5);
+    return unit * unit * (s2 * tanIncidence * tanIncidence + curvature);
   }
 
-  /// The maximum distance of the peak from the range of GetEcho() [m].
+  /// The maximum distance of the peak from the range of GetEcho() [m]: half the third cumulant of
+  /// the ranges, over the variance of the pulse.
   double GetShift(double reach, double tanIncidence) const
   {
-    return 3.0 * this->GetWidening(reach, tanIncidence) * reach * this->Beam.Variance *
-      (1.0 + tanIncidence * tanIncidence);
+    const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
+    const double s2 = this->Beam.Variance;
+    const double curve = reach * s2 * (1.0 + tanIncidence * tanIncidence);
+    const double slope = unit * tanIncidence;
+    return curve * (3.0 * slope * slope * s2 + unit * unit * s2 * s2);
   }
 
   /// power is the return of the axis alone.

@@ -129,7 +129,7 @@ public:
   {
     Footprint footprint(this->Settings);
     REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
-    return footprint.IsFlat();
+    return footprint.IsFlat() && footprint.AreEdgesStraight();
   }
 
   Cells GetFootprint() { return SummarizeParts(this->FindParts()); }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A beam on a plane, against the table of closed forms (untruncated beam, FWHM 4 ns).
 #include "heliosConstants.h"
+#include "heliosExtremeTruth.h"
 #include "heliosPlaneEcho.h"
 
 #include "heliosScannerBench.h"
@@ -116,4 +117,22 @@ TEST_CASE("PlaneEcho: adaptive sampling agrees with ten thousand sub-rays", "[Pl
       CHECK(std::abs(Value(echoes, names::EchoWidth, 0) / width - 1) < 2e-2 * tolerance);
     }
   }
+}
+
+TEST_CASE("PlaneEcho: the curvature of equal ranges lowers the echo of a wide beam", "[PlaneEcho]")
+{
+  // A plane across the beam: ranges R / cos g spread over 15 mm.
+  constexpr double w = 0.025;
+  const TrueReturn truth = GetFirstEcho(w,
+    [](const Vec3& d) {
+      return TrueReturn{ 100 / d[1], d[1] };
+    });
+  helios::PlaneModel model{ helios::BeamMoments(2 * w, 1.5), 4.0 / helios::FwhmPerSigma };
+  const helios::PlaneEcho echo = model.GetEcho(100, 100, 0, GetFull(100));
+  CHECK(echo.Power / GetFull(100) == Approx(truth.Power / GetFull(100)).epsilon(2e-4));
+  CHECK(std::abs(echo.Range - truth.Range) < model.GetShift(100, 0) + 1e-4);
+  CHECK(model.GetShift(100, 0) < 1e-4);
+  // 4 times as wide, the ranges spread over as much as a pulse: the closed form is not exact.
+  model.Beam = helios::BeamMoments(8 * w, 1.5);
+  CHECK(model.GetShift(100, 0) > 0.1);
 }
