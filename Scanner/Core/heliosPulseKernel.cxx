@@ -215,6 +215,7 @@ void PulseKernel::CountPath(bool isBinned)
   if (!this->Returns.empty())
   {
     ++(isBinned ? this->Counts.PulsesBinned : this->Counts.PulsesWithoutBins);
+    this->Counts.CutWaveforms += this->IsCut ? 1 : 0;
   }
 }
 
@@ -280,8 +281,7 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
 template <typename SourceT>
 void PulseKernel::FillWaveform(const SourceT& source)
 {
-  const bool cut = this->Signal.Fill(source, this->GetBackground(), this->PulseId);
-  this->Counts.CutWaveforms += cut ? 1 : 0;
+  this->IsCut = this->Signal.Fill(source, this->GetBackground(), this->PulseId);
   this->HasWaveform = true;
 }
 
@@ -292,6 +292,7 @@ void PulseKernel::FinishPlane(const PlaneEcho& echo)
   if (this->Model.WantsWaveforms || isInWaveform)
   {
     this->FillWaveform(echo);
+    this->Counts.CutWaveforms += this->IsCut ? 1 : 0;
   }
   if (isInWaveform)
   {
@@ -313,10 +314,12 @@ bool PulseKernel::FindEchoes()
     return false;
   }
   bool isBinned = true;
+  this->IsCut = false;
   switch (this->Model.Path.Echo)
   {
     case EchoPath::Maxima:
       isBinned = !this->Signal.FindMaxima(this->Returns, this->Echoes);
+      this->IsCut = this->Signal.IsCut();
       if (this->Model.WantsWaveforms)
       {
         this->FillWaveform(this->Returns);

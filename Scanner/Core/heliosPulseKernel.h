@@ -91,6 +91,7 @@ private:
   std::vector<Echo> Coarser; ///< those of fewer samples
   std::vector<std::size_t> Kept;
   bool HasWaveform = false;
+  bool IsCut = false; ///< whether the waveform, filled or not, was cut
 };
 
 } // namespace helios

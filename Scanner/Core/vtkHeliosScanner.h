@@ -36,10 +36,11 @@
  * cheapest method that is exact enough:
  * - its beam hits nothing, or has a planar footprint of one response: no sub-ray;
  *   the echo of a plane has a closed form (not tested in scans where this is rare)
+ * - one continuous surface of a few triangles fills it: 16 to 64 sub-rays
  * - otherwise it is divided into the visible parts of the triangles in it; each
  *   is two returns, whose energy, mean range and its spread are exact
- * - with more than 500 triangles, it is sampled by Vogel's spiral: by some
- *   hundred sub-rays, and by thousands unless all of those hit one surface
+ * - with more surfaces than twice the square root of MaximumNumberOfSubRays, it is
+ *   sampled on a grid that grows until two successive answers agree
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *

@@ -80,6 +80,7 @@ double Receiver::Search::GetGap() const
 bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
   const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
+  this->WasCut = false;
   const Iterator begin = returns.data();
   const Iterator end = begin + returns.size();
   const Limits limits = GetLimits(begin, end);
@@ -125,7 +126,7 @@ bool Receiver::FindMaxima(Iterator begin, Iterator end, const Limits& limits, co
   bool isBinned = false;
   if (!this->FindInGroups(begin, end, limits, search, echoes, isBinned))
   {
-    this->OpenWindow(limits, search.BinSize);
+    this->WasCut = this->OpenWindow(limits, search.BinSize) || this->WasCut;
     this->FillAll(begin, end, search.Shape);
     this->SetSamples(this->GetWindow());
     this->Detect(begin, end, search.BinSize, echoes);

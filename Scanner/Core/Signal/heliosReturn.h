@@ -88,6 +88,9 @@ public:
    */
   bool FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
+  /// Whether the last FindMaxima() left out returns beyond the maximum length of a waveform.
+  bool IsCut() const { return this->WasCut; }
+
   /**
    * The echoes that DetectEchoes() finds in the waveform of the returns, without noise,
    * byte-identical: only bins that may hold a maximum are filled. False if no echoes were computed,
@@ -166,6 +169,7 @@ private:
   std::vector<double> Sum; // of the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
   std::unordered_map<vtkIdType, std::size_t> ManyClusters; // by slot, those after the first few
+  bool WasCut = false;
   bool IsSorted = false;                                   // whether the returns are, by range
   std::vector<SubReturn> Sorted; // those that are many, or too far apart for one window
   SingleMaximum Maximum;
