@@ -90,6 +90,12 @@ public:
    */
   virtual std::size_t GetAcceleratorSize() const = 0;
 
+  /**
+   * The size of all that was built for a scene in bytes: accelerator, cone probe, copies of points
+   * and corners.
+   */
+  std::size_t GetMemorySize() const;
+
 #ifndef __VTK_WRAP__
   /// The probe of cones in the built scene, until the next build. The first call makes it and is
   /// not thread-safe. Null without a scene, after an abort request, for too many triangles.
