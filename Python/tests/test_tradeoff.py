@@ -16,8 +16,10 @@ import time
 
 import numpy as np
 import pytest
+from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
+from vtkhelios import _scene_meshes as meshes
 from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 from vtkhelios._pipeline import PipelineError
@@ -560,3 +562,52 @@ def test_the_tables_of_the_manual(flown, tmp_path, capsys):
     printed = capsys.readouterr().out
     assert "| way | p50 [mm] |" in printed and "| without motion | " in printed
     assert "| 953 sub-rays | " in printed and "obbtree" not in printed
+
+
+def make_grid(names, steps=90):
+    """A mesh of ripples, cut into parts along x."""
+    x, y = np.meshgrid(np.linspace(0, 9, steps + 1), np.linspace(0, 9, steps + 1), indexing="ij")
+    points = np.stack([x, y, 0.005 * np.sin(11 * x) * np.cos(13 * y)], axis=-1).reshape(-1, 3)
+    corner = np.add.outer((steps + 1) * np.arange(steps), np.arange(steps)).reshape(-1)
+    first = np.stack([corner, corner + steps + 1, corner + steps + 2], axis=1)
+    second = np.stack([corner, corner + steps + 2, corner + 1], axis=1)
+    mesh = vtkhelios.Scene(points, np.concatenate([first, second])).polydata
+    parts = (points[mesh_triangles(mesh)[:, 0], 0] * len(names) / 9.001).astype(np.int32)
+    meshes._add(mesh, "PartIds", parts)
+    texts = vtkStringArray()
+    texts.SetName("Part.Name")
+    for name in names:
+        texts.InsertNextValue(name)
+    mesh.GetFieldData().AddArray(texts)
+    return mesh
+
+
+def mesh_triangles(mesh):
+    return vtkhelios.Scene(mesh).triangles
+
+
+def test_parts_are_grouped_by_their_names():
+    mesh = make_grid(["tree_001", "house", "tree_2", "7", "row-12"])
+    groups = {group.name: group for group in meshes.find_groups(mesh)}
+    assert set(groups) == {"tree (2 parts)", "house", "part 7", "row-12"}
+    assert groups["tree (2 parts)"].ids == (0, 2)
+    assert sum(group.triangles for group in groups.values()) == mesh.GetNumberOfPolys()
+    rest = meshes.without_parts(mesh, (0, 2))
+    trees = groups["tree (2 parts)"].triangles
+    assert rest.GetNumberOfPolys() == mesh.GetNumberOfPolys() - trees
+    assert {group.name for group in meshes.find_groups(rest)} == set(groups) - {"tree (2 parts)"}
+    assert meshes.find_groups(vtkhelios.Scene(np.eye(3), [(0, 1, 2)]).polydata) == []
+
+
+def test_a_part_is_replaced_by_its_simplification():
+    if not hasattr(vtkhelios, "vtkHeliosMeshSimplify"):
+        pytest.skip("this build has no CGAL")
+    mesh, shares = make_grid(["a", "b"]), []
+    simplified, verified = meshes.simplify(mesh, 0.05, 60.0, shares.append)
+    assert 0 < verified <= 0.05 and simplified.GetNumberOfPolys() < mesh.GetNumberOfPolys() / 4
+    mixed = meshes.with_parts(mesh, simplified, (1,))
+    counts = [{group.name: group.triangles for group in meshes.find_groups(each)}
+              for each in (mesh, simplified, mixed)]  # fmt: skip
+    assert counts[2] == {"a": counts[0]["a"], "b": counts[1]["b"]}
+    assert mixed.GetBounds() == pytest.approx(mesh.GetBounds(), abs=0.05)
+    assert meshes.simplify(mesh, 0.05, 0.0, shares.append) is None  # no time

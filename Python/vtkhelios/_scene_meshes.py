@@ -86,7 +86,7 @@ def simplify(scene, distance, seconds, progress):
     try:
         mesh = vtkPolyData()
         mesh.ShallowCopy(update(algorithm, progress=watch))
-    except PipelineError:  # or progress() ended it: its next call does so again
+    except (PipelineError, TooLong):
         return None
     mesh.GetPolys().ConvertTo32BitStorage()
     return mesh, algorithm.GetVerifiedDistance()
