@@ -71,16 +71,6 @@ double GetRoomOfGroups()
   return std::min(room, GetRoom("/sys/fs/cgroup", "/memory.max", "/memory.current"));
 }
 
-/// Memory used by this process [MiB].
-double GetOwn()
-{
-  std::ifstream file("/proc/self/statm");
-  double all = 0.0;
-  double resident = 0.0;
-  file >> all >> resident;
-  return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebibyte : 0.0;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -96,12 +86,22 @@ double vtkHeliosMemoryLimit::GetLimit()
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosMemoryLimit::GetUsed()
+{
+  std::ifstream file("/proc/self/statm");
+  double all = 0.0;
+  double resident = 0.0;
+  file >> all >> resident;
+  return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebibyte : 0.0;
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosMemoryLimit::GetAvailable()
 {
   const double limit = Limit;
   if (limit > 0.0)
   {
-    return std::max(0.0, limit - GetOwn());
+    return std::max(0.0, limit - GetUsed());
   }
   const double machine =
     FindNumber("/proc/meminfo", "MemAvailable:", Unlimited) / KibibytesPerMebibyte;

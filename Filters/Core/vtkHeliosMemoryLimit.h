@@ -37,6 +37,11 @@ public:
    */
   static double GetAvailable();
 
+  /**
+   * Get the memory used by this process [MiB]; 0 if the system does not report it.
+   */
+  static double GetUsed();
+
 protected:
   vtkHeliosMemoryLimit() = default;
   ~vtkHeliosMemoryLimit() override = default;

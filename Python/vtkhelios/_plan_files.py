@@ -22,7 +22,8 @@ __all__ = ["clear", "data_files", "has_plan", "picture_file", "survey_file", "su
 SUMMARY = "plan_summary.json"
 SCENE = "scene.obj"  # of a scene that has no file
 POINTS = {"positions.vtp": 2, "candidates.vtp": 0, "test_points.vtp": 1}  # and ports of the planner
-FILES = ("survey.xml", *POINTS, "plan.png", SUMMARY)
+SURVEY = "survey.xml"
+FILES = (SURVEY, *POINTS, "plan.png", SUMMARY)
 
 
 def has_plan(folder, more=()):
@@ -59,11 +60,11 @@ def data_files(plan, folder):
     return files
 
 
-def survey_file(plan, folder):
+def survey_file(plan, folder, name=SURVEY):
     """Writes the survey; returns its path."""
     from .cli._reading import look_up
 
-    document, path = plan.task.document, folder / "survey.xml"
+    document, path = plan.task.document, folder / name
 
     def refer(reference):
         return to_vtk(_refer(from_vtk(reference), folder))

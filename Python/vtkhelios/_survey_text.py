@@ -7,6 +7,7 @@ import xml.parsers.expat
 
 TOLERANCES = ("rangeTolerance_m", "energyTolerance")
 CIRCLES = "beamSampleQuality"
+RAY_CASTER = "rayCaster"
 SETTINGS = "FWFSettings"
 
 
@@ -30,17 +31,25 @@ class _Tags:
             self.settings = at
 
 
+def has_survey(data):
+    """Whether the bytes of a file have a <survey>, or are not XML."""
+    try:
+        return _Tags(data).survey is not None
+    except xml.parsers.expat.ExpatError:
+        return True
+
+
+def with_ray_caster(data, name):
+    """The bytes of a survey with a ray caster; raises ValueError as with_sampling()."""
+    return _set(data, _find_tags(data).survey, {RAY_CASTER: name})
+
+
 def with_sampling(data, tolerance=None, energy_tolerance=None, circles=None):
     """The bytes of a survey with these tolerances, or with this many circles of sub-rays.
 
     Raises ValueError if it has no <survey>, or is not XML.
     """
-    try:
-        tags = _Tags(data)
-    except xml.parsers.expat.ExpatError as error:
-        raise ValueError(f"is not XML: {error}") from error
-    if tags.survey is None:
-        raise ValueError("has no <survey>")
+    tags = _find_tags(data)
     own = dict.fromkeys(TOLERANCES)
     if circles is None:
         own = dict(zip(TOLERANCES, (tolerance, energy_tolerance)))
@@ -51,6 +60,16 @@ def with_sampling(data, tolerance=None, energy_tolerance=None, circles=None):
     return _set(data, tags.survey, own)
 
 
+def _find_tags(data):
+    try:
+        tags = _Tags(data)
+    except xml.parsers.expat.ExpatError as error:
+        raise ValueError(f"is not XML: {error}") from error
+    if tags.survey is None:
+        raise ValueError("has no <survey>")
+    return tags
+
+
 def _set(data, start, values):
     """Sets attributes of the tag at a place, or removes those without a value."""
     end = _end_of_tag(data, start)
@@ -59,7 +78,7 @@ def _set(data, start, values):
         tag = re.sub(rb"""\s+%s\s*=\s*("[^"]*"|'[^']*')""" % name.encode(), b"", tag)
         if value is not None:
             head = re.match(rb"<[^\s/>]+", tag).end()
-            tag = tag[:head] + f' {name}="{value!r}"'.encode() + tag[head:]
+            tag = tag[:head] + f' {name}="{value}"'.encode() + tag[head:]
     return data[:start] + tag + data[end:]
 
 

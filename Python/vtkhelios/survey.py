@@ -33,6 +33,7 @@ _OPTIONS = {
     "energy_tolerance": "energy_tolerance",
     "sub_rays": "number_of_sub_rays",
     "max_sub_rays": "maximum_sub_rays",
+    "sub_ray_pattern": "sub_ray_pattern",
     "bin_size": "bin_size",
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
@@ -186,8 +187,10 @@ class Survey:
         max_sub_rays
             the most sub-rays of a beam with too many surfaces for visible areas, 1024 to 2^24: a
             limit of its time. ``pulsesUnresolved`` counts the pulses that need more. Default: 65536.
-        sub_rays
-            a fixed number instead.
+        sub_rays, sub_ray_pattern
+            a fixed number instead; its pattern, "Circles" (1, 7, 19 ...), "GaussLegendre" (4, 16,
+            36 ...) or "Vogel" (any multiple of 4). Default: circles if they have that number, else
+            Vogel.
         detector
             "peak", "gaussian", "cfd" or "leadingEdge".
         ray_caster
@@ -197,8 +200,12 @@ class Survey:
         bin_size
             of waveforms [ns].
         without
-            parts of the model that are left out: "divergence", "atmosphere", "specular" or
-            "voxels", or several, separated by blanks.
+            parts of the model that are left out: "divergence", "waveform", "specular", "spectra",
+            "atmosphere", "voxels", "motion" or "attitude" (see vtkHeliosRunOptions), or several,
+            separated by blanks.
+        mesh
+            that beams hit in place of the scene, which the legs are still planned on: a
+            vtkPolyData made of ``survey.scene``, with fewer triangles or without some parts.
         pulse_step
             a sample: every n-th pulse.
 
@@ -240,7 +247,7 @@ class Survey:
         """
         known = {"waveforms": "write_waveforms", "pulses": "write_pulses"}
         known |= {name: name for name in _FILES}
-        _translate(options, {**_OPTIONS, **known})  # refuses any other
+        _translate(options, {**_OPTIONS, **known, MESH: ""})  # refuses any other
         written = {name: options.pop(name) for name in list(options) if name in known}
         player = _class("vtkHeliosSurveyPlayer")(source=self.source(**options), format=format)
         player.SetOutputDirectory(to_vtk(folder))
@@ -257,13 +264,14 @@ class Survey:
     def tradeoff(self, pulses=2000, parts=True, progress=None, **options):
         """What accuracy costs on this survey, and which parts of the model it requires.
 
-        Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays,
-        tolerances, bins, detectors and ray casters, and compares the echoes with a reference of
-        4096 sub-rays in fine bins whose own error is known; with parts, also without each part of
-        the model. Without noise and turbid voxels. Options are those of run(). Returns a
-        vtkhelios.tradeoff.Tradeoff; see Docs/tradeoff.md.
+        Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in
+        several patterns, tolerances, bins, detectors, ray casters and simplified meshes, and compares
+        the echoes with a reference of 4096 sub-rays in fine bins whose own error is known; with
+        parts, also without each part of the model and of the scene. Without noise and turbid
+        voxels. Options are those of run(). Returns a vtkhelios.tradeoff.Tradeoff; see
+        Docs/tradeoff.md.
         """
-        from .tradeoff import make_tradeoff
+        from ._tradeoff_run import make_tradeoff
 
         if not (isinstance(pulses, int) and pulses >= 10):
             raise ValueError(f"pulses is {pulses!r}; give a whole number of 10 or more")
@@ -386,12 +394,13 @@ def trajectory_data(trajectory):
 
 
 LOAD = -1  # for _native.run(): only load a survey
+MESH, _MESH_PORT = "mesh", 3  # the option, and its input of vtkHeliosSurveySource
 _ALL = 2**62
 
 
 def check_options(options, wrong="no option"):
     """Raises TypeError for an option unknown to Survey.run()."""
-    _translate(options, {**_OPTIONS, **_OUTPUTS, "progress": "", "legs": ""}, wrong)
+    _translate(options, {**_OPTIONS, **_OUTPUTS, MESH: "", "progress": "", "legs": ""}, wrong)
 
 
 # Options of files only, and properties of vtkHeliosSurveyPlayer.
@@ -400,7 +409,10 @@ _FILES = ("split_by_channel", "overwrite", "resume", "bytes_to_check", "pulses_p
 
 def _set_options(source, options):
     """Sets the options of a source; those not given have their defaults."""
-    values = _translate(options, {**_OPTIONS, **_OUTPUTS})
+    values = _translate(options, {**_OPTIONS, **_OUTPUTS, MESH: MESH})
+    mesh = data_of(values.pop(MESH, None))
+    if source.GetInputDataObject(_MESH_PORT, 0) is not mesh:
+        source.SetInputDataObject(_MESH_PORT, mesh)
     outputs = {name: values.pop(name, False) for name in _OUTPUTS.values()}
     set_properties(source, {"options": _class("vtkHeliosRunOptions")(**values), **outputs})
 

@@ -65,6 +65,15 @@ const PulseSource::Head& PulseSource::GetHead(double angle, Cursor& cursor) cons
   return head;
 }
 
+/// When the platform has the pose of a pulse.
+double PulseSource::GetPoseTime(double elapsed) const
+{
+  const double since = this->PoseInterval > 0.0
+    ? std::floor(elapsed / this->PoseInterval) * this->PoseInterval
+    : elapsed;
+  return this->StartTime + since;
+}
+
 bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
 {
   double direction[3];
@@ -79,7 +88,8 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   pulse.Time = this->StartTime + elapsed;
 
   Rotation platform;
-  Vec3 position = this->Platform->GetPosition(pulse.Time, cursor.Platform, platform);
+  Vec3 position =
+    this->Platform->GetPosition(this->GetPoseTime(elapsed), cursor.Platform, platform);
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
   const Head& head = this->GetHead(headAngle, cursor);
   const Rotation beam = BeamFrame(Vec3(direction));

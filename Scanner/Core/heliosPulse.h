@@ -67,6 +67,7 @@ struct PulseSource
   const vtkHeliosErrorModel* Errors = nullptr;
   const vtkHeliosPlatformNoise* Noise = nullptr; // null: none
   double AngleAccuracy = 0.0;                    // [rad]
+  double PoseInterval = 0.0; // the platform stands still for so long [s]; 0: it does not
   std::uint64_t Seed = 0;
   PulseIds Ids;
 
@@ -89,6 +90,7 @@ struct PulseSource
   bool GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const;
 
 private:
+  double GetPoseTime(double elapsed) const;
   Quaternion TurnHead(double angle) const;
   const Head& GetHead(double angle, Cursor& cursor) const;
   void PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,

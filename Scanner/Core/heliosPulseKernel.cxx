@@ -267,7 +267,11 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
   const Incidence plane = this->GetIncidence(pulse, hit);
   const Vec3 axis = pulse.GetDirection();
   const Reply reply = this->Response.GetReply(hit.CellId, hit.Range, axis.GetData());
-  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, reply.Power);
+  PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, reply.Power);
+  if (m.Path.Echo == EchoPath::Mean)
+  {
+    echo.Power = reply.Power; // of the whole pulse, however wide
+  }
   this->Returns.push_back({ echo.Range, echo.Power, reply.CosIncidence, hit.CellId, 0 });
   if (m.WantsSubRays)
   {
@@ -320,6 +324,14 @@ bool PulseKernel::FindEchoes()
     case EchoPath::Maxima:
       isBinned = !this->Signal.FindMaxima(this->Returns, this->Echoes);
       this->IsCut = this->Signal.IsCut();
+      if (this->Model.WantsWaveforms)
+      {
+        this->FillWaveform(this->Returns);
+      }
+      break;
+    case EchoPath::Mean:
+      isBinned = false;
+      this->Signal.MergeReturns(this->Returns, this->Echoes);
       if (this->Model.WantsWaveforms)
       {
         this->FillWaveform(this->Returns);

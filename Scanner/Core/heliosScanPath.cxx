@@ -25,6 +25,10 @@ BeamPath ChooseBeamPath(const ScanTraits& traits)
 ScanPath ChoosePath(const ScanTraits& traits)
 {
   const BeamPath beam = ChooseBeamPath(traits);
+  if (traits.MergesReturns)
+  {
+    return { beam, EchoPath::Mean };
+  }
   if (!traits.HasPlainMaxima)
   {
     return { beam, EchoPath::Waveform };

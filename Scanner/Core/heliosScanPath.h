@@ -24,7 +24,8 @@ enum class EchoPath
 {
   Maxima,       ///< of the sum of Gaussians, by Newton's method; in bins where there may be several
   BinnedMaxima, ///< as Waveform, byte-identical; only the bins that may hold a maximum are filled
-  Waveform      ///< by the detector, in the whole waveform
+  Waveform,     ///< by the detector, in the whole waveform
+  Mean          ///< one, of all returns: no waveform
 };
 
 /// What the choice depends on.
@@ -35,6 +36,7 @@ struct ScanTraits
   bool FindsPlanes = false; ///< whether cone probes of an adaptive beam are worth their time
   bool StoresWaveforms = false;
   bool HasPlainMaxima = false; ///< whether echoes are the maxima of a sum of Gaussians, no more
+  bool MergesReturns = false;  ///< whether all returns of a pulse are one echo
 
   bool IsAdaptive() const { return this->HasDivergence && !this->IsFixed; }
 };

@@ -162,7 +162,7 @@ Vec3 Trajectory::GetPosition(double time, Cursor& cursor, Rotation& attitude) co
     return this->Positions[i];
   }
   const double s = this->GetFraction(i, time);
-  if (this->Orientations[i] != this->Orientations[i + 1])
+  if (this->RotatesAfter(i))
   {
     attitude = Rotation(this->Orientations[i].Slerp(s, this->Orientations[i + 1]));
   }
@@ -177,9 +177,14 @@ Pose Trajectory::GetPose(double time) const
     return { this->Positions[i], this->Orientations[i] };
   }
   const double s = this->GetFraction(i, time);
-  const bool turns = this->Orientations[i] != this->Orientations[i + 1];
   return { this->Segments[i](s),
-    turns ? this->Orientations[i].Slerp(s, this->Orientations[i + 1]) : this->Orientations[i] };
+    this->RotatesAfter(i) ? this->Orientations[i].Slerp(s, this->Orientations[i + 1])
+                          : this->Orientations[i] };
+}
+
+bool Trajectory::RotatesAfter(std::size_t sample) const
+{
+  return this->Interpolates && this->Orientations[sample] != this->Orientations[sample + 1];
 }
 
 bool Trajectory::HoldsAt(std::size_t sample, double time) const

@@ -35,6 +35,9 @@ public:
   /// Reads the samples of one leg only.
   Status SetLeg(vtkPolyData* trajectory, int leg);
 
+  /// Without it the orientation of a sample holds until the next one. Default: on.
+  void SetInterpolatesOrientation(bool interpolates) { this->Interpolates = interpolates; }
+
   bool IsStatic() const { return this->Times.size() == 1; }
   double GetStartTime() const { return this->Times.front(); }
   double GetEndTime() const { return this->Times.back(); }
@@ -58,6 +61,7 @@ private:
   void Connect();
   std::size_t FindSample(double time, std::size_t hint) const;
   bool HoldsAt(std::size_t sample, double time) const;
+  bool RotatesAfter(std::size_t sample) const;
   double GetFraction(std::size_t sample, double time) const;
 
   std::vector<double> Times;
@@ -65,6 +69,7 @@ private:
   std::vector<Vec3> Velocities; // until the segments are built
   std::vector<Quaternion> Orientations;
   std::vector<HermiteSegment> Segments; // from each sample to the next
+  bool Interpolates = true;             // the orientation
 };
 
 } // namespace helios

@@ -104,6 +104,9 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "HeadRotateStart: " << this->HeadRotateStart << " deg\n"
      << indent << "HeadRotateStop: " << this->HeadRotateStop << " deg\n"
      << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
+     << indent << "PoseInterval: " << this->PoseInterval << " s\n"
+     << indent << "InterpolateOrientation: " << this->InterpolateOrientation << "\n"
+     << indent << "MergeReturns: " << this->MergeReturns << "\n"
      << indent << "StartTime: " << this->StartTime << " s\n"
      << indent << "Duration: " << this->Duration << " s\n"
      << indent << "PulseStep: " << this->PulseStep << "\n"
@@ -272,6 +275,7 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
     vtkErrorMacro(<< wrong.Message());
     return false;
   }
+  scan.Trajectory.SetInterpolatesOrientation(this->InterpolateOrientation);
   scan.Model.Sample = { this->PulseStep, this->FirstPulseId };
   helios::PulseSource& source = scan.Model.Source;
   source.Platform = &scan.Trajectory;
@@ -283,6 +287,7 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadAxis = helios::Vec3(this->HeadRotateAxis);
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
+  source.PoseInterval = this->PoseInterval;
   source.Errors = this->ErrorModel;
   const bool isNoisy = this->PlatformNoise && this->PlatformNoise->IsOn();
   source.Noise = isNoisy ? this->PlatformNoise.Get() : nullptr;
@@ -443,6 +448,7 @@ helios::ScanTraits vtkHeliosScanner::GetTraits()
   traits.HasDivergence = this->BeamSampler->GetBeamDivergence() > 0.0;
   traits.IsFixed = this->Sampling == FIXED;
   traits.StoresWaveforms = this->GenerateWaveforms;
+  traits.MergesReturns = this->MergeReturns;
   return traits;
 }
 

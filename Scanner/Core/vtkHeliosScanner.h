@@ -237,6 +237,37 @@ public:
 
   ///@{
   /**
+   * Set/Get for how long the platform stands still [s], in steps from StartTime: a pulse has the
+   * pose at the beginning of its step. 0: each pulse has its own pose. A scan line as a step shows
+   * what the motion within a line changes. Valid range: [0, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(PoseInterval, double, 0.0, 1e6);
+  vtkGetMacro(PoseInterval, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the orientation of the platform rotates at a constant rate between two samples
+   * of its trajectory; else that of the earlier one holds. Default: on.
+   */
+  vtkSetMacro(InterpolateOrientation, bool);
+  vtkGetMacro(InterpolateOrientation, bool);
+  vtkBooleanMacro(InterpolateOrientation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether a pulse has one echo, the sum of its returns at their mean range weighted by
+   * power: the limit of a pulse too long to tell them apart. Of the EchoDetector only the threshold
+   * counts. Default: off.
+   */
+  vtkSetMacro(MergeReturns, bool);
+  vtkGetMacro(MergeReturns, bool);
+  vtkBooleanMacro(MergeReturns, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the time of pulse 0 [s]; negative: the trajectory's first. Valid
    * range: [-1, 1e12]. Default: -1.
    */
@@ -428,6 +459,9 @@ private:
   double HeadRotateStart = 0.0;
   double HeadRotateStop = 0.0;
   double HeadRotateSpeed = 0.0;
+  double PoseInterval = 0.0;
+  bool InterpolateOrientation = true;
+  bool MergeReturns = false;
   double StartTime = -1.0;
   double Duration = -1.0;
   double TimeWindow[2] = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };

@@ -17,6 +17,8 @@ namespace
 constexpr double QuarterTurn = 0.5 * vtkMath::Pi();
 constexpr double GoldenSection = 0.61803398874989484820;
 constexpr double WeightUnit = 0x1p-53;
+constexpr int MostCircles = 64; // and rings
+constexpr int MostPoints = 65536;
 
 /// A sub-ray in the cross-section of the beam: its radius in units of w, its azimuth, its energy.
 struct Node
@@ -98,6 +100,12 @@ Nodes VogelQuarter(int count, double k)
       EnergyQuantile((i + 0.5) / count, k), QuarterTurn * (turns - std::floor(turns)), 1.0 / count);
   }
   return nodes;
+}
+
+/// The points of a spiral for a number of sub-rays: four equal quarters.
+int GetSpiralSize(int number)
+{
+  return number <= 1 ? 1 : (std::min(number, MostPoints) + 3) / 4 * 4;
 }
 
 /// The sub-rays of circle i: floor(2 pi i), one at the centre.
@@ -250,7 +258,7 @@ void vtkHeliosBeamSampler::SetWavelength(double wavelength)
 //------------------------------------------------------------------------------
 void vtkHeliosBeamSampler::SetNumberOfSubRays(int number)
 {
-  const int size = number <= 1 ? 1 : (std::min(number, 65536) + 3) / 4 * 4;
+  const int size = GetSpiralSize(number);
   if (this->SpiralSize != size)
   {
     this->SpiralSize = size;
@@ -334,8 +342,48 @@ double vtkHeliosBeamSampler::GetWeight(int subRay) const
 //------------------------------------------------------------------------------
 const char* vtkHeliosBeamSampler::GetPatternAsString() const
 {
+  return GetPatternName(this->Pattern);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeliosBeamSampler::GetPatternName(int pattern)
+{
   const char* const names[] = { "GaussLegendre", "Circles", "Vogel" };
-  return names[this->Pattern];
+  return pattern >= GAUSS_LEGENDRE && pattern <= VOGEL ? names[pattern] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosBeamSampler::CountSubRays(int pattern, int size)
+{
+  switch (pattern)
+  {
+    case GAUSS_LEGENDRE:
+      return 4 * size * size;
+    case VOGEL:
+      return GetSpiralSize(size);
+    default:
+      int count = 0;
+      for (int circle = 0; circle < size; ++circle)
+      {
+        count += CircleSize(circle);
+      }
+      return count;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosBeamSampler::FindPatternSize(int pattern, int subRays)
+{
+  if (pattern == VOGEL)
+  {
+    return GetSpiralSize(subRays);
+  }
+  int size = 1;
+  while (size < MostCircles && CountSubRays(pattern, size) < subRays)
+  {
+    ++size;
+  }
+  return size;
 }
 
 //------------------------------------------------------------------------------

@@ -72,6 +72,22 @@ public:
   const char* GetPatternAsString() const;
   ///@}
 
+  /**
+   * The name of a pattern: Circles, for instance. Null if there is none of that number.
+   */
+  static const char* GetPatternName(int pattern);
+
+  /**
+   * The number of sub-rays of a pattern with a number of rings, circles, or points of the spiral.
+   */
+  static int CountSubRays(int pattern, int size);
+
+  /**
+   * The least number of rings, circles, or points of the spiral that gives at least this many
+   * sub-rays; at most 64 rings or circles, or 65536 points.
+   */
+  static int FindPatternSize(int pattern, int subRays);
+
   ///@{
   /**
    * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as in

@@ -191,6 +191,12 @@ const helios::ConeProbe* vtkHeliosRayCaster::GetConeProbe()
   return this->Built->Probe.get();
 }
 
+std::size_t vtkHeliosRayCaster::GetMemorySize() const
+{
+  const std::size_t probe = this->Built->Probe ? this->Built->Probe->GetMemorySize() : 0;
+  return this->GetAcceleratorSize() + probe + this->Mesh->GetMemorySize();
+}
+
 std::unique_ptr<helios::ConeProbe> vtkHeliosRayCaster::MakeConeProbe()
 {
   return helios::MakeConeProbe(*this->Mesh, this->GetStopCheck());

@@ -78,6 +78,12 @@ public:
   virtual std::size_t GetAcceleratorSize() const = 0;
   ///@}
 
+  /**
+   * The size of all that was built for a scene in bytes: accelerator, cone probe, copies of points
+   * and corners.
+   */
+  std::size_t GetMemorySize() const;
+
 #ifndef __VTK_WRAP__
   /// The cone probe of the scene, until the next build. The first call makes it, in one thread. Null
   /// without a scene, after an abort request, for too many triangles.

@@ -161,6 +161,24 @@ int vtkHeliosRunOptions::GetNumberOfSubRaysMaxValue() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetSubRayPattern(const std::string& name)
+{
+  this->Set(this->Data->SubRayPattern, name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetSubRayPattern() const
+{
+  return this->Data->SubRayPattern;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetSubRayPatternNames()
+{
+  return JoinNames(helios::GetSubRayPatternNames());
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosRunOptions::SetMaximumSubRays(int count)
 {
   this->Set(this->Data->MaximumSubRays, count);
@@ -279,6 +297,7 @@ void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "EnergyTolerance: " << this->Data->EnergyTolerance << "\n"
      << indent << "NumberOfSubRays: " << this->Data->NumberOfSubRays << "\n"
      << indent << "MaximumSubRays: " << this->Data->MaximumSubRays << "\n"
+     << indent << "SubRayPattern: " << this->Data->SubRayPattern << "\n"
      << indent << "BinSize: " << this->Data->BinSize << "\n"
      << indent << "EchoDetector: " << this->Data->EchoDetector << "\n"
      << indent << "RayCaster: " << this->Data->RayCaster << "\n"

@@ -89,6 +89,21 @@ public:
 
   ///@{
   /**
+   * Set/Get the pattern of these sub-rays, a name of GetSubRayPatternNames(); GaussLegendre has 4,
+   * 16, 36 ... sub-rays, Circles 1, 7, 19 ..., Vogel any multiple of 4. Default: empty, Circles if
+   * they give the number, else Vogel.
+   */
+  void SetSubRayPattern(const std::string& name);
+  std::string GetSubRayPattern() const;
+  ///@}
+
+  /**
+   * The names of the patterns, separated by blanks: those of vtkHeliosBeamSampler.
+   */
+  static std::string GetSubRayPatternNames();
+
+  ///@{
+  /**
    * Set/Get the most sub-rays of a beam in adaptive sampling, as
    * vtkHeliosScanner::SetMaximumNumberOfSubRays(): a limit of its time. Valid range: 0 or [1024,
    * 2^24]. Default: 0, the default of the scanner.
@@ -133,8 +148,11 @@ public:
   ///@{
   /**
    * Set/Get the parts of the model that are left out, names of GetModelPartNames() separated by
-   * blanks: "divergence", all beams are one ray; "atmosphere", no extinction; "specular", surfaces
-   * are Lambertian; "voxels", turbid voxels are air. Default: empty, none.
+   * blanks: "divergence", all beams are one ray; "waveform", a pulse has one echo at the mean range
+   * of its returns; "specular", surfaces are Lambertian; "spectra", materials with a spectrum have
+   * the reflectance 0.5; "atmosphere", no extinction; "voxels", turbid voxels are air; "motion", the
+   * platform stands still during a scan line (1 / scan frequency); "attitude", it has the orientation
+   * of the last sample of its trajectory. Default: empty, none.
    */
   void SetWithout(const std::string& parts);
   std::string GetWithout() const;

@@ -39,6 +39,7 @@ namespace
 constexpr int ScenePort = 0; // inputs
 constexpr int GridPort = 1;
 constexpr int TrajectoryPort = 2;
+constexpr int MeshPort = 3;
 
 constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr int WaveformPort = 1;
@@ -137,6 +138,7 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
       inputs.Grids.push_back(grid);
     }
   }
+  inputs.Mesh = vtkPolyData::SafeDownCast(source->GetInputDataObject(MeshPort, 0));
   for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
   {
     if (auto* data = vtkPolyData::SafeDownCast(source->GetInputDataObject(TrajectoryPort, i)))
@@ -162,7 +164,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   }
   const bool isPlanned = this->Runner && this->PlanTime == this->Loader.GetLoadTime() &&
     this->Settings.Options == settings.Options &&
-    this->Settings.Trajectories == settings.Trajectories;
+    this->Settings.Trajectories == settings.Trajectories && this->Settings.Mesh == settings.Mesh;
   this->Settings = settings;
   return isPlanned || this->PlanLegs();
 }
@@ -307,7 +309,7 @@ bool vtkHeliosSurveySource::Internals::ReportProgress(double progress)
 vtkHeliosSurveySource::vtkHeliosSurveySource()
 {
   this->Options = vtkSmartPointer<vtkHeliosRunOptions>::New();
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(NumberOfPorts);
 }
 
@@ -540,6 +542,12 @@ void vtkHeliosSurveySource::SetUpComparison(vtkHeliosEchoComparison* comparison,
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosSurveySource::GetSceneSize() const
+{
+  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->GetSceneSize() : 0.0;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosSurveySource::DescribeSampling()
 {
   return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->DescribeSampling()
@@ -554,7 +562,7 @@ int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* in
   {
     const bool isGrid = port == GridPort;
     info->Set(INPUT_REQUIRED_DATA_TYPE(), isGrid ? "vtkImageData" : "vtkPolyData");
-    info->Set(INPUT_IS_REPEATABLE(), 1);
+    info->Set(INPUT_IS_REPEATABLE(), port == MeshPort ? 0 : 1);
     return 1;
   }
   info->Remove(INPUT_REQUIRED_DATA_TYPE());

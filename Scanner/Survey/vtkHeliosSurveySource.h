@@ -23,6 +23,10 @@
  * are concatenated by time. Of the legs' attributes only those of times are used: tStart, tEnd,
  * teleportToStart and syncGPSTime.
  *
+ * Input 3, optional: a mesh (vtkPolyData) that beams hit in place of the scene, on which the legs are
+ * still planned: GetScene() with fewer triangles or without some parts, with its arrays of materials
+ * and parts. Its moving parts move as those of the scene.
+ *
  * Output 0: the echoes of all legs in the window, in pulse order, with the arrays of
  * vtkHeliosScanner. Outputs 1, 2 and 3, with GenerateWaveforms, GeneratePulses and GenerateSubRays:
  * the waveforms (vtkTable), the pulses and the sub-ray hits, as in vtkHeliosScanner. Pieces are
@@ -152,6 +156,12 @@ public:
    * than 0.6 c sigma of the pulse. After Load(); does nothing for a leg that fires no pulses.
    */
   void SetUpComparison(vtkHeliosEchoComparison* comparison, int leg) const;
+
+  /**
+   * The size of the scene and of what its ray caster has built, after an update [bytes]; 0 before.
+   * Turbid voxels and outputs are not counted.
+   */
+  double GetSceneSize() const;
 
   /**
    * Describes the sampling of the beam as text, after Load().

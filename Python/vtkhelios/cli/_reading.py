@@ -35,13 +35,13 @@ def size(text):
     return float(found[1]) * SIZES[found[2]]
 
 
-def add_memory_argument(parser):
+def add_memory_argument(parser, more=""):
     parser.add_argument(
         "--memory",
         metavar="SIZE",
         type=size,
         default=0.0,
-        help="memory limit of the whole run, such as 8G: a scene that needs more is refused before "
+        help=f"{more}memory limit of the whole run, such as 8G: a scene that needs more is refused before "
         "it is loaded (default: the available memory)",
     )
 

@@ -12,54 +12,76 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
-from .._paths import text_from_vtk
 from .._pipeline import PipelineError
-from .._survey_text import with_sampling
-from ..survey import Survey
-from ..tradeoff import make_tradeoff
+from .._plan_settings import SettingError
+from .._survey_text import with_ray_caster, with_sampling
+from .._tradeoff_run import make_tradeoff
+from ..planning import PLATFORM, SCANNER
 from ._files import cannot_be_written
 from ._interrupt import Interrupt
 from ._messages import Messages
+from ._plan_options import option_of, value_of
 from ._progress import duration, make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory
 from ._task import Interrupted, Watched
-from ._tradeoff_report import make_picture, result_lines
+from ._tradeoff_input import open_input
+from ._tradeoff_pictures import make_parts_picture, make_picture
+from ._tradeoff_report import megabytes, result_lines
 from .plan import shown_warnings
-from .run import read_survey, whole_number
+from .run import whole_number
 
 SUMMARY = "measure accuracy against time on a survey, and what its scene requires of the model"
 
 EPILOG = """\
+input: a survey; or a scene (HELIOS XML) or a mesh (.obj, .tif), which is scanned from the positions
+that vtkhelios plan finds with the same options.
+
 what it does: draws pulses from all legs of the survey, computes them with 4096 sub-rays in fine
 bins (the reference, whose own error is its difference from half as many), and then with
-  fixed sub-rays       1, 7, 19 ... on circles (beamSampleQuality)
+  fixed sub-rays       1, 7, 19 ... on circles (beamSampleQuality); other patterns: Vogel's spiral and
+                       rings with the nodes of Gauss and Legendre
   tolerances           30 mm to 0.3 mm, with 10 times as many per cent of amplitude and echoes
   bins, detectors, ray casters
+  simplified meshes    within 10 and 50 mm, with CGAL, if that takes at most 10 s
 For each it prints the range error (median, 95th percentile with its 95 % confidence interval, RMS),
-missed and invented echoes, errors of amplitude and echo width, and processor time per pulse. Values
-below three times the error of the reference have a ~.
-Then it leaves out each part of the model that a run can leave out: divergence, atmosphere, specular
-lobe, turbid voxels; and adds the noise. The differences from the survey as it is show what matters
-in this scene, and what it costs.
+missed and invented echoes, errors of amplitude and echo width, processor time per pulse, and the
+memory of scene and ray caster. Values below three times the error of the reference have a ~.
+
+Then it leaves out each part of the model:
+  divergence    all beams are one ray
+  waveform      a pulse has one echo, the mean of its returns
+  specular      surfaces are Lambertian
+  spectra       materials with a spectrum have the reflectance 0.5
+  atmosphere    no extinction
+  voxels        turbid voxels are air
+  motion        the platform stands still during a scan line
+  attitude      it has the orientation of the last sample of its trajectory
+and adds the noise; and it leaves out, and simplifies, each of the six largest parts of the scene. The
+differences from the survey as it is show what matters in this scene, and what it costs.
 Noise and turbid voxels are left out of all comparisons with the reference.
 
 recommendation:
   --range 5mm --missed 1%   the fastest setting with this 95th percentile of the range error and this
                             fraction of missed and invented echoes (upper ends of their intervals)
   --minutes 10              the most accurate setting with which the whole survey takes that long
+  --memory 2GB              of those whose run needs no more; alone the most accurate of them. It also
+                            limits this process, as in vtkhelios run: the scene has to fit
   --apply out.xml           writes the survey with the recommended setting. Names of files in it stay
                             as they are: write it into the folder of the survey
 
 what it writes, into OUTPUT/<name of the survey>/:
-  tradeoff.json   everything; --json prints it
-  tradeoff.csv    a line per way
-  tradeoff.png    error against time (needs matplotlib: apt-get install python3-matplotlib)
+  tradeoff.json         everything; --json prints it
+  tradeoff.csv          a line per way
+  tradeoff_parts.csv    a line per part of the model and of the scene
+  tradeoff.png          error against time (needs matplotlib: apt-get install python3-matplotlib)
+  tradeoff_parts.png    what each part changes and costs
 
 examples:
   vtkhelios tradeoff survey.xml
   vtkhelios tradeoff survey.xml --range 5mm --missed 1%
   vtkhelios tradeoff survey.xml --minutes 10 --apply fast_survey.xml
   vtkhelios tradeoff survey.xml --pulses 500 --no-parts           quick
+  vtkhelios tradeoff yard.obj --scanner scanners.xml#riegl_vz400
 
 exit codes: 0 done, 1 failed, or no setting is as asked (the reason is on standard error),
 2 wrong usage, 130 interrupted (nothing is written).
@@ -97,7 +119,11 @@ def minutes(text):
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
+    parser.add_argument(
+        "survey",
+        metavar="FILE",
+        help="a survey or scene (HELIOS XML), or a mesh (.obj, .tif)",
+    )
     add_assets_argument(parser)
     parser.add_argument(
         "--output",
@@ -114,8 +140,11 @@ def add_arguments(parser):
         "%(default)s)",
     )
     parser.add_argument(
-        "--no-parts", action="store_true", help="do not leave out parts of the model"
+        "--no-parts",
+        action="store_true",
+        help="do not leave out parts of the model and of the scene",
     )
+    add_plan_arguments(parser.add_argument_group("the survey of a scene or a mesh, as in plan"))
     parser.add_argument(
         "--range", metavar="LENGTH", type=length, help="recommend: 95 %% of the ranges within 5mm"
     )
@@ -138,9 +167,30 @@ def add_arguments(parser):
         default=0,
         help="number of threads; 0: one per processor core (default: %(default)s)",
     )
-    add_memory_argument(parser)
+    add_memory_argument(parser, "recommend: only settings whose run needs no more; ")
     parser.add_argument("--json", action="store_true", help="print all results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def add_plan_arguments(group):
+    group.add_argument(
+        "--scanner", metavar="REF", help=f"file.xml#id (default: the file's, else {SCANNER})"
+    )
+    group.add_argument(
+        "--platform", metavar="REF", help=f"file.xml#id (default: the file's, else {PLATFORM})"
+    )
+    group.add_argument(
+        "--resolution",
+        metavar="DEG",
+        type=value_of("resolution"),
+        help="angle between pulses and between lines (default: the file's, else 0.1)",
+    )
+    group.add_argument(
+        "--grid",
+        metavar="M",
+        type=value_of("grid"),
+        help="spacing of possible scan positions (default: a twentieth of the scene's diagonal)",
+    )
 
 
 class TradeoffWatch(Watched):
@@ -162,58 +212,71 @@ class TradeoffWatch(Watched):
 
 
 def run(arguments):
-    wishes = arguments.range, arguments.missed
-    if problem := find_contradiction(arguments, wishes):
+    if problem := find_contradiction(arguments):
         with Messages() as messages:
             messages.error(problem)
         return 2
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
-        threads = arguments.threads or len(os.sched_getaffinity(0))
-        vtkSMPTools.Initialize(threads)
+        vtkSMPTools.Initialize(count_threads(arguments))
         limit_memory(arguments)
-        read = read_survey(arguments, messages)
-        if read is None:
-            return 1
-        survey = Survey(read, arguments.survey)
-        messages.info(f"survey   {survey.name} ({arguments.survey})")
         try:
             with shown_warnings(messages):
-                result, signal = measure(survey, arguments, messages)
+                return make_and_report(arguments, messages)
+        except SettingError as error:
+            messages.error(error.say(option_of))
         except PipelineError as error:
             for text in error.messages:
                 messages.error(text)
-            return 1
-        if signal:
-            messages.error("interrupted before all ways were measured; nothing was written")
-            return 128 + signal
-        for line in result_lines(result, threads):
-            messages.info(line)
-        if arguments.json:
-            print(result.to_json())
-        folder = pathlib.Path(arguments.output) / text_from_vtk(read.GetName())
-        good = write(result, folder, messages)
-        return recommend(result, arguments, wishes, threads, messages) if good else 1
+        return 1
 
 
-def find_contradiction(arguments, wishes):
+def make_and_report(arguments, messages):
+    """Measures, prints, writes and recommends; returns an exit code."""
+    found = open_input(arguments, messages)
+    if found is None:
+        return 1
+    result, signal = measure(found, arguments, messages)
+    if signal:
+        messages.error("interrupted before all ways were measured; nothing was written")
+        return 128 + signal
+    for line in result_lines(result, count_threads(arguments)):
+        messages.info(line)
+    if arguments.json:
+        print(result.to_json())
+    good = write(result, pathlib.Path(arguments.output) / found.name, messages)
+    return recommend(result, found, arguments, messages) if good else 1
+
+
+def count_threads(arguments):
+    return arguments.threads or len(os.sched_getaffinity(0))
+
+
+def asks_for_accuracy(arguments):
+    return arguments.range is not None or arguments.missed is not None
+
+
+def find_contradiction(arguments):
     """What is wrong with the options, or None."""
-    asks = any(wish is not None for wish in wishes)
+    asks = asks_for_accuracy(arguments)
     if asks and arguments.minutes is not None:
         return (
             "--minutes asks for the most accurate setting, and --range and --missed for the "
             "fastest: give one of them"
         )
-    if arguments.apply and not asks and arguments.minutes is None:
-        return "--apply needs a recommendation: give --range, --missed or --minutes"
+    if arguments.apply and not (asks or arguments.minutes is not None or arguments.memory):
+        return "--apply needs a recommendation: give --range, --missed, --minutes or --memory"
     return None
 
 
-def measure(survey, arguments, messages):
+def measure(found, arguments, messages):
     """The result, and the signal that ended it or 0."""
     watch, result = TradeoffWatch(), None
     with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
         with make_progress(watch, messages, quiet=arguments.quiet):
-            result = make_tradeoff(survey, arguments.pulses, not arguments.no_parts, watch.on_step)
+            found.prepare(watch)
+            messages.info(found.describe())
+            parts = not arguments.no_parts
+            result = make_tradeoff(found.survey, arguments.pulses, parts, watch.on_step)
     return result, interrupt.signal
 
 
@@ -223,8 +286,12 @@ def write(result, folder, messages):
         "tradeoff.json": result.to_json().encode(),
         "tradeoff.csv": result.table.to_csv().encode(),
     }
+    if result.parts:
+        files["tradeoff_parts.csv"] = result.parts_table.to_csv().encode()
     try:
         files["tradeoff.png"] = make_picture(result)
+        if result.parts:
+            files["tradeoff_parts.png"] = make_parts_picture(result)
     except ImportError:
         messages.warning(
             "no tradeoff.png: matplotlib is missing; apt-get install python3-matplotlib"
@@ -242,64 +309,76 @@ def write(result, folder, messages):
     return True
 
 
-def recommend(result, arguments, wishes, threads, messages):
+def recommend(result, found, arguments, messages):
     """Prints, and applies, what was asked for; returns an exit code."""
-    if arguments.minutes is not None:
-        row = result.most_accurate(60 * arguments.minutes, threads)
-        if row is None:
-            fastest = min(result.frontier, key=lambda row: row.seconds)
-            messages.error(
-                f"--minutes {arguments.minutes:g}: no setting is that fast; {fastest.name} takes "
-                f"{duration(result.run_time(fastest, threads))}: give more time or threads"
-            )
-    elif any(wish is not None for wish in wishes):
-        row = result.cheapest(*wishes)
-        if row is None:
-            best = result.frontier[-1]
-            messages.error(
-                f"no setting is as accurate as asked; {best.name} has a range error of at most "
-                f"{1e3 * best.range_error:.2g} mm and at most {100 * best.lost:.2g} % missed and "
-                "invented echoes: ask for less, or narrow the intervals with more --pulses"
-            )
+    threads, memory = count_threads(arguments), arguments.memory or None
+    if asks_for_accuracy(arguments):
+        row = result.cheapest(arguments.range, arguments.missed, memory)
+    elif arguments.minutes is not None or memory:
+        seconds = None if arguments.minutes is None else 60 * arguments.minutes
+        row = result.most_accurate(seconds, threads, memory)
     else:
         return 0
     if row is None:
+        messages.error(explain_none(result, arguments, threads))
         return 1
     messages.info(
         f"recommended: {row.name}, at most {1e3 * row.range_error:.2g} mm and "
         f"{100 * row.lost:.2g} % missed and invented echoes, about "
-        f"{duration(result.run_time(row, threads))}"
+        f"{duration(result.run_time(row, threads))} and {megabytes(result.run_memory(row))} MB"
     )
-    return apply(row, arguments, messages) if arguments.apply else 0
+    return apply(row, found, arguments, messages) if arguments.apply else 0
 
 
-def apply(row, arguments, messages):
+def explain_none(result, arguments, threads):
+    """Why no setting is as asked, and what helps."""
+    if arguments.memory and not result.has_setting(arguments.memory):
+        least = result.smallest
+        return (
+            f"--memory {megabytes(arguments.memory)} MB: no setting needs so little; {least.name} needs about "
+            f"{megabytes(result.run_memory(least))} MB: give more, or simplify the scene"
+        )
+    within = " in this memory" if arguments.memory else ""
+    if arguments.minutes is not None:
+        fastest = result.fastest
+        return (
+            f"--minutes {arguments.minutes:g}: no setting is that fast{within}; {fastest.name} takes "
+            f"{duration(result.run_time(fastest, threads))}: give more time or threads"
+        )
+    best = result.frontier[-1]
+    return (
+        f"no setting is as accurate as asked{within}; {best.name} has a range error of at most "
+        f"{1e3 * best.range_error:.2g} mm and at most {100 * best.lost:.2g} % missed and "
+        "invented echoes: ask for less, or narrow the intervals with more --pulses"
+    )
+
+
+def apply(row, found, arguments, messages):
     """Writes the survey with the settings of a way; returns an exit code."""
-    source, target = pathlib.Path(arguments.survey), pathlib.Path(arguments.apply)
-    options = row.options
-    settings = {name: options.get(name) for name in ("tolerance", "energy_tolerance")}
+    target = pathlib.Path(arguments.apply)
     try:
-        data = source.read_bytes()
-        if options:
-            circles = circles_of(options["sub_rays"]) if "sub_rays" in options else None
-            data = with_sampling(data, circles=circles, **settings)
+        data = with_settings(found.read_bytes(target.parent), row.options)
         target.write_bytes(data)
     except OSError as error:
         messages.error(cannot_be_written(error, target, "--apply"))
         return 1
     except ValueError as error:
-        messages.error(f"{source}: {error}")
+        messages.error(f"{arguments.survey}: {error}")
         return 1
     messages.info(f"written  {target}")
     return 0
 
 
+def with_settings(data, options):
+    """The bytes of a survey with the options of a way."""
+    if "ray_caster" in options:
+        return with_ray_caster(data, options["ray_caster"])
+    if "sub_rays" in options:
+        return with_sampling(data, circles=circles_of(options["sub_rays"]))
+    return with_sampling(data, **options) if options else data
+
+
 def circles_of(sub_rays):
     """The number of circles with this many sub-rays."""
-    sampler = vtkhelios.vtkHeliosBeamSampler()
-    sampler.SetPatternToCircles()
-    for circles in range(1, 65):
-        sampler.SetNumberOfCircles(circles)
-        if sampler.GetNumberOfSubRays() == sub_rays:
-            return circles
-    raise ValueError(f"{sub_rays} sub-rays are no circles")
+    sampler = vtkhelios.vtkHeliosBeamSampler
+    return sampler.FindPatternSize(sampler.CIRCLES, sub_rays)

@@ -170,6 +170,32 @@ void Receiver::FindSingleEcho(
 }
 
 //------------------------------------------------------------------------------
+void Receiver::MergeReturns(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const
+{
+  double power = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+  const double origin = returns.front().Range;
+  for (const SubReturn& r : returns)
+  {
+    const double range = r.Range - origin;
+    power += r.Power;
+    first += r.Power * range;
+    second += r.Power * range * range;
+  }
+  if (!(power > 0.0) || power < this->Settings.Detector->GetDetectionThreshold())
+  {
+    return;
+  }
+  const double mean = first / power;
+  const double variance = std::max(0.0, second / power - mean * mean);
+  const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * variance; // [ns^2]
+  echoes.push_back(
+    { origin + mean, power, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
+      FindNearest(returns.data(), returns.data() + returns.size(), origin + mean) });
+}
+
+//------------------------------------------------------------------------------
 bool Receiver::FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
   const Iterator begin = returns.data();

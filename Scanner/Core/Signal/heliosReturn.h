@@ -99,6 +99,9 @@ public:
    */
   bool FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
+  /// One echo of all returns: their sum, at their mean range weighted by power.
+  void MergeReturns(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const;
+
   ///@{
   /**
    * Fills the waveform of a pulse, over a background [W]; its id is the key of the noise. Returns

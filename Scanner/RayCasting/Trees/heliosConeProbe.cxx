@@ -41,6 +41,11 @@ public:
     return ConeTest(origin, axis, tanHalfAngle, NoLimits).Collect(*this->Tree, nearest, most, view);
   }
 
+  std::size_t GetMemorySize() const override
+  {
+    return this->OwnTree ? this->OwnTree->GetMemorySize() : 0;
+  }
+
 private:
   std::unique_ptr<BeamTree> OwnTree;
   const BeamTree* Tree;

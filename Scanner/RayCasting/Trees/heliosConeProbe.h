@@ -46,6 +46,9 @@ public:
    */
   virtual bool Collect(const double origin[3], const double axis[3], double tanHalfAngle,
     double nearest, std::size_t most, ConeView& view) const = 0;
+
+  /// Bytes held besides the tree of a ray caster.
+  virtual std::size_t GetMemorySize() const = 0;
 };
 
 /// Probes on a tree, which must outlive the result.

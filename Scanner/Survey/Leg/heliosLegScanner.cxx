@@ -74,12 +74,12 @@ LegScanner::LegScanner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
-  , Scenes(scene, survey.Scene.SpectraFolders, log)
+  , Scenes(settings.Mesh ? settings.Mesh.Get() : scene, survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
   , FirstPulse(0)
   , LastPulse(AllPulses)
-  , Motion(survey.Scene, scene, log)
+  , Motion(survey.Scene, vtkPolyData::SafeDownCast(this->Scenes.GetPlain()), log)
   , WindowStart(-VTK_DOUBLE_MAX)
   , MoveTime(0)
 {
@@ -111,6 +111,8 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetHeadRotateStop(scan.HeadRotateStop);
     channel->SetHeadRotateSpeed(scan.HeadRotateSpeed);
     channel->SetInputConnection(1, plan.Platform->GetOutputPort());
+    const bool standsStill = this->Settings.Options.IsWithout("motion") && scan.ScanFrequency > 0.0;
+    channel->SetPoseInterval(standsStill ? 1.0 / scan.ScanFrequency : 0.0);
     channel->SetStartTime(plan.StartTime);
     channel->SetDuration(plan.Duration);
     channel->SetFirstPulseId(plan.FirstPulse + k);
@@ -155,7 +157,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetInputDataObject(0, this->GetScene(data.Wavelength));
   for (SpectralScenes& grid : options.IsWithout("voxels") ? none : this->Grids)
   {
-    channel->AddInputDataObject(2, grid.Get(data.Wavelength));
+    channel->AddInputDataObject(2, this->GetAt(grid, data.Wavelength));
   }
   if (!this->Settings.RayCaster)
   {
@@ -182,6 +184,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
     const std::size_t channels = this->Survey.Scanners[this->Scanner].GetNumberOfChannels();
     channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
   }
+  channel->SetInterpolateOrientation(!options.IsWithout("attitude"));
   channel->SetSeed(this->Settings.Options.Seed);
   channel->SetPulseStep(this->Settings.Options.PulseStep);
   this->ApplyOutputs(channel);
@@ -189,10 +192,17 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
 }
 
 //------------------------------------------------------------------------------
+/// A scene at a wavelength [nm], or without spectra.
+vtkDataObject* LegScanner::GetAt(SpectralScenes& scenes, double wavelength) const
+{
+  return this->Settings.Options.IsWithout("spectra") ? scenes.GetPlain() : scenes.Get(wavelength);
+}
+
+//------------------------------------------------------------------------------
 /// The scene at a wavelength [nm], with the materials of the options.
 vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
 {
-  vtkDataObject* scene = this->Scenes.Get(wavelength);
+  vtkDataObject* scene = this->GetAt(this->Scenes, wavelength);
   vtkDataArray* lobes = scene->GetFieldData()->GetArray(names::MaterialSpecularity);
   if (!lobes || !this->Settings.Options.IsWithout("specular"))
   {
@@ -430,6 +440,15 @@ double LegScanner::GetMemorySize() const
     }
   }
   return BytesPerKibibyte * kibibytes;
+}
+
+//------------------------------------------------------------------------------
+double LegScanner::GetSceneSize() const
+{
+  const vtkHeliosRayCaster* caster =
+    this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster;
+  const auto scene = static_cast<double>(this->Scenes.GetPlain()->GetActualMemorySize());
+  return BytesPerKibibyte * scene + (caster ? static_cast<double>(caster->GetMemorySize()) : 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -78,6 +78,9 @@ public:
 
   std::string GetRayCasterName() const;
 
+  /// The size of scene and ray caster [bytes].
+  double GetSceneSize() const;
+
 private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
@@ -87,6 +90,7 @@ private:
   void ApplyWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);
+  vtkDataObject* GetAt(SpectralScenes& scenes, double wavelength) const;
   vtkSmartPointer<vtkDataObject> GetScene(double wavelength);
   vtkIdType FindSample(vtkIdType pulse) const;
   void ApplyParts();

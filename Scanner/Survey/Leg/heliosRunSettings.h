@@ -36,6 +36,7 @@ struct RunSettings
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
+  vtkSmartPointer<vtkPolyData> Mesh; ///< that beams hit in place of the scene; null: none
 
   /// Of platforms that follow trajectories, in place of files; empty: none.
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;

@@ -27,8 +27,6 @@ namespace helios
 namespace
 {
 
-constexpr int MostCircles = 64;
-
 // Echoes that are compared, as in Docs/instrument.md.
 constexpr double LeastShare = 0.02;
 constexpr double LeastThresholds = 2.0;
@@ -59,20 +57,22 @@ void SetUpRadiometry(const ScannerData& data, const RunOptions& options, vtkHeli
   }
 }
 
-/// Sets a fixed number of sub-rays: on circles if they give that number, else on a spiral.
-void SetNumberOfSubRays(int count, vtkHeliosBeamSampler* sampler)
+void SetFixedSubRays(const RunOptions& options, vtkHeliosBeamSampler* sampler)
 {
-  sampler->SetPatternToCircles();
-  for (int circles = 1; circles <= MostCircles; ++circles)
+  const int pattern = options.GetPattern();
+  const int size = vtkHeliosBeamSampler::FindPatternSize(pattern, options.NumberOfSubRays);
+  sampler->SetPattern(pattern);
+  switch (pattern)
   {
-    sampler->SetNumberOfCircles(circles);
-    if (sampler->GetNumberOfSubRays() == count)
-    {
-      return;
-    }
+    case vtkHeliosBeamSampler::GAUSS_LEGENDRE:
+      sampler->SetNumberOfRings(size);
+      break;
+    case vtkHeliosBeamSampler::CIRCLES:
+      sampler->SetNumberOfCircles(size);
+      break;
+    default:
+      sampler->SetNumberOfSubRays(size);
   }
-  sampler->SetPatternToVogel();
-  sampler->SetNumberOfSubRays(count);
 }
 
 void SetUpSampling(
@@ -89,7 +89,7 @@ void SetUpSampling(
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   if (options.NumberOfSubRays > 0)
   {
-    SetNumberOfSubRays(options.NumberOfSubRays, sampler);
+    SetFixedSubRays(options, sampler);
   }
   else if (!sampling.IsAdaptive)
   {
@@ -109,9 +109,10 @@ void SetUpWaveforms(
   scanner->SetNumberOfBins(static_cast<int>(std::min(bins, double(VTK_INT_MAX))));
 }
 
-void SetUpReturns(const ScannerData& data, vtkHeliosScanner* scanner)
+void SetUpReturns(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
 {
   const std::string& selection = data.Receiver.ReturnSelection;
+  scanner->SetMergeReturns(options.IsWithout("waveform"));
   scanner->SetRangeMin(data.RangeMin);
   scanner->SetRangeMax(data.RangeMax);
   scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
@@ -210,7 +211,7 @@ void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHelios
   sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
   SetUpSampling(data.Receiver, options, scanner);
   SetUpWaveforms(data.Receiver, options, scanner);
-  SetUpReturns(data, scanner);
+  SetUpReturns(data, options, scanner);
   SetUpNoise(data, options.Noise, scanner);
   SetUpErrors(data.Receiver.Errors, scanner);
   const std::string& name =

@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
+#include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
 
 #include <json/value.h>
@@ -25,7 +26,8 @@ constexpr double LargestBinSize = 1e6; // [ns]
 auto Tie(const RunOptions& o)
 {
   return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
-    o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Without, o.PulseStep);
+    o.SubRayPattern, o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Without,
+    o.PulseStep);
 }
 
 std::vector<std::string> SplitWords(const std::string& text)
@@ -70,7 +72,19 @@ std::vector<std::string> GetEchoDetectorNames()
 //------------------------------------------------------------------------------
 std::vector<std::string> GetModelPartNames()
 {
-  return { "divergence", "atmosphere", "specular", "voxels" };
+  return { "divergence", "waveform", "specular", "spectra", "atmosphere", "voxels", "motion",
+    "attitude" };
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetSubRayPatternNames()
+{
+  std::vector<std::string> names;
+  while (const char* name = vtkHeliosBeamSampler::GetPatternName(static_cast<int>(names.size())))
+  {
+    names.emplace_back(name);
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------
@@ -81,6 +95,21 @@ bool RunOptions::IsWithout(const std::string& part) const
 }
 
 //------------------------------------------------------------------------------
+int RunOptions::GetPattern() const
+{
+  using Sampler = vtkHeliosBeamSampler;
+  const std::vector<std::string> names = GetSubRayPatternNames();
+  const auto found = std::find(names.begin(), names.end(), this->SubRayPattern);
+  if (found != names.end())
+  {
+    return static_cast<int>(found - names.begin());
+  }
+  const int circles = Sampler::FindPatternSize(Sampler::CIRCLES, this->NumberOfSubRays);
+  const bool isExact = Sampler::CountSubRays(Sampler::CIRCLES, circles) == this->NumberOfSubRays;
+  return isExact ? Sampler::CIRCLES : Sampler::VOGEL;
+}
+
+//------------------------------------------------------------------------------
 bool RunOptions::operator==(const RunOptions& other) const
 {
   return Tie(*this) == Tie(other);
@@ -88,6 +117,24 @@ bool RunOptions::operator==(const RunOptions& other) const
 
 //------------------------------------------------------------------------------
 Status RunOptions::FindFault() const
+{
+  Status status = this->CheckSampling();
+  status = status.IsOk() ? this->CheckPattern() : status;
+  status = status.IsOk() ? this->CheckParts() : status;
+  if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
+  {
+    Sentence text;
+    text << "BinSize is " << this->BinSize << " ns; give 0 to " << LargestBinSize
+         << " ns, 0 for the survey's value";
+    status = Status::Error(text.str());
+  }
+  return status.IsOk() ? CheckName("EchoDetector", this->EchoDetector, GetEchoDetectorNames())
+                       : status;
+}
+
+//------------------------------------------------------------------------------
+/// Tolerances, or a fixed number.
+Status RunOptions::CheckSampling() const
 {
   Status status = CheckTolerance("RangeTolerance", this->RangeTolerance,
     IsRangeTolerance(this->RangeTolerance), LeastRangeTolerance, " m");
@@ -108,19 +155,60 @@ Status RunOptions::FindFault() const
       std::to_string(LeastMostSubRays) + " to " + std::to_string(LargestMostSubRays) +
       ", or 0 for " + std::to_string(DefaultMostSubRays));
   }
-  if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
+  return status;
+}
+
+//------------------------------------------------------------------------------
+/// The pattern, and whether it has that number of sub-rays.
+Status RunOptions::CheckPattern() const
+{
+  using Sampler = vtkHeliosBeamSampler;
+  const std::string& name = this->SubRayPattern;
+  const Status status = CheckName("SubRayPattern", name, GetSubRayPatternNames());
+  if (!status.IsOk() || name.empty())
   {
-    Sentence text;
-    text << "BinSize is " << this->BinSize << " ns; give 0 to " << LargestBinSize
-         << " ns, 0 for the survey's value";
-    status = Status::Error(text.str());
+    return status;
   }
+  if (this->NumberOfSubRays == 0)
+  {
+    return Status::Error("SubRayPattern is \"" + name +
+      "\", but NumberOfSubRays is 0; give a fixed number of sub-rays, too");
+  }
+  const int pattern = this->GetPattern();
+  if (pattern == Sampler::VOGEL)
+  {
+    return {};
+  }
+  const int size = Sampler::FindPatternSize(pattern, this->NumberOfSubRays);
+  const int count = Sampler::CountSubRays(pattern, size);
+  if (count == this->NumberOfSubRays)
+  {
+    return {};
+  }
+  Sentence text;
+  text << "NumberOfSubRays is " << this->NumberOfSubRays << ", which SubRayPattern \"" << name
+       << "\" does not have; give ";
+  if (size > 1)
+  {
+    text << Sampler::CountSubRays(pattern, size - 1) << " or ";
+  }
+  text << count << ", or the pattern Vogel";
+  return Status::Error(text.str());
+}
+
+//------------------------------------------------------------------------------
+/// What is left out of the model.
+Status RunOptions::CheckParts() const
+{
   for (const std::string& part : SplitWords(this->Without))
   {
-    status = status.IsOk() ? CheckName("Without", part, GetModelPartNames()) : status;
+    const Status status = CheckName("Without", part, GetModelPartNames());
+    if (!status.IsOk())
+    {
+      return status;
+    }
   }
-  return status.IsOk() ? CheckName("EchoDetector", this->EchoDetector, GetEchoDetectorNames())
-                       : status;
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +220,7 @@ void RunOptions::Describe(Json::Value& options) const
   options["energyTolerance"] = this->EnergyTolerance;
   options["subRays"] = this->NumberOfSubRays;
   options["maximumSubRays"] = this->MaximumSubRays;
+  options["subRayPattern"] = this->SubRayPattern;
   options["binSize_ns"] = this->BinSize;
   options["detector"] = this->EchoDetector;
   options["rayCaster"] = this->RayCaster;

@@ -26,6 +26,9 @@ std::vector<std::string> GetEchoDetectorNames();
 /// The parts of the model that a run can leave out.
 std::vector<std::string> GetModelPartNames();
 
+/// The patterns of fixed sub-rays.
+std::vector<std::string> GetSubRayPatternNames();
+
 /// Set by vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
 struct RunOptions
 {
@@ -36,6 +39,7 @@ struct RunOptions
   double EnergyTolerance = 0.0; ///< relative
   int NumberOfSubRays = 0;      ///< fixed
   int MaximumSubRays = 0;       ///< of adaptive sampling, of a beam; 0: the default of the scanner
+  std::string SubRayPattern;    ///< of the fixed ones
   double BinSize = 0.0;         ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;
@@ -46,6 +50,10 @@ struct RunOptions
   /// Whether a part of the model is left out.
   bool IsWithout(const std::string& part) const;
 
+  /// The pattern of vtkHeliosBeamSampler for the fixed sub-rays: without SubRayPattern circles if
+  /// they give that number, else a spiral.
+  int GetPattern() const;
+
   bool operator==(const RunOptions& other) const;
 
   /// Returns an error if a value is not valid: which one, and what is expected.
@@ -53,6 +61,11 @@ struct RunOptions
 
   /// Adds the options to those of a run's summary, without the epoch and the accuracy report.
   void Describe(Json::Value& options) const;
+
+private:
+  Status CheckSampling() const;
+  Status CheckPattern() const;
+  Status CheckParts() const;
 };
 
 } // namespace helios

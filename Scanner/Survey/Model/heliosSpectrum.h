@@ -51,6 +51,9 @@ public:
   /// The scene at a wavelength [nm].
   vtkDataObject* Get(double wavelength);
 
+  /// The scene without its spectra.
+  vtkDataObject* GetPlain() const { return this->Scene; }
+
 private:
   vtkSmartPointer<vtkDataObject> Scene;
   std::vector<std::string> Folders;

@@ -78,6 +78,9 @@ public:
 
   std::string GetRayCasterName() const;
 
+  /// The size of scene and ray caster [bytes].
+  double GetSceneSize() const { return this->Scanner.GetSceneSize(); }
+
   /// Explains why a run has no echo, and how to fix it.
   std::string ExplainNoEchoes() const;
 

@@ -175,6 +175,10 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
   {
     fingerprint["trajectory"] = HashTrajectories(settings.Trajectories);
   }
+  if (settings.Mesh)
+  {
+    fingerprint["mesh"] = HashScene(settings.Mesh);
+  }
   return fingerprint;
 }
 
@@ -225,6 +229,10 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   if (Quote(then["trajectory"]) != Quote(now["trajectory"]))
   {
     differences.emplace_back("the input trajectory has changed");
+  }
+  if (Quote(then["mesh"]) != Quote(now["mesh"]))
+  {
+    differences.emplace_back("the input mesh has changed");
   }
   const std::string scene = now["scene"].asString();
   if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)

@@ -103,7 +103,7 @@ bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
     return false;
   }
   this->Inputs.Options = settings.Options;
-  if (!this->SetTrajectories(settings))
+  if (!this->SetTrajectories(settings) || !this->SetMesh(settings))
   {
     return false;
   }
@@ -200,6 +200,29 @@ bool SurveyLoader::SetTrajectories(RunSettings& settings)
     this->Taken = now;
   }
   settings.Trajectories = this->Trajectories;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Takes the mesh of the inputs; false after an error. If it has not changed it is the same object
+/// as before.
+bool SurveyLoader::SetMesh(RunSettings& settings)
+{
+  vtkPolyData* input = this->Inputs.Mesh;
+  const std::pair<vtkPolyData*, vtkMTimeType> now(input, input ? input->GetMTime() : 0);
+  if (now != this->TakenMesh)
+  {
+    this->TakenMesh = {};
+    this->Mesh = input ? MakeTriangles(input) : nullptr;
+    if (input && (!this->Mesh || this->Mesh->GetNumberOfPolys() == 0))
+    {
+      this->Log.Error("the input mesh has no polygons; give one that stands in for the scene, such "
+                      "as a simplified GetScene(), or disconnect the input");
+      return false;
+    }
+    this->TakenMesh = now;
+  }
+  settings.Mesh = this->Mesh;
   return true;
 }
 

@@ -36,6 +36,7 @@ struct RunInputs
   RunOptions Options;
   vtkDataObject* Scene = nullptr;         ///< replaces that of the survey; null: none
   std::vector<vtkImageData*> Grids;       ///< turbid voxels, with that scene
+  vtkPolyData* Mesh = nullptr;            ///< that beams hit in place of the scene; null: none
   std::vector<vtkPolyData*> Trajectories; ///< replace the files of platforms; empty: none
 };
 
@@ -91,6 +92,7 @@ private:
   Origin FindOrigin() const;
   Status SetOptions(RunSettings& settings);
   bool SetTrajectories(RunSettings& settings);
+  bool SetMesh(RunSettings& settings);
   void SetRayCaster(RunSettings& settings);
   bool BuildScene(const StepCallback& onStep);
   bool UseGivenScene();
@@ -105,6 +107,8 @@ private:
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
   std::string CasterName;                                   // as requested
+  std::pair<vtkPolyData*, vtkMTimeType> TakenMesh;          // of the inputs
+  vtkSmartPointer<vtkPolyData> Mesh;                        // and its triangles
   std::vector<std::pair<vtkPolyData*, vtkMTimeType>> Taken; // trajectories of the inputs
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;   // and what they had
 };

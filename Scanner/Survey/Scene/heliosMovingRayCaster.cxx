@@ -183,6 +183,12 @@ public:
   {
   }
 
+  std::size_t GetMemorySize() const override
+  {
+    return (this->Resting.Cones ? this->Resting.Cones->GetMemorySize() : 0) +
+      (this->Moving.Cones ? this->Moving.Cones->GetMemorySize() : 0);
+  }
+
   /// False if one is missing.
   bool IsComplete() const { return this->Resting.IsComplete() && this->Moving.IsComplete(); }
 

@@ -41,6 +41,7 @@ TEST_CASE("MemoryLimit: limit less the memory in use", "[MemoryLimit]")
   const double available = vtkHeliosMemoryLimit::GetAvailable();
   CHECK(available < 1e6 - 1.0);
   CHECK(available > 1e6 - 10000.0);
+  CHECK(available == Approx(1e6 - vtkHeliosMemoryLimit::GetUsed()).margin(10.0));
   CHECK(CheckMemory("cells", available - 100.0, 1048576.0).IsOk()); // the machine may have less
   CHECK(CheckMemory("cells", available + 100.0, 1048576.0)
           .Message()

@@ -32,10 +32,10 @@ TEST_CASE("ScanPath: of the beam", "[ScanPath]")
 
 TEST_CASE("ScanPath: traits and path agree on adaptive sampling", "[ScanPath]")
 {
-  for (int bits = 0; bits < 32; ++bits)
+  for (int bits = 0; bits < 64; ++bits)
   {
     const ScanTraits traits{ (bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0,
-      (bits & 16) != 0 };
+      (bits & 16) != 0, (bits & 32) != 0 };
     CHECK(traits.IsAdaptive() == ChoosePath(traits).IsAdaptive());
   }
 }
@@ -65,5 +65,9 @@ TEST_CASE("ScanPath: of the echoes", "[ScanPath]")
     CHECK(ChoosePath(traits).Echo == EchoPath::Waveform);
     traits.HasPlainMaxima = true;
     CHECK(ChoosePath(traits).Echo == row.Plain);
+    traits.MergesReturns = true;
+    CHECK(ChoosePath(traits).Echo == EchoPath::Mean);
+    traits.HasPlainMaxima = false;
+    CHECK(ChoosePath(traits).Echo == EchoPath::Mean);
   }
 }

@@ -339,6 +339,62 @@ TEST_CASE("Scanner: on a moving platform every pulse has its own origin and time
     CHECK(echoes->GetPoint(i)[1] == Approx(0.02 * i).margin(1e-12));
     CHECK(Value(echoes, names::Range, i) == 50.0);
   }
+  bench.Scanner->SetPoseInterval(0.5); // 10 m
+  echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 5000);
+  for (const vtkIdType i : { 0, 1, 499, 500, 2499, 4999 })
+  {
+    CHECK(Value(echoes, names::GpsTime, i) == i / 1000.0);
+    CHECK(echoes->GetPoint(i)[1] == Approx(10.0 * (i / 500)).margin(1e-12));
+  }
+}
+
+TEST_CASE(
+  "Scanner: merged returns are one echo with their energy, at their mean range", "[Scanner]")
+{
+  // The upper half of the beam hits a wall at 50 m, the lower one at 60 m.
+  const auto edge = MakeScene({ { { -50, 50, 0 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) });
+  const auto nearWall = MakeScene({ Wall(50) });
+  const auto farWall = MakeScene({ Wall(60) });
+  for (const bool isAdaptive : { false, true })
+  {
+    const auto run = [isAdaptive](vtkPolyData* scene)
+    {
+      Bench bench(scene);
+      bench.Scanner->SetSampling(
+        isAdaptive ? vtkHeliosScanner::TOLERANCE : vtkHeliosScanner::FIXED);
+      bench.Scanner->GetBeamSampler()->SetPatternToVogel();
+      bench.Scanner->GetBeamSampler()->SetNumberOfSubRays(1024);
+      bench.Scanner->MergeReturnsOn();
+      bench.Scanner->GenerateWaveformsOn();
+      auto echoes = vtkSmartPointer<vtkPolyData>::New();
+      echoes->ShallowCopy(bench.Run());
+      auto* waveforms = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
+      CHECK(waveforms->GetNumberOfRows() == 1000); // still stored
+      return echoes;
+    };
+    const auto echoes = run(edge);
+    const double first = Value(run(nearWall), names::Amplitude, 0);
+    const double second = Value(run(farWall), names::Amplitude, 0);
+    INFO("adaptive " << isAdaptive);
+    REQUIRE(echoes->GetNumberOfPoints() == 1000); // not two
+    CHECK(Value(echoes, names::NumberOfReturns, 0) == 1);
+    CHECK(Value(echoes, names::Amplitude, 0) == Approx(0.5 * (first + second)).epsilon(2e-3));
+    const double mean = (50.0 * first + 60.0 * second) / (first + second);
+    CHECK(Value(echoes, names::Range, 0) == Approx(mean).epsilon(0).margin(0.02));
+    CHECK(Value(echoes, names::EchoWidth, 0) > 5.0 * 4.0);
+  }
+  // The energy of a wide echo is not spread.
+  const auto slope = MakeScene({ { { -500, -440, -500 }, { 1000, 0, 0 }, { 0, 1000, 1000 } } });
+  Bench bench(slope);
+  bench.Scanner->SetSamplingToTolerance();
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0.02);
+  const double plain = Value(bench.Run(), names::Amplitude, 0);
+  bench.Scanner->MergeReturnsOn();
+  CHECK(Value(bench.Run(), names::Amplitude, 0) > 1.1 * plain);
+
+  bench.Scanner->GetEchoDetector()->SetDetectionThreshold(1.0);
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
 }
 
 TEST_CASE("Scanner: waveforms, sub-rays and pulses only on request", "[Scanner]")

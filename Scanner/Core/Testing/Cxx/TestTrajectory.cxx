@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -127,6 +128,39 @@ TEST_CASE("Trajectory: constant velocity equals the straight line to the bit", "
     INFO("start " << start);
     CHECK(different == 0);
   }
+}
+
+TEST_CASE("Trajectory: the orientation rotates at a constant rate, or holds", "[Trajectory]")
+{
+  auto path = MakePath({ 0.0, 1.0, 2.0 }, Cubic, true);
+  vtkDoubleArray* turns = AddArray(path, names::Orientation, 4);
+  for (int i = 0; i < 3; ++i)
+  {
+    const helios::Quaternion q = helios::AxisAngle({ 0.0, 0.0, 1.0 }, 20.0 * i);
+    turns->SetTuple4(i, q[0], q[1], q[2], q[3]);
+  }
+  helios::Trajectory trajectory;
+  REQUIRE(trajectory.Set(path).IsOk());
+  // x of the body in the world, by both ways to a pose
+  const auto getAngle = [&trajectory](double time)
+  {
+    helios::Trajectory::Cursor cursor;
+    helios::Rotation attitude;
+    trajectory.GetPosition(time, cursor, attitude);
+    const helios::Vec3 x =
+      helios::Rotation(trajectory.GetPose(time).Orientation) * helios::Vec3(1.0, 0.0, 0.0);
+    CHECK(attitude.M[1][0] == Approx(x[1]).margin(1e-15));
+    return vtkMath::DegreesFromRadians(std::atan2(x[1], x[0]));
+  };
+  CHECK(getAngle(0.75) == Approx(15.0));
+  CHECK(getAngle(1.5) == Approx(30.0));
+  trajectory.SetInterpolatesOrientation(false);
+  CHECK(getAngle(0.75) == Approx(0.0).margin(1e-12));
+  CHECK(getAngle(1.5) == Approx(20.0));
+  CHECK(getAngle(2.0) == Approx(40.0));
+  helios::Vec3 p, v;
+  Cubic(0.75, p, v);
+  CHECK(PositionAt(trajectory, 0.75)[0] == Approx(p[0])); // still moves
 }
 
 TEST_CASE("Trajectory: the samples of one leg", "[Trajectory]")

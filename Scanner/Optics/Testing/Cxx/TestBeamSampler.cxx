@@ -683,3 +683,30 @@ TEST_CASE("BeamSampler: invalid values are refused", "[BeamSampler]")
   CHECK(log->HasError("Wavelength is 0; it must be in [1, 1000000] nm"));
   CHECK(sampler->GetWavelength() == 1064.0);
 }
+
+TEST_CASE("BeamSampler: sizes of patterns and their numbers of sub-rays", "[BeamSampler]")
+{
+  using Sampler = vtkHeliosBeamSampler;
+  vtkNew<Sampler> sampler;
+  for (const int size : { 1, 2, 3, 9, 18, 64 })
+  {
+    sampler->SetNumberOfRings(size);
+    sampler->SetNumberOfCircles(size);
+    sampler->SetNumberOfSubRays(size);
+    for (int pattern = 0; Sampler::GetPatternName(pattern); ++pattern)
+    {
+      INFO(Sampler::GetPatternName(pattern) << " " << size);
+      sampler->SetPattern(pattern);
+      CHECK(std::string(sampler->GetPatternAsString()) == Sampler::GetPatternName(pattern));
+      const int count = sampler->GetNumberOfSubRays();
+      CHECK(Sampler::CountSubRays(pattern, size) == count);
+      CHECK(Sampler::CountSubRays(pattern, Sampler::FindPatternSize(pattern, count - 1)) <= count);
+      CHECK(Sampler::CountSubRays(pattern, Sampler::FindPatternSize(pattern, count)) == count);
+    }
+  }
+  CHECK(Sampler::FindPatternSize(Sampler::CIRCLES, 20) == 4);
+  CHECK(Sampler::FindPatternSize(Sampler::CIRCLES, 1000000) == 64);
+  CHECK(Sampler::FindPatternSize(Sampler::GAUSS_LEGENDRE, 17) == 3);
+  CHECK(Sampler::GetPatternName(3) == nullptr);
+  CHECK(Sampler::GetPatternName(-1) == nullptr);
+}

@@ -212,6 +212,49 @@ TEST_CASE("SurveyInput: a scene without a surface is an error", "[SurveyInput]")
   CHECK(bench.FindHeight() == Approx(1.0));
 }
 
+TEST_CASE("SurveyInput: beams hit a mesh in place of the scene", "[SurveyInput]")
+{
+  Bench bench;
+  CHECK(bench.Source->GetSceneSize() == 0.0);
+  CHECK(bench.FindHeight() == Approx(0.0).margin(1e-4));
+  const double start =
+    bench.Source->GetOutput()->GetPointData()->GetArray(names::Range)->GetTuple1(0);
+  const double size = bench.Source->GetSceneSize();
+  CHECK(size > 500.0);
+  vtkPolyData* scene = bench.Source->GetScene();
+  const auto plane = MakePlane(1.0);
+  plane->SetResolution(30, 30);
+  bench.Source->SetInputConnection(3, plane->GetOutputPort());
+  CHECK(bench.FindHeight() == Approx(1.0));
+  CHECK(bench.Source->GetScene() == scene); // planned on it: the tripod stands as before
+  const double now =
+    bench.Source->GetOutput()->GetPointData()->GetArray(names::Range)->GetTuple1(0);
+  CHECK(now < start - 0.5);
+  CHECK(bench.Source->GetSceneSize() > 10.0 * size);
+  plane->SetOrigin(-50.0, -50.0, 0.25);
+  plane->SetPoint1(50.0, -50.0, 0.25);
+  plane->SetPoint2(-50.0, 50.0, 0.25);
+  CHECK(bench.FindHeight() == Approx(0.25)); // follows the pipeline
+
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  player->SetSource(bench.Source);
+  player->SetOutputDirectory((bench.Folder / "out").c_str());
+  const auto log = Observe(player);
+  REQUIRE(player->Run());
+  CHECK(std::abs(ReadPoints(bench.Folder / "out/test/leg000_points.xyz").front().Z - 0.25) < 1e-3);
+  bench.Source->SetInputConnection(3, nullptr);
+  player->ResumeOn();
+  CHECK_FALSE(player->Run());
+  CHECK(player->GetMessage().find("the input mesh has changed") != std::string::npos);
+  CHECK(bench.FindHeight() == Approx(0.0).margin(1e-4));
+
+  vtkNew<vtkPolyData> nothing;
+  bench.Source->SetInputData(3, nothing);
+  bench.Source->Update();
+  CHECK(
+    bench.Log->HasError("the input mesh has no polygons; give one that stands in for the scene"));
+}
+
 TEST_CASE("SurveyInput: a player writes the echoes of its source", "[SurveyInput]")
 {
   Bench bench;

@@ -168,6 +168,25 @@ TEST_CASE("SurveyReceiver: options of a run have precedence over the survey", "[
   CHECK(scanner->GetBeamSampler()->GetNumberOfSubRays() == got);
 }
 
+TEST_CASE("SurveyReceiver: the pattern of fixed sub-rays", "[SurveyReceiver]")
+{
+  const Bench bench;
+  const auto describe = [&bench](int count, const char* pattern)
+  {
+    helios::RunOptions choice;
+    choice.NumberOfSubRays = count;
+    choice.SubRayPattern = pattern;
+    vtkHeliosBeamSampler* sampler = bench.SetUp(choice)->GetBeamSampler();
+    return std::to_string(sampler->GetNumberOfSubRays()) + " " + sampler->GetPatternAsString();
+  };
+  CHECK(describe(19, "") == "19 Circles");
+  CHECK(describe(18, "") == "20 Vogel");
+  CHECK(describe(19, "Circles") == "19 Circles");
+  CHECK(describe(19, "Vogel") == "20 Vogel");
+  CHECK(describe(64, "GaussLegendre") == "64 GaussLegendre");
+  CHECK(vtkHeliosRunOptions::GetSubRayPatternNames() == "GaussLegendre Circles Vogel");
+}
+
 TEST_CASE("SurveyReceiver: waveforms, returns and the pulse", "[SurveyReceiver]")
 {
   const Bench bench("binSize_ns=\"0.2\" maxFullwaveRange_ns=\"120\" numFullwaveBins=\"500\"", "",
@@ -462,4 +481,17 @@ TEST_CASE("SurveyReceiver: invalid options of a run are errors", "[SurveyReceive
   playing.Player->GetOptions()->SetEnergyTolerance(0.0);
   playing.Player->GetOptions()->SetEchoDetector("none");
   CHECK(playing.FailsWith("EchoDetector is \"none\"; give peak, gaussian, cfd and leadingEdge"));
+  playing.Player->GetOptions()->SetEchoDetector("");
+  playing.Player->GetOptions()->SetSubRayPattern("Star");
+  CHECK(playing.FailsWith("SubRayPattern is \"Star\"; give GaussLegendre, Circles and Vogel"));
+  playing.Player->GetOptions()->SetSubRayPattern("Circles");
+  playing.Player->GetOptions()->SetNumberOfSubRays(20);
+  CHECK(playing.FailsWith("NumberOfSubRays is 20, which SubRayPattern \"Circles\" does not have; "
+                          "give 19 or 37, or the pattern Vogel"));
+  playing.Player->GetOptions()->SetSubRayPattern("GaussLegendre");
+  playing.Player->GetOptions()->SetNumberOfSubRays(3);
+  CHECK(playing.FailsWith("does not have; give 4, or the pattern Vogel"));
+  playing.Player->GetOptions()->SetNumberOfSubRays(0);
+  CHECK(playing.FailsWith("SubRayPattern is \"GaussLegendre\", but NumberOfSubRays is 0; give a "
+                          "fixed number of sub-rays, too"));
 }

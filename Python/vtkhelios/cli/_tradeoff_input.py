@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a tradeoff is measured on: a survey, or the one that plan makes for a scene or a mesh."""
+
+import pathlib
+
+from .._paths import from_vtk, text_from_vtk
+from .._plan_files import survey_file
+from .._survey_text import has_survey
+from ..planning import Plan, PlanTask
+from ..survey import Survey
+from .run import read_survey
+
+PLAN_SETTINGS = ("platform", "scanner", "resolution", "grid")
+
+
+class SurveyInput:
+    """A survey in a file."""
+
+    def __init__(self, arguments, messages):
+        self._path, self.survey = arguments.survey, None
+        read = read_survey(arguments, messages)
+        if read is not None:
+            self.survey = Survey(read, arguments.survey)
+            self.name = text_from_vtk(read.GetName())
+
+    def describe(self):
+        return f"survey   {self.survey.name} ({self._path})"
+
+    def prepare(self, watch):
+        """Nothing: it has been read."""
+
+    def read_bytes(self, _folder):
+        """The survey as XML, to be written into a folder."""
+        return pathlib.Path(self._path).read_bytes()
+
+
+class PlannedInput:
+    """A scene or a mesh, scanned from the positions that plan finds."""
+
+    def __init__(self, arguments):
+        settings = {name: getattr(arguments, name) for name in PLAN_SETTINGS}
+        self._task = PlanTask(arguments.survey, arguments.assets, **settings)
+        self._path, self._plan, self.survey = arguments.survey, None, None
+        self.name = self._task.name
+
+    def describe(self):
+        scanner, platform = (
+            from_vtk(reference).rpartition("#")[2]
+            for reference in (
+                self._task.document.GetScannerReference(),
+                self._task.document.GetPlatformReference(),
+            )
+        )
+        count = len(self.survey.legs)
+        positions = f"{count} scan position{'s'[: count != 1]}"
+        return (
+            f"scene    {self.name} ({self._path}), {scanner} on {platform} at {positions} as planned "
+            "by vtkhelios plan"
+        )
+
+    def prepare(self, watch):
+        """Plans the survey."""
+        seconds = {}
+        for step in self._task.steps():
+            step.run(seconds, lambda _filter, share, step=step: watch.on_step(step.name, share))
+        self._plan = Plan(self._task, seconds)
+        self.survey = self._plan.survey()
+
+    def read_bytes(self, folder):
+        """The survey as XML, to be written into a folder."""
+        path = survey_file(self._plan, folder, "tradeoff_survey.part")
+        try:
+            return path.read_bytes()
+        finally:
+            path.unlink()
+
+
+def open_input(arguments, messages):
+    """What the file is, or None after an error; raises SettingError and PipelineError."""
+    path = pathlib.Path(arguments.survey.partition("#")[0])
+    is_scene = path.is_file() and not _is_survey(path)
+    given = [name for name in PLAN_SETTINGS if getattr(arguments, name) is not None]
+    if is_scene:
+        return PlannedInput(arguments)
+    if given:
+        messages.error(
+            f"--{given[0]} is for a scene or a mesh, and {arguments.survey} is a survey, which has "
+            "its own: leave it out, or change the survey"
+        )
+        return None
+    found = SurveyInput(arguments, messages)
+    return found if found.survey is not None else None
+
+
+def _is_survey(path):
+    """Whether a file has, or may have, a <survey>: the reader reports what is wrong with it."""
+    return path.suffix.lower() not in (".obj", ".tif", ".tiff") and has_survey(path.read_bytes())
