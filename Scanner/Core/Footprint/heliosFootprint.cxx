@@ -81,10 +81,10 @@ void Footprint::SetTiles()
   }
   const double tangent = this->Projection.Tangent;
   const double spread = 0.5 * tangent * tangent / least;
-  // Of a tile at the rim: 2 / count of its radius, twice as much of its square.
-  const double count = std::ceil(4.0 * spread / this->Settings.Depth);
-  this->TilesAcross =
-    spread > Curvature * this->Settings.Depth ? static_cast<int>(std::min(MostTiles, count)) : 1;
+  const double limit = Curvature * this->Settings.Depth;
+  // A tile at the rim is 2 / count of the radius, and twice as much of its square.
+  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MostTiles);
+  this->TilesAcross = spread > limit ? static_cast<int>(count) : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +163,7 @@ void Footprint::SetStrips()
   for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
   {
     this->SetCuts(this->GetSpread(this->Surfaces.GetFace(i)));
-    this->AllStrips.push_back({ this->AllCuts.size(), strips, this->Cuts.size(), this->HasRest });
+    this->AllStrips.push_back({ this->AllCuts.size(), strips, this->Cuts.size() });
     this->AllCuts.insert(this->AllCuts.end(), this->Cuts.begin(), this->Cuts.end());
     strips += this->Cuts.size() + 1;
   }
@@ -268,7 +268,7 @@ void Footprint::Sample(int step, std::vector<FootprintPart>& parts)
   for (std::size_t i = 0; i < this->AllStrips.size(); ++i)
   {
     const Strips& strips = this->AllStrips[i];
-    for (std::size_t k = 0; k < strips.Count + (strips.HasRest ? 0 : 1); ++k)
+    for (std::size_t k = 0; k <= strips.Count; ++k)
     {
       EnergyMoments moments;
       moments.AddTimes(1.0 / total, this->Sampled[strips.FirstStrip + k]);
@@ -397,8 +397,7 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
   const std::size_t before = parts.size();
   this->SetCuts(this->GetSpread(face));
   Polygon rest = face.Outline;
-  const std::size_t last = this->Cuts.size() - (this->HasRest ? 1 : 0);
-  for (std::size_t i = 0; i <= last; ++i)
+  for (std::size_t i = 0; i <= this->Cuts.size(); ++i)
   {
     Polygon strip = rest;
     if (i < this->Cuts.size())
@@ -424,19 +423,16 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
 }
 
 //------------------------------------------------------------------------------
-/// Cuts depths at equal steps, and at the range gate. A face that is deeper than all strips, which is
-/// at a grazing angle, returns next to nothing from its rest, and is cut off there.
+/// Cuts depths at equal steps, and at the range gate.
 void Footprint::SetCuts(const Interval& interval)
 {
   this->Cuts.clear();
   const double spread = interval.Far - interval.Near;
   const double depth = std::min(this->Settings.Depth, LargestRatio * interval.Near);
-  const double count = std::ceil(spread / depth);
-  this->HasRest = count > MostStrips;
-  const double step = this->HasRest ? depth : spread / count;
-  for (double k = 1.0; k < std::min(count, MostStrips); ++k)
+  const double count = std::min(MostStrips, std::ceil(spread / depth));
+  for (double k = 1.0; k < count; ++k)
   {
-    this->Cuts.push_back(interval.Near + k * step);
+    this->Cuts.push_back(interval.Near + k * spread / count);
   }
   for (const double limit : this->Settings.Gate)
   {
@@ -458,10 +454,7 @@ void Footprint::AddStrips(
     this->AddTiles(face, Clip(rest, nearer), parts);
     rest = Clip(rest, nearer.GetOpposite());
   }
-  if (!this->HasRest)
-  {
-    this->AddTiles(face, rest, parts);
-  }
+  this->AddTiles(face, rest, parts);
 }
 
 //------------------------------------------------------------------------------

@@ -99,7 +99,6 @@ private:
   struct Strips
   {
     std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
-    bool HasRest = false;
   };
   void SetTiles();
   void AddTiles(
@@ -140,7 +139,6 @@ private:
   std::vector<Share> Shares;          ///< of the faces
   std::vector<std::size_t> Backdrops; ///< faces
   std::vector<double> Cuts;           ///< depths between strips of a face [m]
-  bool HasRest = false;               ///< whether the face is deeper than all strips
   int TilesAcross = 1;                ///< of a wide beam: within one, ranges at one depth are equal
   FootprintRaster Raster;
   std::vector<double> Profile;        ///< of the beam, along a row of the raster

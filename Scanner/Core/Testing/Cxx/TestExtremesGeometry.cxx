@@ -6,6 +6,7 @@
 #include <vtkMath.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 using helios::Vec3;
@@ -340,4 +341,45 @@ TEST_CASE(
     }
   }
   CHECK(worst <= 0.01);
+}
+
+TEST_CASE("Extremes: near a waist, edges along the beam have the energies of sub-rays", "[Extremes]")
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(0, 1);
+  for (int i = 0; i < 20; ++i)
+  {
+    const double w = i % 2 == 0 ? 1.5e-4 : 1e-3;
+    const double rayleigh = 1.064e-6 / (vtkMath::Pi() * w * w);
+    const double near = rayleigh * (0.1 + number(random));
+    const double far = rayleigh * (1 + 5 * number(random));
+    const double waist = w * rayleigh;
+    Triangles triangles;
+    triangles.Add({ -waist, near, waist * (number(random) - 0.5) },
+      { waist, far, waist * (number(random) - 0.5) }, { 0, 0.5 * (near + far), 30 });
+    triangles.AddWall(8 * rayleigh, -50, 50, -50, 50);
+    const auto scene = triangles.GetScene();
+    double energies[2] = { 0, 0 };
+    for (int k = 0; k < 2; ++k)
+    {
+      Shot shot(scene);
+      shot.SetWay(k == 0 ? Way::Adaptive : Way::Spiral);
+      if (k == 1)
+      {
+        shot.Scanner->GetBeamSampler()->SetNumberOfSubRays(65536);
+      }
+      shot.Scanner->GetBeamSampler()->SetBeamDivergence(2 * w);
+      shot.Scanner->GetBeamSampler()->SetBeamQualityFactor(1);
+      shot.Scanner->GenerateSubRaysOn();
+      shot.Run();
+      vtkPolyData* hits = shot.Scanner->GetOutput(3);
+      for (vtkIdType hit = 0; hit < hits->GetNumberOfPoints(); ++hit)
+      {
+        const bool isFirst = Value(hits, vtkHeliosArrayNames::CellIds, hit) == 0.0;
+        energies[k] += isFirst ? Value(hits, vtkHeliosArrayNames::Weight, hit) : 0.0;
+      }
+    }
+    CAPTURE(w, near, far);
+    CHECK(std::abs(energies[0] - energies[1]) < 5e-3);
+  }
 }

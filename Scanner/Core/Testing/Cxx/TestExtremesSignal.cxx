@@ -410,3 +410,14 @@ TEST_CASE("Extremes: a platform and a head after 24 h at 10 MHz", "[Extremes]")
   }
   CHECK(place <= speed * 0x1p-23);
 }
+
+TEST_CASE("Extremes: a limit of the waveform is reported by adaptive sampling, too", "[Extremes]")
+{
+  Triangles steps;
+  steps.AddWall(100, -50, 50, 0, 50);
+  steps.AddWall(150, -50, 50, -50, 50);
+  Shot shot(steps.GetScene());
+  shot.Scanner->SetMaximumWaveformLength(100); // 15 m
+  CHECK(shot.Fire().size() == 1);
+  CHECK(shot.Log->HasWarning("1 waveforms were truncated"));
+}
