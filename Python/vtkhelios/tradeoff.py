@@ -193,6 +193,10 @@ class Tradeoff:
 
     def _gains(self, row):
         """Whether a ray caster, which changes no echo, is faster or smaller than the survey's."""
+        if row.kind != RAY_CASTER:
+            return True
         base = self.ways[0]
-        is_faster = row.seconds < (1.0 - TOLD) * base.seconds
-        return row.kind != RAY_CASTER or is_faster or row.memory < 0.99 * base.memory
+        same = [each for each in self.ways if each.kind in (SURVEY, RAY_CASTER)]
+        own = min(each.seconds for each in same if each.memory == base.memory)
+        is_faster = row.seconds < (1.0 - TOLD) * own
+        return row.memory != base.memory and (is_faster or row.memory < 0.99 * base.memory)

@@ -4,6 +4,7 @@
 
 import argparse
 import csv
+import dataclasses
 import io
 import json
 import os
@@ -24,7 +25,7 @@ from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 from vtkhelios._pipeline import PipelineError
 
-SETTINGS = ("survey", "sub-rays", "tolerance", "ray caster")  # that a survey can name
+SETTINGS = ("survey", "sub-rays", "tolerance")  # that a survey can name; some ray casters, too
 WALL = "v -100 10 -100\nv 100 10 -100\nv 100 10 100\nv -100 10 100\nf 1 2 3\nf 1 3 4\n"
 
 
@@ -124,6 +125,26 @@ def test_ray_casters_differ_in_memory(result):
     assert result.has_setting(least) and not result.has_setting(0.99 * least)
     assert result.cheapest(memory=0.99 * least) is None
     assert result.most_accurate(memory=1e12).score == result.frontier[-1].score
+
+
+def test_a_ray_caster_is_a_setting_if_it_gains(result):
+    base = result.ways[0]
+
+    def add(seconds, memory):
+        caster = dataclasses.replace(
+            base, name="other", kind="ray caster", seconds=seconds, memory=memory
+        )
+        return dataclasses.replace(result, ways=[*result.ways, caster])
+
+    def is_setting(made):
+        return made.has_setting(made.run_memory(made.ways[-1])) and any(
+            row.name == "other" for row in (made.fastest, made.smallest)
+        )
+
+    assert is_setting(add(1e-9, 2 * base.memory))  # faster
+    assert is_setting(add(2 * base.seconds, 1.0))  # smaller
+    assert not is_setting(add(1e-9, base.memory))  # the survey's own, timed by chance
+    assert not is_setting(add(0.99 * base.seconds, 2 * base.memory))
 
 
 def test_the_most_accurate_setting_is_within_the_time(result):
