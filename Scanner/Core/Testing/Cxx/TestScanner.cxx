@@ -62,7 +62,7 @@ TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
   {
     CHECK(bench.Scanner->GetCount(name) >= 0);
   }
-  CHECK(count == 11);
+  CHECK(count == 12);
   CHECK(bench.Scanner->GetCount("none") == -1);
 }
 

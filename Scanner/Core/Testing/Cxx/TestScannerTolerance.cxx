@@ -240,16 +240,15 @@ TEST_CASE(
   CHECK(slats.Scanner->GetCount("pulsesSampled") == 0); // 2000 surfaces can be divided then
 }
 
-TEST_CASE(
-  "Tolerance: a beam too wide to be divided is sampled by rays until they agree", "[Tolerance]")
+TEST_CASE("Tolerance: beams with too many triangles to collect are sampled by rays", "[Tolerance]")
 {
-  Bench wide(MakeScene({ { { -500, 50, 0.1 }, { 1000, 0, 0 }, { 0, 0, 500 } }, Wall(60, 500) }));
-  wide.Scanner->SetSamplingToTolerance();
-  wide.Scanner->SetDuration(0.0001);
-  wide.Scanner->GetBeamSampler()->SetBeamDivergence(0.2);
-  const vtkIdType before = wide.Run()->GetNumberOfPoints();
-  CHECK(before == 20);
-  CHECK(wide.Scanner->GetCount("pulsesSampled") == 10);
+  Bench slats(MakeSlats(80000));
+  slats.Scanner->SetSamplingToTolerance();
+  slats.Scanner->SetDuration(0.00005); // 5 pulses
+  CHECK(slats.Run()->GetNumberOfPoints() == 10);
+  CHECK(slats.Scanner->GetCount("pulsesSampled") == 5);
+  CHECK(slats.Scanner->GetCount("pulsesUnresolved") == 0);
+  CHECK(slats.Scanner->GetCount("subRays") % (5 * 256) == 0);
 }
 
 TEST_CASE("Tolerance: the limit of sub-rays has a range", "[Tolerance]")
