@@ -18,7 +18,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double WideAngle = 1e-3;  // [rad], from which angles and tangents differ by 1e-6
 constexpr double LongEdge = 4.5;    // in 1 / sqrt(a)
 constexpr double Small = 0.3;       // argument of the series of an exponential
-constexpr double SmallReach = 0.05; // squared, of a small polygon, in 1 / a
+constexpr double SmallReach = 0.015; // squared, of a small polygon, in 1 / a
 
 /// The nodes and weights of Gauss's rules on [-1, 1] (Abramowitz and Stegun, table 25.4), the
 /// positive nodes.
@@ -185,7 +185,7 @@ double BeamEnergy::GetIntensity(double x, double y) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a polygon is inside the rim, and so small that the Taylor series errs by 1e-4 of its
+/// Whether a polygon is inside the rim, and so small that the Taylor series errs by less than 1e-6 of
 /// energy.
 bool BeamEnergy::IsSmall(const Polygon& polygon) const
 {
