@@ -176,14 +176,14 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.Receiver.DetectionBin = model.Plan.DetectionBin;
   model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma() };
   model.ConeTangent = std::tan(w * sampler->GetTruncation());
-  model.Setback =
+  model.ApexOffset =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
-  model.Footprints = { w, sampler->GetTruncation(), model.Setback,
+  model.Footprints = { w, sampler->GetTruncation(), model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
     { model.Gate.Least, model.Gate.Most } };
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
-  if (model.Plan.LayerRings > 0 && model.Setback == 0.0)
+  if (model.Plan.LayerRings > 0 && model.ApexOffset == 0.0)
   {
     const auto rings = CopyBeam(sampler);
     rings->SetPatternToGaussLegendre();

@@ -213,7 +213,7 @@ void BeamTracer::Select(const RayBatch& batch, std::size_t slot)
   this->SubRays = batch.SubRays;
   this->Rays = batch.Rays.data() + slot * count;
   this->Hits = batch.Hits.data() + slot * count;
-  this->Response.GetReplies(this->Rays, this->Hits, count, this->Answers);
+  this->Response.GetReturns(this->Rays, this->Hits, count, this->Returned);
 }
 
 //------------------------------------------------------------------------------
@@ -254,15 +254,15 @@ void BeamTracer::Collect(
 {
   const std::size_t count = this->SubRays->size();
   const SubRay* subRays = this->SubRays->data();
-  const double* powers = this->Answers.Powers.data();
-  const double* cosines = this->Answers.Cosines.data();
+  const double* powers = this->Returned.Powers.data();
+  const double* cosines = this->Returned.Cosines.data();
   const RangeGate gate = this->Model.Gate;
   returns.resize(count);
   SubReturn* to = returns.data();
   for (std::size_t k = 0; k < count; ++k)
   {
     const vtkHeliosHit hit = this->Hits[k];
-    if (gate.IsSilent(hit))
+    if (gate.IsOutsideGate(hit))
     {
       counts.HitsOutOfRange += hit.CellId >= 0 ? 1 : 0;
       continue;

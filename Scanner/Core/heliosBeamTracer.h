@@ -95,7 +95,7 @@ private:
   const std::vector<SubRay>* SubRays = nullptr;
   const vtkHeliosRay* Rays = nullptr;
   const vtkHeliosHit* Hits = nullptr;
-  Replies Answers; // their returns
+  SurfaceReturns Returned; // their returns
 };
 
 } // namespace helios

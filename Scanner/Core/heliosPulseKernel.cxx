@@ -225,7 +225,7 @@ PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHe
 {
   const double cosPlane =
     std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(pulse.GetDirection()));
-  return { std::hypot(hit.Range, this->Model.Setback),
+  return { std::hypot(hit.Range, this->Model.ApexOffset),
     std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane };
 }
 
@@ -259,20 +259,20 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
     return;
   }
   ++this->Counts.PulsesOnPlane;
-  if (m.Gate.IsSilent(hit.CellId, hit.Range))
+  if (m.Gate.IsOutsideGate(hit.CellId, hit.Range))
   {
     ++this->Counts.HitsOutOfRange;
     return;
   }
   const Incidence plane = this->GetIncidence(pulse, hit);
   const Vec3 axis = pulse.GetDirection();
-  const Reply reply = this->Response.GetReply(hit.CellId, hit.Range, axis.GetData());
-  PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, reply.Power);
+  const SurfaceReturn onAxis = this->Response.GetReturn(hit.CellId, hit.Range, axis.GetData());
+  PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, onAxis.Power);
   if (m.Path.Echo == EchoPath::Mean)
   {
-    echo.Power = reply.Power; // of the whole pulse, however wide
+    echo.Power = onAxis.Power; // of the whole pulse, however wide
   }
-  this->Returns.push_back({ echo.Range, echo.Power, reply.CosIncidence, hit.CellId, 0 });
+  this->Returns.push_back({ echo.Range, echo.Power, onAxis.CosIncidence, hit.CellId, 0 });
   if (m.WantsSubRays)
   {
     this->SubRays.push_back({ axis, 1.0 });

@@ -53,8 +53,11 @@ struct RangeGate
   double Most = VTK_DOUBLE_MAX; // [m]
 
   /// Whether a sub-ray returns nothing: no hit, or a hit outside the range gate.
-  bool IsSilent(const vtkHeliosHit& hit) const { return this->IsSilent(hit.CellId, hit.Range); }
-  bool IsSilent(vtkIdType cell, double range) const
+  bool IsOutsideGate(const vtkHeliosHit& hit) const
+  {
+    return this->IsOutsideGate(hit.CellId, hit.Range);
+  }
+  bool IsOutsideGate(vtkIdType cell, double range) const
   {
     return cell < 0 || range < this->Least || range > this->Most;
   }
@@ -80,7 +83,7 @@ struct ScanModel
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
-  double Setback = 0.0;
+  double ApexOffset = 0.0;
 
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
@@ -122,7 +125,7 @@ struct ScanModel
   vtkHeliosConeHit ProbeCone(const Pulse& pulse, ConeLayer& layer) const
   {
     const Vec3 axis = pulse.GetDirection();
-    const Vec3 apex = pulse.Origin - this->Setback * axis;
+    const Vec3 apex = pulse.Origin - this->ApexOffset * axis;
     PlaneLimits limits(2.0 * this->Plan.RangeTolerance,
       [this, &axis](vtkIdType a, vtkIdType b)
       { return this->AreAlike(a, b, axis, 0.5 * this->Plan.EnergyTolerance); });
@@ -135,7 +138,7 @@ struct ScanModel
     layer.Size = 0;
     vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,
       limits, this->HasLayers() ? &layer : nullptr);
-    hit.Range -= this->Setback;
+    hit.Range -= this->ApexOffset;
     return hit;
   }
 
@@ -146,7 +149,7 @@ struct ScanModel
   bool MeetsMedium(const Pulse& pulse) const
   {
     return !this->Medium.IsEmpty() &&
-      this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->Setback);
+      this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->ApexOffset);
   }
 
   /// Whether echoes are the maxima of a sum of Gaussians.

@@ -53,7 +53,7 @@ void SurfaceResponse::FillColumns(
   for (std::size_t i = 0; i < count; ++i)
   {
     const vtkHeliosHit hit = hits[i];
-    if (gate.IsSilent(hit))
+    if (gate.IsOutsideGate(hit))
     {
       c.Reflectance[i] = 0.0;
       ++silent;
@@ -74,7 +74,7 @@ void SurfaceResponse::FillColumns(
   c.HasLobes = hasLobes;
   for (std::size_t i = 0; silent > 0 && i < count; ++i)
   {
-    c.Range[i] = gate.IsSilent(hits[i]) ? range : c.Range[i];
+    c.Range[i] = gate.IsOutsideGate(hits[i]) ? range : c.Range[i];
   }
   std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
 }
@@ -92,16 +92,16 @@ void SurfaceResponse::Refine(std::size_t count, double* powers, const double* co
   }
 }
 
-void SurfaceResponse::GetReplies(
-  const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, Replies& replies)
+void SurfaceResponse::GetReturns(
+  const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, SurfaceReturns& returns)
 {
-  replies.Powers.resize(std::max(replies.Powers.size(), count + Columns::Lanes));
-  replies.Cosines.resize(replies.Powers.size());
+  returns.Powers.resize(std::max(returns.Powers.size(), count + Columns::Lanes));
+  returns.Cosines.resize(returns.Powers.size());
   for (std::size_t first = 0; first < count; first += Columns::Size)
   {
     const std::size_t size = std::min(Columns::Size, count - first);
-    double* powers = replies.Powers.data() + first;
-    double* cosines = replies.Cosines.data() + first;
+    double* powers = returns.Powers.data() + first;
+    double* cosines = returns.Cosines.data() + first;
     this->FillColumns(rays + first, hits + first, size);
     this->Transmission(this->Batch.Range[0]); // starts the series there, or near
     const bool isNear = this->Batch.Compute(size, this->Gain, this->Transmission, powers, cosines);
@@ -112,7 +112,7 @@ void SurfaceResponse::GetReplies(
   }
 }
 
-Reply SurfaceResponse::GetReply(vtkIdType cell, double range, const double direction[3])
+SurfaceReturn SurfaceResponse::GetReturn(vtkIdType cell, double range, const double direction[3])
 {
   const Surface& surface = this->Visit(cell);
   const double cosine =

@@ -19,14 +19,14 @@ namespace helios
 {
 
 /// The return of a sub-ray of weight 1.
-struct Reply
+struct SurfaceReturn
 {
   double Power; // [W]
   double CosIncidence;
 };
 
 /// The same for the sub-rays of a pulse; the power is 0 outside the range gate.
-struct Replies
+struct SurfaceReturns
 {
   std::vector<double> Powers;
   std::vector<double> Cosines;
@@ -44,11 +44,11 @@ public:
   }
 
   /// Of a sub-ray along a unit vector that hits a cell.
-  Reply GetReply(vtkIdType cell, double range, const double direction[3]);
+  SurfaceReturn GetReturn(vtkIdType cell, double range, const double direction[3]);
 
   /// Of sub-rays along unit vectors and their hits.
-  void GetReplies(
-    const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, Replies& replies);
+  void GetReturns(
+    const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, SurfaceReturns& returns);
 
   /// The unit normal of a cell's plane; 0 of leaves, here and below.
   const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }

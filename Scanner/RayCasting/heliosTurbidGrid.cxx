@@ -196,7 +196,7 @@ TurbidHit TurbidGrid::FindDepth(
 
 //------------------------------------------------------------------------------
 bool TurbidGrid::MayMeet(
-  const Vec3& origin, const Vec3& direction, double tangent, double setback) const
+  const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const
 {
   const IndexRay ray = this->ToIndex(origin, direction);
   double reach = 0.0; // of the corner farthest along the ray
@@ -205,7 +205,7 @@ bool TurbidGrid::MayMeet(
     reach += std::max(std::abs(ray.Origin[axis]), std::abs(this->Count[axis] - ray.Origin[axis])) /
       Vec3(this->ToCells.M[axis]).Norm();
   }
-  const double radius = tangent * (reach + setback); // the largest radius at the grid
+  const double radius = tangent * (reach + apexOffset); // the largest radius at the grid
   double range[2] = { -radius, std::numeric_limits<double>::infinity() };
   for (int axis = 0; axis < 3; ++axis)
   {

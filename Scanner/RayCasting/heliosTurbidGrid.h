@@ -66,10 +66,10 @@ public:
   TurbidHit FindDepth(const Vec3& origin, const Vec3& direction, double end, double depth) const;
 
   /**
-   * False if nothing within (t + setback) tangent of a ray with a unit direction can hit the grid,
+   * False if nothing within (t + apexOffset) tangent of a ray with a unit direction can hit the grid,
    * t being the range along it.
    */
-  bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double setback) const;
+  bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const;
 
 private:
   /// A ray in units of cells, counted from the grid's lowest corner.

@@ -47,7 +47,7 @@ HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
 Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike)
   : Settings(settings)
   , Beam(settings.HalfAngle, settings.Truncation)
-  , Projection{ this->Beam.GetTangent(), settings.Setback }
+  , Projection{ this->Beam.GetTangent(), settings.ApexOffset }
   , Maker(std::move(areAlike), Flatness * settings.Depth)
 {
 }
@@ -55,10 +55,10 @@ Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike are
 //------------------------------------------------------------------------------
 bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const double axis[3])
 {
-  const double setback = this->Settings.Setback;
-  const double apex[3] = { origin[0] - setback * axis[0], origin[1] - setback * axis[1],
-    origin[2] - setback * axis[2] };
-  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), setback, MostTriangles, this->View))
+  const double apexOffset = this->Settings.ApexOffset;
+  const double apex[3] = { origin[0] - apexOffset * axis[0], origin[1] - apexOffset * axis[1],
+    origin[2] - apexOffset * axis[2] };
+  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), apexOffset, MostTriangles, this->View))
   {
     return false;
   }
@@ -480,7 +480,7 @@ Footprint::Spread Footprint::GetDepths(
 vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double point[3]) const
 {
   const Facet& facet = this->Facets[face.Facet];
-  const double p[3] = { point[0], point[1], point[2] + this->Projection.Setback };
+  const double p[3] = { point[0], point[1], point[2] + this->Projection.ApexOffset };
   for (std::size_t i = facet.First; i + 1 < facet.Last; ++i)
   {
     const ConeTriangle& triangle = this->View.Triangles[i];

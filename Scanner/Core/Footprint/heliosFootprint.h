@@ -32,7 +32,7 @@ struct FootprintSettings
 {
   double HalfAngle = 0.0;             ///< of the beam at 1/e^2 [rad]
   double Truncation = 1.5;            ///< of the beam, in half angles
-  double Setback = 0.0;               ///< Rayleigh range of the waist, at the origin [m]
+  double ApexOffset = 0.0;            ///< Rayleigh range of the waist, at the origin [m]
   double Depth = 1.0;                 ///< largest spread of the ranges of a part [m]
   double Gate[2] = { 0.0, HUGE_VAL }; ///< ranges that are limits of parts [m]
 };

@@ -33,6 +33,10 @@ struct Polygon
   Polygon(const Polygon& other) { *this = other; }
   Polygon& operator=(const Polygon& other)
   {
+    if (this == &other)
+    {
+      return *this;
+    }
     this->Size = other.Size;
     for (int i = 0; i < other.Size; ++i)
     {

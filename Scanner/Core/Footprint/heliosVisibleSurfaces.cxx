@@ -81,17 +81,17 @@ SpacePolygon CutToBeam(const Facet& facet, const BeamProjection& beam)
   SpacePolygon space;
   space.Size = facet.Size;
   std::copy_n(&facet.Corners[0][0], 3 * facet.Size, &space.Corners[0][0]);
-  const double largest = beam.Setback > 0.0 ? Frame : Large;
+  const double largest = beam.ApexOffset > 0.0 ? Frame : Large;
   const bool isLarge = std::any_of(facet.Corners, facet.Corners + facet.Size,
     [&beam, largest](const double* corner)
     {
       const double reach = std::max(std::abs(corner[0]), std::abs(corner[1]));
-      return !(corner[2] > beam.Setback) || reach > largest * beam.Tangent * corner[2];
+      return !(corner[2] > beam.ApexOffset) || reach > largest * beam.Tangent * corner[2];
     });
   if (isLarge)
   {
     const double slope = Frame * beam.Tangent;
-    space = Clip(space, 0.0, 0.0, 1.0, beam.Setback);
+    space = Clip(space, 0.0, 0.0, 1.0, beam.ApexOffset);
     space = Clip(space, 1.0, 0.0, slope, 0.0);
     space = Clip(space, -1.0, 0.0, slope, 0.0);
     space = Clip(space, 0.0, 1.0, slope, 0.0);
@@ -151,7 +151,7 @@ void GetNormal(const Facet& facet, double n[3])
 
 /**
  * Sets 1 / depth of the plane of a facet, near a value of it; false if the plane is edge-on. A
- * beam with a waist is like a cone there, whose apex is by a = Setback^2 / depth farther away.
+ * beam with a waist is like a cone there, whose apex is by a = ApexOffset^2 / depth farther away.
  */
 bool SetInverseDepth(
   const Facet& facet, const BeamProjection& beam, double inverse, InverseDepth& result)
@@ -159,8 +159,9 @@ bool SetInverseDepth(
   const auto& p = facet.Corners;
   double n[3];
   GetNormal(facet, n);
-  const double away = beam.Setback * beam.Setback * inverse;
-  const double constant = n[0] * p[0][0] + n[1] * p[0][1] + n[2] * (p[0][2] - beam.Setback + away);
+  const double away = beam.ApexOffset * beam.ApexOffset * inverse;
+  const double constant =
+    n[0] * p[0][0] + n[1] * p[0][1] + n[2] * (p[0][2] - beam.ApexOffset + away);
   if (constant == 0.0)
   {
     return false;
@@ -200,7 +201,7 @@ void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjec
 /// Between two depths of an edge the radius of the beam, over the depth, changes by the bend.
 void VisibleSurfaces::AddBend(const Facet& facet)
 {
-  if (!(this->Beam.Setback > 0.0))
+  if (!(this->Beam.ApexOffset > 0.0))
   {
     return;
   }
@@ -209,8 +210,8 @@ void VisibleSurfaces::AddBend(const Facet& facet)
   double most = 0.0;
   for (int i = 0; i < space.Size; ++i)
   {
-    const double depth = space.Corners[i][2] - this->Beam.Setback;
-    const double ratio = std::hypot(1.0, this->Beam.Setback / std::max(depth, 1e-300));
+    const double depth = space.Corners[i][2] - this->Beam.ApexOffset;
+    const double ratio = std::hypot(1.0, this->Beam.ApexOffset / std::max(depth, 1e-300));
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   }
@@ -283,7 +284,7 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
   for (int i = 0; i < space.Size; ++i)
   {
     const double* corner = space.Corners[i];
-    const double depth = corner[2] - this->Beam.Setback;
+    const double depth = corner[2] - this->Beam.ApexOffset;
     if (!(depth > 0.0))
     {
       return; // at the apex
@@ -320,7 +321,7 @@ void VisibleSurfaces::AddEdges(const Facet& facet)
   for (int i = 0; i < facet.Size; ++i)
   {
     const double* corner = facet.Corners[i];
-    const double depth = corner[2] - this->Beam.Setback;
+    const double depth = corner[2] - this->Beam.ApexOffset;
     this->HasFacetAtApex = this->HasFacetAtApex || !(depth > 0.0);
     const double radius = this->Beam.GetRadius(depth);
     places[i][0] = corner[0] / radius;

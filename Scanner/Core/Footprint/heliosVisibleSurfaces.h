@@ -17,19 +17,19 @@ namespace helios
 {
 
 /**
- * A beam in the frame of its axis z: its radius at depth z is Tangent sqrt(z^2 + Setback^2), and
+ * A beam in the frame of its axis z: its radius at depth z is Tangent sqrt(z^2 + ApexOffset^2), and
  * its energy spreads along hyperbolas, on which the point (x, y) of its cross-section is constant.
- * The setback is the Rayleigh range of the waist, which lies at depth 0; without a waist it is 0
- * and the beam is a cone. The frame of a ConeView starts by the setback before the waist.
+ * The apex offset is the Rayleigh range of the waist, which lies at depth 0; without a waist it is 0
+ * and the beam is a cone. The frame of a ConeView starts by that before the waist.
  */
 struct BeamProjection
 {
   double Tangent = 0.0;
-  double Setback = 0.0; ///< [m]
+  double ApexOffset = 0.0; ///< [m]
 
   double GetRadius(double depth) const
   {
-    return this->Tangent * std::sqrt(depth * depth + this->Setback * this->Setback);
+    return this->Tangent * std::sqrt(depth * depth + this->ApexOffset * this->ApexOffset);
   }
 };
 

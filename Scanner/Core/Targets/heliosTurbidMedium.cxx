@@ -23,10 +23,10 @@ Status TurbidMedium::Add(vtkImageData* image, vtkIdType firstCell)
 
 //------------------------------------------------------------------------------
 bool TurbidMedium::MayMeet(
-  const Vec3& origin, const Vec3& direction, double tangent, double setback) const
+  const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const
 {
   return std::any_of(this->Grids.begin(), this->Grids.end(),
-    [&](const Entry& entry) { return entry.Grid.MayMeet(origin, direction, tangent, setback); });
+    [&](const Entry& entry) { return entry.Grid.MayMeet(origin, direction, tangent, apexOffset); });
 }
 
 //------------------------------------------------------------------------------

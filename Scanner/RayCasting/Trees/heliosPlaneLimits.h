@@ -30,7 +30,7 @@ struct PlaneLimits
   Relation AreSimilar;
   ///@}
 
-  PlaneLimits(double distance, Relation areAlike = {})
+  PlaneLimits(double distance, Relation areAlike = {}) // NOLINT(google-explicit-constructor)
     : Distance(distance)
     , AreAlike(std::move(areAlike))
   {

@@ -168,7 +168,7 @@ TEST_CASE("Facets that share all edges in a beam are one layer", "[VisibleSurfac
   const Point middle{ 0.03, -0.02, 9 };
   const Point corners[4] = { { -2, -2, 10 }, { 2, -2, 11 }, { 2, 2, 10 }, { -2, 2, 12 } };
   View view;
-  const double setback = GENERATE(0.0, 3.0);
+  const double apexOffset = GENERATE(0.0, 3.0);
   bool isExpected = true;
   for (int i = 0; i < 4; ++i)
   {
@@ -208,10 +208,10 @@ TEST_CASE("Facets that share all edges in a beam are one layer", "[VisibleSurfac
   {
     for (auto& corner : triangle.Corners)
     {
-      corner[2] += setback;
+      corner[2] += apexOffset;
     }
   }
   VisibleSurfaces surfaces;
-  surfaces.Project(view.Make(), { 0.1, setback });
+  surfaces.Project(view.Make(), { 0.1, apexOffset });
   CHECK(surfaces.AreOneLayer() == isExpected);
 }

@@ -478,7 +478,7 @@ TEST_CASE("Where a beam has a waist, its radius is that of a Gaussian beam")
 {
   Scene scene(1.5e-4);
   scene.Settings.Truncation = 3.0;
-  scene.Settings.Setback = 22.0;
+  scene.Settings.ApexOffset = 22.0;
   scene.AddWall(10.0, -25.0, 0.002); // above 2 mm
   scene.AddWall(20.0, -25.0, -25.0);
   scene.Build();
@@ -514,7 +514,7 @@ TEST_CASE("A beam with a waist is not flat where it bends edges")
 {
   const double depth = GENERATE(10.0, 10.001);
   Scene scene(1e-3);
-  scene.Settings.Setback = 5.0;
+  scene.Settings.ApexOffset = 5.0;
   scene.AddTriangle({ { -1, 10, 0 }, { 1, 10, 0 }, { 0.001, depth == 10.0 ? 10.0 : 14.0, 1 } });
   scene.Build();
   CHECK(scene.IsFlat() == (depth == 10.0));
