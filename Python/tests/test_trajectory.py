@@ -179,6 +179,6 @@ def test_elements_of_a_survey_without_files(tmp_path):
     steep, early = cloud["IncidenceAngle"] < 70, cloud["GpsTime"] < 0.25
     assert np.allclose(cloud.points[steep & early, 2], 0, atol=2e-3)
     assert np.allclose(cloud.points[steep & ~early, 2], -5, atol=2e-3)
-    swapped = survey.run(noise=False, play=1)
+    swapped = survey.run(noise=False, epoch=1)
     steep, early = swapped["IncidenceAngle"] < 70, swapped["GpsTime"] < 0.25
     assert np.allclose(swapped.points[steep & early, 2], 3, atol=2e-3)

@@ -123,7 +123,7 @@ def digests(folder):
 def summary(folder):
     """The host-independent part of a summary."""
     report = json.loads((folder / "run_summary.json").read_text())
-    assert report.pop("timings").keys() == {"load_s", "run_s", "legs_s", "threads"}
+    assert report.pop("timings").keys() == {"load_s", "run_s", "legs_s", "accuracy_s", "threads"}
     return report
 
 

@@ -44,7 +44,10 @@ from _command_line import PULSES, expect_failure, start
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
         (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, vtp"),
         (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
-        (["run", "s.xml", "--max-sub-rays", "9"], "'9' is not a whole number from 1024 to 16777216"),
+        (
+            ["run", "s.xml", "--max-sub-rays", "9"],
+            "'9' is not a whole number from 1024 to 16777216",
+        ),
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
         (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),

@@ -576,7 +576,7 @@ def test_wrong_inputs_are_explained(command_line, flight, file, options, message
 
 
 def test_the_tables_of_the_manual(flown, tmp_path, capsys):
-    study = pathlib.Path(__file__).parents[1] / "studies" / "tradeoff_table.py"
+    study = pathlib.Path(__file__).parents[2] / "studies" / "tradeoff_table.py"
     path = tmp_path / "tradeoff.json"
     path.write_text(flown.to_json())
     runpy.run_path(str(study))["main"](path)

@@ -6,6 +6,7 @@ import pathlib
 
 from .._paths import from_vtk, text_from_vtk
 from .._plan_files import survey_file
+from .._run_files import PART
 from .._survey_text import has_survey
 from ..planning import Plan, PlanTask
 from ..survey import Survey
@@ -69,7 +70,7 @@ class PlannedInput:
 
     def read_bytes(self, folder):
         """The survey as XML, to be written into a folder."""
-        path = survey_file(self._plan, folder, "tradeoff_survey.part")
+        path = survey_file(self._plan, folder, "tradeoff_survey" + PART)
         try:
             return path.read_bytes()
         finally:

@@ -271,9 +271,7 @@ def add_sampling_arguments(parser, options):
     parser.add_argument(
         "--max-sub-rays",
         metavar="N",
-        type=whole_number(
-            options.GetMaximumSubRaysMaxValue(), options.GetMaximumSubRaysMinValue()
-        ),
+        type=whole_number(options.GetMaximumSubRaysMaxValue(), options.GetMaximumSubRaysMinValue()),
         default=0,
         help="adaptive beam sampling: the most sub-rays of a beam with too many surfaces for visible "
         "areas; the end of a run tells for how many pulses it is not enough (default: 65536)",

@@ -15,9 +15,9 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double WideAngle = 1e-3;  // [rad], from which angles and tangents differ by 1e-6
-constexpr double LongEdge = 4.5;    // in 1 / sqrt(a)
-constexpr double Small = 0.3;       // argument of the series of an exponential
+constexpr double WideAngle = 1e-3;   // [rad], from which angles and tangents differ by 1e-6
+constexpr double LongEdge = 4.5;     // in 1 / sqrt(a)
+constexpr double Small = 0.3;        // argument of the series of an exponential
 constexpr double SmallReach = 0.015; // squared, of a small polygon, in 1 / a
 
 /// The nodes and weights of Gauss's rules on [-1, 1] (Abramowitz and Stegun, table 25.4), the

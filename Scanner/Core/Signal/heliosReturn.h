@@ -173,7 +173,7 @@ private:
   std::vector<PulseCluster> Clusters;
   std::unordered_map<vtkIdType, std::size_t> ManyClusters; // by slot, those after the first few
   bool WasCut = false;
-  bool IsSorted = false;                                   // whether the returns are, by range
+  bool IsSorted = false;         // whether the returns are, by range
   std::vector<SubReturn> Sorted; // those that are many, or too far apart for one window
   SingleMaximum Maximum;
   Waveform Wave;
