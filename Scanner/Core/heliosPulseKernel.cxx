@@ -167,6 +167,7 @@ template <typename SampleT>
 void PulseKernel::Refine(SampleT sample)
 {
   ++this->Counts.PulsesSampled;
+  this->Returns.clear();
   bool isBinned = false;
   bool isResolved = false;
   for (int level = 0; !isResolved && sample(level); ++level)

@@ -79,6 +79,7 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
   plan.MostSubRays = tolerances.MostSubRays;
   const double across = std::sqrt(1.0 * tolerances.MostSubRays);
   plan.MostCellsAcross = static_cast<int>(across);
+  plan.FewestCellsAcross = std::min(plan.FewestCellsAcross, plan.MostCellsAcross / 2);
   plan.MostSurfaces = static_cast<std::size_t>(SurfacesPerCell * across);
   SetLayerRule(tolerances, sigmaRange, plan);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));

@@ -31,7 +31,7 @@ struct SamplingPlan
   double LayerContrast = 0.0; ///< of their responses, relative
   double LayerSpread = 0.0;   ///< of their ranges [m]
   std::size_t MostSurfaces = 512; ///< of a beam that is divided into its visible parts
-  int FewestCellsAcross = 64;     ///< of a beam with more; doubled until answers agree
+  int FewestCellsAcross = 64;     ///< of a beam with more; doubled once or more until answers agree
   int MostCellsAcross = 256;
   int FewestSubRays = 256; ///< of one with too many triangles to collect; times 4 until they agree
   int MostSubRays = 65536;

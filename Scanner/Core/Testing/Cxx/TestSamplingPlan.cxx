@@ -36,6 +36,8 @@ TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces",
   CHECK(plan.MostCellsAcross == 1024);
   CHECK(plan.MostSurfaces == 2048);
   CHECK(plan.MostSubRays == 1 << 20);
+  const helios::SamplingPlan least = PlanSampling({ 1e-3, 1e-2, 1024 }, 1.7);
+  CHECK(least.GetCellsAcross(1) <= least.MostCellsAcross);
 }
 
 TEST_CASE("SamplingPlan: the errors of rings are those of the layer rules", "[SamplingPlan]")

@@ -233,7 +233,7 @@ TEST_CASE(
   slats.Run();
   CHECK(slats.Scanner->GetCount("subRays") > subRays);
   slats.Scanner->SetMaximumNumberOfSubRays(1024);
-  slats.Run();
+  CHECK(slats.Run()->GetNumberOfPoints() == 100);
   CHECK(slats.Scanner->GetCount("pulsesUnresolved") == 50);
   slats.Scanner->SetMaximumNumberOfSubRays(1 << 24);
   slats.Run();
