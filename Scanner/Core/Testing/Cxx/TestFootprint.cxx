@@ -510,6 +510,23 @@ TEST_CASE("A wide beam is not flat where its ranges at one depth differ")
   CHECK(scene.IsFlat());
 }
 
+TEST_CASE("Parts of a wide beam spread over the ranges of its sub-rays")
+{
+  Scene scene(0.05);
+  scene.AddWall(10.0, -25.0, -25.0);
+  scene.Settings.Depth = 0.02;
+  scene.Build();
+  const Cells cells = scene.GetFootprint();
+  const Cells traced = scene.Trace();
+  for (const vtkIdType id : { 0, 1 })
+  {
+    const double deviation = std::sqrt(traced.at(id).Square / traced.at(id).Energy);
+    CHECK(deviation > 5e-3);
+    CHECK(std::sqrt(cells.at(id).Square / cells.at(id).Energy) == Approx(deviation).epsilon(0.03));
+    CHECK(cells.at(id).Mean == Approx(traced.at(id).Mean).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("A beam with a waist is not flat where it bends edges")
 {
   const double depth = GENERATE(10.0, 10.001);
