@@ -151,8 +151,8 @@ class Tradeoff:
 
     def cheapest(self, range_error=None, missed=None, memory=None):
         """The fastest setting with this 95th percentile of the range error [m] and this fraction of
-        missed and invented echoes, by the upper ends of their intervals, in a memory [bytes]; None if
-        there is no such setting."""
+        missed and invented echoes, by the upper ends of their intervals, in a memory [bytes]; None
+        if there is no such setting."""
         fits = [
             row
             for row in self._settings(memory)
