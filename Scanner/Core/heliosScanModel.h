@@ -99,13 +99,7 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
-  /// Whether two surfaces return the same energy along an axis, but for a relative contrast.
-  bool AreAlike(vtkIdType a, vtkIdType b, const Vec3& axis, double contrast) const
-  {
-    const double first = this->GetBackscatter(a, axis);
-    const double second = this->GetBackscatter(b, axis);
-    return std::abs(first - second) <= contrast * std::max(first, second);
-  }
+  /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const
   {
     Vec3 normal = this->Caster->GetMesh().GetNormal(cell);
@@ -126,14 +120,12 @@ struct ScanModel
   {
     const Vec3 axis = pulse.GetDirection();
     const Vec3 apex = pulse.Origin - this->ApexOffset * axis;
-    PlaneLimits limits(2.0 * this->Plan.RangeTolerance,
-      [this, &axis](vtkIdType a, vtkIdType b)
-      { return this->AreAlike(a, b, axis, 0.5 * this->Plan.EnergyTolerance); });
+    PlaneLimits limits(2.0 * this->Plan.RangeTolerance);
+    limits.OfPlane.Contrast = 0.5 * this->Plan.EnergyTolerance;
+    limits.GetResponse = [this, &axis](vtkIdType cell) { return this->GetBackscatter(cell, axis); };
     if (this->HasLayers())
     {
-      limits.LayerDistance = this->Plan.LayerDistance;
-      limits.AreSimilar = [this, &axis](vtkIdType a, vtkIdType b)
-      { return this->AreAlike(a, b, axis, this->Plan.LayerContrast); };
+      limits.OfLayer = { this->Plan.LayerDistance, this->Plan.LayerContrast };
     }
     layer.Size = 0;
     vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,

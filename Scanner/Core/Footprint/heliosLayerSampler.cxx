@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosLayerSampler.h"
 
-#include "heliosVectorLoops.h"
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace helios
 {
@@ -70,24 +72,32 @@ void LayerSampler::Meet(const ConeLayer& layer)
 }
 
 //------------------------------------------------------------------------------
+/// Aims the sub-rays, and sets where they meet their triangles.
+HELIOS_CLONES
 void LayerSampler::Trace(
   const ConeLayer& layer, const double origin[3], vtkHeliosRay* rays, vtkHeliosHit* hits)
 {
+  static_assert(offsetof(vtkHeliosRay, Direction) == 3 * sizeof(double) &&
+      offsetof(vtkHeliosRay, MaximumRange) == 6 * sizeof(double),
+    "origin, direction and range are written as two vectors that overlap");
   this->Meet(layer);
-  const auto& frame = layer.Frame;
+  const auto& f = layer.Frame;
+  constexpr Masks isRange = { 0, 0, 0, -1 };
+  const Doubles across = { f[0][0], f[0][1], f[0][2], 0.0 };
+  const Doubles up = { f[1][0], f[1][1], f[1][2], 0.0 };
+  const Doubles along = { f[2][0], f[2][1], f[2][2], 0.0 };
+  const Doubles apex = { origin[0], origin[1], origin[2], 0.0 };
+  const Doubles range = Doubles() + vtkHeliosRay().MaximumRange;
   for (std::size_t i = 0; i < this->Size; ++i)
   {
-    const double z = 1.0 / this->Length[i];
-    const double x = z * this->X[i];
-    const double y = z * this->Y[i];
-    vtkHeliosRay& ray = rays[i];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      ray.Origin[axis] = origin[axis];
-      ray.Direction[axis] = x * frame[0][axis] + y * frame[1][axis] + z * frame[2][axis];
-    }
+    const double length = this->Length[i];
+    const Doubles direction = across * this->X[i] + up * this->Y[i] + along;
+    auto* place = reinterpret_cast<char*>(rays + i);
+    Store(place, apex);
+    const Doubles unit = direction / length;
+    Store(place + offsetof(vtkHeliosRay, Direction), isRange ? range : unit);
     const auto piece = static_cast<std::size_t>(this->Piece[i]);
-    hits[i] = { this->Length[i] / this->Inverse[i], layer.Pieces[piece].Cell };
+    hits[i] = { length / this->Inverse[i], layer.Pieces[piece].Cell };
   }
 }
 

@@ -3,6 +3,7 @@
 #include "heliosConeProbe.h"
 
 #include "heliosBeamTree.h"
+#include "heliosConeCollector.h"
 #include "heliosConeTest.h"
 #include "heliosTriangleMesh.h"
 
@@ -11,8 +12,6 @@ namespace helios
 
 namespace
 {
-
-const PlaneLimits NoLimits(0.0);
 
 class TreeProbe : public ConeProbe
 {
@@ -38,7 +37,7 @@ public:
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
     std::size_t most, ConeView& view) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, NoLimits).Collect(*this->Tree, nearest, most, view);
+    return ConeCollector(origin, axis, tanHalfAngle).Run(*this->Tree, nearest, most, view);
   }
 
   std::size_t GetMemorySize() const override

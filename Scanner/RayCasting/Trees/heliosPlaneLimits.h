@@ -8,7 +8,6 @@
 #include <vtkType.h>
 
 #include <functional>
-#include <utility>
 
 namespace helios
 {
@@ -16,23 +15,22 @@ namespace helios
 /// What triangles have in common that count as one plane, or as one layer (ConeLayer).
 struct PlaneLimits
 {
-  using Relation = std::function<bool(vtkIdType, vtkIdType)>;
+  /// What two triangles may differ by.
+  struct Difference
+  {
+    double Distance = 0.0; ///< from the plane of the first, along the axis, inside the cone [m]
+    double Contrast = 0.0; ///< of the energies that they return, relative to the larger
+  };
 
-  /// The maximum distance from one plane, along the axis, inside the cone [m].
-  double Distance = 0.0;
+  /// The energy that a triangle returns, in any unit; without it, all return the same.
+  using Response = std::function<double(vtkIdType)>;
 
-  /// Whether two triangles respond alike; without it, all do.
-  Relation AreAlike;
+  Difference OfPlane;
+  Difference OfLayer; ///< distance 0: no layer is sought
+  Response GetResponse;
 
-  ///@{
-  /// The same of a layer; 0: no layer is sought.
-  double LayerDistance = 0.0;
-  Relation AreSimilar;
-  ///@}
-
-  PlaneLimits(double distance, Relation areAlike = {}) // NOLINT(google-explicit-constructor)
-    : Distance(distance)
-    , AreAlike(std::move(areAlike))
+  PlaneLimits(double distance) // NOLINT(google-explicit-constructor)
+    : OfPlane{ distance, 0.0 }
   {
   }
 };

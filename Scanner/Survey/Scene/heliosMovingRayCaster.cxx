@@ -271,15 +271,12 @@ private:
         }
         return { vtkHeliosConeHit::Empty, -1, 0.0 };
       }
-      const auto rename = [this](const PlaneLimits::Relation& relation)
-      {
-        return relation ? PlaneLimits::Relation([this, &relation](vtkIdType a, vtkIdType b)
-                            { return relation(this->GetCell(a), this->GetCell(b)); })
-                        : relation;
-      };
       PlaneLimits own = limits;
-      own.AreAlike = rename(limits.AreAlike);
-      own.AreSimilar = rename(limits.AreSimilar);
+      if (limits.GetResponse)
+      {
+        own.GetResponse = [this, &limits](vtkIdType cell)
+        { return limits.GetResponse(this->GetCell(cell)); };
+      }
       vtkHeliosConeHit hit = this->Cones->Probe(origin, axis, tanHalfAngle, own, layer);
       const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
       hit.CellId = isPlane ? this->GetCell(hit.CellId) : hit.CellId;

@@ -501,7 +501,7 @@ helios::ConeLayer FindLayer(const Soup& soup, double distance)
   vtkNew<vtkHeliosBvhRayCaster> caster;
   REQUIRE(caster->Build(soup.GetPolyData()));
   helios::PlaneLimits limits(1e-6);
-  limits.LayerDistance = distance;
+  limits.OfLayer.Distance = distance;
   const double from[3] = { 0.001, 0.002, 10 };
   const double axis[3] = { 0, 0, -1 };
   helios::ConeLayer layer;
@@ -543,6 +543,35 @@ TEST_CASE("ConeProbe: a layer is a surface without gaps, and without others near
   gap.AddTriangle({ 0, -9, 0 }, { 0, 9, 0 }, { -9, 0, 0 });
   gap.AddTriangle({ 1e-9, -9, 0 }, { 1e-9, 9, 0 }, { 9, 0, 1.8 });
   CHECK(FindLayer(gap, 0.01).Size == 0);
+}
+
+TEST_CASE("ConeProbe: a fold counts as far as it is inside the cone", "[ConeProbe]")
+{
+  // A surface bends by 1.0 beyond x = 6 mm: by 5 mm at the rim of 11 mm, as a plane by 17 mm at the
+  // other side.
+  Soup fold;
+  fold.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { -9, 0, 0 });
+  fold.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { 9, 0, 9 });
+  CHECK(FindLayer(fold, 0.006).Size == 2);
+  CHECK(FindLayer(fold, 0.003).Size == 0);
+
+  // On both sides: the sum counts.
+  Soup valley;
+  valley.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { -0.004, 9, 0 });
+  valley.AddTriangle({ 0.006, -9, 0 }, { -0.004, 9, 0 }, { -0.004, -9, 0 });
+  valley.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { 9, 0, 9 });
+  valley.AddTriangle({ -0.004, -9, 0 }, { -0.004, 9, 0 }, { -9, 0, 9 });
+  CHECK(FindLayer(valley, 0.02).Size == 4);
+  CHECK(FindLayer(valley, 0.008).Size == 0);
+
+  // A side that bends again inside the cone is no fold.
+  Soup crest;
+  crest.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { -9, 0, 0 });
+  crest.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { 0.008, -9, 0.004 });
+  crest.AddTriangle({ 0.006, 9, 0 }, { 0.008, 9, 0.004 }, { 0.008, -9, 0.004 });
+  crest.AddTriangle({ 0.008, -9, 0.004 }, { 0.008, 9, 0.004 }, { 9, 0, 0 });
+  CHECK(FindLayer(crest, 0.008).Size == 0);
+  CHECK(FindLayer(crest, 0.1).Size == 4);
 }
 
 TEST_CASE("ConeProbe: the pieces of a layer have the depths of their triangles", "[ConeProbe]")

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
+#include "heliosConeCollector.h"
+
+#include "heliosConeWalk.h"
+#include "heliosTriangleMesh.h"
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Triangles in order, delayed by some steps, in which their corners are fetched from memory.
+class FetchQueue
+{
+public:
+  explicit FetchQueue(const TriangleMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  template <typename UseT>
+  void Add(vtkTypeInt32 triangle, UseT use)
+  {
+    __builtin_prefetch(this->Mesh.GetCorners() + 3 * static_cast<vtkIdType>(triangle));
+    this->At(this->Size) = triangle;
+    this->Advance(this->Size++, use);
+  }
+
+  /// Uses those that are left.
+  template <typename UseT>
+  void Finish(UseT use)
+  {
+    for (std::size_t i = 0; i < 2 * Step; ++i)
+    {
+      this->Advance(this->Size + i, use);
+    }
+  }
+
+private:
+  static constexpr std::size_t Step = 8;
+
+  vtkTypeInt32& At(std::size_t i) { return this->Triangles[i % (2 * Step + 1)]; }
+
+  template <typename UseT>
+  void Advance(std::size_t last, UseT use)
+  {
+    if (last >= Step && last - Step < this->Size)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        __builtin_prefetch(this->Mesh.GetCorner(this->At(last - Step), corner));
+      }
+    }
+    if (last >= 2 * Step && last - 2 * Step < this->Size)
+    {
+      use(this->At(last - 2 * Step));
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  std::size_t Size = 0;
+  vtkTypeInt32 Triangles[2 * Step + 1];
+};
+
+} // namespace
+
+ConeCollector::ConeCollector(const double origin[3], const double axis[3], double tanHalfAngle)
+  : Shape(origin, axis, tanHalfAngle)
+{
+  this->IsValid = SetAxis(origin, axis, this->Axis) && tanHalfAngle >= 0.0;
+}
+
+//------------------------------------------------------------------------------
+bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, ConeView& view)
+{
+  constexpr std::size_t transient =
+    4; // times as many before those that a triangle hides are dropped
+  view.Triangles.clear();
+  this->Shape.CopyFrame(view.Frame);
+  FetchQueue queue(tree.GetMesh());
+  const auto use = [&](vtkTypeInt32 triangle)
+  { this->Add(tree.GetMesh(), triangle, nearest, view); };
+  const bool isWhole = this->IsValid &&
+    WalkCone(this->Shape, this->Axis.Axes, tree, this->Farthest,
+      [&](vtkTypeInt32 triangle)
+      {
+        queue.Add(triangle, use);
+        return view.Triangles.size() <= transient * most;
+      });
+  queue.Finish(use);
+  view.Farthest = this->Farthest;
+  view.Finish();
+  return isWhole && view.Triangles.size() <= most;
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle that may touch the cone to a view; one that covers it hides what is farther.
+void ConeCollector::Add(
+  const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view)
+{
+  ConeCandidate c;
+  this->Shape.SetCorners(mesh, triangle, c);
+  const auto& p = c.Corners;
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c))
+  {
+    return;
+  }
+  // A tree of one leaf has it twice.
+  const std::size_t recent = std::min<std::size_t>(view.Triangles.size(), BeamTree::LeafSize);
+  if (std::any_of(view.Triangles.end() - static_cast<std::ptrdiff_t>(recent), view.Triangles.end(),
+        [triangle](const ConeTriangle& other) { return other.Cell == triangle; }))
+  {
+    return;
+  }
+  view.Triangles.emplace_back();
+  view.Triangles.back().Cell = triangle;
+  std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
+  if (this->Shape.MayCover(c) && this->Shape.Touches(c) && c.Covers && c.IsBefore)
+  {
+    this->Shape.SetPlane(c);
+    this->Farthest =
+      c.Surface.Nearest > nearest ? std::min(this->Farthest, c.Surface.Farthest) : this->Farthest;
+  }
+}
+
+} // namespace helios

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Collects the triangles in a cone.
+
+#ifndef heliosConeCollector_h
+#define heliosConeCollector_h
+
+#include "heliosCone.h"
+#include "heliosConeView.h"
+#include "heliosTriangleTest.h"
+
+#include <cstddef>
+
+namespace helios
+{
+
+class ConeCollector
+{
+public:
+  ConeCollector(const double origin[3], const double axis[3], double tanHalfAngle);
+
+  /// As ConeProbe::Collect().
+  bool Run(const BeamTree& tree, double nearest, std::size_t most, ConeView& view);
+
+private:
+  void Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view);
+
+  Cone Shape;
+  TestRay Axis;
+  bool IsValid;
+  double Farthest = NoHit; ///< depth beyond which a triangle hides all others
+};
+
+} // namespace helios
+
+#endif
