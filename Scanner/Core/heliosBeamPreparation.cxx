@@ -180,7 +180,7 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
   model.Footprints = { w, sampler->GetTruncation(), model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
-    { model.Gate.Least, model.Gate.Most } };
+    { model.Gate.Least, model.Gate.Most }, model.Plan.PartError };
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
   if (model.Plan.LayerRings > 0 && model.ApexOffset == 0.0)

@@ -16,6 +16,7 @@ namespace
 constexpr double BinRangeLaw = 0.02;
 constexpr int FewestSubRays = 64; // never worse than the 19 of fixed sampling
 constexpr int MostSubRays = 4096;
+constexpr double MergedDistance = 0.1;  // of parts that are one echo [m], typically
 constexpr double SurfacesPerCell = 2.0; // across: division and samples take about as long then
 
 /// The number for which the energy error of an edge is at most a fraction.
@@ -89,6 +90,8 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
   // 1.2 the gaps between parts would show.
   plan.LargestDepth = std::min({ 1.2, std::pow(energyTolerance / (4 * 0.0007), 0.25),
     std::cbrt(rangeTolerance / (4 * 0.0037 * sigmaRange)) });
+  plan.PartError =
+    std::clamp(3e-4 * std::min(energyTolerance, rangeTolerance / MergedDistance), 1e-6, 3e-5);
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
   return plan;

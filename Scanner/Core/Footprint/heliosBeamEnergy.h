@@ -46,8 +46,8 @@ struct EnergyMoments
  * divergence theorem gives the first moments, the sums of the integrals of n g ds / 2 a, and the
  * second ones, those of x n g ds / 2 a plus, for x x and y y, (the energy - f(1) times the area) / 2 a. Beyond
  * the circle E is 1 and g is 0. Along an edge the integrals are evaluated by Gauss's rule to 1e-6 of
- * the beam's energy; in a small polygon, from its area and its moments and the Taylor series of the
- * intensity about its centroid. For wide beams the moments are those of a Gaussian in r, which has the same
+ * the beam's energy; in a small polygon, to an error that is given, from its area and its moments
+ * and the Taylor series of the intensity about its centroid. For wide beams the moments are those of a Gaussian in r, which has the same
  * rim.
  */
 class VTKHELIOSSCANNERCORE_EXPORT BeamEnergy
@@ -55,8 +55,11 @@ class VTKHELIOSSCANNERCORE_EXPORT BeamEnergy
 public:
   BeamEnergy() = default;
 
-  /// For a half angle w [rad] at 1/e^2, and its multiple K.
-  BeamEnergy(double halfAngle, double truncation);
+  /// For a half angle w [rad] at 1/e^2, its multiple K, and the error of the energy in a small
+  /// polygon, as a fraction of the beam's.
+  BeamEnergy(double halfAngle, double truncation, double error = DefaultError);
+
+  static constexpr double DefaultError = 1e-6;
 
   /// The tangent of the cut: the unit of the cross-section.
   double GetTangent() const { return this->Tangent; }
@@ -104,10 +107,11 @@ private:
 
   double Tangent = 0.0;
   bool IsWide = false;
-  double Exponent = 0.0; ///< a
-  double Scale = 0.0;    ///< of E and f, for the cut
-  int Doublings = 0;     ///< of the argument of an exponential
-  double Rim = 0.0;      ///< f(1) pi
+  double Exponent = 0.0;   ///< a
+  double Scale = 0.0;      ///< of E and f, for the cut
+  int Doublings = 0;       ///< of the argument of an exponential
+  double Rim = 0.0;        ///< f(1) pi
+  double SmallReach = 0.0; ///< squared, of a small polygon
 };
 
 } // namespace helios

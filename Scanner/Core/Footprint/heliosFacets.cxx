@@ -78,12 +78,21 @@ int FindCorner(const Facet& facet, const double corner[3])
   return -1;
 }
 
-/// Whether a triangle has at least two corners of a facet.
-bool SharesEdge(const Facet& facet, const ConeTriangle& triangle)
+/// The corners of a facet that are those of a triangle, or -1.
+struct SharedCorners
 {
-  const auto isShared = [&facet](const double* corner) { return FindCorner(facet, corner) >= 0; };
-  return std::count_if(triangle.Corners, triangle.Corners + 3, isShared) >= 2;
-}
+  SharedCorners(const Facet& facet, const ConeTriangle& triangle)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Places[i] = FindCorner(facet, triangle.Corners[i]);
+      this->Count += this->Places[i] >= 0 ? 1 : 0;
+    }
+  }
+
+  int Places[3];
+  int Count = 0;
+};
 
 void Insert(Facet& facet, int place, const double corner[3])
 {
@@ -102,28 +111,24 @@ void Remove(Facet& facet, int place)
 
 /// Adds a triangle that shares one or two edges with a facet; returns the corner where the facet
 /// changed, or -1 if it does not, or does not fit.
-int Add(Facet& facet, const Facet& triangle)
+int Add(Facet& facet, const ConeTriangle& triangle, const SharedCorners& shared, bool isClockwise)
 {
-  int places[3];
-  int shared = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    places[i] = FindCorner(facet, triangle.Corners[i]);
-    shared += places[i] >= 0 ? 1 : 0;
-  }
-  const auto follows = [&facet](int next, int place) { return next == (place + 1) % facet.Size; };
+  const auto follows = [&facet](int next, int place)
+  { return next == (place + 1 < facet.Size ? place + 1 : 0); };
   for (int i = 0; i < 3; ++i)
   {
     // The facet has the edges of the triangle in the opposite direction.
-    const int from = places[i];
-    const int to = places[(i + 1) % 3];
-    const int third = places[(i + 2) % 3];
-    if (shared == 2 && third < 0 && follows(from, to) && facet.Size < Facet::Capacity)
+    const int next = (i + 1) % 3;
+    const int after = (i + 2) % 3;
+    const int from = shared.Places[isClockwise ? next : i];
+    const int to = shared.Places[isClockwise ? i : next];
+    const int third = shared.Places[after];
+    if (shared.Count == 2 && third < 0 && follows(from, to) && facet.Size < Facet::Capacity)
     {
-      Insert(facet, to + 1, triangle.Corners[(i + 2) % 3]);
+      Insert(facet, to + 1, triangle.Corners[after]);
       return to + 1;
     }
-    if (shared == 3 && facet.Size > 3 && follows(from, to) && follows(to, third))
+    if (shared.Count == 3 && facet.Size > 3 && follows(from, to) && follows(to, third))
     {
       Remove(facet, to);
       return to;
@@ -152,14 +157,11 @@ bool IsLeftTurn(const Facet& facet, int corner, const double normal[3])
 /// Whether a corner and its neighbours turn left.
 bool IsConvexNear(const Facet& facet, int corner, const double normal[3])
 {
-  for (int step = facet.Size - 1; step <= facet.Size + 1; ++step)
-  {
-    if (!IsLeftTurn(facet, (corner + step) % facet.Size, normal))
-    {
-      return false;
-    }
-  }
-  return true;
+  const int at = corner < facet.Size ? corner : 0;
+  const int before = at > 0 ? at - 1 : facet.Size - 1;
+  const int after = at + 1 < facet.Size ? at + 1 : 0;
+  return IsLeftTurn(facet, before, normal) && IsLeftTurn(facet, at, normal) &&
+    IsLeftTurn(facet, after, normal);
 }
 
 bool IsConvex(const Facet& facet, const double normal[3])
@@ -183,18 +185,72 @@ FacetMaker::FacetMaker(AreAlike areAlike, double tolerance)
 }
 
 //------------------------------------------------------------------------------
-/// Two triangles before the apex of the same response.
-bool FacetMaker::CanJoin(const ConeTriangle& first, const ConeTriangle& other) const
+Facet& Facet::operator=(const Facet& other)
 {
-  return IsBeforeApex(other) && this->Alike(first.Cell, other.Cell);
+  if (this != &other)
+  {
+    this->Cell = other.Cell;
+    this->Size = other.Size;
+    this->First = other.First;
+    this->Last = other.Last;
+    std::copy_n(&other.Corners[0][0], 3 * other.Size, &this->Corners[0][0]);
+  }
+  return *this;
 }
 
 //------------------------------------------------------------------------------
 /// In the direction of a corner of depth z, the plane has the depth z constant / (normal . corner).
-bool FacetMaker::IsOnPlane(const double normal[3], double constant, const double corner[3]) const
+bool FacetMaker::IsOn(const Plane& plane, const double corner[3]) const
 {
-  const double there = Dot(normal, corner);
-  return std::abs(there - constant) * corner[2] <= this->Tolerance * std::abs(there);
+  const double there = Dot(plane.Normal, corner);
+  return std::abs(there - plane.Constant) * corner[2] <= this->Tolerance * std::abs(there);
+}
+
+//------------------------------------------------------------------------------
+/// Whether a triangle before the apex has the response of a facet, and lies in its plane.
+bool FacetMaker::CanJoin(const Facet& facet, const Plane& plane, const ConeTriangle& other) const
+{
+  return IsBeforeApex(other) &&
+    std::all_of(other.Corners, other.Corners + 3,
+      [&](const double* corner) { return this->IsOn(plane, corner); }) &&
+    this->Alike(facet.Cell, other.Cell);
+}
+
+//------------------------------------------------------------------------------
+/// Joins the triangles that follow to the first one of a facet.
+void FacetMaker::Grow(
+  Facet& facet, const Plane& plane, const std::vector<ConeTriangle>& triangles) const
+{
+  Facet convex; // the last that was, while the facet is not
+  bool isConvex = true;
+  for (; facet.Last < triangles.size(); ++facet.Last)
+  {
+    const ConeTriangle& next = triangles[facet.Last];
+    const SharedCorners shared(facet, next);
+    if (shared.Count < 2 || !this->CanJoin(facet, plane, next))
+    {
+      break;
+    }
+    double own[3];
+    GetNormal(next, own);
+    if (isConvex)
+    {
+      convex = facet;
+    }
+    const int changed =
+      AreParallel(own, plane.Normal) ? Add(facet, next, shared, Dot(own, plane.Normal) < 0.0) : -1;
+    if (changed < 0)
+    {
+      break;
+    }
+    // Not so between the first and the last triangle of a fan.
+    isConvex =
+      isConvex ? IsConvexNear(facet, changed, plane.Normal) : IsConvex(facet, plane.Normal);
+  }
+  if (!isConvex)
+  {
+    facet = convex;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -205,48 +261,20 @@ void FacetMaker::Make(const ConeView& view, std::vector<Facet>& facets) const
   for (std::size_t i = 0; i < triangles.size(); i = facets.back().Last)
   {
     const ConeTriangle& first = triangles[i];
-    double normal[3];
-    GetNormal(first, normal);
-    const double constant = Dot(normal, first.Corners[0]);
-    facets.push_back(MakeFacet(first, i, constant < 0.0));
-    if (!this->Alike || constant == 0.0 || !IsBeforeApex(first))
+    Plane plane;
+    GetNormal(first, plane.Normal);
+    plane.Constant = Dot(plane.Normal, first.Corners[0]);
+    facets.push_back(MakeFacet(first, i, plane.Constant < 0.0));
+    if (!this->Alike || plane.Constant == 0.0 || !IsBeforeApex(first))
     {
       continue;
     }
-    if (constant < 0.0)
+    if (plane.Constant < 0.0)
     {
-      std::transform(normal, normal + 3, normal, std::negate<>());
+      plane.Constant = -plane.Constant;
+      std::transform(plane.Normal, plane.Normal + 3, plane.Normal, std::negate<>());
     }
-    Facet growing = facets.back();
-    bool wasConvex = true;
-    for (std::size_t k = i + 1; k < triangles.size(); ++k)
-    {
-      const ConeTriangle& next = triangles[k];
-      if (!SharesEdge(growing, next))
-      {
-        break;
-      }
-      double own[3];
-      GetNormal(next, own);
-      const bool isOn = AreParallel(own, normal) &&
-        std::all_of(next.Corners, next.Corners + 3,
-          [&](const double* corner)
-          { return this->IsOnPlane(normal, std::abs(constant), corner); });
-      const int changed = isOn && this->CanJoin(first, next)
-        ? Add(growing, MakeFacet(next, k, Dot(own, normal) < 0.0))
-        : -1;
-      if (changed < 0)
-      {
-        break;
-      }
-      // Not so between the first and the last triangle of a fan.
-      wasConvex = wasConvex ? IsConvexNear(growing, changed, normal) : IsConvex(growing, normal);
-      if (wasConvex)
-      {
-        growing.Last = k + 1;
-        facets.back() = growing;
-      }
-    }
+    this->Grow(facets.back(), plane, triangles);
   }
 }
 

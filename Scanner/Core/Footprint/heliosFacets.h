@@ -25,6 +25,10 @@ struct Facet
   double Corners[Capacity][3];
   std::size_t First = 0; ///< of its triangles in the view
   std::size_t Last = 0;
+
+  Facet() = default;
+  Facet(const Facet& other) { *this = other; }
+  Facet& operator=(const Facet& other);
 };
 
 /**
@@ -44,8 +48,15 @@ public:
   void Make(const ConeView& view, std::vector<Facet>& facets) const;
 
 private:
-  bool CanJoin(const ConeTriangle& first, const ConeTriangle& other) const;
-  bool IsOnPlane(const double normal[3], double constant, const double corner[3]) const;
+  /// A plane n . p = c, with c >= 0.
+  struct Plane
+  {
+    double Normal[3];
+    double Constant;
+  };
+  void Grow(Facet& facet, const Plane& plane, const std::vector<ConeTriangle>& triangles) const;
+  bool CanJoin(const Facet& facet, const Plane& plane, const ConeTriangle& other) const;
+  bool IsOn(const Plane& plane, const double corner[3]) const;
 
   AreAlike Alike;
   double Tolerance;

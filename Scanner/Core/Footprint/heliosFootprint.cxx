@@ -46,7 +46,7 @@ HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
 //------------------------------------------------------------------------------
 Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike)
   : Settings(settings)
-  , Beam(settings.HalfAngle, settings.Truncation)
+  , Beam(settings.HalfAngle, settings.Truncation, settings.EnergyError)
   , Projection{ this->Beam.GetTangent(), settings.ApexOffset }
   , Maker(std::move(areAlike), Flatness * settings.Depth)
 {
@@ -341,7 +341,7 @@ void Footprint::AddVisible(
       bounds.MayTouchUnitCircle() ? this->Beam.Integrate(p) : EnergyMoments();
     if (moments.Energy > LeastEnergy)
     {
-      this->AllVisible.push_back({ p, bounds, moments });
+      this->AllVisible.push_back({ p, bounds, PolygonCircle(bounds), moments });
       all.Add(moments);
     }
   }
@@ -367,9 +367,12 @@ void Footprint::AddVisible(
 EnergyMoments Footprint::GetHidden(const Polygon& polygon) const
 {
   const PolygonBounds bounds(polygon);
+  const PolygonSides sides(polygon);
   EnergyMoments sum;
+  Polygon common;
   for (const std::size_t by : this->Surfaces.GetHiding())
   {
+    const bool isNearer = this->Surfaces.IsNearer(by);
     for (std::size_t i = this->Shares[by].First; i < this->Shares[by].Last; ++i)
     {
       const Visible& part = this->AllVisible[i];
@@ -377,13 +380,11 @@ EnergyMoments Footprint::GetHidden(const Polygon& polygon) const
       {
         continue;
       }
-      if (this->Surfaces.IsNearer(by) && IsInside(part.Outline, polygon))
-      {
-        sum.Add(part.Moments);
-        continue;
-      }
-      const Polygon nearer = this->Surfaces.GetNearer(part.Outline, by);
-      sum.Add(this->Beam.Integrate(Intersect(nearer, polygon)));
+      const Polygon nearer = isNearer ? Polygon() : this->Surfaces.GetNearer(part.Outline, by);
+      const bool isCut = Cut(isNearer ? part.Outline : nearer, part.Circle, sides, common);
+      sum.Add(isCut  ? this->Beam.Integrate(common)
+          : isNearer ? part.Moments
+                     : this->Beam.Integrate(nearer));
     }
   }
   return sum;

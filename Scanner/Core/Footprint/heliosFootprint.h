@@ -30,11 +30,12 @@ struct FootprintPart
 
 struct FootprintSettings
 {
-  double HalfAngle = 0.0;             ///< of the beam at 1/e^2 [rad]
-  double Truncation = 1.5;            ///< of the beam, in half angles
-  double ApexOffset = 0.0;            ///< Rayleigh range of the waist, at the origin [m]
-  double Depth = 1.0;                 ///< largest spread of the ranges of a part [m]
-  double Gate[2] = { 0.0, HUGE_VAL }; ///< ranges that are limits of parts [m]
+  double HalfAngle = 0.0;                        ///< of the beam at 1/e^2 [rad]
+  double Truncation = 1.5;                       ///< of the beam, in half angles
+  double ApexOffset = 0.0;                       ///< Rayleigh range of the waist, at the origin [m]
+  double Depth = 1.0;                            ///< largest spread of the ranges of a part [m]
+  double Gate[2] = { 0.0, HUGE_VAL };            ///< ranges that are limits of parts [m]
+  double EnergyError = BeamEnergy::DefaultError; ///< of small parts, as a fraction of the beam
 };
 
 /**
@@ -87,6 +88,7 @@ private:
   {
     Polygon Outline;
     PolygonBounds Bounds;
+    PolygonCircle Circle;
     EnergyMoments Moments;
   };
   /// Those of a face, in the list of all.

@@ -133,20 +133,30 @@ struct PolygonBounds
   }
 };
 
-/// The part of a polygon in a half plane. A polygon that is full is not cut any further.
-inline Polygon Clip(const Polygon& p, const HalfPlane& side)
+/// Sets the distances of the corners from a line, in any unit, positive in the half plane; returns
+/// the least.
+inline double SetDistances(const Polygon& p, const HalfPlane& side, double* distances)
 {
-  Polygon part;
-  double distances[Polygon::Capacity];
+  double least = HUGE_VAL;
   for (int i = 0; i < p.Size; ++i)
   {
     distances[i] = side(p.X[i], p.Y[i]);
+    least = std::min(least, distances[i]);
   }
+  return least;
+}
+
+/// The part of a polygon on the side of a line, by the distances of its corners, that is positive
+/// (or negative, by the sign). A polygon that is full is not cut any further.
+template <int Sign>
+Polygon GetSide(const Polygon& p, const double* distances)
+{
+  Polygon part;
   for (int i = 0; i < p.Size; ++i)
   {
     const int j = p.GetNext(i);
-    const double a = distances[i];
-    const double b = distances[j];
+    const double a = Sign * distances[i];
+    const double b = Sign * distances[j];
     if (a >= 0.0)
     {
       part.AddCut(p.X[i], p.Y[i]);
@@ -160,24 +170,44 @@ inline Polygon Clip(const Polygon& p, const HalfPlane& side)
   part.CloseCut();
   return part;
 }
+inline Polygon GetBefore(const Polygon& p, const double* distances)
+{
+  return GetSide<1>(p, distances);
+}
+inline Polygon GetBeyond(const Polygon& p, const double* distances)
+{
+  return GetSide<-1>(p, distances);
+}
 
-/// Whether all corners of a polygon are outside of an edge of another, or on it. Each edge has a
-/// length: the corners were added by AddCut().
+/// The part of a polygon in a half plane.
+inline Polygon Clip(const Polygon& p, const HalfPlane& side)
+{
+  double distances[Polygon::Capacity];
+  return SetDistances(p, side, distances) >= 0.0 ? p : GetBefore(p, distances);
+}
+
+/// Whether all corners of a polygon are outside of an edge of another, or on it. The edge has a
+/// length: its corners were added by AddCut().
+inline bool IsBeyond(const Polygon& p, const Polygon& of, int edge)
+{
+  const int next = of.GetNext(edge);
+  const double x = of.X[edge];
+  const double y = of.Y[edge];
+  const double dx = of.X[next] - x;
+  const double dy = of.Y[next] - y;
+  bool isBeyond = true;
+  for (int i = 0; i < p.Size && isBeyond; ++i)
+  {
+    isBeyond = dx * (p.Y[i] - y) - dy * (p.X[i] - x) <= 0.0;
+  }
+  return isBeyond;
+}
+
 inline bool IsBeyondAnEdge(const Polygon& p, const Polygon& of)
 {
   for (int edge = 0; edge < of.Size; ++edge)
   {
-    const int next = of.GetNext(edge);
-    const double x = of.X[edge];
-    const double y = of.Y[edge];
-    const double dx = of.X[next] - x;
-    const double dy = of.Y[next] - y;
-    bool isBeyond = true;
-    for (int i = 0; i < p.Size && isBeyond; ++i)
-    {
-      isBeyond = dx * (p.Y[i] - y) - dy * (p.X[i] - x) <= 0.0;
-    }
-    if (isBeyond)
+    if (IsBeyond(p, of, edge))
     {
       return true;
     }
@@ -185,31 +215,75 @@ inline bool IsBeyondAnEdge(const Polygon& p, const Polygon& of)
   return false;
 }
 
-/// Whether a polygon is inside another.
-inline bool IsInside(const Polygon& p, const Polygon& of)
+/// The half planes inside the edges of a polygon, with distances in the unit of the coordinates.
+struct PolygonSides
+{
+  int Size = 0;
+  HalfPlane Sides[Polygon::Capacity];
+
+  explicit PolygonSides(const Polygon& p)
+    : Size(p.Size)
+  {
+    for (int edge = 0; edge < p.Size; ++edge)
+    {
+      const HalfPlane side = p.GetInside(edge);
+      const double scale = 1.0 / std::sqrt(side.A * side.A + side.B * side.B);
+      this->Sides[edge] = { scale * side.A, scale * side.B, scale * side.C };
+    }
+  }
+};
+
+/// A circle about a polygon.
+struct PolygonCircle
+{
+  double X, Y, Radius;
+
+  explicit PolygonCircle(const PolygonBounds& bounds)
+    : X(0.5 * (bounds.Low[0] + bounds.High[0]))
+    , Y(0.5 * (bounds.Low[1] + bounds.High[1]))
+  {
+    const double x = bounds.High[0] - this->X;
+    const double y = bounds.High[1] - this->Y;
+    this->Radius = std::sqrt(x * x + y * y);
+  }
+};
+
+/// The same, with a circle about the polygon and the sides of the other, which is faster.
+inline bool IsBeyondAnEdge(
+  const Polygon& p, const PolygonCircle& about, const Polygon& of, const PolygonSides& sides)
 {
   for (int edge = 0; edge < of.Size; ++edge)
   {
-    const HalfPlane side = of.GetInside(edge);
-    for (int i = 0; i < p.Size; ++i)
+    const double distance = sides.Sides[edge](about.X, about.Y);
+    if (distance < about.Radius && (distance <= -about.Radius || IsBeyond(p, of, edge)))
     {
-      if (!(side(p.X[i], p.Y[i]) >= 0.0))
-      {
-        return false;
-      }
+      return true;
     }
   }
-  return true;
+  return false;
 }
 
-/// The common part of two polygons.
-inline Polygon Intersect(Polygon p, const Polygon& q)
+/// Sets the part of a polygon inside another one; false, and it is not set, if that is all of it.
+inline bool Cut(
+  const Polygon& p, const PolygonCircle& about, const PolygonSides& by, Polygon& common)
 {
-  for (int edge = 0; edge < q.Size && !p.IsEmpty(); ++edge)
+  const Polygon* from = &p;
+  double distances[Polygon::Capacity];
+  for (const HalfPlane* side = by.Sides; side != by.Sides + by.Size && !from->IsEmpty(); ++side)
   {
-    p = Clip(p, q.GetInside(edge));
+    const double distance = (*side)(about.X, about.Y);
+    if (distance <= -about.Radius)
+    {
+      common.Size = 0;
+      return true;
+    }
+    if (distance < about.Radius && SetDistances(*from, *side, distances) < 0.0)
+    {
+      common = GetBefore(*from, distances);
+      from = &common;
+    }
   }
-  return p;
+  return from == &common;
 }
 
 /// Whether the interiors of two polygons have common points. Polygons with a common edge have none.

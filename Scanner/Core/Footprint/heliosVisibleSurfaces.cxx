@@ -233,7 +233,8 @@ void VisibleSurfaces::Sort()
       return a.Most > b.Most || (a.Most == b.Most && a.Cell < b.Cell);
     });
   order.Most.resize(count);
-  order.Overlap.resize(count);
+  constexpr std::size_t word = sizeof(vtkTypeUInt64);
+  order.Overlaps.assign((count + word - 1) / word * word, 0);
   for (int axis = 0; axis < 2; ++axis)
   {
     order.Low[axis].resize(count);
@@ -254,7 +255,7 @@ void VisibleSurfaces::Sort()
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-void VisibleSurfaces::Order::FindOverlaps(const PolygonBounds& bounds)
+void VisibleSurfaces::Order::SetOverlaps(const PolygonBounds& bounds)
 {
   const float low[2] = { RoundDown(bounds.Low[0]), RoundDown(bounds.Low[1]) };
   const float high[2] = { RoundUp(bounds.High[0]), RoundUp(bounds.High[1]) };
@@ -262,13 +263,29 @@ void VisibleSurfaces::Order::FindOverlaps(const PolygonBounds& bounds)
   const float* lowY = this->Low[1].data();
   const float* highX = this->High[0].data();
   const float* highY = this->High[1].data();
-  int* overlap = this->Overlap.data();
-  const std::size_t count = this->Overlap.size();
+  unsigned char* overlaps = this->Overlaps.data();
+  const std::size_t count = this->Faces.size();
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isInX = (lowX[i] < high[0]) & (low[0] < highX[i]);
     const bool isInY = (lowY[i] < high[1]) & (low[1] < highY[i]);
-    overlap[i] = -static_cast<int>(isInX & isInY);
+    overlaps[i] = isInX & isInY;
+  }
+}
+
+void VisibleSurfaces::Order::FindOverlapping(const PolygonBounds& bounds)
+{
+  this->SetOverlaps(bounds);
+  this->Overlapping.clear();
+  constexpr std::size_t word = sizeof(vtkTypeUInt64);
+  for (std::size_t first = 0; first < this->Overlaps.size(); first += word)
+  {
+    vtkTypeUInt64 any;
+    std::memcpy(&any, &this->Overlaps[first], word);
+    for (; any != 0; any &= any - 1) // a byte is 0 or 1
+    {
+      this->Overlapping.push_back(first + static_cast<std::size_t>(__builtin_ctzll(any)) / 8);
+    }
   }
 }
 
@@ -289,10 +306,11 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
     {
       return; // at the apex
     }
-    const double radius = this->Beam.GetRadius(depth);
-    face.Outline.AddCut(corner[0] / radius, corner[1] / radius);
-    face.Least = std::min(face.Least, 1.0 / depth);
-    face.Most = std::max(face.Most, 1.0 / depth);
+    const double scale = 1.0 / this->Beam.GetRadius(depth);
+    const double inverse = 1.0 / depth;
+    face.Outline.AddCut(corner[0] * scale, corner[1] * scale);
+    face.Least = std::min(face.Least, inverse);
+    face.Most = std::max(face.Most, inverse);
   }
   face.Outline.CloseCut();
   if (!PolygonBounds(face.Outline).MayTouchUnitCircle())
@@ -367,13 +385,17 @@ void VisibleSurfaces::FindHiding(std::size_t face)
 {
   const Face& f = this->Faces[face];
   Order& order = this->Nearest;
-  order.FindOverlaps(PolygonBounds(f.Outline));
+  order.FindOverlapping(PolygonBounds(f.Outline));
   this->Current = face;
   this->Hiding.clear();
-  for (std::size_t i = 0; i < order.Faces.size() && order.Most[i] >= f.Least; ++i)
+  for (const std::size_t i : order.Overlapping)
   {
+    if (!(order.Most[i] >= f.Least))
+    {
+      break;
+    }
     const std::size_t other = order.Faces[i];
-    if (order.Overlap[i] && other != face && this->IsNearerSomewhere(this->Faces[other], f))
+    if (other != face && this->IsNearerSomewhere(this->Faces[other], f))
     {
       this->Hiding.push_back(other); // if their outlines overlap, which Subtract() finds
     }
@@ -386,17 +408,14 @@ void VisibleSurfaces::FindHiding(std::size_t face)
 bool VisibleSurfaces::HidesAny(std::size_t face) const
 {
   const Face& f = this->Faces[face];
-  for (std::size_t i = this->Nearest.Faces.size(); i-- > 0;)
-  {
-    const std::size_t other = this->Nearest.Faces[i];
-    if (this->Nearest.Overlap[i] && other != face &&
-      this->IsNearerSomewhere(f, this->Faces[other]) &&
-      DoOverlap(this->Faces[other].Outline, f.Outline))
+  const std::vector<std::size_t>& places = this->Nearest.Overlapping;
+  return std::any_of(places.rbegin(), places.rend(),
+    [&](std::size_t place)
     {
-      return true;
-    }
-  }
-  return false;
+      const std::size_t other = this->Nearest.Faces[place];
+      return other != face && this->IsNearerSomewhere(f, this->Faces[other]) &&
+        DoOverlap(this->Faces[other].Outline, f.Outline);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -459,21 +478,17 @@ const std::vector<Polygon>* VisibleSurfaces::FindVisible()
 /// Cuts off what is outside of a side; false if that is nothing.
 bool VisibleSurfaces::Split(Polygon& inside, const HalfPlane& side, Polygon& outside)
 {
-  bool isCut = false;
-  for (int i = 0; i < inside.Size; ++i)
-  {
-    isCut |= side(inside.X[i], inside.Y[i]) < 0.0;
-  }
-  if (!isCut)
+  double distances[Polygon::Capacity];
+  if (!(SetDistances(inside, side, distances) < 0.0))
   {
     return false;
   }
-  outside = Clip(inside, side.GetOpposite());
+  outside = GetBeyond(inside, distances);
   if (!(outside.GetArea() > LeastArea))
   {
     return false;
   }
-  inside = Clip(inside, side);
+  inside = GetBefore(inside, distances);
   return true;
 }
 
@@ -482,9 +497,13 @@ bool VisibleSurfaces::Split(Polygon& inside, const HalfPlane& side, Polygon& out
 bool VisibleSurfaces::Subtract(const Polygon& hidden)
 {
   const PolygonBounds bounds(hidden);
+  const PolygonSides sides(hidden);
   for (std::size_t i = this->Parts.size(); i-- > 0;)
   {
-    if (!bounds.Overlaps(this->PartBounds[i]) || !DoOverlap(this->Parts[i], hidden))
+    const PolygonCircle circle(this->PartBounds[i]);
+    if (!bounds.Overlaps(this->PartBounds[i]) ||
+      IsBeyondAnEdge(this->Parts[i], circle, hidden, sides) ||
+      IsBeyondAnEdge(hidden, this->Parts[i]))
     {
       continue;
     }
@@ -493,10 +512,11 @@ bool VisibleSurfaces::Subtract(const Polygon& hidden)
     this->PartBounds[i] = this->PartBounds.back();
     this->Parts.pop_back();
     this->PartBounds.pop_back();
-    for (int edge = 0; edge < hidden.Size && !inside.IsEmpty(); ++edge)
+    for (int edge = 0; edge < sides.Size && !inside.IsEmpty(); ++edge)
     {
+      const HalfPlane& side = sides.Sides[edge];
       Polygon outside;
-      if (!Split(inside, hidden.GetInside(edge), outside))
+      if (side(circle.X, circle.Y) >= circle.Radius || !Split(inside, side, outside))
       {
         continue;
       }

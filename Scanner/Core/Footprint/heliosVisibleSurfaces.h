@@ -121,8 +121,13 @@ private:
     std::vector<std::size_t> Faces;
     std::vector<double> Most;
     std::vector<float> Low[2], High[2];
-    std::vector<int> Overlap; ///< with the bounds of a face: -1 or 0
-    void FindOverlaps(const PolygonBounds& bounds);
+    std::vector<unsigned char> Overlaps;  ///< with the bounds of a face; padded to whole words
+    std::vector<std::size_t> Overlapping; ///< places in this order
+
+    void SetOverlaps(const PolygonBounds& bounds);
+
+    /// Finds those that overlap with bounds.
+    void FindOverlapping(const PolygonBounds& bounds);
   };
   static constexpr double MostBend = 1e-3; ///< of the radius, relative
   double LargestBend = 0.0;

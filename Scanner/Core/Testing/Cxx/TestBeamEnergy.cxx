@@ -179,3 +179,37 @@ TEST_CASE("Small polygons have the energies of the large one that they fill")
   CHECK(sum.XY == Approx(whole.XY).epsilon(1e-4));
   CHECK(sum.YY == Approx(whole.YY).epsilon(1e-4));
 }
+
+TEST_CASE("Small polygons err by no more than is allowed")
+{
+  const BeamEnergy exact(1.5e-4, 1.5, 1e-12);
+  for (const double error : { 1e-7, 1e-6, 1e-5, 3e-5 })
+  {
+    const BeamEnergy beam(1.5e-4, 1.5, error);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    double largest = 0.0;
+    double least = 1.0; // of energies
+    for (int trial = 0; trial < 20000; ++trial)
+    {
+      const double radius = 0.4 * std::abs(number(random));
+      const double flatness = std::abs(number(random));
+      const int corners = 3 + trial % 4;
+      const double x = 0.8 * number(random);
+      const double y = 0.8 * number(random);
+      Polygon p;
+      for (int i = 0; i < corners; ++i)
+      {
+        const double angle = 2.0 * 3.14159265358979 * i / corners;
+        p.Add(x + radius * std::cos(angle), y + radius * flatness * std::sin(angle));
+      }
+      const double got = beam.Integrate(p).Energy;
+      largest = std::max(largest, std::abs(got - exact.Integrate(p).Energy));
+      least = std::min(least, got);
+    }
+    CAPTURE(error);
+    CHECK(largest < error);
+    CHECK(largest > 0.1 * error); // the bound is no waste
+    CHECK(least > -error);
+  }
+}
