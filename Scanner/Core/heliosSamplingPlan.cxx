@@ -29,20 +29,21 @@ int GetNumberOfSubRays(double share)
 }
 
 /// Gauss-Legendre rings for a continuous surface, and their errors: the root mean square of the
-/// energy of a half plane, where the response changes; the largest of the mean range over a surface that bends at a straight edge,
-/// relative to its distance from one plane at the rim; and of the amplitude of a
-/// plane, for each sigma_R between the ranges of the axis and the rim, up to three.
+/// energy of a half plane, where the response changes; the largest of the mean range over a surface
+/// that bends at a straight edge, relative to its distance from one plane at the rim; and of the
+/// amplitude of a plane, for each sigma_R between the ranges of the axis and the rim, up to the most
+/// for which its echo has one maximum.
 struct LayerRule
 {
   int Rings;
   double HalfPlane;
   double Bend;
   double Amplitude;
+  double MostSigmas;
 };
 
-constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3 }, { 3, 0.02, 0.006, 1.4e-3 },
-  { 4, 0.015, 0.0035, 6.5e-4 } };
-constexpr double MostSigmas = 3.0;
+constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3, 5.0 },
+  { 3, 0.02, 0.006, 1.4e-3, 8.0 }, { 4, 0.015, 0.0035, 6.5e-4, 10.0 } };
 constexpr double EnoughSigmas = 0.7; // planes are rarely steeper
 
 /// The smallest rule whose errors are half of the tolerances.
@@ -51,7 +52,7 @@ void SetLayerRule(const Tolerances& tolerances, double sigmaRange, SamplingPlan&
   plan.LayerRings = 0;
   for (const LayerRule& rule : LayerRules)
   {
-    const double sigmas = std::min(MostSigmas, 0.5 * tolerances.Energy / rule.Amplitude);
+    const double sigmas = std::min(rule.MostSigmas, 0.5 * tolerances.Energy / rule.Amplitude);
     if (sigmas >= EnoughSigmas)
     {
       plan.LayerRings = rule.Rings;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using helios::PlanSampling;
 
@@ -84,5 +85,66 @@ TEST_CASE("SamplingPlan: the errors of rings are those of the layer rules", "[Sa
     CAPTURE(energy, plan.LayerRings);
     CHECK(largestBend * plan.LayerDistance <= 0.5 * tolerance);
     CHECK(std::sqrt(squares / count) * plan.LayerContrast <= 0.5 * energy);
+  }
+}
+
+namespace
+{
+
+/// The largest amplitude of a beam on a plane, whose range at the rim is so many sigma_R from that
+/// on the axis, in the direction of a turn; and the number of its maxima.
+std::pair<double, int> GetPlaneEcho(vtkHeliosBeamSampler* beam, double sigmas, double turn)
+{
+  const double rim = 1e-3 * beam->GetTruncation();
+  double largest = 0.0;
+  int maxima = 0;
+  double before[2] = { 0.0, 0.0 };
+  for (double t = -1.2 * sigmas - 3.0; t < 1.2 * sigmas + 3.0; t += 0.05)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < beam->GetNumberOfSubRays(); ++k)
+    {
+      double d[3];
+      beam->GetDirection(k, d);
+      const double along = (std::cos(turn) * d[0] + std::sin(turn) * d[2]) / rim;
+      sum += beam->GetWeight(k) * std::exp(-0.5 * std::pow(t - sigmas * along, 2));
+    }
+    maxima += before[1] > before[0] && before[1] >= sum && before[1] > 0.02 ? 1 : 0;
+    before[0] = before[1];
+    before[1] = sum;
+    largest = std::max(largest, sum);
+  }
+  return { largest, maxima };
+}
+
+} // namespace
+
+TEST_CASE("SamplingPlan: planes of the largest spread have one echo", "[SamplingPlan]")
+{
+  const double pulse = 1.7;
+  const double sigmaRange = 0.5 * 0.299792458 * pulse;
+  vtkNew<vtkHeliosBeamSampler> fine;
+  fine->SetBeamDivergence(2e-3);
+  fine->SetPatternToVogel();
+  fine->SetNumberOfSubRays(4096);
+  for (const double energy : { 1e-1, 1e-2, 3e-3, 1.1e-3 })
+  {
+    const helios::SamplingPlan plan = PlanSampling({ 0.1 * energy, energy }, pulse);
+    vtkNew<vtkHeliosBeamSampler> sampler;
+    sampler->SetBeamDivergence(2e-3);
+    sampler->SetPatternToGaussLegendre();
+    sampler->SetNumberOfRings(plan.LayerRings);
+    const double most = 0.5 * plan.LayerSpread / sigmaRange;
+    CAPTURE(energy, plan.LayerRings, most);
+    CHECK(most >= 0.7);
+    for (const double sigmas : { 0.25 * most, 0.5 * most, 0.75 * most, most })
+    {
+      for (const double turn : { 0.0, 0.2, 0.4, 0.6, 0.785 })
+      {
+        const auto [amplitude, maxima] = GetPlaneEcho(sampler, sigmas, turn);
+        CHECK(maxima == 1);
+        CHECK(std::abs(amplitude - GetPlaneEcho(fine, sigmas, turn).first) <= 0.5 * energy);
+      }
+    }
   }
 }
