@@ -106,13 +106,17 @@ void PulseKernel::RunFixed(std::size_t slot)
 //------------------------------------------------------------------------------
 PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
-  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse), false };
+  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse), false, {} };
   if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MeetsMedium)
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer);
     cone.HasLayer = this->Layer.Size > 0;
+    if (hit.Kind == vtkHeliosConeHit::OnePlane)
+    {
+      cone.Plane = this->GetIncidence(pulse, hit);
+    }
     if (hit.Kind == vtkHeliosConeHit::Empty ||
-      (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(pulse, hit)))
+      (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(cone.Plane, hit.Range)))
     {
       cone.Hit = hit;
     }
@@ -127,7 +131,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   const Cone cone = this->ProbeCone(pulse);
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
   {
-    this->RunOnPlane(pulse, cone.Hit);
+    this->RunOnPlane(pulse, cone.Hit, cone.Plane);
     return;
   }
   if (cone.HasLayer && this->Tracer.SampleLayer(pulse, this->Layer, this->Counts))
@@ -232,25 +236,25 @@ PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHe
 
 //------------------------------------------------------------------------------
 /// Whether the closed form of the planar echo is accurate enough.
-bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
+bool PulseKernel::IsExact(const Incidence& plane, double range) const
 {
-  if (!(hit.Range > 0.0))
+  if (!(range > 0.0))
   {
     return false;
   }
   const ScanModel& m = this->Model;
-  const Incidence plane = this->GetIncidence(pulse, hit);
   const bool isGaussian = m.Receiver.Shape.IsGaussian();
   const double widest = isGaussian ? m.Plan.LargestWidening : m.Plan.EnergyTolerance;
   const double rim = 2.0 * plane.Reach * m.ConeTangent * plane.Tangent; // in range
   return m.Plane.GetWidening(plane.Reach, plane.Tangent) <= widest &&
     m.Plane.GetShift(plane.Reach, plane.Tangent) <= m.Plan.LargestShift &&
-    std::abs(hit.Range - m.Gate.Least) > rim && std::abs(hit.Range - m.Gate.Most) > rim;
+    std::abs(range - m.Gate.Least) > rim && std::abs(range - m.Gate.Most) > rim;
 }
 
 //------------------------------------------------------------------------------
 /// The echo of a beam that hits one plane, or nothing.
-void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
+void PulseKernel::RunOnPlane(
+  const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane)
 {
   const ScanModel& m = this->Model;
   this->Returns.clear();
@@ -265,7 +269,6 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
     ++this->Counts.HitsOutOfRange;
     return;
   }
-  const Incidence plane = this->GetIncidence(pulse, hit);
   const Vec3 axis = pulse.GetDirection();
   const SurfaceReturn onAxis = this->Response.GetReturn(hit.CellId, hit.Range, axis.GetData());
   PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, onAxis.Power);

@@ -30,28 +30,29 @@ public:
   const ScanCounts& GetCounts() const { return this->Counts; }
 
 private:
-  /// What is known about a beam before its sub-rays are cast.
-  struct Cone
-  {
-    vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
-    bool MeetsMedium;
-    bool HasLayer; ///< one continuous surface fills the beam
-  };
   /// The geometry of a beam on a plane.
   struct Incidence
   {
     double Reach;   ///< from the cone's apex: the footprint grows with it
     double Tangent; ///< of the angle of incidence
   };
+  /// What is known about a beam before its sub-rays are cast.
+  struct Cone
+  {
+    vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
+    bool MeetsMedium;
+    bool HasLayer;   ///< one continuous surface fills the beam
+    Incidence Plane; ///< of OnePlane
+  };
 
   void AimPulses(vtkIdType first, vtkIdType last);
   void CountFaults(const Pulse& pulse, vtkIdType index);
   Cone ProbeCone(const Pulse& pulse);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
-  bool IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  bool IsExact(const Incidence& plane, double range) const;
   void RunFixed(std::size_t slot);
   void RunAdaptive(std::size_t slot);
-  void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane);
   void FinishPlane(const PlaneEcho& echo);
   template <typename SampleT>
   void Refine(SampleT sample);
