@@ -500,9 +500,12 @@ bool VisibleSurfaces::Subtract(const Polygon& hidden)
   const PolygonSides sides(hidden);
   for (std::size_t i = this->Parts.size(); i-- > 0;)
   {
+    if (!bounds.Overlaps(this->PartBounds[i]))
+    {
+      continue;
+    }
     const PolygonCircle circle(this->PartBounds[i]);
-    if (!bounds.Overlaps(this->PartBounds[i]) ||
-      IsBeyondAnEdge(this->Parts[i], circle, hidden, sides) ||
+    if (IsBeyondAnEdge(this->Parts[i], circle, hidden, sides) ||
       IsBeyondAnEdge(hidden, this->Parts[i]))
     {
       continue;
