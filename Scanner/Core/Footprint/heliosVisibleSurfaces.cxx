@@ -3,6 +3,7 @@
 #include "heliosVisibleSurfaces.h"
 
 #include "heliosBeamTree.h"
+#include "heliosSpacePolygon.h"
 #include "heliosVectorLoops.h"
 
 #include <algorithm>
@@ -16,47 +17,9 @@ namespace
 {
 
 constexpr double LeastArea = 1e-12;     // of a part, in the cross-section
-constexpr double Frame = 2.0;           // half side of the square that large facets are cut to
-constexpr double Large = 100.0;         // coordinates from which they are, without a waist
 constexpr std::size_t ManyHiding = 3;   // faces, from which complements are faster than parts
 constexpr std::size_t MostParts = 4096; // of a face
 constexpr std::size_t MostOfLayer = 64; // facets
-
-/// A polygon in space, with corners of which depth z is the third coordinate.
-struct SpacePolygon
-{
-  static constexpr int Capacity = Facet::Capacity + 5;
-  int Size = 0;
-  double Corners[Capacity][3];
-};
-
-/// The part where a x + b y + c z is at least d.
-SpacePolygon Clip(const SpacePolygon& p, double a, double b, double c, double d)
-{
-  SpacePolygon part;
-  for (int i = 0; i < p.Size; ++i)
-  {
-    const double* from = p.Corners[i];
-    const double* to = p.Corners[(i + 1) % p.Size];
-    const double atFrom = a * from[0] + b * from[1] + c * from[2] - d;
-    const double atTo = a * to[0] + b * to[1] + c * to[2] - d;
-    if (atFrom >= 0.0 && part.Size < SpacePolygon::Capacity)
-    {
-      std::copy_n(from, 3, part.Corners[part.Size++]);
-    }
-    if (((atFrom > 0.0 && atTo < 0.0) || (atFrom < 0.0 && atTo > 0.0)) &&
-      part.Size < SpacePolygon::Capacity)
-    {
-      const double t = atFrom / (atFrom - atTo);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        part.Corners[part.Size][axis] = from[axis] + t * (to[axis] - from[axis]);
-      }
-      ++part.Size;
-    }
-  }
-  return part;
-}
 
 /// Whether a corner of a polygon is in a half plane.
 bool Reaches(const Polygon& p, const HalfPlane& side)
@@ -73,31 +36,6 @@ bool Reaches(const Polygon& p, const HalfPlane& side)
 HalfPlane GetNearerSide(const InverseDepth& a, const InverseDepth& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.One - b.One };
-}
-
-/// The part of a facet in a frustum about the beam; all of it if it is not much larger.
-SpacePolygon CutToBeam(const Facet& facet, const BeamProjection& beam)
-{
-  SpacePolygon space;
-  space.Size = facet.Size;
-  std::copy_n(&facet.Corners[0][0], 3 * facet.Size, &space.Corners[0][0]);
-  const double largest = beam.ApexOffset > 0.0 ? Frame : Large;
-  const bool isLarge = std::any_of(facet.Corners, facet.Corners + facet.Size,
-    [&beam, largest](const double* corner)
-    {
-      const double reach = std::max(std::abs(corner[0]), std::abs(corner[1]));
-      return !(corner[2] > beam.ApexOffset) || reach > largest * beam.Tangent * corner[2];
-    });
-  if (isLarge)
-  {
-    const double slope = Frame * beam.Tangent;
-    space = Clip(space, 0.0, 0.0, 1.0, beam.ApexOffset);
-    space = Clip(space, 1.0, 0.0, slope, 0.0);
-    space = Clip(space, -1.0, 0.0, slope, 0.0);
-    space = Clip(space, 0.0, 1.0, slope, 0.0);
-    space = Clip(space, 0.0, -1.0, slope, 0.0);
-  }
-  return space;
 }
 
 /// A number for a point, the same for the same coordinates.
