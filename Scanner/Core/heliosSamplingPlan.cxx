@@ -44,6 +44,8 @@ struct LayerRule
 
 constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3, 5.0 },
   { 3, 0.02, 0.006, 1.4e-3, 8.0 }, { 4, 0.015, 0.0035, 6.5e-4, 10.0 } };
+constexpr double WidestRange = 5e-3;  // [m]
+constexpr double WidestEnergy = 5e-2;
 constexpr double EnoughSigmas = 0.7; // planes are rarely steeper
 
 /// The smallest rule whose errors are half of the tolerances.
@@ -62,6 +64,19 @@ void SetLayerRule(const Tolerances& tolerances, double sigmaRange, SamplingPlan&
       return;
     }
   }
+}
+
+/// What counts as one plane or one layer. Tolerances beyond the widest save little here, and would be
+/// worse than 19 fixed sub-rays on rough ground (BenchAccuracy: gravel).
+void SetSurfaceRules(const Tolerances& asked, double sigmaRange, SamplingPlan& plan)
+{
+  const Tolerances tolerances{ std::min(asked.Range, WidestRange),
+    std::min(asked.Energy, WidestEnergy) };
+  plan.PlaneDistance = 2.0 * tolerances.Range;
+  plan.PlaneContrast = 0.5 * tolerances.Energy;
+  plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(tolerances.Energy));
+  plan.LargestShift = 0.5 * tolerances.Range;
+  SetLayerRule(tolerances, sigmaRange, plan);
 }
 
 } // namespace
@@ -83,7 +98,7 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
   plan.MostCellsAcross = static_cast<int>(across);
   plan.FewestCellsAcross = std::min(plan.FewestCellsAcross, plan.MostCellsAcross / 2);
   plan.MostSurfaces = static_cast<std::size_t>(SurfacesPerCell * across);
-  SetLayerRule(tolerances, sigmaRange, plan);
+  SetSurfaceRules(tolerances, sigmaRange, plan);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
   // Two returns have the mean and variance of a part. What is left: with its fourth moment the
@@ -93,8 +108,6 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
     std::cbrt(rangeTolerance / (4 * 0.0037 * sigmaRange)) });
   plan.PartError =
     std::clamp(3e-4 * std::min(energyTolerance, rangeTolerance / MergedDistance), 1e-6, 3e-5);
-  plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
-  plan.LargestShift = 0.5 * rangeTolerance;
   return plan;
 }
 

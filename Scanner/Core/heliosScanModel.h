@@ -120,8 +120,8 @@ struct ScanModel
   {
     const Vec3 axis = pulse.GetDirection();
     const Vec3 apex = pulse.Origin - this->ApexOffset * axis;
-    PlaneLimits limits(2.0 * this->Plan.RangeTolerance);
-    limits.OfPlane.Contrast = 0.5 * this->Plan.EnergyTolerance;
+    PlaneLimits limits(this->Plan.PlaneDistance);
+    limits.OfPlane.Contrast = this->Plan.PlaneContrast;
     limits.GetResponse = [this, &axis](vtkIdType cell) { return this->GetBackscatter(cell, axis); };
     if (this->HasLayers())
     {
