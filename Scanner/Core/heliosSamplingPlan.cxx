@@ -44,7 +44,7 @@ struct LayerRule
 
 constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3, 5.0 },
   { 3, 0.02, 0.006, 1.4e-3, 8.0 }, { 4, 0.015, 0.0035, 6.5e-4, 10.0 } };
-constexpr double WidestRange = 5e-3;  // [m]
+constexpr double WidestRange = 5e-3; // [m]
 constexpr double WidestEnergy = 5e-2;
 constexpr double EnoughSigmas = 0.7; // planes are rarely steeper
 

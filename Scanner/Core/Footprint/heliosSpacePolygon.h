@@ -5,7 +5,8 @@
 #ifndef heliosSpacePolygon_h
 #define heliosSpacePolygon_h
 
-#include "heliosVisibleSurfaces.h"
+#include "heliosBeamProjection.h"
+#include "heliosFacets.h"
 
 #include <algorithm>
 #include <cmath>
