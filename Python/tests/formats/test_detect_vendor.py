@@ -21,6 +21,13 @@ RIEGL = REAL / "100429_152240_2535pt_UTM.las"
 STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
 
+def load_study():
+    spec = importlib.util.spec_from_file_location("validation", STUDIES / "validate_waveforms.py")
+    study = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(study)
+    return study
+
+
 @pytest.fixture
 def detect(tmp_path, capsys):
     def call(path, *options):
@@ -91,13 +98,23 @@ def test_options_of_the_gaussian_detector(small_runs, detect, option):
 @pytest.mark.skipif(not RIEGL.is_file(), reason="without the data of the vendor")
 def test_echoes_of_an_instrument_equal_the_makers():
     """Separations of two echoes and widths of single ones: Docs/validation.md has the table."""
-    spec = importlib.util.spec_from_file_location("validation", STUDIES / "validate_waveforms.py")
-    study = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(study)
-    row = study.compare_echoes(RIEGL, relative_threshold=0.1)
+    row = load_study().compare_echoes(RIEGL, relative_threshold=0.1)
     assert row["packets with the maker's number of echoes"] > 2300  # of 2375
     assert row["pairs found"] >= 105  # of 144
     assert row["separation: median absolute deviation [mm]"] < 5.0
     assert abs(row["separation: median difference [mm]"]) < 2.5
     assert abs(row["width: median difference [%]"]) < 1.0
     assert row["later echo nearer"] == 0
+
+
+@pytest.mark.parametrize("name, edges", [("bcts_1", 768), ("autzen_trim", 0)])
+def test_flags_of_airborne_files(name, edges):
+    """The direction flag is 1 where the scan angle rises, as in files of vtkHelios."""
+    path = REAL.parent / "als" / f"{name}.laz"
+    if not path.is_file():
+        pytest.skip("without the data of the vendor")
+    pytest.importorskip("lazrs")
+    row = load_study().count_flags(name, path)
+    assert row["angle rises: flag 1 [%]"] == 100.0
+    assert row["angle falls: flag 0 [%]"] > 99.9
+    assert row["pulses with an edge"] == row["edge: first after a change"] == edges

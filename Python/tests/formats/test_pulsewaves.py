@@ -48,7 +48,9 @@ def write(folder, appended=False):
     places = [len(waves)]
     waves += b"xyz" + struct.pack("<h3B", -6, 1, 2, 3) + struct.pack("<h4H", 100, 5, 6, 700, 8)
     places.append(len(waves))
-    waves += struct.pack("<BiHII", 2, 2000, 2, 70000, 9) + struct.pack("<iH30I", 3000, 30, *range(1, 31))
+    waves += struct.pack("<BiHII", 2, 2000, 2, 70000, 9) + struct.pack(
+        "<iH30I", 3000, 30, *range(1, 31)
+    )
     pulses = b""
     for index, place, flags in ((1, places[0], 32), (2, places[1], 16), (0, places[1], 48)):
         anchor, target = (1000 * index, 0, 0), (1000 * index, 0, -149_000)

@@ -300,7 +300,7 @@ TEST_CASE("Inspector: a LAS file is read with its packets")
   const std::vector<std::string> wanted(hasWaveforms ? 1 : 0, waves);
   CHECK(FindWaveformFiles({ run }) == wanted);
   CHECK(FindWaveformFiles({ points }) == wanted);
-  CHECK(FindWaveformFiles({ run + "/leg000_trajectory.txt" }).empty());
+  CHECK(FindWaveformFiles({ run + "/run_summary.json" }).empty());
 
   ViewerOptions options;
   options.Inputs = { points };

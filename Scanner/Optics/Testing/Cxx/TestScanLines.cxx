@@ -12,8 +12,6 @@
 #include <catch2/catch.hpp>
 #include <vtkNew.h>
 
-#include <cmath>
-
 namespace
 {
 

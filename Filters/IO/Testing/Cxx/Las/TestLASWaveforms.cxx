@@ -3,6 +3,8 @@
 // Waveforms of a LAS file: packets in a .wdp, and the point fields that refer to them.
 #include "heliosLasWaveTesting.h"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include <sys/stat.h>
