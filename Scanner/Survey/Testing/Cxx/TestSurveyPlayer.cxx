@@ -324,6 +324,15 @@ TEST_CASE(
   }
   CHECK(edges > 1.0);
   CHECK(edges < 0.1 * static_cast<double>(plain.size()));
+  playing.Player->SetFormat("vtp");
+  for (const bool isOn : { true, false })
+  {
+    playing.Player->SetWriteScanFlags(isOn);
+    REQUIRE(playing.Player->Run());
+    const std::string piece = ReadText(leg + "_points_0000.vtp");
+    CHECK((piece.find("\"EdgeOfFlightLine\"") != std::string::npos) == isOn);
+    CHECK((piece.find("\"ScanDirectionFlag\"") != std::string::npos) == isOn);
+  }
 }
 
 TEST_CASE("SurveyPlayer: points as LAS with their waveforms", "[SurveyPlayer]")
