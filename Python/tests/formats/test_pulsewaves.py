@@ -122,6 +122,9 @@ def change(path, place, form, *values):
         ("pls", 184, "<q", 9, "a.pls: is cut off: it has 5 whole pulses of the 9 that its header"),
         ("pls", 224, "<d", float("nan"), "a.pls: has a scale or offset that is not a number"),
         ("pls", 256, "<d", 0.0, None),
+        ("pls", 256, "<d", 1e308, "a.pls: has coordinates or times that are not finite"),
+        ("pls", 476 + 12, "<f", float("inf"), "a.pls: pulse 0 has samples every 2.0 ns at times"),
+        ("pls", 476 + 32, "<f", 0.0, "a.pls: pulse 0 has samples every 0.0 ns at times"),
         ("pls", 272, "<d", 0.0, "a.pls: pulse 0 has no direction: anchor and target are the same"),
         (
             "pls",
@@ -149,6 +152,14 @@ def test_damaged_files_are_errors(tmp_path, file, place, form, value, message):
     with pytest.raises(formats.FormatError) as error:
         formats.read_pulsewaves(path)
     assert message in str(error.value)
+
+
+def test_several_segments_need_durations(tmp_path):
+    path = write(tmp_path)
+    change(path, 352 + 96 + 28 + 11, "<B", 0)  # bits of the outgoing sampling
+    change(path, 352 + 96 + 28 + 22, "<H", 60000)  # its segments
+    with pytest.raises(formats.FormatError, match="pulse 0 has 60000 segments without a duration"):
+        formats.read_pulsewaves(path)
 
 
 def test_short_and_missing_files_are_errors(tmp_path, capsys):

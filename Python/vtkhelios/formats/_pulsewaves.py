@@ -189,17 +189,20 @@ class _File:
             yield number, self.data[end - RECORD_HEAD - size : end - RECORD_HEAD]
             end, after = end - RECORD_HEAD - size, after - 1
 
+    @np.errstate(over="ignore", invalid="ignore")  # checked
     def _make_result(self):
         pulses = self.pulses
         anchor = pulses["anchor"] * self.scale + self.offset
         target = pulses["target"] * self.scale + self.offset
         step = (target - anchor) / EXTENSION  # a sampling unit
         speed = np.linalg.norm(step, axis=1)
+        time = pulses["time"] * self.time[0] + self.time[1]
+        if not all(np.isfinite(each).all() for each in (anchor, speed, time)):
+            self.fail("has coordinates or times that are not finite: it is damaged, copy it again")
         if not np.all(speed > 0.0):
             self.fail(
                 f"pulse {np.argmin(speed > 0.0)} has no direction: anchor and target are the same"
             )
-        time = pulses["time"] * self.time[0] + self.time[1]
         flags = pulses["flags"]
         cloud = to_cloud({
             "points": anchor,
@@ -244,7 +247,13 @@ class _File:
         """Adds the segments of a sampling of pulses from places on; returns their ends."""
         self._check_sampling(rows[0], sampling)
         number, place = self._read(rows, place, sampling.segment_bits, sampling.segments)
-        for segment in range(int(number.max(initial=0))):
+        segments = int(number.max(initial=0))
+        if segments > 1 and sampling.duration_bits == 0:
+            self.fail(
+                f"pulse {rows[np.argmax(number)]} has {segments} segments without a duration from the "
+                "anchor, which only one can have: it is damaged, copy it again"
+            )
+        for segment in range(segments):
             has = number > segment
             some, at = rows[has], place[has]
             duration, at = self._read(some, at, sampling.duration_bits, 0, signed=True)
@@ -252,6 +261,11 @@ class _File:
             end = at + count * (sampling.sample_bits // 8)
             self._check_ends(some, end)
             duration = sampling.scale * duration + sampling.offset
+            if not np.isfinite(duration).all() or not 0.0 < sampling.unit < np.inf:
+                self.fail(
+                    f"pulse {some[0]} has samples every {sampling.unit} ns at times that are not "
+                    "finite: it is damaged, copy it again"
+                )
             found.append((descriptor, sampling, some, duration, count, at))
             place = place.copy()
             place[has] = end

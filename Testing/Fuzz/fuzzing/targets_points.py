@@ -192,7 +192,7 @@ class Waves(Target):
             "--waveforms",
             scene=small_files.SIMPLE_SCENE,
         )
-        las, wdp = run / "leg000_points.las", run / "leg000_points.wdp"
+        las, wdp = run / "leg000_fullwave.las", run / "leg000_fullwave.wdp"
         return [
             Seed(las.name, las.read_bytes(), {wdp.name: wdp.read_bytes()}),
             Seed(wdp.name, wdp.read_bytes(), {las.name: las.read_bytes()}),
