@@ -190,9 +190,10 @@ class Waves(Target):
             "--format",
             "las",
             "--waveforms",
+            "--waveforms-in-points",
             scene=small_files.SIMPLE_SCENE,
         )
-        las, wdp = run / "leg000_fullwave.las", run / "leg000_fullwave.wdp"
+        las, wdp = run / "leg000_points.las", run / "leg000_points.wdp"
         return [
             Seed(las.name, las.read_bytes(), {wdp.name: wdp.read_bytes()}),
             Seed(wdp.name, wdp.read_bytes(), {las.name: las.read_bytes()}),
