@@ -83,6 +83,8 @@ inline constexpr const char* GpsEpoch = "GpsEpoch";
 inline constexpr const char* PulseIds = "PulseIds";   // int64, emission index over the run
 inline constexpr const char* Direction = "Direction"; // unit vector
 inline constexpr const char* ScanAngle = "ScanAngle"; // [deg]
+inline constexpr const char* ScanDirectionFlag = "ScanDirectionFlag"; // 1: toward larger angles
+inline constexpr const char* EdgeOfFlightLine = "EdgeOfFlightLine"; // 1: last pulse of a scan line
 inline constexpr const char* ChannelIds = "ChannelIds";
 inline constexpr const char* Hit = "Hit";                   // 1: the pulse has an echo
 inline constexpr const char* ReturnNumber = "ReturnNumber"; // from 1
@@ -102,11 +104,9 @@ inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray 
 
 ///@{
 /** Clouds of LAS files: point data that echoes do not have. */
-inline constexpr const char* Intensity = "Intensity";         // 16 bits
-inline constexpr const char* NearInfrared = "NearInfrared";   // 16 bits
-inline constexpr const char* UserData = "UserData";           // 8 bits
-inline constexpr const char* ScanDirection = "ScanDirection"; // 1: positive, toward larger angles
-inline constexpr const char* EdgeOfFlightLine = "EdgeOfFlightLine"; // 1: last point before a turn
+inline constexpr const char* Intensity = "Intensity";       // 16 bits
+inline constexpr const char* NearInfrared = "NearInfrared"; // 16 bits
+inline constexpr const char* UserData = "UserData";         // 8 bits
 // bits 1 synthetic, 2 key point, 4 withheld, 8 overlap
 inline constexpr const char* ClassificationFlags = "ClassificationFlags";
 ///@}

@@ -102,6 +102,7 @@ def small_runs(tmp_path_factory):
     for kind in ("las", "xyz", "vtp"):
         output = folder / kind
         arguments = ["run", survey, "--format", kind, "--output", output, "--waveforms"]
+        arguments += ["--waveforms-in-points"] if kind == "las" else []
         assert cli.main([*map(str, arguments), "--pulses", "--quiet"]) == 0
         runs[kind] = output / "fence"
     return runs

@@ -74,6 +74,9 @@ def test_options(survey):
     assert np.abs(exact["TruePoint"] - exact.points)[steep].max() < 1e-2
     plain = survey.run()
     assert "TruePoint" not in plain and plain.waveforms is plain.pulses is plain.sub_rays is None
+    flagged = survey.run(scan_flags=True)  # a polygon
+    assert "EdgeOfFlightLine" not in plain and flagged["ScanDirectionFlag"].all()
+    assert set(flagged["EdgeOfFlightLine"]) <= {0, 1}
     full = survey.run(waveforms=True, pulses=True, hits=True, sub_rays=7)
     assert full.waveforms.GetNumberOfRows() == len(np.unique(full["PulseIds"]))
     # the scanner emits over 100 of the 240 degrees of a facet

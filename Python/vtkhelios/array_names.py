@@ -58,6 +58,8 @@ GPS_EPOCH = "GpsEpoch"
 PULSE_IDS = "PulseIds"  # int64, emission index over the run
 DIRECTION = "Direction"  # unit vector
 SCAN_ANGLE = "ScanAngle"  # [deg]
+SCAN_DIRECTION_FLAG = "ScanDirectionFlag"  # 1: toward larger angles
+EDGE_OF_FLIGHT_LINE = "EdgeOfFlightLine"  # 1: last pulse of a scan line
 CHANNEL_IDS = "ChannelIds"
 HIT = "Hit"  # 1: the pulse has an echo
 RETURN_NUMBER = "ReturnNumber"  # from 1
@@ -78,8 +80,6 @@ WEIGHT = "Weight"  # energy fraction of a sub-ray in the pulse
 INTENSITY = "Intensity"  # 16 bits
 NEAR_INFRARED = "NearInfrared"  # 16 bits
 USER_DATA = "UserData"  # 8 bits
-SCAN_DIRECTION = "ScanDirection"  # 1: positive, toward larger angles
-EDGE_OF_FLIGHT_LINE = "EdgeOfFlightLine"  # 1: last point before a turn
 # bits 1 synthetic, 2 key point, 4 withheld, 8 overlap
 CLASSIFICATION_FLAGS = "ClassificationFlags"
 

@@ -379,6 +379,7 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   if (!this->Returns.empty())
   {
     ++this->Counts.PulsesHit;
+    this->SetScanFlags(this->Indices[slot]);
     this->StoreEchoes(pulse, scanAngle, result);
     if (this->Model.WantsWaveforms && this->HasWaveform)
     {
@@ -393,6 +394,17 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   {
     result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
       scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
+  }
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::SetScanFlags(vtkIdType index)
+{
+  if (this->Model.WantsScanFlags)
+  {
+    const vtkHeliosBeamDeflector* deflector = this->Model.Source.Deflector;
+    this->ScanDirection = static_cast<unsigned char>(deflector->GetScanDirectionFlag(index));
+    this->EdgeOfFlightLine = deflector->IsEdgeOfFlightLine(index) ? 1 : 0;
   }
 }
 
@@ -430,7 +442,7 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
     this->PulseId, cell, range, echo.Amplitude, echo.Width, echo.Deviation, scanAngle,
     IncidenceDegrees(echo.Nearest->CosIncidence), pulse.Channel, material, surfaces.GetPartId(cell),
     surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
-    static_cast<unsigned char>(count) });
+    static_cast<unsigned char>(count), this->ScanDirection, this->EdgeOfFlightLine });
   if (this->Model.WantsTruth)
   {
     const Vec3 normal = this->Response.GetNormal(cell);

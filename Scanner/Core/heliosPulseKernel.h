@@ -65,6 +65,7 @@ private:
   double GetBackground();
 
   void StorePulse(std::size_t slot, ChunkResult& result);
+  void SetScanFlags(vtkIdType index);
   void StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result);
   void StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo, std::size_t number,
     std::size_t count, ChunkResult& result);
@@ -85,6 +86,8 @@ private:
 
   // Of the current pulse.
   vtkIdType PulseId = 0;
+  unsigned char ScanDirection = 0; ///< flags, if requested
+  unsigned char EdgeOfFlightLine = 0;
   ConeLayer Layer;
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;

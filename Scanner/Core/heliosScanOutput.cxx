@@ -208,6 +208,21 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
+/// The flags of scan lines.
+void FillScanFlags(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  unsigned char* directions = columns.Add<vtkUnsignedCharArray>(names::ScanDirectionFlag);
+  unsigned char* edges = columns.Add<vtkUnsignedCharArray>(names::EdgeOfFlightLine);
+  ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
+    [=](const EchoRecord& e, vtkIdType row)
+    {
+      directions[row] = e.ScanDirection;
+      edges[row] = e.EdgeOfFlightLine;
+    });
+}
+
 void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Pulses, output->GetNumberOfPoints());
@@ -323,7 +338,12 @@ ScanOutput::ScanOutput(
 //------------------------------------------------------------------------------
 void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
 {
+  const vtkIdType before = this->Echoes->GetNumberOfPoints();
   FillEchoes(chunks, this->Model, this->Ids, this->Echoes);
+  if (this->Model.WantsScanFlags)
+  {
+    FillScanFlags(chunks, before, this->Echoes);
+  }
   if (this->Model.WantsTruth)
   {
     FillTruths(chunks, this->Echoes);

@@ -32,6 +32,8 @@ struct EchoRecord
   int Classification;
   unsigned char ReturnNumber;
   unsigned char NumberOfReturns;
+  unsigned char ScanDirection; ///< flags of the pulse; 0 unless requested
+  unsigned char EdgeOfFlightLine;
 };
 
 /// Of the echo at the same place.

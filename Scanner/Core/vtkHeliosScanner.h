@@ -16,7 +16,7 @@
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -368,6 +368,16 @@ public:
   vtkBooleanMacro(GenerateTruth, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes have ScanDirectionFlag and EdgeOfFlightLine, which are those of
+   * their pulse by the deflector; 0 for one without lines. Default: off.
+   */
+  vtkSetMacro(GenerateScanFlags, bool);
+  vtkGetMacro(GenerateScanFlags, bool);
+  vtkBooleanMacro(GenerateScanFlags, bool);
+  ///@}
+
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -476,6 +486,7 @@ private:
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
+  bool GenerateScanFlags = false;
 
   std::unique_ptr<helios::ScanCounts> Counts;
 };

@@ -378,6 +378,22 @@ private:
   std::vector<double> Sigmas; // of the guesses [ns]
 };
 
+/// Removes maxima below a fraction of the largest one.
+void RemoveSmall(
+  const vtkHeliosWaveform& waveform, double fraction, std::vector<helios::Peak>& peaks)
+{
+  const auto getSample = [&waveform](const helios::Peak& peak)
+  { return static_cast<double>(waveform.Samples[peak.First]); };
+  double largest = 0.0;
+  for (const helios::Peak& peak : peaks)
+  {
+    largest = std::max(largest, getSample(peak));
+  }
+  const auto isSmall = [&](const helios::Peak& peak)
+  { return getSample(peak) < fraction * largest; };
+  peaks.erase(std::remove_if(peaks.begin(), peaks.end(), isSmall), peaks.end());
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -387,6 +403,7 @@ void vtkHeliosGaussianDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumSeparation: " << this->MinimumSeparation << " ns\n"
      << indent << "ResolveHidden: " << this->ResolveHidden << "\n"
      << indent << "FitBackground: " << this->FitBackground << "\n"
+     << indent << "RelativeThreshold: " << this->RelativeThreshold << "\n"
      << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
 }
 
@@ -396,6 +413,7 @@ void vtkHeliosGaussianDecomposition::Detect(
 {
   static thread_local Scratch scratch;
   helios::FindPeaks(waveform, this->DetectionThreshold, this->MinimumSeparation, scratch.Peaks);
+  RemoveSmall(waveform, this->RelativeThreshold, scratch.Peaks);
   const std::size_t before = echoes.size();
   Decomposition decomposition(waveform, scratch);
   decomposition.ResolveHidden = this->ResolveHidden;

@@ -72,6 +72,16 @@ public:
 
   ///@{
   /**
+   * Set/Get the fraction of the largest sample of a waveform below which a maximum is no echo:
+   * receivers ring after strong echoes. Valid range: [0, 1]. Default: 0, all that reach
+   * DetectionThreshold.
+   */
+  vtkSetClampMacro(RelativeThreshold, double, 0.0, 1.0);
+  vtkGetMacro(RelativeThreshold, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the maximum number of model evaluations per fit. Valid range:
    * [1, 10000]. Default: 100.
    */
@@ -95,6 +105,7 @@ private:
   double MinimumSeparation = 0.0;
   bool ResolveHidden = false;
   bool FitBackground = false;
+  double RelativeThreshold = 0.0;
   int MaximumNumberOfIterations = 100;
 };
 

@@ -60,6 +60,18 @@ double vtkHeliosBeamDeflector::GetDelay(vtkIdType) const
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosBeamDeflector::GetScanDirectionFlag(vtkIdType) const
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosBeamDeflector::IsEdgeOfFlightLine(vtkIdType) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
 HELIOS_CLONES
 double vtkHeliosBeamDeflector::ComputePhase(vtkIdType pulse, double frequency) const
 {

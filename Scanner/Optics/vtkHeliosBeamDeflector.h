@@ -8,7 +8,8 @@
  * its index: any thread or machine can compute any pulse, without drift.
  *
  * To add one: subclass, implement GetDirection() (and GetScanAngle() if the
- * angle is not measured from the y axis). ComputePhase() gives phases that are
+ * angle is not measured from the y axis, GetScanDirectionFlag() and
+ * IsEdgeOfFlightLine() if there are lines). ComputePhase() gives phases that are
  * exact for any index. Nothing else of vtkHelios is needed.
  *
  * @sa
@@ -68,6 +69,16 @@ public:
    */
   virtual int GetChannel(vtkIdType pulse) const;
   virtual double GetDelay(vtkIdType pulse) const;
+  ///@}
+
+  ///@{
+  /**
+   * For optics that scan lines, as LAS 1.4 defines them: 1 while the scan angle increases, else 0;
+   * and whether a pulse is the last one emitted before the scan reverses or the next facet starts
+   * a line. By default there are no lines: 0 and false.
+   */
+  virtual int GetScanDirectionFlag(vtkIdType pulse) const;
+  virtual bool IsEdgeOfFlightLine(vtkIdType pulse) const;
   ///@}
 
 protected:

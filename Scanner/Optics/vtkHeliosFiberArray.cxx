@@ -37,6 +37,18 @@ bool vtkHeliosFiberArray::GetDirection(vtkIdType pulse, double direction[3]) con
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosFiberArray::GetScanDirectionFlag(vtkIdType) const
+{
+  return this->NumberOfFibers > 1 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosFiberArray::IsEdgeOfFlightLine(vtkIdType pulse) const
+{
+  return this->NumberOfFibers > 1 && this->ComputeCount(pulse + 1) % this->NumberOfFibers == 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosFiberArray::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -53,6 +53,14 @@ public:
    */
   double GetScanAngle(vtkIdType pulse) const override;
 
+  ///@{
+  /**
+   * 1 for every pulse; the edge is the last fibre. A single fibre has neither.
+   */
+  int GetScanDirectionFlag(vtkIdType pulse) const override;
+  bool IsEdgeOfFlightLine(vtkIdType pulse) const override;
+  ///@}
+
 protected:
   vtkHeliosFiberArray() = default;
   ~vtkHeliosFiberArray() override = default;

@@ -55,6 +55,19 @@ bool vtkHeliosOscillatingMirror::GetDirection(vtkIdType pulse, double direction[
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosOscillatingMirror::GetScanDirectionFlag(vtkIdType pulse) const
+{
+  return this->ScanFrequency > 0.0 && this->ComputePhase(pulse, this->ScanFrequency) < 0.5 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosOscillatingMirror::IsEdgeOfFlightLine(vtkIdType pulse) const
+{
+  const bool skipsLines = 2.0 * this->ScanFrequency >= this->PulseFrequency;
+  return skipsLines || this->GetScanDirectionFlag(pulse) != this->GetScanDirectionFlag(pulse + 1);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosOscillatingMirror::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -86,6 +86,15 @@ public:
    */
   double GetScanAngle(vtkIdType pulse) const override;
 
+  ///@{
+  /**
+   * 1 where p < 1/2; the edge is the last pulse of each half period. A mirror without ScanFrequency
+   * has neither.
+   */
+  int GetScanDirectionFlag(vtkIdType pulse) const override;
+  bool IsEdgeOfFlightLine(vtkIdType pulse) const override;
+  ///@}
+
 protected:
   vtkHeliosOscillatingMirror() = default;
   ~vtkHeliosOscillatingMirror() override = default;

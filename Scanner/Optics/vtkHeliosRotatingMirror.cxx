@@ -23,10 +23,35 @@ double vtkHeliosRotatingMirror::GetScanAngle(vtkIdType pulse) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosRotatingMirror::IsInWindow(double beta) const
+{
+  return this->VerticalAngleMin < beta && beta <= this->VerticalAngleMax;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRotatingMirror::GetScanDirectionFlag(vtkIdType) const
+{
+  return this->ScanFrequency > 0.0 ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosRotatingMirror::IsEdgeOfFlightLine(vtkIdType pulse) const
+{
+  const double beta = this->ComputeBeta(pulse);
+  if (!(this->ScanFrequency > 0.0) || !this->IsInWindow(beta))
+  {
+    return false;
+  }
+  const double next = this->ComputeBeta(pulse + 1);
+  const bool skipsLines = this->ScanFrequency >= this->PulseFrequency;
+  return skipsLines || next < beta || next > this->VerticalAngleMax;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosRotatingMirror::GetDirection(vtkIdType pulse, double direction[3]) const
 {
   const double angle = this->ComputeBeta(pulse);
-  if (!(this->VerticalAngleMin < angle && angle <= this->VerticalAngleMax))
+  if (!this->IsInWindow(angle))
   {
     return false;
   }

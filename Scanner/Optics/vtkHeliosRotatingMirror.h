@@ -68,6 +68,15 @@ public:
    */
   double GetScanAngle(vtkIdType pulse) const override;
 
+  ///@{
+  /**
+   * 1 for every pulse; the edge is the last pulse in the window of each facet. A mirror without
+   * ScanFrequency has neither.
+   */
+  int GetScanDirectionFlag(vtkIdType pulse) const override;
+  bool IsEdgeOfFlightLine(vtkIdType pulse) const override;
+  ///@}
+
 protected:
   vtkHeliosRotatingMirror() = default;
   ~vtkHeliosRotatingMirror() override = default;
@@ -77,6 +86,7 @@ private:
   void operator=(const vtkHeliosRotatingMirror&) = delete;
 
   double ComputeBeta(vtkIdType pulse) const;
+  bool IsInWindow(double beta) const;
 
   double ScanFrequency = 100.0;
   double MirrorAngle = 180.0;

@@ -155,6 +155,9 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   }
   this->Settings.Folder = player->GetRunFolder();
   this->Settings.Waveforms = player->WriteWaveforms;
+  const bool isLas = this->Settings.Format == "las";
+  this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
+  this->Settings.ScanFlags = isLas || player->WriteScanFlags;
   this->Settings.Pulses = player->WritePulses;
   this->Settings.SplitByChannel = player->SplitByChannel;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
@@ -575,6 +578,8 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
+     << indent << "WaveformsInPoints: " << this->WaveformsInPoints << "\n"
+     << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"

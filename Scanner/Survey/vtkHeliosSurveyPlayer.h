@@ -15,8 +15,8 @@
  * - legNNN_points.xyz (or .las, .pvtp): the echoes
  * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at start and
  *   end of the leg
- * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms; those of legNNN_points.las
- *   are in legNNN_points.wdp
+ * - legNNN_fullwave.txt (or .las, .pvtt), with WriteWaveforms: the waveforms; LAS has them with the
+ *   points again, unless WaveformsInPoints puts them into legNNN_points.las
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
  * Legs of the same strip S share files, stripS_points.xyz etc. The channels of a scanner fire at
  * once, and their records go to one file in pulse order, or with SplitByChannel to
@@ -121,6 +121,28 @@ public:
   vtkSetMacro(WriteWaveforms, bool);
   vtkGetMacro(WriteWaveforms, bool);
   vtkBooleanMacro(WriteWaveforms, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where the waveforms of Format "las" are. Off: legNNN_points.las has point format 6 or 7,
+   * which all programs read, and legNNN_fullwave.las the same points with waveforms, point format 9
+   * or 10, whose packets are in legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or 10,
+   * and legNNN_points.wdp. Default: off.
+   */
+  vtkSetMacro(WaveformsInPoints, bool);
+  vtkGetMacro(WaveformsInPoints, bool);
+  vtkBooleanMacro(WaveformsInPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether echoes in text and VTK XML have ScanDirectionFlag and EdgeOfFlightLine; text has
+   * two more columns then. Points in LAS always have them. Default: off.
+   */
+  vtkSetMacro(WriteScanFlags, bool);
+  vtkGetMacro(WriteScanFlags, bool);
+  vtkBooleanMacro(WriteScanFlags, bool);
   ///@}
 
   ///@{
@@ -252,6 +274,8 @@ private:
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
   bool WriteWaveforms = false;
+  bool WaveformsInPoints = false;
+  bool WriteScanFlags = false;
   bool WritePulses = false;
   bool SplitByChannel = false;
   bool Overwrite = false;

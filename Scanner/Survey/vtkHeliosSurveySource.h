@@ -90,7 +90,7 @@ public:
   ///@{
   /**
    * Set/Get which outputs are computed besides the echoes, and whether the echoes have TruePoint
-   * and Normal, as in vtkHeliosScanner. Default: off.
+   * and Normal, or ScanDirectionFlag and EdgeOfFlightLine, as in vtkHeliosScanner. Default: off.
    */
   vtkSetMacro(GenerateWaveforms, bool);
   vtkGetMacro(GenerateWaveforms, bool);
@@ -104,6 +104,9 @@ public:
   vtkSetMacro(GenerateTruth, bool);
   vtkGetMacro(GenerateTruth, bool);
   vtkBooleanMacro(GenerateTruth, bool);
+  vtkSetMacro(GenerateScanFlags, bool);
+  vtkGetMacro(GenerateScanFlags, bool);
+  vtkBooleanMacro(GenerateScanFlags, bool);
   ///@}
 
   ///@{
@@ -217,6 +220,7 @@ private:
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
+  bool GenerateScanFlags = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 
   std::atomic<bool> AbortRequested{ false };

@@ -45,6 +45,7 @@ YARD = (
 FORMATS = {
     "text": ["--format", "xyz", "--waveforms", "--seed", "3"],
     "xml": ["--format", "vtp", "--waveforms", "--seed", "3"],
+    "las": ["--format", "las", "--waveforms", "--seed", "3"],
 }
 KILLS = 12  # of each format
 BLOCK = ["--pulses-per-block", "1000"]
@@ -138,7 +139,7 @@ def break_off(survey, *options, size=200_000):
     return done
 
 
-@pytest.mark.parametrize("name, seed", [("text", 1), ("xml", 2)])
+@pytest.mark.parametrize("name, seed", [("text", 1), ("xml", 2), ("las", 3)])
 def test_killed_at_any_moment(name, seed, survey):
     done = run(survey, *BLOCK, *FORMATS[name], "--output", "whole")
     assert done.returncode == 0, done.stderr
@@ -163,7 +164,9 @@ def test_killed_at_any_moment(name, seed, survey):
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_file_size_limit(name, survey):
-    done = break_off(survey, *FORMATS[name], size={"text": 3_000_000, "xml": 100_000}[name])
+    done = break_off(
+        survey, *FORMATS[name], size={"text": 3_000_000, "xml": 100_000, "las": 3_000_000}[name]
+    )
     assert "File too large" in done.stderr or "No space left" in done.stderr
     assert "are safe in" in done.stderr and "Resume" in done.stderr
     folder = survey / "output/yard"

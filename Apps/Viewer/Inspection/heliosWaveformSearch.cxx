@@ -58,7 +58,7 @@ void AddBeside(const fs::path& points, std::vector<std::string>& files)
   {
     files.push_back(points.string());
   }
-  for (const char* format : { "xyz", "vtp" })
+  for (const char* format : { "xyz", "vtp", "las" })
   {
     const std::string name =
       RunFiles::GetBeside(points.filename().string(), RunFiles::WAVEFORMS, format);

@@ -20,7 +20,7 @@ namespace helios::viewer
 
 /**
  * The files with waveforms of the inputs: those of a folder and its subfolders, or beside
- * legNNN_points.* the leg's legNNN_fullwave.txt or .pvtt; LAS files whose points refer to packets.
+ * legNNN_points.* the leg's legNNN_fullwave.txt, .pvtt or .las; LAS files whose points refer to packets.
  * Empty: none.
  */
 std::vector<std::string> FindWaveformFiles(const std::vector<std::string>& inputs);

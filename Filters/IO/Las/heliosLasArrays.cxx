@@ -191,7 +191,7 @@ void LasArrays::AddLongFields()
   this->AddField<Bytes>(names::NumberOfReturns, [](const char* r) { return r[14] >> 4 & 15; });
   this->AddField<Bytes>(names::ClassificationFlags, [](const char* r) { return r[15] & 15; });
   this->AddField<vtkIntArray>(names::ChannelIds, [](const char* r) { return r[15] >> 4 & 3; });
-  this->AddField<Bytes>(names::ScanDirection, [](const char* r) { return r[15] >> 6 & 1; });
+  this->AddField<Bytes>(names::ScanDirectionFlag, [](const char* r) { return r[15] >> 6 & 1; });
   this->AddField<Bytes>(names::EdgeOfFlightLine, [](const char* r) { return r[15] >> 7 & 1; });
   this->AddField<vtkIntArray>(
     names::ClassificationIds, [](const char* r) { return LoadLas<std::uint8_t>(r + 16); });
@@ -208,7 +208,7 @@ void LasArrays::AddShortFields()
   using Bytes = vtkUnsignedCharArray;
   this->AddField<Bytes>(names::ReturnNumber, [](const char* r) { return r[14] & 7; });
   this->AddField<Bytes>(names::NumberOfReturns, [](const char* r) { return r[14] >> 3 & 7; });
-  this->AddField<Bytes>(names::ScanDirection, [](const char* r) { return r[14] >> 6 & 1; });
+  this->AddField<Bytes>(names::ScanDirectionFlag, [](const char* r) { return r[14] >> 6 & 1; });
   this->AddField<Bytes>(names::EdgeOfFlightLine, [](const char* r) { return r[14] >> 7 & 1; });
   this->AddField<vtkIntArray>(names::ClassificationIds, [](const char* r) { return r[15] & 31; });
   this->AddField<Bytes>(names::ClassificationFlags, [](const char* r) { return r[15] >> 5 & 7; });

@@ -54,7 +54,7 @@ const char* Describe(const std::string& name)
 bool IsField(const std::string& name)
 {
   const char* const fields[] = { names::Intensity, names::ReturnNumber, names::NumberOfReturns,
-    names::ClassificationFlags, names::ScanDirection, names::EdgeOfFlightLine,
+    names::ClassificationFlags, names::ScanDirectionFlag, names::EdgeOfFlightLine,
     names::ClassificationIds, names::UserData, names::ScanAngle, names::LegIds, names::GpsTime,
     names::RGB, names::NearInfrared };
   return std::any_of(
@@ -181,11 +181,11 @@ Status LasBlock::ReadFields(vtkPolyData* echoes)
     { names::Intensity, true, this->Intensity }, { names::ReturnNumber, true, this->ReturnNumber },
     { names::NumberOfReturns, true, this->NumberOfReturns },
     { names::ClassificationFlags, true, this->Flags }, { names::ChannelIds, true, this->Channel },
-    { names::ScanDirection, true, this->Direction }, { names::EdgeOfFlightLine, true, this->Edge },
-    { names::ClassificationIds, true, this->Class }, { names::UserData, true, this->UserData },
-    { names::ScanAngle, false, this->ScanAngle }, { names::LegIds, true, this->Leg },
-    { names::GpsTime, false, this->Time }, { names::RGB, false, this->Color },
-    { names::WaveformIds, true, this->WaveformIds } };
+    { names::ScanDirectionFlag, true, this->Direction },
+    { names::EdgeOfFlightLine, true, this->Edge }, { names::ClassificationIds, true, this->Class },
+    { names::UserData, true, this->UserData }, { names::ScanAngle, false, this->ScanAngle },
+    { names::LegIds, true, this->Leg }, { names::GpsTime, false, this->Time },
+    { names::RGB, false, this->Color }, { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
     Status status = this->ReadColumn(echoes, field.Name, field.IsInteger, field.Values);

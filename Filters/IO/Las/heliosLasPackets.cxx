@@ -54,6 +54,18 @@ std::string GetPacketsName(const std::string& path)
   return name.replace_extension(".wdp").string() + (isPart ? part : std::string());
 }
 
+/// An error if only compressed packets are there, for which there is no maintained library.
+Status CheckCompressed(const std::string& packets)
+{
+  std::error_code error;
+  const auto compressed = std::filesystem::path(packets).replace_extension(".wdz");
+  return std::filesystem::exists(packets, error) || !std::filesystem::exists(compressed, error)
+    ? Status()
+    : Status::Error(compressed.string() +
+        ": compressed waveforms (.wdz) cannot be read; decompress them to " + packets +
+        " with the program that wrote them, or switch ReadWaveforms off");
+}
+
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> AddColumn(vtkFieldData* data, const char* name, int components = 1)
 {
@@ -126,6 +138,10 @@ Status LasPackets::Open(const LasFile& file)
   const bool isInternal = (header.Encoding & InternalWaves) != 0;
   this->Path = isInternal ? file.GetPath() : GetPacketsName(file.GetPath());
   this->Begin = isInternal ? header.WavesBegin : 0;
+  if (const Status status = CheckCompressed(this->Path); !status.IsOk())
+  {
+    return status;
+  }
   if (const Status status = CheckInputFile(this->Path); !status.IsOk())
   {
     return Status::Error(this->Path + ": " + status.Message());

@@ -7,7 +7,7 @@
  * LAS 1.0 to 1.4, uncompressed, point formats 0 to 10. Output 0 is a
  * vtkPolyData without cells: double points, and the point arrays
  * - GpsTime [s] (double), if the format has it;
- * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirection,
+ * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirectionFlag,
  *   EdgeOfFlightLine, UserData, ClassificationFlags (unsigned char);
  * - ClassificationIds (int), ScanAngle (double) [deg];
  * - LegIds (int), the point source id minus 1: -1 if it is 0;

@@ -24,7 +24,7 @@
  * - GPS time: GpsTime [s] unchanged; with a field array GpsEpoch (seconds of
  *   GPS time since 6 January 1980, not 0) adjusted standard time, GpsEpoch +
  *   GpsTime - 1e9, flagged in the header.
- * - ClassificationFlags, ScanDirection, EdgeOfFlightLine, UserData, RGB.
+ * - ClassificationFlags, ScanDirectionFlag, EdgeOfFlightLine, UserData, RGB.
  * - Extra Bytes: every other array, exactly, with its own name and type
  *   (Amplitude, EchoWidth, Range, PulseIds ...), including ChannelIds. An array
  *   of three components becomes three fields: TruePointX, TruePointY, TruePointZ.

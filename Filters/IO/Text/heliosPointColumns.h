@@ -24,9 +24,10 @@ struct PointColumn
   double Default;    ///< without an array
 };
 
-inline constexpr int NumberOfPointColumns = 11;
-inline constexpr int FirstArrayColumn = 3; ///< after x, y, z
-inline constexpr int PartColumn = 8;       ///< the name of a part, or its number
+inline constexpr int NumberOfPointColumns = 13;
+inline constexpr int NumberOfBasicColumns = 11; ///< without the flags of scan lines
+inline constexpr int FirstArrayColumn = 3;      ///< after x, y, z
+inline constexpr int PartColumn = 8;            ///< the name of a part, or its number
 
 inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
   { "x", "", VTK_DOUBLE, 4, 1.0, 0.0 },
@@ -40,7 +41,16 @@ inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
   { "part", vtkHeliosArrayNames::PartIds, VTK_INT, 0, 1.0, -1.0 },
   { "class", vtkHeliosArrayNames::ClassificationIds, VTK_INT, 0, 1.0, 0.0 },
   { "time", vtkHeliosArrayNames::GpsTime, VTK_DOUBLE, 9, 1.0, 0.0 },
+  { "scan direction", vtkHeliosArrayNames::ScanDirectionFlag, VTK_UNSIGNED_CHAR, 0, 1.0, 0.0 },
+  { "edge of flight line", vtkHeliosArrayNames::EdgeOfFlightLine, VTK_UNSIGNED_CHAR, 0, 1.0, 0.0 },
 };
+
+/// The columns that are read from a row with a number of them.
+inline constexpr int GetColumnsToRead(int columns)
+{
+  return columns == NumberOfPointColumns || columns == NumberOfBasicColumns ? columns
+                                                                            : FirstArrayColumn;
+}
 
 } // namespace helios
 

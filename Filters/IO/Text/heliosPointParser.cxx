@@ -46,12 +46,20 @@ bool IsAtEnd(TextWords words)
   return !words.HasMore() || words.Rest().substr(0, 2) == "//";
 }
 
-/// Whether the name of a part, which may begin with #, and two numbers follow.
-bool IsEndOfRow(TextWords words)
+/// The columns of a row from the name of a part on, which may begin with #; 0 if other words than
+/// numbers follow.
+int CountFromPart(TextWords words)
 {
   double number = 0.0;
-  return !words.NextName().empty() && words.Next(number) == TextWords::Number::Good &&
-    words.Next(number) == TextWords::Number::Good && IsAtEnd(words);
+  int count = words.NextName().empty() ? 0 : 1;
+  for (; count > 0 && !IsAtEnd(words); ++count)
+  {
+    if (words.Next(number) != TextWords::Number::Good)
+    {
+      return 0;
+    }
+  }
+  return count;
 }
 
 template <typename ArrayT, typename T>
@@ -88,7 +96,8 @@ int CountColumns(std::string_view row)
   {
     words.NextName();
   }
-  return count == PartColumn && IsEndOfRow(words) ? NumberOfPointColumns : count;
+  const int all = count + CountFromPart(words); // the name of a part may look like a comment
+  return count == PartColumn && GetColumnsToRead(all) == all ? all : count;
 }
 
 PointParser::PointParser(int columns, bool keepInvalid, PartNumbers& parts, TextReport& report)
@@ -115,7 +124,7 @@ bool PointParser::Read(LineFile& file, vtkIdType maximum)
 
 bool PointParser::IsRow(std::string_view line)
 {
-  return CountColumns(line) == NumberOfPointColumns && this->ReadRow(line);
+  return GetColumnsToRead(CountColumns(line)) > FirstArrayColumn && this->ReadRow(line);
 }
 
 bool PointParser::ReadRow(std::string_view line)
@@ -130,8 +139,7 @@ bool PointParser::ReadRow(std::string_view line)
   {
     return this->Fail("has zero bytes, so it is not valid text: it is damaged, copy it again");
   }
-  const bool isComplete = this->Columns == NumberOfPointColumns;
-  const int count = isComplete ? NumberOfPointColumns : FirstArrayColumn;
+  const int count = GetColumnsToRead(this->Columns);
   for (int column = 0; column < count; ++column)
   {
     const bool isRead = PointColumns[column].Decimals > 0 ? this->ReadReal(words, column)
@@ -142,7 +150,7 @@ bool PointParser::ReadRow(std::string_view line)
       return false;
     }
   }
-  return !isComplete || IsAtEnd(words) || this->FailColumns();
+  return count == FirstArrayColumn || IsAtEnd(words) || this->FailColumns();
 }
 
 bool PointParser::ReadReal(TextWords& words, int column)
@@ -229,8 +237,7 @@ void PointParser::MoveTo(vtkPolyData* cloud)
   }
   cloud->SetPoints(points);
   vtkPointData* data = cloud->GetPointData();
-  const bool isComplete = this->Columns == NumberOfPointColumns;
-  for (int column = FirstArrayColumn; isComplete && column < NumberOfPointColumns; ++column)
+  for (int column = FirstArrayColumn; column < GetColumnsToRead(this->Columns); ++column)
   {
     const PointColumn& c = PointColumns[column];
     switch (c.Type)

@@ -29,7 +29,7 @@ bool FindFirstRow(LineFile& file, std::string_view& row);
 /// The columns of a row, without a comment that begins with # or //.
 int CountColumns(std::string_view row);
 
-/// Reads rows of x y z and, in files of 11 columns, of the others.
+/// Reads rows of x y z and, in files of 11 or 13 columns, of the others.
 class PointParser
 {
 public:
@@ -41,7 +41,7 @@ public:
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Reals[0].size()); }
 
-  /// Whether a line is a row of 11 valid columns.
+  /// Whether a line is a row of all columns, which are valid.
   bool IsRow(std::string_view line);
 
   /// Moves the points and their arrays to a cloud.

@@ -46,7 +46,7 @@ bool vtkHeliosPointTextReader::CanReadFile(const char* fileName)
   helios::PartNumbers parts;
   helios::TextReport report;
   return fileName && file.Open(fileName).IsOk() && helios::FindFirstRow(file, row) &&
-    helios::PointParser(helios::NumberOfPointColumns, false, parts, report).IsRow(row);
+    helios::PointParser(helios::CountColumns(row), false, parts, report).IsRow(row);
 }
 
 void vtkHeliosPointTextReader::SetPartNames(vtkStringArray* partNames)
@@ -71,7 +71,7 @@ bool vtkHeliosPointTextReader::ReadFile(
   {
     return report.Fail(!file.GetError().empty() ? file.GetError()
         : hasRow ? path + ": has " + std::to_string(columns) + " columns; give x y z, or the " +
-          std::to_string(helios::NumberOfPointColumns) + " columns of echoes"
+          std::to_string(helios::NumberOfBasicColumns) + " columns of echoes"
                  : path + ": has no points; give a file with points");
   }
   file.SetRange(this->Begin, file.GetSize());

@@ -20,7 +20,7 @@
  * A file larger than memory is read in parts: set MaximumNumberOfPoints, and Begin to GetEnd() of
  * the update before, until GetEnd() is GetFileSize().
  *
- * Errors, without output: a row with too few columns, or more than eleven; a word that is not a
+ * Errors, without output: a row with too few or too many columns; a word that is not a
  * number, or not one of its array's type; NaN and infinities, unless KeepInvalid is on; a file that
  * cannot be read or has no rows. Messages start with file:line.
  *
@@ -60,7 +60,7 @@ public:
   static int CountColumns(const char* fileName);
 
   /**
-   * Whether the first row of a file has eleven valid columns.
+   * Whether the first row of a file has eleven or thirteen valid columns.
    */
   static bool CanReadFile(const char* fileName);
 

@@ -32,6 +32,7 @@ namespace
 
 constexpr vtkIdType TypicalRowSize = 96;
 
+using BasicColumns = std::make_integer_sequence<int, helios::NumberOfBasicColumns>;
 using AllColumns = std::make_integer_sequence<int, helios::NumberOfPointColumns>;
 
 /// The columns of a block, and their formatting.
@@ -82,21 +83,22 @@ struct EchoLines
     {
       text.AppendInteger(this->Columns[Index].GetInteger(row));
     }
-    text.Append(Index + 1 < helios::NumberOfPointColumns ? ' ' : '\n');
   }
 
   template <int... Indices>
   void AppendLine(
     vtkIdType row, helios::TextBuffer& text, std::integer_sequence<int, Indices...>) const
   {
-    (this->AppendColumn<Indices>(row, text), ...);
+    ((this->AppendColumn<Indices>(row, text),
+       text.Append(Indices + 1 < static_cast<int>(sizeof...(Indices)) ? ' ' : '\n')),
+      ...);
   }
 };
 
 /// Adds the arrays without which a block cannot be written.
-void AddMissing(vtkPointData* data, vtkIdType count)
+void AddMissing(vtkPointData* data, int columns, vtkIdType count)
 {
-  for (int i = helios::FirstArrayColumn; i < helios::NumberOfPointColumns; ++i)
+  for (int i = helios::FirstArrayColumn; i < columns; ++i)
   {
     const helios::PointColumn& column = helios::PointColumns[i];
     if (!data->HasArray(column.Array))
@@ -117,7 +119,8 @@ void AddMissing(vtkPointData* data, vtkIdType count)
 void vtkHeliosPointTextWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FillMissing: " << this->FillMissing << "\n";
+  os << indent << "FillMissing: " << this->FillMissing << "\n"
+     << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -129,7 +132,7 @@ const char* vtkHeliosPointTextWriter::GetBlockSource() const
 //------------------------------------------------------------------------------
 int vtkHeliosPointTextWriter::GetNumberOfArrays()
 {
-  return helios::NumberOfPointColumns - helios::FirstArrayColumn;
+  return helios::NumberOfBasicColumns - helios::FirstArrayColumn;
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +155,8 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
   {
     return true;
   }
+  const int columns =
+    this->WriteScanFlags ? helios::NumberOfPointColumns : helios::NumberOfBasicColumns;
   EchoLines lines;
   lines.SetPartNames(
     vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName)));
@@ -159,9 +164,9 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
   data->ShallowCopy(echoes->GetPointData());
   if (this->FillMissing)
   {
-    AddMissing(data, count);
+    AddMissing(data, columns, count);
   }
-  for (int i = 0; i < helios::NumberOfPointColumns; ++i)
+  for (int i = 0; i < columns; ++i)
   {
     const helios::PointColumn& column = helios::PointColumns[i];
     helios::Column& read = lines.Columns[i];
@@ -176,6 +181,9 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
     }
   }
   return this->WriteRows(count, TypicalRowSize,
-    [&lines](vtkIdType row, helios::TextBuffer& text)
-    { lines.AppendLine(row, text, AllColumns()); });
+    [&lines, hasFlags = this->WriteScanFlags](vtkIdType row, helios::TextBuffer& text)
+    {
+      hasFlags ? lines.AppendLine(row, text, AllColumns())
+               : lines.AppendLine(row, text, BasicColumns());
+    });
 }

@@ -14,6 +14,7 @@
  * - hit object: the name of the scene part, with _ for blanks; its number if it has no name
  * - classification
  * - GPS time [s], 9 decimals
+ * - with WriteScanFlags: the scan direction flag and the edge of flight line, 0 or 1
  *
  * Numbers are correctly rounded, halves to even; zero has no sign.
  *
@@ -52,7 +53,18 @@ public:
 
   ///@{
   /**
-   * The names of the arrays that have a column, in the order of the columns after x y z.
+   * Set/Get whether there are two more columns, the arrays ScanDirectionFlag and EdgeOfFlightLine.
+   * Default: off.
+   */
+  vtkSetMacro(WriteScanFlags, bool);
+  vtkGetMacro(WriteScanFlags, bool);
+  vtkBooleanMacro(WriteScanFlags, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The names of the arrays that have a column, in the order of the columns after x y z,
+   * without those of WriteScanFlags.
    */
   static int GetNumberOfArrays();
   static const char* GetArrayName(int index);
@@ -74,6 +86,7 @@ private:
   void operator=(const vtkHeliosPointTextWriter&) = delete;
 
   bool FillMissing = false;
+  bool WriteScanFlags = false;
 };
 
 #endif

@@ -276,6 +276,31 @@ def test_seed_and_threads(command_line, make_survey, tmp_path):
     assert run("--seed", 1, "--no-noise") == run("--seed", 2, "--no-noise")
 
 
+def test_scan_flags_are_two_more_columns(command_line, make_survey, tmp_path):
+    survey, found = make_survey(), {}
+    text = survey.read_text().replace('verticalAngleMax_deg="60"', 'verticalAngleMax_deg="-10"')
+    survey.write_text(text)  # all lines end on the ground
+    for name, *options in (("plain",), ("flags", "--scan-flags")):
+        words = ["run", survey, "--output", tmp_path / name, "--quiet", *options]
+        assert command_line(*words).returncode == 0
+        found[name] = (tmp_path / name / "plane/leg000_points.xyz").read_text().splitlines()
+    assert [line.rsplit(" ", 2)[0] for line in found["flags"]] == found["plain"]
+    flags = {tuple(line.split()[-2:]) for line in found["flags"]}
+    assert flags == {("1", "0"), ("1", "1")}  # a polygon
+    from vtkhelios import formats
+
+    with formats.open_reader(tmp_path / "flags/plane/leg000_points.xyz") as reader:
+        chunk = next(reader.chunks())
+    assert not reader.notes
+    assert chunk["EdgeOfFlightLine"].sum() == sum(line.endswith(" 1") for line in found["flags"])
+
+
+def test_waveforms_in_points_needs_las_and_waveforms(command_line, make_survey, tmp_path):
+    done = command_line("run", make_survey(), "--waveforms-in-points", "--waveforms")
+    assert done.returncode == 2
+    assert "--waveforms-in-points needs --format las and --waveforms: give all three" in done.stderr
+
+
 def test_waveforms(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--output", tmp_path / "out", "--waveforms")
     assert done.returncode == 0, done.stderr

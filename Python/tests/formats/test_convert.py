@@ -235,6 +235,41 @@ def test_merged_files_keep_their_waveforms(small_runs, convert, tmp_path):
     assert np.array_equal(waves["Samples"], np.concatenate([one["Samples"] for one in each]))
 
 
+def test_a_run_with_separate_waveforms(small_runs, convert, tmp_path):
+    """Points of format 6, and with --waveforms those of format 9 with their packets."""
+    pytest.importorskip("lazrs")
+    survey = small_runs["las"].parents[1] / "survey.xml"
+    words = ["run", survey, "--format", "las", "--output", tmp_path, "--waveforms", "--quiet"]
+    assert cli.main([*map(str, words)]) == 0
+    run = tmp_path / "fence"
+    assert convert(run, tmp_path / "points.las")[0] == 0
+    assert not (tmp_path / "points.wdp").exists()
+    assert convert(run, tmp_path / "waves.las", "--waveforms", "external")[0] == 0
+    assert [(tmp_path / f"{name}.las").read_bytes()[104] for name in ("points", "waves")] == [6, 9]
+    points, waves = read(tmp_path / "points.las"), read(tmp_path / "waves.las")
+    for name, values in points.items():
+        assert np.array_equal(values, waves[name]), name
+    assert convert(small_runs["las"], tmp_path / "inside.las")[0] == 0
+    expected, _ = read_waveforms(tmp_path / "inside.las")
+    assert np.array_equal(read_waveforms(tmp_path / "waves.las")[0]["Samples"], expected["Samples"])
+    assert (points["ScanDirectionFlag"] == 1).all()  # a polygon
+
+
+def test_points_are_read_by_pdal(small_runs, tmp_path):
+    """PDAL refuses format 9, so points with waveforms have a file of their own."""
+    program = shutil.which("pdal")
+    if not program:
+        pytest.skip("pdal is not here")
+    survey = small_runs["las"].parents[1] / "survey.xml"
+    words = ["run", survey, "--format", "las", "--output", tmp_path, "--waveforms", "--quiet"]
+    assert cli.main([*map(str, words)]) == 0
+    for name, is_read in (("leg000_points.las", True), ("leg000_fullwave.las", False)):
+        done = subprocess.run(
+            [program, "info", tmp_path / "fence" / name], capture_output=True, text=True
+        )
+        assert (done.returncode == 0) == is_read, done.stderr
+
+
 def test_merged_files_of_different_forms(las, convert, tmp_path):
     """Data that cannot be copied go through arrays, with a message."""
     cloud = read(las)

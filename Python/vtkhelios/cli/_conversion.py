@@ -60,9 +60,13 @@ class Conversion:
             return []
         paths = []
         for each in self.inputs:
-            run = isinstance(each, RunReader)
-            paths += [str(each.folder / name) for name in each.files] if run else [each]
+            paths += self._files_of_run(each) if isinstance(each, RunReader) else [each]
         return paths if all(formats.ending(path) in RECORDS for path in paths) else []
+
+    def _files_of_run(self, run):
+        """Its point files, or with --waveforms those that have the same points with waveforms."""
+        waveform_files = run.waveform_files() if self.waveforms else []
+        return [str(run.folder / name) for name in waveform_files or run.files]
 
     def _copy_records(self, paths, task):
         readers = [RecordReader(path) for path in paths]

@@ -5,13 +5,16 @@
 import argparse
 import os
 import pathlib
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 import vtkhelios
 
+from .. import formats
 from .._paths import to_vtk
 from .._run_files import PART
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
@@ -22,7 +25,10 @@ SUMMARY = "re-run echo detection on stored waveforms, with another detector or t
 
 EPILOG = """\
 what it reads: legNNN_fullwave.pvtt or .txt as vtkhelios run --waveforms writes them, or with
---one-way the legNNN_fullwave.txt of HELIOS++, whose times are one-way.
+--one-way the legNNN_fullwave.txt of HELIOS++, whose times are one-way. Also LAS with waveforms
+(point formats 4, 5, 9 and 10, with their .wdp) and PulseWaves 0.3 (.pls with .wvs), of vtkHelios or
+of an instrument; these are read as a whole. Samples of an instrument are in a unit of its own, of
+which 1 counts as 1 W: --threshold 8e9 is 8 of them.
 
 what it writes: the same columns as a run. Waveforms do not identify the surface: in text the
 object is -1 and the class 0.
@@ -32,6 +38,8 @@ the same echoes again; for a run with adaptive sampling, the same within its tol
 
 examples:
   vtkhelios detect leg000_fullwave.pvtt --detector gaussian -o leg000_gaussian.xyz
+  vtkhelios detect flight.las --detector gaussian --pulse-length 4.2 --threshold 8e9
+                   --relative-threshold 0.1 --fit-background -o flight.xyz
   vtkhelios detect leg000_fullwave.txt --threshold 0.2 --returns last -o last.pvtp --pulse-length 3
 
 exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
@@ -59,7 +67,9 @@ def output_name(text):
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    parser.add_argument("waveforms", metavar="FULLWAVE", help="the waveforms: .pvtt, .vtt or text")
+    parser.add_argument(
+        "waveforms", metavar="FULLWAVE", help="the waveforms: .pvtt, .vtt, .las, .pls or text"
+    )
     parser.add_argument(
         "-o",
         "--output",
@@ -81,7 +91,7 @@ def add_arguments(parser):
         type=number(1e-3, 1e6),
         default=0.0,
         help="emitted pulse, full width at half maximum [ns] "
-        "(default: that of the .pvtt; text does not store it)",
+        "(default: that of the .pvtt; text, LAS and PulseWaves do not store it)",
     )
     parser.add_argument(
         "--threshold",
@@ -89,6 +99,19 @@ def add_arguments(parser):
         type=number(0, 1e15),
         default=1e-4,
         help="the minimum amplitude of an echo [nW] (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--relative-threshold",
+        metavar="F",
+        type=number(0, 1),
+        default=0.0,
+        help="gaussian: maxima below this fraction of the largest sample of a waveform are no "
+        "echoes; receivers ring after strong echoes (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--fit-background",
+        action="store_true",
+        help="gaussian: fit a constant under the echoes, such as sunlight or a digitizer's zero",
     )
     parser.add_argument(
         "--returns",
@@ -121,9 +144,21 @@ def add_arguments(parser):
 
 
 def run(arguments):
+    if arguments.detector != "gaussian" and (
+        arguments.relative_threshold or arguments.fit_background
+    ):
+        print(
+            "error: --relative-threshold and --fit-background need --detector gaussian: give it",
+            file=sys.stderr,
+        )
+        return 2
     with Messages(quiet=arguments.quiet) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
-        reader = make_reader(arguments)
+        try:
+            reader = make_reader(arguments)
+        except formats.FormatError as error:
+            messages.error(str(error))
+            return 1
         messages.watch(reader)
         pieces = count_pieces(reader, arguments.waveforms)
         detection = make_detection(arguments, reader)
@@ -143,8 +178,21 @@ def is_xml(path):
     return any(suffix in (".pvtt", ".vtt") for suffix in pathlib.Path(path).suffixes)
 
 
+def is_las(path):
+    return pathlib.Path(path).suffix.lower() == ".las"
+
+
 def make_reader(arguments):
-    if is_xml(arguments.waveforms):
+    """The reader of the waveforms, which are its last output."""
+    if pathlib.Path(arguments.waveforms).suffix.lower() == ".pls":
+        reader = vtkTrivialProducer()
+        reader.SetOutput(formats.read_pulsewaves(arguments.waveforms).returning)
+        return reader
+    if is_las(arguments.waveforms):
+        formats.check_waveforms(arguments.waveforms)
+        reader = vtkhelios.vtkHeliosLASReader()
+        reader.ReadWaveformsOn()
+    elif is_xml(arguments.waveforms):
         reader = vtkhelios.vtkHeliosWaveformXMLReader()
     else:
         reader = vtkhelios.vtkHeliosWaveformTextReader()
@@ -154,7 +202,12 @@ def make_reader(arguments):
 
 
 def count_pieces(reader, path):
-    """Number of pieces in which waveforms are read, so that memory does not grow with the file."""
+    """Number of pieces in which waveforms are read, so that memory does not grow with the file.
+
+    The points of a pulse in LAS need not be neighbours, but refer to one waveform: one piece.
+    """
+    if is_las(path) or reader.IsA("vtkTrivialProducer"):
+        return 1
     reader.UpdateInformation()
     if reader.IsA("vtkHeliosWaveformXMLReader"):
         return max(1, reader.GetNumberOfPieces())
@@ -166,7 +219,10 @@ def make_detection(arguments, reader):
     detector = vtkhelios.vtkHeliosEchoDetection.MakeDetector(arguments.detector)
     detector.SetDetectionThreshold(1e-9 * arguments.threshold)
     detection = vtkhelios.vtkHeliosEchoDetection()
-    detection.SetInputConnection(reader.GetOutputPort())
+    if arguments.detector == "gaussian":
+        detector.SetRelativeThreshold(arguments.relative_threshold)
+        detector.SetFitBackground(arguments.fit_background)
+    detection.SetInputConnection(reader.GetOutputPort(reader.GetNumberOfOutputPorts() - 1))
     detection.SetEchoDetector(detector)
     detection.SetPulseLength(arguments.pulse_length)
     getattr(detection, return_selections()[arguments.returns])()

@@ -36,8 +36,11 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_pulse.txt        the pulses, with --pulses: one per line, origin x y z, direction x y z,
                           time [ns], pulse, channel
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
-With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), and
-with --waveforms legNNN_points.wdp beside it; other files are text.
+With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), point
+format 6 or 7, which all programs read. With --waveforms legNNN_fullwave.las beside it, the same
+points with waveforms, point format 9 or 10, and their samples in legNNN_fullwave.wdp; PDAL and
+QGIS refuse these formats. With --waveforms-in-points legNNN_points.las has format 9 or 10, with
+legNNN_points.wdp, and is the only LAS file of the leg. Other files are text.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
@@ -168,7 +171,21 @@ def add_arguments(parser):
         help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
     parser.add_argument(
-        "--waveforms", action="store_true", help="also write the waveforms (as text, or as VTK XML)"
+        "--waveforms",
+        action="store_true",
+        help="also write the waveforms (as text, as VTK XML, or as LAS with point format 9 or 10)",
+    )
+    parser.add_argument(
+        "--waveforms-in-points",
+        action="store_true",
+        help="with --format las --waveforms: only legNNN_points.las, with point format 9 or 10, "
+        "which PDAL and QGIS refuse (default: point format 6 or 7, and legNNN_fullwave.las)",
+    )
+    parser.add_argument(
+        "--scan-flags",
+        action="store_true",
+        help="echoes in text and VTK XML with the scan direction flag and the edge of flight line; "
+        "in text as columns 12 and 13 (default: only in LAS, which always has them)",
     )
     parser.add_argument(
         "--pulses",
@@ -302,6 +319,12 @@ def run(arguments):
             file=sys.stderr,
         )
         return 2
+    if arguments.waveforms_in_points and not (arguments.waveforms and arguments.format == "las"):
+        print(
+            "error: --waveforms-in-points needs --format las and --waveforms: give all three",
+            file=sys.stderr,
+        )
+        return 2
     if arguments.check_all and not arguments.resume:
         print("error: --check-all needs --resume: give both", file=sys.stderr)
         return 2
@@ -349,6 +372,8 @@ def make_player(arguments, survey, messages):
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)
+    player.SetWaveformsInPoints(arguments.waveforms_in_points)
+    player.SetWriteScanFlags(arguments.scan_flags)
     player.SetWritePulses(arguments.pulses)
     player.SetSplitByChannel(arguments.split_by_channel)
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed

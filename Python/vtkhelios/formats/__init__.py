@@ -22,10 +22,13 @@ import pathlib
 
 from .._paths import require_utf8
 from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file, guarded
+from ._las import check_waveforms
+from ._pulsewaves import PulseWaves, read_pulsewaves
 from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
 __all__ += ["FORMATS", "ending", "open_reader", "open_writer"]
+__all__ += ["PulseWaves", "check_waveforms", "read_pulsewaves"]
 
 # By the end of a name, the longest first: module, reader, writer.
 FORMATS = {

@@ -16,8 +16,8 @@ import vtkhelios
 
 from .._run_files import PART
 from ..points import _find_crs
-from ._base import FileWriter, Header, Reader, StreamWriter
-from ._base import call, from_cloud, need, to_cloud
+from ._base import FileWriter, FormatError, Header, Reader, StreamWriter
+from ._base import call, check_file, from_cloud, need, to_cloud
 from ._records import RecordReader, RecordWriter
 
 
@@ -29,6 +29,17 @@ def _head(path):
     form = start[104] & 63
     count = new if start[25] >= 4 and (new or form >= 6) else old
     return count, f"{start[24]}.{start[25]}, point format {form}", form in (4, 5, 9, 10)
+
+
+def check_waveforms(path):
+    """Raises FormatError unless a LAS file has waveforms that vtkHeliosLASReader can read."""
+    check_file(path)
+    _, words, has_waveforms = _head(path)
+    if not has_waveforms:
+        raise FormatError(
+            f"{path}: is LAS {words}, which has no waveforms; give a file of point format 4, 5, 9 "
+            "or 10, such as legNNN_fullwave.las"
+        )
 
 
 class LasReader(Reader):

@@ -163,6 +163,11 @@ class RecordReader:
         if self.encoding & INTERNAL and self._waves_begin:
             return self.path, self._waves_begin, self._size - self._waves_begin
         beside = pathlib.Path(self.path).with_suffix(".wdp")
+        if not beside.is_file() and beside.with_suffix(".wdz").is_file():
+            self.fail(
+                f"its waveforms are compressed ({beside.stem}.wdz), which cannot be read; decompress "
+                f"them to {beside.name} with the program that wrote them"
+            )
         if not beside.is_file():
             self.fail(
                 f"its waveforms should be in {beside}, which is missing; keep the two files "

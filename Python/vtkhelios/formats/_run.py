@@ -35,12 +35,7 @@ class RunReader(Reader):
         super().__init__(path)
         self.folder = pathlib.Path(path)
         self.summary = self._read_summary()
-        names = [file["name"] for leg in self.summary["legs"] for file in leg["files"]]
-        self.files = [
-            name
-            for name in dict.fromkeys(names)
-            if kind_of(name) == POINTS and only in (None, name)
-        ]
+        self.files = [name for name in self._names(POINTS) if only in (None, name)]
         if not self.files:
             self.fail(f"its {SUMMARY_NAME} lists no point files; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
@@ -55,6 +50,17 @@ class RunReader(Reader):
         self.kind = (
             f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
         )
+
+    def _names(self, kind):
+        """The files of a kind that the summary lists."""
+        names = [file["name"] for leg in self.summary["legs"] for file in leg["files"]]
+        return [name for name in dict.fromkeys(names) if kind_of(name) == kind]
+
+    def waveform_files(self):
+        """The LAS files that have the same points with their waveforms; empty if there are none."""
+        files = dict(zip(self._names(POINTS), self._names(WAVEFORMS)))
+        found = [files[name] for name in self.files if files.get(name, "").endswith(".las")]
+        return found if len(found) == len(self.files) else []
 
     def _find_unnamed(self):
         """Notes on point files in the folder that the summary does not list."""

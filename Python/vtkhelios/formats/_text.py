@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Text: the eleven columns of vtkHeliosPointTextWriter, or any that start with x y z."""
+"""Text: the columns of vtkHeliosPointTextWriter, or any that start with x y z."""
 
 import vtkhelios
 
@@ -8,7 +8,7 @@ from .._paths import to_vtk
 from ..array_names import AMPLITUDE, INTENSITY
 from ._base import Header, Reader, StreamWriter, call, check_file, from_cloud
 
-COLUMNS = 11
+COLUMNS = (11, 13)  # without and with the flags of scan lines
 
 
 class TextReader(Reader):
@@ -23,9 +23,9 @@ class TextReader(Reader):
         self.kind = f"text, {columns} columns"
         if columns < 3:
             self._update(0, 1)  # says what is wrong
-        if columns not in (3, COLUMNS):
+        if columns not in (3, *COLUMNS):
             self.notes.append(
-                f"{self.path}: has {columns} columns instead of the {COLUMNS} of vtkhelios run: "
+                f"{self.path}: has {columns} columns instead of the {COLUMNS[0]} of vtkhelios run: "
                 "only the first three are read, as x y z"
             )
 

@@ -227,6 +227,7 @@ void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
   channel->SetGeneratePulses(this->Settings.Pulses);
   channel->SetGenerateSubRays(this->Settings.SubRays);
   channel->SetGenerateTruth(this->Settings.Truth);
+  channel->SetGenerateScanFlags(this->Settings.ScanFlags);
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +244,7 @@ void LegScanner::SetOutputs(const RunSettings& settings)
   this->Settings.Pulses = settings.Pulses;
   this->Settings.SubRays = settings.SubRays;
   this->Settings.Truth = settings.Truth;
+  this->Settings.ScanFlags = settings.ScanFlags;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     this->ApplyOutputs(channel);

@@ -26,8 +26,10 @@ struct RunSettings
   bool HasEpochs = false; ///< whether the survey has several epochs
   bool Waveforms = false;
   bool Pulses = false;
-  bool SubRays = false; ///< their hits; not written
-  bool Truth = false;   ///< with the echoes; not written
+  bool SubRays = false;           ///< their hits; not written
+  bool Truth = false;             ///< with the echoes; not written
+  bool ScanFlags = false;         ///< with the echoes
+  bool WaveformsInPoints = false; ///< LAS: in one file with the points
 
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, las, vtp

@@ -22,8 +22,15 @@ namespace helios
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
 {
   const bool isXml = settings.Format == "vtp";
+  const bool isLas = settings.Format == "las";
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
-  if (port == WaveformPort && isXml)
+  if (isLas && (port == EchoPort || port == WaveformPort))
+  {
+    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
+    las->SetWriteWaveforms(port == WaveformPort || settings.WaveformsInPoints);
+    writer = las;
+  }
+  else if (port == WaveformPort && isXml)
   {
     writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
@@ -39,15 +46,11 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   {
     writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
   }
-  else if (settings.Format == "las")
-  {
-    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
-    las->SetWriteWaveforms(settings.Waveforms);
-    writer = las;
-  }
   else
   {
-    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+    const auto text = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+    text->SetWriteScanFlags(settings.ScanFlags);
+    writer = text;
   }
   return writer;
 }

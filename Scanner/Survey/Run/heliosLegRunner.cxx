@@ -125,7 +125,7 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
   Outputs outputs;
   this->AddOutputs(plan, EchoPort, outputs);
-  if (this->Settings.Waveforms && this->Settings.Format != "las") // LAS points have them
+  if (this->Settings.Waveforms && !this->Settings.WaveformsInPoints)
   {
     this->AddOutputs(plan, WaveformPort, outputs);
   }
@@ -341,12 +341,12 @@ bool LegRunner::Write(const Outputs& outputs) const
     [this, &get](const LegOutput& output)
     {
       auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
-      if (!las || !this->Settings.Waveforms)
+      if (!las || !las->GetWriteWaveforms())
       {
         return output.Writer->Write(get(output, output.Port));
       }
       las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
-      const bool isWritten = las->Write(get(output, output.Port));
+      const bool isWritten = las->Write(get(output, EchoPort));
       las->SetWaveforms(nullptr); // releases their memory
       return isWritten;
     });

@@ -76,6 +76,8 @@ Json::Value DescribeOptions(const RunSettings& settings)
   settings.Options.Describe(options);
   options["format"] = settings.Format;
   options["waveforms"] = settings.Waveforms;
+  options["waveformsInPoints"] = settings.WaveformsInPoints;
+  options["scanFlags"] = settings.ScanFlags;
   options["pulses"] = settings.Pulses;
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);

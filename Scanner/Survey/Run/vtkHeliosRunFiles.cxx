@@ -26,7 +26,7 @@ struct KindOfFile
 /// By FileKind.
 constexpr KindOfFile Kinds[] = {
   { "_points", { ".xyz", ".las", ".pvtp" } },
-  { "_fullwave", { ".txt", ".txt", ".pvtt" } },
+  { "_fullwave", { ".txt", ".las", ".pvtt" } },
   { "_pulse", { ".txt", ".txt", ".pvtp" } },
   { "_trajectory", { ".txt", ".txt", ".pvtp" } },
 };

@@ -190,6 +190,7 @@ class Waves(Target):
             "--format",
             "las",
             "--waveforms",
+            "--waveforms-in-points",
             scene=small_files.SIMPLE_SCENE,
         )
         las, wdp = run / "leg000_points.las", run / "leg000_points.wdp"

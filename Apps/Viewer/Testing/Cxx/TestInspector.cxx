@@ -291,13 +291,16 @@ TEST_CASE("Inspector: a LAS file is read with its packets")
   player->SetFormat("las");
   const bool hasWaveforms = GENERATE(true, false);
   player->SetWriteWaveforms(hasWaveforms);
+  const bool isInPoints = GENERATE(true, false);
+  player->SetWaveformsInPoints(isInPoints);
   REQUIRE(player->Run());
   const std::string run = (files.Folder / "out/step").string();
   const std::string points = run + "/leg000_points.las";
-  const std::vector<std::string> wanted(hasWaveforms ? 1 : 0, points);
+  const std::string waves = isInPoints ? points : run + "/leg000_fullwave.las";
+  const std::vector<std::string> wanted(hasWaveforms ? 1 : 0, waves);
   CHECK(FindWaveformFiles({ run }) == wanted);
   CHECK(FindWaveformFiles({ points }) == wanted);
-  CHECK(FindWaveformFiles({ run + "/leg000_trajectory.txt" }).empty());
+  CHECK(FindWaveformFiles({ run + "/run_summary.json" }).empty());
 
   ViewerOptions options;
   options.Inputs = { points };
@@ -335,11 +338,12 @@ TEST_CASE("Inspector: a LAS file is read with its packets")
   CHECK(ofFile.GetView().GetNumberOfWaveforms() > 10);
 
   WaveformSearch search;
-  auto none = search.Find({ points }, 0, 1000000, 1000001);
+  auto none = search.Find({ waves }, 0, 1000000, 1000001);
   CHECK_THROWS_WITH(none.get(), Catch::Contains("pulse 1000000 has no waveform"));
-  fs::remove(run + "/leg000_points.wdp");
-  auto lost = search.Find({ points }, 0, truth.Pulse, truth.Pulse + 1);
-  CHECK_THROWS_WITH(lost.get(), Catch::Contains("leg000_points.wdp: cannot be read"));
+  const std::string packets = fs::path(waves).replace_extension(".wdp").string();
+  fs::remove(packets);
+  auto lost = search.Find({ waves }, 0, truth.Pulse, truth.Pulse + 1);
+  CHECK_THROWS_WITH(lost.get(), Catch::Contains(packets + ": cannot be read"));
 }
 
 TEST_CASE("Inspector: a missing waveform is reported with the reason")

@@ -10,6 +10,7 @@
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosLinearPathPlatform.h"
+#include "vtkHeliosOscillatingMirror.h"
 #include "vtkHeliosRotatingMirror.h"
 #include "vtkHeliosSpinningChannels.h"
 
@@ -425,6 +426,32 @@ TEST_CASE("Scanner: waveforms, sub-rays and pulses only on request", "[Scanner]"
   }
   const double time = table->GetValueByName(7, names::StartTime).ToDouble() + 0.25 * (best - first);
   CHECK(time == Approx(2 * 30 / 0.299792458).epsilon(0).margin(0.126));
+}
+
+TEST_CASE("Scanner: echoes have the flags of their scan line on request", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(60) });
+  Bench bench(scene);
+  vtkNew<vtkHeliosOscillatingMirror> mirror;
+  mirror->SetScanFrequency(400.0);
+  mirror->SetScanAngle(10.0);
+  bench.Scanner->SetBeamDeflector(mirror);
+  CHECK_FALSE(bench.Run()->GetPointData()->HasArray(names::EdgeOfFlightLine));
+  bench.Scanner->GenerateScanFlagsOn();
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(
+    echoes->GetPointData()->GetArray(names::ScanDirectionFlag)->GetDataType() == VTK_UNSIGNED_CHAR);
+  int edges = 0;
+  for (vtkIdType row = 0; row < 1000; ++row)
+  {
+    const auto pulse = static_cast<vtkIdType>(Value(echoes, names::PulseIds, row));
+    REQUIRE(Value(echoes, names::ScanDirectionFlag, row) == mirror->GetScanDirectionFlag(pulse));
+    const double edge = Value(echoes, names::EdgeOfFlightLine, row);
+    REQUIRE(edge == (mirror->IsEdgeOfFlightLine(pulse) ? 1.0 : 0.0));
+    edges += edge > 0.0 ? 1 : 0;
+  }
+  CHECK(edges == 8); // 10 ms
 }
 
 TEST_CASE(

@@ -216,6 +216,20 @@ TEST_CASE("GaussianDecomposition: a background is fitted on request", "[Gaussian
   CheckExact(truth, Detect(detector, samples, 0.25), 1e-4);
 }
 
+TEST_CASE("GaussianDecomposition: maxima below a fraction of the largest are no echoes on request",
+  "[GaussianDecomposition]")
+{
+  vtkNew<vtkHeliosGaussianDecomposition> detector;
+  detector->SetDetectionThreshold(0.01);
+  const std::vector<Gaussian> all = { { 1.0, 22.1 }, { 0.05, 38.0 }, { 0.3, 52.0 } };
+  const auto samples = MakeSamples(all, 0.25, 80.0, 0.0, 0);
+  CheckExact(all, Detect(detector, samples, 0.25), 1e-4);
+  detector->SetRelativeThreshold(0.1);
+  CheckExact({ all[0], all[2] }, Detect(detector, samples, 0.25), 1e-4);
+  detector->SetRelativeThreshold(1.0);
+  CheckExact({ all[0] }, Detect(detector, samples, 0.25), 1e-4);
+}
+
 TEST_CASE("GaussianDecomposition: echoes that are not Gaussian are kept", "[GaussianDecomposition]")
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();

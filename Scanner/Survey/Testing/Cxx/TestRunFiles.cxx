@@ -16,7 +16,7 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
   CHECK(Files::GetFileName("leg007", Files::POINTS, "xyz") == "leg007_points.xyz");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "las", "2") == "leg007_points_dev2.las");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "vtp") == "leg007_points.pvtp");
-  CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "las") == "leg007_fullwave.txt");
+  CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "las") == "leg007_fullwave.las");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "vtp") == "leg007_fullwave.pvtt");
   CHECK(Files::GetFileName("leg007", Files::PULSES, "xyz") == "leg007_pulse.txt");
   CHECK(Files::GetFileName("leg007", Files::TRAJECTORY, "vtp") == "leg007_trajectory.pvtp");

@@ -48,6 +48,7 @@ struct Settings
 {
   std::string Format;
   bool IsSplit = false;
+  bool IsInPoints = false; // the waveforms of LAS
 };
 
 Texts RunBlocks(const Files& files, const Reading& reading, const Settings& settings,
@@ -58,6 +59,7 @@ Texts RunBlocks(const Files& files, const Reading& reading, const Settings& sett
   player->SetFormat(settings.Format.c_str());
   player->SetSplitByChannel(settings.IsSplit);
   player->SetWriteWaveforms(true);
+  player->SetWaveformsInPoints(settings.IsInPoints);
   player->SetWritePulses(true);
   player->SetOverwrite(true);
   player->SetPulsesPerBlock(pulsesPerBlock);
@@ -118,6 +120,14 @@ TEST_CASE("SurveyBlocks: legs", "[SurveyBlocks]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   CheckBlocks(files, reading, { GENERATE("las", "xyz") });
+}
+
+TEST_CASE("SurveyBlocks: LAS points with their waveforms", "[SurveyBlocks]")
+{
+  const Files files;
+  files.Replace("assets.xml", "optics=\"conic\"", "optics=\"oscillating\"");
+  const Reading reading(files, Flight, ThreeLegs);
+  CheckBlocks(files, reading, { "las", false, true });
 }
 
 TEST_CASE("SurveyBlocks: legs that share files", "[SurveyBlocks]")

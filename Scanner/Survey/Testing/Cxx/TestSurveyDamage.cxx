@@ -223,8 +223,8 @@ TEST_CASE("SurveyDamage: changed bytes of files", "[SurveyDamage]")
   const std::vector<std::string> names = format == "xyz"
     ? std::vector<std::string>{ "leg000_points.xyz", "leg000_trajectory.txt",
         "leg001_points.xyz.part", "leg001_fullwave.txt.part" }
-    : format == "las" ? std::vector<std::string>{ "leg000_points.las", "leg000_points.wdp",
-        "leg001_points.las.part", "leg001_points.wdp.part" }
+    : format == "las" ? std::vector<std::string>{ "leg000_fullwave.las", "leg000_fullwave.wdp",
+        "leg001_points.las.part", "leg001_fullwave.wdp.part" }
                       : std::vector<std::string>{ "leg000_points.pvtp", "leg000_points_0001.vtp",
                           "leg001_points.pvtp.part", "leg001_fullwave_0000.vtt" };
   const Files files;
@@ -287,7 +287,7 @@ TEST_CASE("SurveyDamage: an additional file that is longer or missing", "[Survey
   broken.AbortAfter(50000);
   REQUIRE_FALSE(broken.Player->Run());
   const std::string name =
-    std::string("out/test/leg000_points") + (format == "las" ? ".wdp" : "_0002.vtp");
+    std::string("out/test/leg000_") + (format == "las" ? "fullwave.wdp" : "points_0002.vtp");
   BlockRun playing(files, reading);
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetResume(true);
@@ -390,13 +390,14 @@ TEST_CASE("SurveyDamage: a finished run", "[SurveyDamage]")
   }
   SECTION("a shorter file")
   {
-    const std::string name = "out/test/leg001_points" +
-      std::string(format == "vtp" ? "_0001.vtp"
-          : format == "las"       ? ".wdp"
-                                  : ".xyz");
-    files.Write(name, "short");
-    playing.CheckFails({ "leg001_points." + std::string(format == "vtp" ? "pvtp" : format),
-      ": was complete with", "to start again" });
+    const std::string name = format == "vtp" ? "points_0001.vtp"
+      : format == "las"                      ? "fullwave.wdp"
+                                             : "points.xyz";
+    const std::string file = format == "vtp" ? "points.pvtp"
+      : format == "las"                      ? "fullwave.las"
+                                             : "points.xyz";
+    files.Write("out/test/leg001_" + name, "short");
+    playing.CheckFails({ "leg001_" + file, ": was complete with", "to start again" });
   }
   CHECK(playing.Player->GetReport().empty());
 }

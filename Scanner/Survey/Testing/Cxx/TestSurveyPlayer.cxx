@@ -244,13 +244,105 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   playing.CheckFails({ "Survey is not set" });
 }
 
-TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
+namespace
+{
+
+/// Point format, and the points of a LAS file.
+int ReadLas(const std::string& path, vtkHeliosLASReader* reader)
+{
+  reader->SetFileName(path.c_str());
+  reader->ReadWaveformsOn();
+  reader->Update();
+  return ReadText(path)[104];
+}
+
+} // namespace
+
+TEST_CASE(
+  "SurveyPlayer: LAS points of format 6, and beside them those with waveforms", "[SurveyPlayer]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   Playing playing(files, reading);
   playing.Player->SetFormat("las");
   playing.Player->SetWriteWaveforms(true);
+  REQUIRE(playing.Player->Run());
+  const std::string leg = files / "out/test/leg000";
+  vtkNew<vtkHeliosLASReader> points;
+  vtkNew<vtkHeliosLASReader> waves;
+  CHECK(ReadLas(leg + "_points.las", points) == 6);
+  CHECK(ReadLas(leg + "_fullwave.las", waves) == 9);
+  CHECK_FALSE(fs::exists(leg + "_points.wdp"));
+  CHECK(fs::exists(leg + "_fullwave.wdp"));
+  CHECK(vtkTable::SafeDownCast(points->GetOutputDataObject(1))->GetNumberOfRows() == 0);
+  CHECK(vtkTable::SafeDownCast(waves->GetOutputDataObject(1))->GetNumberOfRows() == 40000);
+  REQUIRE(points->GetOutput()->GetNumberOfPoints() == waves->GetOutput()->GetNumberOfPoints());
+  vtkPointData* data = points->GetOutput()->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* other = waves->GetOutput()->GetPointData()->GetArray(data->GetArrayName(i));
+    INFO(data->GetArrayName(i));
+    REQUIRE(other);
+    for (vtkIdType row = 0; row < other->GetNumberOfTuples(); row += 997)
+    {
+      REQUIRE(other->GetComponent(row, 0) == data->GetArray(i)->GetComponent(row, 0));
+    }
+  }
+}
+
+TEST_CASE(
+  "SurveyPlayer: scan flags always in LAS, in text and VTK XML on request", "[SurveyPlayer]")
+{
+  const Files files;
+  files.Replace("assets.xml", "optics=\"conic\"", "optics=\"oscillating\"");
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  const std::string leg = files / "out/test/leg000";
+  REQUIRE(playing.Player->Run());
+  const std::vector<std::string> plain = ReadLines(leg + "_points.xyz");
+  playing.Player->SetOverwrite(true);
+  playing.Player->SetFormat("las");
+  REQUIRE(playing.Player->Run());
+  vtkNew<vtkHeliosLASReader> las;
+  ReadLas(leg + "_points.las", las);
+  vtkPointData* data = las->GetOutput()->GetPointData();
+  playing.Player->SetFormat("xyz");
+  playing.Player->WriteScanFlagsOn();
+  REQUIRE(playing.Player->Run());
+  const std::vector<std::string> flagged = ReadLines(leg + "_points.xyz");
+  REQUIRE(flagged.size() == plain.size());
+  REQUIRE(flagged.size() == static_cast<std::size_t>(las->GetOutput()->GetNumberOfPoints()));
+  double edges = 0.0;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    const auto get = [data, i](const char* name)
+    { return data->GetArray(name)->GetComponent(static_cast<vtkIdType>(i), 0); };
+    const double direction = get(names::ScanDirectionFlag);
+    const double edge = get(names::EdgeOfFlightLine);
+    REQUIRE(flagged[i] == plain[i] + (direction > 0.0 ? " 1" : " 0") + (edge > 0.0 ? " 1" : " 0"));
+    edges += edge;
+  }
+  CHECK(edges > 1.0);
+  CHECK(edges < 0.1 * static_cast<double>(plain.size()));
+  playing.Player->SetFormat("vtp");
+  for (const bool isOn : { true, false })
+  {
+    playing.Player->SetWriteScanFlags(isOn);
+    REQUIRE(playing.Player->Run());
+    const std::string piece = ReadText(leg + "_points_0000.vtp");
+    CHECK((piece.find("\"EdgeOfFlightLine\"") != std::string::npos) == isOn);
+    CHECK((piece.find("\"ScanDirectionFlag\"") != std::string::npos) == isOn);
+  }
+}
+
+TEST_CASE("SurveyPlayer: points as LAS with their waveforms", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Player->SetFormat("las");
+  playing.Player->SetWriteWaveforms(true);
+  playing.Player->WaveformsInPointsOn();
   REQUIRE(playing.Player->Run());
   CHECK(fs::exists(files / "out/test/leg000_trajectory.txt"));
   vtkIdType sum = 0;
@@ -277,7 +369,7 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
     CHECK(waveforms->GetValueByName(0, names::PulseIds).ToDouble() == pulses[0]);
   }
   CHECK(sum == playing.Player->GetCount("points"));
-  CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.las"));
 
   playing.Player->SetOverwrite(true);
   playing.Player->SetWriteWaveforms(false);

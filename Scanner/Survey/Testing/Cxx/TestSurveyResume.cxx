@@ -65,7 +65,7 @@ TEST_CASE("SurveyResume: legs that share files", "[SurveyResume]")
   broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
   REQUIRE(broken.Player->Run());
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
-  CHECK(fs::exists(files / "out/test/strip007_points.wdp") == (format == "las"));
+  CHECK(fs::exists(files / "out/test/strip007_fullwave.wdp") == (format == "las"));
   if (format == "vtp")
   {
     const std::string index = ReadText(files / "out/test/strip007_points.pvtp");

@@ -247,7 +247,7 @@ TEST_CASE("LASReader: all versions and formats", "[LASReader]")
   CHECK(get(names::Intensity) == 40000);
   CHECK(get(names::ReturnNumber) == 2);
   CHECK(get(names::NumberOfReturns) == (isLong ? 15 : 5));
-  CHECK(get(names::ScanDirection) == 1);
+  CHECK(get(names::ScanDirectionFlag) == 1);
   CHECK(get(names::EdgeOfFlightLine) == 1);
   CHECK(get(names::ClassificationFlags) == 4); // withheld
   CHECK(get(names::ClassificationIds) == (isLong ? 200 : 9));

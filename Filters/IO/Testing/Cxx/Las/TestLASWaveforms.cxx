@@ -3,6 +3,8 @@
 // Waveforms of a LAS file: packets in a .wdp, and the point fields that refer to them.
 #include "heliosLasWaveTesting.h"
 
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include <sys/stat.h>
@@ -222,6 +224,33 @@ TEST_CASE("LASWaveforms: packets inside the LAS file", "[LASWaveforms]")
   REQUIRE(table->GetNumberOfRows() == 4);
   const auto* last = vtkFloatArray::SafeDownCast(table->GetFieldData()->GetArray(names::Samples));
   CHECK(last->GetValue(last->GetNumberOfValues() - 1) == Approx(9e-9)); // 1 + 2 + 3 + 4 samples
+}
+
+TEST_CASE("LASWaveforms: packets that are short, missing or compressed", "[LASWaveforms]")
+{
+  helios::LasWaveWriting writing;
+  REQUIRE(
+    (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(4)) && writing.Writer->Close()));
+  const std::string packets = helios::ReadText(writing.Packets);
+  const auto fails = [&writing](const std::string& message)
+  {
+    helios::LasReading reading(writing.Path);
+    const bool isPlain = reading.Read(); // the points are there without waveforms
+    reading.Reader->ReadWaveformsOn();
+    const bool isRead = reading.Read();
+    INFO(reading.Log->Errors);
+    CHECK(reading.Log->HasError(message));
+    return isPlain && !isRead;
+  };
+  std::ofstream(writing.Packets, std::ios::binary) << packets.substr(0, packets.size() - 1);
+  CHECK(fails(", beyond the end of " + writing.Packets));
+  std::filesystem::remove(writing.Packets);
+  CHECK(fails(writing.Packets + ": cannot be read, but holds the waveforms of"));
+  const std::string compressed =
+    std::filesystem::path(writing.Packets).replace_extension(".wdz").string();
+  std::ofstream(compressed, std::ios::binary) << "something";
+  CHECK(fails(compressed + ": compressed waveforms (.wdz) cannot be read; decompress them to " +
+    writing.Packets));
 }
 
 TEST_CASE("LASWaveforms: damaged packets are errors", "[LASWaveforms]")

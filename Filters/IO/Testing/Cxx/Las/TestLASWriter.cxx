@@ -151,7 +151,7 @@ TEST_CASE("LASWriter: point fields are at the offsets of the specification", "[L
   add(names::ChannelIds, 6);
   add(names::UserData, 77);
   add(names::ClassificationFlags, 9);
-  add(names::ScanDirection, 0);
+  add(names::ScanDirectionFlag, 0);
   add(names::EdgeOfFlightLine, 1);
   helios::AddColumn<vtkDoubleArray>(data, names::GpsTime, 2, [](vtkIdType) { return 12.5; });
   helios::AddColumn<vtkDoubleArray>(data, names::Amplitude, 2, [](vtkIdType) { return 1e-9; });

@@ -148,6 +148,24 @@ TEST_CASE("PointTextReader: parts by name and by number", "[PointTextReader]")
   CHECK(GetParts(reading) == "0 ");
 }
 
+TEST_CASE("PointTextReader: thirteen columns have the flags of scan lines", "[PointTextReader]")
+{
+  PointTextReading reading("1 2 3 4 5 1 1 7 roof 2 0.5 1 0\n1 2 3 4 5 1 1 7 roof 2 0.5 0 1\n");
+  CHECK(vtkHeliosPointTextReader::CanReadFile(reading.Reader->GetFileName()));
+  REQUIRE(reading.Read());
+  REQUIRE(reading.CountPoints() == 2);
+  vtkPointData* data = reading.Cloud()->GetPointData();
+  for (vtkIdType row : { 0, 1 })
+  {
+    CHECK(data->GetArray(names::GpsTime)->GetTuple1(row) == 0.5);
+    CHECK(data->GetArray(names::ScanDirectionFlag)->GetTuple1(row) == 1.0 - row);
+    CHECK(data->GetArray(names::EdgeOfFlightLine)->GetTuple1(row) == row);
+  }
+  reading.Set("1 2 3 4 5 1 1 7 roof 2 0.5 1 0\n1 2 3 4 5 1 1 7 roof 2 0.5\n");
+  CHECK_FALSE(reading.Read());
+  CHECK(reading.Log->HasError(":2: has 11 columns, but the first row has 13; correct or remove"));
+}
+
 TEST_CASE("PointTextReader: other text is x y z", "[PointTextReader]")
 {
   PointTextReading reading("\xEF\xBB\xBF# x y z n\n1 2 3 4\r\n\n5 +6e1 7 8 // another\n9 10 11");
@@ -165,6 +183,10 @@ TEST_CASE("PointTextReader: other text is x y z", "[PointTextReader]")
   reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5\n");
   CHECK(vtkHeliosPointTextReader::CountColumns(path) == 11);
   reading.Set("1 2 3 4 5 1 1 7 # 2 words\n");
+  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 8);
+  reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5 1 0\n");
+  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 13);
+  reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5 1\n");
   CHECK(vtkHeliosPointTextReader::CountColumns(path) == 8);
   CHECK(vtkHeliosPointTextReader::CountColumns("/none") == 0);
   CHECK_FALSE(vtkHeliosPointTextReader::CanReadFile(nullptr));

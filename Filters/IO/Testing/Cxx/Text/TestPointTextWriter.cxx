@@ -43,6 +43,30 @@ TEST_CASE("PointTextWriter: columns of a line", "[PointTextWriter]")
                   "0.000070000\n") != std::string::npos);
 }
 
+TEST_CASE("PointTextWriter: two more columns for the flags of scan lines", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(2);
+  const std::string plain = helios::ReadText(WriteEchoes(folder, echoes));
+  const std::string path = folder / "flagged.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  writer->WriteScanFlagsOn();
+  REQUIRE(writer->Open());
+  CHECK_FALSE(writer->Write(echoes));
+  CHECK(log->HasError("ScanDirectionFlag"));
+  helios::AddColumn<vtkUnsignedCharArray>(
+    echoes->GetPointData(), names::ScanDirectionFlag, 2, [](vtkIdType i) { return i; });
+  helios::AddColumn<vtkUnsignedCharArray>(
+    echoes->GetPointData(), names::EdgeOfFlightLine, 2, [](vtkIdType i) { return 1 - i; });
+  REQUIRE((writer->Write(echoes) && writer->Close()));
+  std::string expected = plain;
+  expected.insert(plain.size() - 1, " 1 0");
+  expected.insert(plain.find('\n'), " 0 1");
+  CHECK(helios::ReadText(path) == expected);
+}
+
 TEST_CASE("PointTextWriter: an independent reader restores every value", "[PointTextWriter]")
 {
   const helios::TempFolder folder;
