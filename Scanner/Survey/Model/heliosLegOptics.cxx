@@ -78,6 +78,7 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakePrisms(const ScannerData& scanner)
     prisms->SetWedgeAngle(k, scanner.Prisms[k].WedgeAngle);
     prisms->SetRefractiveIndex(k, scanner.Prisms[k].RefractiveIndex);
     prisms->SetRotorFrequency(k, scanner.Prisms[k].RotorFrequency);
+    prisms->SetRotorPhase(k, scanner.Prisms[k].RotorPhase);
   }
   return prisms;
 }

@@ -39,6 +39,7 @@ struct PrismData
   double WedgeAngle = 0.0; ///< [deg], the sign gives the inclined face; 0: none
   double RefractiveIndex = 1.0;
   double RotorFrequency = 0.0; ///< [Hz], the sign gives the direction
+  double RotorPhase = 0.0;     ///< [deg], at pulse 0
 };
 
 enum class PlatformType

@@ -85,7 +85,7 @@ private:
 
 const char* const Swinging = R"(optics="oscillating" scanAngleMax_deg="25" scanFreqMax_Hz="70")";
 const char* const Prisms = R"(optics="risley" angle1_deg="-18" angle2_deg="18.5" refrIndex1="1.51"
- refrIndex2="1.52" rotorFreq1_Hz="-121.5" rotorFreq2_Hz="77.75" refrIndex_air="1.0003")";
+ refrIndex2="1.52" rotorFreq1_Hz="-121.5" rotorFreq2_Hz="77.75" rotorPhase1_deg="45" rotorPhase2_deg="45" refrIndex_air="1.0003")";
 
 } // namespace
 
@@ -173,10 +173,14 @@ TEST_CASE("SurveyOptics: Risley prisms", "[SurveyOptics]")
   CHECK(scanner.Prisms[0].WedgeAngle == -18.0);
   CHECK(scanner.Prisms[1].RefractiveIndex == 1.52);
   CHECK(scanner.Prisms[1].RotorFrequency == 77.75);
+  CHECK(scanner.Prisms[1].RotorPhase == 45.0);
   CHECK(scanner.Prisms[2].WedgeAngle == 0.0);
   CHECK(scanner.AirRefractiveIndex == 1.0003);
   const auto deflector = bench.Deflector();
   REQUIRE(deflector->IsA("vtkHeliosRisleyPrisms"));
+  double d[3];
+  REQUIRE(deflector->GetDirection(0, d));
+  CHECK(d[0] == Approx(d[2]).epsilon(1e-13)); // at 45 degrees
   double widest = 0.0;
   for (vtkIdType i = 0; i < 100000; ++i)
   {
@@ -283,7 +287,7 @@ TEST_CASE("SurveyOptics: the instruments of the catalogue", "[SurveyOptics]")
   const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
   const std::vector<std::pair<std::string, std::string>> instruments = {
     { "oscillating_als", R"(scanFreq_hz="40" scanAngle_deg="25")" }, { "fiber_als", "" },
-    { "risley_uls", "" }
+    { "risley_uls", "" }, { "livox_mid70", "" }, { "livox_avia", "" }
   };
   for (const auto& [id, leg] : instruments)
   {
