@@ -59,6 +59,7 @@ PULSE_IDS = "PulseIds"  # int64, emission index over the run
 DIRECTION = "Direction"  # unit vector
 SCAN_ANGLE = "ScanAngle"  # [deg]
 CHANNEL_IDS = "ChannelIds"
+COLUMN_IDS = "ColumnIds"  # int64, of spinning optics, in a revolution
 HIT = "Hit"  # 1: the pulse has an echo
 RETURN_NUMBER = "ReturnNumber"  # from 1
 NUMBER_OF_RETURNS = "NumberOfReturns"

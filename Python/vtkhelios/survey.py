@@ -48,6 +48,7 @@ _OUTPUTS = {
     "pulses": "generate_pulses",
     "hits": "generate_sub_rays",
     "truth": "generate_truth",
+    "columns": "generate_columns",
 }
 
 
@@ -173,9 +174,10 @@ class Survey:
             Exceptions of the function end the run, and so does Ctrl-C.
         legs
             the index of a leg, or several; None: all.
-        waveforms, pulses, hits, truth
+        waveforms, pulses, hits, truth, columns
             True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
-            ``cloud.sub_rays``, and as the arrays TruePoint and Normal.
+            ``cloud.sub_rays``, as the arrays TruePoint and Normal, and as the array ColumnIds, of
+            spinning optics: the column of a pulse in its revolution, from 0.
         seed
             the key of all random numbers: the survey's, else 0.
         noise

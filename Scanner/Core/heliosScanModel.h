@@ -98,6 +98,7 @@ struct ScanModel
   bool WantsPulses = false;
   bool WantsSubRays = false;
   bool WantsTruth = false;
+  bool WantsColumns = false;
 
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const

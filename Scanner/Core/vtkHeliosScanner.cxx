@@ -118,7 +118,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
      << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
-     << indent << "GenerateTruth: " << this->GenerateTruth << "\n";
+     << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -409,6 +410,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.WantsPulses = this->GeneratePulses;
   m.WantsSubRays = this->GenerateSubRays;
   m.WantsTruth = this->GenerateTruth;
+  m.WantsColumns = this->GenerateColumns;
   return true;
 }
 

@@ -16,7 +16,7 @@
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateTruth; ColumnIds with GenerateColumns. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -368,6 +368,17 @@ public:
   vtkBooleanMacro(GenerateTruth, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes, and the pulses, have ColumnIds: the column of a
+   * pulse in its revolution, from 0, of a deflector that fires in columns. With
+   * ChannelIds it is the pixel of an organized cloud. Default: off.
+   */
+  vtkSetMacro(GenerateColumns, bool);
+  vtkGetMacro(GenerateColumns, bool);
+  vtkBooleanMacro(GenerateColumns, bool);
+  ///@}
+
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -476,6 +487,7 @@ private:
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
+  bool GenerateColumns = false;
 
   std::unique_ptr<helios::ScanCounts> Counts;
 };

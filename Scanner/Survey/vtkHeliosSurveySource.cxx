@@ -157,6 +157,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.Pulses = this->Source->GeneratePulses;
   settings.SubRays = this->Source->GenerateSubRays;
   settings.Truth = this->Source->GenerateTruth;
+  settings.Columns = this->Source->GenerateColumns;
   if (!this->CheckOptions(settings) ||
     !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
@@ -655,6 +656,7 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";
   this->Options->PrintSelf(os, indent.GetNextIndent());

@@ -104,6 +104,9 @@ public:
   vtkSetMacro(GenerateTruth, bool);
   vtkGetMacro(GenerateTruth, bool);
   vtkBooleanMacro(GenerateTruth, bool);
+  vtkSetMacro(GenerateColumns, bool);
+  vtkGetMacro(GenerateColumns, bool);
+  vtkBooleanMacro(GenerateColumns, bool);
   ///@}
 
   ///@{
@@ -217,6 +220,7 @@ private:
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
+  bool GenerateColumns = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 
   std::atomic<bool> AbortRequested{ false };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlOptics.h"
 
+#include "heliosAssets.h"
+#include "heliosBeamTable.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
@@ -45,7 +47,62 @@ void CheckPrisms(const ScannerData& scanner, Messages& log)
   }
 }
 
+/// The <beam> children.
+void ReadBeamElements(const XmlElement& element, std::vector<BeamData>& beams)
+{
+  for (const XmlElement& child : element.GetChildren("beam"))
+  {
+    child.CheckNames();
+    beams.emplace_back();
+    child.ReadStored(beams.back());
+    if (!child.Has("elevation_deg"))
+    {
+      child.GetMessages().Error(
+        child.Where() + ": <beam> has no elevation_deg; give its angle above the horizon [deg]");
+    }
+  }
+}
+
+void CheckBeamTable(const ScannerData& scanner, Messages& log)
+{
+  const std::string who = scanner.Where + ": scanner " + scanner.Id;
+  if (scanner.Beams.empty())
+  {
+    log.Error(who + " has no beams; give <beams> with a file or with <beam> children");
+  }
+  else if (scanner.Beams.size() > MostBeams)
+  {
+    log.Error(who + " has " + std::to_string(scanner.Beams.size()) + " beams; give at most " +
+      std::to_string(MostBeams));
+  }
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void ReadBeams(const XmlElement& element, const Assets& files, ScannerData& scanner)
+{
+  const XmlElement table = element.GetChild("beams");
+  if (!table)
+  {
+    return;
+  }
+  Messages& log = table.GetMessages();
+  table.CheckNames();
+  scanner.Beams.clear();
+  scanner.BeamFile.clear();
+  ReadBeamElements(table, scanner.Beams);
+  if (table.Has("file") && !scanner.Beams.empty())
+  {
+    log.Error(table.Where() + ": <beams> has a file and <beam> children; give one of them");
+  }
+  else if (table.Has("file"))
+  {
+    scanner.BeamFile =
+      files.FindFile({ "file", table.GetText("file"), table.Where() }, table.GetDocument());
+    scanner.BeamFile.empty() ? void() : ReadBeamTable(scanner.BeamFile, scanner.Beams, log);
+  }
+}
 
 //------------------------------------------------------------------------------
 void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
@@ -82,6 +139,10 @@ void ResetOptics(ScannerData& scanner)
   std::copy(std::begin(fresh.Prisms), std::end(fresh.Prisms), scanner.Prisms);
   scanner.AirRefractiveIndex = fresh.AirRefractiveIndex;
   scanner.IncidentBeam = fresh.IncidentBeam;
+  scanner.Beams = fresh.Beams;
+  scanner.BeamFile = fresh.BeamFile;
+  scanner.IsClockwise = fresh.IsClockwise;
+  scanner.StartAngle = fresh.StartAngle;
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +153,10 @@ void CheckOptics(const ScannerData& scanner, Messages& log)
   if (scanner.Type == Optics::RisleyPrisms)
   {
     CheckPrisms(scanner, log);
+  }
+  else if (scanner.Type == Optics::SpinningChannels)
+  {
+    CheckBeamTable(scanner, log);
   }
   else if (!hasAngle)
   {

@@ -227,6 +227,7 @@ void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
   channel->SetGeneratePulses(this->Settings.Pulses);
   channel->SetGenerateSubRays(this->Settings.SubRays);
   channel->SetGenerateTruth(this->Settings.Truth);
+  channel->SetGenerateColumns(this->Settings.Columns);
 }
 
 //------------------------------------------------------------------------------

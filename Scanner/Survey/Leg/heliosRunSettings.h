@@ -28,6 +28,7 @@ struct RunSettings
   bool Pulses = false;
   bool SubRays = false; ///< their hits; not written
   bool Truth = false;   ///< with the echoes; not written
+  bool Columns = false; ///< likewise
 
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, las, vtp

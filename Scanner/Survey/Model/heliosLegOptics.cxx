@@ -8,6 +8,7 @@
 #include "vtkHeliosPalmerMirror.h"
 #include "vtkHeliosRisleyPrisms.h"
 #include "vtkHeliosRotatingMirror.h"
+#include "vtkHeliosSpinningChannels.h"
 
 #include <sstream>
 
@@ -83,6 +84,26 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakePrisms(const ScannerData& scanner)
   return prisms;
 }
 
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeSpinning(
+  const ScannerData& scanner, const ScanData& scan)
+{
+  auto head = vtkSmartPointer<vtkHeliosSpinningChannels>::New();
+  head->SetScanFrequency(scanner.IsClockwise ? -scan.ScanFrequency : scan.ScanFrequency);
+  head->SetStartAngle(scanner.StartAngle);
+  head->SetNumberOfChannels(static_cast<int>(scanner.Beams.size()));
+  int channel = 0;
+  for (const BeamData& beam : scanner.Beams)
+  {
+    head->SetElevation(channel, beam.Elevation);
+    head->SetAzimuth(channel, beam.Azimuth);
+    head->SetOriginOffset(channel, beam.OriginOffset);
+    head->SetOriginHeight(channel, beam.OriginHeight);
+    head->SetFiringTime(channel, beam.FiringTime);
+    ++channel;
+  }
+  return head;
+}
+
 vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, const ScanData& scan)
 {
   switch (scanner.Type)
@@ -97,6 +118,8 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, con
       return MakePalmer(scan);
     case Optics::RisleyPrisms:
       return MakePrisms(scanner);
+    case Optics::SpinningChannels:
+      return MakeSpinning(scanner, scan);
     case Optics::RotatingMirror:
       break;
   }

@@ -72,6 +72,8 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("refrIndex1", "risley: refractive index of the first prism").In("", RefractiveIndex).At<Prisms, 0, &PrismData::RefractiveIndex>(),
     Number("refrIndex2", "risley: refractive index of the second prism").In("", RefractiveIndex).At<Prisms, 1, &PrismData::RefractiveIndex>(),
     Number("refrIndex3", "risley: refractive index of the third prism").In("", RefractiveIndex).At<Prisms, 2, &PrismData::RefractiveIndex>(),
+    Word("spin", "anticlockwise clockwise", "spinning: rotation of the head, seen from above").At<&ScannerData::IsClockwise>(),
+    Number("spinStart_deg", "spinning: azimuth of the head at pulse 0, anticlockwise from y").In("deg", Angle).At<&ScannerData::StartAngle>(),
     Number("refrIndex_air", "risley: refractive index around the prisms").In("", RefractiveIndex).At<&ScannerData::AirRefractiveIndex>(),
   };
   // clang-format on
@@ -112,7 +114,7 @@ std::vector<XmlElementRule> MakeScannerRules()
   return {
   { "scanner", "an instrument",
     MakeScannerValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
 
   { "channels", "the channels of a multi-channel instrument",
     {},
@@ -120,7 +122,23 @@ std::vector<XmlElementRule> MakeScannerRules()
 
   { "channel", "an emitter and its receiver; values not given are those of its scanner",
     MakeChannelValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("rangeError"), One("deflectionError"), One("headError") } },
+
+  { "beams", "spinning: the beams in the order in which they fire; their numbers are the channels",
+    {
+      Text("file", "a CSV file with a line of names of columns, which are the attributes of beam, and a line per beam").Default("beam children").File().At<&ScannerData::BeamFile>(),
+    },
+    { Many("beam") } },
+
+  { "beam", "a beam of a spinning head",
+    {
+      Number("elevation_deg", "angle above the horizon").In("deg", Elevation).Required().At<&BeamData::Elevation>(),
+      Number("azimuth_deg", "azimuth from the head's, anticlockwise").In("deg", Angle).At<&BeamData::Azimuth>(),
+      Number("originOffset_m", "distance of its origin from the axis, in the direction of the head").In("m", BeamOffset).At<&BeamData::OriginOffset>(),
+      Number("originHeight_m", "height of its origin").In("m", BeamOffset).At<&BeamData::OriginHeight>(),
+      Number("firingTime_s", "time of its pulses after the start of a cycle, in which each beam fires once; negative: evenly").In("s", FiringTime).At<&BeamData::FiringTime>(),
+    },
+    {} },
 
   { "incidentBeam", "risley: direction of the beam into the first prism",
     {

@@ -287,13 +287,16 @@ TEST_CASE("SurveyOptics: the instruments of the catalogue", "[SurveyOptics]")
   const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
   const std::vector<std::pair<std::string, std::string>> instruments = {
     { "oscillating_als", R"(scanFreq_hz="40" scanAngle_deg="25")" }, { "fiber_als", "" },
-    { "risley_uls", "" }, { "livox_mid70", "" }, { "livox_avia", "" }
+    { "risley_uls", "" }, { "livox_mid70", "" }, { "livox_avia", "" },
+    { "velodyne_vlp16", R"(scanFreq_hz="10")" }, { "velodyne_hdl32e", R"(scanFreq_hz="10")" },
+    { "hesai_xt32", R"(scanFreq_hz="10")" }
   };
   for (const auto& [id, leg] : instruments)
   {
     INFO(id);
     const Files files;
     files.Write("own.xml", ReadText((root / "Data/Assets/scanners.xml").string()));
+    std::filesystem::copy(root / "Data/Assets/beams", files / "beams");
     const std::string flight = Flight;
     const Reading reading(files,
       flight.substr(0, flight.find("scanner=")) + "scanner=\"own.xml#" + id + "\"",
