@@ -35,6 +35,14 @@ def test_pattern_of_the_manufacturer(study, instrument):
     assert result["rms"] < 0.02 and result["maximum"] < 0.05  # mdeg
 
 
+def test_ouster_by_its_manual(study):
+    rows = study.compare_ouster(real_file("sensor/ouster_os1_128.json"))
+    assert [one["pulses"] for one in rows] == [131072, 131072]
+    directions, origins = rows
+    assert directions["unit"] == "mdeg" and np.radians(directions["maximum"] / 1000) < 1e-6
+    assert origins["unit"] == "um" and origins["maximum"] < 1e-3  # nm
+
+
 def test_table(study, tmp_path, monkeypatch, capsys):
     folder = tmp_path / "pattern"
     folder.mkdir()
