@@ -15,6 +15,9 @@ namespace helios
 namespace
 {
 
+/// The maximum number of facets of a mirror.
+constexpr std::size_t MostFacets = 1000;
+
 /// A name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
 {
@@ -60,6 +63,28 @@ void ReadBeamElements(const XmlElement& element, std::vector<BeamData>& beams)
       child.GetMessages().Error(
         child.Where() + ": <beam> has no elevation_deg; give its angle above the horizon [deg]");
     }
+  }
+}
+
+void CheckFacets(const ScannerData& scanner, Messages& log)
+{
+  const std::size_t pitches = scanner.FacetPitches.size();
+  const std::size_t rolls = scanner.FacetRolls.size();
+  const std::string who = scanner.Where + ": scanner " + scanner.Id;
+  if (pitches > 0 && rolls > 0 && pitches != rolls)
+  {
+    log.Error(who + " has facetPitches_deg of " + std::to_string(pitches) +
+      " facets, but facetRolls_deg of " + std::to_string(rolls) + "; give one value per facet");
+  }
+  const std::size_t facets = std::max(pitches, rolls);
+  if (facets > MostFacets)
+  {
+    log.Error(who + " has " + std::to_string(facets) + " facets; give at most " +
+      std::to_string(MostFacets));
+  }
+  if (facets > 0 && scanner.Type != Optics::RotatingMirror)
+  {
+    log.Warning(who + ": facetPitches_deg and facetRolls_deg are only used by rotating optics");
   }
 }
 
@@ -134,6 +159,8 @@ void ResetOptics(ScannerData& scanner)
   scanner.NumberOfFibers = fresh.NumberOfFibers;
   scanner.ScanAngleMax = fresh.ScanAngleMax;
   scanner.ScanAngleEffectiveMax = fresh.ScanAngleEffectiveMax;
+  scanner.FacetPitches = fresh.FacetPitches;
+  scanner.FacetRolls = fresh.FacetRolls;
   scanner.ScanFrequencyMin = fresh.ScanFrequencyMin;
   scanner.ScanFrequencyMax = fresh.ScanFrequencyMax;
   std::copy(std::begin(fresh.Prisms), std::end(fresh.Prisms), scanner.Prisms);
@@ -150,6 +177,7 @@ void CheckOptics(const ScannerData& scanner, Messages& log)
 {
   // The angle of an oscillating mirror may be given by the leg.
   const bool hasAngle = scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror;
+  CheckFacets(scanner, log);
   if (scanner.Type == Optics::RisleyPrisms)
   {
     CheckPrisms(scanner, log);

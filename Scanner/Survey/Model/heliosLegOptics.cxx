@@ -10,7 +10,9 @@
 #include "vtkHeliosRotatingMirror.h"
 #include "vtkHeliosSpinningChannels.h"
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace helios
 {
@@ -33,6 +35,15 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakeRotating(
   mirror->SetMirrorAngle(scanner.ScanAngleMax);
   mirror->SetVerticalAngleMin(scan.VerticalAngleMin);
   mirror->SetVerticalAngleMax(scan.VerticalAngleMax);
+  const std::vector<double>& pitches = scanner.FacetPitches;
+  const std::vector<double>& rolls = scanner.FacetRolls;
+  const std::size_t facets = std::max({ pitches.size(), rolls.size(), std::size_t(1) });
+  mirror->SetNumberOfFacets(static_cast<int>(facets));
+  for (std::size_t k = 0; k < facets; ++k)
+  {
+    mirror->SetFacetPitch(static_cast<int>(k), k < pitches.size() ? pitches[k] : 0.0);
+    mirror->SetFacetRoll(static_cast<int>(k), k < rolls.size() ? rolls[k] : 0.0);
+  }
   return mirror;
 }
 

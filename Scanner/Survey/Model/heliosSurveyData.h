@@ -95,6 +95,8 @@ struct ScannerData
   double ScanAngleEffectiveMax = 0.0;   ///< [deg], half
   double ScanFrequencyMin = 0.0;        ///< [Hz]
   double ScanFrequencyMax = 0.0;        ///< [Hz], 0: no limit
+  std::vector<double> FacetPitches;     ///< [deg], of a rotating mirror; empty: 0
+  std::vector<double> FacetRolls;       ///< [deg], likewise
   double HeadRotateSpeedMax = 0.0;      ///< [deg/s]
   double ScanProduct = 1e6;             ///< [deg Hz], of angle and frequency: oscillating
   int TurningPulses = 0;                ///< oscillating

@@ -42,6 +42,8 @@ std::vector<XmlValueRule> MakeScannerValues()
     Integer("maxNOR", "maximum number of returns per pulse; 0: all").In("", { 0.0, 255.0 }).At<&ScannerData::MaximumNumberOfReturns>(),
     Number("scanAngleMax_deg", "half of the angle that the mirror sweeps, or half angle of the cone").In("deg", HalfAngle).At<&ScannerData::ScanAngleMax>(),
     Number("scanAngleEffectiveMax_deg", "rotating: half of the vertical field of view").In("deg", HalfAngle).Default("scanAngleMax_deg").At<&ScannerData::ScanAngleEffectiveMax>(),
+    Numbers("facetPitches_deg", "rotating: angle between the beam of each facet and the plane of the mirror, positive towards x").In("deg", FacetPitch).Default("facets are alike").At<&ScannerData::FacetPitches>(),
+    Numbers("facetRolls_deg", "rotating: what each facet adds to the mirror angle").In("deg", FacetRoll).Default("0 each").At<&ScannerData::FacetRolls>(),
     Number("scanFreqMin_Hz", "minimum scan frequency").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMin>(),
     Number("scanFreqMax_Hz", "maximum scan frequency; 0: no limit").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMax>(),
     Number("headRotatePerSecMax_deg", "maximum head rotation speed").In("deg/s", { 0.0, 1e6 }).At<&ScannerData::HeadRotateSpeedMax>(),

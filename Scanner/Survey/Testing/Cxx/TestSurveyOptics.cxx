@@ -207,6 +207,46 @@ TEST_CASE("SurveyOptics: prisms without deflection", "[SurveyOptics]")
     .CheckRefused({ "own.xml:2", "refrIndex1=\"0.5\" is out of range" });
 }
 
+TEST_CASE("SurveyOptics: a polygon with unlike facets", "[SurveyOptics]")
+{
+  const std::string three =
+    R"(optics="rotating" scanAngleMax_deg="60" facetPitches_deg="0, 10, -10")";
+  const Bench bench(three + R"( facetRolls_deg="0,0.5,-0.25")", R"(scanFreq_hz="100")");
+  bench.CheckQuiet();
+  const auto deflector = bench.Deflector();
+  double d[3];
+  for (const int line : { 0, 1, 2, 3, 4 }) // of 1000 pulses
+  {
+    REQUIRE(deflector->GetDirection(1000 * line, d));
+    CHECK(std::asin(d[0]) * 180.0 / 3.14159265358979323846 ==
+      Approx(line % 3 == 0 ? 0.0
+          : line % 3 == 1  ? 10.0
+                           : -10.0)
+        .margin(1e-13));
+    CHECK(deflector->GetScanAngle(1000 * line) ==
+      Approx(line % 3 == 0 ? 0.0
+          : line % 3 == 1  ? 0.5
+                           : -0.25)
+        .margin(1e-13));
+  }
+  const std::string leg = R"(scanFreq_hz="100")";
+  Bench(three + R"( facetRolls_deg="1")", leg)
+    .CheckRefused(
+      { "own.xml:2: scanner own has facetPitches_deg of 3 facets, but facetRolls_deg of 1; "
+        "give one value per facet" });
+  Bench(R"(optics="rotating" scanAngleMax_deg="60" facetPitches_deg="0,90")", leg)
+    .CheckRefused({ "own.xml:2", "facetPitches_deg=\"0,90\"", "out of range" });
+  std::string many = "0";
+  for (int i = 0; i < 1000; ++i)
+  {
+    many += ",0";
+  }
+  Bench(R"(optics="rotating" scanAngleMax_deg="60" facetRolls_deg=")" + many + "\"", leg)
+    .CheckRefused({ "own.xml:2: scanner own has 1001 facets; give at most 1000" });
+  Bench(R"(optics="conic" scanAngleMax_deg="20" facetRolls_deg="1,2")", leg)
+    .CheckWarned("facetPitches_deg and facetRolls_deg are only used by rotating optics");
+}
+
 TEST_CASE("SurveyOptics: a Palmer scanner", "[SurveyOptics]")
 {
   const Bench bench(R"(optics="palmer" scanAngleMax_deg="15")", R"(scanFreq_hz="25")");
