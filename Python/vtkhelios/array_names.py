@@ -61,6 +61,7 @@ SCAN_ANGLE = "ScanAngle"  # [deg]
 SCAN_DIRECTION_FLAG = "ScanDirectionFlag"  # 1: toward larger angles
 EDGE_OF_FLIGHT_LINE = "EdgeOfFlightLine"  # 1: last pulse of a scan line
 CHANNEL_IDS = "ChannelIds"
+COLUMN_IDS = "ColumnIds"  # int64, of spinning optics, in a revolution
 HIT = "Hit"  # 1: the pulse has an echo
 RETURN_NUMBER = "ReturnNumber"  # from 1
 NUMBER_OF_RETURNS = "NumberOfReturns"

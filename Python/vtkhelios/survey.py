@@ -49,6 +49,7 @@ _OUTPUTS = {
     "hits": "generate_sub_rays",
     "truth": "generate_truth",
     "scan_flags": "generate_scan_flags",
+    "columns": "generate_columns",
 }
 
 
@@ -174,10 +175,11 @@ class Survey:
             Exceptions of the function end the run, and so does Ctrl-C.
         legs
             the index of a leg, or several; None: all.
-        waveforms, pulses, hits, truth, scan_flags
+        waveforms, pulses, hits, truth, scan_flags, columns
             True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
-            ``cloud.sub_rays``, the arrays TruePoint and Normal, and ScanDirectionFlag and
-            EdgeOfFlightLine.
+            ``cloud.sub_rays``, as the arrays TruePoint and Normal, ScanDirectionFlag and
+            EdgeOfFlightLine, and as the array ColumnIds, of spinning optics: the column of a
+            pulse in its revolution, from 0.
         seed
             the key of all random numbers: the survey's, else 0.
         noise

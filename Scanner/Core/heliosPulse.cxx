@@ -92,19 +92,20 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
     this->Platform->GetPosition(this->GetPoseTime(elapsed), cursor.Platform, platform);
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
   const Head& head = this->GetHead(headAngle, cursor);
-  const Rotation beam = BeamFrame(Vec3(direction));
+  const Rotation beam = head.Beam * BeamFrame(Vec3(direction));
+  const Vec3 lever = this->GetLever(index, head);
   const bool isUnknown = this->Noise && this->Noise->IsUnknown();
   if (this->Noise && !isUnknown)
   {
     this->AddNoise(index, position, platform);
   }
-  this->PlaceBeam(position, platform, head, beam, pulse);
+  this->PlaceBeam(position, platform, lever, beam, pulse);
   pulse.Reported = pulse.GetDirection();
   pulse.ReportedOrigin = pulse.Origin;
   if (isUnknown)
   {
     this->AddNoise(index, position, platform);
-    this->PlaceBeam(position, platform, head, beam, pulse);
+    this->PlaceBeam(position, platform, lever, beam, pulse);
   }
   if (this->Errors || this->AngleAccuracy > 0.0)
   {
@@ -113,12 +114,20 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   return true;
 }
 
+/// From the platform to where a pulse starts.
+Vec3 PulseSource::GetLever(vtkIdType index, const Head& head) const
+{
+  double origin[3];
+  return this->Deflector->GetOrigin(index, origin) ? head.Lever + head.Beam * Vec3(origin)
+                                                   : head.Lever;
+}
+
 /// Sets the beam for a pose of the platform.
-void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
+void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Vec3& lever,
   const Rotation& beam, Pulse& pulse) const
 {
-  pulse.Origin = position + platform * head.Lever;
-  pulse.Beam = platform * (head.Beam * beam);
+  pulse.Origin = position + platform * lever;
+  pulse.Beam = platform * beam;
 }
 
 /// Moves and rotates the platform by its noise.

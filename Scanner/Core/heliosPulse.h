@@ -49,7 +49,8 @@ struct PulseIds
 
 /**
  * The chain of frames from the platform to the deflector: A = A_platform A_mount R_head A_beam, and
- * the lever arms rotate with the attitude, origin = p + A_platform (m + A_mount R_head b). Errors
+ * the lever arms rotate with the attitude, origin = p + A_platform (m + A_mount R_head (b + A_beam
+ * o)), with o of the deflector. Errors
  * of deflector, head and angles turn the beam, not the reported direction. Noise moves the
  * platform; its Mode decides whether that is reported.
  */
@@ -93,7 +94,8 @@ private:
   double GetPoseTime(double elapsed) const;
   Quaternion TurnHead(double angle) const;
   const Head& GetHead(double angle, Cursor& cursor) const;
-  void PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
+  Vec3 GetLever(vtkIdType index, const Head& head) const;
+  void PlaceBeam(const Vec3& position, const Rotation& platform, const Vec3& lever,
     const Rotation& beam, Pulse& pulse) const;
   void AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,

@@ -99,6 +99,7 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
   bool WantsScanFlags = false;
+  bool WantsColumns = false;
 
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const

@@ -4,6 +4,7 @@
 
 #include "heliosScanModel.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamDeflector.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -191,6 +192,25 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, 
   }
 }
 
+/// The columns of the last pulses or echoes of a target, from a row on.
+void FillColumns(const ScanModel& model, vtkIdType first, vtkPolyData* output)
+{
+  const vtkIdType last = output->GetNumberOfPoints();
+  Columns columns(output->GetPointData(), first, last);
+  const auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
+  auto* ids = columns.Add<vtkTypeInt64Array>(names::ColumnIds);
+  const PulseIds all = model.Source.Ids;
+  const vtkHeliosBeamDeflector* deflector = model.Source.Deflector;
+  vtkSMPTools::For(first, last,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        ids[row] = deflector->GetColumn((pulses[row] - all.First) / all.Stride);
+      }
+    });
+}
+
 /// The ground truth of the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
@@ -338,11 +358,12 @@ ScanOutput::ScanOutput(
 //------------------------------------------------------------------------------
 void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
 {
-  const vtkIdType before = this->Echoes->GetNumberOfPoints();
+  const vtkIdType echoes = this->Echoes->GetNumberOfPoints();
+  const vtkIdType pulses = this->Pulses->GetNumberOfPoints();
   FillEchoes(chunks, this->Model, this->Ids, this->Echoes);
   if (this->Model.WantsScanFlags)
   {
-    FillScanFlags(chunks, before, this->Echoes);
+    FillScanFlags(chunks, echoes, this->Echoes);
   }
   if (this->Model.WantsTruth)
   {
@@ -359,6 +380,11 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsSubRays)
   {
     FillSubRays(chunks, this->SubRays);
+  }
+  if (this->Model.WantsColumns)
+  {
+    FillColumns(this->Model, echoes, this->Echoes);
+    this->Model.WantsPulses ? FillColumns(this->Model, pulses, this->Pulses) : void();
   }
 }
 

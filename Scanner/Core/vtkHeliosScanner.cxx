@@ -119,7 +119,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
-     << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n";
+     << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -411,6 +412,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.WantsSubRays = this->GenerateSubRays;
   m.WantsTruth = this->GenerateTruth;
   m.WantsScanFlags = this->GenerateScanFlags;
+  m.WantsColumns = this->GenerateColumns;
   return true;
 }
 

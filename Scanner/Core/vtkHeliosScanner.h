@@ -16,7 +16,8 @@
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags; ColumnIds with
+ * GenerateColumns. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -378,6 +379,17 @@ public:
   vtkBooleanMacro(GenerateScanFlags, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes, and the pulses, have ColumnIds: the column of a
+   * pulse in its revolution, from 0, of a deflector that fires in columns. With
+   * ChannelIds it is the pixel of an organized cloud. Default: off.
+   */
+  vtkSetMacro(GenerateColumns, bool);
+  vtkGetMacro(GenerateColumns, bool);
+  vtkBooleanMacro(GenerateColumns, bool);
+  ///@}
+
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -487,6 +499,7 @@ private:
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
   bool GenerateScanFlags = false;
+  bool GenerateColumns = false;
 
   std::unique_ptr<helios::ScanCounts> Counts;
 };

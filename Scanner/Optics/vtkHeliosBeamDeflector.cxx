@@ -72,6 +72,18 @@ bool vtkHeliosBeamDeflector::IsEdgeOfFlightLine(vtkIdType) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosBeamDeflector::GetOrigin(vtkIdType, double[3]) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosBeamDeflector::GetColumn(vtkIdType) const
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
 HELIOS_CLONES
 double vtkHeliosBeamDeflector::ComputePhase(vtkIdType pulse, double frequency) const
 {

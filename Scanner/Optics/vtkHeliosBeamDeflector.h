@@ -81,6 +81,17 @@ public:
   virtual bool IsEdgeOfFlightLine(vtkIdType pulse) const;
   ///@}
 
+  /**
+   * For optics whose beams do not start at one point: where a pulse starts, in the scanner frame
+   * [m]. Returns false, and leaves origin as it is, if it starts at 0, 0, 0, as by default.
+   */
+  virtual bool GetOrigin(vtkIdType pulse, double origin[3]) const;
+
+  /**
+   * For optics that fire in columns: the column of a pulse in its revolution, from 0. By default 0.
+   */
+  virtual vtkIdType GetColumn(vtkIdType pulse) const;
+
 protected:
   vtkHeliosBeamDeflector() = default;
   ~vtkHeliosBeamDeflector() override = default;

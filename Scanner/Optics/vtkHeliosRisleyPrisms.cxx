@@ -76,6 +76,16 @@ void vtkHeliosRisleyPrisms::SetRotorFrequency(int prism, double frequency)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRisleyPrisms::SetRotorPhase(int prism, double phase)
+{
+  if (this->HasPrism(prism))
+  {
+    const double finite = std::isnan(phase) ? 0.0 : phase;
+    this->SetClamped(this->Prisms[prism].RotorPhase, finite, -360.0, 360.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosRisleyPrisms::GetWedgeAngle(int prism) const
 {
   return this->Prisms[std::clamp(prism, 0, MaximumNumberOfPrisms - 1)].WedgeAngle;
@@ -91,6 +101,12 @@ double vtkHeliosRisleyPrisms::GetRefractiveIndex(int prism) const
 double vtkHeliosRisleyPrisms::GetRotorFrequency(int prism) const
 {
   return this->Prisms[std::clamp(prism, 0, MaximumNumberOfPrisms - 1)].RotorFrequency;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosRisleyPrisms::GetRotorPhase(int prism) const
+{
+  return this->Prisms[std::clamp(prism, 0, MaximumNumberOfPrisms - 1)].RotorPhase;
 }
 
 //------------------------------------------------------------------------------
@@ -137,8 +153,12 @@ bool vtkHeliosRisleyPrisms::GetDirection(vtkIdType pulse, double direction[3]) c
   std::copy_n(this->IncidentBeam, 3, d);
   for (const Prism& prism : this->Prisms)
   {
-    if (prism.WedgeAngle != 0.0 &&
-      !this->Pass(prism, this->ComputePhase(pulse, prism.RotorFrequency), d))
+    if (prism.WedgeAngle == 0.0)
+    {
+      continue;
+    }
+    const double turned = this->ComputePhase(pulse, prism.RotorFrequency);
+    if (!this->Pass(prism, turned + prism.RotorPhase / 360.0, d))
     {
       return false;
     }
@@ -155,7 +175,7 @@ void vtkHeliosRisleyPrisms::PrintSelf(ostream& os, vtkIndent indent)
   for (const Prism& prism : this->Prisms)
   {
     os << indent << "Prism: " << prism.WedgeAngle << " deg, index " << prism.RefractiveIndex << ", "
-       << prism.RotorFrequency << " Hz\n";
+       << prism.RotorFrequency << " Hz, " << prism.RotorPhase << " deg at pulse 0\n";
   }
   os << indent << "AirRefractiveIndex: " << this->AirRefractiveIndex << "\n";
   os << indent << "IncidentBeam: " << this->IncidentBeam[0] << " " << this->IncidentBeam[1] << " "

@@ -6,9 +6,9 @@
  *
  * The IncidentBeam passes up to three prisms on the y axis, prism 0 first, each
  * with an index of refraction in air of AirRefractiveIndex. Prism k rotates about
- * y with RotorFrequency (negative: reversed); at pulse i its angle is psi = 2 pi
- * frac(i RotorFrequency / PulseFrequency), each fraction exact. One face is
- * perpendicular to y; the other is inclined by the WedgeAngle a, the first where
+ * y with RotorFrequency (negative: reversed); at pulse i its angle is psi =
+ * RotorPhase + 2 pi frac(i RotorFrequency / PulseFrequency), each fraction exact.
+ * One face is perpendicular to y; the other is inclined by the WedgeAngle a, the first where
  * a > 0, the second where a < 0, with the normal
  * - N = (sin psi sin a, -cos a, cos psi sin a)
  *
@@ -68,6 +68,15 @@ public:
 
   ///@{
   /**
+   * Set/Get the angle of prism 0, 1 or 2 at pulse 0 [deg]: a prism bends the beam
+   * to -z at 0, to -x at 90. Valid range: [-360, 360]. Default: 0.
+   */
+  void SetRotorPhase(int prism, double phase);
+  double GetRotorPhase(int prism) const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the index of refraction around the prisms. Valid range: [1, 10].
    * Default: 1.
    */
@@ -100,6 +109,7 @@ private:
     double WedgeAngle = 0.0;
     double RefractiveIndex = 1.5;
     double RotorFrequency = 0.0;
+    double RotorPhase = 0.0;
     double SinWedge = 0.0; // of WedgeAngle, saves a sine and cosine per pulse
     double CosWedge = 1.0;
   };

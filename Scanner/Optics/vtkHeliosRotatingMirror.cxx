@@ -5,9 +5,99 @@
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkHeliosRotatingMirror);
+
+//------------------------------------------------------------------------------
+vtkHeliosRotatingMirror::vtkHeliosRotatingMirror()
+  : Facets(1)
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRotatingMirror::SetNumberOfFacets(int facets)
+{
+  const int clamped = std::clamp(facets, 1, 1000);
+  if (clamped != this->GetNumberOfFacets())
+  {
+    this->Facets.resize(static_cast<std::size_t>(clamped));
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRotatingMirror::GetNumberOfFacets() const
+{
+  return static_cast<int>(this->Facets.size());
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRotatingMirror::Facet* vtkHeliosRotatingMirror::Find(int facet)
+{
+  if (facet >= 0 && facet < this->GetNumberOfFacets())
+  {
+    return &this->Facets[static_cast<std::size_t>(facet)];
+  }
+  vtkErrorMacro(<< "there is no facet " << facet << "; give one from 0 to "
+                << this->GetNumberOfFacets() - 1 << ", or set NumberOfFacets first");
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRotatingMirror::Facet vtkHeliosRotatingMirror::GetOne(int facet) const
+{
+  const bool isOne = facet >= 0 && facet < this->GetNumberOfFacets();
+  return isOne ? this->Facets[static_cast<std::size_t>(facet)] : Facet();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRotatingMirror::SetFacetPitch(int facet, double pitch)
+{
+  if (Facet* found = this->Find(facet))
+  {
+    this->SetClamped(found->Pitch, std::isnan(pitch) ? 0.0 : pitch, -89.0, 89.0);
+    found->SinPitch = std::sin(vtkMath::RadiansFromDegrees(found->Pitch));
+    found->CosPitch = std::cos(vtkMath::RadiansFromDegrees(found->Pitch));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRotatingMirror::SetFacetRoll(int facet, double roll)
+{
+  if (Facet* found = this->Find(facet))
+  {
+    this->SetClamped(found->Roll, std::isnan(roll) ? 0.0 : roll, -180.0, 180.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosRotatingMirror::GetFacetPitch(int facet) const
+{
+  return this->GetOne(facet).Pitch;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosRotatingMirror::GetFacetRoll(int facet) const
+{
+  return this->GetOne(facet).Roll;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRotatingMirror::GetFacet(vtkIdType pulse) const
+{
+  const int facets = this->GetNumberOfFacets();
+  if (facets == 1)
+  {
+    return 0;
+  }
+  // The line is the nearest integer to its phase, which ComputeBeta() measures from it.
+  const double phase = this->ComputePhase(pulse, this->ScanFrequency);
+  const double own = phase > 0.5 ? phase - 1.0 : phase;
+  const double turn = facets * this->ComputePhase(pulse, this->ScanFrequency / facets);
+  return static_cast<int>(std::lround(turn - own)) % facets;
+}
 
 //------------------------------------------------------------------------------
 double vtkHeliosRotatingMirror::ComputeBeta(vtkIdType pulse) const
@@ -19,7 +109,7 @@ double vtkHeliosRotatingMirror::ComputeBeta(vtkIdType pulse) const
 //------------------------------------------------------------------------------
 double vtkHeliosRotatingMirror::GetScanAngle(vtkIdType pulse) const
 {
-  return this->ComputeBeta(pulse);
+  return this->ComputeBeta(pulse) + this->GetOne(this->GetFacet(pulse)).Roll;
 }
 
 //------------------------------------------------------------------------------
@@ -55,10 +145,11 @@ bool vtkHeliosRotatingMirror::GetDirection(vtkIdType pulse, double direction[3])
   {
     return false;
   }
-  const double beta = vtkMath::RadiansFromDegrees(angle);
-  direction[0] = 0.0;
-  direction[1] = std::cos(beta);
-  direction[2] = std::sin(beta);
+  const Facet facet = this->GetOne(this->GetFacet(pulse));
+  const double beta = vtkMath::RadiansFromDegrees(angle + facet.Roll);
+  direction[0] = facet.SinPitch;
+  direction[1] = facet.CosPitch * std::cos(beta);
+  direction[2] = facet.CosPitch * std::sin(beta);
   return true;
 }
 
@@ -70,4 +161,8 @@ void vtkHeliosRotatingMirror::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MirrorAngle: " << this->MirrorAngle << "\n";
   os << indent << "VerticalAngleMin: " << this->VerticalAngleMin << "\n";
   os << indent << "VerticalAngleMax: " << this->VerticalAngleMax << "\n";
+  for (const Facet& facet : this->Facets)
+  {
+    os << indent << "Facet: pitch " << facet.Pitch << ", roll " << facet.Roll << "\n";
+  }
 }

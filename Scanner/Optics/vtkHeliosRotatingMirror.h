@@ -15,6 +15,14 @@
  * VerticalAngleMin < beta <= VerticalAngleMax: a window as wide as the sweep
  * emits all of them.
  *
+ * The facets need not be alike: line l is swept by facet l mod NumberOfFacets, with
+ * pulse 0 in the middle of facet 0. The beam of a facet with FacetPitch p and
+ * FacetRoll r points to
+ * - (sin p, cos p cos(beta + r), cos p sin(beta + r))
+ *
+ * a cone about the shaft: that of a beam along x which a facet reflects whose normal
+ * is 45 degrees + p / 2 from -x. The window is one of beta.
+ *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
  */
@@ -24,6 +32,8 @@
 
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosScannerOpticsModule.h" // For export macro
+
+#include <vector> // For the facets
 
 class VTKHELIOSSCANNEROPTICS_EXPORT vtkHeliosRotatingMirror : public vtkHeliosBeamDeflector
 {
@@ -61,10 +71,42 @@ public:
   vtkGetMacro(VerticalAngleMax, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the number of facets that differ; new ones have pitch and roll 0. Valid
+   * range: [1, 1000]. Default: 1.
+   */
+  void SetNumberOfFacets(int facets);
+  int GetNumberOfFacets() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the angle between the beam of a facet and the plane of the mirror [deg],
+   * positive towards x. Valid range: [-89, 89]. Default: 0.
+   */
+  void SetFacetPitch(int facet, double pitch);
+  double GetFacetPitch(int facet) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what a facet adds to the mirror angle [deg]. Valid range: [-180, 180].
+   * Default: 0.
+   */
+  void SetFacetRoll(int facet, double roll);
+  double GetFacetRoll(int facet) const;
+  ///@}
+
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The mirror angle beta [deg], whether or not a pulse is emitted there.
+   * The facet of a pulse, from 0.
+   */
+  int GetFacet(vtkIdType pulse) const;
+
+  /**
+   * The mirror angle beta + r [deg], whether or not a pulse is emitted there.
    */
   double GetScanAngle(vtkIdType pulse) const override;
 
@@ -78,13 +120,23 @@ public:
   ///@}
 
 protected:
-  vtkHeliosRotatingMirror() = default;
+  vtkHeliosRotatingMirror();
   ~vtkHeliosRotatingMirror() override = default;
 
 private:
   vtkHeliosRotatingMirror(const vtkHeliosRotatingMirror&) = delete;
   void operator=(const vtkHeliosRotatingMirror&) = delete;
 
+  struct Facet
+  {
+    double Pitch = 0.0;
+    double Roll = 0.0;
+    double SinPitch = 0.0; // saves a sine and cosine per pulse
+    double CosPitch = 1.0;
+  };
+
+  Facet* Find(int facet);
+  Facet GetOne(int facet) const;
   double ComputeBeta(vtkIdType pulse) const;
   bool IsInWindow(double beta) const;
 
@@ -92,6 +144,7 @@ private:
   double MirrorAngle = 180.0;
   double VerticalAngleMin = -180.0;
   double VerticalAngleMax = 180.0;
+  std::vector<Facet> Facets;
 };
 
 #endif

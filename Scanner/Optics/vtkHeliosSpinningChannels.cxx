@@ -82,6 +82,24 @@ void vtkHeliosSpinningChannels::SetFiringTime(int channel, double time)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosSpinningChannels::SetOriginOffset(int channel, double offset)
+{
+  if (Channel* found = this->Find(channel))
+  {
+    this->SetClamped(found->OriginOffset, std::isnan(offset) ? 0.0 : offset, -10.0, 10.0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSpinningChannels::SetOriginHeight(int channel, double height)
+{
+  if (Channel* found = this->Find(channel))
+  {
+    this->SetClamped(found->OriginHeight, std::isnan(height) ? 0.0 : height, -10.0, 10.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosSpinningChannels::GetElevation(int channel) const
 {
   return this->GetOne(channel).Elevation;
@@ -100,6 +118,18 @@ double vtkHeliosSpinningChannels::GetFiringTime(int channel) const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosSpinningChannels::GetOriginOffset(int channel) const
+{
+  return this->GetOne(channel).OriginOffset;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSpinningChannels::GetOriginHeight(int channel) const
+{
+  return this->GetOne(channel).OriginHeight;
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosSpinningChannels::GetChannel(vtkIdType pulse) const
 {
   return static_cast<int>(this->ComputeCount(pulse) % this->GetNumberOfChannels());
@@ -114,18 +144,54 @@ double vtkHeliosSpinningChannels::GetDelay(vtkIdType pulse) const
 }
 
 //------------------------------------------------------------------------------
-// The azimuth in turns: of the head at the start of the cycle, in the cycle, of the channel.
-double vtkHeliosSpinningChannels::ComputeTurn(vtkIdType pulse) const
+// The azimuth of the head in turns: at the start of the cycle, and in the cycle.
+double vtkHeliosSpinningChannels::ComputeHeadTurn(vtkIdType pulse, const Channel& one) const
 {
-  const int channel = this->GetChannel(pulse);
-  const Channel& one = this->Channels[static_cast<std::size_t>(channel)];
-  const double own = one.Azimuth / 360.0;
+  const double start = this->StartAngle / 360.0;
   if (one.FiringTime < 0.0)
   {
-    return helios::Fraction(this->ComputePhase(pulse, this->ScanFrequency) + own);
+    return this->ComputePhase(pulse, this->ScanFrequency) + start;
   }
-  const double start = this->ComputePhase(pulse - channel, this->ScanFrequency);
-  return helios::Fraction(start + helios::Phase(one.FiringTime, this->ScanFrequency) + own);
+  const double cycle = this->ComputePhase(pulse - this->GetChannel(pulse), this->ScanFrequency);
+  return cycle + helios::Phase(one.FiringTime, this->ScanFrequency) + start;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSpinningChannels::ComputeTurn(vtkIdType pulse) const
+{
+  const Channel one = this->GetOne(this->GetChannel(pulse));
+  return helios::Fraction(this->ComputeHeadTurn(pulse, one) + one.Azimuth / 360.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSpinningChannels::GetOrigin(vtkIdType pulse, double origin[3]) const
+{
+  const Channel one = this->GetOne(this->GetChannel(pulse));
+  if (one.OriginOffset == 0.0 && one.OriginHeight == 0.0)
+  {
+    return false;
+  }
+  const double azimuth = 2.0 * vtkMath::Pi() * helios::Fraction(this->ComputeHeadTurn(pulse, one));
+  origin[0] = -one.OriginOffset * std::sin(azimuth);
+  origin[1] = one.OriginOffset * std::cos(azimuth);
+  origin[2] = one.OriginHeight;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosSpinningChannels::GetColumn(vtkIdType pulse) const
+{
+  const double frequency = std::abs(this->ScanFrequency);
+  if (frequency == 0.0)
+  {
+    return 0;
+  }
+  const double columns = this->PulseFrequency / this->GetNumberOfChannels() / frequency;
+  const double turn = this->ComputePhase(pulse - this->GetChannel(pulse), frequency);
+  // Rounding must not lose a column that begins here, nor add one at the end.
+  const double rounding = 1e-6;
+  const double column = std::floor(turn * columns + rounding);
+  return column + rounding < columns ? static_cast<vtkIdType>(column) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -150,10 +216,12 @@ bool vtkHeliosSpinningChannels::GetDirection(vtkIdType pulse, double direction[3
 void vtkHeliosSpinningChannels::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ScanFrequency: " << this->ScanFrequency << "\n";
+  os << indent << "ScanFrequency: " << this->ScanFrequency << "\n"
+     << indent << "StartAngle: " << this->StartAngle << "\n";
   for (const Channel& channel : this->Channels)
   {
     os << indent << "Channel: elevation " << channel.Elevation << ", azimuth " << channel.Azimuth
-       << ", fires at " << channel.FiringTime << " s\n";
+       << ", fires at " << channel.FiringTime << " s, starts " << channel.OriginOffset
+       << " m from the axis at height " << channel.OriginHeight << " m\n";
   }
 }

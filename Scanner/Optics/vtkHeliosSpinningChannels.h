@@ -8,10 +8,16 @@
  * channel c = i mod n in the cycle of n pulses that starts at (i - c) /
  * PulseFrequency. A channel has an elevation e above the horizon, its own
  * azimuth, and a firing time in the cycle; by default c / PulseFrequency,
- * evenly. The head rotates about z with ScanFrequency; the azimuth a of a pulse
- * is that of the head when it fires, with exact fractions of a revolution, plus
- * that of its channel. The direction is
+ * evenly. The head rotates about z with ScanFrequency, from StartAngle on; the
+ * azimuth a of a pulse is that of the head when it fires, h, with exact fractions of
+ * a revolution, plus that of its channel. A channel starts at a distance r
+ * (OriginOffset) from the axis, in the direction of the head, and at a height z
+ * (OriginHeight). Direction and origin are
  * - (-sin a cos e, cos a cos e, sin e)
+ * - (-r sin h, r cos h, z)
+ *
+ * A column is a cycle of n pulses; columns count from 0 in each revolution, which
+ * begins at StartAngle.
  *
  * Azimuths increase anticlockwise, seen from above, with y at 0; instruments
  * that count clockwise have a negative ScanFrequency and azimuths of the
@@ -43,6 +49,15 @@ public:
    */
   vtkSetClampMacro(ScanFrequency, double, -1e6, 1e6);
   vtkGetMacro(ScanFrequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the azimuth of the head at pulse 0 [deg]. Valid range: [-360, 360].
+   * Default: 0.
+   */
+  vtkSetClampMacro(StartAngle, double, -360.0, 360.0);
+  vtkGetMacro(StartAngle, double);
   ///@}
 
   ///@{
@@ -80,7 +95,27 @@ public:
   double GetFiringTime(int channel) const;
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the distance of the origin of a channel from the axis [m]. Valid range:
+   * [-10, 10]. Default: 0.
+   */
+  void SetOriginOffset(int channel, double offset);
+  double GetOriginOffset(int channel) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the height of the origin of a channel [m]. Valid range: [-10, 10].
+   * Default: 0.
+   */
+  void SetOriginHeight(int channel, double height);
+  double GetOriginHeight(int channel) const;
+  ///@}
+
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
+  bool GetOrigin(vtkIdType pulse, double origin[3]) const override;
+  vtkIdType GetColumn(vtkIdType pulse) const override;
 
   /**
    * The azimuth of a pulse [deg], in [0, 360).
@@ -103,13 +138,17 @@ private:
     double Elevation = 0.0;
     double Azimuth = 0.0;
     double FiringTime = -1.0;
+    double OriginOffset = 0.0;
+    double OriginHeight = 0.0;
   };
 
   Channel* Find(int channel);
   Channel GetOne(int channel) const;
+  double ComputeHeadTurn(vtkIdType pulse, const Channel& one) const;
   double ComputeTurn(vtkIdType pulse) const;
 
   double ScanFrequency = 10.0;
+  double StartAngle = 0.0;
   std::vector<Channel> Channels;
 };
 

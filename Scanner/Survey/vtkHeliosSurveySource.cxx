@@ -158,6 +158,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.SubRays = this->Source->GenerateSubRays;
   settings.Truth = this->Source->GenerateTruth;
   settings.ScanFlags = this->Source->GenerateScanFlags;
+  settings.Columns = this->Source->GenerateColumns;
   if (!this->CheckOptions(settings) ||
     !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
@@ -657,6 +658,7 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";
   this->Options->PrintSelf(os, indent.GetNextIndent());

@@ -107,6 +107,9 @@ public:
   vtkSetMacro(GenerateScanFlags, bool);
   vtkGetMacro(GenerateScanFlags, bool);
   vtkBooleanMacro(GenerateScanFlags, bool);
+  vtkSetMacro(GenerateColumns, bool);
+  vtkGetMacro(GenerateColumns, bool);
+  vtkBooleanMacro(GenerateColumns, bool);
   ///@}
 
   ///@{
@@ -221,6 +224,7 @@ private:
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
   bool GenerateScanFlags = false;
+  bool GenerateColumns = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 
   std::atomic<bool> AbortRequested{ false };

@@ -119,7 +119,7 @@ std::vector<std::string> Assets::GetFolders(const XmlDocument& from) const
 }
 
 //------------------------------------------------------------------------------
-std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from)
+std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from) const
 {
   const std::vector<std::string> candidates = MakeCandidates(
     name.Text, name.Text.empty() ? std::vector<std::string>() : this->GetFolders(from));

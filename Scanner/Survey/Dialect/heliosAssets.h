@@ -36,7 +36,7 @@ public:
   std::vector<std::string> GetDocumentPaths() const;
 
   /// The path of a file; empty, after an error that lists the folders searched, if it is missing.
-  std::string FindFile(const XmlValue& name, const XmlDocument& from);
+  std::string FindFile(const XmlValue& name, const XmlDocument& from) const;
 
   /// The path of an optional file; empty if it is missing.
   std::string FindPath(const std::string& name, const XmlDocument& from) const;

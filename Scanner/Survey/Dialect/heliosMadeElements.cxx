@@ -39,7 +39,7 @@ void ReadOrientation(
 //------------------------------------------------------------------------------
 bool MadeElements::Keeps(const ScannerData&, const std::string& path)
 {
-  return HasName({ "headRotateAxis", "incidentBeam", "beamOrigin" }, path);
+  return HasName({ "headRotateAxis", "incidentBeam", "beams", "beamOrigin" }, path);
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +92,8 @@ void MadeElements::RemoveParts()
 }
 
 //------------------------------------------------------------------------------
-void MadeElements::Apply(ScannerData& scanner, const std::string& where, Messages& log) const
+void MadeElements::Apply(
+  ScannerData& scanner, const std::string& where, const Assets& assets, Messages& log) const
 {
   const ElementTree* tree = this->Find(where);
   if (!tree)
@@ -110,6 +111,12 @@ void MadeElements::Apply(ScannerData& scanner, const std::string& where, Message
   {
     scanner.IncidentBeam = ScannerData().IncidentBeam;
     ReadIncidentBeam(root, scanner);
+  }
+  if (tree->HasSet("beams"))
+  {
+    scanner.Beams.clear();
+    scanner.BeamFile.clear();
+    ReadBeams(root, assets, scanner);
   }
   ReadOrientation(*tree, root, "beamOrigin", scanner.Beam.Orientation);
 }
@@ -133,22 +140,23 @@ void MadeElements::Apply(
   {
     return;
   }
+  Assets assets(log, assetDirectories);
   const auto number = [](const char* what, std::size_t index)
   { return what + std::to_string(index); };
   for (std::size_t i = 0; i < survey.Scanners.size(); ++i)
   {
     const std::string where = number("scanner ", i);
-    this->Apply(survey.Scanners[i], where, log);
+    this->Apply(survey.Scanners[i], where, assets, log);
     for (std::size_t k = 0; k < survey.Scanners[i].OtherChannels.size(); ++k)
     {
-      this->Apply(survey.Scanners[i].OtherChannels[k], where + number(", channel ", k + 1), log);
+      this->Apply(
+        survey.Scanners[i].OtherChannels[k], where + number(", channel ", k + 1), assets, log);
     }
   }
   for (std::size_t i = 0; i < survey.Platforms.size(); ++i)
   {
     this->Apply(survey.Platforms[i], number("platform ", i), log);
   }
-  Assets assets(log, assetDirectories);
   const ElementTree* steps = this->Find("scene");
   const auto scene = (steps ? *steps : ElementTree("scene")).MakeDocument("scene", log);
   for (std::size_t i = 0; i < survey.Scene.Parts.size(); ++i)

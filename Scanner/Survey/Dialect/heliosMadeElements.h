@@ -15,6 +15,7 @@
 namespace helios
 {
 
+class Assets;
 class Messages;
 
 /// The trees of parts, scanners and platforms, by their places such as "part 0". What they hold
@@ -50,7 +51,8 @@ public:
 
 private:
   const ElementTree* Find(const std::string& where) const;
-  void Apply(ScannerData& scanner, const std::string& where, Messages& log) const;
+  void Apply(
+    ScannerData& scanner, const std::string& where, const Assets& assets, Messages& log) const;
   void Apply(PlatformData& platform, const std::string& where, Messages& log) const;
 
   std::map<std::string, ElementTree> Trees;

@@ -189,7 +189,7 @@ int SurveyMaker::AddScannerFromFile(const std::string& reference)
   ScannerData scanner;
   const auto read = [&scanner](const XmlElement& element, const Assets& assets, Messages& log)
   {
-    scanner = ReadScanner(element);
+    scanner = ReadScanner(element, assets);
     FindModel(element, assets, scanner.Model);
     log.HasError() ? void() : CheckScanner(scanner, log);
   };

@@ -65,10 +65,10 @@ void CheckRayCaster(const std::string& name, const std::string& where, Messages&
   }
 }
 
-void CheckScannerElement(const XmlElement& element, Messages& log)
+void CheckScannerElement(const XmlElement& element, const Assets& assets, Messages& log)
 {
   const int before = log.GetNumberOfErrors();
-  const ScannerData scanner = ReadScanner(element);
+  const ScannerData scanner = ReadScanner(element, assets);
   if (log.GetNumberOfErrors() == before)
   {
     CheckScanner(scanner, log);
@@ -96,7 +96,7 @@ void CheckAssets(const XmlElement& root, Assets& assets, Messages& log)
   const std::vector<XmlElement> scenes = root.GetChildren("scene");
   for (const XmlElement& scanner : scanners)
   {
-    CheckScannerElement(scanner, log);
+    CheckScannerElement(scanner, assets, log);
   }
   for (const XmlElement& platform : platforms)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlOptics.h"
 
+#include "heliosAssets.h"
+#include "heliosBeamTable.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
@@ -12,6 +14,9 @@ namespace helios
 
 namespace
 {
+
+/// The maximum number of facets of a mirror.
+constexpr std::size_t MostFacets = 1000;
 
 /// A name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
@@ -45,7 +50,84 @@ void CheckPrisms(const ScannerData& scanner, Messages& log)
   }
 }
 
+/// The <beam> children.
+void ReadBeamElements(const XmlElement& element, std::vector<BeamData>& beams)
+{
+  for (const XmlElement& child : element.GetChildren("beam"))
+  {
+    child.CheckNames();
+    beams.emplace_back();
+    child.ReadStored(beams.back());
+    if (!child.Has("elevation_deg"))
+    {
+      child.GetMessages().Error(
+        child.Where() + ": <beam> has no elevation_deg; give its angle above the horizon [deg]");
+    }
+  }
+}
+
+void CheckFacets(const ScannerData& scanner, Messages& log)
+{
+  const std::size_t pitches = scanner.FacetPitches.size();
+  const std::size_t rolls = scanner.FacetRolls.size();
+  const std::string who = scanner.Where + ": scanner " + scanner.Id;
+  if (pitches > 0 && rolls > 0 && pitches != rolls)
+  {
+    log.Error(who + " has facetPitches_deg of " + std::to_string(pitches) +
+      " facets, but facetRolls_deg of " + std::to_string(rolls) + "; give one value per facet");
+  }
+  const std::size_t facets = std::max(pitches, rolls);
+  if (facets > MostFacets)
+  {
+    log.Error(who + " has " + std::to_string(facets) + " facets; give at most " +
+      std::to_string(MostFacets));
+  }
+  if (facets > 0 && scanner.Type != Optics::RotatingMirror)
+  {
+    log.Warning(who + ": facetPitches_deg and facetRolls_deg are only used by rotating optics");
+  }
+}
+
+void CheckBeamTable(const ScannerData& scanner, Messages& log)
+{
+  const std::string who = scanner.Where + ": scanner " + scanner.Id;
+  if (scanner.Beams.empty())
+  {
+    log.Error(who + " has no beams; give <beams> with a file or with <beam> children");
+  }
+  else if (scanner.Beams.size() > MostBeams)
+  {
+    log.Error(who + " has " + std::to_string(scanner.Beams.size()) + " beams; give at most " +
+      std::to_string(MostBeams));
+  }
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void ReadBeams(const XmlElement& element, const Assets& files, ScannerData& scanner)
+{
+  const XmlElement table = element.GetChild("beams");
+  if (!table)
+  {
+    return;
+  }
+  Messages& log = table.GetMessages();
+  table.CheckNames();
+  scanner.Beams.clear();
+  scanner.BeamFile.clear();
+  ReadBeamElements(table, scanner.Beams);
+  if (table.Has("file") && !scanner.Beams.empty())
+  {
+    log.Error(table.Where() + ": <beams> has a file and <beam> children; give one of them");
+  }
+  else if (table.Has("file"))
+  {
+    scanner.BeamFile =
+      files.FindFile({ "file", table.GetText("file"), table.Where() }, table.GetDocument());
+    scanner.BeamFile.empty() ? void() : ReadBeamTable(scanner.BeamFile, scanner.Beams, log);
+  }
+}
 
 //------------------------------------------------------------------------------
 void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
@@ -77,11 +159,17 @@ void ResetOptics(ScannerData& scanner)
   scanner.NumberOfFibers = fresh.NumberOfFibers;
   scanner.ScanAngleMax = fresh.ScanAngleMax;
   scanner.ScanAngleEffectiveMax = fresh.ScanAngleEffectiveMax;
+  scanner.FacetPitches = fresh.FacetPitches;
+  scanner.FacetRolls = fresh.FacetRolls;
   scanner.ScanFrequencyMin = fresh.ScanFrequencyMin;
   scanner.ScanFrequencyMax = fresh.ScanFrequencyMax;
   std::copy(std::begin(fresh.Prisms), std::end(fresh.Prisms), scanner.Prisms);
   scanner.AirRefractiveIndex = fresh.AirRefractiveIndex;
   scanner.IncidentBeam = fresh.IncidentBeam;
+  scanner.Beams = fresh.Beams;
+  scanner.BeamFile = fresh.BeamFile;
+  scanner.IsClockwise = fresh.IsClockwise;
+  scanner.StartAngle = fresh.StartAngle;
 }
 
 //------------------------------------------------------------------------------
@@ -89,9 +177,14 @@ void CheckOptics(const ScannerData& scanner, Messages& log)
 {
   // The angle of an oscillating mirror may be given by the leg.
   const bool hasAngle = scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror;
+  CheckFacets(scanner, log);
   if (scanner.Type == Optics::RisleyPrisms)
   {
     CheckPrisms(scanner, log);
+  }
+  else if (scanner.Type == Optics::SpinningChannels)
+  {
+    CheckBeamTable(scanner, log);
   }
   else if (!hasAngle)
   {

@@ -11,10 +11,14 @@
 namespace helios
 {
 
+class Assets;
 class Messages;
 
 /// Reads the <incidentBeam> of prisms; unchanged without one.
 void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner);
+
+/// Reads the <beams> of a spinning head, also from their file; unchanged without them.
+void ReadBeams(const XmlElement& element, const Assets& files, ScannerData& scanner);
 
 /// Resets all optics, except for the type, to those of a new scanner.
 void ResetOptics(ScannerData& scanner);

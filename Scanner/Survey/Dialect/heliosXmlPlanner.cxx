@@ -224,7 +224,7 @@ void PlannerReader::ReadPlatformOf(const XmlElement& element, PlannerData& data)
 void PlannerReader::ReadScannerOf(const XmlElement& element, PlannerData& data)
 {
   const int before = this->Log.GetNumberOfErrors();
-  data.Survey.Scanners = { element ? ReadScanner(element) : ScannerData() };
+  data.Survey.Scanners = { element ? ReadScanner(element, this->Files) : ScannerData() };
   if (element && this->Log.GetNumberOfErrors() == before)
   {
     CheckScanner(data.Survey.Scanners.front(), this->Log);

@@ -15,11 +15,12 @@ namespace
 {
 
 /// Reads a scanner or one of its channels; values that are not given are unchanged.
-void ReadInstrument(const XmlElement& element, ScannerData& scanner)
+void ReadInstrument(const XmlElement& element, const Assets& files, ScannerData& scanner)
 {
   element.CheckNames();
   element.ReadStored(scanner);
   ReadIncidentBeam(element, scanner);
+  ReadBeams(element, files, scanner);
   ReadReceiver(element, scanner);
   ReadPose(element.GetChild("beamOrigin"), scanner.Beam);
   ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);
@@ -27,23 +28,24 @@ void ReadInstrument(const XmlElement& element, ScannerData& scanner)
 }
 
 /// A copy of the scanner with the channel's settings. Other optics start from the defaults.
-ScannerData ReadChannel(const XmlElement& channel, ScannerData scanner, std::size_t index)
+ScannerData ReadChannel(
+  const XmlElement& channel, const Assets& files, ScannerData scanner, std::size_t index)
 {
   const ScannerData whole = scanner;
   scanner.Where = channel.Where();
   scanner.Channel = channel.Has("id") ? channel.GetText("id") : std::to_string(index);
   scanner.Id += ", channel " + scanner.Channel;
-  ReadInstrument(channel, scanner);
+  ReadInstrument(channel, files, scanner);
   if (scanner.Type != whole.Type)
   {
     ResetOptics(scanner);
-    ReadInstrument(channel, scanner);
+    ReadInstrument(channel, files, scanner);
   }
   return scanner;
 }
 
 /// Replaces a scanner by its channels; returns the scanner itself if it has none.
-ScannerData ReadChannels(const XmlElement& element, const ScannerData& scanner)
+ScannerData ReadChannels(const XmlElement& element, const Assets& files, const ScannerData& scanner)
 {
   std::vector<ScannerData> channels;
   for (const XmlElement& list : element.GetChildren("channels"))
@@ -51,7 +53,7 @@ ScannerData ReadChannels(const XmlElement& element, const ScannerData& scanner)
     list.CheckNames();
     for (const XmlElement& channel : list.GetChildren("channel"))
     {
-      channels.push_back(ReadChannel(channel, scanner, channels.size()));
+      channels.push_back(ReadChannel(channel, files, scanner, channels.size()));
     }
   }
   if (channels.empty())
@@ -100,7 +102,7 @@ void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
 }
 
 //------------------------------------------------------------------------------
-ScannerData ReadScanner(const XmlElement& element)
+ScannerData ReadScanner(const XmlElement& element, const Assets& files)
 {
   ScannerData scanner;
   scanner.Where = element.Where();
@@ -112,8 +114,8 @@ ScannerData ReadScanner(const XmlElement& element)
       " has no optics; give " +
       Enumerate(FindXmlRule("scanner")->FindValue("optics")->GetChoices(), "or"));
   }
-  ReadInstrument(element, scanner);
-  return ReadChannels(element, scanner);
+  ReadInstrument(element, files, scanner);
+  return ReadChannels(element, files, scanner);
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,10 @@
 namespace helios
 {
 
-ScannerData ReadScanner(const XmlElement& element);
+class Assets;
+
+/// Reads a scanner, and the beam tables that it names.
+ScannerData ReadScanner(const XmlElement& element, const Assets& files);
 
 /// Overrides all channels of a scanner by a survey's own <FWFSettings> and <detectorSettings>.
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner);

@@ -116,7 +116,7 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
     return known->second;
   }
   const int before = this->Log.GetNumberOfErrors();
-  ScannerData scanner = element ? ReadScanner(element) : ScannerData();
+  ScannerData scanner = element ? ReadScanner(element, this->Files) : ScannerData();
   OverrideScanner(this->Survey, scanner);
   FindModel(element, this->Files, scanner.Model);
   if (element && this->Log.GetNumberOfErrors() == before)

@@ -44,7 +44,8 @@ bool HasWindow(const SurveyEdit& edit)
 
 bool HasScanAngle(const SurveyEdit& edit)
 {
-  return edit.IsMoving() && edit.ScannerModel.Type != Optics::RisleyPrisms;
+  const Optics type = edit.ScannerModel.Type;
+  return edit.IsMoving() && type != Optics::RisleyPrisms && type != Optics::SpinningChannels;
 }
 
 bool HasScanFrequency(const ScannerData& scanner)

@@ -137,7 +137,7 @@ LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
     settings.VerticalAngleMin = LegSettings::NotGiven;
     settings.VerticalAngleMax = LegSettings::NotGiven;
   }
-  if (type == Optics::RisleyPrisms)
+  if (type == Optics::RisleyPrisms || type == Optics::SpinningChannels)
   {
     settings.ScanAngle = LegSettings::NotGiven;
   }
@@ -176,7 +176,9 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
     {
       const std::string name = ReferTo(file, surveyFolder, assetDirectories);
       AddEntries(document->GetRoot(), "platform", name, ReadPlatform, assets, catalogue.Platforms);
-      AddEntries(document->GetRoot(), "scanner", name, ReadScanner, assets, catalogue.Scanners);
+      const auto readScanner = [&assets](const XmlElement& element)
+      { return ReadScanner(element, assets); };
+      AddEntries(document->GetRoot(), "scanner", name, readScanner, assets, catalogue.Scanners);
     }
   }
   return catalogue;

@@ -228,6 +228,7 @@ void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
   channel->SetGenerateSubRays(this->Settings.SubRays);
   channel->SetGenerateTruth(this->Settings.Truth);
   channel->SetGenerateScanFlags(this->Settings.ScanFlags);
+  channel->SetGenerateColumns(this->Settings.Columns);
 }
 
 //------------------------------------------------------------------------------

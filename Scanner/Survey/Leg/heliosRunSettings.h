@@ -29,6 +29,7 @@ struct RunSettings
   bool SubRays = false;           ///< their hits; not written
   bool Truth = false;             ///< with the echoes; not written
   bool ScanFlags = false;         ///< with the echoes
+  bool Columns = false;           ///< with the echoes; not written
   bool WaveformsInPoints = false; ///< LAS: in one file with the points
 
   std::string Folder; ///< of the files

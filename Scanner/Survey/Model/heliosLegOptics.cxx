@@ -8,8 +8,11 @@
 #include "vtkHeliosPalmerMirror.h"
 #include "vtkHeliosRisleyPrisms.h"
 #include "vtkHeliosRotatingMirror.h"
+#include "vtkHeliosSpinningChannels.h"
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 namespace helios
 {
@@ -32,6 +35,15 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakeRotating(
   mirror->SetMirrorAngle(scanner.ScanAngleMax);
   mirror->SetVerticalAngleMin(scan.VerticalAngleMin);
   mirror->SetVerticalAngleMax(scan.VerticalAngleMax);
+  const std::vector<double>& pitches = scanner.FacetPitches;
+  const std::vector<double>& rolls = scanner.FacetRolls;
+  const std::size_t facets = std::max({ pitches.size(), rolls.size(), std::size_t(1) });
+  mirror->SetNumberOfFacets(static_cast<int>(facets));
+  for (std::size_t k = 0; k < facets; ++k)
+  {
+    mirror->SetFacetPitch(static_cast<int>(k), k < pitches.size() ? pitches[k] : 0.0);
+    mirror->SetFacetRoll(static_cast<int>(k), k < rolls.size() ? rolls[k] : 0.0);
+  }
   return mirror;
 }
 
@@ -78,8 +90,29 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakePrisms(const ScannerData& scanner)
     prisms->SetWedgeAngle(k, scanner.Prisms[k].WedgeAngle);
     prisms->SetRefractiveIndex(k, scanner.Prisms[k].RefractiveIndex);
     prisms->SetRotorFrequency(k, scanner.Prisms[k].RotorFrequency);
+    prisms->SetRotorPhase(k, scanner.Prisms[k].RotorPhase);
   }
   return prisms;
+}
+
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeSpinning(
+  const ScannerData& scanner, const ScanData& scan)
+{
+  auto head = vtkSmartPointer<vtkHeliosSpinningChannels>::New();
+  head->SetScanFrequency(scanner.IsClockwise ? -scan.ScanFrequency : scan.ScanFrequency);
+  head->SetStartAngle(scanner.StartAngle);
+  head->SetNumberOfChannels(static_cast<int>(scanner.Beams.size()));
+  int channel = 0;
+  for (const BeamData& beam : scanner.Beams)
+  {
+    head->SetElevation(channel, beam.Elevation);
+    head->SetAzimuth(channel, beam.Azimuth);
+    head->SetOriginOffset(channel, beam.OriginOffset);
+    head->SetOriginHeight(channel, beam.OriginHeight);
+    head->SetFiringTime(channel, beam.FiringTime);
+    ++channel;
+  }
+  return head;
 }
 
 vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, const ScanData& scan)
@@ -96,6 +129,8 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, con
       return MakePalmer(scan);
     case Optics::RisleyPrisms:
       return MakePrisms(scanner);
+    case Optics::SpinningChannels:
+      return MakeSpinning(scanner, scan);
     case Optics::RotatingMirror:
       break;
   }

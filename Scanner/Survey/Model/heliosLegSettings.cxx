@@ -39,6 +39,7 @@ public:
 
 private:
   void ResolvePulses();
+  void CheckBeams();
   void ResolveScanAngles();
   void ResolveFrequencies();
   void ResolveScanProduct();
@@ -86,6 +87,7 @@ ScanData ScanResolver::Resolve()
   this->Scan.BeamDivergence = std::isnan(this->Given.BeamDivergence) ? this->Scanner.BeamDivergence
                                                                      : this->Given.BeamDivergence;
   this->ResolvePulses();
+  this->CheckBeams();
   this->ResolveScanAngles();
   this->ResolveFrequencies();
   this->ResolveScanProduct();
@@ -122,6 +124,25 @@ void ScanResolver::ResolvePulses()
       text << frequency << (frequency == offered.back() ? " Hz); used anyway" : ", ");
     }
     this->Warning(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A beam must fire before the next cycle begins.
+void ScanResolver::CheckBeams()
+{
+  const std::vector<BeamData>& beams = this->Scanner.Beams;
+  const double cycle = static_cast<double>(beams.size()) / this->Scan.PulseFrequency;
+  const auto late = std::find_if(
+    beams.begin(), beams.end(), [cycle](const BeamData& beam) { return beam.FiringTime >= cycle; });
+  if (this->Has(Optics::SpinningChannels) && late != beams.end())
+  {
+    Sentence text;
+    text << "beam " << late - beams.begin() << " of scanner " << this->Scanner.Id
+         << " fires at firingTime_s=\"" << late->FiringTime << "\", after the cycle of " << cycle
+         << " s that " << beams.size() << " beams have at pulseFreq_hz=\""
+         << this->Scan.PulseFrequency << "\"; give a lower pulse frequency";
+    this->Error(text);
   }
 }
 
@@ -248,10 +269,11 @@ void ScanResolver::ClipScanFrequency()
 {
   const double frequency = this->Scan.ScanFrequency;
   Sentence text;
-  if (this->Has(Optics::OscillatingMirror) && frequency == 0.0)
+  const bool isSpinning = this->Has(Optics::SpinningChannels);
+  if ((isSpinning || this->Has(Optics::OscillatingMirror)) && frequency == 0.0)
   {
-    text << "scanFreq_hz is missing or 0, so the mirror of scanner " << this->Scanner.Id
-         << " does not move; give its scan frequency [Hz]";
+    text << "scanFreq_hz is missing or 0, so the " << (isSpinning ? "head" : "mirror")
+         << " of scanner " << this->Scanner.Id << " does not move; give its scan frequency [Hz]";
     this->Error(text);
     return;
   }
@@ -327,6 +349,7 @@ void ScanResolver::CheckUnused()
   const bool hasPrisms = this->Has(Optics::RisleyPrisms);
   const bool hasWindow =
     !std::isnan(this->Given.VerticalAngleMin) || !std::isnan(this->Given.VerticalAngleMax);
+  const bool hasNoAngle = hasPrisms || this->Has(Optics::SpinningChannels);
   const bool ownsFrequency = hasPrisms || this->Has(Optics::FiberArray);
   const auto warn = [this](const char* names, bool isUnused)
   {
@@ -340,7 +363,7 @@ void ScanResolver::CheckUnused()
   warn("verticalResolution_deg and horizontalResolution_deg are",
     !isRotating && this->HasResolution());
   warn("verticalAngleMin_deg and verticalAngleMax_deg are", !isRotating && hasWindow);
-  warn("scanAngle_deg is", hasPrisms && this->Given.ScanAngle > 0.0);
+  warn("scanAngle_deg is", hasNoAngle && this->Given.ScanAngle > 0.0);
   warn("scanFreq_hz is", ownsFrequency && this->Given.ScanFrequency > 0.0);
 }
 

@@ -27,11 +27,12 @@ enum class Optics
   FiberArray,
   ConicMirror,
   PalmerMirror,
-  RisleyPrisms
+  RisleyPrisms,
+  SpinningChannels
 };
 
 /// The names of optics in files, in the order of the enumeration.
-constexpr const char* OpticsNames = "rotating oscillating line conic palmer risley";
+constexpr const char* OpticsNames = "rotating oscillating line conic palmer risley spinning";
 
 /// A prism of Risley optics.
 struct PrismData
@@ -39,6 +40,17 @@ struct PrismData
   double WedgeAngle = 0.0; ///< [deg], the sign gives the inclined face; 0: none
   double RefractiveIndex = 1.0;
   double RotorFrequency = 0.0; ///< [Hz], the sign gives the direction
+  double RotorPhase = 0.0;     ///< [deg], at pulse 0
+};
+
+/// A beam of a spinning head.
+struct BeamData
+{
+  double Elevation = 0.0;    ///< [deg]
+  double Azimuth = 0.0;      ///< [deg], in the head
+  double OriginOffset = 0.0; ///< [m], from the axis
+  double OriginHeight = 0.0; ///< [m]
+  double FiringTime = -1.0;  ///< [s], in a cycle; negative: evenly
 };
 
 enum class PlatformType
@@ -83,6 +95,8 @@ struct ScannerData
   double ScanAngleEffectiveMax = 0.0;   ///< [deg], half
   double ScanFrequencyMin = 0.0;        ///< [Hz]
   double ScanFrequencyMax = 0.0;        ///< [Hz], 0: no limit
+  std::vector<double> FacetPitches;     ///< [deg], of a rotating mirror; empty: 0
+  std::vector<double> FacetRolls;       ///< [deg], likewise
   double HeadRotateSpeedMax = 0.0;      ///< [deg/s]
   double ScanProduct = 1e6;             ///< [deg Hz], of angle and frequency: oscillating
   int TurningPulses = 0;                ///< oscillating
@@ -91,6 +105,10 @@ struct ScannerData
   PrismData Prisms[3];
   double AirRefractiveIndex = 1.0;    ///< around the prisms
   Vec3 IncidentBeam{ 0.0, 1.0, 0.0 }; ///< into the first prism
+  std::vector<BeamData> Beams;        ///< of a spinning head, in the order of firing
+  std::string BeamFile;               ///< that they are from; empty: none
+  bool IsClockwise = false;           ///< the spin, seen from above
+  double StartAngle = 0.0;            ///< [deg], azimuth of the head at pulse 0
   ReceiverData Receiver;
   Pose Beam; ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };

@@ -45,6 +45,7 @@ std::set<std::string> GetInputFiles(const SurveyData& survey, const RunSettings&
     for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
     {
       files.insert(scanner.GetChannel(k).Receiver.PulseFile);
+      files.insert(scanner.GetChannel(k).BeamFile);
     }
   }
   for (const LegData& leg : survey.Legs)

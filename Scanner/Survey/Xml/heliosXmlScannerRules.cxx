@@ -42,6 +42,8 @@ std::vector<XmlValueRule> MakeScannerValues()
     Integer("maxNOR", "maximum number of returns per pulse; 0: all").In("", { 0.0, 255.0 }).At<&ScannerData::MaximumNumberOfReturns>(),
     Number("scanAngleMax_deg", "half of the angle that the mirror sweeps, or half angle of the cone").In("deg", HalfAngle).At<&ScannerData::ScanAngleMax>(),
     Number("scanAngleEffectiveMax_deg", "rotating: half of the vertical field of view").In("deg", HalfAngle).Default("scanAngleMax_deg").At<&ScannerData::ScanAngleEffectiveMax>(),
+    Numbers("facetPitches_deg", "rotating: angle between the beam of each facet and the plane of the mirror, positive towards x").In("deg", FacetPitch).Default("facets are alike").At<&ScannerData::FacetPitches>(),
+    Numbers("facetRolls_deg", "rotating: what each facet adds to the mirror angle").In("deg", FacetRoll).Default("0 each").At<&ScannerData::FacetRolls>(),
     Number("scanFreqMin_Hz", "minimum scan frequency").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMin>(),
     Number("scanFreqMax_Hz", "maximum scan frequency; 0: no limit").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMax>(),
     Number("headRotatePerSecMax_deg", "maximum head rotation speed").In("deg/s", { 0.0, 1e6 }).At<&ScannerData::HeadRotateSpeedMax>(),
@@ -63,12 +65,17 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("rotorFreq1_Hz", "risley: rotation frequency of the first prism; the sign is the direction").In("Hz", RotorFrequency).At<Prisms, 0, &PrismData::RotorFrequency>(),
     Number("rotorFreq2_Hz", "risley: rotation frequency of the second prism").In("Hz", RotorFrequency).At<Prisms, 1, &PrismData::RotorFrequency>(),
     Number("rotorFreq3_Hz", "risley: rotation frequency of the third prism").In("Hz", RotorFrequency).At<Prisms, 2, &PrismData::RotorFrequency>(),
+    Number("rotorPhase1_deg", "risley: angle of the first prism at pulse 0").In("deg", Angle).At<Prisms, 0, &PrismData::RotorPhase>(),
+    Number("rotorPhase2_deg", "risley: angle of the second prism at pulse 0").In("deg", Angle).At<Prisms, 1, &PrismData::RotorPhase>(),
+    Number("rotorPhase3_deg", "risley: angle of the third prism at pulse 0").In("deg", Angle).At<Prisms, 2, &PrismData::RotorPhase>(),
     Number("angle1_deg", "risley: wedge angle of the first prism; the sign selects the inclined face; 0: no prism").In("deg", WedgeAngle).At<Prisms, 0, &PrismData::WedgeAngle>(),
     Number("angle2_deg", "risley: wedge angle of the second prism").In("deg", WedgeAngle).At<Prisms, 1, &PrismData::WedgeAngle>(),
     Number("angle3_deg", "risley: wedge angle of the third prism").In("deg", WedgeAngle).At<Prisms, 2, &PrismData::WedgeAngle>(),
     Number("refrIndex1", "risley: refractive index of the first prism").In("", RefractiveIndex).At<Prisms, 0, &PrismData::RefractiveIndex>(),
     Number("refrIndex2", "risley: refractive index of the second prism").In("", RefractiveIndex).At<Prisms, 1, &PrismData::RefractiveIndex>(),
     Number("refrIndex3", "risley: refractive index of the third prism").In("", RefractiveIndex).At<Prisms, 2, &PrismData::RefractiveIndex>(),
+    Word("spin", "anticlockwise clockwise", "spinning: rotation of the head, seen from above").At<&ScannerData::IsClockwise>(),
+    Number("spinStart_deg", "spinning: azimuth of the head at pulse 0, anticlockwise from y").In("deg", Angle).At<&ScannerData::StartAngle>(),
     Number("refrIndex_air", "risley: refractive index around the prisms").In("", RefractiveIndex).At<&ScannerData::AirRefractiveIndex>(),
   };
   // clang-format on
@@ -109,7 +116,7 @@ std::vector<XmlElementRule> MakeScannerRules()
   return {
   { "scanner", "an instrument",
     MakeScannerValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
 
   { "channels", "the channels of a multi-channel instrument",
     {},
@@ -117,7 +124,23 @@ std::vector<XmlElementRule> MakeScannerRules()
 
   { "channel", "an emitter and its receiver; values not given are those of its scanner",
     MakeChannelValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("rangeError"), One("deflectionError"), One("headError") } },
+
+  { "beams", "spinning: the beams in the order in which they fire; their numbers are the channels",
+    {
+      Text("file", "a CSV file with a line of names of columns, which are the attributes of beam, and a line per beam").Default("beam children").File().At<&ScannerData::BeamFile>(),
+    },
+    { Many("beam") } },
+
+  { "beam", "a beam of a spinning head",
+    {
+      Number("elevation_deg", "angle above the horizon").In("deg", Elevation).Required().At<&BeamData::Elevation>(),
+      Number("azimuth_deg", "azimuth from the head's, anticlockwise").In("deg", Angle).At<&BeamData::Azimuth>(),
+      Number("originOffset_m", "distance of its origin from the axis, in the direction of the head").In("m", BeamOffset).At<&BeamData::OriginOffset>(),
+      Number("originHeight_m", "height of its origin").In("m", BeamOffset).At<&BeamData::OriginHeight>(),
+      Number("firingTime_s", "time of its pulses after the start of a cycle, in which each beam fires once; negative: evenly").In("s", FiringTime).At<&BeamData::FiringTime>(),
+    },
+    {} },
 
   { "incidentBeam", "risley: direction of the beam into the first prism",
     {

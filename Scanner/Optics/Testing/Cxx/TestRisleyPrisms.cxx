@@ -136,6 +136,32 @@ TEST_CASE("RisleyPrisms: the sign of a rotor frequency is its direction", "[Risl
   CHECK(d[2] == Approx(0.0).margin(1e-16));
 }
 
+TEST_CASE("RisleyPrisms: a phase is an angle at pulse 0", "[RisleyPrisms]")
+{
+  vtkNew<vtkHeliosRisleyPrisms> ahead;
+  vtkNew<vtkHeliosRisleyPrisms> prisms;
+  for (vtkHeliosRisleyPrisms* p : { ahead.Get(), prisms.Get() })
+  {
+    p->SetPulseFrequency(400.0);
+    SetPrism(p, 0, -10.0, 1.5, 100.0);
+    SetPrism(p, 1, 12.0, 1.6, -50.0);
+  }
+  ahead->SetRotorPhase(0, 90.0); // one pulse
+  ahead->SetRotorPhase(1, -45.0);
+  CHECK(ahead->GetRotorPhase(1) == -45.0);
+  for (const vtkIdType pulse : { 0, 1, 2, 777 })
+  {
+    double d[3];
+    double e[3];
+    REQUIRE(ahead->GetDirection(pulse, d));
+    REQUIRE(prisms->GetDirection(pulse + 1, e));
+    for (int k = 0; k < 3; ++k)
+    {
+      CHECK(d[k] == Approx(e[k]).margin(1e-15));
+    }
+  }
+}
+
 TEST_CASE("RisleyPrisms: opposite prisms cancel", "[RisleyPrisms]")
 {
   vtkNew<vtkHeliosRisleyPrisms> prisms;
@@ -202,12 +228,18 @@ TEST_CASE("RisleyPrisms: values out of range", "[RisleyPrisms]")
   CHECK(prisms->GetWedgeAngle(0) == 0.0);
   CHECK(prisms->GetRefractiveIndex(0) == 1.0);
   CHECK(prisms->GetRotorFrequency(0) == 0.0);
+  prisms->SetRotorPhase(0, -400.0);
+  CHECK(prisms->GetRotorPhase(0) == -360.0);
+  prisms->SetRotorPhase(0, nan);
+  CHECK(prisms->GetRotorPhase(0) == 0.0);
   prisms->SetAirRefractiveIndex(nan);
   CHECK(prisms->GetAirRefractiveIndex() == 1.0);
   CHECK(log->Errors.empty());
 
   prisms->SetWedgeAngle(3, 10.0);
   CHECK(log->HasError("there is no prism 3; give 0, 1 or 2"));
+  prisms->SetRotorPhase(4, 10.0);
+  CHECK(log->HasError("there is no prism 4"));
   prisms->SetRefractiveIndex(-1, 1.5);
   CHECK(log->HasError("there is no prism -1"));
   const double infinity = std::numeric_limits<double>::infinity();

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosErrorObserver.h"
 #include "heliosExactPhase.h"
 #include "vtkHeliosRotatingMirror.h"
 
 #include <catch2/catch.hpp>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <cmath>
 #include <limits>
@@ -194,4 +196,88 @@ TEST_CASE("RotatingMirror: no NaN for any index or frequency", "[RotatingMirror]
       REQUIRE(vtkMath::Norm(d) == Approx(1.0).epsilon(4e-16));
     }
   }
+}
+
+TEST_CASE("RotatingMirror: facets reflect a beam along the shaft", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror; // a pyramid of three facets: nadir, forward, backward
+  mirror->SetPulseFrequency(240000.0);
+  mirror->SetScanFrequency(200.0); // 1200 pulses a line
+  mirror->SetMirrorAngle(60.0);
+  mirror->SetVerticalAngleMin(-60.0);
+  mirror->SetVerticalAngleMax(60.0);
+  mirror->SetNumberOfFacets(3);
+  const double pitches[3] = { 0.0, -10.0, 10.0 };
+  const double rolls[3] = { 0.0, 0.25, -0.125 };
+  for (int k = 0; k < 3; ++k)
+  {
+    mirror->SetFacetPitch(k, pitches[k]);
+    mirror->SetFacetRoll(k, rolls[k]);
+  }
+  const vtkIdType day = 240000LL * 86400;
+  for (const vtkIdType pulse : { 0LL, 600LL, 601LL, 1200LL, 1799LL, 1800LL, 1801LL, 2400LL, 3000LL,
+         3001LL, 3600LL, day, day + 601LL, day + 1801LL, day + 3001LL })
+  {
+    INFO("pulse " << pulse);
+    const vtkIdType line = (pulse + 599) / 1200; // a sweep ends with its last angle
+    const double along = static_cast<double>(pulse - 1200 * line) / 10.0; // 120 degrees a line
+    const auto facet = static_cast<std::size_t>(line % 3);
+    REQUIRE(mirror->GetFacet(pulse) == static_cast<int>(facet));
+    CHECK(mirror->GetScanAngle(pulse) == Approx(along + rolls[facet]).margin(1e-11));
+    // The law of reflection, d = u - 2 (u . n) n.
+    const double tilt = Radians(45.0 + 0.5 * pitches[facet]);
+    const double turn = Radians(along + rolls[facet]);
+    const double n[3] = { -std::cos(tilt), std::sin(tilt) * std::cos(turn),
+      std::sin(tilt) * std::sin(turn) };
+    double d[3];
+    REQUIRE(mirror->GetDirection(pulse, d));
+    for (int k = 0; k < 3; ++k)
+    {
+      CHECK(d[k] == Approx((k == 0 ? 1.0 : 0.0) - 2.0 * n[0] * n[k]).margin(1e-13));
+    }
+  }
+}
+
+TEST_CASE("RotatingMirror: the lines of a facet are conics on flat ground", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetMirrorAngle(60.0);
+  mirror->SetNumberOfFacets(2);
+  mirror->SetFacetPitch(1, 10.0);
+  CHECK(mirror->GetFacet(500) == 0); // a sweep ends with its last angle
+  CHECK(mirror->GetFacet(501) == 1);
+  CHECK(mirror->GetFacet(1500) == 1);
+  CHECK(mirror->GetFacet(1501) == 0);
+  double d[3];
+  for (vtkIdType i = 600; i < 1400; ++i) // of 1000 pulses per line, the second
+  {
+    REQUIRE(mirror->GetFacet(i) == 1);
+    REQUIRE(mirror->GetDirection(i, d));
+    const double x = d[0] / d[1];
+    const double z = d[2] / d[1];
+    REQUIRE(x == Approx(std::tan(Radians(10.0)) * std::sqrt(1.0 + z * z)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("RotatingMirror: facets out of range", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(mirror);
+  mirror->SetNumberOfFacets(0);
+  CHECK(mirror->GetNumberOfFacets() == 1);
+  mirror->SetNumberOfFacets(2000);
+  CHECK(mirror->GetNumberOfFacets() == 1000);
+  mirror->SetFacetPitch(999, 100.0);
+  mirror->SetFacetRoll(999, -200.0);
+  CHECK(mirror->GetFacetPitch(999) == 89.0);
+  CHECK(mirror->GetFacetRoll(999) == -180.0);
+  mirror->SetFacetPitch(999, std::numeric_limits<double>::quiet_NaN());
+  CHECK(mirror->GetFacetPitch(999) == 0.0);
+  CHECK(mirror->GetFacetPitch(1000) == 0.0);
+  mirror->SetFacetPitch(1000, 1.0);
+  CHECK(
+    log->HasError("there is no facet 1000; give one from 0 to 999, or set NumberOfFacets first"));
+  mirror->SetFacetRoll(-1, 1.0);
+  CHECK(log->HasError("there is no facet -1"));
 }

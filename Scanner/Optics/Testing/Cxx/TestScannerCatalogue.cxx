@@ -7,16 +7,19 @@
 #include "vtkHeliosRotatingMirror.h"
 
 #include <catch2/catch.hpp>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -71,6 +74,40 @@ int MeasurementRate(const std::string& id, int pulseFrequency, double scanFreque
   return count;
 }
 
+/// The prisms of a scanner of the catalogue.
+vtkSmartPointer<vtkHeliosRisleyPrisms> MakePrisms(const std::string& id)
+{
+  const std::string scanner = ReadScanner(id);
+  REQUIRE(scanner.find("optics=\"risley\"") == 0);
+  auto prisms = vtkSmartPointer<vtkHeliosRisleyPrisms>::New();
+  prisms->SetPulseFrequency(Number(scanner, "pulseFreqs_Hz"));
+  for (int k = 0; k < 2; ++k)
+  {
+    const std::string number = std::to_string(k + 1);
+    prisms->SetWedgeAngle(k, Number(scanner, "angle" + number + "_deg"));
+    prisms->SetRefractiveIndex(k, Number(scanner, "refrIndex" + number));
+    prisms->SetRotorFrequency(k, Number(scanner, "rotorFreq" + number + "_Hz"));
+    prisms->SetRotorPhase(k, Number(scanner, "rotorPhase" + number + "_deg"));
+  }
+  return prisms;
+}
+
+/// The rates of the Mid-40 and Mid-70, and that the beams fill a circle.
+void CheckRevolutions(vtkHeliosRisleyPrisms* prisms, double halfAngle)
+{
+  CHECK(60.0 * prisms->GetRotorFrequency(0) == Approx(7294.0).epsilon(1e-14));
+  CHECK(60.0 * prisms->GetRotorFrequency(1) == Approx(-4664.0).epsilon(1e-14));
+  double least = 90.0;
+  double most = 0.0;
+  for (vtkIdType i = 0; i < 100000; ++i) // 1 s
+  {
+    least = std::min(least, prisms->GetScanAngle(i));
+    most = std::max(most, prisms->GetScanAngle(i));
+  }
+  CHECK(most == Approx(vtkMath::DegreesFromRadians(halfAngle)).epsilon(1e-5));
+  CHECK(least < 0.5);
+}
+
 } // namespace
 
 TEST_CASE("Catalogue: angular steps of the VZ-400 data sheet", "[ScannerCatalogue]")
@@ -116,30 +153,60 @@ TEST_CASE("Catalogue: the line rate of the Falcon II", "[ScannerCatalogue]")
   CHECK(array->GetScanAngle(126) - array->GetScanAngle(0) == Approx(14.3));
 }
 
-TEST_CASE("Catalogue: the field of view of the Mid-40", "[ScannerCatalogue]")
+TEST_CASE("Catalogue: the beam of the Mid-40 starts to the left", "[ScannerCatalogue]")
 {
-  const std::string scanner = ReadScanner("risley_uls");
-  REQUIRE(scanner.find("optics=\"risley\"") == 0);
-  CHECK(60.0 * Number(scanner, "rotorFreq1_Hz") == Approx(-7294.0));
-  CHECK(60.0 * Number(scanner, "rotorFreq2_Hz") == Approx(4664.0));
-  vtkNew<vtkHeliosRisleyPrisms> prisms;
-  prisms->SetPulseFrequency(Number(scanner, "pulseFreqs_Hz"));
-  for (int k = 0; k < 2; ++k)
+  const auto prisms = MakePrisms("risley_uls");
+  const double a = vtkMath::RadiansFromDegrees(18.0);
+  const double n = 1.5089;
+  // In the plane of both wedges: the second face of the first bends the beam by b, the first face
+  // of the second and its second face bend it further.
+  const double b = std::asin(n * std::sin(a)) - a;
+  const double most = std::asin(n * std::sin(a - std::asin(std::sin(a - b) / n)));
+  double d[3];
+  REQUIRE(prisms->GetDirection(0, d));
+  CHECK(d[0] == Approx(-std::sin(most)).epsilon(1e-14));
+  CHECK(d[2] == Approx(0.0).margin(1e-15));
+  CHECK(2.0 * vtkMath::DegreesFromRadians(most) == Approx(38.4).epsilon(0.002)); // the manual
+  CheckRevolutions(prisms, most);
+}
+
+TEST_CASE("Catalogue: the beam of the Mid-70 starts to the right", "[ScannerCatalogue]")
+{
+  const auto prisms = MakePrisms("livox_mid70");
+  const double a = vtkMath::RadiansFromDegrees(18.0);
+  const double n = 1.8144;
+  const double b = std::asin(n * std::sin(a - std::asin(std::sin(a) / n)));
+  const double most = std::asin(n * std::sin(std::asin(std::sin(b) / n) + a)) - a;
+  double d[3];
+  REQUIRE(prisms->GetDirection(0, d));
+  CHECK(d[0] == Approx(std::sin(most)).epsilon(1e-14));
+  CHECK(d[2] == Approx(0.0).margin(1e-15));
+  CHECK(2.0 * vtkMath::DegreesFromRadians(most) == Approx(70.4).epsilon(0.002)); // the manual
+  CheckRevolutions(prisms, most);
+}
+
+TEST_CASE("Catalogue: the six beams of the Avia", "[ScannerCatalogue]")
+{
+  const std::string scanner = ReadScanner("livox_avia");
+  const auto prisms = MakePrisms("livox_avia");
+  std::vector<double> slopes;
+  for (std::size_t at = scanner.find("<channel>"); at != std::string::npos;
+       at = scanner.find("<channel>", at + 1))
   {
-    const std::string number = std::to_string(k + 1);
-    prisms->SetWedgeAngle(k, Number(scanner, "angle" + number + "_deg"));
-    prisms->SetRefractiveIndex(k, Number(scanner, "refrIndex" + number));
-    prisms->SetRotorFrequency(k, Number(scanner, "rotorFreq" + number + "_Hz"));
+    const std::string channel = scanner.substr(at, scanner.find("</channel>", at) - at);
+    CHECK(Number(channel, "<incidentBeam x") == 0.0);
+    slopes.push_back(Number(channel, " z") / Number(channel, " y"));
   }
-  double least = 90.0;
-  double most = 0.0;
-  for (vtkIdType i = 0; i < 100000; ++i) // 1 s
+  REQUIRE(slopes.size() == 6);
+  for (std::size_t k = 0; k < 6; ++k)
   {
-    least = std::min(least, prisms->GetScanAngle(i));
-    most = std::max(most, prisms->GetScanAngle(i));
+    CHECK(slopes[k] == Approx((5.0 - 2.0 * static_cast<double>(k)) * 0.047 / 6.0).epsilon(1e-12));
   }
-  CHECK(2.0 * most == Approx(38.4).epsilon(1e-3));
-  CHECK(least < 0.5); // the middle is covered, too
+  CHECK(6.0 * Number(scanner, "pulseFreqs_Hz") == 240000.0); // points/s of the manual
+  // Between the two middle beams the pattern of the manual is 70.4 degrees wide.
+  double d[3];
+  REQUIRE(prisms->GetDirection(0, d));
+  CHECK(2.0 * vtkMath::DegreesFromRadians(std::asin(d[0])) == Approx(70.4).epsilon(0.002));
 }
 
 TEST_CASE(

@@ -151,3 +151,99 @@ TEST_CASE("SpinningChannels: values out of range", "[SpinningChannels]")
     CHECK(vtkMath::Norm(d) == Approx(1.0).epsilon(1e-15));
   }
 }
+
+TEST_CASE("SpinningChannels: origins on a circle that the head turns", "[SpinningChannels]")
+{
+  // Ouster: columns of beams that start 15.806 mm from the axis; column m of 1024 at the encoder
+  // angle 2 pi (1 - m / 1024), clockwise from 180 degrees.
+  vtkNew<vtkHeliosSpinningChannels> head;
+  head->SetPulseFrequency(2.0 * 10240.0);
+  head->SetScanFrequency(-10.0);
+  head->SetStartAngle(180.0);
+  head->SetNumberOfChannels(2);
+  for (int c = 0; c < 2; ++c)
+  {
+    head->SetFiringTime(c, 0.0);
+    head->SetOriginOffset(c, 0.015806);
+    head->SetElevation(c, c == 0 ? 20.95 : -21.82);
+    head->SetAzimuth(c, c == 0 ? -4.21 : 4.2);
+  }
+  head->SetOriginHeight(1, -0.0112);
+  for (const vtkIdType pulse : { 0, 1, 514, 515, 2046, 2047, 2048, 4097 })
+  {
+    INFO("pulse " << pulse);
+    const auto column = static_cast<double>(pulse / 2 % 1024);
+    const double turn = 2.0 * Pi * (1.0 - column / 1024.0) + Pi;
+    double origin[3];
+    REQUIRE(head->GetOrigin(pulse, origin));
+    CHECK(origin[0] == Approx(-0.015806 * std::sin(turn)).margin(1e-15));
+    CHECK(origin[1] == Approx(0.015806 * std::cos(turn)).margin(1e-15));
+    CHECK(origin[2] == (pulse % 2 == 0 ? 0.0 : -0.0112));
+    const double own = turn + (pulse % 2 == 0 ? -4.21 : 4.2) * Pi / 180.0;
+    double d[3];
+    REQUIRE(head->GetDirection(pulse, d));
+    CHECK(std::atan2(-d[0], d[1]) == Approx(std::remainder(own, 2.0 * Pi)).margin(1e-13));
+    CHECK(head->GetColumn(pulse) == pulse / 2 % 1024);
+  }
+  CHECK(head->GetOriginOffset(1) == 0.015806);
+  CHECK(head->GetOriginHeight(1) == -0.0112);
+}
+
+TEST_CASE("SpinningChannels: without an offset beams start at the origin", "[SpinningChannels]")
+{
+  vtkNew<vtkHeliosSpinningChannels> head;
+  SetUp(head);
+  double origin[3] = { 7.0, 8.0, 9.0 };
+  CHECK_FALSE(head->GetOrigin(5, origin));
+  CHECK(origin[0] == 7.0);
+  head->SetOriginHeight(3, 0.01);
+  CHECK(head->GetOrigin(3, origin));
+  CHECK(origin[2] == 0.01);
+  CHECK_FALSE(head->GetOrigin(4, origin));
+}
+
+TEST_CASE("SpinningChannels: columns count the cycles of a revolution", "[SpinningChannels]")
+{
+  vtkNew<vtkHeliosSpinningChannels> head;
+  SetUp(head);
+  for (vtkIdType i = 0; i < 40000; ++i) // 1000 columns a revolution
+  {
+    REQUIRE(head->GetColumn(i) == i / 16 % 1000);
+  }
+  CHECK(head->GetColumn(16000LL * 1728000) == 0); // after a day
+  CHECK(head->GetColumn(16000LL * 1728000 - 1) == 999);
+  CHECK(head->GetColumn(16000LL * 1728000 + 16 * 357) == 357);
+  // 1808.4 columns: the first of each revolution is the first that starts in it.
+  head->SetPulseFrequency(16.0 / 55.296e-6);
+  head->SetScanFrequency(-10.0);
+  vtkIdType revolution = 0;
+  vtkIdType first = 0;
+  for (vtkIdType cycle = 0; cycle < 20000; ++cycle)
+  {
+    if (static_cast<double>(cycle) * 55.296e-5 >= static_cast<double>(revolution + 1))
+    {
+      ++revolution;
+      first = cycle;
+    }
+    REQUIRE(head->GetColumn(16 * cycle + 7) == cycle - first);
+  }
+  head->SetScanFrequency(0.0);
+  CHECK(head->GetColumn(12345) == 0);
+}
+
+TEST_CASE("SpinningChannels: origins out of range", "[SpinningChannels]")
+{
+  vtkNew<vtkHeliosSpinningChannels> head;
+  auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(head);
+  head->SetOriginOffset(0, 11.0);
+  head->SetOriginHeight(0, -11.0);
+  head->SetStartAngle(400.0);
+  CHECK(head->GetOriginOffset(0) == 10.0);
+  CHECK(head->GetOriginHeight(0) == -10.0);
+  CHECK(head->GetStartAngle() == 360.0);
+  head->SetOriginOffset(0, std::numeric_limits<double>::quiet_NaN());
+  CHECK(head->GetOriginOffset(0) == 0.0);
+  head->SetOriginOffset(1, 0.1);
+  CHECK(log->HasError("there is no channel 1"));
+}

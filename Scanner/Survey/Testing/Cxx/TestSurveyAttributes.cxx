@@ -78,7 +78,7 @@ std::string MakeValue(const std::string& element, const std::string& name)
     case XmlKind::Vector:
       return "1.5;0;-2";
     case XmlKind::RealList:
-      return "1000, 2500";
+      return rule.Range.Contains(2500.0) ? "1000, 2500" : "1, 2.5";
     default:
       return words.empty() ? "other" : words[words[0] == "y" ? 0 : words.size() - 1];
   }

@@ -91,7 +91,7 @@ TEST_CASE("SurveyDialect: invalid channels are errors", "[SurveyDialect]")
         { "assets.xml:9", "channel 0", "rangeMin_m=\"5\" is not below" } },
       { "assets.xml", "optics=\"rotating\"", "",
         { "assets.xml:5", "scanner tls has no optics",
-          "give rotating, oscillating, line, conic, palmer or risley" } },
+          "give rotating, oscillating, line, conic, palmer, risley or spinning" } },
     });
 }
 

@@ -67,7 +67,7 @@ const std::vector<Kind> Kinds = {
   { "part", { "part" }, { "swap", "dmotion" } },
   { "scanner", { "scanner", "FWFSettings", "detectorSettings" },
     { "beamOrigin", "headRotateAxis", "incidentBeam", "rangeError", "deflectionError", "headError",
-      "channel" } },
+      "channel", "beams" } },
   { "platform", { "platform" },
     { "scannerMount", "positionXNoise", "positionYNoise", "positionZNoise", "attitudeXNoise",
       "attitudeYNoise", "attitudeZNoise" } },
@@ -130,14 +130,14 @@ std::string MakeValue(const XmlValueRule& rule)
       return number;
     }
   }
-  return rule.Kind == XmlKind::Integer                     ? "300"
-    : rule.Kind == XmlKind::Boolean                        ? "true"
-    : rule.Kind == XmlKind::Vector                         ? "0;1;0"
-    : rule.Kind == XmlKind::RealList                       ? "1000"
-    : rule.Kind == XmlKind::Rotation                       ? ""
-    : name == "pulseShape"                                 ? "helios"
-    : name == "efilepath"                                  ? "pl.*[.]obj"
-    : name == "seed"                                       ? "40"
+  return rule.Kind == XmlKind::Integer ? "300"
+    : rule.Kind == XmlKind::Boolean    ? "true"
+    : rule.Kind == XmlKind::Vector     ? "0;1;0"
+    : rule.Kind == XmlKind::RealList   ? rule.Range.Contains(1000.0) ? "1000" : "1"
+    : rule.Kind == XmlKind::Rotation   ? ""
+    : name == "pulseShape"             ? "helios"
+    : name == "efilepath"              ? "pl.*[.]obj"
+    : name == "seed"                   ? "40"
     : name == "expr" || name == "distanceMeasurementError" ? "0.5"
                                                            : "plane.obj";
 }

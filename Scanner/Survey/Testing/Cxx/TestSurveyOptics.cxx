@@ -85,7 +85,7 @@ private:
 
 const char* const Swinging = R"(optics="oscillating" scanAngleMax_deg="25" scanFreqMax_Hz="70")";
 const char* const Prisms = R"(optics="risley" angle1_deg="-18" angle2_deg="18.5" refrIndex1="1.51"
- refrIndex2="1.52" rotorFreq1_Hz="-121.5" rotorFreq2_Hz="77.75" refrIndex_air="1.0003")";
+ refrIndex2="1.52" rotorFreq1_Hz="-121.5" rotorFreq2_Hz="77.75" rotorPhase1_deg="45" rotorPhase2_deg="45" refrIndex_air="1.0003")";
 
 } // namespace
 
@@ -173,10 +173,14 @@ TEST_CASE("SurveyOptics: Risley prisms", "[SurveyOptics]")
   CHECK(scanner.Prisms[0].WedgeAngle == -18.0);
   CHECK(scanner.Prisms[1].RefractiveIndex == 1.52);
   CHECK(scanner.Prisms[1].RotorFrequency == 77.75);
+  CHECK(scanner.Prisms[1].RotorPhase == 45.0);
   CHECK(scanner.Prisms[2].WedgeAngle == 0.0);
   CHECK(scanner.AirRefractiveIndex == 1.0003);
   const auto deflector = bench.Deflector();
   REQUIRE(deflector->IsA("vtkHeliosRisleyPrisms"));
+  double d[3];
+  REQUIRE(deflector->GetDirection(0, d));
+  CHECK(d[0] == Approx(d[2]).epsilon(1e-13)); // at 45 degrees
   double widest = 0.0;
   for (vtkIdType i = 0; i < 100000; ++i)
   {
@@ -201,6 +205,46 @@ TEST_CASE("SurveyOptics: prisms without deflection", "[SurveyOptics]")
     .CheckRefused({ "own.xml:2", "angle1_deg=\"90\" is out of range" });
   Bench(R"(optics="risley" angle1_deg="18" refrIndex1="0.5")", "")
     .CheckRefused({ "own.xml:2", "refrIndex1=\"0.5\" is out of range" });
+}
+
+TEST_CASE("SurveyOptics: a polygon with unlike facets", "[SurveyOptics]")
+{
+  const std::string three =
+    R"(optics="rotating" scanAngleMax_deg="60" facetPitches_deg="0, 10, -10")";
+  const Bench bench(three + R"( facetRolls_deg="0,0.5,-0.25")", R"(scanFreq_hz="100")");
+  bench.CheckQuiet();
+  const auto deflector = bench.Deflector();
+  double d[3];
+  for (const int line : { 0, 1, 2, 3, 4 }) // of 1000 pulses
+  {
+    REQUIRE(deflector->GetDirection(1000 * line, d));
+    CHECK(std::asin(d[0]) * 180.0 / 3.14159265358979323846 ==
+      Approx(line % 3 == 0 ? 0.0
+          : line % 3 == 1  ? 10.0
+                           : -10.0)
+        .margin(1e-13));
+    CHECK(deflector->GetScanAngle(1000 * line) ==
+      Approx(line % 3 == 0 ? 0.0
+          : line % 3 == 1  ? 0.5
+                           : -0.25)
+        .margin(1e-13));
+  }
+  const std::string leg = R"(scanFreq_hz="100")";
+  Bench(three + R"( facetRolls_deg="1")", leg)
+    .CheckRefused(
+      { "own.xml:2: scanner own has facetPitches_deg of 3 facets, but facetRolls_deg of 1; "
+        "give one value per facet" });
+  Bench(R"(optics="rotating" scanAngleMax_deg="60" facetPitches_deg="0,90")", leg)
+    .CheckRefused({ "own.xml:2", "facetPitches_deg=\"0,90\"", "out of range" });
+  std::string many = "0";
+  for (int i = 0; i < 1000; ++i)
+  {
+    many += ",0";
+  }
+  Bench(R"(optics="rotating" scanAngleMax_deg="60" facetRolls_deg=")" + many + "\"", leg)
+    .CheckRefused({ "own.xml:2: scanner own has 1001 facets; give at most 1000" });
+  Bench(R"(optics="conic" scanAngleMax_deg="20" facetRolls_deg="1,2")", leg)
+    .CheckWarned("facetPitches_deg and facetRolls_deg are only used by rotating optics");
 }
 
 TEST_CASE("SurveyOptics: a Palmer scanner", "[SurveyOptics]")
@@ -283,13 +327,16 @@ TEST_CASE("SurveyOptics: the instruments of the catalogue", "[SurveyOptics]")
   const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
   const std::vector<std::pair<std::string, std::string>> instruments = {
     { "oscillating_als", R"(scanFreq_hz="40" scanAngle_deg="25")" }, { "fiber_als", "" },
-    { "risley_uls", "" }
+    { "risley_uls", "" }, { "livox_mid70", "" }, { "livox_avia", "" },
+    { "velodyne_vlp16", R"(scanFreq_hz="10")" }, { "velodyne_hdl32e", R"(scanFreq_hz="10")" },
+    { "hesai_xt32", R"(scanFreq_hz="10")" }
   };
   for (const auto& [id, leg] : instruments)
   {
     INFO(id);
     const Files files;
     files.Write("own.xml", ReadText((root / "Data/Assets/scanners.xml").string()));
+    std::filesystem::copy(root / "Data/Assets/beams", files / "beams");
     const std::string flight = Flight;
     const Reading reading(files,
       flight.substr(0, flight.find("scanner=")) + "scanner=\"own.xml#" + id + "\"",

@@ -464,7 +464,7 @@ TEST_CASE("SurveyReader: unsupported elements", "[SurveyReader]")
     {
       { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
         { "assets.xml:5", "optics=\"turning\" is not valid",
-          "expected rotating, oscillating, line, conic, palmer or risley" } },
+          "expected rotating, oscillating, line, conic, palmer, risley or spinning" } },
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
         { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",

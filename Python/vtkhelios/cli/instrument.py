@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios instrument: a scanner from the calibration of its manufacturer."""
+
+import pathlib
+
+from .. import instruments
+from ._files import cannot_be_written, write_whole
+from ._messages import Messages
+
+SUMMARY = "write a scanner from the calibration of its manufacturer"
+
+EPILOG = """\
+Reads the metadata of an Ouster sensor (JSON) and writes a <scanner> with optics="spinning": beams with
+elevation, azimuth and origin, the rates of its mode and its place on the base. Add what metadata do not
+have, such as the beam divergence, from the data sheet. In a survey: scanner="os1.xml#ID".
+
+examples:
+  vtkhelios instrument os1.json --output os1.xml
+  vtkhelios instrument os1.json --id roof_lidar > os1.xml
+
+exit codes: 0 done, 1 failed, 2 wrong usage.
+"""
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("path", metavar="FILE", help="metadata of an Ouster sensor (.json)")
+    parser.add_argument("--id", help="id of the scanner; default: of product and mode")
+    parser.add_argument("--output", "-o", metavar="FILE", help="the XML file; default: print it")
+
+
+def run(arguments):
+    with Messages(results=False) as messages:
+        try:
+            text = instruments.read_ouster(arguments.path, arguments.id)
+        except instruments.InstrumentError as error:
+            messages.error(str(error))
+            return 1
+        except OSError as error:
+            messages.error(f"{arguments.path}: {error.strerror}; check the name of the file")
+            return 1
+        if not arguments.output:
+            print(text, end="")
+            return 0
+        try:
+            write_whole(pathlib.Path(arguments.output), text)
+        except OSError as error:
+            messages.error(cannot_be_written(error, arguments.output, "--output"))
+            return 1
+    print(arguments.output)
+    return 0
