@@ -6,6 +6,7 @@
 #define heliosPulse_h
 
 #include "heliosPose.h"
+#include "heliosSlowErrorCursor.h"
 #include "heliosTrajectory.h"
 
 #include <vtkType.h>
@@ -51,7 +52,7 @@ struct PulseIds
  * The chain of frames from the platform to the deflector: A = A_platform A_mount R_head A_beam, and
  * the lever arms rotate with the attitude, origin = p + A_platform (m + A_mount R_head b). Errors
  * of deflector, head and angles turn the beam, not the reported direction. Noise moves the
- * platform; its Mode decides whether that is reported.
+ * platform; its Mode decides whether that is reported. Navigation errors are never reported.
  */
 struct PulseSource
 {
@@ -84,6 +85,8 @@ struct PulseSource
   {
     Trajectory::Cursor Platform;
     PulseSource::Head Head;
+    Trajectory::Cursor TruePlatform; // with a clock offset
+    SlowErrorCursor SlowErrors;
   };
 
   /// Pulse number index; false if the deflector emits none.
@@ -96,6 +99,9 @@ private:
   void PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
     const Rotation& beam, Pulse& pulse) const;
   void AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const;
+  void MoveToTruth(
+    vtkIdType index, double elapsed, Cursor& cursor, Vec3& position, Rotation& platform) const;
+  void AddErrors(double time, Cursor& cursor, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;
 };

@@ -193,3 +193,28 @@ TEST_CASE("SurveyPlatforms: noise moves pulses, not the trajectory file", "[Surv
                                                                     // positions
   }
 }
+
+TEST_CASE("SurveyPlatforms: a lever arm error displaces points off surfaces", "[SurveyPlatforms]")
+{
+  const Files files;
+  const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"");
+  Run(files, Flight, legs);
+  const auto still = ReadPoints(files / "out/test/leg000_points.xyz");
+  const std::string way = ReadText(files / "out/test/leg000_trajectory.txt");
+  Run(files, Flight, legs + R"(<navigationError leverArmZ_m="0.5"/>)");
+  const auto moved = ReadPoints(files / "out/test/leg000_points.xyz");
+  CHECK(ReadText(files / "out/test/leg000_trajectory.txt") == way);
+  REQUIRE(moved.size() > 1000);
+  for (const auto& point : moved)
+  {
+    REQUIRE(point.Z == Approx(-0.5).margin(1e-3)); // the scanner is higher than it reports
+  }
+  // Without errors nothing changes.
+  Run(files, Flight, legs + R"(<navigationError leverArmZ_m="0" positionTime_s="5"/>)");
+  const auto quiet = ReadPoints(files / "out/test/leg000_points.xyz");
+  REQUIRE(quiet.size() == still.size());
+  for (std::size_t i = 0; i < quiet.size(); ++i)
+  {
+    REQUIRE((quiet[i].X == still[i].X && quiet[i].Z == still[i].Z));
+  }
+}
