@@ -134,6 +134,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the echoes are written with TruePoint, the point hit, without any noise or
+   * error, and Normal, of the surface there; with Format "vtp" only. Default: off.
+   */
+  vtkSetMacro(WriteTruth, bool);
+  vtkGetMacro(WriteTruth, bool);
+  vtkBooleanMacro(WriteTruth, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether every channel of a scanner has its own files. Default: off.
    */
   vtkSetMacro(SplitByChannel, bool);
@@ -253,6 +263,7 @@ private:
   char* Format = nullptr;
   bool WriteWaveforms = false;
   bool WritePulses = false;
+  bool WriteTruth = false;
   bool SplitByChannel = false;
   bool Overwrite = false;
   bool Resume = false;

@@ -27,7 +27,7 @@ struct RunSettings
   bool Waveforms = false;
   bool Pulses = false;
   bool SubRays = false; ///< their hits; not written
-  bool Truth = false;   ///< with the echoes; not written
+  bool Truth = false;   ///< with the echoes; written as vtp only
 
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, las, vtp

@@ -77,6 +77,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["format"] = settings.Format;
   options["waveforms"] = settings.Waveforms;
   options["pulses"] = settings.Pulses;
+  if (settings.Truth)
+  {
+    options["truth"] = true;
+  }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)

@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs of surveys with ground vehicles, multicopters, trajectory files and platform noise.
 #include "heliosSurveyPlaying.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPointXMLReader.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace helios::test;
@@ -217,4 +224,37 @@ TEST_CASE("SurveyPlatforms: a lever arm error displaces points off surfaces", "[
   {
     REQUIRE((quiet[i].X == still[i].X && quiet[i].Z == still[i].Z));
   }
+}
+
+TEST_CASE("SurveyPlatforms: true points are written beside the reported ones", "[SurveyPlatforms]")
+{
+  const Files files;
+  const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"") +
+    R"(<navigationError leverArmZ_m="0.5" positionXRms_m="0.2" positionTime_s="1"/>)";
+  const Reading reading(files, Flight, legs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.Player->WriteTruthOn();
+  playing.CheckFails({ "WriteTruth is on, but files of the format xyz cannot store true points; "
+                       "set Format to vtp." });
+  playing.Player->SetFormat("vtp");
+  REQUIRE(playing.Player->Run());
+  vtkNew<vtkHeliosPointXMLReader> reader;
+  reader->SetFileName((files / "out/test/leg000_points.pvtp").c_str());
+  reader->Update();
+  vtkPolyData* echoes = reader->GetOutput();
+  vtkDataArray* truth = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::TruePoint);
+  REQUIRE(truth);
+  REQUIRE(echoes->GetNumberOfPoints() > 1000);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+  {
+    REQUIRE(truth->GetComponent(i, 2) == Approx(0.0).margin(1e-3));
+    REQUIRE(echoes->GetPoint(i)[2] == Approx(-0.5).margin(1e-3));
+    largest = std::max(largest, std::abs(echoes->GetPoint(i)[0] - truth->GetComponent(i, 0)));
+  }
+  CHECK(largest > 0.02);
+  CHECK(largest < 1.0); // five times the RMS
+  CHECK(
+    ReadText(files / "out/test/run_summary.json").find("\"truth\" : true") != std::string::npos);
 }
