@@ -5,6 +5,8 @@
 #ifndef heliosMapProjection_h
 #define heliosMapProjection_h
 
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
+
 #include <memory>
 
 namespace helios
@@ -44,7 +46,7 @@ MapProjectionPointer MakeTransverseMercator(const MapOrigin& origin);
 MapProjectionPointer MakePolarStereographic(bool isNorth, const MapOrigin& origin);
 
 /// The EPSG code of the UTM or UPS system on WGS 84 at a position [deg].
-int GetUTMCode(double latitude, double longitude);
+VTKHELIOSFILTERSCORE_EXPORT int GetUTMCode(double latitude, double longitude);
 
 } // namespace helios
 

@@ -21,6 +21,7 @@ enum class RandomStream : std::uint32_t
   Platform = 3,
   AngleNoise = 4,
   DetectorNoise = 5,
+  Navigation = 6,
   LegOffset = 16,
   VoxelShift = 20,
   TurbidMedium = 21,

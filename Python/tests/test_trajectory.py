@@ -4,6 +4,7 @@
 
 import numpy as np
 import pytest
+from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
 from vtkhelios import Cloud
@@ -182,3 +183,34 @@ def test_elements_of_a_survey_without_files(tmp_path):
     swapped = survey.run(noise=False, epoch=1)
     steep, early = swapped["IncidenceAngle"] < 70, swapped["GpsTime"] < 0.25
     assert np.allclose(swapped.points[steep & early, 2], 3, atol=2e-3)
+
+
+def test_an_sbet_file_is_flown_in_the_system_of_the_scene(tmp_path):
+    """A local system about a place: the same points as the trajectory in memory."""
+    system = "ENU 49 9 250"
+    scene = vtkhelios.Scene(*FLAT)
+    label = vtkStringArray()
+    label.SetName("CRS")
+    label.InsertNextValue(system)
+    scene.polydata.GetFieldData().AddArray(label)
+    flight = _flight(heading=30)
+    writer = vtkhelios.vtkHeliosSBETWriter()
+    writer.SetFileName(str(tmp_path / "flight.sbet"))
+    writer.SetCRS(system)
+    assert writer.Open() and writer.Write(flight.polydata) and writer.Close()
+    assert (tmp_path / "flight.sbet").stat().st_size == 5 * 136
+    options = dict(noise=False, syncGPSTime=True, **DOWN)
+    of_file = vtkhelios.scan(scene, trajectory=tmp_path / "flight.sbet", **options)
+    of_memory = vtkhelios.scan(scene, trajectory=flight, **options)
+    assert len(of_file) == len(of_memory) > 30_000
+    assert np.allclose(of_file.points, of_memory.points, atol=1e-6)
+
+
+def test_navigation_errors_keep_the_truth():
+    """Points are reported below the ground by the error of the lever arm; TruePoint is on it."""
+    survey = vtkhelios.make_survey(vtkhelios.Scene(*FLAT), [dict()], trajectory=_flight(), **DOWN)
+    assert survey.vtk.SetPlatformAttribute(0, "navigationError/leverArmZ_m", "0.5")
+    cloud = survey.run(truth=True)
+    near = cloud["IncidenceAngle"] < 40
+    assert np.abs(np.mean(cloud.points[near, 2]) + 0.5) < 0.01  # ranges have noise
+    assert np.abs(cloud["TruePoint"][near, 2]).max() < 2e-3

@@ -25,6 +25,13 @@ double UseTerm(double value, int term, Pulse& pulse)
   return isUsable ? value : 0.0;
 }
 
+/// Rx(a) Ry(b) Rz(c), of angles [deg].
+Rotation RotateAboutAxes(const double angles[3])
+{
+  return Rotation(AxisAngle({ 1.0, 0.0, 0.0 }, angles[0]) *
+    AxisAngle({ 0.0, 1.0, 0.0 }, angles[1]) * AxisAngle({ 0.0, 0.0, 1.0 }, angles[2]));
+}
+
 } // namespace
 
 Rotation BeamFrame(const Vec3& axis)
@@ -94,8 +101,8 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   const Head& head = this->GetHead(headAngle, cursor);
   const Rotation beam = head.Beam * BeamFrame(Vec3(direction));
   const Vec3 lever = this->GetLever(index, head);
-  const bool isUnknown = this->Noise && this->Noise->IsUnknown();
-  if (this->Noise && !isUnknown)
+  const bool isUnknown = this->Noise && (this->Noise->IsUnknown() || this->Noise->HasErrors());
+  if (this->Noise && !this->Noise->IsUnknown())
   {
     this->AddNoise(index, position, platform);
   }
@@ -104,7 +111,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   pulse.ReportedOrigin = pulse.Origin;
   if (isUnknown)
   {
-    this->AddNoise(index, position, platform);
+    this->MoveToTruth(index, elapsed, cursor, position, platform);
     this->PlaceBeam(position, platform, lever, beam, pulse);
   }
   if (this->Errors || this->AngleAccuracy > 0.0)
@@ -130,6 +137,39 @@ void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, cons
   pulse.Beam = platform * beam;
 }
 
+/// Replaces the reported pose by the true one.
+void PulseSource::MoveToTruth(
+  vtkIdType index, double elapsed, Cursor& cursor, Vec3& position, Rotation& platform) const
+{
+  const double offset = this->Noise->GetClockOffset();
+  if (offset != 0.0)
+  {
+    const double time = this->GetPoseTime(elapsed + offset);
+    position = this->Platform->GetPosition(time, cursor.TruePlatform, platform);
+  }
+  if (offset != 0.0 || this->Noise->IsUnknown())
+  {
+    this->AddNoise(index, position, platform);
+  }
+  if (this->Noise->HasErrors())
+  {
+    this->AddErrors(this->StartTime + elapsed, cursor, position, platform);
+  }
+}
+
+/// Moves the platform by its slow errors, and so that its mount has boresight and lever arm errors.
+void PulseSource::AddErrors(double time, Cursor& cursor, Vec3& position, Rotation& platform) const
+{
+  double values[6];
+  this->Noise->GetSlowErrors(static_cast<vtkIdType>(this->Seed), time, cursor.SlowErrors, values);
+  position = position + Vec3(values);
+  platform = platform * RotateAboutAxes(values + 3);
+  const Rotation boresight = RotateAboutAxes(this->Noise->GetBoresight());
+  const Vec3 lever = this->Mount.Position + Vec3(this->Noise->GetLeverArmError());
+  position = position + platform * (lever - boresight * this->Mount.Position);
+  platform = platform * boresight;
+}
+
 /// Moves and rotates the platform by its noise.
 void PulseSource::AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const
 {
@@ -138,9 +178,7 @@ void PulseSource::AddNoise(vtkIdType index, Vec3& position, Rotation& platform) 
   position = position + Vec3(values);
   if (values[3] != 0.0 || values[4] != 0.0 || values[5] != 0.0)
   {
-    platform = platform *
-      Rotation(AxisAngle({ 1.0, 0.0, 0.0 }, values[3]) * AxisAngle({ 0.0, 1.0, 0.0 }, values[4]) *
-        AxisAngle({ 0.0, 0.0, 1.0 }, values[5]));
+    platform = platform * RotateAboutAxes(values + 3);
   }
 }
 

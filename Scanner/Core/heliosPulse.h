@@ -6,6 +6,7 @@
 #define heliosPulse_h
 
 #include "heliosPose.h"
+#include "heliosSlowErrorCursor.h"
 #include "heliosTrajectory.h"
 
 #include <vtkType.h>
@@ -52,7 +53,7 @@ struct PulseIds
  * the lever arms rotate with the attitude, origin = p + A_platform (m + A_mount R_head (b + A_beam
  * o)), with o of the deflector. Errors
  * of deflector, head and angles turn the beam, not the reported direction. Noise moves the
- * platform; its Mode decides whether that is reported.
+ * platform; its Mode decides whether that is reported. Navigation errors are never reported.
  */
 struct PulseSource
 {
@@ -85,6 +86,8 @@ struct PulseSource
   {
     Trajectory::Cursor Platform;
     PulseSource::Head Head;
+    Trajectory::Cursor TruePlatform; // with a clock offset
+    SlowErrorCursor SlowErrors;
   };
 
   /// Pulse number index; false if the deflector emits none.
@@ -98,6 +101,9 @@ private:
   void PlaceBeam(const Vec3& position, const Rotation& platform, const Vec3& lever,
     const Rotation& beam, Pulse& pulse) const;
   void AddNoise(vtkIdType index, Vec3& position, Rotation& platform) const;
+  void MoveToTruth(
+    vtkIdType index, double elapsed, Cursor& cursor, Vec3& position, Rotation& platform) const;
+  void AddErrors(double time, Cursor& cursor, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;
 };

@@ -153,7 +153,13 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
     return this->Fail("Format is \"" + this->Settings.Format + "\"; give " +
       helios::Enumerate(formats, "or") + ".");
   }
+  if (player->WriteTruth && this->Settings.Format != "vtp")
+  {
+    return this->Fail("WriteTruth is on, but files of the format " + this->Settings.Format +
+      " cannot store true points; set Format to vtp.");
+  }
   this->Settings.Folder = player->GetRunFolder();
+  this->Settings.Truth = player->WriteTruth;
   this->Settings.Waveforms = player->WriteWaveforms;
   const bool isLas = this->Settings.Format == "las";
   this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
@@ -581,6 +587,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "WaveformsInPoints: " << this->WaveformsInPoints << "\n"
      << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
+     << indent << "WriteTruth: " << this->WriteTruth << "\n"
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"

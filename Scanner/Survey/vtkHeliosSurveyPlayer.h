@@ -156,6 +156,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the echoes are written with TruePoint, the point hit, without any noise or
+   * error, and Normal, of the surface there; with Format "vtp" only. Default: off.
+   */
+  vtkSetMacro(WriteTruth, bool);
+  vtkGetMacro(WriteTruth, bool);
+  vtkBooleanMacro(WriteTruth, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether every channel of a scanner has its own files. Default: off.
    */
   vtkSetMacro(SplitByChannel, bool);
@@ -277,6 +287,7 @@ private:
   bool WaveformsInPoints = false;
   bool WriteScanFlags = false;
   bool WritePulses = false;
+  bool WriteTruth = false;
   bool SplitByChannel = false;
   bool Overwrite = false;
   bool Resume = false;

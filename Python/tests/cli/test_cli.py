@@ -363,3 +363,19 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
     done = subprocess.run(command, shell=True, capture_output=True, text=True, env=environment)
     assert "Traceback" not in done.stderr and "Exception" not in done.stderr
+
+
+def test_truth_is_written_as_vtp(command_line, make_survey, tmp_path):
+    survey = make_survey(stop=2)
+    done = command_line("run", survey, "--truth", "--output", tmp_path / "text")
+    assert done.returncode == 1
+    assert "cannot store true points; set Format to vtp" in done.stderr
+    options = "--truth", "--format", "vtp", "--output", tmp_path / "vtp"
+    done = command_line("run", survey, *options)
+    assert done.returncode == 0, done.stderr
+    reader = vtkXMLPPolyDataReader()
+    reader.SetFileName(str(next((tmp_path / "vtp").rglob("*_points.pvtp"))))
+    reader.Update()
+    arrays = vtkhelios.arrays(reader.GetOutput())
+    assert np.abs(arrays["TruePoint"][:, 2]).max() < 1e-3
+    assert np.allclose(arrays["Normal"], [0, 0, 1])

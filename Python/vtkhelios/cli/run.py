@@ -193,6 +193,12 @@ def add_arguments(parser):
         help="also write the pulses, including those without a hit",
     )
     parser.add_argument(
+        "--truth",
+        action="store_true",
+        help="with --format vtp: also write the true point and normal of every echo, without noise "
+        "and navigation errors (TruePoint, Normal)",
+    )
+    parser.add_argument(
         "--split-by-channel",
         action="store_true",
         help="one file per scanner channel: legNNN_points_dev<channel>.xyz",
@@ -375,6 +381,7 @@ def make_player(arguments, survey, messages):
     player.SetWaveformsInPoints(arguments.waveforms_in_points)
     player.SetWriteScanFlags(arguments.scan_flags)
     player.SetWritePulses(arguments.pulses)
+    player.SetWriteTruth(arguments.truth)
     player.SetSplitByChannel(arguments.split_by_channel)
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
     options = player.GetOptions()

@@ -157,6 +157,7 @@ const std::vector<Attribute>& GetAttributes<PlatformData>()
       .AddInside<&PlatformData::Noise, 3>("attitudeXNoise")
       .AddInside<&PlatformData::Noise, 4>("attitudeYNoise")
       .AddInside<&PlatformData::Noise, 5>("attitudeZNoise")
+      .AddInside<&PlatformData::Errors>("navigationError")
       .All;
   return attributes;
 }

@@ -85,6 +85,7 @@ void CheckSurveyNames(const SurveyData& survey, const std::string& where, Messag
   for (const LegData& leg : survey.Legs)
   {
     CheckCrs(leg.Crs, "crs", leg.Where, log);
+    CheckCrs(leg.Trajectory.Crs, "trajectoryCrs", leg.Where, log);
   }
 }
 

@@ -49,6 +49,12 @@ void ReadNoise(const XmlElement& element, PlatformData& platform)
       platform.Noise[k] = ReadNoiseElement(child);
     }
   }
+  if (const XmlElement child = element.GetChild("navigationError"))
+  {
+    platform.Errors = NavigationErrorData();
+    child.CheckNames();
+    child.ReadStored(platform.Errors);
+  }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosPointArrays.h"
+#include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPlatform.h"
@@ -42,11 +43,9 @@ double GetStandingTime(const LegData& leg)
 class Planner
 {
 public:
-  Planner(const SurveyData& survey, const std::vector<Vec3>& positions,
-    const TrajectoryInputs& inputs, Messages& log)
+  Planner(const SurveyData& survey, const Journey& journey, Messages& log)
     : Survey(survey)
-    , Positions(positions)
-    , Inputs(inputs)
+    , Way(journey)
     , Log(log)
   {
   }
@@ -61,8 +60,7 @@ private:
   std::size_t FindEnd(std::size_t first) const;
 
   const SurveyData& Survey;
-  const std::vector<Vec3>& Positions;
-  const TrajectoryInputs& Inputs;
+  const Journey& Way;
   Messages& Log;
   std::vector<LegPlan> Plans;
   double Time = 0.0;
@@ -105,8 +103,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
   const double duration = GetStandingTime(this->Survey.Legs[leg]);
   if (this->Survey.Fires(leg))
   {
-    const auto platform =
-      MakePlatform(this->Survey, this->Positions, this->Inputs, leg, leg + 1, this->Log);
+    const auto platform = MakePlatform(this->Survey, this->Way, leg, leg + 1, this->Log);
     platform->SetStartTime(this->Time);
     this->Log.Listen(platform);
     this->Plans.push_back({ leg, platform, this->Time, duration });
@@ -117,8 +114,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
 //------------------------------------------------------------------------------
 bool Planner::PlanJourney(std::size_t first, std::size_t last)
 {
-  const auto platform =
-    MakePlatform(this->Survey, this->Positions, this->Inputs, first, last, this->Log);
+  const auto platform = MakePlatform(this->Survey, this->Way, first, last, this->Log);
   platform->SetStartTime(this->Time);
   this->Log.Listen(platform);
   platform->Update();
@@ -181,12 +177,14 @@ void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std
 std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
   const TrajectoryInputs& inputs, Messages& log)
 {
-  std::vector<Vec3> positions;
-  if (!FindPositions(survey, scene, chance, log, positions))
+  Journey journey;
+  journey.Inputs = inputs;
+  journey.Crs = scene ? GetCRS(scene) : std::string();
+  if (!FindPositions(survey, scene, chance, log, journey.Positions))
   {
     return {};
   }
-  return Planner(survey, positions, inputs, log).Plan();
+  return Planner(survey, journey, log).Plan();
 }
 
 //------------------------------------------------------------------------------

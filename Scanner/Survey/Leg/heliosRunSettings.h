@@ -27,7 +27,7 @@ struct RunSettings
   bool Waveforms = false;
   bool Pulses = false;
   bool SubRays = false;           ///< their hits; not written
-  bool Truth = false;             ///< with the echoes; not written
+  bool Truth = false;             ///< with the echoes; written as vtp only
   bool ScanFlags = false;         ///< with the echoes
   bool Columns = false;           ///< with the echoes; not written
   bool WaveformsInPoints = false; ///< LAS: in one file with the points

@@ -60,10 +60,14 @@ vtkSmartPointer<vtkHeliosPlatform> MakeMulticopter(
 }
 
 vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
-  const TrajectoryFileData& file, bool isCanonical)
+  const TrajectoryFileData& file, AngleConvention convention, const std::string& crs)
 {
   auto reader = vtkSmartPointer<vtkHeliosTrajectoryReader>::New();
   reader->SetFileName(file.File.c_str());
+  reader->SetFileFormat(static_cast<int>(file.Format));
+  reader->SetFileCRS(file.Crs.empty() ? reader->GetFileCRS() : file.Crs);
+  reader->SetTargetCRS(crs);
+  reader->SetBodyFrame(static_cast<int>(file.Body));
   reader->SetSeparators(file.Separator);
   reader->SetTimeColumn(file.Columns[0]);
   reader->SetRollColumn(file.Columns[1]);
@@ -76,8 +80,7 @@ vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
                                      : vtkHeliosTrajectoryReader::POSITION);
   reader->SetAngleUnit(
     file.IsInRadians ? vtkHeliosTrajectoryReader::RADIANS : vtkHeliosTrajectoryReader::DEGREES);
-  reader->SetAngleConvention(
-    isCanonical ? vtkHeliosTrajectoryReader::CANONICAL : vtkHeliosTrajectoryReader::ARINC_705);
+  reader->SetAngleConvention(static_cast<int>(convention));
   reader->SetSlopeFilterThreshold(file.SlopeThreshold);
   return reader;
 }
@@ -85,8 +88,9 @@ vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
 /// The inputs, or the files of all legs, each once, with the settings of the first leg that names
 /// it.
 vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(const SurveyData& survey,
-  const TrajectoryInputs& inputs, std::size_t first, std::size_t last, Messages& log)
+  const Journey& journey, std::size_t first, std::size_t last, Messages& log)
 {
+  const TrajectoryInputs& inputs = journey.Inputs;
   auto platform = vtkSmartPointer<vtkHeliosInterpolatedPlatform>::New();
   platform->SetFirstLegId(static_cast<int>(first));
   std::set<std::string> files = { "" };
@@ -100,8 +104,14 @@ vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(const SurveyData& survey,
     const TrajectoryFileData& file = survey.Legs[leg].Trajectory;
     if (inputs.empty() && files.insert(file.File).second)
     {
-      const auto reader = MakeReader(file, survey.IsCanonical);
+      const auto reader = MakeReader(file, survey.Convention, journey.Crs);
       log.Listen(reader);
+      if (reader->IsSbet() && journey.Crs.empty())
+      {
+        log.WarnOnce("trajectory " + file.File,
+          file.Where + ": the scene has no coordinate system; " + file.File +
+            " is in the UTM zone of its first record; give <scene> one, crs=\"EPSG:...\"");
+      }
       platform->AddInputConnection(reader->GetOutputPort());
     }
     platform->AddLeg(file.StartTime, file.EndTime, file.TeleportsToStart);
@@ -150,19 +160,39 @@ void SetComponent(
   noise->SetLifespan(component, static_cast<vtkIdType>(channels) * data.Lifespan);
 }
 
+bool HasErrors(const NavigationErrorData& data)
+{
+  const auto isSet = [](const double(&values)[3])
+  { return values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0; };
+  return isSet(data.PositionRMS) || isSet(data.AttitudeRMS) || isSet(data.Boresight) ||
+    isSet(data.LeverArm) || data.ClockOffset != 0.0;
+}
+
+void SetErrors(const NavigationErrorData& data, vtkHeliosPlatformNoise* noise)
+{
+  using Noise = vtkHeliosPlatformNoise;
+  for (int k = 0; k < 3; ++k)
+  {
+    noise->SetSlowError(Noise::POSITION_X + k, data.PositionRMS[k], data.PositionTime);
+    noise->SetSlowError(Noise::ATTITUDE_X + k, data.AttitudeRMS[k], data.AttitudeTime);
+  }
+  noise->SetBoresight(data.Boresight[0], data.Boresight[1], data.Boresight[2]);
+  noise->SetLeverArmError(data.LeverArm[0], data.LeverArm[1], data.LeverArm[2]);
+  noise->SetClockOffset(data.ClockOffset);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
-  const std::vector<Vec3>& positions, const TrajectoryInputs& inputs, std::size_t first,
-  std::size_t last, Messages& log)
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const Journey& journey,
+  std::size_t first, std::size_t last, Messages& log)
 {
   if (survey.GetPlatform(first).Type == PlatformType::Interpolated)
   {
-    return MakeInterpolated(survey, inputs, first, last, log);
+    return MakeInterpolated(survey, journey, first, last, log);
   }
   const auto platform = MakeVehicle(survey, first, last);
-  platform->SetInputData(MakeWaypoints(survey, positions, first, last));
+  platform->SetInputData(MakeWaypoints(survey, journey.Positions, first, last));
   return platform;
 }
 
@@ -178,6 +208,11 @@ vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
       noise = noise ? noise : vtkSmartPointer<vtkHeliosPlatformNoise>::New();
       SetComponent(component, platform.Noise[component], channels, noise);
     }
+  }
+  if (HasErrors(platform.Errors))
+  {
+    noise = noise ? noise : vtkSmartPointer<vtkHeliosPlatformNoise>::New();
+    SetErrors(platform.Errors, noise);
   }
   return noise;
 }

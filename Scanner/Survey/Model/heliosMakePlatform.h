@@ -9,6 +9,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 class vtkHeliosPlatform;
@@ -23,10 +24,17 @@ class Messages;
 /// The trajectories from a pipeline, in place of files; empty: none.
 using TrajectoryInputs = std::vector<vtkSmartPointer<vtkPolyData>>;
 
+/// Where the platforms of a survey go.
+struct Journey
+{
+  std::vector<Vec3> Positions; ///< of the legs
+  TrajectoryInputs Inputs;
+  std::string Crs; ///< of the scene, to which trajectory files are transformed; empty: none
+};
+
 /// The platform of the legs [first, last), with its waypoints or its recorded trajectory.
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
-  const std::vector<Vec3>& positions, const TrajectoryInputs& inputs, std::size_t first,
-  std::size_t last, Messages& log);
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const Journey& journey,
+  std::size_t first, std::size_t last, Messages& log);
 
 /// The noise of a platform, each value valid for a number of pulses of all channels; null: none.
 vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(

@@ -137,6 +137,18 @@ struct NoiseData
   int Lifespan = 1; ///< pulses per value; 0: all
 };
 
+/// Errors of position, attitude and calibration that the instrument does not know.
+struct NavigationErrorData
+{
+  double PositionRMS[3] = { 0.0, 0.0, 0.0 }; ///< x, y, z [m]
+  double AttitudeRMS[3] = { 0.0, 0.0, 0.0 }; ///< about x, y, z of the body [deg]
+  double PositionTime = 60.0;                ///< correlation time [s]
+  double AttitudeTime = 60.0;                ///< [s]
+  double Boresight[3] = { 0.0, 0.0, 0.0 };   ///< of the mount about x, y, z of the body [deg]
+  double LeverArm[3] = { 0.0, 0.0, 0.0 };    ///< [m]
+  double ClockOffset = 0.0;                  ///< [s]
+};
+
 /// Vehicle parameters, as in files.
 struct VehicleData
 {
@@ -158,6 +170,7 @@ struct PlatformData
   VehicleData Vehicle;
   ModelData Model;    ///< in the frame of the platform
   NoiseData Noise[6]; ///< of position x, y, z [m], attitude x, y, z [rad]
+  NavigationErrorData Errors;
 };
 
 enum class Loader
@@ -286,6 +299,32 @@ struct ScanData
   }
 };
 
+/// The format of a trajectory file, as in vtkHeliosTrajectoryReader.
+enum class TrajectoryFileFormat
+{
+  Automatic, ///< by the ending of its name
+  Columns,
+  Sbet,
+  Tum,
+  Euroc
+};
+
+/// The axes x, y, z of a body in a trajectory file, as in vtkHeliosTrajectoryReader.
+enum class BodyFrame
+{
+  RightForwardUp,
+  ForwardLeftUp,
+  ForwardRightDown
+};
+
+/// The order and signs of roll, pitch and yaw, as in vtkHeliosTrajectoryReader.
+enum class AngleConvention
+{
+  Arinc705,
+  Canonical,
+  Navigation
+};
+
 /// A trajectory in a file, and the part of it used by a leg.
 struct TrajectoryFileData
 {
@@ -293,6 +332,9 @@ struct TrajectoryFileData
 
   std::string Where;
   std::string File;
+  TrajectoryFileFormat Format = TrajectoryFileFormat::Automatic;
+  std::string Crs;                            ///< of SBET positions; empty: WGS 84
+  BodyFrame Body = BodyFrame::RightForwardUp; ///< of TUM and EuRoC
   std::string Separator = ",";
   int Columns[7] = { -1, -1, -1, -1, -1, -1, -1 }; ///< t, roll, pitch, yaw, x, y, z; -1: not given
   bool IsInRadians = false;
@@ -370,7 +412,7 @@ struct SurveyData
   std::vector<std::string> Documents; ///< all files that the survey was read from
   std::string RayCaster;              ///< its name; empty: the default
   vtkIdType Seed = -1;                ///< negative: not given
-  bool IsCanonical = false;           ///< attitude convention in files; else ARINC 705
+  AngleConvention Convention = AngleConvention::Arinc705; ///< in trajectory files
   LegOffsetData LegOffset;
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;

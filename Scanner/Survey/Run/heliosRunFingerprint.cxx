@@ -80,6 +80,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["waveformsInPoints"] = settings.WaveformsInPoints;
   options["scanFlags"] = settings.ScanFlags;
   options["pulses"] = settings.Pulses;
+  if (settings.Truth)
+  {
+    options["truth"] = true;
+  }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)

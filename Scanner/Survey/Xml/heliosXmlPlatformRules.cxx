@@ -19,6 +19,9 @@ constexpr auto Vehicle = &PlatformData::Vehicle;
 constexpr int PlatformTypes[] = { int(PlatformType::Static), int(PlatformType::Static),
   int(PlatformType::LinearPath), int(PlatformType::GroundVehicle), int(PlatformType::Multicopter) };
 
+/// As vtkHeliosPlatformNoise::SetSlowError().
+constexpr XmlRange CorrelationTime = { 1e-3, 1e9 };
+
 /// The attributes of a noise.
 std::vector<XmlValueRule> MakeNoiseValues()
 {
@@ -63,7 +66,7 @@ std::vector<XmlElementRule> MakePlatformRules()
       Number("roll_offset_deg", "multicopter: maximum roll").In("deg", { 1e-3, 85.0 }).At<Vehicle, &VehicleData::RollOffset>(),
       Number("pitch_offset_deg", "multicopter: maximum pitch").In("deg", { 1e-3, 85.0 }).At<Vehicle, &VehicleData::PitchOffset>(),
     },
-    { One("scannerMount"), One("positionXNoise"), One("positionYNoise"), One("positionZNoise"), One("attitudeXNoise"), One("attitudeYNoise"), One("attitudeZNoise") } },
+    { One("scannerMount"), One("positionXNoise"), One("positionYNoise"), One("positionZNoise"), One("attitudeXNoise"), One("attitudeYNoise"), One("attitudeZNoise"), One("navigationError") } },
 
   { "positionXNoise", "noise of the platform's x [m]; that of a survey overrides that of its platform",
     MakeNoiseValues(),
@@ -87,6 +90,26 @@ std::vector<XmlElementRule> MakePlatformRules()
 
   { "attitudeZNoise", "noise of the platform's attitude about z [rad]",
     MakeNoiseValues(),
+    {} },
+
+  { "navigationError", "errors that the instrument does not know: points are reported without them; that of a survey overrides that of its platform",
+    {
+      Number("positionXRms_m", "RMS of the slow error of the position, east").In("m", { 0.0, 1e6 }).At<&NavigationErrorData::PositionRMS, 0>(),
+      Number("positionYRms_m", "RMS of the slow error of the position, north").In("m", { 0.0, 1e6 }).At<&NavigationErrorData::PositionRMS, 1>(),
+      Number("positionZRms_m", "RMS of the slow error of the position, up").In("m", { 0.0, 1e6 }).At<&NavigationErrorData::PositionRMS, 2>(),
+      Number("attitudeXRms_deg", "RMS of the slow error of the attitude about x of the body, nose up").In("deg", { 0.0, 180.0 }).At<&NavigationErrorData::AttitudeRMS, 0>(),
+      Number("attitudeYRms_deg", "RMS of the slow error of the attitude about y of the body, right side down").In("deg", { 0.0, 180.0 }).At<&NavigationErrorData::AttitudeRMS, 1>(),
+      Number("attitudeZRms_deg", "RMS of the slow error of the attitude about z of the body, to the left").In("deg", { 0.0, 180.0 }).At<&NavigationErrorData::AttitudeRMS, 2>(),
+      Number("positionTime_s", "correlation time of the position errors, a first-order Gauss-Markov process").In("s", CorrelationTime).At<&NavigationErrorData::PositionTime>(),
+      Number("attitudeTime_s", "correlation time of the attitude errors").In("s", CorrelationTime).At<&NavigationErrorData::AttitudeTime>(),
+      Number("boresightX_deg", "constant misalignment of the mount about x of the body").In("deg", { -180.0, 180.0 }).At<&NavigationErrorData::Boresight, 0>(),
+      Number("boresightY_deg", "constant misalignment of the mount about y of the body").In("deg", { -180.0, 180.0 }).At<&NavigationErrorData::Boresight, 1>(),
+      Number("boresightZ_deg", "constant misalignment of the mount about z of the body").In("deg", { -180.0, 180.0 }).At<&NavigationErrorData::Boresight, 2>(),
+      Number("leverArmX_m", "error of the lever arm along x of the body").In("m", { -1e6, 1e6 }).At<&NavigationErrorData::LeverArm, 0>(),
+      Number("leverArmY_m", "error of the lever arm along y of the body").In("m", { -1e6, 1e6 }).At<&NavigationErrorData::LeverArm, 1>(),
+      Number("leverArmZ_m", "error of the lever arm along z of the body").In("m", { -1e6, 1e6 }).At<&NavigationErrorData::LeverArm, 2>(),
+      Number("clockOffset_s", "true time of emission of a pulse less its GPS time").In("s", { -1e6, 1e6 }).At<&NavigationErrorData::ClockOffset>(),
+    },
     {} },
 
   { "scannerMount", "position and orientation of the scanner on the platform",

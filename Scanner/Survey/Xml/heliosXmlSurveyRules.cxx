@@ -45,13 +45,13 @@ std::vector<XmlElementRule> MakeSurveyRules()
       Number("simSpeed", "speed of the display").Ignored(),
       Reference("defaultScannerSettings", "no program reads it; give the legs a template").Ignored(),
       Reference("basePlatform", "with platform=\"interpolated\": the platform whose mount and noise are used"),
-      Word("rotationSpec", "ARINC 705|CANONICAL", "the angle convention of trajectory files").At<&SurveyData::IsCanonical>(),
+      Word("rotationSpec", "ARINC 705|CANONICAL|NAVIGATION", "the angle convention of trajectory files in text columns").At<&SurveyData::Convention>(),
       Text("seed", "seed of the random numbers: an integer, YYYY-MM-DD hh:mm:ss or AUTO; --seed overrides it").Default("AUTO").At<&SurveyData::Seed>(),
       Flag("legRandomOffset", "leg offset noise: whether each leg position gets one random offset").At<LegOffset, &LegOffsetData::IsOn>(),
       Number("legRandomOffsetMean", "mean of that offset").In("m").At<LegOffset, &LegOffsetData::Mean>(),
       Number("legRandomOffsetStdev", "standard deviation of that offset").In("m", NotNegative).At<LegOffset, &LegOffsetData::Deviation>(),
     },
-    { Many("leg"), Many("scan"), One("FWFSettings"), One("detectorSettings"), One("pointCloudColor", "colour of the display").Ignored(), One("scannerMount"), Many("origin"), One("positionXNoise"), One("positionYNoise"), One("positionZNoise"), One("attitudeXNoise"), One("attitudeYNoise"), One("attitudeZNoise") } },
+    { Many("leg"), Many("scan"), One("FWFSettings"), One("detectorSettings"), One("pointCloudColor", "colour of the display").Ignored(), One("scannerMount"), Many("origin"), One("positionXNoise"), One("positionYNoise"), One("positionZNoise"), One("attitudeXNoise"), One("attitudeYNoise"), One("attitudeZNoise"), One("navigationError") } },
   };
   // clang-format on
 }

@@ -95,6 +95,8 @@ TEST_CASE("SurveyCheck: unused elements, and names looked up by runs", "[SurveyC
   const Reading reading(files, std::string(Tripod) + " rayCaster=\"torch\"", OneLeg);
   CHECK(reading.Good);
   CHECK(Checking(files).Log->HasError("rayCaster=\"torch\" is not in this build; give one of"));
+  const Reading leg(files, Tripod, R"(<leg><platformSettings trajectoryCrs="EPSG:1"/></leg>)");
+  CHECK(Checking(files).Log->HasError("survey.xml:4: trajectoryCrs=\"EPSG:1\" "));
   files.Write("survey.xml", "<document/>");
   CHECK(Checking(files).Log->HasError("survey.xml:1: <document> is empty"));
 }

@@ -205,6 +205,41 @@ TEST_CASE("SurveyDialect: seeds", "[SurveyDialect]")
   }
 }
 
+TEST_CASE("SurveyDialect: navigation errors of a platform, and of the survey", "[SurveyDialect]")
+{
+  const Files files;
+  files.Replace("assets.xml", "<scannerMount x=\"0\"",
+    R"(<navigationError positionXRms_m="0.04" positionZRms_m="0.05" attitudeZRms_deg="0.02"
+positionTime_s="300" attitudeTime_s="30" boresightY_deg="0.1" leverArmX_m="-0.2"
+clockOffset_s="1e-3"/><scannerMount x="0")");
+  const Reading reading(files, Tripod, OneLeg);
+  const helios::NavigationErrorData& errors = Read(reading).Platforms.at(0).Errors;
+  CHECK(errors.PositionRMS[0] == 0.04);
+  CHECK(errors.PositionRMS[1] == 0.0);
+  CHECK(errors.PositionRMS[2] == 0.05);
+  CHECK(errors.AttitudeRMS[2] == 0.02);
+  CHECK(errors.PositionTime == 300.0);
+  CHECK(errors.AttitudeTime == 30.0);
+  CHECK(errors.Boresight[1] == 0.1);
+  CHECK(errors.LeverArm[0] == -0.2);
+  CHECK(errors.ClockOffset == 1e-3);
+  const Reading overriding(
+    files, Tripod, OneLeg + std::string(R"(<navigationError attitudeXRms_deg="0.5"/>)"));
+  const helios::NavigationErrorData& others = Read(overriding).Platforms.at(0).Errors;
+  CHECK(others.AttitudeRMS[0] == 0.5);
+  CHECK(others.PositionRMS[0] == 0.0); // all of them are overridden
+  CHECK(others.PositionTime == 60.0);
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "assets.xml", "<scannerMount", "<navigationError positionXRms_m=\"-1\"/><scannerMount",
+        { "assets.xml:2", "positionXRms_m=\"-1\" is out of range" } },
+      { "assets.xml", "<scannerMount", "<navigationError attitudeTime_s=\"0\"/><scannerMount",
+        { "assets.xml:2", "attitudeTime_s=\"0\" is out of range" } },
+      { "assets.xml", "<scannerMount", "<navigationError boresightX_deg=\"200\"/><scannerMount",
+        { "assets.xml:2", "boresightX_deg=\"200\" is out of range" } },
+    });
+}
+
 TEST_CASE("SurveyDialect: noise of a platform, and of the survey", "[SurveyDialect]")
 {
   const Files files;
@@ -254,7 +289,7 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
       "<leg><platformSettings template=\"file\" tStart=\"1\" tEnd=\"2\" teleportToStart=\"true\" "
       "syncGPSTime=\"1\" trajectory_seperator=\"&#9;\"/></leg>");
   const helios::SurveyData& data = Read(reading);
-  CHECK(data.IsCanonical);
+  CHECK(data.Convention == helios::AngleConvention::Canonical);
   CHECK(data.GetPlatform(0).Type == helios::PlatformType::Interpolated);
   CHECK(data.GetPlatform(0).Mount.Position[2] == 0.7);
   CHECK(data.GetPlatform(0).Noise[2].IsOn);
@@ -281,7 +316,8 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
       { "survey.xml", "x=\"1\"", "interpolationDomain=\"time\"",
         { "survey.xml:4", "interpolationDomain=\"time\" is not valid", "position_and_attitude" } },
       { "survey.xml", Tripod, std::string(Tripod) + " rotationSpec=\"ARINC\"",
-        { "survey.xml:3", "rotationSpec=\"ARINC\" is not valid", "ARINC 705 or CANONICAL" } } });
+        { "survey.xml:3", "rotationSpec=\"ARINC\" is not valid",
+          "ARINC 705, CANONICAL or NAVIGATION" } } });
 }
 
 TEST_CASE("SurveyDialect: vehicle properties and turns", "[SurveyDialect]")

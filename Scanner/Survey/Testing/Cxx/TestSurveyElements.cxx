@@ -70,7 +70,7 @@ const std::vector<Kind> Kinds = {
       "channel", "beams" } },
   { "platform", { "platform" },
     { "scannerMount", "positionXNoise", "positionYNoise", "positionZNoise", "attitudeXNoise",
-      "attitudeYNoise", "attitudeZNoise" } },
+      "attitudeYNoise", "attitudeZNoise", "navigationError" } },
   { "leg", { "leg", "platformSettings", "scannerSettings" }, {} },
 };
 

@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs of surveys with ground vehicles, multicopters, trajectory files and platform noise.
 #include "heliosSurveyPlaying.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPointXMLReader.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace helios::test;
@@ -192,4 +199,62 @@ TEST_CASE("SurveyPlatforms: noise moves pulses, not the trajectory file", "[Surv
     REQUIRE(std::abs(moved[i].Z) < 1e-3);                           // on the ground at their
                                                                     // positions
   }
+}
+
+TEST_CASE("SurveyPlatforms: a lever arm error displaces points off surfaces", "[SurveyPlatforms]")
+{
+  const Files files;
+  const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"");
+  Run(files, Flight, legs);
+  const auto still = ReadPoints(files / "out/test/leg000_points.xyz");
+  const std::string way = ReadText(files / "out/test/leg000_trajectory.txt");
+  Run(files, Flight, legs + R"(<navigationError leverArmZ_m="0.5"/>)");
+  const auto moved = ReadPoints(files / "out/test/leg000_points.xyz");
+  CHECK(ReadText(files / "out/test/leg000_trajectory.txt") == way);
+  REQUIRE(moved.size() > 1000);
+  for (const auto& point : moved)
+  {
+    REQUIRE(point.Z == Approx(-0.5).margin(1e-3)); // the scanner is higher than it reports
+  }
+  // Without errors nothing changes.
+  Run(files, Flight, legs + R"(<navigationError leverArmZ_m="0" positionTime_s="5"/>)");
+  const auto quiet = ReadPoints(files / "out/test/leg000_points.xyz");
+  REQUIRE(quiet.size() == still.size());
+  for (std::size_t i = 0; i < quiet.size(); ++i)
+  {
+    REQUIRE((quiet[i].X == still[i].X && quiet[i].Z == still[i].Z));
+  }
+}
+
+TEST_CASE("SurveyPlatforms: true points are written beside the reported ones", "[SurveyPlatforms]")
+{
+  const Files files;
+  const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"") +
+    R"(<navigationError leverArmZ_m="0.5" positionXRms_m="0.2" positionTime_s="1"/>)";
+  const Reading reading(files, Flight, legs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.Player->WriteTruthOn();
+  playing.CheckFails({ "WriteTruth is on, but files of the format xyz cannot store true points; "
+                       "set Format to vtp." });
+  playing.Player->SetFormat("vtp");
+  REQUIRE(playing.Player->Run());
+  vtkNew<vtkHeliosPointXMLReader> reader;
+  reader->SetFileName((files / "out/test/leg000_points.pvtp").c_str());
+  reader->Update();
+  vtkPolyData* echoes = reader->GetOutput();
+  vtkDataArray* truth = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::TruePoint);
+  REQUIRE(truth);
+  REQUIRE(echoes->GetNumberOfPoints() > 1000);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+  {
+    REQUIRE(truth->GetComponent(i, 2) == Approx(0.0).margin(1e-3));
+    REQUIRE(echoes->GetPoint(i)[2] == Approx(-0.5).margin(1e-3));
+    largest = std::max(largest, std::abs(echoes->GetPoint(i)[0] - truth->GetComponent(i, 0)));
+  }
+  CHECK(largest > 0.02);
+  CHECK(largest < 1.0); // five times the RMS
+  CHECK(
+    ReadText(files / "out/test/run_summary.json").find("\"truth\" : true") != std::string::npos);
 }

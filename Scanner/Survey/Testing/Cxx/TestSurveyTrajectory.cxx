@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Trajectories from a pipeline in place of the files of platforms.
+#include "vtkHeliosPoseTextWriter.h"
 #include "vtkHeliosRunOptions.h"
+#include "vtkHeliosSBETWriter.h"
 #include "vtkHeliosSurveyPlayer.h"
 #include "vtkHeliosSurveySource.h"
 #include "vtkHeliosTrajectoryReader.h"
 
+#include "heliosSceneCrs.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -23,7 +26,10 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <regex>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 namespace names = vtkHeliosArrayNames;
@@ -169,6 +175,98 @@ TEST_CASE("SurveyTrajectory: an input gives the bytes of its file", "[SurveyTraj
   CHECK(summary.find("way.txt") == std::string::npos);
   CHECK(summary.find("\"trajectory\"") != std::string::npos);
   CHECK(ReadText(files / "file/test/run_summary.json").find("way.txt") != std::string::npos);
+}
+
+TEST_CASE(
+  "SurveyTrajectory: SBET and TUM files fly as the text they are made of", "[SurveyTrajectory]")
+{
+  const Files files;
+  const std::string crs = "ENU 49 9 250";
+  files.Replace("scene.xml", "<scene id=\"s\"", "<scene id=\"s\" crs=\"" + crs + "\"");
+  files.Write("way.txt", Way);
+  vtkNew<vtkHeliosTrajectoryReader> trajectory;
+  trajectory->SetFileName((files / "way.txt").c_str());
+  trajectory->Update();
+  helios::SetCRS(trajectory->GetOutput(), crs);
+  vtkNew<vtkHeliosSBETWriter> sbet;
+  vtkNew<vtkHeliosPoseTextWriter> tum;
+  sbet->SetFileName((files / "way.sbet").c_str());
+  tum->SetFileName((files / "way.tum").c_str());
+  REQUIRE((sbet->Open() && sbet->Write(trajectory->GetOutput()) && sbet->Close()));
+  REQUIRE((tum->Open() && tum->Write(trajectory->GetOutput()) && tum->Close()));
+  const auto run = [&files](const std::string& name)
+  {
+    const std::string legs = std::regex_replace(TwoLegs, std::regex("way.txt"), name);
+    const Reading reading(files, Recorded, legs);
+    INFO(reading.Log->Errors);
+    REQUIRE(reading.Good);
+    vtkNew<vtkHeliosSurveyPlayer> player;
+    const auto log = Observe(player);
+    player->SetSurvey(reading.Reader->GetSurvey());
+    player->GetOptions()->NoiseOff();
+    player->SetOutputDirectory((files / name).append("d").c_str());
+    CHECK(player->Run());
+    INFO(log->Errors + log->Warnings);
+    CHECK((log->Errors + log->Warnings).empty());
+    std::istringstream text(ReadText(files / (name + "d/test/leg001_points.xyz")));
+    std::vector<double> numbers;
+    for (std::string line; std::getline(text, line);)
+    {
+      std::istringstream words(line);
+      double x = 0.0, y = 0.0, z = 0.0;
+      words >> x >> y >> z;
+      numbers.insert(numbers.end(), { x, y, z });
+    }
+    return numbers;
+  };
+  const auto expected = run("way.txt");
+  REQUIRE(expected.size() > 3000);
+  for (const char* name : { "way.sbet", "way.tum" })
+  {
+    const auto points = run(name);
+    REQUIRE(points.size() == expected.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      REQUIRE(points[i] == Approx(expected[i]).margin(2e-4));
+    }
+  }
+}
+
+TEST_CASE(
+  "SurveyTrajectory: SBET without a system of the scene, and bad systems", "[SurveyTrajectory]")
+{
+  const Files files;
+  const double record[17] = { 100.0, 0.85, 0.15, 250.0 };
+  const double next[17] = { 101.0, 0.85, 0.15, 250.0 };
+  files.Write("way.dat",
+    std::string(reinterpret_cast<const char*>(record), sizeof record) +
+      std::string(reinterpret_cast<const char*>(next), sizeof next));
+  const auto leg = [](const std::string& more)
+  {
+    return "<leg><platformSettings trajectory=\"way.dat\" trajectoryFormat=\"SBET\" " + more +
+      "/><scannerSettings scanFreq_hz=\"50\" scanAngle_deg=\"5\" pulseFreq_hz=\"20000\"/></leg>";
+  };
+  const Reading reading(files, Recorded, leg("trajectoryBody=\"forwardRightDown\""));
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  const auto log = Observe(player);
+  player->SetSurvey(reading.Reader->GetSurvey());
+  player->SetOutputDirectory((files / "out").c_str());
+  CHECK_FALSE(player->Run()); // it flies beside the scene
+  INFO(log->Errors + log->Warnings);
+  // 8.594 degrees east is 29.85 km west of the central meridian of zone 32.
+  CHECK(log->HasError("leg 0 starts at 470154.06"));
+  CHECK(log->HasWarning("the scene has no coordinate system; "));
+  CHECK(log->HasWarning("way.dat is in the UTM zone of its first record; give <scene> one"));
+
+  const Reading bad(files, Recorded, leg("trajectoryCrs=\"EPSG:1\""));
+  REQUIRE(bad.Good);
+  vtkNew<vtkHeliosSurveyPlayer> other;
+  const auto otherLog = Observe(other);
+  other->SetSurvey(bad.Reader->GetSurvey());
+  other->SetOutputDirectory((files / "other").c_str());
+  CHECK_FALSE(other->Run());
+  CHECK(otherLog->HasError("way.dat: FileCRS \"EPSG:1\" is not a coordinate system"));
 }
 
 TEST_CASE("SurveyTrajectory: a change of the trajectory is flown", "[SurveyTrajectory]")

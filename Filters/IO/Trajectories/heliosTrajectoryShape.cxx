@@ -41,9 +41,28 @@ Quaternion FromArinc705(const Vec3& rollPitchYaw)
   return Turn(2, -rollPitchYaw[2]) * Turn(1, rollPitchYaw[0]) * Turn(0, rollPitchYaw[1]);
 }
 
+Quaternion FromNavigation(const Vec3& rollPitchYaw)
+{
+  return Turn(2, -rollPitchYaw[2]) * Turn(0, rollPitchYaw[1]) * Turn(1, rollPitchYaw[0]);
+}
+
 Quaternion FromCanonical(const Vec3& rollPitchYaw)
 {
   return Turn(0, rollPitchYaw[0]) * Turn(1, rollPitchYaw[1]) * Turn(2, rollPitchYaw[2]);
+}
+
+Quaternion ToBodyAxes(BodyAxes axes)
+{
+  const double half = std::sqrt(0.5);
+  switch (axes)
+  {
+    case BodyAxes::ForwardLeftUp: // x to -y, y to x
+      return Quaternion(half, 0.0, 0.0, -half);
+    case BodyAxes::ForwardRightDown: // x to y, y to x, z to -z
+      return Quaternion(0.0, half, half, 0.0);
+    default:
+      return Quaternion(1.0, 0.0, 0.0, 0.0);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,9 @@
 #include "vtkHeliosPlatformNoise.h"
 
 #include "heliosRandom.h"
+#include "heliosSlowErrorCursor.h"
 
+#include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
@@ -17,12 +19,21 @@ namespace
 const char* const ComponentNames[6] = { "PositionX", "PositionY", "PositionZ", "AttitudeX",
   "AttitudeY", "AttitudeZ" };
 
+constexpr double ShortestTime = 1e-3; // correlation time [s]
+constexpr double LongestTime = 1e9;
+
+bool IsComponent(int component)
+{
+  return component >= vtkHeliosPlatformNoise::POSITION_X &&
+    component <= vtkHeliosPlatformNoise::ATTITUDE_Z;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 bool vtkHeliosPlatformNoise::CheckComponent(int component)
 {
-  if (component < POSITION_X || component > ATTITUDE_Z)
+  if (!IsComponent(component))
   {
     vtkErrorMacro(<< "Component is " << component
                   << "; give one of POSITION_X (0) to ATTITUDE_Z (5).");
@@ -129,11 +140,87 @@ void vtkHeliosPlatformNoise::SetLifespan(int component, vtkIdType pulses)
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosPlatformNoise::GetLifespan(int component) const
 {
-  return component >= POSITION_X && component <= ATTITUDE_Z ? this->All[component].Lifespan : -1;
+  return IsComponent(component) ? this->All[component].Lifespan : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPlatformNoise::SetSlowError(int component, double rms, double correlationTime)
+{
+  if (!this->CheckComponent(component))
+  {
+    return;
+  }
+  if (!std::isfinite(rms) || rms < 0.0 ||
+    !(correlationTime >= ShortestTime && correlationTime <= LongestTime))
+  {
+    vtkErrorMacro(<< ComponentNames[component] << " has a slow error of RMS " << rms
+                  << " and correlation time " << correlationTime
+                  << " s; give a finite RMS, 0 or more, and 1e-3 to 1e9 s.");
+    return;
+  }
+  this->All[component].SlowRMS = rms;
+  this->All[component].SlowTime = correlationTime;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosPlatformNoise::GetSlowErrorRMS(int component) const
+{
+  return IsComponent(component) ? this->All[component].SlowRMS : vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosPlatformNoise::GetSlowErrorTime(int component) const
+{
+  return IsComponent(component) ? this->All[component].SlowTime : vtkMath::Nan();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPlatformNoise::SetBoresight(double x, double y, double z)
+{
+  const double angles[3] = { x, y, z };
+  if (!std::all_of(angles, angles + 3, [](double a) { return std::abs(a) <= 180.0; }))
+  {
+    vtkErrorMacro(<< "Boresight is " << x << ", " << y << ", " << z
+                  << " deg; give angles from -180 to 180.");
+    return;
+  }
+  std::copy_n(angles, 3, this->Boresight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPlatformNoise::SetLeverArmError(double x, double y, double z)
+{
+  const double error[3] = { x, y, z };
+  if (!std::all_of(error, error + 3, [](double e) { return std::isfinite(e); }))
+  {
+    vtkErrorMacro(<< "LeverArmError is " << x << ", " << y << ", " << z
+                  << " m; give finite numbers.");
+    return;
+  }
+  std::copy_n(error, 3, this->LeverArmError);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlatformNoise::HasErrors() const
+{
+  const auto isSet = [](double value) { return value != 0.0; };
+  return this->ClockOffset != 0.0 || std::any_of(this->Boresight, this->Boresight + 3, isSet) ||
+    std::any_of(this->LeverArmError, this->LeverArmError + 3, isSet) ||
+    std::any_of(std::begin(this->All), std::end(this->All),
+      [](const Component& c) { return c.SlowRMS > 0.0; });
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosPlatformNoise::IsOn() const
+{
+  return this->HasNoise() || this->HasErrors();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlatformNoise::HasNoise() const
 {
   return std::any_of(std::begin(this->All), std::end(this->All),
     [](const Component& c) { return c.Distribution != NONE; });
@@ -160,11 +247,36 @@ void vtkHeliosPlatformNoise::GetValues(vtkIdType seed, vtkIdType pulse, double v
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosPlatformNoise::GetSlowErrors(vtkIdType seed, double time, double values[6]) const
+{
+  helios::SlowErrorCursor cursor;
+  this->GetSlowErrors(seed, time, cursor, values);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPlatformNoise::GetSlowErrors(
+  vtkIdType seed, double time, helios::SlowErrorCursor& cursor, double values[6]) const
+{
+  for (std::uint32_t i = 0; i < 6; ++i)
+  {
+    const helios::GaussMarkov error = { this->All[i].SlowRMS, this->All[i].SlowTime };
+    values[i] = error.Rms > 0.0
+      ? error.GetValue(static_cast<std::uint64_t>(seed), i, time, cursor.Components[i])
+      : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosPlatformNoise::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << (this->Mode == NAVIGATION_ERROR ? "NavigationError" : "Motion")
-     << "\n";
+     << "\n"
+     << indent << "Boresight: " << this->Boresight[0] << ", " << this->Boresight[1] << ", "
+     << this->Boresight[2] << " deg\n"
+     << indent << "LeverArmError: " << this->LeverArmError[0] << ", " << this->LeverArmError[1]
+     << ", " << this->LeverArmError[2] << " m\n"
+     << indent << "ClockOffset: " << this->ClockOffset << " s\n";
   for (int i = 0; i < 6; ++i)
   {
     const Component& c = this->All[i];
@@ -181,6 +293,6 @@ void vtkHeliosPlatformNoise::PrintSelf(ostream& os, vtkIndent indent)
         os << "none";
     }
     os << "; clipped to " << c.ClipMinimum << " and " << c.ClipMaximum << "; lifespan "
-       << c.Lifespan << " pulses\n";
+       << c.Lifespan << " pulses; slow error " << c.SlowRMS << " over " << c.SlowTime << " s\n";
   }
 }

@@ -87,6 +87,17 @@ TEST_CASE(
   CHECK(helios::Distance(reading.GetOrientation(5), all) < 1e-15);
 }
 
+TEST_CASE("TrajectoryReader: NAVIGATION: heading, then pitch, then roll", "[TrajectoryReader]")
+{
+  Reading reading;
+  reading.Reader->SetAngleConventionToNavigation();
+  REQUIRE(reading.Read("0, 20, 30, 90, 0, 0, 0\n"));
+  const double sine = std::sin(vtkMath::RadiansFromDegrees(20.0));
+  const double c = std::sqrt(0.75);
+  CHECK(reading.IsAlong(0, Y, Vec3(c, 0, 0.5))); // the nose, whatever the roll
+  CHECK(reading.ToWorld(0, X)[2] == Approx(-sine * c).margin(1e-14));
+}
+
 TEST_CASE("TrajectoryReader: CANONICAL, and radians", "[TrajectoryReader]")
 {
   Reading reading;

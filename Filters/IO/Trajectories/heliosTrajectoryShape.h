@@ -15,6 +15,10 @@ namespace helios
 /// A = Rz(-yaw) Ry(roll) Rx(pitch): yaw clockwise from north, nose up, right side down [rad].
 Quaternion FromArinc705(const Vec3& rollPitchYaw);
 
+/// A = Rz(-yaw) Rx(pitch) Ry(roll): the same angles in the order of navigation software (Euler
+/// angles z, y', x'' of forward, right, down).
+Quaternion FromNavigation(const Vec3& rollPitchYaw);
+
 /// A = Rx(roll) Ry(pitch) Rz(yaw) [rad], as written by vtkHeliosTrajectoryTextWriter.
 Quaternion FromCanonical(const Vec3& rollPitchYaw);
 
@@ -25,6 +29,17 @@ Quaternion FromCanonical(const Vec3& rollPitchYaw);
  */
 std::vector<Quaternion> HeadingsOfFlight(
   const std::vector<TrajectoryRow>& rows, double minimumSpeed);
+
+/// Axes of the body in a file.
+enum class BodyAxes : int
+{
+  RightForwardUp = 0,
+  ForwardLeftUp = 1,
+  ForwardRightDown = 2
+};
+
+/// The rotation from body axes right, forward, up to others, on the right of an attitude.
+Quaternion ToBodyAxes(BodyAxes axes);
 
 /**
  * The rows to keep: the first, the last, those of jumps, and those after which velocity [m/s] or

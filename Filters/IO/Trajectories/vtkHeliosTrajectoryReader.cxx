@@ -3,6 +3,10 @@
 #include "vtkHeliosTrajectoryReader.h"
 
 #include "heliosPathCell.h"
+#include "heliosPoseText.h"
+#include "heliosRecordedPath.h"
+#include "heliosSbetFile.h"
+#include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "heliosTrajectoryShape.h"
 #include "vtkHeliosArrayNames.h"
@@ -13,6 +17,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <iterator>
@@ -80,8 +85,42 @@ helios::TrajectoryFormat vtkHeliosTrajectoryReader::MakeFormat() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosTrajectoryReader::ReadRows(
-  helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows)
+int vtkHeliosTrajectoryReader::FindFormat() const
+{
+  if (this->FileFormat != AUTOMATIC || !this->FileName)
+  {
+    return this->FileFormat == AUTOMATIC ? COLUMNS : this->FileFormat;
+  }
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(this->FileName));
+  if (ending == ".sbet" || ending == ".out")
+  {
+    return SBET;
+  }
+  return ending == ".tum" ? TUM : COLUMNS;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosTrajectoryReader::ReadFile(helios::TextReport& report, helios::RecordedPath& path)
+{
+  return this->IsSbet() ? this->ReadSbet(report, path) : this->ReadText(report, path);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosTrajectoryReader::ReadSbet(helios::TextReport& report, helios::RecordedPath& path)
+{
+  helios::SbetReader reader(this->FileName);
+  reader.OnBlock = [this](double fraction)
+  {
+    this->UpdateProgress(fraction);
+    return !this->AbortExecute;
+  };
+  const helios::Status status = reader.Read(this->FileCRS, this->TargetCRS, path);
+  return status.IsOk() || report.Fail(status.Message());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosTrajectoryReader::ReadText(helios::TextReport& report, helios::RecordedPath& path)
 {
   helios::LineFile file;
   const helios::Status status = file.Open(this->FileName);
@@ -94,27 +133,50 @@ bool vtkHeliosTrajectoryReader::ReadRows(
     this->UpdateProgress(std::min(1.0, static_cast<double>(bytes) / size));
     return !this->AbortExecute;
   };
-  const helios::TrajectoryFormat format = this->MakeFormat();
-  return helios::TrajectoryParser(format, report).Read(file, rows);
+  const int kind = this->FindFormat();
+  if (kind == COLUMNS)
+  {
+    const helios::TrajectoryFormat format = this->MakeFormat();
+    return helios::TrajectoryParser(format, report).Read(file, path.Rows);
+  }
+  const helios::PoseColumns& columns = kind == TUM ? helios::TumColumns : helios::EurocColumns;
+  if (!helios::PoseTextParser(columns, report).Read(file, path))
+  {
+    return false;
+  }
+  const auto axes = helios::ToBodyAxes(static_cast<helios::BodyAxes>(this->BodyFrame));
+  for (helios::Quaternion& attitude : path.Attitudes)
+  {
+    attitude = attitude * axes;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Makes the attitudes of rows that have angles, or none.
+void vtkHeliosTrajectoryReader::FindAttitudes(helios::RecordedPath& path) const
+{
+  if (this->Domain == POSITION)
+  {
+    path.Attitudes = helios::HeadingsOfFlight(path.Rows, this->MinimumSpeed);
+  }
+  else if (path.Attitudes.empty())
+  {
+    const double unit = this->AngleUnit == DEGREES ? vtkMath::RadiansFromDegrees(1.0) : 1.0;
+    const auto convert = this->AngleConvention == CANONICAL ? helios::FromCanonical
+      : this->AngleConvention == NAVIGATION                 ? helios::FromNavigation
+                                                            : helios::FromArinc705;
+    std::transform(path.Rows.begin(), path.Rows.end(), std::back_inserter(path.Attitudes),
+      [unit, convert](const helios::TrajectoryRow& row) { return convert(unit * row.Angles); });
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosTrajectoryReader::Fill(
-  const std::vector<helios::TrajectoryRow>& rows, vtkPolyData* trajectory) const
+  const helios::RecordedPath& path, vtkPolyData* trajectory) const
 {
-  std::vector<helios::Quaternion> attitudes;
-  if (this->Domain == POSITION)
-  {
-    attitudes = helios::HeadingsOfFlight(rows, this->MinimumSpeed);
-  }
-  else
-  {
-    const double unit = this->AngleUnit == DEGREES ? vtkMath::RadiansFromDegrees(1.0) : 1.0;
-    const auto convert =
-      this->AngleConvention == CANONICAL ? helios::FromCanonical : helios::FromArinc705;
-    std::transform(rows.begin(), rows.end(), std::back_inserter(attitudes),
-      [unit, convert](const helios::TrajectoryRow& row) { return convert(unit * row.Angles); });
-  }
+  const std::vector<helios::TrajectoryRow>& rows = path.Rows;
+  const std::vector<helios::Quaternion>& attitudes = path.Attitudes;
   std::vector<std::size_t> kept(rows.size());
   std::iota(kept.begin(), kept.end(), std::size_t(0));
   if (this->SlopeFilterThreshold > 0.0)
@@ -148,6 +210,7 @@ void vtkHeliosTrajectoryReader::Fill(
   trajectory->GetPointData()->AddArray(times);
   trajectory->GetPointData()->AddArray(orientations);
   helios::AddPathCell(trajectory);
+  helios::SetCRS(trajectory, path.Crs);
 }
 
 //------------------------------------------------------------------------------
@@ -159,14 +222,15 @@ int vtkHeliosTrajectoryReader::RequestData(
     return 0;
   }
   helios::TextReport report;
-  std::vector<helios::TrajectoryRow> rows;
+  helios::RecordedPath path;
   bool isRead = false;
   try
   {
-    isRead = this->ReadRows(report, rows);
+    isRead = this->ReadFile(report, path);
     if (isRead)
     {
-      this->Fill(rows, vtkPolyData::GetData(outputVector));
+      this->FindAttitudes(path);
+      this->Fill(path, vtkPolyData::GetData(outputVector));
     }
   }
   catch (const std::bad_alloc&)
@@ -189,7 +253,14 @@ int vtkHeliosTrajectoryReader::RequestData(
 void vtkHeliosTrajectoryReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const char* const formats[] = { "Automatic", "Columns", "SBET", "TUM", "EuRoC" };
+  const char* const frames[] = { "RightForwardUp", "ForwardLeftUp", "ForwardRightDown" };
+  const char* const conventions[] = { "Arinc705", "Canonical", "Navigation" };
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "FileFormat: " << formats[this->FileFormat] << "\n"
+     << indent << "FileCRS: " << this->FileCRS << "\n"
+     << indent << "TargetCRS: " << this->TargetCRS << "\n"
+     << indent << "BodyFrame: " << frames[this->BodyFrame] << "\n"
      << indent << "Separators: \"" << this->Separators << "\"\n"
      << indent << "TimeColumn: " << this->TimeColumn << "\n"
      << indent << "RollColumn: " << this->RollColumn << "\n"
@@ -201,9 +272,7 @@ void vtkHeliosTrajectoryReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Domain: " << (this->Domain == POSITION ? "Position" : "PositionAndAttitude")
      << "\n"
      << indent << "AngleUnit: " << (this->AngleUnit == DEGREES ? "Degrees" : "Radians") << "\n"
-     << indent
-     << "AngleConvention: " << (this->AngleConvention == CANONICAL ? "Canonical" : "Arinc705")
-     << "\n"
+     << indent << "AngleConvention: " << conventions[this->AngleConvention] << "\n"
      << indent << "SlopeFilterThreshold: " << this->SlopeFilterThreshold << " m/s, deg/s\n"
      << indent << "MinimumSpeed: " << this->MinimumSpeed << " m/s\n";
 }

@@ -23,10 +23,20 @@
  * error of navigation: the pulse is emitted from the true pose; origin, direction and points
  * are reported from the trajectory's; TruePoint is where the echo came from.
  *
+ * Navigation errors that are unknown to the instrument, whatever the Mode, are
+ * - slow errors (SetSlowError): a first-order Gauss-Markov process per component, added to the
+ *   noise above; a function of GPS time, the same for all channels and legs;
+ * - Boresight b and LeverArmError l, constant, of the mount m, M on the body: the true origin is
+ *   p' + A' (m + l + B M r) and the true direction A' B M d, where B = Rx(b_x) Ry(b_y) Rz(b_z), and
+ *   r, d are beam origin and direction in the frame of the mount;
+ * - ClockOffset c: a pulse with GPS time t was emitted from the pose at t + c.
+ *
+ * All errors are true minus reported.
+ *
  * @warning
  * With one value per pulse (Lifespan 1) the platform has a new position every pulse.
- * Navigation errors persist for seconds: set a Lifespan of PulseFrequency times
- * that.
+ * Errors of navigation persist for seconds: use slow errors, or set a Lifespan of
+ * PulseFrequency times that.
  *
  * @sa
  * vtkHeliosScanner vtkHeliosErrorModel
@@ -37,6 +47,11 @@
 
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
+
+namespace helios
+{
+struct SlowErrorCursor;
+}
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosPlatformNoise : public vtkObject
 {
@@ -103,10 +118,54 @@ public:
   void SetModeToNavigationError() { this->SetMode(NAVIGATION_ERROR); }
   ///@}
 
-  /// Whether any component has a distribution.
+  ///@{
+  /**
+   * Set/Get the slow error of a component: its RMS [m or deg], 0: none, and the correlation time T
+   * [s], so that E[e(t) e(t + s)] = rms^2 exp(-|s| / T). Valid range: rms 0 or more, T [1e-3, 1e9].
+   * Default: no error, T 60 s.
+   */
+  void SetSlowError(int component, double rms, double correlationTime);
+  double GetSlowErrorRMS(int component) const;
+  double GetSlowErrorTime(int component) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the boresight misalignment: rotations of the mount about the x, y and z axes of the body
+   * [deg]. Valid range: [-180, 180]. Default: 0, 0, 0.
+   */
+  void SetBoresight(double x, double y, double z);
+  const double* GetBoresight() const VTK_SIZEHINT(3) { return this->Boresight; }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the error of the lever arm, along the axes of the body [m]. Valid range: finite.
+   * Default: 0, 0, 0.
+   */
+  void SetLeverArmError(double x, double y, double z);
+  const double* GetLeverArmError() const VTK_SIZEHINT(3) { return this->LeverArmError; }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how late the time stamps of pulses are behind the clock of the trajectory, the true time
+   * of emission less the GPS time [s]. Valid range: [-1e6, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(ClockOffset, double, -1e6, 1e6);
+  double GetClockOffset() const { return this->ClockOffset; }
+  ///@}
+
+  /// Whether any component has a distribution or an error.
   bool IsOn() const;
 
-  /// Whether origin, direction and points are reported from the trajectory's pose.
+  /// Whether any component has a distribution.
+  bool HasNoise() const;
+
+  /// Whether there are slow errors, boresight, lever arm error or clock offset.
+  bool HasErrors() const;
+
+  /// Whether the noise is not in the reported origin, direction and points.
   bool IsUnknown() const { return this->Mode == NAVIGATION_ERROR; }
 
   /**
@@ -114,6 +173,18 @@ public:
    * the scanner's.
    */
   void GetValues(vtkIdType seed, vtkIdType pulse, double values[6]) const;
+
+  /**
+   * The slow errors of all components at a GPS time [s], in m and deg, in the order of Components;
+   * seed as the scanner's.
+   */
+  void GetSlowErrors(vtkIdType seed, double time, double values[6]) const;
+
+#ifndef __VTK_WRAP__
+  /// As above, faster at successive times; one cursor per thread and seed.
+  void GetSlowErrors(
+    vtkIdType seed, double time, helios::SlowErrorCursor& cursor, double values[6]) const;
+#endif
 
 protected:
   vtkHeliosPlatformNoise() = default;
@@ -139,6 +210,8 @@ private:
     double ClipMinimum = -VTK_DOUBLE_MAX;
     double ClipMaximum = VTK_DOUBLE_MAX;
     vtkIdType Lifespan = 1;
+    double SlowRMS = 0.0;
+    double SlowTime = 60.0;
   };
 
   bool CheckComponent(int component);
@@ -146,6 +219,9 @@ private:
 
   Component All[6];
   int Mode = MOTION;
+  double Boresight[3] = { 0.0, 0.0, 0.0 };
+  double LeverArmError[3] = { 0.0, 0.0, 0.0 };
+  double ClockOffset = 0.0;
 };
 
 #endif

@@ -60,3 +60,30 @@ TEST_CASE("TrajectoryMutations: damaged files give an error or a trajectory",
   CHECK(errorCount > 20);
   CHECK(goodCount > 20);
 }
+
+TEST_CASE("TrajectoryMutations: damaged SBET, TUM and EuRoC files give an error or a trajectory",
+  "[TrajectoryMutations][mutation]")
+{
+  const double records[2][17] = { { 100, 0.85, 0.15, 250, 1, 2, 3, 0.1, 0.2, 0.3, 0.4 },
+    { 101, 0.8500001, 0.15, 251, 1, 2, 3, 0.1, 0.2, 0.3, 0.4 } };
+  const std::string sources[3] = { std::string(
+                                     reinterpret_cast<const char*>(records), sizeof records),
+    "# t x y z qx qy qz qw\n1.5 1 2 3 0 0 0.6 0.8\n1.75 4 5 6 0 0 0 1\n",
+    "#timestamp\n1500000000,1,2,3,0.8,0,0,0.6,9\n1750000000,4,5,6,1,0,0,0,9\n" };
+  helios::Mutator mutate(20202);
+  helios::TrajectoryReading reading;
+  int counts[2] = { 0, 0 };
+  for (int i = 0; i < helios::GetNumberOfMutations(); ++i)
+  {
+    const std::string text = mutate(sources[i % 3]);
+    reading.Reader->SetFileFormat(vtkHeliosTrajectoryReader::SBET + i % 3);
+    INFO("file " << i << "\n" << text);
+    const bool isGood = reading.Read(text);
+    ++counts[isGood ? 1 : 0];
+    REQUIRE(isGood == (reading.CountRows() > 0));
+    REQUIRE((isGood || reading.Log->HasError("a.trj")));
+    REQUIRE(IsWhole(reading));
+  }
+  CHECK(counts[0] > 10);
+  CHECK(counts[1] > 10);
+}

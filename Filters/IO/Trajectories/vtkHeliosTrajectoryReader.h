@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosTrajectoryReader
- * @brief   read a trajectory from a text file of navigation software
+ * @brief   read a trajectory from a file of navigation software
+ *
+ * Formats: text columns, SBET, TUM and EuRoC (FileFormat).
  *
  * Output 0 is a vtkPolyData, one polyline (a vertex for a single row) through the rows in order of
  * time, with the point arrays
  * - GpsTime [s] as in the file;
  * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y
- *   forward, z up), with a consistent sign from row to row.
+ *   forward, z up), with a consistent sign from row to row,
+ * and, for SBET, the field data CRS.
  *
- * A row is a line of numbers t, roll, pitch, yaw, x, y, z. Their columns are, in order of
+ * COLUMNS: a row is a line of numbers t, roll, pitch, yaw, x, y, z. Their columns are, in order of
  * precedence, those set (TimeColumn, XColumn ...), those of the comment
  *
  *   #HEADER: "t", "roll", "pitch", "yaw", "x", "y", "z"
@@ -27,7 +30,11 @@
  *
  *   A = Rx(roll) Ry(pitch) Rz(yaw),
  *
- * with roll about the right axis, as written by vtkHeliosTrajectoryTextWriter. With Domain POSITION
+ * with roll about the right axis, as written by vtkHeliosTrajectoryTextWriter. NAVIGATION:
+ *
+ *   A = Rz(-yaw) Rx(pitch) Ry(roll),
+ *
+ * the angles of ARINC_705 applied in the order of navigation software. With Domain POSITION
  * angles are not read: the body is level and its heading is the direction of motion in x, y, at a
  * row that of the parabola through it and its neighbours. Below MinimumSpeed the last heading is
  * kept.
@@ -35,7 +42,27 @@
  * Two rows at one time are a jump, with a warning if their positions differ.
  * SlopeFilterThreshold keeps only the rows where the motion changes.
  *
- * Errors, with file:line, without output: three rows at one time, a row that is
+ * SBET: records of 17 little-endian doubles: time [s]; latitude, longitude [rad], altitude above the
+ * ellipsoid [m]; velocity x, y, z; roll, pitch, platform heading, wander angle [rad]; acceleration
+ * and angular rate x, y, z of the body. Positions are transformed from FileCRS to TargetCRS. The
+ * attitude is NAVIGATION with the true heading
+ *
+ *   heading = platform heading - wander angle,
+ *
+ * and rotated from east, north, up of the ellipsoid to the axes of TargetCRS: in a map projection
+ * the yaw is heading - meridian convergence. Velocities, accelerations and rates are not read.
+ *
+ * TUM: rows t x y z qx qy qz qw between blanks, t in seconds. EuRoC: rows t,x,y,z,qw,qx,qy,qz and
+ * further columns that are not read, t in nanoseconds (GpsTime is a double, exact to 0.25 us for
+ * Unix times). The quaternion transforms the body, with the axes of BodyFrame, to the world; it is
+ * normalized.
+ *
+ * Errors of SBET (with record and byte), TUM and EuRoC (with file:line): a file that does not end
+ * with a whole record, numbers that are not finite, latitudes and longitudes out of range, times
+ * that do not increase, quaternions whose length differs from 1 by more than 1e-3, a system that is
+ * unknown or not metric.
+ *
+ * Errors of COLUMNS, with file:line, without output: three rows at one time, a row that is
  * too short, a word that is not a finite number, a header with an unknown,
  * repeated or missing name, a column read twice, a file that cannot be read or has no rows.
  *
@@ -52,13 +79,12 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // For the separators
-#include <vector> // For the rows
 
 namespace helios
 {
+struct RecordedPath;
 struct TextReport;
 struct TrajectoryFormat;
-struct TrajectoryRow;
 }
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosTrajectoryReader : public vtkPolyDataAlgorithm
@@ -74,6 +100,70 @@ public:
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /// Formats of files.
+  enum FileFormats
+  {
+    AUTOMATIC = 0, ///< by the ending: .sbet and .out SBET, .tum TUM, others COLUMNS
+    COLUMNS = 1,   ///< text columns
+    SBET = 2,
+    TUM = 3,
+    EUROC = 4
+  };
+
+  ///@{
+  /**
+   * Set/Get the format of the file. Default: AUTOMATIC.
+   */
+  vtkSetClampMacro(FileFormat, int, AUTOMATIC, EUROC);
+  vtkGetMacro(FileFormat, int);
+  void SetFileFormatToAutomatic() { this->SetFileFormat(AUTOMATIC); }
+  void SetFileFormatToColumns() { this->SetFileFormat(COLUMNS); }
+  void SetFileFormatToSbet() { this->SetFileFormat(SBET); }
+  void SetFileFormatToTum() { this->SetFileFormat(TUM); }
+  void SetFileFormatToEuroc() { this->SetFileFormat(EUROC); }
+  ///@}
+
+  /// Whether the file, by FileFormat or its name, is SBET.
+  bool IsSbet() const { return this->FindFormat() == SBET; }
+
+  ///@{
+  /**
+   * Set/Get the geographic system of the positions in an SBET file, as EPSG:n, WKT or PROJ. Default:
+   * EPSG:4979, WGS 84 with ellipsoidal heights.
+   */
+  vtkSetMacro(FileCRS, std::string);
+  vtkGetMacro(FileCRS, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the metric system that an SBET file is transformed to, as EPSG:n, WKT, PROJ, or "ENU
+   * latitude longitude height". Without vertical part heights stay above the ellipsoid. Default:
+   * empty, the UTM zone on WGS 84 of the first record.
+   */
+  vtkSetMacro(TargetCRS, std::string);
+  vtkGetMacro(TargetCRS, std::string);
+  ///@}
+
+  /// Axes x, y, z of the body.
+  enum BodyFrames
+  {
+    RIGHT_FORWARD_UP = 0,
+    FORWARD_LEFT_UP = 1,   ///< of ROS
+    FORWARD_RIGHT_DOWN = 2 ///< of aviation
+  };
+
+  ///@{
+  /**
+   * Set/Get the axes of the body in TUM and EuRoC files. Default: RIGHT_FORWARD_UP.
+   */
+  vtkSetClampMacro(BodyFrame, int, RIGHT_FORWARD_UP, FORWARD_RIGHT_DOWN);
+  vtkGetMacro(BodyFrame, int);
+  void SetBodyFrameToRightForwardUp() { this->SetBodyFrame(RIGHT_FORWARD_UP); }
+  void SetBodyFrameToForwardLeftUp() { this->SetBodyFrame(FORWARD_LEFT_UP); }
+  void SetBodyFrameToForwardRightDown() { this->SetBodyFrame(FORWARD_RIGHT_DOWN); }
   ///@}
 
   ///@{
@@ -117,7 +207,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the columns to read. Default: POSITION_AND_ATTITUDE.
+   * Set/Get what is read. Default: POSITION_AND_ATTITUDE.
    */
   vtkSetClampMacro(Domain, int, POSITION, POSITION_AND_ATTITUDE);
   vtkGetMacro(Domain, int);
@@ -146,17 +236,19 @@ public:
   enum AngleConventions
   {
     ARINC_705 = 0,
-    CANONICAL = 1
+    CANONICAL = 1,
+    NAVIGATION = 2
   };
 
   ///@{
   /**
    * Set/Get the angle convention. Default: ARINC_705.
    */
-  vtkSetClampMacro(AngleConvention, int, ARINC_705, CANONICAL);
+  vtkSetClampMacro(AngleConvention, int, ARINC_705, NAVIGATION);
   vtkGetMacro(AngleConvention, int);
   void SetAngleConventionToArinc705() { this->SetAngleConvention(ARINC_705); }
   void SetAngleConventionToCanonical() { this->SetAngleConvention(CANONICAL); }
+  void SetAngleConventionToNavigation() { this->SetAngleConvention(NAVIGATION); }
   ///@}
 
   /**
@@ -198,10 +290,18 @@ private:
 
   bool CheckProperties();
   helios::TrajectoryFormat MakeFormat() const;
-  bool ReadRows(helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows);
-  void Fill(const std::vector<helios::TrajectoryRow>& rows, vtkPolyData* trajectory) const;
+  int FindFormat() const;
+  bool ReadFile(helios::TextReport& report, helios::RecordedPath& path);
+  bool ReadSbet(helios::TextReport& report, helios::RecordedPath& path);
+  bool ReadText(helios::TextReport& report, helios::RecordedPath& path);
+  void FindAttitudes(helios::RecordedPath& path) const;
+  void Fill(const helios::RecordedPath& path, vtkPolyData* trajectory) const;
 
   char* FileName = nullptr;
+  int FileFormat = AUTOMATIC;
+  std::string FileCRS = "EPSG:4979";
+  std::string TargetCRS;
+  int BodyFrame = RIGHT_FORWARD_UP;
   std::string Separators = ",";
   int TimeColumn = -1;
   int RollColumn = -1;

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The content of a trajectory file, whatever its format.
+
+#ifndef heliosRecordedPath_h
+#define heliosRecordedPath_h
+
+#include "heliosPose.h"
+#include "heliosTrajectoryParser.h"
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+struct RecordedPath
+{
+  std::vector<TrajectoryRow> Rows;   // in order of time
+  std::vector<Quaternion> Attitudes; // body to world, one per row; empty: rows have angles
+  std::string Crs;                   // of the positions; empty: unknown
+};
+
+/// A number with all its digits, for messages.
+inline std::string PrintExactly(double number)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << number;
+  return text.str();
+}
+
+} // namespace helios
+
+#endif
