@@ -256,6 +256,20 @@ def test_fast_mirrors_scan_less():
     assert np.ptp(cloud.pulses[SCAN_ANGLE]) == pytest.approx(2 * 800 / 210, rel=0.01)
 
 
+@pytest.mark.parametrize("pulse_frequency, field", [(100e3, 360), (200e3, 180), (300e3, 120)])
+def test_fields_of_the_minivux3(pulse_frequency, field):
+    """At each of its pulse frequencies it makes 100,000 measurements/s."""
+    plane = vtkhelios.Scene([(-50, -50, 0), (50, -50, 0), (0, 50, 0)], [(0, 1, 2)])
+    cloud = vtkhelios.scan(
+        plane, path=[(0, 0, 50), (0, 9, 50)], scanner="riegl_minivux3uav", speed=8,
+        vertical=(-field / 2, field / 2), scan_frequency=100, pulse_frequency=pulse_frequency,
+        duration=0.1, noise=False, sub_rays=1, pulses=True,
+    )  # fmt: skip
+    assert len(cloud.pulses) == pytest.approx(10e3, abs=10)
+    step = np.median(np.diff(cloud.pulses[SCAN_ANGLE]))
+    assert step == pytest.approx(360 * 100 / pulse_frequency, rel=1e-6)  # 0.36 on the sheet
+
+
 def test_upright_field():
     """VZ-400i: 100 degrees, from 40 below to 60 above the horizon."""
     plane = vtkhelios.Scene([(-50, -50, 0), (50, -50, 0), (0, 50, 0)], [(0, 1, 2)])
