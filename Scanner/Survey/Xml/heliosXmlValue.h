@@ -22,7 +22,7 @@ struct XmlValue
   std::string Name;
   std::string Text;
   std::string Where;
-  std::string Folder; ///< of the file; empty: the working directory
+  std::string Folder = {}; ///< of the file; empty: the working directory
 };
 
 /**
