@@ -43,7 +43,7 @@ NAMES_HEAD = """\
 \"\"\"
 """
 THIN_LAYER = """\
-from . import array_names as array_names
+from . import array_names as array_names, catalogue as catalogue
 from ._arrays import arrays as arrays
 from ._compose import Pipeline as Pipeline, select_ports as select_ports
 from ._filter import filter as filter

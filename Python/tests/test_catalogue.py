@@ -1,80 +1,194 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Instruments of the catalogue in a closed room, against the figures of their sheets."""
+"""The catalogue of scanners: every number has a source, and the page is made of it."""
 
-import itertools
+import collections
+import importlib.util
+import json
+import pathlib
+import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
 
 import vtkhelios
+from vtkhelios import catalogue
+from vtkhelios.catalogue import KINDS, USES, CatalogueError, find_scanners
+from vtkhelios.cli import main
 
-# Scanner: points/s, elevation min and max [deg] of the sheet, columns in 0.1 s at 10 revolutions/s.
-SPINNING = {
-    "velodyne_vlp16": (300_000, -15, 15, 1809),
-    "velodyne_hdl32e": (700_000, -30.67, 10.67, 2171),
-    "hesai_xt32": (640_000, -16, 15, 2000),
-}
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ASSETS = ROOT / "Data/Assets"
+ALL = find_scanners()
+INSTRUMENTS = [each for each in ALL if each.maker]
+TITLES = {"id", "name", "maker", "use", "optics"}
 
-# Scanner: points/s, width and height of the field of view [deg] of the manual.
-LIVOX = {
-    "livox_mid40": (100_000, 38.4, 38.4),
-    "livox_mid70": (100_000, 70.4, 70.4),
-    "livox_avia": (240_000, 70.4, 77.2),
-}
-
-
-@pytest.fixture(scope="module")
-def room():
-    """A cube of 40 m around the scanner."""
-    corners = 20.0 * np.array(list(itertools.product((-1, 1), repeat=3)))
-    quads = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
-    triangles = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
-    return vtkhelios.Scene(corners, triangles)
+OWN = """\
+<document>
+  <scanner id="own" name="My own" maker="Me" use="mobile" optics="rotating" pulseFreqs_Hz="2e5, 1e5"
+    scanAngleMax_deg="180" scanAngleEffectiveMax_deg="100" beamDivergence_rad="0.001">
+    <channels><channel/><channel/></channels>
+    <sources><source kind="assumed" of="beamDivergence_rad" note="a
+      guess"/></sources>
+  </scanner>
+</document>
+"""
 
 
-def fly(room, scanner, duration, **settings):
-    options = dict(noise=False, pulses=True, beam_divergence=0)
-    return vtkhelios.scan(
-        room, (0, 0, 0), scanner=scanner, duration=duration, **options, **settings
+def test_forty_instruments_and_the_classes():
+    assert len(INSTRUMENTS) >= 40
+    classes = {each.id for each in ALL if not each.maker}
+    assert {"vz400_class_tls", "rotating_als", "conic_als", "mobile_mls", "copter_uls"} <= classes
+    ids = collections.Counter(each.id for each in ALL)
+    assert [name for name, count in ids.items() if count > 1] == []
+
+
+def element_of(scanner):
+    file, _, name = scanner.reference.partition("#")
+    root = ElementTree.parse(ASSETS / file).getroot()
+    return next(each for each in root.iter("scanner") if each.get("id") == name)
+
+
+@pytest.mark.parametrize("scanner", INSTRUMENTS, ids=lambda each: each.id)
+def test_every_number_has_one_source(scanner):
+    element = element_of(scanner)
+    numbers = set(element.attrib) - TITLES
+    for channel in element.iterfind("channels/channel"):
+        numbers |= set(channel.attrib) - {"id", "name"}
+    if element.find(".//beamOrigin") is not None:
+        numbers.add("beamOrigin")
+    named = collections.Counter(name for each in scanner.sources for name in each.attributes)
+    assert set(named) == numbers
+    assert set(named.values()) == {1}
+    assert {each.kind for each in scanner.sources} <= set(KINDS)
+    assert all(each.note for each in scanner.sources)
+
+
+@pytest.mark.parametrize("scanner", INSTRUMENTS, ids=lambda each: each.id)
+def test_every_instrument_is_complete(scanner):
+    assert scanner.use in USES
+    needed = {
+        "pulseFreqs_Hz",
+        "pulseLength_ns",
+        "wavelength_nm",
+        "beamDivergence_rad",
+        "accuracy_m",
+    }
+    assert needed | {"rangeMin_m", "scanAngleMax_deg"} <= set(scanner.numbers)
+    assert scanner.optics == "line" or "scanFreqMax_Hz" in scanner.numbers
+    assert 1e-4 <= scanner.beam_divergence <= 1e-2
+
+
+@pytest.mark.parametrize("scanner", ALL, ids=lambda each: each.id)
+def test_every_scanner_is_valid(scanner):
+    survey = vtkhelios.vtkHeliosSurvey()
+    survey.AddAssetDirectory(str(ASSETS))
+    with vtkhelios._pipeline.MessageLog() as log:
+        log.watch(survey)
+        assert survey.AddScannerFromFile(scanner.reference) == 0
+    assert log.errors == []
+    assert log.warnings == []
+
+
+def test_page_is_current():
+    path = ROOT / "Python/make_instruments.py"
+    spec = importlib.util.spec_from_file_location("make_instruments", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    cure = "run build/venv/bin/python Python/make_instruments.py"
+    assert module.PAGE.read_text(encoding="utf-8") == module.make_page(), cure
+
+
+def test_words_of_a_search():
+    found = find_scanners("Terrestrial riegl")
+    assert {"riegl_vz400", "riegl_vz400i", "riegl_vz6000"} <= {each.id for each in found}
+    assert {each.use for each in found} == {"terrestrial"}
+    assert find_scanners("riegl nothing") == []
+    assert find_scanners() == ALL
+
+
+def test_scanners_of_other_folders(tmp_path):
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine/own.xml").write_text(OWN)
+    (own,) = find_scanners("my own", [tmp_path])
+    assert own.reference == "mine/own.xml#own"
+    assert own.pulse_frequencies == (1e5, 2e5)
+    assert own.pulse_rate == 4e5  # of two channels
+    assert own.field_of_view == 200
+    assert own.source_of("beamDivergence_rad").note == "a guess"
+    assert own.source_of("rangeMin_m") is None
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    path = tmp_path / "own.xml"
+    path.write_text(OWN.replace("</document>", ""))
+    with pytest.raises(
+        CatalogueError, match=r"own\.xml: is not readable XML: .*line 9.*correct it"
+    ):
+        find_scanners("", [tmp_path])
+    path.write_text(OWN.replace('"180"', '"wide"'))
+    message = (
+        'own.xml: scanner own: scanAngleMax_deg="wide" is not valid: expected a number; '
+        "vtkhelios validate FILE lists all errors"
     )
+    told = []
+    assert len(find_scanners("", [tmp_path], told.append)) == len(ALL)
+    assert told == [f"{tmp_path}/{message}"]
 
 
-def angles_of(pulses):
-    """Azimuth, anticlockwise from y, and elevation [deg]."""
-    x, y, z = pulses["Direction"].T
-    return np.degrees(np.arctan2(-x, y)), np.degrees(np.arcsin(z))
+def test_scan_finds_the_file_of_an_id():
+    plane = vtkhelios.Scene([(-50, -50, 0), (50, -50, 0), (0, 50, 0)], [(0, 1, 2)])
+    settings = dict(head=(0, 1), head_speed=10, scan_frequency=50, sub_rays=1)
+    short = vtkhelios.scan(plane, position=(0, 0), scanner="faro_s70", **settings)
+    whole = "instruments/faro.xml#faro_s70"
+    assert np.array_equal(
+        short.points, vtkhelios.scan(plane, position=(0, 0), scanner=whole, **settings).points
+    )
+    assert len(short)
+    assert catalogue.find_file("none") == "scanners.xml"
 
 
-@pytest.mark.parametrize("scanner", SPINNING)
-def test_spinning_heads(room, scanner):
-    rate, low, high, columns = SPINNING[scanner]
-    cloud = fly(room, scanner, 0.1, scan_frequency=10, columns=True)
-    pulses = cloud.pulses
-    assert len(cloud) == len(pulses) == pytest.approx(0.1 * rate, rel=0.04)
-    azimuths, elevations = angles_of(pulses)
-    assert [elevations.min(), elevations.max()] == pytest.approx([low, high], abs=1e-9)
-    steps = np.diff(np.unwrap(azimuths[pulses["ChannelIds"] == 3], period=360))
-    assert steps == pytest.approx(-360 / (pulses["ColumnIds"].max() + 1), rel=2e-3)  # clockwise
-    assert len(set(pulses["ColumnIds"])) == columns
-    pixels = set(zip(pulses["ChannelIds"], pulses["ColumnIds"]))
-    assert len(pixels) == len(pulses)
+def test_list(capsys):
+    assert main(["info", "--scanners", "vz-400i"]) == 0
+    head, line, end = capsys.readouterr().out.splitlines()
+    assert head.split() == ["scanner", "name", "kind", "kHz", "field", "mrad", "source"]
+    words = (
+        "instruments/riegl.xml#riegl_vz400i RIEGL VZ-400i terrestrial, rotating 100-1200 100 0.35"
+    )
+    assert " ".join(line.split()).startswith(f"{words} RIEGL VZ-400i data sheet")
+    assert end.startswith("1 scanners. kHz: ")
 
 
-def test_origins_of_the_vlp16(room):
-    pulses = fly(room, "velodyne_vlp16", 0.001, scan_frequency=10).pulses
-    heights = pulses.points[:, 2] - 1.5 - 0.0377
-    beams = pulses["ChannelIds"]
-    assert heights[beams == 0] == pytest.approx(0.0112) and set(pulses.points[:, 0]) == {0}
-    # The beams cross near the axis: a low one starts high.
-    assert np.corrcoef(heights, angles_of(pulses)[1])[0, 1] < -0.999
+def test_list_of_channels_and_of_all(capsys):
+    assert main(["info", "--scanners"]) == 0
+    text = capsys.readouterr().out
+    assert "  3 x 50-300  " in text
+    assert len(text.splitlines()) == len(ALL) + 2
 
 
-@pytest.mark.parametrize("scanner", LIVOX)
-def test_livox(room, scanner):
-    rate, width, height = LIVOX[scanner]
-    cloud = fly(room, scanner, 1.0)
-    assert len(cloud) == len(cloud.pulses) == rate
-    azimuths, elevations = angles_of(cloud.pulses)
-    assert np.ptp(azimuths) == pytest.approx(width, abs=0.3)
-    assert np.ptp(elevations) == pytest.approx(height, abs=0.3)
+def test_list_as_json(capsys):
+    assert main(["info", "--scanners", "optech titan", "--json"]) == 0
+    (titan,) = json.loads(capsys.readouterr().out)["scanners"]
+    assert titan["reference"] == "instruments/optech.xml#optech_titan"
+    assert titan["pulseRate_Hz"] == 900e3
+    assert titan["fieldOfView_deg"] == 60
+    assert titan["numbers"]["scanProduct"] == 800
+    assert {each["kind"] for each in titan["sources"]} == {"checked", "sheet", "derived", "assumed"}
+
+
+def test_list_of_a_folder_with_a_damaged_file(tmp_path, capsys):
+    (tmp_path / "bad.xml").write_text("<document>")
+    (tmp_path / "own.xml").write_text(OWN)
+    assert main(["info", "--scanners", "my own", "--assets", str(tmp_path)]) == 0
+    out, err = capsys.readouterr()
+    assert "own.xml#own" in out
+    assert "warning:" in err and "bad.xml: is not readable XML" in err
+
+
+def test_errors_of_the_list(tmp_path, capsys):
+    assert main(["info", "--scanners", "riegl nothing"]) == 1
+    assert '--scanners "riegl nothing": no scanner has all these words' in capsys.readouterr().err
+    assert main(["info", "--scanners", "x", "--assets", str(tmp_path / "none")]) == 1
+    assert "none: no such folder" in capsys.readouterr().err
+    assert main(["info"]) == 2
+    assert "give a file, a run or a survey, or --scanners" in capsys.readouterr().err
+    assert main(["info", "a.las", "--scanners", "x"]) == 2

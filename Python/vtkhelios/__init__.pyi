@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkObject, 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkStructuredGrid, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm, vtkPointSetAlgorithm, vtkPolyDataAlgorithm, vtkTableAlgorithm
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from . import array_names as array_names
+from . import array_names as array_names, catalogue as catalogue
 from ._arrays import arrays as arrays
 from ._compose import Pipeline as Pipeline, select_ports as select_ports
 from ._filter import filter as filter

@@ -11,6 +11,7 @@ import os
 
 from ._paths import to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude
+from .catalogue import find_file
 from .survey import Survey, check_options, trajectory_data
 
 __all__ = ["make_survey", "scan"]
@@ -134,8 +135,8 @@ def _fill(survey, legs, scanner, platform, name, assets, settings, flies):
     shipped = importlib.import_module(__package__).data_directory()
     for folder in [*assets, shipped, shipped / "Assets"]:
         survey.AddAssetDirectory(to_vtk(folder))
-    scanner = survey.AddScannerFromFile(to_vtk(_reference("scanners.xml", scanner)))
-    platform = survey.AddPlatformFromFile(to_vtk(_reference("platforms.xml", platform)))
+    scanner = survey.AddScannerFromFile(to_vtk(_reference(scanner, find_file)))
+    platform = survey.AddPlatformFromFile(to_vtk(_reference(platform)))
     if scanner < 0 or platform < 0:
         return False
     good = not flies or survey.SetPlatformAttribute(platform, "type", "interpolated")
@@ -148,8 +149,8 @@ def _fill(survey, legs, scanner, platform, name, assets, settings, flies):
     return good and survey.Check()
 
 
-def _reference(file, name):
-    return name if "#" in name else f"{file}#{name}"
+def _reference(name, find_file=lambda _: "platforms.xml"):
+    return name if "#" in name else f"{find_file(name)}#{name}"
 
 
 def _values(leg, flies):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios info: describes and checks a file of points, a run or a survey."""
+"""vtkhelios info: describes and checks a file of points, a run or a survey; lists the scanners."""
 
 import json
 import pathlib
@@ -11,10 +11,11 @@ from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
 from ._raster import FARTHEST
-from ._reading import add_assets_argument
+from ._reading import add_assets_argument, missing_folder
+from ._scanners import list_scanners
 from ._task import Interrupted, Task
 
-SUMMARY = "describe and check a file of points, a run or a survey"
+SUMMARY = "describe and check a file of points, a run or a survey; list the scanners"
 
 EPILOG = """\
 Points, in any format of vtkhelios convert, and the folder of a run: format, bounds, spacing,
@@ -24,10 +25,15 @@ the header, return numbers, decreasing times, points that are not finite. Proble
 
 Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
 
+--scanners lists the catalogue, and the scanners in the folders of --assets: with words, those that have
+all of them in their id, name, maker, use (terrestrial, mobile, unmanned, airborne) or optics.
+
 examples:
   vtkhelios info leg000_points.laz
   vtkhelios info output/village --json
   vtkhelios info survey.xml --assets my_scenes
+  vtkhelios info --scanners
+  vtkhelios info --scanners "riegl terrestrial"
 
 exit codes: 0 done (with warnings or without), 1 failed, 2 wrong usage, 130 interrupted.
 """
@@ -37,13 +43,27 @@ MOST = 12  # maximum listed legs
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    parser.add_argument("path", metavar="FILE|RUN|SURVEY", help="points, a run, or a survey (.xml)")
+    parser.add_argument(
+        "path", metavar="FILE|RUN|SURVEY", nargs="?", help="points, a run, or a survey (.xml)"
+    )
+    parser.add_argument(
+        "--scanners",
+        metavar="WORDS",
+        nargs="?",
+        const="",
+        help="list the scanners of the catalogue that have these words (default: all)",
+    )
     add_assets_argument(parser)
     parser.add_argument("--json", action="store_true", help="print it as a JSON object")
 
 
 def run(arguments):
     with Messages(results=not arguments.json) as messages:
+        if (arguments.path is None) == (arguments.scanners is None):
+            messages.error("give a file, a run or a survey, or --scanners for the catalogue")
+            return 2
+        if arguments.scanners is not None:
+            return run_scanners(arguments, messages)
         if not pathlib.Path(arguments.path).exists():
             messages.error(f"{arguments.path}: no such file or folder; check its name")
             return 1
@@ -63,6 +83,13 @@ def run(arguments):
                 messages.error(str(error))
                 return 1
         return tell(inspection.facts, inspection.warnings, arguments, messages)
+
+
+def run_scanners(arguments, messages):
+    if problem := missing_folder(arguments.assets):
+        messages.error(problem)
+        return 1
+    return list_scanners(arguments, messages)
 
 
 def tell(facts, warnings, arguments, messages):

@@ -81,6 +81,16 @@ std::vector<XmlValueRule> MakeScannerValues()
   // clang-format on
 }
 
+/// Those of an instrument: also its place in the catalogue.
+std::vector<XmlValueRule> MakeInstrumentValues()
+{
+  std::vector<XmlValueRule> values = MakeScannerValues();
+  values.push_back(Text("maker", "for the list of vtkhelios info --scanners").Ignored());
+  values.push_back(
+    Text("use", "terrestrial, mobile, unmanned or airborne, for the same list").Ignored());
+  return values;
+}
+
 /// Those of a channel, which inherits what it does not give.
 std::vector<XmlValueRule> MakeChannelValues()
 {
@@ -115,8 +125,20 @@ std::vector<XmlElementRule> MakeScannerRules()
   // clang-format off
   return {
   { "scanner", "an instrument",
-    MakeScannerValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+    MakeInstrumentValues(),
+    { One("sources"), One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+
+  { "sources", "where the numbers of a scanner come from, for the list of vtkhelios info --scanners",
+    {},
+    { Many("source") } },
+
+  { "source", "the source of some numbers",
+    {
+      Text("kind", "checked: read in the public copy that is named; sheet: on the data sheet; derived: by the sum that is given; assumed").Ignored(),
+      Text("of", "the attributes and elements with these numbers, with blanks between them; without it all").Ignored(),
+      Text("note", "the document and its year, the sum, or the reason").Ignored(),
+    },
+    {} },
 
   { "channels", "the channels of a multi-channel instrument",
     {},

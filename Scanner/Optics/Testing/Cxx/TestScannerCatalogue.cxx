@@ -24,14 +24,15 @@
 namespace
 {
 
-/// The text from <scanner id="..." to the next scanner, without comments and the name.
+/// The text from <scanner id="..." to its sources or the next scanner, without comments and the name.
 std::string ReadScanner(const std::string& id)
 {
   const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
   std::ifstream file(root / "Data/Assets/scanners.xml");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::size_t begin = text.find("<scanner id=\"" + id + "\"");
-  const std::size_t end = std::min(text.find("<scanner", begin + 1), text.find("<!--", begin));
+  const std::size_t end = std::min({ text.find("<scanner", begin + 1), text.find("<!--", begin),
+    text.find("<sources>", begin), text.find("</document>", begin) });
   return begin < end ? text.substr(text.find("optics=", begin), end - text.find("optics=", begin))
                      : std::string();
 }
@@ -219,8 +220,8 @@ TEST_CASE(
     { "risley_uls", "livox_mid40" } };
   const auto words = [](const std::string& text)
   {
-    std::string kept; // the last one of the file is followed by </document>
-    for (const char c : text.substr(0, text.find("</document>")))
+    std::string kept;
+    for (const char c : text)
     {
       kept += std::isspace(static_cast<unsigned char>(c)) ? std::string() : std::string(1, c);
     }

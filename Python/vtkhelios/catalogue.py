@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The catalogue of scanners: what each is, and where its numbers come from.
+
+>>> for each in vtkhelios.catalogue.find_scanners("riegl terrestrial"):
+...     print(each.reference, each.pulse_frequencies[-1])
+"""
+
+import functools
+import importlib
+import pathlib
+import typing
+import xml.etree.ElementTree as ElementTree
+
+__all__ = ["KINDS", "USES", "CatalogueError", "Scanner", "Source", "find_scanners", "read_file"]
+
+KINDS = {
+    "checked": "read in the public copy that is named",
+    "sheet": "on the data sheet that is named, but not read again when the entry was written",
+    "derived": "from published numbers, by the sum that is given",
+    "assumed": "not published",
+}
+USES = ("terrestrial", "mobile", "unmanned", "airborne")
+TEXTS = ("id", "name", "maker", "use", "optics", "visModel", "scanPattern")
+SCANNERS = "scanners.xml"
+
+
+class CatalogueError(ValueError):
+    """A file of scanners that cannot be read: file, place and cure."""
+
+
+class Source(typing.NamedTuple):
+    """Where some numbers of a scanner come from."""
+
+    kind: str  # one of KINDS, or as the file has it
+    attributes: tuple  # names of attributes and elements; empty: all
+    note: str
+
+
+class Scanner(typing.NamedTuple):
+    """A scanner of the catalogue; numbers in the units of Docs/dialect.md, and only those given."""
+
+    reference: str  # as a survey names it: file.xml#id
+    id: str
+    name: str
+    maker: str  # empty: a class of instruments
+    use: str  # one of USES, or empty
+    optics: str
+    numbers: dict  # by attribute; pulseFreqs_Hz is a tuple
+    channels: int  # that fire at once
+    sources: tuple  # of Source
+
+    @property
+    def pulse_frequencies(self):
+        """Of one channel [Hz], from the lowest to the highest; empty if not given."""
+        return tuple(sorted(self.numbers.get("pulseFreqs_Hz", ())))
+
+    @property
+    def pulse_rate(self):
+        """The highest number of pulses per second of all channels [Hz], or None."""
+        frequencies = self.pulse_frequencies
+        return frequencies[-1] * self.channels if frequencies else None
+
+    @property
+    def field_of_view(self):
+        """The whole angle that is scanned [deg], or None: of prisms, it follows from the wedges."""
+        largest = self.numbers.get("scanAngleMax_deg")
+        half = self.numbers.get("scanAngleEffectiveMax_deg") or largest
+        half = half if self.optics == "rotating" else largest
+        return 2.0 * half if half and self.optics != "risley" else None
+
+    @property
+    def beam_divergence(self):
+        """The full angle at 1/e2 of the first channel [rad], or None."""
+        return self.numbers.get("beamDivergence_rad")
+
+    def source_of(self, attribute):
+        """The Source of an attribute, or None."""
+        return next(
+            (each for each in self.sources if attribute in each.attributes or not each.attributes),
+            None,
+        )
+
+
+def find_scanners(text="", assets=(), warn=None):
+    """The scanners of the catalogue and of the XML files in folders, in the order of their files.
+
+    text
+        words that all occur in the reference, name, maker, use or optics, in upper or lower case.
+        Default: none, all scanners.
+    assets
+        more folders; of each, its XML files and those of its subfolders. Default: none.
+    warn
+        called with the message of each file that cannot be read, which is then left out. Default:
+        raise CatalogueError.
+    """
+    words = text.lower().split()
+    shipped = importlib.import_module(__package__).data_directory() / "Assets"
+    found = []
+    for folder in dict.fromkeys([*map(pathlib.Path, assets), shipped]):
+        for path in [*sorted(folder.glob("*.xml")), *sorted(folder.glob("*/*.xml"))]:
+            try:
+                found += read_file(path, path.relative_to(folder).as_posix())
+            except CatalogueError as error:
+                if warn is None:
+                    raise
+                warn(str(error))
+    return [each for each in found if all(word in _searched(each) for word in words)]
+
+
+def read_file(path, name=None):
+    """The scanners of a file, whose references begin with name. Raises CatalogueError."""
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, OSError, ValueError) as error:
+        raise CatalogueError(f"{path}: is not readable XML: {error}; correct it") from None
+    name = name or pathlib.Path(path).name
+    return [_read_scanner(element, path, name) for element in root.iter("scanner")]
+
+
+@functools.cache
+def find_file(scanner):
+    """The file of the shipped catalogue that has a scanner of this id; scanners.xml if none has."""
+    found = (each.reference for each in find_scanners() if each.id == scanner)
+    return next(found, SCANNERS).partition("#")[0]
+
+
+def _searched(scanner):
+    words = (scanner.reference, scanner.name, scanner.maker, scanner.use, scanner.optics)
+    return " ".join(words).lower()
+
+
+def _read_scanner(element, path, name):
+    given = element.attrib
+    numbers = {
+        key: _number(key, value, f"{path}: scanner {given.get('id', '')}")
+        for key, value in given.items()
+        if key not in TEXTS
+    }
+    sources = tuple(
+        Source(each.get("kind", ""), tuple(each.get("of", "").split()), _one_line(each))
+        for each in element.iterfind("sources/source")
+    )
+    return Scanner(
+        f"{name}#{given.get('id', '')}",
+        given.get("id", ""),
+        given.get("name", ""),
+        given.get("maker", ""),
+        given.get("use", ""),
+        given.get("optics", ""),
+        numbers,
+        max(1, len(element.findall("channels/channel"))),
+        sources,
+    )
+
+
+def _number(key, text, where):
+    try:
+        if key == "pulseFreqs_Hz":
+            return tuple(float(word) for word in text.split(",") if word.strip())
+        return float(text)
+    except ValueError:
+        raise CatalogueError(
+            f'{where}: {key}="{text}" is not valid: expected a number; vtkhelios validate FILE '
+            "lists all errors"
+        ) from None
+
+
+def _one_line(source):
+    return " ".join(source.get("note", "").split())

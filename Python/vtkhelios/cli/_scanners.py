@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The list of vtkhelios info --scanners."""
+
+import json
+
+from ..catalogue import find_scanners
+
+COLUMNS = ("scanner", "name", "kind", "kHz", "field", "mrad", "source")
+LEGEND = (
+    "kHz: pulses per second of a channel; field: the whole angle that is scanned [deg]; mrad: full beam "
+    "divergence at 1/e2. A survey names a scanner as in the first column; Docs/instruments.md has the "
+    "source of each number"
+)
+
+
+def list_scanners(arguments, messages):
+    """Prints the scanners of the catalogue; returns the exit code."""
+    text = arguments.scanners
+    found = find_scanners(text, arguments.assets, messages.warning)
+    if not found:
+        messages.error(
+            f'--scanners "{text}": no scanner has all these words in its id, name, maker, use or optics; '
+            "vtkhelios info --scanners lists all"
+        )
+        return 1
+    if arguments.json:
+        print(json.dumps({"scanners": [facts_of(each) for each in found]}, indent=2))
+        return 0
+    rows = [COLUMNS, *map(row_of, found)]
+    widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS))]
+    for row in rows:
+        messages.info("  ".join(map(str.ljust, row, widths)).rstrip())
+    messages.info(f"{len(found)} scanners. {LEGEND}")
+    return 0
+
+
+def row_of(scanner):
+    """The words of a line."""
+    frequencies = [f"{frequency / 1e3:g}" for frequency in scanner.pulse_frequencies]
+    rate = "-".join(dict.fromkeys([*frequencies[:1], *frequencies[-1:]]))
+    return (
+        scanner.reference,
+        scanner.name,
+        ", ".join(filter(None, (scanner.use, scanner.optics))),
+        f"{scanner.channels} x {rate}" if scanner.channels > 1 else rate,
+        _figure(scanner.field_of_view),
+        _figure(scanner.beam_divergence and 1e3 * scanner.beam_divergence),
+        document_of(scanner),
+    )
+
+
+def document_of(scanner):
+    """The document of its first source, in short."""
+    note = scanner.sources[0].note if scanner.sources else ""
+    return note.partition(";")[0].partition(": ")[0]
+
+
+def _figure(value):
+    return f"{value:.4g}" if value else ""
+
+
+def facts_of(scanner):
+    """What --json prints of a scanner."""
+    return {
+        "reference": scanner.reference,
+        "id": scanner.id,
+        "name": scanner.name,
+        "maker": scanner.maker,
+        "use": scanner.use,
+        "optics": scanner.optics,
+        "channels": scanner.channels,
+        "pulseRate_Hz": scanner.pulse_rate,
+        "fieldOfView_deg": scanner.field_of_view,
+        "numbers": scanner.numbers,
+        "sources": [
+            {"kind": each.kind, "of": list(each.attributes), "note": each.note}
+            for each in scanner.sources
+        ],
+    }
