@@ -21,7 +21,8 @@ KINDS = {
     "assumed": "not published",
 }
 USES = ("terrestrial", "mobile", "unmanned", "airborne")
-TEXTS = ("id", "name", "maker", "use", "optics", "visModel", "scanPattern")
+TEXTS = ("id", "name", "maker", "use", "optics", "spin", "visModel", "scanPattern")
+LISTS = ("pulseFreqs_Hz", "facetPitches_deg", "facetRolls_deg")
 SCANNERS = "scanners.xml"
 
 
@@ -46,7 +47,7 @@ class Scanner(typing.NamedTuple):
     maker: str  # empty: a class of instruments
     use: str  # one of USES, or empty
     optics: str
-    numbers: dict  # by attribute; pulseFreqs_Hz is a tuple
+    numbers: dict  # by attribute; those of LISTS are tuples
     channels: int  # that fire at once
     sources: tuple  # of Source
 
@@ -156,7 +157,7 @@ def _read_scanner(element, path, name):
 
 def _number(key, text, where):
     try:
-        if key == "pulseFreqs_Hz":
+        if key in LISTS:
             return tuple(float(word) for word in text.split(",") if word.strip())
         return float(text)
     except ValueError:
