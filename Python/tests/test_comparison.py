@@ -12,6 +12,7 @@ import vtkhelios
 from vtkhelios import formats
 from vtkhelios.comparison._blocks import Blocks, kolmogorov_smirnov, total_variation
 from vtkhelios.comparison._inputs import find_difference
+from vtkhelios.comparison._planes import draw_equal
 from vtkhelios.comparison._pulses import Lines
 
 SIDE, ALONG, ACROSS, NOISE = 60.0, 0.25, 0.4, 0.02  # [m]
@@ -46,6 +47,8 @@ def make_survey(seed, noise=NOISE, shift=(0.0, 0.0, 0.0), slope=0.0, multiple=MU
     }  # fmt: skip
     second = {name: values[has_second] for name, values in first.items()}
     second["points"] = second["points"] - [0.0, 0.0, 3.0]
+    other = random.normal(0.0, noise, len(x)) * math.hypot(1.0, slope)
+    second["points"][:, 2] += (other - normal)[has_second]
     second["ReturnNumber"] = np.full(has_second.sum(), 2, np.uint8)
     second["ClassificationIds"] = np.full(has_second.sum(), 2, np.int32)
     columns = {name: np.concatenate([first[name], second[name]]) for name in first}
@@ -159,6 +162,35 @@ def test_a_hole_is_occluded():
     holed = other.filter(~((np.abs(x - 30) < 6) & (np.abs(y - 30) < 6)))
     row = vtkhelios.compare(cloud, holed, cell=2.0)["occluded in the other cloud"]
     assert row.a.value == pytest.approx(144 / 3600, abs=0.003) and row.b.value == 0.0
+
+
+def test_cells_are_not_occluded_where_few_points_are_expected():
+    """With 3 % of the points a cell of 2 m has one or two of the 52."""
+    cloud = make_survey(1)
+    absent = vtkhelios.compare(cloud, thin(cloud, 0.03), cell=2.0).absent
+    assert any(
+        text.startswith("occluded in the other cloud: no cell in which 5 points") for text in absent
+    )
+
+
+def test_both_clouds_give_equally_many_points_of_a_cell():
+    random = np.random.default_rng(1)
+    numbers = random.integers(0, 50, 5000), random.integers(10, 90, 1000)
+    numbers[1][numbers[1] == 20] = 21
+    counts = [
+        np.bincount(each[rows], minlength=90)
+        for each, rows in zip(numbers, draw_equal(numbers, random))
+    ]
+    both = np.minimum(*(np.bincount(each, minlength=90) for each in numbers))
+    assert np.array_equal(counts[0], np.where(both >= 10, both, 0)) and counts[0].any()
+    assert np.array_equal(*counts)
+
+
+def test_lines_of_different_strips_are_no_pairs():
+    cloud = make_survey(1)
+    cloud["LegIds"] = np.rint(cloud["GpsTime"] // 0.01).astype(np.int32)
+    absent = vtkhelios.compare(cloud, cloud).absent
+    assert any("fewer than 30 pairs of lines side by side" in text for text in absent)
 
 
 def test_distances_to_a_mesh_are_signed(tmp_path):
