@@ -20,6 +20,8 @@ read_survey(), make_survey(), scan()
     surveys from files and of scenes in memory, which run in memory (Survey).
 plan()
     positions to scan a scene from (Plan).
+compare()
+    metrics of two clouds (Comparison).
 Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
@@ -50,14 +52,15 @@ from ._extend import extend
 from ._filter import filter
 from ._pipeline import PipelineError, update
 from .cloud import Cloud, Records
+from .comparison import Comparison, compare
 from .planning import Plan, plan
 from .scanning import make_survey, scan
 from .scene import Scene
 from .survey import Survey, read_survey
 
 _own = [
-    "Cloud", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
-    "data_directory", "filter", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
+    "Cloud", "Comparison", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
+    "compare", "data_directory", "filter", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
 ]  # fmt: skip
 
 

@@ -44,6 +44,7 @@ examples:
   vtkhelios instrument os1.json -o os1.xml          a scanner from the metadata of an Ouster sensor
   vtkhelios info village.laz                        contents of a file, a run or a survey
   vtkhelios report output/village                   a report page of a run: maps, histograms, timings
+  vtkhelios compare real.laz output/village         two clouds: noise, spacing, returns, shift, heights
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
 """

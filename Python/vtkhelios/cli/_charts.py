@@ -175,3 +175,36 @@ def bars(names, values, label, axis_label):
     axes.set_xticks([tick for tick in axes.get_xticks() if tick <= 100])
     axes.grid(axis="y", visible=False)
     return to_png(figure)
+
+
+def two_histograms(edges, first, second, label, names):
+    """Fractions of two clouds in the same bins, as steps."""
+    figure, axes = _figure()
+    for fractions, colour, style, name in zip((first, second), (BLUE, ORANGE), ("-", "--"), names):
+        axes.stairs(
+            100 * fractions, edges, color=colour, linestyle=style, linewidth=1.4, label=name
+        )
+    axes.set_xlabel(label)
+    axes.set_ylabel("fraction of points [%]")
+    axes.set_xlim(edges[0], edges[-1])
+    axes.set_ylim(0, None)
+    axes.legend(frameon=False)
+    return to_png(figure)
+
+
+def intervals(names, estimates, agreements):
+    """Differences over the mean of both values, with their intervals; 0 is agreement."""
+    figure, axes = _figure(1.4 * WIDTH, max(1.5, 0.7 + 0.3 * len(names)))
+    places = np.arange(len(names))
+    axes.axvline(0.0, color=GREY, linewidth=1.0)
+    for place, (value, lower, upper), agrees in zip(places, estimates, agreements):
+        colour = BLUE if agrees else ORANGE
+        axes.plot([100 * lower, 100 * upper], [place, place], color=colour, linewidth=2.2)
+        axes.plot(100 * value, place, "o" if agrees else "D", color=colour, markersize=5)
+    axes.set_yticks(places, names)
+    axes.invert_yaxis()
+    axes.set_xlabel("difference B - A over the mean of both [%]")
+    axes.set_xscale("symlog", linthresh=1.0)
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.grid(axis="y", visible=False)
+    return to_png(figure)

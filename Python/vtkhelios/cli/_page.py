@@ -31,12 +31,12 @@ HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
 }  # fmt: skip
 
 
-def load_template():
-    """The template of the page; ImportError without Jinja2."""
+def load_template(page=PAGE):
+    """The template of a page; ImportError without Jinja2."""
     import jinja2
 
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
-    return environment.from_string(PAGE)
+    return environment.from_string(page)
 
 
 def write_page(summary, figures, reader):
@@ -83,7 +83,8 @@ def _cell(figures):
     return f"{cell:g} m" if cell >= 0.1 else f"{1000 * cell:.3g} mm"
 
 
-def _figure(title, note, png, alt):
+def make_figure(title, note, png, alt):
+    """A picture of a page."""
     return {"title": title, "note": note, "png": base64.b64encode(png).decode(), "alt": alt}
 
 
@@ -92,7 +93,7 @@ def _maps(figures, reader):
     trajectories = [reader.trajectory(name) for name in reader.files]
     paths = [places[is_near(places)] for _, places, *_ in filter(None, trajectories)]
     figures_of = [
-        _figure(
+        make_figure(
             "Density", f"cells of {_cell(figures)}; white: no point; orange: the platform",
             _charts.density_map(raster, paths),
             f"map of the density, {figures.mean_density():.3g} points/m² on average",
@@ -101,7 +102,7 @@ def _maps(figures, reader):
     if figures.overlap() is not None:
         share = 100 * figures.overlap()
         figures_of.append(
-            _figure("Overlap", f"{share:.1f} % of the non-empty cells are covered twice or more",
+            make_figure("Overlap", f"{share:.1f} % of the non-empty cells are covered twice or more",
                     _charts.strips_map(raster), f"map of the overlap, {share:.1f} %")
         )  # fmt: skip
     return figures_of
@@ -118,7 +119,9 @@ def _histograms(figures):
             note = "distance to the platform: text files have no ranges"
         median = histogram.quantile(0.5)
         png = _charts.histogram(*_focus(histogram), axis, median, unit, log=key == "width")
-        shown.append(_figure(title, note, png, f"{title}: histogram, median {median:.4g} {unit}"))
+        shown.append(
+            make_figure(title, note, png, f"{title}: histogram, median {median:.4g} {unit}")
+        )
     return shown + _bars(figures), missing
 
 
@@ -141,14 +144,14 @@ def _bars(figures):
         rest = int(figures.echoes[MOST_ECHOES:].sum())
         png = _charts.bars([*names, f"{MOST_ECHOES} or more"], [*counts, rest], "echoes",
                            "fraction of the pulses with an echo [%]")  # fmt: skip
-        found.append(_figure("Echoes per pulse", "", png, "pulses by their number of echoes"))
+        found.append(make_figure("Echoes per pulse", "", png, "pulses by their number of echoes"))
     if figures.classes.any():
         numbers = sorted(range(256), key=lambda i: -figures.classes[i])[:12]
         numbers = [i for i in numbers if figures.classes[i]]
         names = [f"{i} {CLASSES.get(i, '')}".strip() for i in numbers]
         png = _charts.bars(names, [int(figures.classes[i]) for i in numbers], "class",
                            "fraction of the points [%]")  # fmt: skip
-        found.append(_figure("Classes", "", png, "points by their class"))
+        found.append(make_figure("Classes", "", png, "points by their class"))
     return found
 
 

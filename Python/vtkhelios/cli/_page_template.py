@@ -24,7 +24,7 @@ td.text, th.text { text-align: left; } code { font-size: .82rem; overflow-wrap: 
 @media print { body { margin: 0; } figure, .tile { break-inside: avoid; } }
 """
 
-PAGE = """\
+MACROS = """\
 {% macro table(heads, rows, text=(0,), hidden=False) -%}
 <div class="wide"><table><thead{{ " hidden" if hidden }}><tr>
 {%- for head in heads -%}
@@ -50,6 +50,11 @@ PAGE = """\
 {%- endfor -%}
 </div>
 {%- endmacro -%}
+"""
+
+PAGE = (
+    MACROS
+    + """\
 <!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -78,3 +83,4 @@ between the first and the last non-empty cell of their row and of their column.<
 {{ table(("file", "size", "SHA-256"), inputs, text=(0, 2)) }}
 </body></html>
 """
+)

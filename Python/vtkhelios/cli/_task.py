@@ -68,3 +68,21 @@ class Task(Watched):
         pace = f", {rate / 1e6:.2f} M points/s" if rate else ""
         left = f", {duration(self._pace.remaining(self.total))} left" if self.total else ""
         return f"{self.name}, {self.done / 1e6:.2f} M points{pace}{left}"
+
+
+class StepWatch(Watched):
+    """The current step as a player: what shows progress and what interrupts can watch it."""
+
+    def __init__(self):
+        super().__init__()
+        self._name, self._share = "loading", 0.0
+
+    def on_step(self, name, share):
+        self._name, self._share = name, share
+        self.report()
+
+    def GetProgress(self):
+        return self._share
+
+    def GetMessage(self):
+        return self._name

@@ -23,7 +23,7 @@ from ._messages import Messages
 from ._plan_options import option_of, value_of
 from ._progress import duration, make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory
-from ._task import Interrupted, Watched
+from ._task import Interrupted, StepWatch
 from ._tradeoff_input import open_input
 from ._tradeoff_pictures import make_parts_picture, make_picture
 from ._tradeoff_report import megabytes, result_lines
@@ -193,24 +193,6 @@ def add_plan_arguments(group):
     )
 
 
-class TradeoffWatch(Watched):
-    """The current step as a player: what shows progress and what interrupts can watch it."""
-
-    def __init__(self):
-        super().__init__()
-        self._name, self._share = "loading", 0.0
-
-    def on_step(self, name, share):
-        self._name, self._share = name, share
-        self.report()
-
-    def GetProgress(self):
-        return self._share
-
-    def GetMessage(self):
-        return self._name
-
-
 def run(arguments):
     if problem := find_contradiction(arguments):
         with Messages() as messages:
@@ -270,7 +252,7 @@ def find_contradiction(arguments):
 
 def measure(found, arguments, messages):
     """The result, and the signal that ended it or 0."""
-    watch, result = TradeoffWatch(), None
+    watch, result = StepWatch(), None
     with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
         with make_progress(watch, messages, quiet=arguments.quiet):
             found.prepare(watch)

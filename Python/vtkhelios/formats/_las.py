@@ -38,7 +38,7 @@ def check_waveforms(path):
     if not has_waveforms:
         raise FormatError(
             f"{path}: is LAS {words}, which has no waveforms; give a file of point format 4, 5, 9 "
-            "or 10, such as legNNN_fullwave.las"
+            "or 10"
         )
 
 

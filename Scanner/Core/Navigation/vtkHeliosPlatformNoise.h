@@ -135,6 +135,7 @@ public:
    * [deg]. Valid range: [-180, 180]. Default: 0, 0, 0.
    */
   void SetBoresight(double x, double y, double z);
+  void SetBoresight(const double angles[3]) { this->SetBoresight(angles[0], angles[1], angles[2]); }
   const double* GetBoresight() const VTK_SIZEHINT(3) { return this->Boresight; }
   ///@}
 
@@ -144,6 +145,10 @@ public:
    * Default: 0, 0, 0.
    */
   void SetLeverArmError(double x, double y, double z);
+  void SetLeverArmError(const double error[3])
+  {
+    this->SetLeverArmError(error[0], error[1], error[2]);
+  }
   const double* GetLeverArmError() const VTK_SIZEHINT(3) { return this->LeverArmError; }
   ///@}
 
