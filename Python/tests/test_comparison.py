@@ -271,7 +271,10 @@ def test_lines_of_mirrors(mirror):
         angle = (x / SIDE - 0.5) * 30
         columns = {"GpsTime": cloud["GpsTime"], "ScanAngle": np.rint(angle)}
         if mirror == "flags":
-            columns = {"GpsTime": cloud["GpsTime"], "ScanDirection": (line % 2).astype(np.uint8)}
+            columns = {
+                "GpsTime": cloud["GpsTime"],
+                "ScanDirectionFlag": (line % 2).astype(np.uint8),
+            }
         cloud = vtkhelios.Cloud.from_arrays(points, **columns)
     row = vtkhelios.compare(cloud, cloud)["spacing across lines"]
     assert row.a.value == pytest.approx(ACROSS, rel=1e-3)

@@ -22,7 +22,7 @@ from vtkhelios.cli import main
 from vtkhelios._plan_settings import SETTINGS
 from vtkhelios.cli import _plan_check, _plan_options, _plan_report
 from vtkhelios.cli._parser import Parser
-from vtkhelios.cli._plan_watch import PlanWatch
+from vtkhelios.cli._task import PlanWatch
 from vtkhelios.cli._task import Interrupted
 from vtkhelios.planning import Step
 

@@ -23,10 +23,9 @@ from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import add_plan_arguments, given_settings, option_of
 from ._plan_report import file_lines, print_table, result_lines
-from ._plan_watch import PlanWatch
 from ._progress import make_progress
 from ._report import counted
-from ._task import Interrupted
+from ._task import Interrupted, PlanWatch
 
 SUMMARY = "find scan positions for a scene, and write the survey that scans from them"
 

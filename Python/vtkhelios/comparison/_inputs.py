@@ -12,7 +12,7 @@ from .._run_files import POINTS, SUMMARY_NAME, kind_of
 
 from ..array_names import (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INTENSITY, LEG_IDS,
-    NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION,
+    NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
 from ..cloud import data_of
 from ..formats import FormatError
@@ -21,7 +21,7 @@ from ..formats._base import Header, from_cloud, rows_of, select
 SOURCE = "Source"  # number of the file of a point
 KEPT = (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INTENSITY, LEG_IDS,
-    NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION,
+    NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
 SMALL = {ECHO_WIDTH: np.float32, AMPLITUDE: np.float32, SCAN_ANGLE: np.float32}
 FARTHEST = 1e12  # of coordinates [m]; larger ones are damaged

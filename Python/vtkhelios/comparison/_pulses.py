@@ -5,7 +5,7 @@
 import numpy as np
 
 from ..array_names import (
-    CHANNEL_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION,
+    CHANNEL_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
 from ._inputs import SOURCE
 
@@ -108,8 +108,8 @@ class Lines:
     def _number_lines(self):
         """The number of the line of each point, from changes of the scan direction."""
         ends = self._steps > GAP * self.period
-        if SCAN_DIRECTION in self._side:
-            flags = self._side[SCAN_DIRECTION][self._rows]
+        if SCAN_DIRECTION_FLAG in self._side:
+            flags = self._side[SCAN_DIRECTION_FLAG][self._rows]
             if np.ptp(flags) > 0:
                 return self._count(ends | (np.diff(flags.astype(np.int64)) != 0))
         need(self._side, SCAN_ANGLE)
