@@ -3,10 +3,7 @@
 #include "heliosPulseKernel.h"
 
 #include "heliosConstants.h"
-#include "heliosRandom.h"
-#include "heliosReturnSelection.h"
 #include "vtkHeliosBeamDeflector.h"
-#include "vtkHeliosErrorModel.h"
 
 #include <vtkMath.h>
 
@@ -21,11 +18,6 @@ namespace
 
 constexpr vtkIdType PulsesPerGroup = 32; // traced together
 constexpr double LeastShare = 0.02;      // of a full footprint, of echoes that the tolerances bound
-
-double IncidenceDegrees(double cosIncidence)
-{
-  return vtkMath::DegreesFromRadians(std::acos(std::min(1.0, cosIncidence)));
-}
 
 } // namespace
 
@@ -366,145 +358,6 @@ double PulseKernel::GetBackground()
     sum += this->Response.GetBackground(r.CellId, r.Range);
   }
   return this->Returns.empty() ? 0.0 : sum / static_cast<double>(this->Returns.size());
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
-{
-  const Pulse& pulse = this->Pulses[slot];
-  const bool isAsked = !this->Returns.empty() || this->Model.WantsPulses;
-  const double scanAngle =
-    isAsked ? this->Model.Source.Deflector->GetScanAngle(this->Indices[slot]) : 0.0;
-  const std::size_t echoesBefore = result.Echoes.size();
-  if (!this->Returns.empty())
-  {
-    ++this->Counts.PulsesHit;
-    this->SetScanFlags(this->Indices[slot]);
-    this->StoreEchoes(pulse, scanAngle, result);
-    if (this->Model.WantsWaveforms && this->HasWaveform)
-    {
-      this->StoreWaveform(pulse, result);
-    }
-    if (this->Model.WantsSubRays)
-    {
-      this->StoreSubRays(pulse, result);
-    }
-  }
-  if (this->Model.WantsPulses)
-  {
-    result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
-      scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
-  }
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::SetScanFlags(vtkIdType index)
-{
-  if (this->Model.WantsScanFlags)
-  {
-    const vtkHeliosBeamDeflector* deflector = this->Model.Source.Deflector;
-    this->ScanDirection = static_cast<unsigned char>(deflector->GetScanDirectionFlag(index));
-    this->EdgeOfFlightLine = deflector->IsEdgeOfFlightLine(index) ? 1 : 0;
-  }
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result)
-{
-  double largest = 0.0;
-  for (const Echo& echo : this->Echoes)
-  {
-    largest = std::max(largest, echo.Amplitude);
-  }
-  for (std::size_t i = 0; this->Echoes.empty() && i < this->Returns.size(); ++i)
-  {
-    largest += this->Returns[i].Power;
-  }
-  this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, largest);
-  SelectReturns(
-    this->Echoes, this->Model.ReturnSelection, this->Model.MaximumNumberOfReturns, this->Kept);
-  for (std::size_t i = 0; i < this->Kept.size(); ++i)
-  {
-    this->StoreEcho(pulse, scanAngle, this->Echoes[this->Kept[i]], i, this->Kept.size(), result);
-  }
-  this->Counts.Echoes += static_cast<vtkIdType>(this->Kept.size());
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo,
-  std::size_t number, std::size_t count, ChunkResult& result)
-{
-  const SceneSurfaces& surfaces = this->Model.Surfaces;
-  const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
-  const vtkIdType cell = echo.Nearest->CellId;
-  const int material = surfaces.GetMaterialId(cell);
-  result.Echoes.push_back({ pulse.ReportedOrigin + range * pulse.Reported, pulse.Time,
-    this->PulseId, cell, range, echo.Amplitude, echo.Width, echo.Deviation, scanAngle,
-    IncidenceDegrees(echo.Nearest->CosIncidence), pulse.Channel, material, surfaces.GetPartId(cell),
-    surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
-    static_cast<unsigned char>(count), this->ScanDirection, this->EdgeOfFlightLine });
-  if (this->Model.WantsTruth)
-  {
-    const Vec3 normal = this->Response.GetNormal(cell);
-    result.Truths.push_back({ pulse.Origin + echo.Range * pulse.GetDirection(), normal });
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The range with the errors of the instrument; number counts the echoes of the pulse from 0.
-double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t number)
-{
-  const RangeNoise& law = this->Model.Noise;
-  using Terms = vtkHeliosErrorModel;
-  const Terms* errors = this->Model.Source.Errors;
-  double range = echo.Range;
-  if (errors)
-  {
-    range += this->UseTerm(Terms::RANGE_ERROR, errors->GetRangeError(theta), theta, 0.0);
-  }
-  if (law.IsOn())
-  {
-    const auto noise = NormalPair(this->Model.Seed, RandomStream::RangeNoise,
-      static_cast<std::uint64_t>(this->PulseId), static_cast<std::uint32_t>(number));
-    const double factor = errors
-      ? this->UseTerm(Terms::RANGE_NOISE_FACTOR, errors->GetRangeNoiseFactor(range), range, 1.0)
-      : 1.0;
-    range += factor * law.GetDeviation(echo.Range, echo.Amplitude) * noise[0];
-  }
-  return range;
-}
-
-//------------------------------------------------------------------------------
-/// The value of a term of the error model; another, and counted, if it is invalid.
-double PulseKernel::UseTerm(int term, double value, double variable, double otherwise)
-{
-  if (IsUsableTerm(value))
-  {
-    return value;
-  }
-  this->Counts.Faults[static_cast<std::size_t>(term)].Add(this->PulseId, variable);
-  return otherwise;
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::StoreWaveform(const Pulse& pulse, ChunkResult& result)
-{
-  const Waveform& wave = this->Signal.GetWaveform();
-  result.Waveforms.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
-    wave.StartTime, static_cast<vtkIdType>(wave.Samples.size()), pulse.Channel });
-  result.Samples.insert(result.Samples.end(), wave.Samples.begin(), wave.Samples.end());
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::StoreSubRays(const Pulse& pulse, ChunkResult& result)
-{
-  for (const SubReturn& r : this->Returns)
-  {
-    const CastSubRay& ray = this->SubRays[static_cast<std::size_t>(r.SubRay)];
-    const Vec3 point = pulse.Origin + r.Range * ray.Direction;
-    result.SubRays.push_back(
-      { point, this->PulseId, r.CellId, ray.Weight, r.Range, IncidenceDegrees(r.CosIncidence) });
-  }
 }
 
 } // namespace helios

@@ -384,7 +384,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsColumns)
   {
     FillColumns(this->Model, echoes, this->Echoes);
-    this->Model.WantsPulses ? FillColumns(this->Model, pulses, this->Pulses) : void();
+    if (this->Model.WantsPulses)
+    {
+      FillColumns(this->Model, pulses, this->Pulses);
+    }
   }
 }
 

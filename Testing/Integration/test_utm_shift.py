@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A survey moved to UTM coordinates gives the same cloud, moved: to 1e-8 m.
 
-Where rounding decides how a beam at a limit is sampled, by a fraction of the range tolerance of 1 mm.
+At grazing incidence the rounding of the coordinates, 1e-9 m, shows up to a hundred times as large.
 """
 
 import numpy as np
@@ -64,8 +64,8 @@ def run(folder, shift):
 
 def check_same(differences):
     differences = np.abs(differences)
-    assert np.count_nonzero(differences > 1e-8) <= 2e-4 * len(differences)
-    assert differences.max() <= 1e-4
+    assert np.count_nonzero(differences > 1e-8) <= 1e-4 * len(differences)
+    assert differences.max() <= 1e-6
 
 
 @pytest.fixture(scope="module")

@@ -89,15 +89,10 @@ void Footprint::SetTiles()
 }
 
 //------------------------------------------------------------------------------
-/// Adds a polygon of a face, in tiles.
+/// Adds a polygon of a face of a wide beam, in tiles.
 void Footprint::AddTiles(
   const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
 {
-  if (this->IsFlat())
-  {
-    this->AddPart(face, this->Beam.Integrate(polygon), parts);
-    return;
-  }
   const double size = 2.0 / this->TilesAcross;
   Polygon restX = polygon;
   for (int i = 1; i <= this->TilesAcross && !restX.IsEmpty(); ++i)
@@ -228,15 +223,27 @@ void Footprint::AddVisible(
   {
     return;
   }
-  this->SetCuts(this->GetSpread(face, share));
-  if (this->Cuts.empty() && this->IsFlat())
+  this->SetCuts(face, this->GetSpread(face, share));
+  if (!this->IsFlat())
   {
-    this->AddPart(face, all, parts);
+    this->AddTiledStrips(face, share, parts);
     return;
   }
-  for (std::size_t i = share.First; i < share.Last; ++i)
+  // The parts of a strip are one, however the visible area is divided into polygons.
+  std::vector<EnergyMoments>& strips = this->StripMoments;
+  strips.assign(this->Cuts.size() + 1, EnergyMoments());
+  if (this->Cuts.empty())
   {
-    this->AddStrips(face, this->AllVisible[i].Outline, parts);
+    strips.front() = all;
+  }
+  for (std::size_t i = share.First; i < share.Last && !this->Cuts.empty(); ++i)
+  {
+    this->ForEachStrip(face, this->AllVisible[i].Outline,
+      [&](std::size_t strip, const Polygon& p) { strips[strip].Add(this->Beam.Integrate(p)); });
+  }
+  for (const EnergyMoments& moments : strips)
+  {
+    this->AddPart(face, moments, parts);
   }
 }
 
@@ -274,48 +281,45 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
 {
   const VisibleSurfaces::Face& face = this->Surfaces.GetFace(index);
   const std::size_t before = parts.size();
-  this->SetCuts(this->GetSpread(face));
-  Polygon rest = face.Outline;
-  for (std::size_t i = 0; i <= this->Cuts.size(); ++i)
+  this->SetCuts(face, this->GetSpread(face));
+  bool isGood = true;
+  this->ForEachStrip(face, face.Outline,
+    [&](std::size_t, const Polygon& strip)
+    {
+      EnergyMoments moments = this->Beam.Integrate(strip);
+      if (moments.Energy > LeastEnergy)
+      {
+        moments.Subtract(this->GetHidden(strip));
+        isGood = isGood &&
+          moments.Energy >= std::max(LeastRest, RestPerError * this->Settings.EnergyError);
+        this->AddPart(face, moments, parts);
+      }
+    });
+  if (!isGood)
   {
-    Polygon strip = rest;
-    if (i < this->Cuts.size())
-    {
-      const HalfPlane nearer = GetNearerSide(face, this->Cuts[i]);
-      strip = Clip(rest, nearer);
-      rest = Clip(rest, nearer.GetOpposite());
-    }
-    EnergyMoments moments = this->Beam.Integrate(strip);
-    if (!(moments.Energy > LeastEnergy))
-    {
-      continue;
-    }
-    moments.Subtract(this->GetHidden(strip));
-    if (moments.Energy < std::max(LeastRest, RestPerError * this->Settings.EnergyError))
-    {
-      parts.resize(before);
-      return this->AddSurface(index, parts);
-    }
-    this->AddPart(face, moments, parts);
+    parts.resize(before);
+    return this->AddSurface(index, parts);
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-/// Cuts depths at equal steps, and at the range gate.
-void Footprint::SetCuts(const Interval& interval)
+/// Cuts the depths of a part of a face at steps that begin at its nearest point in the beam, whatever
+/// the part, and at the range gate.
+void Footprint::SetCuts(const VisibleSurfaces::Face& face, const Interval& part)
 {
   this->Cuts.clear();
-  const double spread = interval.Far - interval.Near;
-  const double depth = std::min(this->Settings.Depth, LargestRatio * interval.Near);
-  const double count = std::min(MostStrips, std::ceil(spread / depth));
-  for (double k = 1.0; k < count; ++k)
+  const double near = this->GetSpread(face).Near;
+  const double depth = std::max(
+    std::min(this->Settings.Depth, LargestRatio * near), (part.Far - part.Near) / MostStrips);
+  const double first = std::max(0.0, std::floor((part.Near - near) / depth)) + 1.0;
+  for (double k = first; near + k * depth < part.Far; ++k)
   {
-    this->Cuts.push_back(interval.Near + k * spread / count);
+    this->Cuts.push_back(near + k * depth);
   }
   for (const double limit : this->Settings.Gate)
   {
-    if (limit > interval.Near && limit < interval.Far)
+    if (limit > part.Near && limit < part.Far)
     {
       this->Cuts.insert(std::upper_bound(this->Cuts.begin(), this->Cuts.end(), limit), limit);
     }
@@ -323,17 +327,30 @@ void Footprint::SetCuts(const Interval& interval)
 }
 
 //------------------------------------------------------------------------------
-void Footprint::AddStrips(
-  const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
+/// Calls use(strip, polygon) for the strips of a polygon of a face.
+template <typename UseT>
+void Footprint::ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& polygon, UseT use)
 {
   Polygon rest = polygon;
-  for (const double cut : this->Cuts)
+  for (std::size_t i = 0; i < this->Cuts.size() && !rest.IsEmpty(); ++i)
   {
-    const HalfPlane nearer = GetNearerSide(face, cut);
-    this->AddTiles(face, Clip(rest, nearer), parts);
+    const HalfPlane nearer = GetNearerSide(face, this->Cuts[i]);
+    use(i, Clip(rest, nearer));
     rest = Clip(rest, nearer.GetOpposite());
   }
-  this->AddTiles(face, rest, parts);
+  use(this->Cuts.size(), rest);
+}
+
+//------------------------------------------------------------------------------
+/// Adds the visible polygons of a face of a wide beam, in strips and tiles.
+void Footprint::AddTiledStrips(
+  const VisibleSurfaces::Face& face, const Share& share, std::vector<FootprintPart>& parts)
+{
+  for (std::size_t i = share.First; i < share.Last; ++i)
+  {
+    this->ForEachStrip(face, this->AllVisible[i].Outline,
+      [&](std::size_t, const Polygon& strip) { this->AddTiles(face, strip, parts); });
+  }
 }
 
 //------------------------------------------------------------------------------

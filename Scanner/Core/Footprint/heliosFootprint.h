@@ -117,9 +117,11 @@ private:
   EnergyMoments GetHidden(const Polygon& polygon) const;
   Interval GetSpread(const VisibleSurfaces::Face& face, const Share& share) const;
   Interval GetSpread(const VisibleSurfaces::Face& face) const;
-  void SetCuts(const Interval& interval);
-  void AddStrips(
-    const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
+  void SetCuts(const VisibleSurfaces::Face& face, const Interval& part);
+  template <typename UseT>
+  void ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& polygon, UseT use);
+  void AddTiledStrips(
+    const VisibleSurfaces::Face& face, const Share& share, std::vector<FootprintPart>& parts);
   /// Of depths [m].
   struct Spread
   {
@@ -138,10 +140,11 @@ private:
   ConeView View;
   std::vector<Facet> Facets;
   std::vector<Visible> AllVisible;
-  std::vector<Share> Shares;          ///< of the faces
-  std::vector<std::size_t> Backdrops; ///< faces
-  std::vector<double> Cuts;           ///< depths between strips of a face [m]
-  int TilesAcross = 1;                ///< of a wide beam: within one, ranges at one depth are equal
+  std::vector<Share> Shares;               ///< of the faces
+  std::vector<std::size_t> Backdrops;      ///< faces
+  std::vector<double> Cuts;                ///< depths between strips of a face [m]
+  std::vector<EnergyMoments> StripMoments; ///< of a face
+  int TilesAcross = 1; ///< of a wide beam: within one, ranges at one depth are equal
   FootprintRaster Raster;
   std::vector<double> Profile;        ///< of the beam, along a row of the raster
   std::vector<Strips> AllStrips;      ///< of the faces

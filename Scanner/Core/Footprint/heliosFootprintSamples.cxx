@@ -17,7 +17,8 @@ void Footprint::SetStrips()
   std::size_t strips = 0;
   for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
   {
-    this->SetCuts(this->GetSpread(this->Surfaces.GetFace(i)));
+    const VisibleSurfaces::Face& face = this->Surfaces.GetFace(i);
+    this->SetCuts(face, this->GetSpread(face));
     this->AllStrips.push_back({ this->AllCuts.size(), strips, this->Cuts.size() });
     this->AllCuts.insert(this->AllCuts.end(), this->Cuts.begin(), this->Cuts.end());
     strips += this->Cuts.size() + 1;

@@ -1,185 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosConeProbe.h"
-#include "heliosFootprint.h"
-
+#include "heliosFootprintScene.h"
 #include "heliosPose.h"
-#include "vtkHeliosBeamRayCaster.h"
-#include "vtkHeliosBeamSampler.h"
 
 #include <catch2/catch.hpp>
 
-#include <vtkCellArray.h>
 #include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
-#include <tuple>
 #include <vector>
 
 using helios::Footprint;
 using helios::FootprintPart;
-using helios::FootprintSettings;
 using helios::Vec3;
+using namespace helios::testing;
 
 namespace
 {
-
-struct Cell
-{
-  double Energy = 0.0;
-  double Mean = 0.0;   // of the ranges
-  double Square = 0.0; // of their deviations from the mean
-};
-using Cells = std::map<vtkIdType, Cell>;
-
-/// Sums over sub-rays, or parts, of each cell.
-template <typename ItemsT>
-Cells Summarize(const ItemsT& items)
-{
-  Cells cells;
-  for (const auto& [id, energy, range] : items)
-  {
-    cells[id].Energy += energy;
-    cells[id].Mean += energy * range;
-  }
-  for (auto& [id, cell] : cells)
-  {
-    cell.Mean /= cell.Energy;
-  }
-  for (const auto& [id, energy, range] : items)
-  {
-    cells[id].Square += energy * (range - cells[id].Mean) * (range - cells[id].Mean);
-  }
-  return cells;
-}
-
-Cells SummarizeParts(const std::vector<FootprintPart>& parts)
-{
-  std::vector<std::tuple<vtkIdType, double, double>> items;
-  for (const FootprintPart& part : parts)
-  {
-    items.emplace_back(part.Cell, part.Energy, part.Range);
-  }
-  return Summarize(items);
-}
-
-/// A scene along y, and a beam along y from the origin.
-class Scene
-{
-public:
-  explicit Scene(double w = 1e-3)
-  {
-    this->Points->SetDataTypeToDouble();
-    this->Settings.HalfAngle = w;
-  }
-
-  void AddTriangle(const double (&corners)[3][3])
-  {
-    this->Polys->InsertNextCell({ this->Points->InsertNextPoint(corners[0]),
-      this->Points->InsertNextPoint(corners[1]), this->Points->InsertNextPoint(corners[2]) });
-  }
-
-  /// A wall at y, its upper or left part beyond an edge through x, z.
-  void AddWall(double y, double left, double low)
-  {
-    constexpr double far = 50.0;
-    this->AddTriangle({ { left, y, low }, { left + far, y, low }, { left + far, y, low + far } });
-    this->AddTriangle({ { left, y, low }, { left + far, y, low + far }, { left, y, low + far } });
-  }
-
-  void Build()
-  {
-    this->Mesh->SetPoints(this->Points);
-    this->Mesh->SetPolys(this->Polys);
-    REQUIRE(this->Caster->Build(this->Mesh));
-  }
-
-  std::vector<FootprintPart> FindParts()
-  {
-    std::vector<FootprintPart> parts;
-    Footprint footprint(this->Settings, this->AreAlike);
-    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
-    REQUIRE(footprint.Divide(parts));
-    return parts;
-  }
-
-  /// The same by cells; one of step * step.
-  Cells Sample(int across, int step = 1)
-  {
-    std::vector<FootprintPart> parts;
-    Footprint footprint(this->Settings, this->AreAlike);
-    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
-    footprint.Draw(across);
-    footprint.Sample(step, parts);
-    return SummarizeParts(parts);
-  }
-
-  bool Collect() const
-  {
-    return Footprint(this->Settings).Collect(*this->Caster->GetConeProbe(), Origin, Axis);
-  }
-
-  bool IsFlat() const
-  {
-    Footprint footprint(this->Settings);
-    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
-    return footprint.IsFlat() && footprint.AreEdgesStraight();
-  }
-
-  Cells GetFootprint() { return SummarizeParts(this->FindParts()); }
-
-  /// The same by sub-rays.
-  Cells Trace() { return Summarize(this->TraceAll()); }
-
-  double GetEnergyBetween(double near, double far)
-  {
-    double sum = 0.0;
-    for (const auto& [id, energy, range] : this->TraceAll())
-    {
-      sum += range > near && range < far ? energy : 0.0;
-    }
-    return sum;
-  }
-
-  static constexpr double Origin[3] = { 0, 0, 0 };
-  static constexpr double Axis[3] = { 0, 1, 0 };
-  FootprintSettings Settings;
-  helios::FacetMaker::AreAlike AreAlike; ///< none: no triangles are joined
-  vtkNew<vtkPolyData> Mesh;
-
-private:
-  std::vector<std::tuple<vtkIdType, double, double>> TraceAll()
-  {
-    vtkNew<vtkHeliosBeamSampler> sampler;
-    sampler->SetBeamDivergence(2.0 * this->Settings.HalfAngle);
-    sampler->SetTruncation(this->Settings.Truncation);
-    sampler->SetPatternToVogel();
-    sampler->SetNumberOfSubRays(65536);
-    std::vector<std::tuple<vtkIdType, double, double>> items;
-    for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
-    {
-      vtkHeliosRay ray{ { 0, 0, 0 }, { 0, 0, 0 } };
-      sampler->GetDirection(k, ray.Direction);
-      vtkHeliosHit hit;
-      this->Caster->Intersect(&ray, &hit, 1);
-      if (hit.CellId >= 0)
-      {
-        items.emplace_back(hit.CellId, sampler->GetWeight(k), hit.Range);
-      }
-    }
-    return items;
-  }
-
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Polys;
-  vtkNew<vtkHeliosBeamRayCaster> Caster;
-};
 
 double GetEnergy(const Cells& cells, vtkIdType id)
 {
@@ -220,7 +59,8 @@ void CheckSame(const Cells& cells, const Cells& traced, vtkIdType count, double 
 }
 
 /// Triangles in a cone of 0.15 m radius at 100 m.
-void Scatter(Scene& scene, std::mt19937& random, int count, double size, double depth, double thin)
+void Scatter(
+  FootprintScene& scene, std::mt19937& random, int count, double size, double depth, double thin)
 {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   for (int i = 0; i < count; ++i)
@@ -247,7 +87,8 @@ void Scatter(Scene& scene, std::mt19937& random, int count, double size, double 
 }
 
 /// Leaves of 4 triangles each in a cone of 0.15 m radius at 100 m: hexagons.
-void ScatterLeaves(Scene& scene, std::mt19937& random, int count, double radius, double depth)
+void ScatterLeaves(
+  FootprintScene& scene, std::mt19937& random, int count, double radius, double depth)
 {
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   for (int i = 0; i < count; ++i)
@@ -277,7 +118,7 @@ void ScatterLeaves(Scene& scene, std::mt19937& random, int count, double radius,
 
 /// A surface of n x n cells of two triangles each, 0.5 m wide at 100 m, but for one cell.
 template <typename HeightT>
-void AddField(Scene& scene, int n, int hole, HeightT height)
+void AddField(FootprintScene& scene, int n, int hole, HeightT height)
 {
   const auto at = [&](int i, int k, double* corner)
   {
@@ -325,7 +166,7 @@ TEST_CASE(
   const double steep = GENERATE(0.0, 0.5, 40.0); // m: the last one hides some of itself
   const bool hasLeaf = GENERATE(false, true);
   CAPTURE(hole, steep, hasLeaf);
-  Scene scene;
+  FootprintScene scene;
   AddField(scene, n, hole,
     [steep](double x, double z)
     { return steep * (std::sin(31.0 * x) * std::cos(23.0 * z) + 5.0 * x); });
@@ -349,7 +190,7 @@ TEST_CASE(
 
 TEST_CASE("Triangles of one plane are one surface if their responses are alike")
 {
-  Scene scene;
+  FootprintScene scene;
   std::mt19937 random(3);
   ScatterLeaves(scene, random, 80, 0.03, 3.0);
   scene.AddWall(110.0, -25.0, -25.0);
@@ -383,7 +224,7 @@ TEST_CASE("The visible parts of triangles have the energies that sub-rays find")
   for (unsigned seed = 0; seed < 3; ++seed)
   {
     CAPTURE(kind.Count, kind.Size, seed);
-    Scene scene;
+    FootprintScene scene;
     std::mt19937 random(seed);
     Scatter(scene, random, kind.Count, kind.Size, kind.Depth, kind.Thin);
     scene.AddWall(110.0, -25.0, -25.0);
@@ -395,7 +236,7 @@ TEST_CASE("The visible parts of triangles have the energies that sub-rays find")
 
 TEST_CASE("A wide beam has the energies that sub-rays find")
 {
-  Scene scene(0.2);
+  FootprintScene scene(0.2);
   std::mt19937 random(7);
   Scatter(scene, random, 100, 20.0, 20.0, 1.0);
   scene.Settings.Depth = 0.5;
@@ -406,7 +247,7 @@ TEST_CASE("A wide beam has the energies that sub-rays find")
 TEST_CASE("A part of a wide beam is as far as its sub-rays on average")
 {
   constexpr double w = 0.02;
-  Scene scene(w);
+  FootprintScene scene(w);
   scene.AddWall(2.0, -25.0, -25.0);
   scene.Build();
   const std::vector<FootprintPart> parts = scene.FindParts();
@@ -421,7 +262,7 @@ TEST_CASE("A part of a wide beam is as far as its sub-rays on average")
 
 TEST_CASE("Of coincident triangles the first one is visible")
 {
-  Scene scene;
+  FootprintScene scene;
   for (int i = 0; i < 4; ++i)
   {
     scene.AddTriangle({ { -1, 100, -1 }, { 1, 100, -1 }, { 0, 100, 2 } });
@@ -434,7 +275,7 @@ TEST_CASE("Of coincident triangles the first one is visible")
 
 TEST_CASE("A beam past all triangles has no parts, and before a wall all energy")
 {
-  Scene scene;
+  FootprintScene scene;
   scene.AddTriangle({ { 1, 100, -1 }, { 2, 100, -1 }, { 1, 100, 2 } });
   scene.AddTriangle({ { -1, -10, -1 }, { 1, -10, -1 }, { 0, -10, 2 } }); // behind the origin
   SECTION("nothing")
@@ -455,7 +296,7 @@ TEST_CASE("A beam past all triangles has no parts, and before a wall all energy"
 
 TEST_CASE("Parts end at the range gate, and spread over no more than the depth")
 {
-  Scene scene(1e-2);
+  FootprintScene scene(1e-2);
   // A plane along the beam: depths of 80 to 130 m.
   scene.AddTriangle({ { -100, 80, -1.2 }, { 100, 80, -1.2 }, { 0, 1e4, 200 } });
   scene.Settings.Depth = 0.5;
@@ -476,7 +317,7 @@ TEST_CASE("Parts end at the range gate, and spread over no more than the depth")
 
 TEST_CASE("Where a beam has a waist, its radius is that of a Gaussian beam")
 {
-  Scene scene(1.5e-4);
+  FootprintScene scene(1.5e-4);
   scene.Settings.Truncation = 3.0;
   scene.Settings.ApexOffset = 22.0;
   scene.AddWall(10.0, -25.0, 0.002); // above 2 mm
@@ -492,7 +333,7 @@ TEST_CASE("Where a beam has a waist, its radius is that of a Gaussian beam")
 
 TEST_CASE("Too many triangles in a beam are not collected")
 {
-  Scene scene;
+  FootprintScene scene;
   std::mt19937 random(1);
   Scatter(scene, random, static_cast<int>(1.5 * Footprint::MostTriangles), 0.002, 1.0, 1.0);
   scene.Build();
@@ -501,7 +342,7 @@ TEST_CASE("Too many triangles in a beam are not collected")
 
 TEST_CASE("A wide beam is not flat where its ranges at one depth differ")
 {
-  Scene scene(0.05); // the rim is 0.28 % farther
+  FootprintScene scene(0.05); // the rim is 0.28 % farther
   scene.AddWall(10.0, -25.0, -25.0);
   scene.Settings.Depth = 0.2;
   scene.Build();
@@ -512,7 +353,7 @@ TEST_CASE("A wide beam is not flat where its ranges at one depth differ")
 
 TEST_CASE("Parts of a wide beam spread over the ranges of its sub-rays")
 {
-  Scene scene(0.05);
+  FootprintScene scene(0.05);
   scene.AddWall(10.0, -25.0, -25.0);
   scene.Settings.Depth = 0.02;
   scene.Build();
@@ -530,7 +371,7 @@ TEST_CASE("Parts of a wide beam spread over the ranges of its sub-rays")
 TEST_CASE("A beam with a waist is not flat where it bends edges")
 {
   const double depth = GENERATE(10.0, 10.001);
-  Scene scene(1e-3);
+  FootprintScene scene(1e-3);
   scene.Settings.ApexOffset = 5.0;
   scene.AddTriangle({ { -1, 10, 0 }, { 1, 10, 0 }, { 0.001, depth == 10.0 ? 10.0 : 14.0, 1 } });
   scene.Build();
@@ -540,7 +381,7 @@ TEST_CASE("A beam with a waist is not flat where it bends edges")
 TEST_CASE("Cells see the visible areas")
 {
   const int count = GENERATE(1, 20, 400);
-  Scene scene;
+  FootprintScene scene;
   std::mt19937 random(static_cast<unsigned>(count));
   Scatter(scene, random, count, count > 100 ? 0.03 : 0.1, 1.0, 1.0);
   scene.AddWall(103.0, -25.0, -25.0);
@@ -567,7 +408,7 @@ TEST_CASE("Cells see the visible areas")
 
 TEST_CASE("Cells that are left out change little, and faces without gaps leave none")
 {
-  Scene scene;
+  FootprintScene scene;
   for (int i = -40; i < 40; ++i) // a fan about the axis, with corners on no cell
   {
     const double turn = 0.0785398 * i;

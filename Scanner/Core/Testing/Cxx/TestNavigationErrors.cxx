@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Slow errors, boresight, lever arm error and clock offset of vtkHeliosPlatformNoise.
-#include "heliosScannerBench.h"
-#include "vtkHeliosPlatformNoise.h"
+#include "heliosNoiseBench.h"
 
 #include <vtkMath.h>
-#include <vtkSMPTools.h>
 
 #include <catch2/catch.hpp>
 
@@ -68,34 +66,9 @@ double GetStandardError(double r, int lag, std::size_t n)
   return std::sqrt(sum / static_cast<double>(n));
 }
 
-/// A scanner facing a wall along y, with errors; the tripod is level and faces the wall.
-struct ErrorBench : Bench
-{
-  vtkNew<Noise> Errors;
-
-  ErrorBench()
-    : Bench(MakeScene({ Wall(40) }), { 1, 2, 3 })
-  {
-    this->Scanner->GetBeamSampler()->SetBeamDivergence(0);
-    this->Scanner->SetPlatformNoise(this->Errors);
-    this->Scanner->SetSeed(11);
-    this->Scanner->SetFirstPulseId(5);
-    this->Scanner->GeneratePulsesOn();
-    this->Scanner->GenerateTruthOn();
-  }
-
-  vtkPolyData* Pulses() { return vtkPolyData::SafeDownCast(this->Scanner->GetOutputDataObject(2)); }
-  double Time(vtkIdType row) { return Value(this->Scanner->GetOutput(), names::GpsTime, row); }
-  Vec3 TruePoint(vtkIdType row)
-  {
-    vtkDataArray* array = this->Scanner->GetOutput()->GetPointData()->GetArray(names::TruePoint);
-    return Vec3(array->GetTuple3(row));
-  }
-};
-
 bool AreNear(const Vec3& a, const Vec3& b)
 {
-  return (a - b).Norm() < 1e-12 * (1 + b.Norm());
+  return helios::testing::AreNear(a, b, 1e-12);
 }
 
 } // namespace
@@ -198,44 +171,44 @@ TEST_CASE("NavigationErrors: components and seeds are independent", "[Navigation
 TEST_CASE("NavigationErrors: slow errors displace points by their value at the GPS time",
   "[NavigationErrors]")
 {
-  ErrorBench bench;
-  bench.Errors->SetSlowError(Noise::POSITION_X, 0.5, 1e-2);
-  bench.Errors->SetSlowError(Noise::POSITION_Y, 0.2, 1e-2);
-  CHECK(bench.Errors->IsOn());
-  CHECK(bench.Errors->HasErrors());
-  CHECK_FALSE(bench.Errors->HasNoise());
+  NoiseBench bench;
+  bench.Noise->SetSlowError(Noise::POSITION_X, 0.5, 1e-2);
+  bench.Noise->SetSlowError(Noise::POSITION_Y, 0.2, 1e-2);
+  CHECK(bench.Noise->IsOn());
+  CHECK(bench.Noise->HasErrors());
+  CHECK_FALSE(bench.Noise->HasNoise());
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
   for (vtkIdType i = 0; i < 1000; ++i)
   {
-    const Values v = Get(bench.Errors, bench.Time(i), 11);
+    const Values v = Get(bench.Noise, bench.Time(i), 11);
     REQUIRE(Vec3(bench.Pulses()->GetPoint(i)) == Vec3(1, 2, 3));
     REQUIRE(AreNear(bench.TruePoint(i), { 1 + v[0], 40, 3 }));
     REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { 1, 40 - v[1], 3 }));
   }
-  bench.Errors->SetSlowError(Noise::POSITION_X, 0.0, 1.0);
-  bench.Errors->SetSlowError(Noise::POSITION_Y, 0.0, 1.0);
-  bench.Errors->SetSlowError(Noise::ATTITUDE_Z, 2.0, 1e-2);
+  bench.Noise->SetSlowError(Noise::POSITION_X, 0.0, 1.0);
+  bench.Noise->SetSlowError(Noise::POSITION_Y, 0.0, 1.0);
+  bench.Noise->SetSlowError(Noise::ATTITUDE_Z, 2.0, 1e-2);
   bench.Run();
   for (vtkIdType i = 0; i < 1000; ++i)
   {
-    const double yaw = vtkMath::RadiansFromDegrees(Get(bench.Errors, bench.Time(i), 11)[5]);
+    const double yaw = vtkMath::RadiansFromDegrees(Get(bench.Noise, bench.Time(i), 11)[5]);
     REQUIRE(AreNear(bench.TruePoint(i), { 1 - 38 * std::tan(yaw), 40, 3 }));
   }
 }
 
 TEST_CASE("NavigationErrors: motion is known, errors are not", "[NavigationErrors]")
 {
-  ErrorBench bench;
-  bench.Errors->SetNormal(Noise::POSITION_X, 0.0, 0.5);
-  bench.Errors->SetSlowError(Noise::POSITION_Z, 0.3, 1e-2);
-  bench.Errors->SetClockOffset(1e-3); // the tripod stands still
+  NoiseBench bench;
+  bench.Noise->SetNormal(Noise::POSITION_X, 0.0, 0.5);
+  bench.Noise->SetSlowError(Noise::POSITION_Z, 0.3, 1e-2);
+  bench.Noise->SetClockOffset(1e-3); // the tripod stands still
   vtkPolyData* echoes = bench.Run();
   for (vtkIdType i = 0; i < 1000; ++i)
   {
     double jitter[6];
-    bench.Errors->GetValues(11, 5 + i, jitter);
-    const Values v = Get(bench.Errors, bench.Time(i), 11);
+    bench.Noise->GetValues(11, 5 + i, jitter);
+    const Values v = Get(bench.Noise, bench.Time(i), 11);
     REQUIRE(AreNear(Vec3(bench.Pulses()->GetPoint(i)), { 1 + jitter[0], 2, 3 }));
     REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { 1 + jitter[0], 40, 3 }));
     REQUIRE(AreNear(bench.TruePoint(i), { 1 + jitter[0], 40, 3 + v[2] }));
@@ -244,11 +217,11 @@ TEST_CASE("NavigationErrors: motion is known, errors are not", "[NavigationError
 
 TEST_CASE("NavigationErrors: boresight turns the beam about the mount", "[NavigationErrors]")
 {
-  ErrorBench bench;
+  NoiseBench bench;
   bench.Scanner->SetMountPosition(0.2, 0.5, -0.3);
   bench.Scanner->SetBeamOrigin(0.0, 0.1, 0.05);
-  bench.Errors->SetBoresight(1.0, 2.0, 3.0);
-  bench.Errors->SetLeverArmError(0.01, 0.02, 0.03);
+  bench.Noise->SetBoresight(1.0, 2.0, 3.0);
+  bench.Noise->SetLeverArmError(0.01, 0.02, 0.03);
   vtkPolyData* echoes = bench.Run();
   const auto boresight = helios::AxisAngle({ 1, 0, 0 }, 1) * helios::AxisAngle({ 0, 1, 0 }, 2) *
     helios::AxisAngle({ 0, 0, 1 }, 3);
@@ -264,7 +237,7 @@ TEST_CASE("NavigationErrors: boresight turns the beam about the mount", "[Naviga
 TEST_CASE(
   "NavigationErrors: a clock offset shifts points along the trajectory", "[NavigationErrors]")
 {
-  ErrorBench bench;
+  NoiseBench bench;
   // A flight along x, 10 m/s from x = 0 at 0 s; the wall is at y = 40.
   vtkNew<vtkPolyData> flight;
   vtkNew<vtkPoints> points;
@@ -285,7 +258,7 @@ TEST_CASE(
   flight->GetPointData()->AddArray(orientations);
   bench.Scanner->SetInputData(1, flight);
   bench.Scanner->SetStartTime(0.5);
-  bench.Errors->SetClockOffset(2e-3);
+  bench.Noise->SetClockOffset(2e-3);
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() > 100);
   for (vtkIdType i = 0; i < 100; ++i)
@@ -300,42 +273,20 @@ TEST_CASE("NavigationErrors: byte-identical for any number of threads and pieces
           "errors",
   "[NavigationErrors]")
 {
-  ErrorBench bench;
+  NoiseBench bench;
   const std::string quiet = Bytes(bench.Run());
   for (int component = 0; component < 6; ++component)
   {
-    bench.Errors->SetSlowError(component, 0.1, 0.01 * (1 + component));
+    bench.Noise->SetSlowError(component, 0.1, 0.01 * (1 + component));
   }
-  bench.Errors->SetBoresight(0.1, 0.2, 0.3);
-  vtkSMPTools::Initialize(1);
-  const std::string whole = Bytes(bench.Run());
-  CHECK(whole != quiet);
-  const vtkIdType count = bench.Scanner->GetOutput()->GetNumberOfPoints();
-  std::vector<Vec3> points;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    points.emplace_back(bench.Scanner->GetOutput()->GetPoint(i));
-  }
-  vtkSMPTools::Initialize(2);
-  bench.Scanner->Modified();
-  CHECK(Bytes(bench.Run()) == whole);
-  vtkIdType at = 0;
-  for (int piece = 0; piece < 7; ++piece)
-  {
-    bench.Scanner->UpdatePiece(piece, 7, 0);
-    vtkPolyData* part = bench.Scanner->GetOutput();
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i, ++at)
-    {
-      REQUIRE(Vec3(part->GetPoint(i)) == points[static_cast<std::size_t>(at)]);
-    }
-  }
-  CHECK(at == count);
+  bench.Noise->SetBoresight(0.1, 0.2, 0.3);
+  CHECK(CheckThreadsAndPieces(bench) != quiet);
   for (int component = 0; component < 6; ++component)
   {
-    bench.Errors->SetSlowError(component, 0.0, 1.0);
+    bench.Noise->SetSlowError(component, 0.0, 1.0);
   }
-  bench.Errors->SetBoresight(0, 0, 0);
-  CHECK_FALSE(bench.Errors->IsOn());
+  bench.Noise->SetBoresight(0, 0, 0);
+  CHECK_FALSE(bench.Noise->IsOn());
   CHECK(Bytes(bench.Run()) == quiet);
 }
 

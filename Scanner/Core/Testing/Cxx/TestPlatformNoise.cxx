@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosScannerBench.h"
-#include "vtkHeliosPlatformNoise.h"
-
-#include <vtkSMPTools.h>
+#include "heliosNoiseBench.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
@@ -44,34 +40,15 @@ std::array<double, 4> GetMoments(Noise* noise, int component, int count)
   return sums;
 }
 
-/// A scanner facing a wall along y, with noise.
-struct NoiseBench : Bench
+/// The noise of an echo's pulse.
+Values At(NoiseBench& bench, vtkIdType row)
 {
-  vtkNew<Noise> Shaking;
-
-  NoiseBench()
-    : Bench(MakeScene({ Wall(40) }), { 1, 2, 3 })
-  {
-    this->Scanner->GetBeamSampler()->SetBeamDivergence(0);
-    this->Scanner->SetPlatformNoise(this->Shaking);
-    this->Scanner->SetSeed(11);
-    this->Scanner->SetFirstPulseId(5);
-    this->Scanner->GeneratePulsesOn();
-    this->Scanner->GenerateTruthOn();
-  }
-
-  Values At(vtkIdType row) { return Get(this->Shaking, 5 + row, 11); }
-  vtkPolyData* Pulses() { return vtkPolyData::SafeDownCast(this->Scanner->GetOutputDataObject(2)); }
-  Vec3 TruePoint(vtkIdType row)
-  {
-    vtkDataArray* array = this->Scanner->GetOutput()->GetPointData()->GetArray(names::TruePoint);
-    return Vec3(array->GetTuple3(row));
-  }
-};
+  return Get(bench.Noise, 5 + row, 11);
+}
 
 bool AreNear(const Vec3& a, const Vec3& b)
 {
-  return (a - b).Norm() < 1e-13 * (1 + b.Norm());
+  return helios::testing::AreNear(a, b, 1e-13);
 }
 
 } // namespace
@@ -195,14 +172,14 @@ TEST_CASE("PlatformNoise: a value holds for its lifespan", "[PlatformNoise]")
 TEST_CASE("PlatformNoise: motion moves points along surfaces", "[PlatformNoise]")
 {
   NoiseBench bench;
-  bench.Shaking->SetNormal(Noise::POSITION_X, 0.0, 0.5);
-  bench.Shaking->SetNormal(Noise::POSITION_Y, 0.1, 0.2);
-  bench.Shaking->SetUniform(Noise::POSITION_Z, -1.0, 1.0);
+  bench.Noise->SetNormal(Noise::POSITION_X, 0.0, 0.5);
+  bench.Noise->SetNormal(Noise::POSITION_Y, 0.1, 0.2);
+  bench.Noise->SetUniform(Noise::POSITION_Z, -1.0, 1.0);
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
   for (vtkIdType i = 0; i < 1000; ++i)
   {
-    const Values v = bench.At(i);
+    const Values v = At(bench, i);
     const Vec3 origin(1 + v[0], 2 + v[1], 3 + v[2]);
     REQUIRE(AreNear(Vec3(bench.Pulses()->GetPoint(i)), origin));
     REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { origin[0], 40, origin[2] }));
@@ -214,16 +191,16 @@ TEST_CASE("PlatformNoise: motion moves points along surfaces", "[PlatformNoise]"
 TEST_CASE("PlatformNoise: navigation error moves points off surfaces", "[PlatformNoise]")
 {
   NoiseBench bench;
-  bench.Shaking->SetModeToNavigationError();
+  bench.Noise->SetModeToNavigationError();
   SECTION("of position: the opposite offset")
   {
-    bench.Shaking->SetNormal(Noise::POSITION_X, 0.0, 0.5);
-    bench.Shaking->SetNormal(Noise::POSITION_Y, 0.1, 0.2);
+    bench.Noise->SetNormal(Noise::POSITION_X, 0.0, 0.5);
+    bench.Noise->SetNormal(Noise::POSITION_Y, 0.1, 0.2);
     vtkPolyData* echoes = bench.Run();
     REQUIRE(echoes->GetNumberOfPoints() == 1000);
     for (vtkIdType i = 0; i < 1000; ++i)
     {
-      const Values v = bench.At(i);
+      const Values v = At(bench, i);
       REQUIRE(Vec3(bench.Pulses()->GetPoint(i)) == Vec3(1, 2, 3));
       REQUIRE(AreNear(bench.TruePoint(i), { 1 + v[0], 40, 3 }));
       REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { 1, 40 - v[1], 3 }));
@@ -231,12 +208,12 @@ TEST_CASE("PlatformNoise: navigation error moves points off surfaces", "[Platfor
   }
   SECTION("of attitude: the range is that of the true beam")
   {
-    bench.Shaking->SetNormal(Noise::ATTITUDE_Z, 0.0, 2.0);
+    bench.Noise->SetNormal(Noise::ATTITUDE_Z, 0.0, 2.0);
     vtkPolyData* echoes = bench.Run();
     REQUIRE(echoes->GetNumberOfPoints() == 1000);
     for (vtkIdType i = 0; i < 1000; ++i)
     {
-      const double yaw = vtkMath::RadiansFromDegrees(bench.At(i)[5]);
+      const double yaw = vtkMath::RadiansFromDegrees(At(bench, i)[5]);
       REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { 1, 2 + 38 / std::cos(yaw), 3 }));
       REQUIRE(AreNear(bench.TruePoint(i), { 1 - 38 * std::tan(yaw), 40, 3 }));
     }
@@ -250,12 +227,12 @@ TEST_CASE(
   bench.Tripod->SetHeading(90); // forward is x, towards the wall
   bench.Scanner->SetInputData(0, MakeScene({ { { 40, -50, -50 }, { 0, 100, 0 }, { 0, 0, 100 } } }));
   bench.Scanner->SetMountPosition(0, 0.5, 2);
-  bench.Shaking->SetNormal(Noise::ATTITUDE_X, 0.0, 2.0); // nose up, for any heading
+  bench.Noise->SetNormal(Noise::ATTITUDE_X, 0.0, 2.0); // nose up, for any heading
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
   for (vtkIdType i = 0; i < 1000; ++i)
   {
-    const double up = vtkMath::RadiansFromDegrees(bench.At(i)[3]);
+    const double up = vtkMath::RadiansFromDegrees(At(bench, i)[3]);
     const double c = std::cos(up), s = std::sin(up);
     const Vec3 origin(1 + 0.5 * c - 2 * s, 2, 3 + 0.5 * s + 2 * c);
     REQUIRE(AreNear(Vec3(bench.Pulses()->GetPoint(i)), origin));
@@ -263,13 +240,13 @@ TEST_CASE(
     REQUIRE(AreNear(Vec3(echoes->GetPoint(i)), { 40, 2, origin[2] + range * s }));
   }
   // All three: x, then y, then z of the body.
-  bench.Shaking->SetNormal(Noise::ATTITUDE_Y, 0.0, 3.0);
-  bench.Shaking->SetNormal(Noise::ATTITUDE_Z, 0.0, 4.0);
+  bench.Noise->SetNormal(Noise::ATTITUDE_Y, 0.0, 3.0);
+  bench.Noise->SetNormal(Noise::ATTITUDE_Z, 0.0, 4.0);
   bench.Run();
   vtkDataArray* directions = bench.Pulses()->GetPointData()->GetArray(names::Direction);
   for (vtkIdType i = 0; i < 100; ++i)
   {
-    const Values v = bench.At(i);
+    const Values v = At(bench, i);
     const helios::Quaternion a = helios::AxisAngle({ 0, 0, 1 }, -90) *
       helios::AxisAngle({ 1, 0, 0 }, v[3]) * helios::AxisAngle({ 0, 1, 0 }, v[4]) *
       helios::AxisAngle({ 0, 0, 1 }, v[5]);
@@ -282,31 +259,10 @@ TEST_CASE("PlatformNoise: byte-identical for any number of threads and pieces", 
   NoiseBench bench;
   for (int component = 0; component < 6; ++component)
   {
-    bench.Shaking->SetNormal(component, 0.0, 0.1);
+    bench.Noise->SetNormal(component, 0.0, 0.1);
   }
-  bench.Shaking->SetLifespan(Noise::POSITION_X, 7);
-  vtkSMPTools::Initialize(1);
-  const std::string whole = Bytes(bench.Run());
-  const vtkIdType count = bench.Scanner->GetOutput()->GetNumberOfPoints();
-  std::vector<Vec3> points;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    points.emplace_back(bench.Scanner->GetOutput()->GetPoint(i));
-  }
-  vtkSMPTools::Initialize(2);
-  bench.Scanner->Modified();
-  CHECK(Bytes(bench.Run()) == whole);
-  vtkIdType at = 0;
-  for (int piece = 0; piece < 7; ++piece)
-  {
-    bench.Scanner->UpdatePiece(piece, 7, 0);
-    vtkPolyData* part = bench.Scanner->GetOutput();
-    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i, ++at)
-    {
-      REQUIRE(Vec3(part->GetPoint(i)) == points[static_cast<std::size_t>(at)]);
-    }
-  }
-  CHECK(at == count);
+  bench.Noise->SetLifespan(Noise::POSITION_X, 7);
+  CheckThreadsAndPieces(bench);
 }
 
 TEST_CASE("PlatformNoise: the scanner executes again if it changes, and is unaffected without it",
@@ -315,9 +271,9 @@ TEST_CASE("PlatformNoise: the scanner executes again if it changes, and is unaff
   NoiseBench bench;
   vtkPolyData* echoes = bench.Run();
   const std::string quiet = Bytes(echoes);
-  bench.Shaking->SetNormal(Noise::POSITION_X, 0.0, 0.5);
+  bench.Noise->SetNormal(Noise::POSITION_X, 0.0, 0.5);
   CHECK(Bytes(bench.Run()) != quiet);
-  bench.Shaking->SetNone(Noise::POSITION_X);
+  bench.Noise->SetNone(Noise::POSITION_X);
   CHECK(Bytes(bench.Run()) == quiet);
   bench.Scanner->SetPlatformNoise(nullptr);
   CHECK(Bytes(bench.Run()) == quiet);
