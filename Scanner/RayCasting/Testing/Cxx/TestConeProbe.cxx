@@ -555,13 +555,12 @@ TEST_CASE("ConeProbe: a fold counts as far as it is inside the cone", "[ConeProb
   CHECK(FindLayer(fold, 0.006).Size == 2);
   CHECK(FindLayer(fold, 0.003).Size == 0);
 
-  // On both sides: the sum counts.
+  // On both sides of one triangle: the sum counts.
   Soup valley;
-  valley.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { -0.004, 9, 0 });
-  valley.AddTriangle({ 0.006, -9, 0 }, { -0.004, 9, 0 }, { -0.004, -9, 0 });
-  valley.AddTriangle({ 0.006, -9, 0 }, { 0.006, 9, 0 }, { 9, 0, 9 });
-  valley.AddTriangle({ -0.004, -9, 0 }, { -0.004, 9, 0 }, { -9, 0, 9 });
-  CHECK(FindLayer(valley, 0.02).Size == 4);
+  valley.AddTriangle({ -0.004, -9, 0 }, { 0.006, -9, 0 }, { 0.001, 9000, 0 });
+  valley.AddTriangle({ 0.006, -9, 0 }, { 0.001, 9000, 0 }, { 9, 0, 9 });
+  valley.AddTriangle({ -0.004, -9, 0 }, { 0.001, 9000, 0 }, { -9, 0, 9 });
+  CHECK(FindLayer(valley, 0.011).Size == 3);
   CHECK(FindLayer(valley, 0.008).Size == 0);
 
   // A side that bends again inside the cone is no fold.
@@ -572,6 +571,14 @@ TEST_CASE("ConeProbe: a fold counts as far as it is inside the cone", "[ConeProb
   crest.AddTriangle({ 0.008, -9, 0.004 }, { 0.008, 9, 0.004 }, { 9, 0, 0 });
   CHECK(FindLayer(crest, 0.008).Size == 0);
   CHECK(FindLayer(crest, 0.1).Size == 4);
+
+  // Nor is one that ends at another surface there, 4 mm above the first.
+  Soup ramp;
+  ramp.AddTriangle({ 0.006, -9, 0 }, { 0.007, 9000, 0.002 }, { -9, 0, 0 });
+  ramp.AddTriangle({ 0.008, -9, 0.004 }, { 0.007, 9000, 0.002 }, { 0.006, -9, 0 });
+  ramp.AddTriangle({ 0.008, -9, 0.004 }, { 0.007, 9000, 0.002 }, { 9, 0, 0.004 });
+  CHECK(FindLayer(ramp, 0.012).Size == 0);
+  CHECK(FindLayer(ramp, 0.1).Size == 3);
 }
 
 TEST_CASE("ConeProbe: the pieces of a layer have the depths of their triangles", "[ConeProbe]")
