@@ -65,6 +65,25 @@ TEST_CASE("ScannerSpinning: beams start at their origins in the head", "[Scanner
   CHECK(echoes->GetPoint(0)[1] == Approx(10.0).epsilon(1e-13));
 }
 
+TEST_CASE("ScannerSpinning: origins turn with the head's mount", "[ScannerSpinning]")
+{
+  const auto scene = MakeScene({ Wall(10, 100) });
+  Bench bench(scene, { 0, 0, 0 });
+  vtkNew<vtkHeliosSpinningChannels> head;
+  SetUp(head);
+  bench.Scanner->SetBeamDeflector(head);
+  const double half = std::sqrt(0.5);
+  bench.Scanner->SetBeamOrientation(half, half, 0, 0); // by 90 degrees about x: y to z, z to -y
+  bench.Scanner->GeneratePulsesOn();
+  bench.Run();
+  vtkPolyData* pulses = bench.Scanner->GetOutput(2);
+  double p[3];
+  pulses->GetPoint(3, p); // 0.1 m along y, 0.03 m up
+  CHECK(p[0] == Approx(0.0).margin(1e-15));
+  CHECK(p[1] == Approx(-0.03).epsilon(1e-13));
+  CHECK(p[2] == Approx(0.1).epsilon(1e-13));
+}
+
 TEST_CASE("ScannerSpinning: columns of echoes and pulses on request", "[ScannerSpinning]")
 {
   const auto scene = MakeScene({ Wall(10, 100) });

@@ -227,6 +227,14 @@ TEST_CASE("SpinningChannels: columns count the cycles of a revolution", "[Spinni
     }
     REQUIRE(head->GetColumn(16 * cycle + 7) == cycle - first);
   }
+  // 1000 columns, but 7.1 is not a double: revolutions begin a rounding error late.
+  head->SetPulseFrequency(16.0 * 7100.0);
+  head->SetScanFrequency(7.1);
+  for (const vtkIdType turn : { 1, 2, 3, 500, 100000 })
+  {
+    CHECK(head->GetColumn(16000 * turn) == 0);
+    CHECK(head->GetColumn(16000 * turn - 1) == 999);
+  }
   head->SetScanFrequency(0.0);
   CHECK(head->GetColumn(12345) == 0);
 }
