@@ -20,7 +20,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ASSETS = ROOT / "Data/Assets"
 ALL = find_scanners()
 INSTRUMENTS = [each for each in ALL if each.maker]
-TITLES = {"id", "name", "maker", "use", "optics"}
+TITLES = {"id", "name", "maker", "use", "optics", "spin"}
+PARTS = ("beamOrigin", "incidentBeam", "beams")
 
 OWN = """\
 <document>
@@ -54,8 +55,7 @@ def test_every_number_has_one_source(scanner):
     numbers = set(element.attrib) - TITLES
     for channel in element.iterfind("channels/channel"):
         numbers |= set(channel.attrib) - {"id", "name"}
-    if element.find(".//beamOrigin") is not None:
-        numbers.add("beamOrigin")
+    numbers |= {part for part in PARTS if element.find(f".//{part}") is not None}
     named = collections.Counter(name for each in scanner.sources for name in each.attributes)
     assert set(named) == numbers
     assert set(named.values()) == {1}
@@ -73,8 +73,10 @@ def test_every_instrument_is_complete(scanner):
         "beamDivergence_rad",
         "accuracy_m",
     }
-    assert needed | {"rangeMin_m", "scanAngleMax_deg"} <= set(scanner.numbers)
-    assert scanner.optics == "line" or "scanFreqMax_Hz" in scanner.numbers
+    # The field of prisms and of spinning heads is that of their beams.
+    field = set() if scanner.optics in ("risley", "spinning") else {"scanAngleMax_deg"}
+    assert needed | field | {"rangeMin_m"} <= set(scanner.numbers)
+    assert scanner.optics in ("line", "risley") or "scanFreqMax_Hz" in scanner.numbers
     assert 1e-4 <= scanner.beam_divergence <= 1e-2
 
 
