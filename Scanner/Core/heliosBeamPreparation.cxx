@@ -109,6 +109,14 @@ void FinishBeam(ScanModel& model)
   }
 }
 
+/// The truncation of a beam without a fraction of its energy, at the rim: 1 - exp(-2 K^2) is inside.
+double LeaveOutRim(double truncation, double fraction)
+{
+  const double beyond = std::exp(-2.0 * truncation * truncation);
+  return fraction > 0.0 ? std::sqrt(-0.5 * std::log(beyond + fraction * (1.0 - beyond)))
+                        : truncation;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -178,7 +186,8 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.ConeTangent = std::tan(w * sampler->GetTruncation());
   model.ApexOffset =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
-  model.Footprints = { w, sampler->GetTruncation(), model.ApexOffset,
+  model.Footprints = { w, LeaveOutRim(sampler->GetTruncation(), model.Plan.RimEnergy),
+    model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
     { model.Gate.Least, model.Gate.Most }, model.Plan.PartError };
 

@@ -39,6 +39,7 @@ struct SamplingPlan
   int MostSubRays = 65536;
   double DetectionBin = 0.25;   ///< [ns]
   double LargestDepth = 1.0;    ///< of a visible part that is two returns, in sigma_R
+  double RimEnergy = 0.0;       ///< of the rim of a divided beam, left out; a fraction
   double PartError = 1e-6;      ///< of the energy of a small part, as a fraction of the beam
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
   double LargestShift = 0.0;    ///< of its maximum, by omitted terms [m]

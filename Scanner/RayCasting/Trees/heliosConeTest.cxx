@@ -44,17 +44,15 @@ bool Adjoins(const ConeCandidate& c, int edge, const ConeCandidate& other)
 {
   const double* from = c.Points[(edge + 1) % 3];
   const double* to = c.Points[(edge + 2) % 3];
+  // Seen from the apex they have the same orientation if they traverse the edge in opposite
+  // directions.
   for (int k = 0; k < 3; ++k)
   {
-    const double* p = other.Points[(k + 1) % 3];
-    const double* q = other.Points[(k + 2) % 3];
-    const bool isSame = AreSame(from, p) && AreSame(to, q);
-    const bool isReverse = AreSame(from, q) && AreSame(to, p);
-    // Seen from the apex they have the same orientation if they traverse the edge in opposite
-    // directions.
-    if ((isReverse && c.Sign * other.Sign > 0.0) || (isSame && c.Sign * other.Sign < 0.0))
+    if (AreSame(from, other.Points[k]))
     {
-      return true;
+      const double product = c.Sign * other.Sign;
+      return product > 0.0 ? AreSame(to, other.Points[(k + 2) % 3])
+                           : product < 0.0 && AreSame(to, other.Points[(k + 1) % 3]);
     }
   }
   return false;

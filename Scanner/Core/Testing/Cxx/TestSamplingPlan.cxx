@@ -31,6 +31,15 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   CHECK(coarse.NumberOfSubRays == 64);
 }
 
+TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[SamplingPlan]")
+{
+  CHECK(PlanSampling({ 1e-3, 1e-2 }, 1.7).RimEnergy == 0.0);
+  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).RimEnergy == 0.0);
+  CHECK(PlanSampling({ 3e-3, 1.0 }, 1.7).RimEnergy == Approx(4.5e-3));
+  CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).RimEnergy == Approx(1.5e-2));
+  CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).RimEnergy == Approx(1.5e-2)); // less than 2 %
+}
+
 TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces", "[SamplingPlan]")
 {
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2, 1 << 20 }, 1.7);

@@ -302,6 +302,32 @@ TEST_CASE("Tolerance: a wire before a wall of many triangles is found", "[Tolera
   CHECK(bench.Scanner->GetCount("pulsesUnresolved") == 0);
 }
 
+TEST_CASE("Tolerance: energies are of the beam without its rim", "[Tolerance]")
+{
+  // The square |x|, |z| < h before the sky returns erf(sqrt(2) h / w)^2 of the beam, whose energy
+  // within K w is 1 - exp(-2 K^2).
+  const double h = 0.005;
+  const double w = 0.025; // at 50 m
+  const auto [range, energy, rim] = GENERATE(table<double, double, double>(
+    { { 1e-3, 1e-2, 0.0 }, { 3e-3, 3e-2, 4.5e-3 }, { 1e-2, 1e-1, 1.5e-2 } }));
+  Bench bench(MakeScene({ { { -h, 50, -h }, { 2 * h, 0, 0 }, { 0, 0, 2 * h } } }));
+  Bench full(MakeScene({ Wall(50) }));
+  for (Bench* each : { &bench, &full })
+  {
+    each->Scanner->SetSamplingToTolerance();
+    each->Scanner->SetRangeTolerance(range);
+    each->Scanner->SetEnergyTolerance(energy);
+    each->Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+    each->Scanner->GetEchoDetector()->SetDetectionThreshold(0.0);
+    REQUIRE(each->Run()->GetNumberOfPoints() == 1000);
+  }
+  const double share = std::pow(std::erf(std::sqrt(2.0) * h / w), 2) / (1.0 - std::exp(-4.5));
+  const double amplitude = Value(bench.Run(), names::Amplitude, 0);
+  CAPTURE(energy);
+  CHECK(amplitude / Value(full.Run(), names::Amplitude, 0) ==
+    Approx(share / (1.0 - rim)).epsilon(1e-4));
+}
+
 TEST_CASE("Tolerance: the range gate is an edge on one triangle", "[Tolerance]")
 {
   // Steep, off the diagonal; the axis hits it at 60 m.
