@@ -50,18 +50,23 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 1
 """
 
 
-def commands():
-    """The subcommands: a dict from name to module."""
-    names = [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
+def command_names():
+    """The names of the subcommands, sorted."""
+    return [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
+
+
+def commands(names=None):
+    """The subcommands, all or those of given names: a dict from name to module."""
+    names = command_names() if names is None else names
     return {name: importlib.import_module(f"{__name__}.{name}") for name in names}
 
 
-def make_parser():
-    """The parser of the whole command line."""
+def make_parser(names=None):
+    """The parser of the whole command line, or of the subcommands of given names."""
     parser = Parser(prog="vtkhelios", description=DESCRIPTION, epilog=EPILOG)
     parser.add_argument("--version", action="store_true", help="print the version and exit")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
-    for name, module in commands().items():
+    for name, module in commands(names).items():
         command = subparsers.add_parser(name, help=module.SUMMARY, description=module.SUMMARY)
         if not hasattr(module, "start"):
             module.add_arguments(command)
@@ -86,10 +91,12 @@ def main(argv=None):
 
 def run_command(argv):
     """Runs the given command and returns its exit code."""
-    start = getattr(commands().get(argv[0]), "start", None) if argv else None
-    if start:
-        return start(argv[1:])
-    parser = make_parser()
+    known = argv[:1] if argv and argv[0] in command_names() else None  # others are not imported
+    if known:
+        module = commands(known)[argv[0]]
+        if hasattr(module, "start"):
+            return module.start(argv[1:])
+    parser = make_parser(known)
     arguments = parser.parse_args(argv)
     if arguments.version:
         print(f"vtkhelios {vtkhelios.__version__}")
