@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scan patterns of the catalogue, against those of the instruments: the table of Docs/validation.md.
+"""Scan patterns of the catalogue, against those of the instruments: the table of Docs/validation/patterns.md.
 
     build/venv/bin/python Python/studies/patterns.py DATA [--quick] [--ouster-python PYTHON]
 

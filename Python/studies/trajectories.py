@@ -6,7 +6,7 @@
 
 Reads data of others from the folder real/ of HELIOS_DATA (without it: data of a folder "shared"
 beside the repository): the pulses of an Optech ALTM, the shots of NASA's ATM, an SBET file and an
-error report of Applanix. Prints the tables of Docs/validation.md and draws its figure.
+error report of Applanix. Prints the tables of Docs/validation/trajectories.md and draws its figure.
 """
 
 import numpy as np

@@ -4,9 +4,8 @@
 
     build/venv/bin/python Python/studies/validate_waveforms.py OUT [--quick] [--data DIR]
 
-DIR has the files that Docs/validation.md names, in waveform/ and als/ (default: the folder of the
-environment variable HELIOS_DATA, with /real). Prints and writes (CSV) the tables of its sections
-Waveforms and Flags.
+DIR has the files of Docs/validation, in waveform/ and als/ (default: the folder of the environment
+variable HELIOS_DATA, with /real). Prints and writes (CSV) the tables of waveforms.md and flags.md there.
 """
 
 import os
