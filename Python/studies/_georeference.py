@@ -7,20 +7,16 @@ misalignment and IMU offset angles, then a record per pulse with time, ranges, s
 and position. The angles turn right, forward, up axes by R3(heading) R1(-pitch) R2(-roll).
 """
 
-import os
 import pathlib
 import struct
 import tempfile
 
 import numpy as np
 
+import _study
 import vtkhelios
 
-DATA = pathlib.Path(
-    os.environ.get(
-        "HELIOS_DATA", pathlib.Path(__file__).resolve().parents[3] / "shared" / "data"
-    )
-) / "real"  # fmt: skip
+DATA = _study.real_data()
 SEMI_MAJOR = 6378137.0  # m, WGS 84
 FLATTENING = 1 / 298.257223563
 ECCENTRICITY = FLATTENING * (2 - FLATTENING)  # squared

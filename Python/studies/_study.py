@@ -1,10 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shared by the studies: the command line, tables, figures."""
+"""Shared by the studies: the command line, data of real instruments, tables, figures."""
 
 import argparse
 import csv
+import os
 import pathlib
+
+DEFAULT_DATA = pathlib.Path(__file__).resolve().parents[3] / "shared" / "data"
+
+
+def real_data():
+    """The folder of data of real instruments: real in HELIOS_DATA, by default in shared/data beside the
+    checkout. It may be absent."""
+    return pathlib.Path(os.environ.get("HELIOS_DATA") or DEFAULT_DATA) / "real"
 
 
 def arguments(doc):

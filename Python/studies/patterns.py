@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scan patterns of the catalogue, against those of the instruments: the table of Docs/validation.md.
+"""Scan patterns of the catalogue, against those of the instruments: the table of Docs/validation/patterns.md.
 
-    build/venv/bin/python Python/studies/patterns.py DATA [--quick] [--ouster-python PYTHON]
+    build/venv/bin/python Python/studies/patterns.py [DATA] [--quick] [--ouster-python PYTHON]
 
-DATA is a folder with the real patterns; those that are absent are left out. Livox patterns are
+DATA is a folder with the real patterns (default: that of _study.real_data()); those that are absent are
+left out. Livox patterns are
 NumPy files of azimuth and elevation [rad], a row per pulse. Of an Ouster, the metadata (JSON) give the
 origins and directions of a revolution by the formulas of its manual. PYTHON is an interpreter with
 ouster-sdk; with it, the lookup table of the manufacturer, and its points of a recorded revolution
@@ -19,6 +20,8 @@ import tempfile
 
 import numpy as np
 
+import _pages
+import _study
 import vtkhelios
 from vtkhelios import instruments
 
@@ -35,6 +38,15 @@ LIVOX = {
     "livox_avia": ("livox_avia.npy", 0, 240_000),
 }
 
+
+COMPARISONS = [  # instrument and what is compared, in the order of the page
+    *((name, "directions") for name in LIVOX),
+    ("ouster_os1_128", "directions by the manual"),
+    ("ouster_os1_128", "origins by the manual"),
+    ("ouster_os1_128", "directions by ouster-sdk"),
+    ("ouster_os1_128", "origins by ouster-sdk"),
+    ("ouster_os1_128", "points of a sweep"),
+]
 
 # Writes origins [m] and directions of the lookup table of ouster-sdk, and the ranges [m] and points of
 # the first whole revolution of a pcap, in the frame of the sensor, by beam and column.
@@ -168,6 +180,18 @@ def compare_ouster(metadata, python=None, pcap=None):
     return rows
 
 
+def compare_all(data, ouster_python=None, pulses=100_000):
+    """All rows of the table for which a folder has files."""
+    rows = []
+    for instrument, (name, *_) in LIVOX.items():
+        for path in sorted(data.rglob(name)):
+            rows.append(compare_livox(instrument, path, pulses))
+    for path in sorted(data.rglob("ouster_os1_128.json")):
+        pcap = path.with_suffix(".pcap")
+        rows += compare_ouster(path, ouster_python, pcap if pcap.is_file() else None)
+    return rows
+
+
 def ouster_rows(how, ours, theirs):
     origins = np.linalg.norm(ours[0] - theirs[0], axis=-1).ravel()
     directions = angles_between(*(one[1].reshape(-1, 3) for one in (ours, theirs)))
@@ -189,33 +213,52 @@ def row(instrument, what, errors, unit, factor):
     }
 
 
+def make_tables(data, tools):
+    """The table of patterns.md; of an Ouster, as far as its interpreter is there."""
+    found = {
+        (one["instrument"], one["compared"]): one for one in compare_all(data, tools.ouster_python)
+    }
+    if not found:
+        raise FileNotFoundError(2, "no pattern", str(data))
+    rows = []
+    for key in COMPARISONS:
+        rows.append(cells_of(found[key]) if key in found else list(key))
+    titles = ["instrument", "compared", "pulses", "RMS", "maximum"]
+    yield _pages.Table("patterns.md", "patterns", titles, rows, keys=2)
+
+
+def cells_of(one):
+    """A row of the page; numbers below 0.001 of their unit are rounding."""
+    ends = [one[name] for name in ("rms", "maximum")]
+    words = [
+        f"{end:.2g} {one['unit']}" if end >= 1e-3 else f"< 0.001 {one['unit']}" for end in ends
+    ]
+    return [one["instrument"], one["compared"], f"{one['pulses']:,}", *words]
+
+
 def print_table(rows):
     print("| instrument | compared | pulses | RMS | maximum |")
     print("|---|---|---|---|---|")
     for one in rows:
-        ends = [f"{one[name]:.2g} {one['unit']}" for name in ("rms", "maximum")]
-        print(
-            "|", " | ".join([one["instrument"], one["compared"], f"{one['pulses']:,}", *ends]), "|"
-        )
+        print("|", " | ".join(cells_of(one)), "|")
 
 
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("data", metavar="DATA", type=pathlib.Path, help="folder of real patterns")
+    parser.add_argument(
+        "data",
+        metavar="DATA",
+        nargs="?",
+        type=pathlib.Path,
+        default=_study.real_data(),
+        help="folder of real patterns",
+    )
     parser.add_argument("--quick", action="store_true", help="10,000 pulses instead of 100,000")
     parser.add_argument("--ouster-python", metavar="PYTHON", help="an interpreter with ouster-sdk")
     given = parser.parse_args()
-    pulses = 10_000 if given.quick else 100_000
-    rows = []
-    for instrument, (name, *_) in LIVOX.items():
-        for path in sorted(given.data.rglob(name)):
-            rows.append(compare_livox(instrument, path, pulses))
-    for path in sorted(given.data.rglob("ouster_os1_128.json")):
-        pcap = path.with_suffix(".pcap")
-        rows += compare_ouster(path, given.ouster_python, pcap if pcap.is_file() else None)
-    print_table(rows)
+    print_table(compare_all(given.data, given.ouster_python, 10_000 if given.quick else 100_000))
 
 
 if __name__ == "__main__":

@@ -6,11 +6,12 @@
 
 Reads data of others from the folder real/ of HELIOS_DATA (without it: data of a folder "shared"
 beside the repository): the pulses of an Optech ALTM, the shots of NASA's ATM, an SBET file and an
-error report of Applanix. Prints the tables of Docs/validation.md and draws its figure.
+error report of Applanix. Prints the tables of Docs/validation/trajectories.md and draws its figure.
 """
 
 import numpy as np
 
+import _pages
 import _study
 import vtkhelios
 
@@ -24,6 +25,11 @@ __all__ = ["DATA", "palmer", "platform_of", "read_csd", "read_qfit", "fit_patter
 
 PULSES_PER_SECOND = 1 / 14.00023801e-6  # of the Optech file
 COMPONENTS = ("east", "north", "up", "pitch", "roll", "heading")
+POINTS = {  # comparison: words of the page
+    "local": "local system (`ENU`), against geocentric coordinates",
+    "utm": "UTM in place of the local system",
+    "arinc": "roll before pitch (`ARINC_705` of HELIOS files) in place of `NAVIGATION`",
+}
 
 
 def compare_georeferencing(pulses, boresight):
@@ -257,6 +263,109 @@ def draw(pulses, residual, out):
     _study.save_figure(figure, out / "trajectories.png")
 
 
+SLOW_ERROR_TIME = 60.0  # correlation time [s]
+WINDOWS = [(40, 45), (70, 72), (70, 75), (100, 105)]  # of the ATM [s]
+
+
+def make_tables(data, _tools):
+    """The tables of trajectories.md."""
+    pulses, boresight = read_csd(data / "sensor" / "optech_sample.csd")
+    yield _georeferencing_table(compare_georeferencing(pulses, boresight))
+    yield _mirror_table(pulses)
+    yield _atm_table(read_qfit(data / "sensor" / "atm_qfit.qi"))
+    noise = read_errors(data / "trajectory" / "smrmsg.txt")
+    rows = [_errors_row(row) for row in check_errors(noise, SLOW_ERROR_TIME, 50000)]
+    titles = ["component", "RMS given", "RMS found", "bound", "r(T)", "r(2 T)"]
+    yield _pages.Table("trajectories.md", "slow errors", titles, rows)
+    yield _strips_table(fly_strips())
+
+
+def draw_figures(data, folder):
+    pulses, _ = read_csd(data / "sensor" / "optech_sample.csd")
+    draw(pulses, fit_mirror(pulses)[1], folder)
+
+
+def read_errors(path):
+    """Slow errors of the RMS of an error report."""
+    if not path.is_file():
+        raise FileNotFoundError(2, "no report", str(path))
+    report = vtkhelios.vtkHeliosNavigationReport()
+    report.Read(str(path))
+    return make_errors([report.GetRMS(k) for k in range(6)], SLOW_ERROR_TIME)
+
+
+def _georeferencing_table(found):
+    places = {"local": 8, "utm": 3, "arinc": 3}
+    rows = []
+    for name, words in POINTS.items():
+        ends = np.sqrt(np.mean(found[name] ** 2)), found[name].max()
+        rows.append([words, *(f"{end:.{places[name]}f} m" for end in ends)])
+    titles = ["points of", "RMS", "largest"]
+    return _pages.Table("trajectories.md", "georeferencing", titles, rows)
+
+
+def _mirror_table(pulses):
+    fitted, residual = fit_mirror(pulses)
+    row = [
+        f"{fitted['angle']:.2f} deg",
+        f"{fitted['frequency']:.2f} Hz",
+        f"{fitted['turning']:.0f} pulses",
+        f"{np.sqrt(np.mean(residual**2)):.3f} deg",
+        f"{np.abs(residual).max():.3f} deg",
+        f"{angle_noise(pulses):.4f} deg",
+    ]
+    titles = ["scan angle", "frequency", "turning", "RMS", "largest", "noise of the record"]
+    return _pages.Table("trajectories.md", "mirror", titles, [row])
+
+
+def _atm_table(shots):
+    rows = []
+    for window in WINDOWS:
+        cone, wobbling = (fit_pattern(shots, *window, kind) for kind in ("cone", "palmer"))
+        rows.append(
+            [
+                f"{window[0]}-{window[1]} s",
+                f"{cone['shots']:,}",
+                f"{cone['rms']:.1f} m",
+                f"{cone['median']:.1f} m",
+                f"{wobbling['rms']:.2f} m",
+                f"{wobbling['median']:.2f} m",
+                f"{wobbling['angle']:.2f} deg",
+                f"{wobbling['phase']:.1f} deg",
+                f"{wobbling['speed']:.1f} m/s",
+            ]
+        )
+    fits = [f"{kind}: {what}" for kind in ("cone", "Palmer") for what in ("RMS", "median")]
+    titles = ["window", "shots", *fits, "wobble", "phase", "speed"]
+    return _pages.Table("trajectories.md", "atm", titles, rows)
+
+
+def _errors_row(row):
+    unit = "m" if row["component"] in COMPONENTS[:3] else "deg"
+    numbers = [f"{row[name]:#.4g}" for name in ("RMS given", "RMS found")]
+    ends = [f"{row[name]:.3f}" for name in ("r(1 T)", "r(2 T)")]
+    return [f"{row['component']} [{unit}]", *numbers, f"{row['bound']:#.2g}", *ends]
+
+
+def _strips_table(strips):
+    titles = [
+        "start",
+        "mean height of the echoes",
+        "less the mean error",
+        "largest height of `TruePoint`",
+    ]
+    rows = [
+        [
+            f"{strip['start']} s",
+            f"{strip['heights']:.4f} m",
+            f"{strip['expected']:.4f} m",
+            f"{strip['spread']:.0e} m",
+        ]
+        for strip in strips
+    ]
+    return _pages.Table("trajectories.md", "strips", titles, rows)
+
+
 def main():
     options = _study.arguments(__doc__)
     pulses, boresight = read_csd(DATA / "sensor" / "optech_sample.csd")
@@ -276,7 +385,7 @@ def main():
     row = {**fitted, "RMS": np.sqrt(np.mean(residual**2)), "largest": np.abs(residual).max()}
     _study.print_table([{**row, "noise": angle_noise(pulses)}], "Scan angle [deg]")
     shots = read_qfit(DATA / "sensor" / "atm_qfit.qi")
-    windows = [(70, 75)] if options.quick else [(40, 45), (70, 72), (70, 75), (100, 105)]
+    windows = [(70, 75)] if options.quick else WINDOWS
     rows = [
         {"pattern": kind, "window [s]": f"{window[0]}-{window[1]}",
          **fit_pattern(shots, *window, kind)}
@@ -291,10 +400,8 @@ def main():
         _study.print_table([row], "SBET in UTM less pyproj, largest of 2,000 records")
     except ImportError:
         print("\nno pyproj: SBET in UTM is not compared")
-    report = vtkhelios.vtkHeliosNavigationReport()
-    report.Read(str(DATA / "trajectory" / "smrmsg.txt"))
-    noise = make_errors([report.GetRMS(k) for k in range(6)], 60.0)
-    rows = check_errors(noise, 60.0, 2000 if options.quick else 50000)
+    noise = read_errors(DATA / "trajectory" / "smrmsg.txt")
+    rows = check_errors(noise, SLOW_ERROR_TIME, 2000 if options.quick else 50000)
     _study.print_table(rows, "Slow errors of the RMS of smrmsg.txt [m, deg]")
     _study.print_table(fly_strips(), "Strips over a plane [m]")
     draw(pulses, residual, options.out)

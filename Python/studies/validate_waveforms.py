@@ -4,12 +4,10 @@
 
     build/venv/bin/python Python/studies/validate_waveforms.py OUT [--quick] [--data DIR]
 
-DIR has the files that Docs/validation.md names, in waveform/ and als/ (default: the folder of the
-environment variable HELIOS_DATA, with /real). Prints and writes (CSV) the tables of its sections
-Waveforms and Flags.
+DIR has the files of Docs/validation, in waveform/ and als/ (default: the folder of _study.real_data()).
+Prints and writes (CSV) what the tables of waveforms.md and flags.md there are made of by validation.py.
 """
 
-import os
 import pathlib
 import struct
 import sys
@@ -21,6 +19,7 @@ import vtkhelios
 from vtkhelios import cli, formats
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import _pages  # noqa: E402
 import _study  # noqa: E402
 
 LIGHT = 0.299792458  # [m/ns]
@@ -28,6 +27,7 @@ RIEGL = "waveform/100429_152240_2535pt_UTM.las"
 FLIGHTS = ("bcts_1", "autzen_trim", "ahn3_delft_1")
 PULSE_LENGTH = 4.2  # [ns], median of the maker's widths of single echoes on open ground
 THRESHOLD = 8.0  # digitizer units, 3 to 5 above the zero of 3
+SHARES = (0.0, 0.06, 0.1, 0.2)  # relative thresholds
 FULL_LINES = 2e-3  # [s]: longer pauses between pulses are clipped points
 
 # Waveforms ---------------------------------------------------------------------------------------
@@ -210,8 +210,97 @@ def _share(values):
     return 100.0 * np.mean(values) if len(values) else float("nan")
 
 
+# Pages -------------------------------------------------------------------------------------------
+
+
+def make_tables(data, _tools):
+    """The tables of waveforms.md and flags.md."""
+    yield _formats_table(compare_pulsewaves(data / RIEGL))
+    yield _echoes_table([compare_echoes(data / RIEGL, share) for share in SHARES])
+    yield _flags_table([count_flags(name, data / f"als/{name}.laz") for name in FLIGHTS])
+
+
+def _formats_table(row):
+    near, far = (row[f"first sample: {which} distance [mm]"] for which in ("median", "largest"))
+    segments = "segments (`.pls`, `.wvs`); the others are of a second, less sensitive receiver, or have no point"
+    rows = [
+        ["packets (`.las`, `.wdp`)", f"{row['packets (.las, .wdp)']:,}"],
+        [segments, f"{row['segments (.pls, .wvs)']:,}"],
+        ["outgoing pulses, 24 samples each", f"{row['outgoing pulses']:,}"],
+        ["packets with the same samples", f"{row['packets with the same samples']:,}"],
+        ["distance of the first samples: median, largest", f"{near:.1f} mm, {far:.1f} mm"],
+    ]
+    return _pages.Table("waveforms.md", "formats", ["", ""], rows)
+
+
+def _echoes_table(found):
+    rows = []
+    for row in found:
+        number, share, middle, deviation = (
+            row[name] for name in (
+                "packets with the maker's number of echoes", "width: median difference [%]",
+                "separation: median difference [mm]", "separation: median absolute deviation [mm]",
+            )
+        )  # fmt: skip
+        spread = row["width: median absolute deviation [%]"]
+        rows.append(
+            [
+                f"{row['relative threshold']:g}",
+                f"{number:,}",
+                f"{row['pairs found']}",
+                f"{middle:.1f}, {deviation:.1f}",
+                f"{share:+.1f}, {spread:.1f}",
+            ]
+        )
+    titles = [
+        "F",
+        "packets with the maker's number of echoes",
+        f"pairs found, of {found[0]['pairs']}",
+        "separation of pairs: median, deviation [mm]",
+        "width of single echoes: median, deviation [%]",
+    ]
+    return _pages.Table("waveforms.md", "echoes", titles, rows)
+
+
+def _flags_table(found):
+    titles = [
+        "",
+        "pulses with returns",
+        "flag 1 where the scan angle rises",
+        "flag 0 where it falls",
+        "pulses with an edge flag",
+        "the flag is on all returns of its pulse",
+        "edge on the last pulse before a change of direction",
+        "edge on the first pulse after a change",
+    ]
+    columns = [_flags_column(row) for row in found]
+    columns.append(["vtkHelios", "", "100 %", "100 %", "one per line", "100 %", "all", "none"])
+    return _pages.Table("flags.md", "flags", *_pages.transpose(titles, columns))
+
+
+def _flags_column(row):
+    edges, changes = row["pulses with an edge"], row["direction changes"]
+
+    def share(name, never=""):
+        return never if np.isnan(row[name]) else f"{row[name]:.4g} %"
+
+    def at_change(name):
+        return "no changes" if not changes else str(row[name]) if edges else ""
+
+    return [
+        row["file"],
+        f"{row['pulses']:,}",
+        share("angle rises: flag 1 [%]", "it never rises"),
+        share("angle falls: flag 0 [%]", "it never falls"),
+        f"{edges:,}",
+        share("all their returns have it [%]"),
+        at_change("edge: last before a change"),
+        at_change("edge: first after a change"),
+    ]
+
+
 def main():
-    data = pathlib.Path(os.environ.get("HELIOS_DATA", "")) / "real"
+    data = _study.real_data()
     if "--data" in sys.argv:
         at = sys.argv.index("--data")
         data = pathlib.Path(sys.argv[at + 1])
@@ -219,7 +308,7 @@ def main():
     arguments = _study.arguments(__doc__)
     tables = {
         "formats": [compare_pulsewaves(data / RIEGL)],
-        "echoes": [compare_echoes(data / RIEGL, share) for share in (0.0, 0.06, 0.1, 0.2)],
+        "echoes": [compare_echoes(data / RIEGL, share) for share in SHARES],
         "flags": [count_flags(name, data / f"als/{name}.laz") for name in FLIGHTS],
     }
     for name, rows in tables.items():

@@ -182,6 +182,20 @@ void PulseSource::AddNoise(vtkIdType index, Vec3& position, Rotation& platform) 
   }
 }
 
+/// Moves the beam by the errors of the instrument; direction in the frame of the deflector.
+void PulseSource::MoveRay(
+  const Quaternion& head, const Rotation& platform, const Vec3& direction, Pulse& pulse) const
+{
+  Vec3 ray = Rotate(this->BeamOrigin.Orientation, direction);
+  Vec3 offset(0.0, 0.0, 0.0);
+  if (this->Errors->MoveRay(offset.GetData(), ray.GetData()))
+  {
+    const Rotation toWorld = platform * Rotation(head);
+    pulse.Beam = toWorld * BeamFrame(ray);
+    pulse.Origin = pulse.Origin + toWorld * offset;
+  }
+}
+
 /// Turns the beam to the true direction of the pulse.
 void PulseSource::TurnBeam(
   vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction, Pulse& pulse) const
@@ -196,9 +210,9 @@ void PulseSource::TurnBeam(
     const double turn = vtkMath::DegreesFromRadians(
       UseTerm(this->Errors->GetHeadError(theta), Model::HEAD_ERROR, pulse));
     direction = Rotate(AxisAngle({ 1.0, 0.0, 0.0 }, deflection), direction);
-    pulse.Beam = platform *
-      (Rotation(this->TurnHead(headAngle + turn) * this->BeamOrigin.Orientation) *
-        BeamFrame(direction));
+    const Quaternion head = this->TurnHead(headAngle + turn);
+    pulse.Beam = platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(direction));
+    this->MoveRay(head, platform, direction, pulse);
   }
   if (this->AngleAccuracy > 0.0)
   {

@@ -104,6 +104,8 @@ private:
   void MoveToTruth(
     vtkIdType index, double elapsed, Cursor& cursor, Vec3& position, Rotation& platform) const;
   void AddErrors(double time, Cursor& cursor, Vec3& position, Rotation& platform) const;
+  void MoveRay(
+    const Quaternion& head, const Rotation& platform, const Vec3& direction, Pulse& pulse) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;
 };

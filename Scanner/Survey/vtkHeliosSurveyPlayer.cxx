@@ -158,8 +158,14 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
     return this->Fail("WriteTruth is on, but files of the format " + this->Settings.Format +
       " cannot store true points; set Format to vtp.");
   }
+  if (player->WriteColumns && this->Settings.Format != "vtp")
+  {
+    return this->Fail("WriteColumns is on, but files of the format " + this->Settings.Format +
+      " cannot store columns of revolutions; set Format to vtp.");
+  }
   this->Settings.Folder = player->GetRunFolder();
   this->Settings.Truth = player->WriteTruth;
+  this->Settings.Columns = player->WriteColumns;
   this->Settings.Waveforms = player->WriteWaveforms;
   const bool isLas = this->Settings.Format == "las";
   this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
@@ -588,6 +594,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
      << indent << "WriteTruth: " << this->WriteTruth << "\n"
+     << indent << "WriteColumns: " << this->WriteColumns << "\n"
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"

@@ -166,6 +166,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the echoes, and the pulses, are written with ColumnIds: of spinning optics, the
+   * column of a pulse in its revolution; with Format "vtp" only. Default: off.
+   */
+  vtkSetMacro(WriteColumns, bool);
+  vtkGetMacro(WriteColumns, bool);
+  vtkBooleanMacro(WriteColumns, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether every channel of a scanner has its own files. Default: off.
    */
   vtkSetMacro(SplitByChannel, bool);
@@ -288,6 +298,7 @@ private:
   bool WriteScanFlags = false;
   bool WritePulses = false;
   bool WriteTruth = false;
+  bool WriteColumns = false;
   bool SplitByChannel = false;
   bool Overwrite = false;
   bool Resume = false;

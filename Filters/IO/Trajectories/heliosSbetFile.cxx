@@ -32,7 +32,8 @@ struct FieldName
 };
 /// The fields that are read.
 constexpr FieldName ReadFields[] = { { SbetTime, "time" }, { SbetLatitude, "latitude" },
-  { SbetLongitude, "longitude" }, { SbetAltitude, "altitude" }, { SbetRoll, "roll" },
+  { SbetLongitude, "longitude" }, { SbetAltitude, "altitude" }, { SbetVelocityX, "velocity x" },
+  { SbetVelocityY, "velocity y" }, { SbetVelocityZ, "velocity z" }, { SbetRoll, "roll" },
   { SbetPitch, "pitch" }, { SbetHeading, "platform heading" }, { SbetWander, "wander angle" } };
 
 Quaternion FromMatrix(const double m[3][3])
@@ -40,6 +41,23 @@ Quaternion FromMatrix(const double m[3][3])
   Quaternion q;
   q.FromMatrix3x3(m);
   return q;
+}
+
+/// The velocity in east, north, up of a record, whose x and y are turned by the wander angle, y to
+/// the left.
+Vec3 GetVelocity(const SbetRecord& record)
+{
+  const double c = std::cos(record[SbetWander]);
+  const double s = std::sin(record[SbetWander]);
+  const double x = record[SbetVelocityX];
+  const double right = -record[SbetVelocityY];
+  return { c * right - s * x, c * x + s * right, record[SbetVelocityZ] };
+}
+
+Vec3 ToTarget(const double m[3][3], const Vec3& v)
+{
+  const auto row = [&](int i) { return m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2]; };
+  return { row(0), row(1), row(2) };
 }
 
 /// The size must be a positive number of whole records.
@@ -149,6 +167,7 @@ Status SbetReader::Add(const SbetRecord& record, RecordedPath& path)
     return this->Fail(this->Transform.DescribeFailure(this->Index, geographic));
   }
   path.Rows.push_back(row);
+  path.Velocities.push_back(ToTarget(rotation, GetVelocity(record)));
   path.Attitudes.push_back(FromMatrix(rotation) *
     FromNavigation(
       { record[SbetRoll], record[SbetPitch], record[SbetHeading] - record[SbetWander] }));
@@ -182,6 +201,7 @@ Status SbetReader::Read(
         status = status.IsOk() ? status : Status::Error(this->Path + ": " + status.Message());
         path.Rows.reserve(static_cast<std::size_t>(count));
         path.Attitudes.reserve(static_cast<std::size_t>(count));
+        path.Velocities.reserve(static_cast<std::size_t>(count));
       }
       status = status.IsOk() ? this->Add(record, path) : status;
       this->LastTime = record[SbetTime];
@@ -192,6 +212,11 @@ Status SbetReader::Read(
     {
       return this->Fail("reading was aborted here; update again to read it");
     }
+  }
+  const auto isZero = [](const Vec3& v) { return v.SquaredNorm() == 0.0; };
+  if (std::all_of(path.Velocities.begin(), path.Velocities.end(), isZero))
+  {
+    path.Velocities.clear(); // programs without velocities write zeros
   }
   path.Crs = this->Target.IsSet() ? this->Target.GetText() : std::string();
   return status;

@@ -195,6 +195,10 @@ void vtkHeliosTrajectoryReader::Fill(
   orientations->SetName(names::Orientation);
   orientations->SetNumberOfComponents(4);
   orientations->SetNumberOfTuples(count);
+  vtkNew<vtkDoubleArray> velocities;
+  velocities->SetName(names::Velocity);
+  velocities->SetNumberOfComponents(3);
+  velocities->SetNumberOfTuples(path.Velocities.empty() ? 0 : count);
   helios::Quaternion before(1.0, 0.0, 0.0, 0.0);
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -205,10 +209,18 @@ void vtkHeliosTrajectoryReader::Fill(
     points->SetPoint(i, rows[row].Position.GetData());
     times->SetValue(i, rows[row].Time);
     orientations->SetTypedTuple(i, before.GetData());
+    if (!path.Velocities.empty())
+    {
+      velocities->SetTypedTuple(i, path.Velocities[row].GetData());
+    }
   }
   trajectory->SetPoints(points);
   trajectory->GetPointData()->AddArray(times);
   trajectory->GetPointData()->AddArray(orientations);
+  if (!path.Velocities.empty())
+  {
+    trajectory->GetPointData()->AddArray(velocities);
+  }
   helios::AddPathCell(trajectory);
   helios::SetCRS(trajectory, path.Crs);
 }

@@ -11,7 +11,8 @@
  * - GpsTime [s] as in the file;
  * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y
  *   forward, z up), with a consistent sign from row to row,
- * and, for SBET, the field data CRS.
+ * and, for SBET, the field data CRS and, unless all are 0,
+ * - Velocity [m/s], along the axes of TargetCRS.
  *
  * COLUMNS: a row is a line of numbers t, roll, pitch, yaw, x, y, z. Their columns are, in order of
  * precedence, those set (TimeColumn, XColumn ...), those of the comment
@@ -50,7 +51,8 @@
  *   heading = platform heading - wander angle,
  *
  * and rotated from east, north, up of the ellipsoid to the axes of TargetCRS: in a map projection
- * the yaw is heading - meridian convergence. Velocities, accelerations and rates are not read.
+ * the yaw is heading - meridian convergence. Velocities, whose x and y are turned by the wander
+ * angle, y to the left, are rotated likewise, not scaled. Accelerations and rates are not read.
  *
  * TUM: rows t x y z qx qy qz qw between blanks, t in seconds. EuRoC: rows t,x,y,z,qw,qx,qy,qz and
  * further columns that are not read, t in nanoseconds (GpsTime is a double, exact to 0.25 us for

@@ -365,6 +365,27 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
     assert "Traceback" not in done.stderr and "Exception" not in done.stderr
 
 
+def test_columns_are_written_as_vtp(command_line, make_survey, tmp_path):
+    survey = make_survey(stop=2)
+    text = survey.read_text().replace("scanners.xml#vz400_class_tls", "scanners.xml#velodyne_vlp16")
+    text = text.replace('pulseFreq_hz="100000"', "").replace(
+        'scanFreq_hz="100"', 'scanFreq_hz="10" maxDuration_s="0.1"'
+    )
+    survey.write_text(re.sub(r'(verticalAngle|headRotate)\w+="[^"]*"', "", text))
+    done = command_line("run", survey, "--columns", "--output", tmp_path / "text")
+    assert done.returncode == 1
+    assert "cannot store columns of revolutions; set Format to vtp" in done.stderr
+    options = "--columns", "--pulses", "--format", "vtp", "--output", tmp_path / "vtp"
+    done = command_line("run", survey, *options)
+    assert done.returncode == 0, done.stderr
+    for name in ("points", "pulse"):
+        reader = vtkXMLPPolyDataReader()
+        reader.SetFileName(str(next((tmp_path / "vtp").rglob(f"*_{name}.pvtp"))))
+        reader.Update()
+        arrays = vtkhelios.arrays(reader.GetOutput())
+        assert np.array_equal(arrays["ColumnIds"], arrays["PulseIds"] // 16), name
+
+
 def test_truth_is_written_as_vtp(command_line, make_survey, tmp_path):
     survey = make_survey(stop=2)
     done = command_line("run", survey, "--truth", "--output", tmp_path / "text")

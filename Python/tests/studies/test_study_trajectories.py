@@ -134,6 +134,18 @@ def test_errors_of_a_real_report(study):
     assert found[3:] == pytest.approx(expected[[8, 7, 9]] / 60)
 
 
+def test_navigation_grade_is_that_of_a_real_report(study):
+    """The medians of the report are the numbers of the grade "navigation"."""
+    raw = np.loadtxt(_need(study, "trajectory/smrmsg.txt"), delimiter=",", skiprows=1)
+    north, east, down = np.median(raw, axis=0)[1:4]
+    roll, pitch, heading = np.median(raw, axis=0)[7:] / 60
+    noise = vtkhelios.vtkHeliosPlatformNoise()
+    assert noise.SetGrade("navigation")
+    found = [noise.GetSlowErrorRMS(k) for k in range(6)]
+    assert found[:3] == pytest.approx([east, north, down], abs=5e-4)
+    assert found[3:] == pytest.approx([pitch, roll, heading], abs=5e-5)
+
+
 def test_strips_differ_by_their_slow_errors(study):
     """Height differences of two strips over a plane are those of the errors at their times."""
     strips = study.fly_strips(seed=3)

@@ -199,6 +199,12 @@ def add_arguments(parser):
         "and navigation errors (TruePoint, Normal)",
     )
     parser.add_argument(
+        "--columns",
+        action="store_true",
+        help="with --format vtp: also write the column of every echo and pulse in the revolution of a "
+        "spinning head (ColumnIds); its beams are ChannelIds",
+    )
+    parser.add_argument(
         "--split-by-channel",
         action="store_true",
         help="one file per scanner channel: legNNN_points_dev<channel>.xyz",
@@ -382,6 +388,7 @@ def make_player(arguments, survey, messages):
     player.SetWriteScanFlags(arguments.scan_flags)
     player.SetWritePulses(arguments.pulses)
     player.SetWriteTruth(arguments.truth)
+    player.SetWriteColumns(arguments.columns)
     player.SetSplitByChannel(arguments.split_by_channel)
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
     options = player.GetOptions()

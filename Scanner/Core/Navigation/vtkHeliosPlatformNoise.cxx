@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPlatformNoise.h"
 
+#include "heliosNavigationGrades.h"
 #include "heliosRandom.h"
 #include "heliosSlowErrorCursor.h"
 
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 vtkStandardNewMacro(vtkHeliosPlatformNoise);
 
@@ -69,6 +72,35 @@ void vtkHeliosPlatformNoise::SetNormal(int component, double mean, double stdev)
     return;
   }
   this->SetDistribution(component, NORMAL, mean, stdev);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlatformNoise::SetGrade(const std::string& name)
+{
+  const auto* grade =
+    std::find_if(std::begin(helios::NavigationGrades), std::end(helios::NavigationGrades),
+      [&name](const helios::NavigationGrade& each) { return name == each.Name; });
+  if (grade == std::end(helios::NavigationGrades))
+  {
+    vtkErrorMacro(<< "Grade is \"" << name << "\"; give one of " << GetGradeNames() << ".");
+    return false;
+  }
+  for (int component = 0; component < 6; ++component)
+  {
+    this->SetSlowError(component, grade->RMS[component], this->All[component].SlowTime);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosPlatformNoise::GetGradeNames()
+{
+  std::string names;
+  for (const helios::NavigationGrade& grade : helios::NavigationGrades)
+  {
+    names += (names.empty() ? "" : " ") + std::string(grade.Name);
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

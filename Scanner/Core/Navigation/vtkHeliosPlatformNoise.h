@@ -48,6 +48,8 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
+#include <string> // For the names of grades
+
 namespace helios
 {
 struct SlowErrorCursor;
@@ -128,6 +130,19 @@ public:
   double GetSlowErrorRMS(int component) const;
   double GetSlowErrorTime(int component) const;
   ///@}
+
+  /**
+   * Sets the RMS of the slow errors of all components to those of a class of GNSS/IMU solutions, the
+   * names of GetGradeNames(), and keeps the correlation times. Returns false, with an error, for
+   * another name.
+   */
+  bool SetGrade(const std::string& name);
+
+  /**
+   * The names of SetGrade(), separated by blanks: "consumer", "tactical", "survey", "navigation".
+   * Docs/trajectories.md has their numbers and sources.
+   */
+  static std::string GetGradeNames();
 
   ///@{
   /**

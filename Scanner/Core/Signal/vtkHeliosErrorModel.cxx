@@ -21,6 +21,12 @@ double vtkHeliosErrorModel::GetHeadError(double) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosErrorModel::MoveRay(double[3], double[3]) const
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosErrorModel::GetRangeNoiseFactor(double) const
 {
   return 1.0;

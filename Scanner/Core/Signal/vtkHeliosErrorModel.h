@@ -5,7 +5,7 @@
  * @brief   systematic errors of an instrument
  *
  * A strategy, const and thread-safe once set up. Errors of deflector and head
- * turn the emitted pulse; its points are placed at the exact angles, at the
+ * turn and move the emitted pulse; its points are placed at the exact angles, at the
  * range with the range error.
  *
  * To add one: subclass and override the nonzero terms. Values are within
@@ -51,6 +51,14 @@ public:
   virtual double GetDeflectionError(double theta) const;
   virtual double GetHeadError(double theta) const;
   ///@}
+
+  /**
+   * Moves the origin [m] and turns the direction (a unit vector) of the emitted ray in the frame of
+   * the head, whose rotation axis is z with the default axis: given as they are reported, returned
+   * as they are. Returns false, and leaves both, if there is no error. Called after the errors of
+   * the angles above. Default: no error.
+   */
+  virtual bool MoveRay(double origin[3], double direction[3]) const;
 
   /**
    * The factor on the range noise at a range [m]. Default: 1.

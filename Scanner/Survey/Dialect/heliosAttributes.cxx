@@ -139,6 +139,7 @@ const std::vector<Attribute>& GetAttributes<ScannerData>()
       .AddInside<receiver, &ReceiverData::Errors>("rangeError")
       .AddInside<receiver, &ReceiverData::Errors>("deflectionError")
       .AddInside<receiver, &ReceiverData::Errors>("headError")
+      .AddInside<receiver, &ReceiverData::Panoramic>("panoramicError")
       .All;
   return attributes;
 }

@@ -106,6 +106,17 @@ void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)
   ReadError(scanner, "headError", errors, errors.HeadName);
 }
 
+/// Those of a channel replace those of its scanner.
+void ReadPanoramicErrors(const XmlElement& scanner, PanoramicErrorData& errors)
+{
+  if (const XmlElement element = scanner.GetChild("panoramicError"))
+  {
+    errors = PanoramicErrorData();
+    element.CheckNames();
+    element.ReadStored(errors);
+  }
+}
+
 void ReadDetectorSettings(const XmlElement& element, ScannerData& data)
 {
   if (element)
@@ -127,6 +138,7 @@ void ReadReceiver(const XmlElement& scanner, ScannerData& data)
 {
   data.Receiver.Where = scanner.Where();
   ReadErrors(scanner, data.Receiver.Errors);
+  ReadPanoramicErrors(scanner, data.Receiver.Panoramic);
   ReadFwfSettings(scanner.GetChild("FWFSettings"), data);
 }
 

@@ -246,6 +246,7 @@ void LegScanner::SetOutputs(const RunSettings& settings)
   this->Settings.SubRays = settings.SubRays;
   this->Settings.Truth = settings.Truth;
   this->Settings.ScanFlags = settings.ScanFlags;
+  this->Settings.Columns = settings.Columns;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     this->ApplyOutputs(channel);

@@ -29,7 +29,7 @@ struct RunSettings
   bool SubRays = false;           ///< their hits; not written
   bool Truth = false;             ///< with the echoes; written as vtp only
   bool ScanFlags = false;         ///< with the echoes
-  bool Columns = false;           ///< with the echoes; not written
+  bool Columns = false;           ///< with the echoes; written as vtp only
   bool WaveformsInPoints = false; ///< LAS: in one file with the points
 
   std::string Folder; ///< of the files

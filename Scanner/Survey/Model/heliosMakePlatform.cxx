@@ -164,17 +164,23 @@ bool HasErrors(const NavigationErrorData& data)
 {
   const auto isSet = [](const double(&values)[3])
   { return values[0] != 0.0 || values[1] != 0.0 || values[2] != 0.0; };
-  return isSet(data.PositionRMS) || isSet(data.AttitudeRMS) || isSet(data.Boresight) ||
-    isSet(data.LeverArm) || data.ClockOffset != 0.0;
+  const auto isPositive = [](const double(&values)[3])
+  { return values[0] > 0.0 || values[1] > 0.0 || values[2] > 0.0; };
+  return !data.Grade.empty() || isPositive(data.PositionRMS) || isPositive(data.AttitudeRMS) ||
+    isSet(data.Boresight) || isSet(data.LeverArm) || data.ClockOffset != 0.0;
 }
 
 void SetErrors(const NavigationErrorData& data, vtkHeliosPlatformNoise* noise)
 {
-  using Noise = vtkHeliosPlatformNoise;
-  for (int k = 0; k < 3; ++k)
+  if (!data.Grade.empty())
   {
-    noise->SetSlowError(Noise::POSITION_X + k, data.PositionRMS[k], data.PositionTime);
-    noise->SetSlowError(Noise::ATTITUDE_X + k, data.AttitudeRMS[k], data.AttitudeTime);
+    noise->SetGrade(data.Grade);
+  }
+  for (int k = 0; k < 6; ++k)
+  {
+    const double given = k < 3 ? data.PositionRMS[k] : data.AttitudeRMS[k - 3];
+    noise->SetSlowError(k, given >= 0.0 ? given : noise->GetSlowErrorRMS(k),
+      k < 3 ? data.PositionTime : data.AttitudeTime);
   }
   noise->SetBoresight(data.Boresight[0], data.Boresight[1], data.Boresight[2]);
   noise->SetLeverArmError(data.LeverArm[0], data.LeverArm[1], data.LeverArm[2]);

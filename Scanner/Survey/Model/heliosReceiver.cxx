@@ -11,6 +11,7 @@
 #include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosExpressionErrorModel.h"
 #include "vtkHeliosGaussianDecomposition.h"
+#include "vtkHeliosPanoramicErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosScanner.h"
 
@@ -155,11 +156,27 @@ vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, dou
   return detector;
 }
 
-void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
+void SetPanoramicErrors(const PanoramicErrorData& data, vtkHeliosPanoramicErrorModel* model)
 {
-  if (!errors.IsEmpty())
+  model->SetHorizontalBeamOffset(data.BeamOffset[0]);
+  model->SetVerticalBeamOffset(data.BeamOffset[1]);
+  model->SetTransitOffset(data.TransitOffset);
+  model->SetMirrorOffset(data.MirrorOffset);
+  model->SetVerticalIndexOffset(data.VerticalIndexOffset);
+  model->SetHorizontalBeamTilt(data.BeamTilt[0]);
+  model->SetVerticalBeamTilt(data.BeamTilt[1]);
+  model->SetMirrorTilt(data.MirrorTilt);
+  model->SetTransitTilt(data.TransitTilt);
+  model->SetRangeOffset(data.RangeOffset);
+}
+
+void SetUpErrors(
+  const ErrorExpressions& errors, const PanoramicErrorData& panoramic, vtkHeliosScanner* scanner)
+{
+  if (!errors.IsEmpty() || !panoramic.IsEmpty())
   {
-    vtkNew<vtkHeliosExpressionErrorModel> model;
+    vtkNew<vtkHeliosPanoramicErrorModel> model;
+    SetPanoramicErrors(panoramic, model);
     model->SetRangeErrorExpression(errors.Range);
     model->SetDeflectionErrorExpression(errors.Deflection);
     model->SetHeadErrorExpression(errors.Head);
@@ -213,7 +230,7 @@ void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHelios
   SetUpWaveforms(data.Receiver, options, scanner);
   SetUpReturns(data, options, scanner);
   SetUpNoise(data, options.Noise, scanner);
-  SetUpErrors(data.Receiver.Errors, scanner);
+  SetUpErrors(data.Receiver.Errors, data.Receiver.Panoramic, scanner);
   const std::string& name =
     options.EchoDetector.empty() ? data.Receiver.EchoDetector : options.EchoDetector;
   const auto detector = MakeDetector(name, data.Receiver.PeakWindow);

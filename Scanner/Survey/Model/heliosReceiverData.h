@@ -31,6 +31,27 @@ struct ErrorExpressions
   }
 };
 
+/// Mechanical misalignments of a panoramic scanner, as of vtkHeliosPanoramicErrorModel.
+struct PanoramicErrorData
+{
+  double BeamOffset[2] = { 0.0, 0.0 }; ///< along y, z of the head [m]
+  double TransitOffset = 0.0;          ///< [m]
+  double MirrorOffset = 0.0;           ///< [m]
+  double VerticalIndexOffset = 0.0;    ///< [deg]
+  double BeamTilt[2] = { 0.0, 0.0 };   ///< towards y, z of the head [deg]
+  double MirrorTilt = 0.0;             ///< [deg]
+  double TransitTilt = 0.0;            ///< [deg]
+  double RangeOffset = 0.0;            ///< [m]
+
+  bool IsEmpty() const
+  {
+    return this->BeamOffset[0] == 0.0 && this->BeamOffset[1] == 0.0 && this->TransitOffset == 0.0 &&
+      this->MirrorOffset == 0.0 && this->VerticalIndexOffset == 0.0 && this->BeamTilt[0] == 0.0 &&
+      this->BeamTilt[1] == 0.0 && this->MirrorTilt == 0.0 && this->TransitTilt == 0.0 &&
+      this->RangeOffset == 0.0;
+  }
+};
+
 struct ReceiverData
 {
   std::string Where;                               ///< the last place read
@@ -55,6 +76,7 @@ struct ReceiverData
   double AccuracyAtThreshold = 0.0; ///< [m]
   double AngleAccuracy = 0.0;       ///< [rad]
   ErrorExpressions Errors;
+  PanoramicErrorData Panoramic;
 };
 
 } // namespace helios

@@ -140,13 +140,14 @@ struct NoiseData
 /// Errors of position, attitude and calibration that the instrument does not know.
 struct NavigationErrorData
 {
-  double PositionRMS[3] = { 0.0, 0.0, 0.0 }; ///< x, y, z [m]
-  double AttitudeRMS[3] = { 0.0, 0.0, 0.0 }; ///< about x, y, z of the body [deg]
-  double PositionTime = 60.0;                ///< correlation time [s]
-  double AttitudeTime = 60.0;                ///< [s]
-  double Boresight[3] = { 0.0, 0.0, 0.0 };   ///< of the mount about x, y, z of the body [deg]
-  double LeverArm[3] = { 0.0, 0.0, 0.0 };    ///< [m]
-  double ClockOffset = 0.0;                  ///< [s]
+  std::string Grade;                            ///< of vtkHeliosPlatformNoise; empty: none
+  double PositionRMS[3] = { -1.0, -1.0, -1.0 }; ///< x, y, z [m]; negative: the grade's, else 0
+  double AttitudeRMS[3] = { -1.0, -1.0, -1.0 }; ///< about x, y, z of the body [deg]; likewise
+  double PositionTime = 60.0;                   ///< correlation time [s]
+  double AttitudeTime = 60.0;                   ///< [s]
+  double Boresight[3] = { 0.0, 0.0, 0.0 };      ///< of the mount about x, y, z of the body [deg]
+  double LeverArm[3] = { 0.0, 0.0, 0.0 };       ///< [m]
+  double ClockOffset = 0.0;                     ///< [s]
 };
 
 /// Vehicle parameters, as in files.

@@ -84,6 +84,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   {
     options["truth"] = true;
   }
+  if (settings.Columns)
+  {
+    options["columns"] = true;
+  }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)

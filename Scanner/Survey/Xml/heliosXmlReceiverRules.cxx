@@ -17,6 +17,8 @@ namespace
 {
 
 constexpr auto Receiver = &ScannerData::Receiver;
+constexpr XmlRange MechanicalOffset = { -1.0, 1.0 }; // [m]
+constexpr XmlRange MechanicalTilt = { -10.0, 10.0 }; // [deg]
 
 Status FindExpressionFault(const std::string& text)
 {
@@ -84,6 +86,21 @@ std::vector<XmlElementRule> MakeReceiverRules()
     {
       Text("expr", "an expression of the mirror angle THETA [rad], in radians").Required().Checked(FindExpressionFault).At<&ErrorExpressions::Head>(),
       Number("zeroSinThreshold_deg", "minimum distance of THETA from multiples of 180 degrees").In("deg", { 0.0, 89.0 }).At<&ErrorExpressions::HeadZeroSinThreshold>(),
+    },
+    {} },
+
+  { "panoramicError", "misalignments of a panoramic scanner, the model of NIST (Muralikrishnan et al. 2015)",
+    {
+      Number("horizontalBeamOffset_m", "x1n: offset of the beam from the shaft before the mirror, along y of the head").In("m", MechanicalOffset).At<&PanoramicErrorData::BeamOffset, 0>(),
+      Number("verticalBeamOffset_m", "x1z: the same along z").In("m", MechanicalOffset).At<&PanoramicErrorData::BeamOffset, 1>(),
+      Number("transitOffset_m", "x2: offset of the shaft from the axis of the head, along y").In("m", MechanicalOffset).At<&PanoramicErrorData::TransitOffset>(),
+      Number("mirrorOffset_m", "x3: offset of the mirror along the shaft").In("m", MechanicalOffset).At<&PanoramicErrorData::MirrorOffset>(),
+      Number("verticalIndexOffset_deg", "x4: added to the zenith angle, negative in the back face").In("deg", MechanicalTilt).At<&PanoramicErrorData::VerticalIndexOffset>(),
+      Number("horizontalBeamTilt_deg", "x5n: tilt of the beam from the shaft before the mirror, towards y").In("deg", MechanicalTilt).At<&PanoramicErrorData::BeamTilt, 0>(),
+      Number("verticalBeamTilt_deg", "x5z: the same towards z").In("deg", MechanicalTilt).At<&PanoramicErrorData::BeamTilt, 1>(),
+      Number("mirrorTilt_deg", "x6: angle of the mirror to the shaft less the nominal one").In("deg", MechanicalTilt).At<&PanoramicErrorData::MirrorTilt>(),
+      Number("transitTilt_deg", "x7: tilt of the shaft about y, its x end raised").In("deg", MechanicalTilt).At<&PanoramicErrorData::TransitTilt>(),
+      Number("rangeOffset_m", "x10: the true range less the measured one").In("m", MechanicalOffset).At<&PanoramicErrorData::RangeOffset>(),
     },
     {} },
   };

@@ -126,7 +126,7 @@ std::vector<XmlElementRule> MakeScannerRules()
   return {
   { "scanner", "an instrument",
     MakeInstrumentValues(),
-    { One("sources"), One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("sources"), One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("channels"), One("rangeError"), One("deflectionError"), One("headError"), One("panoramicError") } },
 
   { "sources", "where the numbers of a scanner come from, for the list of vtkhelios info --scanners",
     {},
@@ -146,7 +146,7 @@ std::vector<XmlElementRule> MakeScannerRules()
 
   { "channel", "an emitter and its receiver; values not given are those of its scanner",
     MakeChannelValues(),
-    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("rangeError"), One("deflectionError"), One("headError") } },
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("beams"), One("rangeError"), One("deflectionError"), One("headError"), One("panoramicError") } },
 
   { "beams", "spinning: the beams in the order in which they fire; their numbers are the channels",
     {

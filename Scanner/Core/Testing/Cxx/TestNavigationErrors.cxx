@@ -290,6 +290,20 @@ TEST_CASE("NavigationErrors: byte-identical for any number of threads and pieces
   CHECK(Bytes(bench.Run()) == quiet);
 }
 
+TEST_CASE("NavigationErrors: a grade sets the RMS of all slow errors", "[NavigationErrors]")
+{
+  vtkNew<Noise> noise;
+  noise->SetSlowError(Noise::POSITION_X, 5.0, 300.0);
+  REQUIRE(noise->SetGrade("tactical"));
+  const double expected[6] = { 0.05, 0.05, 0.05, 0.025, 0.025, 0.080 };
+  for (int component = 0; component < 6; ++component)
+  {
+    CHECK(noise->GetSlowErrorRMS(component) == expected[component]);
+    CHECK(noise->GetSlowErrorTime(component) == (component == 0 ? 300.0 : 60.0));
+  }
+  CHECK(noise->HasErrors());
+}
+
 TEST_CASE("NavigationErrors: bad values are errors and change nothing", "[NavigationErrors]")
 {
   vtkNew<Noise> noise;
@@ -307,6 +321,8 @@ TEST_CASE("NavigationErrors: bad values are errors and change nothing", "[Naviga
   CHECK(log->HasError("Boresight is 0, 181, 0 deg; give angles from -180 to 180."));
   noise->SetLeverArmError(0.0, 0.0, nan);
   CHECK(log->HasError("LeverArmError is 0, 0, nan m; give finite numbers."));
+  CHECK_FALSE(noise->SetGrade("best"));
+  CHECK(log->HasError("Grade is \"best\"; give one of consumer tactical survey navigation."));
   CHECK_FALSE(noise->IsOn());
   CHECK(noise->GetSlowErrorTime(Noise::POSITION_Y) == 60.0);
   CHECK(std::isnan(noise->GetSlowErrorRMS(6)));

@@ -215,7 +215,8 @@ clockOffset_s="1e-3"/><scannerMount x="0")");
   const Reading reading(files, Tripod, OneLeg);
   const helios::NavigationErrorData& errors = Read(reading).Platforms.at(0).Errors;
   CHECK(errors.PositionRMS[0] == 0.04);
-  CHECK(errors.PositionRMS[1] == 0.0);
+  CHECK(errors.PositionRMS[1] == -1.0); // not given
+  CHECK(errors.Grade.empty());
   CHECK(errors.PositionRMS[2] == 0.05);
   CHECK(errors.AttitudeRMS[2] == 0.02);
   CHECK(errors.PositionTime == 300.0);
@@ -227,7 +228,7 @@ clockOffset_s="1e-3"/><scannerMount x="0")");
     files, Tripod, OneLeg + std::string(R"(<navigationError attitudeXRms_deg="0.5"/>)"));
   const helios::NavigationErrorData& others = Read(overriding).Platforms.at(0).Errors;
   CHECK(others.AttitudeRMS[0] == 0.5);
-  CHECK(others.PositionRMS[0] == 0.0); // all of them are overridden
+  CHECK(others.PositionRMS[0] == -1.0); // all of them are overridden
   CHECK(others.PositionTime == 60.0);
   CheckAllRefused(Tripod, OneLeg,
     {
@@ -237,6 +238,8 @@ clockOffset_s="1e-3"/><scannerMount x="0")");
         { "assets.xml:2", "attitudeTime_s=\"0\" is out of range" } },
       { "assets.xml", "<scannerMount", "<navigationError boresightX_deg=\"200\"/><scannerMount",
         { "assets.xml:2", "boresightX_deg=\"200\" is out of range" } },
+      { "assets.xml", "<scannerMount", "<navigationError grade=\"best\"/><scannerMount",
+        { "assets.xml:2", "grade=\"best\"", "consumer" } },
     });
 }
 

@@ -67,7 +67,7 @@ const std::vector<Kind> Kinds = {
   { "part", { "part" }, { "swap", "dmotion" } },
   { "scanner", { "scanner", "FWFSettings", "detectorSettings" },
     { "beamOrigin", "headRotateAxis", "incidentBeam", "rangeError", "deflectionError", "headError",
-      "channel", "beams" } },
+      "panoramicError", "channel", "beams" } },
   { "platform", { "platform" },
     { "scannerMount", "positionXNoise", "positionYNoise", "positionZNoise", "attitudeXNoise",
       "attitudeYNoise", "attitudeZNoise", "navigationError" } },

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs of surveys with ground vehicles, multicopters, trajectory files and platform noise.
+#include "heliosMakePlatform.h"
 #include "heliosSurveyPlaying.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPlatformNoise.h"
 #include "vtkHeliosPointXMLReader.h"
 
 #include <vtkDataArray.h>
@@ -13,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 using namespace helios::test;
 
@@ -224,6 +228,39 @@ TEST_CASE("SurveyPlatforms: a lever arm error displaces points off surfaces", "[
   {
     REQUIRE((quiet[i].X == still[i].X && quiet[i].Z == still[i].Z));
   }
+}
+
+TEST_CASE("SurveyPlatforms: a grade gives the errors that are not given", "[SurveyPlatforms]")
+{
+  using Noise = vtkHeliosPlatformNoise;
+  helios::PlatformData platform;
+  std::istringstream grades(Noise::GetGradeNames());
+  for (std::string grade; grades >> grade;)
+  {
+    CAPTURE(grade);
+    const Files files;
+    const Reading reading(files, Flight,
+      Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"") + "<navigationError grade=\"" +
+        grade + "\"/>");
+    CHECK(reading.Good); // the words of the dialect are the names
+    platform.Errors = helios::NavigationErrorData();
+    platform.Errors.Grade = grade;
+    platform.Errors.PositionRMS[2] = 0.0;
+    platform.Errors.AttitudeRMS[0] = 0.7;
+    platform.Errors.AttitudeTime = 30.0;
+    const auto noise = helios::MakePlatformNoise(platform, 1);
+    REQUIRE(noise);
+    vtkNew<Noise> expected;
+    REQUIRE(expected->SetGrade(grade));
+    CHECK(noise->GetSlowErrorRMS(0) == expected->GetSlowErrorRMS(0));
+    CHECK(noise->GetSlowErrorRMS(0) > 0.0);
+    CHECK(noise->GetSlowErrorRMS(2) == 0.0);
+    CHECK(noise->GetSlowErrorRMS(3) == 0.7);
+    CHECK(noise->GetSlowErrorRMS(5) == expected->GetSlowErrorRMS(5));
+    CHECK(noise->GetSlowErrorTime(5) == 30.0);
+  }
+  platform.Errors = helios::NavigationErrorData();
+  CHECK_FALSE(helios::MakePlatformNoise(platform, 1));
 }
 
 TEST_CASE("SurveyPlatforms: true points are written beside the reported ones", "[SurveyPlatforms]")

@@ -15,6 +15,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -319,6 +320,30 @@ TEST_CASE("SurveyReceiver: error expressions", "[SurveyReceiver]")
   Bench("", "", "", "", "<rangeError/>").CheckRefused({ "assets.xml:8: <rangeError> has no expr" });
   Bench("", "", "", "", "<headError expr=\"\"/>")
     .CheckRefused({ "<headError> has no expr; add one" });
+}
+
+TEST_CASE("SurveyReceiver: misalignments of a panoramic scanner", "[SurveyReceiver]")
+{
+  const Bench bench("", "", "", "",
+    "<panoramicError horizontalBeamOffset_m=\"0.001\" verticalBeamOffset_m=\"0.002\" "
+    "transitOffset_m=\"0.003\" mirrorOffset_m=\"0.004\" verticalIndexOffset_deg=\"0.5\" "
+    "horizontalBeamTilt_deg=\"0.6\" verticalBeamTilt_deg=\"0.7\" mirrorTilt_deg=\"0.8\" "
+    "transitTilt_deg=\"0.9\" rangeOffset_m=\"0.01\"/>");
+  bench.CheckQuiet();
+  std::ostringstream printed;
+  bench.SetUp()->GetErrorModel()->Print(printed);
+  for (const char* property : { "HorizontalBeamOffset: 0.001 m", "VerticalBeamOffset: 0.002 m",
+         "TransitOffset: 0.003 m", "MirrorOffset: 0.004 m", "VerticalIndexOffset: 0.5 deg",
+         "HorizontalBeamTilt: 0.6 deg", "VerticalBeamTilt: 0.7 deg", "MirrorTilt: 0.8 deg",
+         "TransitTilt: 0.9 deg", "RangeOffset: 0.01 m" })
+  {
+    INFO(property << " in " << printed.str());
+    CHECK(printed.str().find(property) != std::string::npos);
+  }
+  Bench("", "", "", "", "<panoramicError mirrorTilt_deg=\"11\"/>")
+    .CheckRefused({ "assets.xml:8: mirrorTilt_deg=\"11\" is out of range" });
+  Bench("", "", "", "", "<panoramicError transitOffset_m=\"1.5\"/>")
+    .CheckRefused({ "transitOffset_m=\"1.5\" is out of range" });
 }
 
 TEST_CASE("SurveyReceiver: expressions that are long, deep or never finite", "[SurveyReceiver]")

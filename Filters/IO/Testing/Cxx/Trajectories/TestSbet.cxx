@@ -142,6 +142,56 @@ TEST_CASE("SBET: heading, pitch, roll in this order, less the wander angle", "[S
   CHECK(right[1] == Approx(-std::cos(20 * Degree)).margin(1e-8)); // to the south
 }
 
+TEST_CASE("SBET: velocities are turned by wander angle and convergence", "[SBET]")
+{
+  Record record = MakeRecord(0, 49.0, 11.5);
+  record[10] = 20.0 * Degree;
+  record[4] = 30.0;  // along x, which is 20 degrees west of north: azimuth 0 - 20
+  record[5] = -40.0; // to the right of it
+  record[6] = 2.0;
+  Reading reading;
+  reading.Reader->SetTargetCRS("EPSG:32632");
+  REQUIRE(reading.Read({ record, MakeRecord(1, 49.0, 11.5) }));
+  vtkDataArray* velocities = reading.Path()->GetPointData()->GetArray(names::Velocity);
+  REQUIRE(velocities);
+  REQUIRE(velocities->GetNumberOfTuples() == 2);
+  const Vec3 found(velocities->GetTuple3(0));
+  const double convergence = ComputeConvergence(49.0 * Degree, 2.5 * Degree);
+  const double azimuth = std::atan2(40.0, 30.0) - 20.0 * Degree - convergence;
+  CHECK(found[0] == Approx(50.0 * std::sin(azimuth)).margin(1e-6));
+  CHECK(found[1] == Approx(50.0 * std::cos(azimuth)).margin(1e-6));
+  CHECK(found[2] == Approx(2.0).margin(1e-6));
+  CHECK(Vec3(velocities->GetTuple3(1)).Norm() == 0.0);
+}
+
+TEST_CASE("SBET: a file whose velocities are all 0 has none", "[SBET]")
+{
+  Reading reading;
+  REQUIRE(reading.Read({ MakeRecord(0), MakeRecord(1) }));
+  CHECK_FALSE(reading.Path()->GetPointData()->HasArray(names::Velocity));
+}
+
+TEST_CASE("SBET: rows that are left out take their velocities with them", "[SBET]")
+{
+  std::vector<Record> records;
+  for (int i = 0; i < 5; ++i)
+  {
+    records.push_back(MakeRecord(i, 49.0 + 1e-5 * (i < 3 ? i : 2), 9.0));
+    records.back()[4] = i;
+  }
+  Reading reading;
+  reading.Reader->SetTargetCRS("ENU 49 9 250");
+  reading.Reader->SetSlopeFilterThreshold(0.1);
+  REQUIRE(reading.Read(records));
+  vtkDataArray* velocities = reading.Path()->GetPointData()->GetArray(names::Velocity);
+  REQUIRE(velocities);
+  REQUIRE(velocities->GetNumberOfTuples() < 5);
+  for (vtkIdType i = 0; i < velocities->GetNumberOfTuples(); ++i)
+  {
+    CHECK(velocities->GetComponent(i, 1) == Approx(reading.GetTime(i)).margin(1e-6));
+  }
+}
+
 TEST_CASE("SBET: a local system tilts with the distance from its origin", "[SBET]")
 {
   Reading reading;
@@ -179,13 +229,14 @@ TEST_CASE("SBET: bad numbers are errors with record, byte, value and cure", "[SB
   CHECK(fails(0, nan, "a.trj, record 1 (byte 136): time is nan; give finite numbers"));
   CHECK(fails(8, INFINITY, "record 1 (byte 136): pitch is inf; give finite numbers"));
   CHECK(fails(10, nan, "wander angle is nan"));
+  CHECK(fails(5, nan, "record 1 (byte 136): velocity y is nan; give finite numbers"));
   CHECK(fails(1, 49.0, "latitude is 49, outside [-pi/2, pi/2]; SBET has angles in radians"));
   CHECK(fails(2, -80.0, "longitude is -80, outside [-2 pi, 2 pi]; SBET has angles in radians"));
   CHECK(fails(0, 0.0, "time is 0 s, not after that of the record before, 0 s; split the file"));
   CHECK(fails(0, -1.0, "time is -1 s, not after that of the record before, 0 s"));
   CHECK(reading.Read({ MakeRecord(0), MakeRecord(1) }));
   Record record = MakeRecord(1); // fields that are not read
-  record[4] = record[11] = record[16] = nan;
+  record[11] = record[16] = nan;
   CHECK(reading.Read({ MakeRecord(0), record }));
 }
 
@@ -303,6 +354,7 @@ TEST_CASE("SBET: what is written is read back, in any system", "[SBET]")
       const Quaternion q(samples->GetPointData()->GetArray(names::Orientation)->GetTuple4(i));
       CHECK(helios::Distance(writing.GetOrientation(i), q) < 1e-8);
     }
+    CHECK(writing.Path()->GetPointData()->HasArray(names::Velocity));
   }
 }
 
