@@ -42,6 +42,7 @@ vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
 {
   auto to = vtkSmartPointer<vtkHeliosBeamSampler>::New();
   to->SetBeamDivergence(from->GetBeamDivergence());
+  to->SetDivergenceRatio(from->GetDivergenceRatio());
   to->SetTruncation(from->GetTruncation());
   to->SetBeamQualityFactor(from->GetBeamQualityFactor());
   to->SetWavelength(from->GetWavelength());
@@ -131,6 +132,15 @@ Status CheckBeam(vtkHeliosBeamSampler* sampler)
          << " rad, or 0 for one ideal ray";
     return Status::Error(text.str());
   }
+  const double ratio = sampler->GetDivergenceRatio();
+  if (divergence != 0.0 && !(ratio * divergence >= LeastDivergence))
+  {
+    text << "DivergenceRatio " << ratio << " and BeamDivergence " << divergence
+         << " rad make a divergence of " << ratio * divergence
+         << " rad along the minor axis; give at least " << LeastDivergence
+         << " rad, or DivergenceRatio 1 for a circular beam";
+    return Status::Error(text.str());
+  }
   if (!(waist <= LargestWaist))
   {
     text << "BeamQualityFactor " << sampler->GetBeamQualityFactor() << " and BeamDivergence "
@@ -182,14 +192,16 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
   const double w = 0.5 * sampler->GetBeamDivergence();
   model.Receiver.DetectionBin = model.Plan.DetectionBin;
-  model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma() };
+  const double ratio = sampler->GetDivergenceRatio();
+  model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma(),
+    ratio };
   model.ConeTangent = std::tan(w * sampler->GetTruncation());
   model.ApexOffset =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
   model.Footprints = { w, LeaveOutRim(sampler->GetTruncation(), model.Plan.RimEnergy),
     model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
-    { model.Gate.Least, model.Gate.Most }, model.Plan.PartError };
+    { model.Gate.Least, model.Gate.Most }, model.Plan.PartError, ratio };
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
   if (model.Plan.LayerRings > 0 && model.ApexOffset == 0.0)

@@ -80,6 +80,10 @@ bool BeamTracer::SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCou
   batch.SubRays = &subRays;
   batch.Rays.resize(std::max(batch.Rays.size(), count));
   batch.Hits.resize(batch.Rays.size());
+  if (this->Model.Plane.Ratio != 1.0)
+  {
+    this->Layers.Align(layer.Frame, pulse.GetMajorAxis(), pulse.GetMinorAxis());
+  }
   this->Layers.Trace(layer, pulse.Origin.GetData(), batch.Rays.data(), batch.Hits.data());
   const auto [nearest, farthest] =
     std::minmax_element(batch.Hits.begin(), batch.Hits.begin() + static_cast<std::ptrdiff_t>(count),
@@ -102,7 +106,9 @@ bool BeamTracer::SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCou
 bool BeamTracer::CollectSurfaces(const Pulse& pulse)
 {
   const Vec3 axis = pulse.GetDirection();
-  return this->Surfaces.Collect(*this->Model.Cones, pulse.Origin.GetData(), axis.GetData()) &&
+  const Vec3 minor = pulse.GetMinorAxis();
+  return this->Surfaces.Collect(
+           *this->Model.Cones, pulse.Origin.GetData(), axis.GetData(), minor.GetData()) &&
     this->Surfaces.AreEdgesStraight();
 }
 

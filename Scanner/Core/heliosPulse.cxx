@@ -17,6 +17,8 @@ namespace helios
 namespace
 {
 
+constexpr double LeastAcross = 1e-6; // of a unit axis; a beam along it has no direction across
+
 /// A term of the error model; 0, and marked, if it is invalid.
 double UseTerm(double value, int term, Pulse& pulse)
 {
@@ -50,6 +52,33 @@ Rotation BeamFrame(const Vec3& axis)
   m[0][2] = b;
   m[1][2] = -axis[2];
   m[2][2] = sign + axis[2] * axis[2] * a;
+  return frame;
+}
+
+Rotation BeamRoll::GetFrame(const Vec3& direction) const
+{
+  if (!this->IsOn)
+  {
+    return BeamFrame(direction);
+  }
+  Vec3 across = this->CrossAxis - this->CrossAxis.Dot(direction) * direction;
+  if (!(across.Norm() > LeastAcross))
+  {
+    return BeamFrame(direction);
+  }
+  across.Normalize();
+  const Vec3 other = across.Cross(direction);
+  const double angle = vtkMath::RadiansFromDegrees(this->Angle);
+  const Vec3 columns[3] = { std::cos(angle) * across - std::sin(angle) * other, direction,
+    std::sin(angle) * across + std::cos(angle) * other };
+  Rotation frame;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      frame.M[row][column] = columns[column][row];
+    }
+  }
   return frame;
 }
 
@@ -99,7 +128,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
     this->Platform->GetPosition(this->GetPoseTime(elapsed), cursor.Platform, platform);
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
   const Head& head = this->GetHead(headAngle, cursor);
-  const Rotation beam = head.Beam * BeamFrame(Vec3(direction));
+  const Rotation beam = head.Beam * this->Roll.GetFrame(Vec3(direction));
   const Vec3 lever = this->GetLever(index, head);
   const bool isUnknown = this->Noise && (this->Noise->IsUnknown() || this->Noise->HasErrors());
   if (this->Noise && !this->Noise->IsUnknown())
@@ -211,7 +240,8 @@ void PulseSource::TurnBeam(
       UseTerm(this->Errors->GetHeadError(theta), Model::HEAD_ERROR, pulse));
     direction = Rotate(AxisAngle({ 1.0, 0.0, 0.0 }, deflection), direction);
     const Quaternion head = this->TurnHead(headAngle + turn);
-    pulse.Beam = platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(direction));
+    pulse.Beam =
+      platform * (Rotation(head * this->BeamOrigin.Orientation) * this->Roll.GetFrame(direction));
     this->MoveRay(head, platform, direction, pulse);
   }
   if (this->AngleAccuracy > 0.0)
@@ -220,7 +250,7 @@ void PulseSource::TurnBeam(
     const auto noise = NormalPair(this->Seed, RandomStream::AngleNoise, id, 0);
     Vec3 axis(this->AngleAccuracy * noise[0], 1.0, this->AngleAccuracy * noise[1]);
     axis.Normalize();
-    pulse.Beam = BeamFrame(pulse.Beam * axis);
+    pulse.Beam = this->Roll.IsOn ? pulse.Beam * BeamFrame(axis) : BeamFrame(pulse.Beam * axis);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "heliosPose.h"
 #include "heliosSlowErrorCursor.h"
 #include "heliosTrajectory.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>
 
@@ -26,17 +27,34 @@ struct Pulse
   vtkIdType Id;
   double Time;
   Vec3 Origin;
-  Rotation Beam; // from the frame of the beam, whose axis is y, to the world
+  Rotation Beam; // from the frame of the beam, whose axis is y and major axis x, to the world
   Vec3 Reported; // the direction reported by the instrument
   Vec3 ReportedOrigin;
   int Channel; // of the deflector
   /// Of the error model: a bit for each term that has no usable value and is left out.
   unsigned FaultyTerms = 0;
 
-  Vec3 GetDirection() const
+  Vec3 GetDirection() const { return this->GetAxis(1); }
+  Vec3 GetMajorAxis() const { return this->GetAxis(0); }
+  Vec3 GetMinorAxis() const { return this->GetAxis(2); }
+
+private:
+  Vec3 GetAxis(int axis) const
   {
-    return { this->Beam.M[0][1], this->Beam.M[1][1], this->Beam.M[2][1] };
+    return { this->Beam.M[0][axis], this->Beam.M[1][axis], this->Beam.M[2][axis] };
   }
+};
+
+/// The major axis of an elliptical beam: an axis of the deflector, projected across the beam and
+/// rotated about it.
+struct VTKHELIOSSCANNERCORE_EXPORT BeamRoll
+{
+  bool IsOn = false; // else any frame will do
+  Vec3 CrossAxis{ 1.0, 0.0, 0.0 };
+  double Angle = 0.0; // [deg], clockwise along the beam
+
+  /// The frame of a beam along a unit vector.
+  Rotation GetFrame(const Vec3& direction) const;
 };
 
 /// The ids of the pulses 0, 1, 2 ...
@@ -69,6 +87,7 @@ struct PulseSource
   const vtkHeliosErrorModel* Errors = nullptr;
   const vtkHeliosPlatformNoise* Noise = nullptr; // null: none
   double AngleAccuracy = 0.0;                    // [rad]
+  BeamRoll Roll;
   double PoseInterval = 0.0; // the platform stands still for so long [s]; 0: it does not
   std::uint64_t Seed = 0;
   PulseIds Ids;

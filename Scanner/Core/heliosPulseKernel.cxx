@@ -220,10 +220,13 @@ void PulseKernel::CountPath(bool isBinned)
 /// The geometry of a beam on a plane.
 PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
-  const double cosPlane =
-    std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(pulse.GetDirection()));
-  return { std::hypot(hit.Range, this->Model.ApexOffset),
-    std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane };
+  const Vec3& normal = this->Response.GetPlaneNormal(hit.CellId);
+  const double cosPlane = std::abs(normal.Dot(pulse.GetDirection()));
+  const double ratio = this->Model.Plane.Ratio;
+  const double slope = ratio == 1.0
+    ? std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane))
+    : std::hypot(normal.Dot(pulse.GetMajorAxis()), ratio * normal.Dot(pulse.GetMinorAxis()));
+  return { std::hypot(hit.Range, this->Model.ApexOffset), slope / cosPlane };
 }
 
 //------------------------------------------------------------------------------

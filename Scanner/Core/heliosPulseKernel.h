@@ -34,7 +34,7 @@ private:
   struct Incidence
   {
     double Reach;   ///< from the cone's apex: the footprint grows with it
-    double Tangent; ///< of the angle of incidence
+    double Tangent; ///< of the angle of incidence, as PlaneModel takes it
   };
   /// What is known about a beam before its sub-rays are cast.
   struct Cone

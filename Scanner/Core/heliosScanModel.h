@@ -81,7 +81,7 @@ struct ScanModel
   std::vector<std::unique_ptr<LazySubRays>> RayLevels; // of it: of beams with too many surfaces
   FootprintSettings Footprints;                        // of adaptive sampling
   PlaneModel Plane;
-  double ConeTangent = 0.0; // of the half angle of all sub-rays together
+  double ConeTangent = 0.0; // of the half angle of all sub-rays together, along the major axis
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
   double ApexOffset = 0.0;
 

@@ -290,6 +290,9 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
   source.PoseInterval = this->PoseInterval;
+  source.Roll.IsOn = this->BeamSampler->GetDivergenceRatio() != 1.0;
+  source.Roll.Angle = this->BeamSampler->GetMajorAxisAngle();
+  this->BeamDeflector->GetCrossAxis(source.Roll.CrossAxis.GetData());
   source.Errors = this->ErrorModel;
   const bool isNoisy = this->PlatformNoise && this->PlatformNoise->IsOn();
   source.Noise = isNoisy ? this->PlatformNoise.Get() : nullptr;

@@ -78,6 +78,13 @@ bool vtkHeliosBeamDeflector::GetOrigin(vtkIdType, double[3]) const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosBeamDeflector::GetCrossAxis(double axis[3]) const
+{
+  axis[0] = 1.0;
+  axis[1] = axis[2] = 0.0;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkHeliosBeamDeflector::GetColumn(vtkIdType) const
 {
   return 0;

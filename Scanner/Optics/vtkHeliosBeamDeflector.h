@@ -88,6 +88,15 @@ public:
   virtual bool GetOrigin(vtkIdType pulse, double origin[3]) const;
 
   /**
+   * The axis across the scan lines, in the scanner frame: what an elliptical footprint is aligned
+   * with. The plane of the beam and this axis holds the major axis of the footprint, for
+   * vtkHeliosBeamSampler::MajorAxisAngle 0; so the footprint turns with the beam that a mirror or a
+   * head turns, and the angle between its axes and the scan line stays. By default x, about which
+   * mirrors turn.
+   */
+  virtual void GetCrossAxis(double axis[3]) const;
+
+  /**
    * For optics that fire in columns: the column of a pulse in its revolution, from 0. By default 0.
    */
   virtual vtkIdType GetColumn(vtkIdType pulse) const;

@@ -234,6 +234,28 @@ void vtkHeliosBeamSampler::SetBeamDivergence(double angle)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetDivergenceRatio(double ratio)
+{
+  if (!(ratio >= 0.01 && ratio <= 1.0))
+  {
+    this->Refuse("DivergenceRatio", ratio, "in [0.01, 1]; 1 is a circular beam");
+    return;
+  }
+  this->SetProperty(this->DivergenceRatio, ratio);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetMajorAxisAngle(double angle)
+{
+  if (!(angle >= -360.0 && angle <= 360.0))
+  {
+    this->Refuse("MajorAxisAngle", angle, "in [-360, 360] deg; 0 is across the scan lines");
+    return;
+  }
+  this->SetProperty(this->MajorAxisAngle, angle);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosBeamSampler::SetBeamQualityFactor(double factor)
 {
   if (factor != 0.0 && !(factor >= 1.0 && factor <= 1e4))
@@ -280,6 +302,17 @@ double vtkHeliosBeamSampler::GetFootprintRadius(double distance) const
 }
 
 //------------------------------------------------------------------------------
+/// A sub-ray of the circular beam in the elliptical one: z is narrowed, start and slope alike.
+vtkHeliosBeamSampler::SubRay vtkHeliosBeamSampler::Narrow(const SubRay& circular) const
+{
+  SubRay ray = circular;
+  ray.Offset[2] *= this->DivergenceRatio;
+  ray.Direction[2] *= this->DivergenceRatio;
+  vtkMath::Normalize(ray.Direction);
+  return ray;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosBeamSampler::Build()
 {
   const double k = this->Truncation;
@@ -316,8 +349,9 @@ void vtkHeliosBeamSampler::Build()
     const double angle = waist > 0.0 ? std::atan(node.Radius * w) : node.Radius * w;
     const double across = std::sin(angle);
     const double aside = node.Radius * waist;
-    this->SubRays.push_back({ { across * node.Sin, std::cos(angle), across * node.Cos },
-      { aside * node.Cos, 0.0, -aside * node.Sin }, node.Weight });
+    const SubRay ray = { { across * node.Sin, std::cos(angle), across * node.Cos },
+      { aside * node.Cos, 0.0, -aside * node.Sin }, node.Weight };
+    this->SubRays.push_back(this->DivergenceRatio == 1.0 ? ray : this->Narrow(ray));
   }
 }
 
@@ -392,6 +426,8 @@ void vtkHeliosBeamSampler::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Pattern: " << this->GetPatternAsString() << "\n";
   os << indent << "BeamDivergence: " << this->BeamDivergence << "\n";
+  os << indent << "DivergenceRatio: " << this->DivergenceRatio << "\n";
+  os << indent << "MajorAxisAngle: " << this->MajorAxisAngle << "\n";
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "NumberOfCircles: " << this->NumberOfCircles << "\n";
   os << indent << "LegacyWeights: " << this->LegacyWeights << "\n";

@@ -33,6 +33,12 @@
  * slope r w towards a. At the plane R before the scanner, the radius of the beam
  * is then sqrt(w0^2 + (w R)^2) exactly, and every ray is straight.
  *
+ * With a DivergenceRatio q below 1 the beam is elliptical: the circular one of
+ * BeamDivergence, narrowed by q along the minor axis of its cross-section on the
+ * plane R before the scanner, and so is its waist, at the same place. The
+ * weights, and with x and z along the axes the intensity
+ * exp(-2 (x^2 + (z / q)^2) / (w R)^2), are those of the circular beam.
+ *
  * @sa
  * vtkHeliosScanner
  */
@@ -95,6 +101,27 @@ public:
    */
   void SetBeamDivergence(double angle);
   vtkGetMacro(BeamDivergence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the divergence along the minor axis of an elliptical beam, as a fraction of
+   * BeamDivergence, which is then that along the major axis; 1: a circular beam. The product must be
+   * at least 1e-9 rad for scanners. Valid range: [0.01, 1], else rejected. Default: 1.
+   */
+  void SetDivergenceRatio(double ratio);
+  vtkGetMacro(DivergenceRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far the major axis of an elliptical beam is rotated about the beam, clockwise as
+   * the scanner sees it, from vtkHeliosBeamDeflector::GetCrossAxis() [deg]: 0 is across the scan
+   * lines, 90 along them. Only scanners use it. Valid range: [-360, 360], else rejected.
+   * Default: 0.
+   */
+  void SetMajorAxisAngle(double angle);
+  vtkGetMacro(MajorAxisAngle, double);
   ///@}
 
   ///@{
@@ -167,13 +194,13 @@ public:
 
   /**
    * The radius of the beam at 1/e^2 of its intensity at a distance from the
-   * waist [m], the beam origin.
+   * waist [m], the beam origin; of an elliptical beam along its major axis.
    */
   double GetFootprintRadius(double distance) const;
 
   /**
-   * The direction of a sub-ray in the frame of the beam, whose axis is y: a
-   * unit vector.
+   * The direction of a sub-ray in the frame of the beam, whose axis is y and
+   * whose major axis is x: a unit vector.
    */
   void GetDirection(int subRay, double direction[3]) const
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
@@ -210,6 +237,7 @@ private:
   void Refuse(const char* property, double value, const char* cure);
   void SetProperty(double& property, double value);
   double GetWaist() const;
+  SubRay Narrow(const SubRay& circular) const;
   void Build();
 
   vtkHeliosBeamSampler(const vtkHeliosBeamSampler&) = delete;
@@ -217,6 +245,8 @@ private:
 
   int Pattern = GAUSS_LEGENDRE;
   double BeamDivergence = 0.0003;
+  double DivergenceRatio = 1.0;
+  double MajorAxisAngle = 0.0;
   int NumberOfRings = 2;
   int NumberOfCircles = 3;
   bool LegacyWeights = false;

@@ -179,6 +179,13 @@ bool vtkHeliosSpinningChannels::GetOrigin(vtkIdType pulse, double origin[3]) con
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosSpinningChannels::GetCrossAxis(double axis[3]) const
+{
+  axis[0] = axis[1] = 0.0;
+  axis[2] = 1.0;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkHeliosSpinningChannels::GetColumn(vtkIdType pulse) const
 {
   const double frequency = std::abs(this->ScanFrequency);

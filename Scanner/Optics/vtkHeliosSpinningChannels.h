@@ -118,6 +118,11 @@ public:
   vtkIdType GetColumn(vtkIdType pulse) const override;
 
   /**
+   * z, about which the head spins.
+   */
+  void GetCrossAxis(double axis[3]) const override;
+
+  /**
    * The azimuth of a pulse [deg], in [0, 360).
    */
   double GetScanAngle(vtkIdType pulse) const override;

@@ -48,13 +48,15 @@ HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
 Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike)
   : Settings(settings)
   , Beam(settings.HalfAngle, settings.Truncation, settings.EnergyError)
+  , Ellipse(settings.Ratio)
   , Projection{ this->Beam.GetTangent(), settings.ApexOffset }
   , Maker(std::move(areAlike), Flatness * settings.Depth)
 {
 }
 
 //------------------------------------------------------------------------------
-bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const double axis[3])
+bool Footprint::Collect(
+  const ConeProbe& probe, const double origin[3], const double axis[3], const double minor[3])
 {
   const double apexOffset = this->Settings.ApexOffset;
   const double apex[3] = { origin[0] - apexOffset * axis[0], origin[1] - apexOffset * axis[1],
@@ -64,10 +66,28 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
     return false;
   }
   this->Maker.Make(this->View, this->Facets);
+  if (!this->Ellipse.IsCircle())
+  {
+    this->StretchFacets(minor);
+  }
   this->Surfaces.Project(this->Facets, this->Projection);
   this->AllStrips.clear();
   this->SetTiles();
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Moves the facets to where the beam is circular.
+void Footprint::StretchFacets(const double minor[3])
+{
+  this->Ellipse.Align(this->View.Frame, minor);
+  for (Facet& facet : this->Facets)
+  {
+    for (int corner = 0; corner < facet.Size; ++corner)
+    {
+      this->Ellipse.ToCircle(facet.Corners[corner]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -402,7 +422,11 @@ void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& 
   FootprintPart part;
   part.Energy = moments.Energy;
   const double radius = this->Projection.GetRadius(depth.Mean);
-  const double centre[3] = { x * radius, y * radius, depth.Mean };
+  double centre[3] = { x * radius, y * radius, depth.Mean };
+  if (!this->Ellipse.IsCircle())
+  {
+    this->Ellipse.FromCircle(centre);
+  }
   const double length =
     std::sqrt(centre[0] * centre[0] + centre[1] * centre[1] + centre[2] * centre[2]);
   for (int axis = 0; axis < 3; ++axis)
@@ -415,7 +439,7 @@ void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& 
   part.Cell = this->FindCell(face, centre);
   // A range is along an asymptote of the beam; on average over the part.
   const double tangent = this->Projection.Tangent;
-  const double square = (moments.XX + moments.YY) / moments.Energy;
+  const double square = this->Ellipse.GetSquare(moments) / moments.Energy;
   const double stretch = std::sqrt(1.0 + tangent * tangent * square);
   if (depth.Deviation < LeastDeviation * this->Settings.Depth)
   {

@@ -5,6 +5,7 @@
 #ifndef heliosFootprint_h
 #define heliosFootprint_h
 
+#include "heliosBeamEllipse.h"
 #include "heliosBeamEnergy.h"
 #include "heliosConeProbe.h"
 #include "heliosFacets.h"
@@ -30,12 +31,13 @@ struct FootprintPart
 
 struct FootprintSettings
 {
-  double HalfAngle = 0.0;                        ///< of the beam at 1/e^2 [rad]
-  double Truncation = 1.5;                       ///< of the beam, in half angles
-  double ApexOffset = 0.0;                       ///< Rayleigh range of the waist, at the origin [m]
-  double Depth = 1.0;                            ///< largest spread of the ranges of a part [m]
-  double Gate[2] = { 0.0, HUGE_VAL };            ///< ranges that are limits of parts [m]
+  double HalfAngle = 0.0;             ///< of the beam at 1/e^2, along the major axis [rad]
+  double Truncation = 1.5;            ///< of the beam, in half angles
+  double ApexOffset = 0.0;            ///< Rayleigh range of the waist, at the origin [m]
+  double Depth = 1.0;                 ///< largest spread of the ranges of a part [m]
+  double Gate[2] = { 0.0, HUGE_VAL }; ///< ranges that are limits of parts [m]
   double EnergyError = BeamEnergy::DefaultError; ///< of small parts, as a fraction of the beam
+  double Ratio = 1.0;                            ///< of the minor axis to the major one
 };
 
 /**
@@ -51,9 +53,11 @@ public:
 
   /**
    * Collects the surfaces in a beam from an origin along a unit axis, for the methods below. False
-   * if these are more than MostTriangles triangles, or if the beam is too wide.
+   * if these are more than MostTriangles triangles, or if the beam is too wide. minor is a unit
+   * vector along the minor axis of an elliptical beam.
    */
-  bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3]);
+  bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3],
+    const double minor[3] = nullptr);
 
   /// Whether the edges in the beam are straight: not near a waist. Otherwise the surfaces can be
   /// neither divided nor sampled.
@@ -102,6 +106,7 @@ private:
   {
     std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
   };
+  void StretchFacets(const double minor[3]);
   void SetTiles();
   void AddTiles(
     const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
@@ -134,6 +139,7 @@ private:
 
   FootprintSettings Settings;
   BeamEnergy Beam;
+  BeamEllipse Ellipse;
   BeamProjection Projection;
   FacetMaker Maker;
   VisibleSurfaces Surfaces;

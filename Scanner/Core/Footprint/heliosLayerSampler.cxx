@@ -34,6 +34,21 @@ LayerSampler::LayerSampler(const std::vector<Vec3>& directions)
     this->Y[i] = d[2] / d[1];
     this->Length[i] = std::sqrt(1.0 + this->X[i] * this->X[i] + this->Y[i] * this->Y[i]);
   }
+  this->BeamX = this->X;
+  this->BeamY = this->Y;
+}
+
+//------------------------------------------------------------------------------
+void LayerSampler::Align(const double frame[3][3], const Vec3& x, const Vec3& z)
+{
+  const Vec3 across(frame[0]);
+  const Vec3 up(frame[1]);
+  const double turn[2][2] = { { across.Dot(x), across.Dot(z) }, { up.Dot(x), up.Dot(z) } };
+  for (std::size_t i = 0; i < this->Size; ++i)
+  {
+    this->X[i] = turn[0][0] * this->BeamX[i] + turn[0][1] * this->BeamY[i];
+    this->Y[i] = turn[1][0] * this->BeamX[i] + turn[1][1] * this->BeamY[i];
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,10 @@ public:
   /// For directions of sub-rays in the frame of a beam whose axis is y.
   explicit LayerSampler(const std::vector<Vec3>& directions);
 
+  /// Turns the directions from the x and z of the frame of the beam, given in the world, to the
+  /// frame of layers that follow. Without it they begin anywhere about the axis.
+  void Align(const double frame[3][3], const Vec3& x, const Vec3& z);
+
   /// Sets the rays from an origin, and their hits.
   void Trace(
     const ConeLayer& layer, const double origin[3], vtkHeliosRay* rays, vtkHeliosHit* hits);
@@ -36,6 +40,7 @@ private:
   std::size_t Size; ///< of the directions; they are padded to whole vectors
   // The directions (x, y, 1) about the axis z, and their lengths.
   std::vector<double> X, Y, Length;
+  std::vector<double> BeamX, BeamY; ///< in the frame of the beam
   // Of the current layer.
   std::vector<double> Inside;  ///< edge function of the nearest edge; negative: outside
   std::vector<double> Inverse; ///< of the depth

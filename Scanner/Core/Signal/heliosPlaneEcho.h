@@ -44,23 +44,39 @@ struct BeamMoments
  * standard deviation R s tan, their power the mean (1 + 3 s^2 (tan^2 - 1)) of the axis' own; a
  * Gaussian pulse returns with sigma'^2 = sigma^2 + (2 R s tan / c)^2 and the peak sigma / sigma'. The
  * curvature of equal ranges adds R^2 Var(g^2 / 2) = R^2 s^4 (1 + 2/3 excess) to the variance of ranges.
+ *
+ * An elliptical beam has s along its major axis and q s along the minor one. The tangent is then
+ * sqrt(t1^2 + (q t2)^2), with t1 and t2 the slopes of the plane along these axes; the 1 of the mean
+ * and of the power, which is E[g^2] / 2 s^2, is (1 + q^2) / 2, and Var(g^2 / 2) is
+ * s^4 (q^2 (1 + 2/3 excess) + (1 - q^2)^2 (2 + excess) / 4).
  */
 struct PlaneModel
 {
-  BeamMoments Beam;
-  double Sigma; // of the pulse [ns]
+  BeamMoments Beam;   // along the major axis
+  double Sigma;       // of the pulse [ns]
+  double Ratio = 1.0; // q
+
+  double GetRoundness() const { return 0.5 * (1.0 + this->Ratio * this->Ratio); }
+
+  /// Var(g^2 / 2) / s^4.
+  double GetCurvature() const
+  {
+    const double q2 = this->Ratio * this->Ratio;
+    const double flat = 1.0 - q2;
+    return q2 * (1.0 + this->Beam.Excess / 1.5) + flat * flat * (0.5 + 0.25 * this->Beam.Excess);
+  }
 
   /// The widening of the echo, (sigma' / sigma)^2 - 1; reach is the range from the cone's apex.
   double GetWidening(double reach, double tanIncidence) const
   {
     const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
     const double s2 = this->Beam.Variance;
-    const double curvature = s2 * s2 * (1.0 + this->Beam.Excess / 1.5);
+    const double curvature = s2 * s2 * this->GetCurvature();
     return unit * unit * (s2 * tanIncidence * tanIncidence + curvature);
   }
 
   /// The maximum distance of the peak from the range of GetEcho() [m]: half the third cumulant of
-  /// the ranges, over the variance of the pulse.
+  /// the ranges, over the variance of the pulse; of an elliptical beam, a limit of it.
   double GetShift(double reach, double tanIncidence) const
   {
     const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
@@ -77,8 +93,9 @@ struct PlaneModel
     const double v = this->GetWidening(reach, tanIncidence);
     const double s2 = this->Beam.Variance;
     const double peak = 1.0 / std::sqrt(1.0 + v) + 0.125 * this->Beam.Excess * v * v;
-    return { range * (1.0 + s2 * (1.0 - 2.0 * tan2)),
-      power * (1.0 + 3.0 * s2 * (tan2 - 1.0)) * peak, this->Sigma * std::sqrt(1.0 + v) };
+    const double mean = this->GetRoundness();
+    return { range * (1.0 + s2 * (mean - 2.0 * tan2)),
+      power * (1.0 + 3.0 * s2 * (tan2 - mean)) * peak, this->Sigma * std::sqrt(1.0 + v) };
   }
 };
 

@@ -20,6 +20,9 @@ constexpr double LongestLeg = 1e9;
 /// The minimum speed of a moving platform [m/s]: a slower flight practically never ends.
 constexpr double SlowestSpeed = 1e-6;
 
+/// The minor axis of an elliptical beam over the major one, at least (vtkHeliosBeamSampler).
+constexpr double LeastAxisRatio = 0.01;
+
 /// Resolves the scan of one channel on a leg, step by step; a failed step has reported its error.
 class ScanResolver
 {
@@ -40,6 +43,7 @@ public:
 private:
   void ResolvePulses();
   void CheckBeams();
+  void CheckEllipse();
   void ResolveScanAngles();
   void ResolveFrequencies();
   void ResolveScanProduct();
@@ -88,6 +92,7 @@ ScanData ScanResolver::Resolve()
                                                                      : this->Given.BeamDivergence;
   this->ResolvePulses();
   this->CheckBeams();
+  this->CheckEllipse();
   this->ResolveScanAngles();
   this->ResolveFrequencies();
   this->ResolveScanProduct();
@@ -142,6 +147,23 @@ void ScanResolver::CheckBeams()
          << " fires at firingTime_s=\"" << late->FiringTime << "\", after the cycle of " << cycle
          << " s that " << beams.size() << " beams have at pulseFreq_hz=\""
          << this->Scan.PulseFrequency << "\"; give a lower pulse frequency";
+    this->Error(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The minor axis of an elliptical beam must not be longer than the major one, nor much shorter.
+void ScanResolver::CheckEllipse()
+{
+  const double minor = this->Scanner.MinorBeamDivergence;
+  const double major = this->Scanner.BeamDivergence;
+  if (minor > 0.0 && !(minor <= major && minor >= LeastAxisRatio * major))
+  {
+    Sentence text;
+    text << "beamDivergenceMinor_rad=\"" << minor << "\" of scanner " << this->Scanner.Id
+         << " is not " << LeastAxisRatio << " to 1 times its beamDivergence_rad=\"" << major
+         << "\"; give the larger angle as beamDivergence_rad, and turn the beam by "
+            "beamMajorAxis_deg";
     this->Error(text);
   }
 }

@@ -226,6 +226,9 @@ void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHelios
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   sampler->SetWavelength(data.Wavelength);
   sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
+  sampler->SetDivergenceRatio(
+    data.MinorBeamDivergence > 0.0 ? data.MinorBeamDivergence / data.BeamDivergence : 1.0);
+  sampler->SetMajorAxisAngle(data.MajorAxisAngle);
   SetUpSampling(data.Receiver, options, scanner);
   SetUpWaveforms(data.Receiver, options, scanner);
   SetUpReturns(data, options, scanner);

@@ -80,7 +80,9 @@ struct ScannerData
   Optics Type = Optics::RotatingMirror;
   std::vector<double> PulseFrequencies; ///< [Hz], supported; the first is the default
   double PulseLength = 4.0;             ///< [ns], full width at half maximum
-  double BeamDivergence = 0.0003;       ///< [rad], full angle at 1/e^2
+  double BeamDivergence = 0.0003;       ///< [rad], full angle at 1/e^2; along the major axis
+  double MinorBeamDivergence = 0.0;     ///< [rad], along the minor axis; 0: a circular beam
+  double MajorAxisAngle = 0.0;          ///< [deg], from the axis across the scan lines
   double Wavelength = 1064.0;           ///< [nm]
   double AveragePower = 4.0;            ///< [W]
   double OpticalEfficiency = 0.99;      ///< [0..1]

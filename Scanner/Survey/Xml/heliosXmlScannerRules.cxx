@@ -30,6 +30,8 @@ std::vector<XmlValueRule> MakeScannerValues()
     Numbers("pulseFreqs_Hz", "supported pulse frequencies, the default first").In("Hz", Frequency).Default("that of the leg").At<&ScannerData::PulseFrequencies>(),
     Number("pulseLength_ns", "full width at half maximum").In("ns", PulseLength).At<&ScannerData::PulseLength>(),
     Number("beamDivergence_rad", "full angle at 1/e2").In("rad", Fraction).At<&ScannerData::BeamDivergence>(),
+    Number("beamDivergenceMinor_rad", "elliptical beam: full angle at 1/e2 along the minor axis; beamDivergence_rad is that along the major axis, and that of a leg scales both; 0: a circular beam").In("rad", Fraction).At<&ScannerData::MinorBeamDivergence>(),
+    Number("beamMajorAxis_deg", "elliptical beam: angle of the major axis about the beam, clockwise as the scanner sees it, from across the scan lines (spinning: from upright; risley: from x)").In("deg", Angle).At<&ScannerData::MajorAxisAngle>(),
     Number("wavelength_nm", "wavelength, at which reflectances are taken from spectra").In("nm", { 200.0, 20000.0 }).At<&ScannerData::Wavelength>(),
     Number("averagePower_w", "peak power of the pulse").In("W", NotNegative).At<&ScannerData::AveragePower>(),
     Number("opticalEfficiency", "transmission of the optics").In("", Share).At<&ScannerData::OpticalEfficiency>(),

@@ -99,7 +99,7 @@ public:
   {
     std::vector<FootprintPart> parts;
     Footprint footprint(this->Settings, this->AreAlike);
-    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis, this->Minor));
     REQUIRE(footprint.Divide(parts));
     return parts;
   }
@@ -109,7 +109,7 @@ public:
   {
     std::vector<FootprintPart> parts;
     Footprint footprint(this->Settings, this->AreAlike);
-    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis));
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis, this->Minor));
     footprint.Draw(across);
     footprint.Sample(step, parts);
     return SummarizeParts(parts);
@@ -144,6 +144,7 @@ public:
 
   static constexpr double Origin[3] = { 0, 0, 0 };
   static constexpr double Axis[3] = { 0, 1, 0 };
+  double Minor[3] = { 0, 0, 1 }; ///< minor axis, across y
   FootprintSettings Settings;
   helios::FacetMaker::AreAlike AreAlike; ///< none: no triangles are joined
   vtkNew<vtkPolyData> Mesh;
@@ -154,13 +155,17 @@ private:
     vtkNew<vtkHeliosBeamSampler> sampler;
     sampler->SetBeamDivergence(2.0 * this->Settings.HalfAngle);
     sampler->SetTruncation(this->Settings.Truncation);
+    sampler->SetDivergenceRatio(this->Settings.Ratio);
     sampler->SetPatternToVogel();
     sampler->SetNumberOfSubRays(65536);
     std::vector<std::tuple<vtkIdType, double, double>> items;
     for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
     {
-      vtkHeliosRay ray{ { 0, 0, 0 }, { 0, 0, 0 } };
-      sampler->GetDirection(k, ray.Direction);
+      double d[3];
+      sampler->GetDirection(k, d);
+      const double* minor = this->Minor; // the major axis is y x minor
+      vtkHeliosRay ray{ { 0, 0, 0 },
+        { d[0] * minor[2] + d[2] * minor[0], d[1], d[2] * minor[2] - d[0] * minor[0] } };
       vtkHeliosHit hit;
       this->Caster->Intersect(&ray, &hit, 1);
       if (hit.CellId >= 0)

@@ -682,6 +682,55 @@ TEST_CASE("BeamSampler: invalid values are refused", "[BeamSampler]")
   sampler->SetWavelength(0.0);
   CHECK(log->HasError("Wavelength is 0; it must be in [1, 1000000] nm"));
   CHECK(sampler->GetWavelength() == 1064.0);
+  for (const double ratio : { 0.0099, 1.01, nan })
+  {
+    sampler->SetDivergenceRatio(ratio);
+    CHECK(log->HasError("; it must be in [0.01, 1]; 1 is a circular beam"));
+    log->Clear();
+  }
+  CHECK(sampler->GetDivergenceRatio() == 1.0);
+  sampler->SetMajorAxisAngle(361.0);
+  CHECK(log->HasError(
+    "MajorAxisAngle is 361; it must be in [-360, 360] deg; 0 is across the scan lines"));
+  CHECK(sampler->GetMajorAxisAngle() == 0.0);
+}
+
+TEST_CASE("BeamSampler: an elliptical beam is narrowed along z, waist and slope", "[BeamSampler]")
+{
+  const double factor = GENERATE(0.0, 1.5);
+  vtkNew<vtkHeliosBeamSampler> circular;
+  vtkNew<vtkHeliosBeamSampler> elliptical;
+  for (vtkHeliosBeamSampler* sampler : { circular.Get(), elliptical.Get() })
+  {
+    sampler->SetBeamDivergence(0.0016);
+    sampler->SetBeamQualityFactor(factor);
+    sampler->SetNumberOfRings(20);
+  }
+  elliptical->SetDivergenceRatio(0.3125);
+  elliptical->SetMajorAxisAngle(30.0); // for scanners only
+  CHECK(elliptical->GetFootprintRadius(20.0) == circular->GetFootprintRadius(20.0));
+  double square[2] = { 0.0, 0.0 }; // along x and z
+  for (int k = 0; k < circular->GetNumberOfSubRays(); ++k)
+  {
+    double p[3], d[3], q[3], e[3];
+    circular->GetOffset(k, p);
+    circular->GetDirection(k, d);
+    elliptical->GetOffset(k, q);
+    elliptical->GetDirection(k, e);
+    REQUIRE(elliptical->GetWeight(k) == circular->GetWeight(k));
+    REQUIRE(vtkMath::Norm(e) == Approx(1.0).epsilon(1e-15));
+    for (const double y : { 0.0, 20.0, 300.0 })
+    {
+      REQUIRE(q[0] + y * e[0] / e[1] == Approx(p[0] + y * d[0] / d[1]).epsilon(1e-13));
+      REQUIRE(q[2] + y * e[2] / e[1] == Approx(0.3125 * (p[2] + y * d[2] / d[1])).epsilon(1e-13));
+    }
+    square[0] += elliptical->GetWeight(k) * std::pow(e[0] / e[1], 2);
+    square[1] += elliptical->GetWeight(k) * std::pow(e[2] / e[1], 2);
+  }
+  // w^2 / 4 of a whole Gaussian, and 0.9494 of it up to 1.5 w (TestPlaneEcho), of 1.6 and 0.5 mrad.
+  const double share = 2.0 * 0.4747239664194075;
+  CHECK(square[0] == Approx(share * 0.25 * 0.8e-3 * 0.8e-3).epsilon(1e-5));
+  CHECK(square[1] == Approx(share * 0.25 * 0.25e-3 * 0.25e-3).epsilon(1e-5));
 }
 
 TEST_CASE("BeamSampler: sizes of patterns and their numbers of sub-rays", "[BeamSampler]")

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The elliptical cross-section of a beam.
+
+#ifndef heliosBeamEllipse_h
+#define heliosBeamEllipse_h
+
+#include "heliosBeamEnergy.h"
+
+namespace helios
+{
+
+/**
+ * The map between the cross-section of an elliptical beam, in the frame of a ConeView, and that of
+ * the circular beam which it is when stretched along its minor axis by 1 / Ratio. Depths along the
+ * axis of the beam, straight edges and what hides what are the same in both; the circular beam has
+ * the divergence of the major axis.
+ */
+class BeamEllipse
+{
+public:
+  BeamEllipse() = default;
+
+  /// For the minor axis over the major one, in (0, 1].
+  explicit BeamEllipse(double ratio)
+    : Ratio(ratio)
+  {
+  }
+
+  bool IsCircle() const { return this->Ratio == 1.0; }
+
+  /// Sets the axes, for a frame (rows: two axes across, the axis) and a unit vector along the minor
+  /// axis, in the world.
+  void Align(const double frame[3][3], const double minor[3])
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Minor[i] = frame[i][0] * minor[0] + frame[i][1] * minor[1] + frame[i][2] * minor[2];
+    }
+  }
+
+  /// A point of the ellipse to the circle.
+  void ToCircle(double point[2]) const { this->Stretch(1.0 / this->Ratio - 1.0, point); }
+
+  /// A point of the circle to the ellipse.
+  void FromCircle(double point[2]) const { this->Stretch(this->Ratio - 1.0, point); }
+
+  /// The integral of the squared distance from the axis of the ellipse, of moments in the circle.
+  double GetSquare(const EnergyMoments& m) const
+  {
+    const double* n = this->Minor;
+    const double along = n[0] * n[0] * m.XX + 2.0 * n[0] * n[1] * m.XY + n[1] * n[1] * m.YY;
+    return m.XX + m.YY + (this->Ratio * this->Ratio - 1.0) * along;
+  }
+
+private:
+  /// Adds a multiple of the part along the minor axis.
+  void Stretch(double factor, double point[2]) const
+  {
+    const double along = point[0] * this->Minor[0] + point[1] * this->Minor[1];
+    point[0] += factor * along * this->Minor[0];
+    point[1] += factor * along * this->Minor[1];
+  }
+
+  double Ratio = 1.0;
+  double Minor[2] = { 0.0, 1.0 };
+};
+
+} // namespace helios
+
+#endif
