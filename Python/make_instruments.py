@@ -24,7 +24,7 @@ Each number is followed by the kind of its source:
 
 {kinds}
 
-The beam divergence is the full angle at 1/e²; other definitions are converted. The scan frequency counts lines, oscillations
+The beam divergence is the full angle at 1/e², of elliptical beams that of each axis; other definitions are converted. The scan frequency counts lines, oscillations
 (two lines each) or revolutions of a cone per second. The field is the whole angle that is scanned, the sweep that of a mirror
 facet. The accuracy is one sigma of the range. What a data sheet does not give is assumed: amplitudes compare within an
 instrument, not across instruments.
@@ -32,7 +32,6 @@ instrument, not across instruments.
 | not in the catalogue | because |
 |---|---|
 | polygons with unlike facets (RIEGL VUX-120, VUX-160) | all facets of a mirror are alike |
-| elliptical beams (RIEGL miniVUX) | in the catalogue with a round beam of the same area |
 | photon-counting receivers with arrays of beams (SPL100, Geiger mode) | each pulse has one beam and a linear detector |
 """
 
@@ -105,6 +104,8 @@ def make_cell(scanner, attribute, factor):
         return ""
     ends = (min(value), max(value)) if isinstance(value, tuple) else (value,)
     text = "–".join(dict.fromkeys(f"{factor * end:.6g}" for end in ends))
+    minor = scanner.minor_beam_divergence if attribute == "beamDivergence_rad" else None
+    text += f" × {factor * minor:.6g}" if minor else ""
     source = scanner.source_of(attribute)
     return f"{text} {source.kind[0]}" if source and source.kind else text
 

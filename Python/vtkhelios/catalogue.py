@@ -72,8 +72,13 @@ class Scanner(typing.NamedTuple):
 
     @property
     def beam_divergence(self):
-        """The full angle at 1/e2 of the first channel [rad], or None."""
+        """The full angle at 1/e2 of the first channel, along the major axis [rad], or None."""
         return self.numbers.get("beamDivergence_rad")
+
+    @property
+    def minor_beam_divergence(self):
+        """That along the minor axis of an elliptical beam [rad], or None: a circular beam."""
+        return self.numbers.get("beamDivergenceMinor_rad") or None
 
     def source_of(self, attribute):
         """The Source of an attribute, or None."""
