@@ -19,6 +19,7 @@ from _georeference import (
     DATA, ECCENTRICITY, SEMI_MAJOR, georeference_in_ecef, georeference_with_vtkhelios, platform_of,
     read_csd, to_local, turn,
 )  # fmt: skip
+from _mirror_laws import LAWS, fit_harmonics, fit_law
 from _palmer import fit_pattern, palmer, read_qfit
 
 __all__ = ["DATA", "palmer", "platform_of", "read_csd", "read_qfit", "fit_pattern"]
@@ -107,6 +108,15 @@ def fit_mirror(pulses):
         residual = follow(unknowns)
     names = "angle", "frequency", "phase", "turning", "offset"
     return dict(zip(names, unknowns)), residual
+
+
+def compare_laws(pulses):
+    """Residuals [deg] and number of unknowns of laws of the scan angle, by name."""
+    time, angle = pulses["time"] - pulses["time"][0], np.degrees(pulses["angle"])
+    found = {name: fit_law(name, time, angle, 59.9) for name in LAWS}
+    for highest in (7, 11):
+        found[f"odd harmonics to {highest}, all free"] = fit_harmonics(highest, time, angle, 59.9)
+    return found
 
 
 def compare_wander(path):
@@ -272,6 +282,7 @@ def make_tables(data, _tools):
     pulses, boresight = read_csd(data / "sensor" / "optech_sample.csd")
     yield _georeferencing_table(compare_georeferencing(pulses, boresight))
     yield _mirror_table(pulses)
+    yield _laws_table(compare_laws(pulses))
     yield _atm_table(read_qfit(data / "sensor" / "atm_qfit.qi"))
     noise = read_errors(data / "trajectory" / "smrmsg.txt")
     rows = [_errors_row(row) for row in check_errors(noise, SLOW_ERROR_TIME, 50000)]
@@ -316,6 +327,16 @@ def _mirror_table(pulses):
     ]
     titles = ["scan angle", "frequency", "turning", "RMS", "largest", "noise of the record"]
     return _pages.Table("trajectories.md", "mirror", titles, [row])
+
+
+def _laws_table(found):
+    rows = []
+    for name, (residual, unknowns) in found.items():
+        ends = np.sqrt(np.mean(residual**2)), np.abs(residual).max()
+        rows.append([name, str(unknowns), *(f"{end:.3f} deg" for end in ends)])
+    return _pages.Table(
+        "trajectories.md", "mirror laws", ["law", "unknowns", "RMS", "largest"], rows
+    )
 
 
 def _atm_table(shots):

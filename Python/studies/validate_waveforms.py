@@ -171,7 +171,7 @@ def read_flight(path):
     """The points of a LAS or LAZ file by time: one value per pulse of each array."""
     with formats.open_reader(path) as reader:
         chunks = list(reader.chunks())
-    names = ("GpsTime", "ScanAngle", "ScanDirectionFlag", "EdgeOfFlightLine", "LegIds")
+    names = ("points", "GpsTime", "ScanAngle", "ScanDirectionFlag", "EdgeOfFlightLine", "LegIds")
     points = {name: np.concatenate([chunk[name] for chunk in chunks]) for name in names}
     order = np.lexsort((points["GpsTime"], points["LegIds"]))
     points = {name: values[order] for name, values in points.items()}

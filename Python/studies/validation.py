@@ -22,7 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import _pages  # noqa: E402
 import _study  # noqa: E402
 
-STUDIES = ("patterns", "validate_waveforms", "trajectories", "range_noise")
+STUDIES = ("patterns", "validate_waveforms", "trajectories", "range_noise", "swath")
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "Docs" / "validation"
 
 

@@ -53,6 +53,28 @@ def test_optech_scan_angles(study):
     assert fitted["angle"] == pytest.approx(15.2, abs=0.1)
 
 
+def test_laws_of_the_optech_mirror(study):
+    """The rounded triangle of harmonics is that of our mirror; no law reaches the noise."""
+    pulses, _ = study.read_csd(_need(study, "sensor/optech_sample.csd"))
+    found = study.compare_laws(pulses)
+    rms = {name: np.sqrt(np.mean(residual**2)) for name, (residual, _) in found.items()}
+    ours = study.fit_mirror(pulses)[1]
+    assert rms["rounded triangle"] == pytest.approx(np.sqrt(np.mean(ours**2)), rel=0.02)
+    assert rms["rounded triangle through a second-order system"] < 0.01
+    assert min(rms.values()) > 5 * study.angle_noise(pulses)
+
+
+def test_laws_find_what_they_are_made_of(monkeypatch):
+    monkeypatch.syspath_prepend(STUDIES)
+    laws = importlib.import_module("_mirror_laws")
+    phase = np.linspace(0, 2 * np.pi, 9)
+    assert np.allclose(laws.triangle(phase, 1), np.abs(np.arange(9) - 4) / 2 - 1, atol=0.02)
+    time = np.linspace(0, 0.014, 500)
+    angle = 17 * laws.triangle(2 * np.pi * 60.3 * time + 3, laws.second_order(6.0, 0.7)) + 0.1
+    residual, unknowns = laws.fit_law("triangle through a second-order system", time, angle, 59.9)
+    assert unknowns == 6 and np.abs(residual).max() < 1e-4
+
+
 def test_atm_is_a_palmer_scanner(study):
     shots = study.read_qfit(_need(study, "sensor/atm_qfit.qi"))
     assert len(shots["time"]) == 10314
