@@ -28,9 +28,10 @@ const std::map<std::string, std::vector<std::string>> Elements = {
 };
 
 /// Values that go with the rest of the survey, where others do not.
-const std::map<std::string, std::string> Values = { { "binSize_ns", "0.5" }, { "optics", "conic" },
-  { "opticsWarmupPhase_s", "0.5" }, { "min", "-5.5" }, { "clipMin", "-5.5" },
-  { "expr", "0.001 * THETA" }, { "distanceMeasurementError", "1 + 0.01 * t" }, { "seed", "40" },
+const std::map<std::string, std::string> Values = { { "beamDivergenceMinor_rad", "0.0002" },
+  { "binSize_ns", "0.5" }, { "optics", "conic" }, { "opticsWarmupPhase_s", "0.5" },
+  { "min", "-5.5" }, { "clipMin", "-5.5" }, { "expr", "0.001 * THETA" },
+  { "distanceMeasurementError", "1 + 0.01 * t" }, { "seed", "40" },
   { "interpolationDomain", "position" }, { "pulseShape", "helios" }, { "trajectory", __FILE__ },
   { "matfile", __FILE__ }, { "ladlut", __FILE__ } };
 
