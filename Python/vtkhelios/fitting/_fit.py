@@ -8,7 +8,7 @@ from ..array_names import CLASSIFICATION_IDS, NUMBER_OF_RETURNS, SCAN_ANGLE
 from ..formats import FormatError
 from ._edges import find_footprint
 from ._inputs import Pulses, find_strips, read_flight
-from ._mirror import find_angles, find_mirror
+from ._mirror import find_angles, find_mirror, share_law
 from ._noise import find_planes, find_separation, find_threshold, noise_with_error, noise_rows
 from ._periods import find_pulse_period
 from ._trajectory import find_track
@@ -83,6 +83,7 @@ def _make_fit(flight, found, notes):
     ground, relief = _find_ground(flight, found)
     pairs = [(strip.pulses, strip.track) for strip in found]
     noise, incidence, strength = find_planes(flight, pairs)
+    share_law([strip.mirror for strip in found], [(strip.track, strip.pulses) for strip in found])
     values = Values()
     values.add_pulses([strip.period for strip in found])
     values.add_mirrors([strip.mirror for strip in found])

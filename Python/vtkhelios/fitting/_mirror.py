@@ -47,6 +47,7 @@ class Mirror:
     reached: tuple = (False, False)  #: whether they are those of the mirror, not of the cloud
     turning: float = 0.0  #: oscillating: share of a line in which it reverses
     pattern: str = ""  #: oscillating: triangular or sinusoidal
+    start: float = np.nan  #: oscillating: a time at the smallest angle [s]
     residual: float = np.nan  #: RMS of the angles about the law [deg]
     roll: object = None  #: functions of time [deg]
     pitch: object = None
@@ -233,7 +234,8 @@ def _fit_oscillation(mirror, times, across, crossings):
     up, down = (np.angle(each.mean()) / (2 * np.pi) for each in (up, down))
     top = up + 0.5 * ((down - up) % 1.0)  # the turn between them
     start = top - 0.5
-    phase = _phase(times[rows] - times[0], start * period, period)
+    mirror.start = float(times[0] + start * period)
+    phase = _phase(times[rows], mirror.start, period)
     best = None
     for turning in [*TURNS, SINUSOIDAL]:
         law = oscillation(phase, turning)
@@ -247,6 +249,40 @@ def _fit_oscillation(mirror, times, across, crossings):
         mirror.pattern += ", assumed: no turns are in the cloud"
         mirror.sweep_error = float(np.hypot(mirror.sweep_error, UNSEEN * mirror.sweep))
     _set_roll(mirror, times[rows], roll)
+
+
+def share_law(mirrors, flights):
+    """Gives oscillating mirrors of one instrument one law, that of the smallest residual, with the
+    joint amplitude, and finds the roll anew: a strip that shows one side of the lines does not
+    determine both. flights: Track and Pulses of each mirror."""
+    some = [each for each in mirrors if each.kind == OSCILLATING]
+    if len(some) < 2:
+        return
+    best = min(some, key=lambda each: each.residual)
+    sweep, _ = join([each.sweep for each in some], [each.sweep_error for each in some])
+    turning = SINUSOIDAL if best.pattern.startswith(SINUSOIDAL) else best.turning
+    for mirror, (track, pulses) in zip(mirrors, flights):
+        if mirror.kind == OSCILLATING:
+            rows = _sample(pulses.times)
+            times = pulses.times[rows]
+            across = find_angles(track, pulses, mirror.yaw)[0][rows]
+            law = oscillation(_phase(times, mirror.start, 1 / mirror.frequency), turning)
+            mirror.residual = np.nan
+            _set_roll(mirror, times, across - sweep * law)
+            middle = float(np.mean(mirror.roll(times)))
+            mirror.limits = middle - sweep, middle + sweep
+
+
+def join(values, errors):
+    """The mean of strips weighted by their errors, and its uncertainty: not less than the spread."""
+    values, errors = np.asarray(values), np.asarray(errors)
+    weights = 1 / np.maximum(errors, 1e-12) ** 2
+    value = float(np.average(values, weights=weights))
+    error = float(1 / np.sqrt(weights.sum()))
+    if len(values) > 1:
+        spread = float(np.sqrt(np.average((values - value) ** 2, weights=weights)))
+        error = max(error, spread)
+    return value, error
 
 
 def _fit_law(times, across, law):

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from ._mirror import CONIC, OSCILLATING, ROTATING
+from ._mirror import CONIC, OSCILLATING, ROTATING, join
 from .result import Value
 
 LIGHT = 299_792_458.0  # [m/s]
@@ -36,7 +36,7 @@ class Values:
     def add_pulses(self, periods):
         frequencies = np.array([1 / each.value for each in periods])
         errors = np.array([each.uncertainty / each.value**2 for each in periods])
-        value, error = _join(frequencies, errors)
+        value, error = join(frequencies, errors)
         regular = all(each.is_regular for each in periods)
         how = "times of pulses as whole multiples of a period"
         if not regular:
@@ -56,12 +56,12 @@ class Values:
         self.add("mirror", "", None, None, f"{WORDS[kind]}, in {share} of {len(kinds)} strips",
                  text=kind)  # fmt: skip
         some = [mirror for mirror in mirrors if mirror.kind == kind]
-        value, error = _join(*(np.array([getattr(each, name) for each in some])
+        value, error = join(*(np.array([getattr(each, name) for each in some])
                                for name in ("frequency", "frequency_error")))  # fmt: skip
         what = "azimuth" if kind == CONIC else "scan angle"
         self.add("line frequency", "Hz", value, error,
                  f"{RATES[kind]} per second: times at which a certain {what} is crossed")  # fmt: skip
-        sweeps = _join(np.array([each.sweep for each in some]),
+        sweeps = join(np.array([each.sweep for each in some]),
                        np.array([each.sweep_error for each in some]))  # fmt: skip
         if kind == ROTATING:
             self.add(
@@ -80,7 +80,7 @@ class Values:
                 "",
                 None,
                 None,
-                f"smallest residual of the laws; RMS {law.residual:.3f} deg",
+                f"smallest residual of the laws, {law.residual:.3f} deg",
                 text=words,
             )
             self.add("turn", "", law.turning, None, "share of a line in which the mirror reverses")
@@ -170,14 +170,3 @@ class Values:
         for name, side in (("smallest angle", 0), ("largest angle", 1)):
             how = "of the mirror" if mirror.reached[side] else "of the cloud"
             self.add(name, "deg", mirror.limits[side], None, how, number)
-
-
-def _join(values, errors):
-    """The mean of strips weighted by their errors, and its uncertainty: not less than the spread."""
-    weights = 1 / np.maximum(errors, 1e-12) ** 2
-    value = float(np.average(values, weights=weights))
-    error = float(1 / np.sqrt(weights.sum()))
-    if len(values) > 1:
-        spread = float(np.sqrt(np.average((values - value) ** 2, weights=weights)))
-        error = max(error, spread)
-    return value, error
