@@ -22,6 +22,8 @@ plan()
     positions to scan a scene from (Plan).
 compare()
     metrics of two clouds (Comparison).
+fit()
+    the instrument and the flight of an airborne cloud (Fit).
 Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
@@ -53,14 +55,15 @@ from ._filter import filter
 from ._pipeline import PipelineError, update
 from .cloud import Cloud, Records
 from .comparison import Comparison, compare
+from .fitting import Fit, fit
 from .planning import Plan, plan
 from .scanning import make_survey, scan
 from .scene import Scene
 from .survey import Survey, read_survey
 
 _own = [
-    "Cloud", "Comparison", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
-    "compare", "data_directory", "filter", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
+    "Cloud", "Comparison", "Fit", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
+    "compare", "data_directory", "filter", "fit", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
 ]  # fmt: skip
 
 

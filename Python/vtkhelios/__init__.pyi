@@ -14,6 +14,7 @@ from ._compose import Pipeline as Pipeline, select_ports as select_ports
 from ._filter import filter as filter
 from ._pipeline import PipelineError as PipelineError, update as update
 from .comparison import Comparison as Comparison, compare as compare
+from .fitting import Fit as Fit, fit as fit
 from .scanning import make_survey as make_survey, scan as scan
 from .cloud import Cloud as Cloud, Records as Records
 from .planning import Plan as Plan, plan as plan

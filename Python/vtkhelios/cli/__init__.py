@@ -45,6 +45,7 @@ examples:
   vtkhelios info village.laz                        contents of a file, a run or a survey
   vtkhelios report output/village                   a report page of a run: maps, histograms, timings
   vtkhelios compare real.laz output/village         two clouds: noise, spacing, returns, shift, heights
+  vtkhelios fit real.laz --output fitted            the instrument and the flight of a cloud, as a survey
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
 """

@@ -24,9 +24,9 @@ from ._plan_options import option_of, value_of
 from ._progress import duration, make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory
 from ._task import Interrupted, StepWatch
-from ._tradeoff_input import open_input
-from ._tradeoff_pictures import make_parts_picture, make_picture
-from ._tradeoff_report import megabytes, result_lines
+from ._tradeoff.input import open_input
+from ._tradeoff.pictures import make_parts_picture, make_picture
+from ._tradeoff.report import megabytes, result_lines
 from .plan import shown_warnings
 from .run import whole_number
 

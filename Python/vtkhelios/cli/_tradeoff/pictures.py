@@ -5,9 +5,9 @@
 import math
 import re
 
-from .._accuracy import POSITION
-from ..tradeoff import TOLD
-from . import _charts
+from ..._accuracy import POSITION
+from ...tradeoff import TOLD
+from .. import _charts
 
 GREEN, PURPLE = "#009e73", "#7a4fa3"
 FLOOR = 1e-6  # of a logarithmic axis [mm, %]

@@ -4,13 +4,13 @@
 
 import pathlib
 
-from .._paths import from_vtk, text_from_vtk
-from .._plan_files import survey_file
-from .._run_files import PART
-from .._survey_text import has_survey
-from ..planning import Plan, PlanTask
-from ..survey import Survey
-from .run import read_survey
+from ..._paths import from_vtk, text_from_vtk
+from ..._plan_files import survey_file
+from ..._run_files import PART
+from ..._survey_text import has_survey
+from ...planning import Plan, PlanTask
+from ...survey import Survey
+from ..run import read_survey
 
 PLAN_SETTINGS = ("platform", "scanner", "resolution", "grid")
 

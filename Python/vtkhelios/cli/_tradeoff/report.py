@@ -3,9 +3,9 @@
 """The result of a tradeoff as text."""
 
 
-from .._accuracy import POSITION
-from ..tradeoff import SCENE_PART, TOLD
-from ._progress import duration
+from ..._accuracy import POSITION
+from ...tradeoff import SCENE_PART, TOLD
+from .._progress import duration
 
 COLUMNS = (  # title, measure, factor
     ("p50", "rangeP50_m", 1e3),
