@@ -20,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -211,6 +212,29 @@ void FillColumns(const ScanModel& model, vtkIdType first, vtkPolyData* output)
     });
 }
 
+/// The decibels of the last echoes, from a row on: 10 log10(P / P0), with P0 the detection threshold
+/// and the amplitude of a white diffuse plane at the same range.
+void FillDecibels(const ScanModel& model, vtkIdType first, vtkPolyData* output)
+{
+  const vtkIdType last = output->GetNumberOfPoints();
+  Columns columns(output->GetPointData(), first, last);
+  const double* amplitudes = columns.Add<vtkDoubleArray>(names::Amplitude);
+  const double* ranges = columns.Add<vtkDoubleArray>(names::Range);
+  double* relatives = columns.Add<vtkDoubleArray>(names::RelativeAmplitude);
+  double* reflectances = columns.Add<vtkDoubleArray>(names::Reflectance);
+  const double threshold = model.Receiver.Detector->GetDetectionThreshold();
+  vtkSMPTools::For(first, last,
+    [=, &model](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const double white = model.GetWhiteAmplitude(ranges[row]);
+        relatives[row] = 10.0 * std::log10(amplitudes[row] / threshold);
+        reflectances[row] = 10.0 * std::log10(amplitudes[row] / white);
+      }
+    });
+}
+
 /// The ground truth of the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
@@ -380,6 +404,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsSubRays)
   {
     FillSubRays(chunks, this->SubRays);
+  }
+  if (this->Model.WantsDecibels)
+  {
+    FillDecibels(this->Model, echoes, this->Echoes);
   }
   if (this->Model.WantsColumns)
   {

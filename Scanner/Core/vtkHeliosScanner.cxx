@@ -120,7 +120,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
-     << indent << "GenerateColumns: " << this->GenerateColumns << "\n";
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
+     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -263,6 +264,14 @@ bool vtkHeliosScanner::CheckSettings()
   {
     vtkErrorMacro(<< "PulseWindow is [" << this->PulseWindow[0] << ", " << this->PulseWindow[1]
                   << "); give two indices, the second not below the first, from 0");
+    return false;
+  }
+  if (this->GenerateDecibels &&
+    !(this->EchoDetector->GetDetectionThreshold() > 0.0 && this->AveragePower > 0.0))
+  {
+    vtkErrorMacro(<< "GenerateDecibels is on, with a DetectionThreshold of "
+                  << this->EchoDetector->GetDetectionThreshold() << " W and an AveragePower of "
+                  << this->AveragePower << " W; decibels need both positive");
     return false;
   }
   return this->CheckInstrument();
@@ -413,6 +422,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.WantsTruth = this->GenerateTruth;
   m.WantsScanFlags = this->GenerateScanFlags;
   m.WantsColumns = this->GenerateColumns;
+  m.WantsDecibels = this->GenerateDecibels;
   return true;
 }
 
