@@ -198,7 +198,7 @@ class Survey:
             36 ...) or "Vogel" (any multiple of 4). Default: circles if they have that number, else
             Vogel.
         detector
-            "peak", "gaussian", "cfd" or "leadingEdge".
+            "peak", "gaussian", "cfd", "leadingEdge" or "photonCounting".
         ray_caster
             by name: "beam", "embree", "bvh" ...
         epoch

@@ -20,6 +20,7 @@
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -157,7 +158,8 @@ struct ScanModel
   bool HasPlainMaxima() const
   {
     return !(this->Receiver.Noise > 0.0) && !(this->Background > 0.0) &&
-      this->Receiver.Shape.IsGaussian() && this->Receiver.Detector->FindsMaxima();
+      std::isinf(this->Receiver.Saturation) && this->Receiver.Shape.IsGaussian() &&
+      this->Receiver.Detector->FindsMaxima();
   }
 };
 

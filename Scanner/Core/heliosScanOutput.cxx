@@ -315,6 +315,21 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
+/// The emitted pulse, for detectors.
+void FillPulseSamples(const PulseShape& shape, vtkTable* output)
+{
+  std::vector<double> times;
+  std::vector<double> powers;
+  shape.GetSamples(times, powers);
+  Columns fields(output->GetFieldData(), 0, static_cast<vtkIdType>(times.size()));
+  double* samples = fields.Add<vtkDoubleArray>(names::PulseSamples, 2);
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    samples[2 * i] = times[i];
+    samples[2 * i + 1] = powers[i];
+  }
+}
+
 void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSettings& receiver,
   const ScanIds& ids, vtkTable* output)
 {
@@ -361,6 +376,10 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSetting
   }
   *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) =
     receiver.Shape.GetLength();
+  if (!receiver.Shape.IsGaussian())
+  {
+    FillPulseSamples(receiver.Shape, output);
+  }
 }
 
 } // namespace

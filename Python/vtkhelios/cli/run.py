@@ -325,7 +325,7 @@ def add_sampling_arguments(parser, options):
         choices=detectors(),
         default="",
         help="echo detector: peak (log-parabola), gaussian (decomposition), "
-        "cfd (constant fraction), leadingEdge (default: the survey's, else peak)",
+        "cfd (constant fraction), leadingEdge, photonCounting (default: the survey's, else peak)",
     )
 
 
