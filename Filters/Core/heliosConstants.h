@@ -11,6 +11,9 @@ namespace helios
 /// The speed of light in vacuum [m/ns].
 constexpr double SpeedOfLight = 0.299792458;
 
+/// The Planck constant [J s].
+constexpr double PlanckConstant = 6.62607015e-34;
+
 /// The standard acceleration of gravity [m/s^2].
 constexpr double StandardGravity = 9.80665;
 

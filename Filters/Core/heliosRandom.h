@@ -22,6 +22,7 @@ enum class RandomStream : std::uint32_t
   AngleNoise = 4,
   DetectorNoise = 5,
   Navigation = 6,
+  PhotonCounts = 7,
   LegOffset = 16,
   VoxelShift = 20,
   TurbidMedium = 21,

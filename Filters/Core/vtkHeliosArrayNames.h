@@ -90,8 +90,10 @@ inline constexpr const char* ColumnIds = "ColumnIds"; // int64, of spinning opti
 inline constexpr const char* Hit = "Hit";             // 1: the pulse has an echo
 inline constexpr const char* ReturnNumber = "ReturnNumber"; // from 1
 inline constexpr const char* NumberOfReturns = "NumberOfReturns";
-inline constexpr const char* Range = "Range";         // [m]
-inline constexpr const char* Amplitude = "Amplitude"; // [W]
+inline constexpr const char* Range = "Range";                         // [m]
+inline constexpr const char* Amplitude = "Amplitude";                 // [W]
+inline constexpr const char* RelativeAmplitude = "RelativeAmplitude"; // [dB] above the threshold
+inline constexpr const char* Reflectance = "Reflectance"; // [dB] above a white diffuse plane
 inline constexpr const char* EchoWidth = "EchoWidth"; // [ns], full width at half maximum, two-way
 inline constexpr const char* Deviation = "Deviation"; // RMS residual of a fit over its amplitude
 inline constexpr const char* ClassificationIds = "ClassificationIds";
@@ -114,13 +116,14 @@ inline constexpr const char* ClassificationFlags = "ClassificationFlags";
 
 ///@{
 /** Waveforms: columns of the table, and Samples in its field data. */
-inline constexpr const char* Origin = "Origin";           // [m]
-inline constexpr const char* StartTime = "StartTime";     // [ns], two-way, after the emission
-inline constexpr const char* BinSize = "BinSize";         // [ns]
-inline constexpr const char* Offset = "Offset";           // of the first sample
-inline constexpr const char* Count = "Count";             // number of samples
-inline constexpr const char* Samples = "Samples";         // float32 [W]
-inline constexpr const char* PulseLength = "PulseLength"; // [ns], one value in the field data
+inline constexpr const char* Origin = "Origin";             // [m]
+inline constexpr const char* StartTime = "StartTime";       // [ns], two-way, after the emission
+inline constexpr const char* BinSize = "BinSize";           // [ns]
+inline constexpr const char* Offset = "Offset";             // of the first sample
+inline constexpr const char* Count = "Count";               // number of samples
+inline constexpr const char* Samples = "Samples";           // float32 [W]
+inline constexpr const char* PulseLength = "PulseLength";   // [ns], one value in the field data
+inline constexpr const char* PulseSamples = "PulseSamples"; // rows [ns], power, in the field data
 ///@}
 
 ///@{

@@ -46,7 +46,7 @@ def read_maker(path):
     })  # fmt: skip
     raw = np.frombuffer(data, form, offset=begin)
     with formats.open_reader(path) as reader:
-        widths = np.concatenate([chunk["Pulse width"] for chunk in reader.chunks()])
+        widths = np.concatenate([chunk["EchoWidth"] for chunk in reader.chunks()])
     return {
         "packet": raw["packet"],
         "return": raw["return"] & 15,

@@ -67,6 +67,8 @@ RETURN_NUMBER = "ReturnNumber"  # from 1
 NUMBER_OF_RETURNS = "NumberOfReturns"
 RANGE = "Range"  # [m]
 AMPLITUDE = "Amplitude"  # [W]
+RELATIVE_AMPLITUDE = "RelativeAmplitude"  # [dB] above the threshold
+REFLECTANCE = "Reflectance"  # [dB] above a white diffuse plane
 ECHO_WIDTH = "EchoWidth"  # [ns], full width at half maximum, two-way
 DEVIATION = "Deviation"  # RMS residual of a fit over its amplitude
 CLASSIFICATION_IDS = "ClassificationIds"
@@ -92,6 +94,7 @@ OFFSET = "Offset"  # of the first sample
 COUNT = "Count"  # number of samples
 SAMPLES = "Samples"  # float32 [W]
 PULSE_LENGTH = "PulseLength"  # [ns], one value in the field data
+PULSE_SAMPLES = "PulseSamples"  # rows [ns], power, in the field data
 
 # Planning: point data of candidates (Visibility to Selected) and of visibility test points.
 SLOPE = "Slope"  # [deg], from the horizontal
@@ -143,6 +146,8 @@ UNITS = {
     SCAN_ANGLE: "deg",
     RANGE: "m",
     AMPLITUDE: "W",
+    RELATIVE_AMPLITUDE: "dB",
+    REFLECTANCE: "dB",
     ECHO_WIDTH: "ns",
     INCIDENCE_ANGLE: "deg",
     TRUE_POINT: "m",

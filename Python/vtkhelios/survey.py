@@ -50,6 +50,7 @@ _OUTPUTS = {
     "truth": "generate_truth",
     "scan_flags": "generate_scan_flags",
     "columns": "generate_columns",
+    "decibels": "generate_decibels",
 }
 
 
@@ -175,11 +176,12 @@ class Survey:
             Exceptions of the function end the run, and so does Ctrl-C.
         legs
             the index of a leg, or several; None: all.
-        waveforms, pulses, hits, truth, scan_flags, columns
+        waveforms, pulses, hits, truth, scan_flags, columns, decibels
             True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
             ``cloud.sub_rays``, as the arrays TruePoint and Normal, ScanDirectionFlag and
-            EdgeOfFlightLine, and as the array ColumnIds, of spinning optics: the column of a
-            pulse in its revolution, from 0.
+            EdgeOfFlightLine, as the array ColumnIds, of spinning optics: the column of a
+            pulse in its revolution, from 0, and as the arrays RelativeAmplitude, above the
+            detection threshold, and Reflectance, above that of a white diffuse plane [dB].
         seed
             the key of all random numbers: the survey's, else 0.
         noise
@@ -196,7 +198,7 @@ class Survey:
             36 ...) or "Vogel" (any multiple of 4). Default: circles if they have that number, else
             Vogel.
         detector
-            "peak", "gaussian", "cfd" or "leadingEdge".
+            "peak", "gaussian", "cfd", "leadingEdge" or "photonCounting".
         ray_caster
             by name: "beam", "embree", "bvh" ...
         epoch
@@ -244,12 +246,12 @@ class Survey:
         report.
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
-        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, split_by_channel,
+        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, decibels, split_by_channel,
         overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer. Memory
         holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
         and has the "folder".
         """
-        known = {"waveforms": "write_waveforms", "pulses": "write_pulses"}
+        known = {name: f"write_{name}" for name in ("waveforms", "pulses", "decibels")}
         known |= {name: name for name in _FILES}
         _translate(options, {**_OPTIONS, **known, MESH: ""})  # refuses any other
         written = {name: options.pop(name) for name in list(options) if name in known}

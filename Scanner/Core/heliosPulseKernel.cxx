@@ -48,6 +48,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
       this->HasWaveform = false;
       this->Response.StartPulse();
       isAdaptive ? this->RunAdaptive(slot) : this->RunFixed(slot);
+      this->DetectDarkCounts();
       this->StorePulse(slot, result);
     }
   }
@@ -348,6 +349,19 @@ bool PulseKernel::FindEchoes()
       break;
   }
   return isBinned;
+}
+
+//------------------------------------------------------------------------------
+/// The dark counts of a pulse that returns nothing.
+void PulseKernel::DetectDarkCounts()
+{
+  const ScanModel& m = this->Model;
+  if (this->Returns.empty() && m.Path.Echo == EchoPath::Waveform &&
+    m.Receiver.Detector->HasDarkCounts())
+  {
+    this->Signal.FillEmpty(this->PulseId);
+    this->Signal.DetectEchoes(this->Returns, this->Echoes);
+  }
 }
 
 //------------------------------------------------------------------------------

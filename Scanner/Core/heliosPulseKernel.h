@@ -62,6 +62,7 @@ private:
   bool FindEchoes();
   template <typename SourceT>
   void FillWaveform(const SourceT& source);
+  void DetectDarkCounts();
   double GetBackground();
 
   void StorePulse(std::size_t slot, ChunkResult& result);

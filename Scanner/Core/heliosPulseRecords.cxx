@@ -29,13 +29,14 @@ double IncidenceDegrees(double cosIncidence)
 void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const bool isAsked = !this->Returns.empty() || this->Model.WantsPulses;
+  const bool isSeen = !this->Returns.empty() || !this->Echoes.empty(); // also by dark counts
+  const bool isAsked = isSeen || this->Model.WantsPulses;
   const double scanAngle =
     isAsked ? this->Model.Source.Deflector->GetScanAngle(this->Indices[slot]) : 0.0;
   const std::size_t echoesBefore = result.Echoes.size();
-  if (!this->Returns.empty())
+  if (isSeen)
   {
-    ++this->Counts.PulsesHit;
+    this->Counts.PulsesHit += this->Returns.empty() ? 0 : 1;
     this->SetScanFlags(this->Indices[slot]);
     this->StoreEchoes(pulse, scanAngle, result);
     if (this->Model.WantsWaveforms && this->HasWaveform)
@@ -93,16 +94,18 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
-  const vtkIdType cell = echo.Nearest->CellId;
-  const int material = surfaces.GetMaterialId(cell);
+  const bool isDark = !echo.Nearest; // of no surface
+  const vtkIdType cell = isDark ? -1 : echo.Nearest->CellId;
+  const int material = isDark ? -1 : surfaces.GetMaterialId(cell);
+  const double incidence = isDark ? 0.0 : IncidenceDegrees(echo.Nearest->CosIncidence);
   result.Echoes.push_back({ pulse.ReportedOrigin + range * pulse.Reported, pulse.Time,
-    this->PulseId, cell, range, echo.Amplitude, echo.Width, echo.Deviation, scanAngle,
-    IncidenceDegrees(echo.Nearest->CosIncidence), pulse.Channel, material, surfaces.GetPartId(cell),
-    surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
+    this->PulseId, cell, range, echo.Amplitude, echo.Width, echo.Deviation, scanAngle, incidence,
+    pulse.Channel, material, isDark ? -1 : surfaces.GetPartId(cell),
+    isDark ? 0 : surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
     static_cast<unsigned char>(count), this->ScanDirection, this->EdgeOfFlightLine });
   if (this->Model.WantsTruth)
   {
-    const Vec3 normal = this->Response.GetNormal(cell);
+    const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
     result.Truths.push_back({ pulse.Origin + echo.Range * pulse.GetDirection(), normal });
   }
 }

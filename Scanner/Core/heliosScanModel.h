@@ -20,6 +20,7 @@
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -100,6 +101,7 @@ struct ScanModel
   bool WantsTruth = false;
   bool WantsScanFlags = false;
   bool WantsColumns = false;
+  bool WantsDecibels = false;
 
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const
@@ -114,6 +116,12 @@ struct ScanModel
   double GetFullAmplitude(double range) const
   {
     return this->Power * this->Equation(range, 0.5, 1.0);
+  }
+
+  /// The amplitude of a white diffuse plane across a whole beam [W].
+  double GetWhiteAmplitude(double range) const
+  {
+    return this->Power * this->Equation(range, 1.0, 1.0);
   }
 
   /// Probes all of a pulse's beam; the range is from the pulse's origin. Sets the layer that fills
@@ -150,7 +158,8 @@ struct ScanModel
   bool HasPlainMaxima() const
   {
     return !(this->Receiver.Noise > 0.0) && !(this->Background > 0.0) &&
-      this->Receiver.Shape.IsGaussian() && this->Receiver.Detector->FindsMaxima();
+      std::isinf(this->Receiver.Saturation) && this->Receiver.Shape.IsGaussian() &&
+      this->Receiver.Detector->FindsMaxima();
   }
 };
 

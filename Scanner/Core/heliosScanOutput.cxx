@@ -20,6 +20,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -211,6 +212,29 @@ void FillColumns(const ScanModel& model, vtkIdType first, vtkPolyData* output)
     });
 }
 
+/// The decibels of the last echoes, from a row on: 10 log10(P / P0), with P0 the detection threshold
+/// and the amplitude of a white diffuse plane at the same range.
+void FillDecibels(const ScanModel& model, vtkIdType first, vtkPolyData* output)
+{
+  const vtkIdType last = output->GetNumberOfPoints();
+  Columns columns(output->GetPointData(), first, last);
+  const double* amplitudes = columns.Add<vtkDoubleArray>(names::Amplitude);
+  const double* ranges = columns.Add<vtkDoubleArray>(names::Range);
+  double* relatives = columns.Add<vtkDoubleArray>(names::RelativeAmplitude);
+  double* reflectances = columns.Add<vtkDoubleArray>(names::Reflectance);
+  const double threshold = model.Receiver.Detector->GetDetectionThreshold();
+  vtkSMPTools::For(first, last,
+    [=, &model](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const double white = model.GetWhiteAmplitude(ranges[row]);
+        relatives[row] = 10.0 * std::log10(amplitudes[row] / threshold);
+        reflectances[row] = 10.0 * std::log10(amplitudes[row] / white);
+      }
+    });
+}
+
 /// The ground truth of the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
@@ -291,6 +315,21 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
+/// The emitted pulse, for detectors.
+void FillPulseSamples(const PulseShape& shape, vtkTable* output)
+{
+  std::vector<double> times;
+  std::vector<double> powers;
+  shape.GetSamples(times, powers);
+  Columns fields(output->GetFieldData(), 0, static_cast<vtkIdType>(times.size()));
+  double* samples = fields.Add<vtkDoubleArray>(names::PulseSamples, 2);
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    samples[2 * i] = times[i];
+    samples[2 * i + 1] = powers[i];
+  }
+}
+
 void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSettings& receiver,
   const ScanIds& ids, vtkTable* output)
 {
@@ -337,6 +376,10 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSetting
   }
   *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) =
     receiver.Shape.GetLength();
+  if (!receiver.Shape.IsGaussian())
+  {
+    FillPulseSamples(receiver.Shape, output);
+  }
 }
 
 } // namespace
@@ -380,6 +423,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsSubRays)
   {
     FillSubRays(chunks, this->SubRays);
+  }
+  if (this->Model.WantsDecibels)
+  {
+    FillDecibels(this->Model, echoes, this->Echoes);
   }
   if (this->Model.WantsColumns)
   {

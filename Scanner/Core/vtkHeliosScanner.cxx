@@ -3,6 +3,7 @@
 #include "vtkHeliosScanner.h"
 
 #include "heliosBeamPreparation.h"
+#include "heliosConstants.h"
 #include "heliosPulseCount.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosScanModel.h"
@@ -34,6 +35,8 @@ vtkStandardNewMacro(vtkHeliosScanner);
 
 namespace
 {
+
+constexpr double LongestGate = 1e8; // of dark counts [m]
 
 helios::Pose ToPose(const double position[3], const double q[4])
 {
@@ -120,7 +123,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
-     << indent << "GenerateColumns: " << this->GenerateColumns << "\n";
+     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
+     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -265,6 +269,22 @@ bool vtkHeliosScanner::CheckSettings()
                   << "); give two indices, the second not below the first, from 0");
     return false;
   }
+  if (this->GenerateDecibels &&
+    !(this->EchoDetector->GetDetectionThreshold() > 0.0 && this->AveragePower > 0.0))
+  {
+    vtkErrorMacro(<< "GenerateDecibels is on, with a DetectionThreshold of "
+                  << this->EchoDetector->GetDetectionThreshold() << " W and an AveragePower of "
+                  << this->AveragePower << " W; decibels need both positive");
+    return false;
+  }
+  if (this->EchoDetector->HasDarkCounts() && !(this->RangeMax <= LongestGate))
+  {
+    vtkErrorMacro(<< "RangeMax is " << this->RangeMax
+                  << " m, and the EchoDetector has dark counts within the range gate; set RangeMax "
+                     "(rangeMax_m) to at most "
+                  << LongestGate << " m");
+    return false;
+  }
   return this->CheckInstrument();
 }
 
@@ -401,6 +421,9 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   receiver.HasLimit = this->MaximumWaveformLength > 0.0 || this->NumberOfBins > 0;
   receiver.Noise = this->DetectorNoise;
   receiver.Seed = static_cast<std::uint64_t>(this->Seed);
+  receiver.Saturation = this->SaturationPower > 0.0 ? this->SaturationPower : receiver.Saturation;
+  receiver.GateStart = 2.0 / helios::SpeedOfLight * this->RangeMin;
+  receiver.GateStop = 2.0 / helios::SpeedOfLight * this->RangeMax;
   m.Power = this->AveragePower;
   m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeExtinction() };
   m.Background = this->ComputeBackground();
@@ -416,6 +439,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.WantsTruth = this->GenerateTruth;
   m.WantsScanFlags = this->GenerateScanFlags;
   m.WantsColumns = this->GenerateColumns;
+  m.WantsDecibels = this->GenerateDecibels;
   return true;
 }
 
@@ -567,7 +591,14 @@ void vtkHeliosScanner::WarnOfCounts(bool isWholeScan)
                     << " waveforms were truncated: they exceed NumberOfBins, MaximumWaveformLength "
                        "or the longest that can be stored");
   }
-  if (isWholeScan && counts.PulsesHit > 0 && counts.Echoes == 0)
+  const bool hasThreshold = this->EchoDetector->GetCalibrationAmplitude() > 0.0;
+  if (isWholeScan && counts.PulsesHit > 0 && counts.Echoes == 0 && !hasThreshold)
+  {
+    vtkWarningMacro(<< "no photon was counted: the largest amplitude of " << counts.PulsesHit
+                    << " pulses is " << counts.LargestAmplitude
+                    << " W; raise AveragePower or the efficiency of the EchoDetector");
+  }
+  else if (isWholeScan && counts.PulsesHit > 0 && counts.Echoes == 0)
   {
     vtkWarningMacro(<< "no echo was detected: the largest amplitude of " << counts.PulsesHit
                     << " pulses is " << counts.LargestAmplitude << " W, below DetectionThreshold ("

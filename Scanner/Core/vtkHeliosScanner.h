@@ -17,7 +17,7 @@
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
  * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags; ColumnIds with
- * GenerateColumns. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateColumns; RelativeAmplitude and Reflectance with GenerateDecibels. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -390,6 +390,19 @@ public:
   vtkBooleanMacro(GenerateColumns, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes have the amplitudes that instruments of RIEGL report:
+   * RelativeAmplitude, 10 log10(P / P0) of their amplitude P above the
+   * DetectionThreshold P0 [dB], and Reflectance, 10 log10(P / Pw) above the
+   * amplitude Pw that a white diffuse plane across the whole beam has at the same
+   * range [dB]. Both must be positive. Default: off.
+   */
+  vtkSetMacro(GenerateDecibels, bool);
+  vtkGetMacro(GenerateDecibels, bool);
+  vtkBooleanMacro(GenerateDecibels, bool);
+  ///@}
+
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -500,6 +513,7 @@ private:
   bool GenerateTruth = false;
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
+  bool GenerateDecibels = false;
 
   std::unique_ptr<helios::ScanCounts> Counts;
 };

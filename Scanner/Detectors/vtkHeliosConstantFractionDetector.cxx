@@ -17,8 +17,7 @@ void vtkHeliosConstantFractionDetector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Fraction: " << this->Fraction << "\n"
-     << indent << "Delay: " << this->Delay << " ns\n"
-     << indent << "DeadTime: " << this->DeadTime << " ns\n";
+     << indent << "Delay: " << this->Delay << " ns\n";
 }
 
 //------------------------------------------------------------------------------

@@ -50,15 +50,6 @@ public:
   vtkGetMacro(Delay, double);
   ///@}
 
-  ///@{
-  /**
-   * Set/Get the dead time of the receiver after it has triggered [ns]. Valid
-   * range: [0, 1e6]. Default: 0.
-   */
-  vtkSetClampMacro(DeadTime, double, 0.0, 1e6);
-  vtkGetMacro(DeadTime, double);
-  ///@}
-
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
 
@@ -72,7 +63,6 @@ private:
 
   double Fraction = 0.5;
   double Delay = 0.0;
-  double DeadTime = 0.0;
 };
 
 #endif

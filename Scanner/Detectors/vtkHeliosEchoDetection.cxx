@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosEchoDetection.h"
 
+#include "heliosDetectorOffset.h"
 #include "heliosPose.h"
+#include "heliosPulseShape.h"
+#include "heliosPulseTable.h"
 #include "heliosReturnSelection.h"
 #include "heliosStatus.h"
 #include "heliosWaveformTable.h"
@@ -11,6 +14,7 @@
 #include "vtkHeliosGaussianDecomposition.h"
 #include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosPhotonCountingDetector.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -30,6 +34,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -60,6 +65,7 @@ constexpr DetectorKind DetectorKinds[] = {
   { "gaussian", Make<vtkHeliosGaussianDecomposition> },
   { "cfd", Make<vtkHeliosConstantFractionDetector> },
   { "leadingEdge", Make<vtkHeliosLeadingEdgeDetector> },
+  { "photonCounting", Make<vtkHeliosPhotonCountingDetector> },
 };
 
 // Waveforms per task, and such chunks of each thread between two checks for progress and abort,
@@ -158,6 +164,8 @@ struct vtkHeliosEchoDetection::Run
   const float* Samples = nullptr;
   std::vector<float> Converted; // if the table's are of another type
   double PulseLength = 0.0;
+  double Offset = 0.0; // how late the detector finds a plane [ns]
+  std::uint64_t Seed = 0;
   int Selection = 0;
   int Maximum = 0;
   std::vector<std::vector<Record>> Chunks;
@@ -195,14 +203,16 @@ void vtkHeliosEchoDetection::Run::DetectRow(vtkIdType row,
   echoes.clear();
   this->Detector->Detect(
     { this->Samples + this->Table.Offset.GetInteger(row), this->Table.Count.GetInteger(row),
-      this->Table.BinSize.GetNumber(row), this->PulseLength },
+      this->Table.BinSize.GetNumber(row), this->PulseLength, 0.0, 0.0, this->Seed,
+      static_cast<std::uint64_t>(this->Table.PulseIds.GetInteger(row)) },
     echoes);
   helios::SelectReturns(echoes, this->Selection, this->Maximum, kept);
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
     const vtkHeliosDetectedEcho& echo = echoes[kept[i]];
-    records.push_back({ echo, helios::GetRange(this->Table.StartTime.GetNumber(row), echo.Time),
-      row, static_cast<unsigned char>(i + 1), static_cast<unsigned char>(kept.size()) });
+    records.push_back(
+      { echo, helios::GetRange(this->Table.StartTime.GetNumber(row), echo.Time - this->Offset), row,
+        static_cast<unsigned char>(i + 1), static_cast<unsigned char>(kept.size()) });
   }
 }
 
@@ -330,6 +340,7 @@ void vtkHeliosEchoDetection::PrintSelf(ostream& os, vtkIndent indent)
      << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)")
      << "\n"
      << indent << "PulseLength: " << this->PulseLength << " ns\n"
+     << indent << "Seed: " << this->Seed << "\n"
      << indent << "ReturnSelection: " << this->ReturnSelection << "\n"
      << indent << "MaximumNumberOfReturns: " << this->MaximumNumberOfReturns << "\n";
 }
@@ -410,6 +421,27 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   {
     run.ReadSamples(table->GetFieldData()->GetArray(names::Samples));
   }
+  run.Seed = static_cast<std::uint64_t>(this->Seed);
+  return this->Calibrate(table, run);
+}
+
+//------------------------------------------------------------------------------
+/// Sets the offset for a pulse that is stored with the waveforms.
+bool vtkHeliosEchoDetection::Calibrate(vtkTable* table, Run& run)
+{
+  vtkDataArray* samples = table->GetFieldData()->GetArray(names::PulseSamples);
+  if (!samples || run.Table.NumberOfRows == 0)
+  {
+    return true;
+  }
+  helios::PulseShape shape;
+  const helios::Status status = helios::ReadPulse(samples, shape);
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< "the input is not valid: " << status.Message());
+    return false;
+  }
+  run.Offset = helios::ComputeDetectorOffset(*run.Detector, shape, run.Table.BinSize.GetNumber(0));
   return true;
 }
 

@@ -422,4 +422,5 @@ void vtkHeliosGaussianDecomposition::Detect(
   decomposition.Run(echoes);
   std::stable_sort(echoes.begin() + static_cast<std::ptrdiff_t>(before), echoes.end(),
     [](const vtkHeliosDetectedEcho& a, const vtkHeliosDetectedEcho& b) { return a.Time < b.Time; });
+  this->RemoveDead(echoes, before);
 }

@@ -18,8 +18,18 @@ void vtkHeliosLeadingEdgeDetector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Fraction: " << this->Fraction << "\n"
-     << indent << "ReferenceAmplitude: " << this->ReferenceAmplitude << " W\n"
-     << indent << "DeadTime: " << this->DeadTime << " ns\n";
+     << indent << "ReferenceAmplitude: " << this->ReferenceAmplitude << " W\n";
+}
+
+//------------------------------------------------------------------------------
+/// That without range walk.
+double vtkHeliosLeadingEdgeDetector::GetCalibrationAmplitude() const
+{
+  const double level =
+    this->DetectionThreshold > 0.0 ? this->DetectionThreshold : std::numeric_limits<float>::min();
+  return this->ReferenceAmplitude > 0.0 ? this->ReferenceAmplitude
+    : this->Fraction > 0.0              ? level / this->Fraction * 1000.0
+                                        : 2.0 * level;
 }
 
 //------------------------------------------------------------------------------

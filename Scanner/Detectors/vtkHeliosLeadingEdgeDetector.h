@@ -51,14 +51,7 @@ public:
   vtkGetMacro(ReferenceAmplitude, double);
   ///@}
 
-  ///@{
-  /**
-   * Set/Get the dead time of the receiver after it has triggered [ns]. Valid
-   * range: [0, 1e6]. Default: 0.
-   */
-  vtkSetClampMacro(DeadTime, double, 0.0, 1e6);
-  vtkGetMacro(DeadTime, double);
-  ///@}
+  double GetCalibrationAmplitude() const override;
 
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
@@ -73,7 +66,6 @@ private:
 
   double Fraction = 0.0;
   double ReferenceAmplitude = 0.0;
-  double DeadTime = 0.0;
 };
 
 #endif

@@ -169,7 +169,10 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.Waveforms = player->WriteWaveforms;
   const bool isLas = this->Settings.Format == "las";
   this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
-  this->Settings.ScanFlags = isLas || player->WriteScanFlags;
+  const bool isText = this->Settings.Format == "xyz";
+  this->Settings.Decibels = player->WriteDecibels;
+  this->Settings.ScanFlags =
+    isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
   this->Settings.Pulses = player->WritePulses;
   this->Settings.SplitByChannel = player->SplitByChannel;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
@@ -592,6 +595,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
      << indent << "WaveformsInPoints: " << this->WaveformsInPoints << "\n"
      << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
+     << indent << "WriteDecibels: " << this->WriteDecibels << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
      << indent << "WriteTruth: " << this->WriteTruth << "\n"
      << indent << "WriteColumns: " << this->WriteColumns << "\n"

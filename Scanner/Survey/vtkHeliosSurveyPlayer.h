@@ -147,6 +147,17 @@ public:
 
   ///@{
   /**
+   * Set/Get whether echoes have RelativeAmplitude and Reflectance [dB] (GenerateDecibels of
+   * vtkHeliosScanner). Text has the two columns of WriteScanFlags and two more then; in LAS they are
+   * Extra Bytes with the names of RIEGL. Default: off.
+   */
+  vtkSetMacro(WriteDecibels, bool);
+  vtkGetMacro(WriteDecibels, bool);
+  vtkBooleanMacro(WriteDecibels, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the pulses are written, including those without a hit. Default: off.
    */
   vtkSetMacro(WritePulses, bool);
@@ -296,6 +307,7 @@ private:
   bool WriteWaveforms = false;
   bool WaveformsInPoints = false;
   bool WriteScanFlags = false;
+  bool WriteDecibels = false;
   bool WritePulses = false;
   bool WriteTruth = false;
   bool WriteColumns = false;

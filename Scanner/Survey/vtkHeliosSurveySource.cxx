@@ -159,6 +159,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.Truth = this->Source->GenerateTruth;
   settings.ScanFlags = this->Source->GenerateScanFlags;
   settings.Columns = this->Source->GenerateColumns;
+  settings.Decibels = this->Source->GenerateDecibels;
   if (!this->CheckOptions(settings) ||
     !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
@@ -659,6 +660,7 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
      << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
+     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";
   this->Options->PrintSelf(os, indent.GetNextIndent());

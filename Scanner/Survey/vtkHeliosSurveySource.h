@@ -110,6 +110,9 @@ public:
   vtkSetMacro(GenerateColumns, bool);
   vtkGetMacro(GenerateColumns, bool);
   vtkBooleanMacro(GenerateColumns, bool);
+  vtkSetMacro(GenerateDecibels, bool);
+  vtkGetMacro(GenerateDecibels, bool);
+  vtkBooleanMacro(GenerateDecibels, bool);
   ///@}
 
   ///@{
@@ -225,6 +228,7 @@ private:
   bool GenerateTruth = false;
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
+  bool GenerateDecibels = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 
   std::atomic<bool> AbortRequested{ false };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasArrays.h"
 
+#include "heliosLasNames.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -260,7 +261,8 @@ void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
 void LasArrays::AddExtra(const LasExtra& extra, int place)
 {
   const int type = extra.IsScaled ? VTK_DOUBLE : ArrayTypes[extra.Type];
-  const auto array = MakeArray(type, extra.Name.c_str(), extra.Components, this->Count);
+  const auto array = MakeArray(
+    type, GetLasArray(extra.Name, extra.Description).c_str(), extra.Components, this->Count);
   this->Arrays.push_back(array);
   const int length = this->Header.PointLength;
   if (!extra.IsScaled)

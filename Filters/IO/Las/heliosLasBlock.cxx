@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasBlock.h"
 
+#include "heliosLasNames.h"
 #include "heliosLasWaves.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
@@ -29,26 +30,6 @@ constexpr double SmallestAmplitude = 1e-15; // [W], intensity 0
 constexpr double IntensityPerDecade = 1000.0;
 constexpr int LargestReturn = 15;
 constexpr std::size_t LongestName = 32;
-
-/// Descriptions of the extra fields, with units.
-const char* Describe(const std::string& name)
-{
-  static const struct
-  {
-    const char* Name;
-    const char* Text;
-  } texts[] = { { names::Range, "distance [m]" }, { names::Amplitude, "peak of the echo [W]" },
-    { names::EchoWidth, "full width at half maximum [ns]" },
-    { names::Deviation, "RMS residual over amplitude" },
-    { names::IncidenceAngle, "from the normal [deg]" }, { names::PulseIds, "pulse of the run" },
-    { names::WaveformIds, "pulse with waveform, -1: none" },
-    { names::PartIds, "part of the scene" }, { names::MaterialIds, "material of the scene" },
-    { names::CellIds, "triangle of the scene" }, { names::ChannelIds, "channel of the scanner" },
-    { names::TruePoint, "without noise [m]" }, { names::Normal, "of the surface, unit vector" } };
-  const auto* text = std::find_if(
-    std::begin(texts), std::end(texts), [&name](const auto& known) { return name == known.Name; });
-  return text == std::end(texts) ? "" : text->Text;
-}
 
 /// Whether an array is fully stored in the standard LAS fields.
 bool IsField(const std::string& name)
@@ -197,15 +178,15 @@ Status LasBlock::ReadFields(vtkPolyData* echoes)
   return {};
 }
 
-Status LasBlock::AddExtra(vtkDataArray* array)
+Status LasBlock::AddExtra(vtkDataArray* array, bool hasDecibels)
 {
-  const std::string name = array->GetName();
+  const auto [name, description] = GetLasName(array->GetName(), hasDecibels);
   const int components = array->GetNumberOfComponents();
   const int type = GetExtraType(array);
   if (array->GetNumberOfTuples() != this->NumberOfPoints || type == 0 ||
     (components != 1 && components != 3) || name.size() + (components == 3 ? 1 : 0) > LongestName)
   {
-    return Status::Error("the array " + name +
+    return Status::Error(std::string("the array ") + array->GetName() +
       " of a block cannot be Extra Bytes, which have 1 or 3 numbers per point and a name of at "
       "most 32 characters; change it, or switch WriteExtraBytes off");
   }
@@ -223,7 +204,7 @@ Status LasBlock::AddExtra(vtkDataArray* array)
   {
     LasExtra extra;
     extra.Name = components == 3 ? name + "XYZ"[k] : name;
-    extra.Description = Describe(name);
+    extra.Description = description;
     extra.Type = type;
     extra.Size = size;
     this->Extras.push_back(extra);
@@ -236,6 +217,7 @@ Status LasBlock::AddExtra(vtkDataArray* array)
 Status LasBlock::ReadExtras(vtkPolyData* echoes)
 {
   vtkPointData* data = echoes->GetPointData();
+  const bool hasDecibels = data->HasArray(names::RelativeAmplitude) != 0;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetArray(i);
@@ -245,7 +227,7 @@ Status LasBlock::ReadExtras(vtkPolyData* echoes)
       return Status::Error(std::string("the array ") + (name ? name : "without a name") +
         " of a block is not numeric or has no name");
     }
-    Status status = IsField(name) ? Status() : this->AddExtra(array);
+    Status status = IsField(name) ? Status() : this->AddExtra(array, hasDecibels);
     if (!status.IsOk())
     {
       return status;

@@ -80,7 +80,7 @@ private:
   Status ReadColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
   Status ReadFields(vtkPolyData* echoes);
   Status ReadExtras(vtkPolyData* echoes);
-  Status AddExtra(vtkDataArray* array);
+  Status AddExtra(vtkDataArray* array, bool hasDecibels);
   bool EncodeFields(const LasScaling& scaling, vtkIdType row, char* record);
   void EncodeColor(vtkIdType row, char* record) const;
   std::uint16_t GetIntensity(const LasScaling& scaling, vtkIdType row) const;

@@ -24,8 +24,9 @@ struct PointColumn
   double Default;    ///< without an array
 };
 
-inline constexpr int NumberOfPointColumns = 13;
-inline constexpr int NumberOfBasicColumns = 11; ///< without the flags of scan lines
+inline constexpr int NumberOfPointColumns = 15;
+inline constexpr int NumberOfFlagColumns = 13;  ///< without the decibels
+inline constexpr int NumberOfBasicColumns = 11; ///< without the flags of scan lines, too
 inline constexpr int FirstArrayColumn = 3;      ///< after x, y, z
 inline constexpr int PartColumn = 8;            ///< the name of a part, or its number
 
@@ -43,13 +44,17 @@ inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
   { "time", vtkHeliosArrayNames::GpsTime, VTK_DOUBLE, 9, 1.0, 0.0 },
   { "scan direction", vtkHeliosArrayNames::ScanDirectionFlag, VTK_UNSIGNED_CHAR, 0, 1.0, 0.0 },
   { "edge of flight line", vtkHeliosArrayNames::EdgeOfFlightLine, VTK_UNSIGNED_CHAR, 0, 1.0, 0.0 },
+  { "relative amplitude", vtkHeliosArrayNames::RelativeAmplitude, VTK_DOUBLE, 4, 1.0, 0.0 },
+  { "reflectance", vtkHeliosArrayNames::Reflectance, VTK_DOUBLE, 4, 1.0, 0.0 },
 };
 
 /// The columns that are read from a row with a number of them.
 inline constexpr int GetColumnsToRead(int columns)
 {
-  return columns == NumberOfPointColumns || columns == NumberOfBasicColumns ? columns
-                                                                            : FirstArrayColumn;
+  return columns == NumberOfPointColumns || columns == NumberOfFlagColumns ||
+      columns == NumberOfBasicColumns
+    ? columns
+    : FirstArrayColumn;
 }
 
 } // namespace helios

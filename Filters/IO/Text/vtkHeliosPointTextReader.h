@@ -8,7 +8,8 @@
  * - points, double;
  * - of a file whose first row has the eleven columns of vtkHeliosPointTextWriter, point data
  *   Amplitude [W], EchoWidth [ns] and GpsTime [s], double; ReturnNumber and NumberOfReturns,
- *   unsigned char; PulseIds, 64 bits; PartIds and ClassificationIds, int;
+ *   unsigned char; PulseIds, 64 bits; PartIds and ClassificationIds, int; with thirteen columns also
+ *   ScanDirectionFlag and EdgeOfFlightLine, with fifteen RelativeAmplitude and Reflectance [dB];
  * - field data Part.Name: the names of parts by PartIds, if parts have names.
  *
  * Of other files with three or more columns, the first three are read as x y z.
@@ -60,7 +61,7 @@ public:
   static int CountColumns(const char* fileName);
 
   /**
-   * Whether the first row of a file has eleven or thirteen valid columns.
+   * Whether the first row of a file has eleven, thirteen or fifteen valid columns.
    */
   static bool CanReadFile(const char* fileName);
 

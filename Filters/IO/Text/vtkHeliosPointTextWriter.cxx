@@ -33,6 +33,7 @@ namespace
 constexpr vtkIdType TypicalRowSize = 96;
 
 using BasicColumns = std::make_integer_sequence<int, helios::NumberOfBasicColumns>;
+using FlagColumns = std::make_integer_sequence<int, helios::NumberOfFlagColumns>;
 using AllColumns = std::make_integer_sequence<int, helios::NumberOfPointColumns>;
 
 /// The columns of a block, and their formatting.
@@ -120,7 +121,8 @@ void vtkHeliosPointTextWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FillMissing: " << this->FillMissing << "\n"
-     << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n";
+     << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
+     << indent << "WriteDecibels: " << this->WriteDecibels << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -155,8 +157,9 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
   {
     return true;
   }
-  const int columns =
-    this->WriteScanFlags ? helios::NumberOfPointColumns : helios::NumberOfBasicColumns;
+  const int columns = this->WriteDecibels ? helios::NumberOfPointColumns
+    : this->WriteScanFlags                ? helios::NumberOfFlagColumns
+                                          : helios::NumberOfBasicColumns;
   EchoLines lines;
   lines.SetPartNames(
     vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName)));
@@ -181,9 +184,16 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
     }
   }
   return this->WriteRows(count, TypicalRowSize,
-    [&lines, hasFlags = this->WriteScanFlags](vtkIdType row, helios::TextBuffer& text)
+    [&lines, columns](vtkIdType row, helios::TextBuffer& text)
     {
-      hasFlags ? lines.AppendLine(row, text, AllColumns())
-               : lines.AppendLine(row, text, BasicColumns());
+      switch (columns)
+      {
+        case helios::NumberOfPointColumns:
+          return lines.AppendLine(row, text, AllColumns());
+        case helios::NumberOfFlagColumns:
+          return lines.AppendLine(row, text, FlagColumns());
+        default:
+          return lines.AppendLine(row, text, BasicColumns());
+      }
     });
 }

@@ -15,6 +15,7 @@
  * - classification
  * - GPS time [s], 9 decimals
  * - with WriteScanFlags: the scan direction flag and the edge of flight line, 0 or 1
+ * - with WriteDecibels, after these flags: relative amplitude and reflectance [dB], 4 decimals
  *
  * Numbers are correctly rounded, halves to even; zero has no sign.
  *
@@ -63,8 +64,18 @@ public:
 
   ///@{
   /**
+   * Set/Get whether there are four more columns: those of WriteScanFlags, and the arrays
+   * RelativeAmplitude and Reflectance. Default: off.
+   */
+  vtkSetMacro(WriteDecibels, bool);
+  vtkGetMacro(WriteDecibels, bool);
+  vtkBooleanMacro(WriteDecibels, bool);
+  ///@}
+
+  ///@{
+  /**
    * The names of the arrays that have a column, in the order of the columns after x y z,
-   * without those of WriteScanFlags.
+   * without those of WriteScanFlags and WriteDecibels.
    */
   static int GetNumberOfArrays();
   static const char* GetArrayName(int index);
@@ -87,6 +98,7 @@ private:
 
   bool FillMissing = false;
   bool WriteScanFlags = false;
+  bool WriteDecibels = false;
 };
 
 #endif

@@ -83,7 +83,7 @@ def add_arguments(parser):
         metavar="NAME",
         choices=detectors(),
         default="peak",
-        help="peak, gaussian, cfd or leadingEdge (default: %(default)s)",
+        help="peak, gaussian, cfd, leadingEdge or photonCounting (default: %(default)s)",
     )
     parser.add_argument(
         "--pulse-length",

@@ -188,6 +188,12 @@ def add_arguments(parser):
         "in text as columns 12 and 13 (default: only in LAS, which always has them)",
     )
     parser.add_argument(
+        "--decibels",
+        action="store_true",
+        help="echoes with the amplitude above the detection threshold and the reflectance [dB]: in "
+        "text as columns 14 and 15 after those of --scan-flags, in LAS as RIEGL names them",
+    )
+    parser.add_argument(
         "--pulses",
         action="store_true",
         help="also write the pulses, including those without a hit",
@@ -319,7 +325,7 @@ def add_sampling_arguments(parser, options):
         choices=detectors(),
         default="",
         help="echo detector: peak (log-parabola), gaussian (decomposition), "
-        "cfd (constant fraction), leadingEdge (default: the survey's, else peak)",
+        "cfd (constant fraction), leadingEdge, photonCounting (default: the survey's, else peak)",
     )
 
 
@@ -386,6 +392,7 @@ def make_player(arguments, survey, messages):
     player.SetWriteWaveforms(arguments.waveforms)
     player.SetWaveformsInPoints(arguments.waveforms_in_points)
     player.SetWriteScanFlags(arguments.scan_flags)
+    player.SetWriteDecibels(arguments.decibels)
     player.SetWritePulses(arguments.pulses)
     player.SetWriteTruth(arguments.truth)
     player.SetWriteColumns(arguments.columns)

@@ -8,7 +8,7 @@ from .._paths import to_vtk
 from ..array_names import AMPLITUDE, INTENSITY
 from ._base import Header, Reader, StreamWriter, call, check_file, from_cloud
 
-COLUMNS = (11, 13)  # without and with the flags of scan lines
+COLUMNS = (11, 13, 15)  # the basic ones, with flags of scan lines, with decibels
 
 
 class TextReader(Reader):

@@ -171,7 +171,9 @@ vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p)
   const double b = std::log(right / peak);
   const double curvature = -(a + b) / (2.0 * r + 1.0);
   const double s = (b - a) / (2.0 * (r + 1.0) * curvature);
-  return { (middle + s) * w.BinSize, peak * std::exp(0.5 * curvature * (r * r + s * s)),
+  const bool isFlat = r > 0.5; // no maximum between two samples: clipped at the samples' value
+  return { (middle + s) * w.BinSize,
+    isFlat ? peak : peak * std::exp(0.5 * curvature * (r * r + s * s)),
     FwhmPerSigma * w.BinSize / std::sqrt(curvature) };
 }
 

@@ -36,8 +36,9 @@ VTKHELIOSSCANNERCORE_EXPORT void FindPeaks(
 VTKHELIOSSCANNERCORE_EXPORT bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold,
   const BinRange& bins, std::vector<Peak>& peaks);
 
-/// The Gaussian through the ends of a maximum and their neighbours; if one of these is not
-/// positive, the maximum itself with the width of the pulse.
+/// The Gaussian through the ends of a maximum and their neighbours; its amplitude is that of the
+/// samples if three or more are equal. If a neighbour is not positive, the maximum itself with the
+/// width of the pulse.
 VTKHELIOSSCANNERCORE_EXPORT vtkHeliosDetectedEcho FitPeak(
   const vtkHeliosWaveform& waveform, const Peak& peak);
 

@@ -18,6 +18,8 @@ constexpr double ReachInSigma = 6.7;
 // t^2 exp(-t): half maxima at 0.76124023 and 4.15592090 tau, below 1e-9 of the peak from 27 tau.
 constexpr double HeliosLengthInTau = 3.3946806708465;
 constexpr double HeliosEndInTau = 27.0;
+// Samples before the peak of a pulse in closed form that is stored: one is the peak.
+constexpr int SamplesToPeak = 200;
 // Bins processed together, for vector instructions.
 constexpr vtkIdType Lanes = 8;
 
@@ -174,6 +176,19 @@ double PulseShape::operator()(double time) const
   const auto i = static_cast<std::size_t>(above - this->Times.begin());
   const double share = (time - this->Times[i - 1]) / (this->Times[i] - this->Times[i - 1]);
   return this->Powers[i - 1] + share * (this->Powers[i] - this->Powers[i - 1]);
+}
+
+//------------------------------------------------------------------------------
+void PulseShape::GetSamples(std::vector<double>& times, std::vector<double>& powers) const
+{
+  times = this->Times;
+  powers = this->Powers;
+  const double step = -this->Start / SamplesToPeak;
+  for (int i = -SamplesToPeak; this->Kind != Sampled && i * step <= this->End; ++i)
+  {
+    times.push_back(i * step);
+    powers.push_back((*this)(times.back()));
+  }
 }
 
 //------------------------------------------------------------------------------

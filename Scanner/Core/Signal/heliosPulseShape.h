@@ -44,7 +44,8 @@ public:
   /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak, tau = length / 3.3947.
   static PulseShape MakeHelios(double length);
 
-  /// Straight lines between powers at increasing times [ns]: three or more, one of them positive.
+  /// Straight lines between powers at increasing times [ns]: three or more, one of them positive,
+  /// others may be negative.
   static PulseShape MakeSampled(
     const std::vector<double>& times, const std::vector<double>& powers);
 
@@ -59,6 +60,9 @@ public:
   double GetEnd() const { return this->End; }
 
   double operator()(double time) const;
+
+  /// Times [ns] from the peak, and the powers there: those of a sampled pulse, or many in steps.
+  void GetSamples(std::vector<double>& times, std::vector<double>& powers) const;
 
   /// Prepares for bins of a size [ns].
   void SetBinSize(double binSize);

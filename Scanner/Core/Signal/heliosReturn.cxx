@@ -4,6 +4,7 @@
 #include "heliosReturn.h"
 
 #include "heliosConstants.h"
+#include "heliosDetectorOffset.h"
 #include "heliosRandom.h"
 #include "heliosRayVectors.h"
 #include "heliosReturnSelection.h"
@@ -62,6 +63,9 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
 Receiver::Receiver(const ReceiverSettings& settings)
   : Settings(settings)
   , DetectionShape(settings.Shape)
+  , Offset(settings.Detector
+        ? ComputeDetectorOffset(*settings.Detector, settings.Shape, settings.BinSize)
+        : 0.0)
   , Sigma(settings.Shape.GetSigma())
   , SigmaRange(0.5 * SpeedOfLight * settings.Shape.GetSigma())
 {
@@ -357,6 +361,14 @@ bool Receiver::Fill(const PlaneEcho& echo, double background, vtkIdType pulseId)
 }
 
 //------------------------------------------------------------------------------
+void Receiver::FillEmpty(vtkIdType pulseId)
+{
+  this->PulseId = pulseId;
+  this->Wave.StartTime = this->Settings.GateStart;
+  this->Wave.Samples.clear();
+}
+
+//------------------------------------------------------------------------------
 /// Allocates the window for the pulses of returns; true if it was cut.
 bool Receiver::OpenWindow(const Limits& limits, double binSize)
 {
@@ -522,6 +534,7 @@ void Receiver::FillAll(Iterator begin, Iterator end, const PulseShape& shape)
 //------------------------------------------------------------------------------
 void Receiver::AddNoise(double background, vtkIdType pulseId)
 {
+  this->PulseId = pulseId;
   if (background != 0.0)
   {
     std::for_each(this->Sum.begin(), this->Sum.begin() + this->GetWindow().Last,
@@ -545,7 +558,8 @@ void Receiver::SetSamples(const BinRange& bins)
 {
   std::transform(this->Sum.begin() + bins.First, this->Sum.begin() + bins.Last,
     this->Wave.Samples.begin() + bins.First,
-    [](double value) { return static_cast<float>(value); });
+    [most = this->Settings.Saturation](double value)
+    { return static_cast<float>(std::min(value, most)); });
 }
 
 //------------------------------------------------------------------------------
@@ -559,8 +573,12 @@ void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<
 {
   this->Detected.clear();
   const auto& samples = this->Wave.Samples;
-  this->Settings.Detector->Detect({ samples.data(), static_cast<vtkIdType>(samples.size()), binSize,
-                                    this->Settings.Shape.GetLength() },
+  const double start = this->Wave.StartTime;
+  this->Settings.Detector->Detect(
+    { samples.data(), static_cast<vtkIdType>(samples.size()), binSize,
+      this->Settings.Shape.GetLength(), this->Settings.GateStart - start,
+      this->Settings.GateStop - start, this->Settings.Seed,
+      static_cast<std::uint64_t>(this->PulseId) },
     this->Detected);
   for (const vtkHeliosDetectedEcho& echo : this->Detected)
   {
@@ -572,9 +590,10 @@ void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<
 void Receiver::AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, Iterator end,
   std::vector<Echo>& echoes) const
 {
-  const double range = GetRange(this->Wave.StartTime, detected.Time);
-  echoes.push_back({ range, detected.Amplitude, detected.Width, FindNearest(begin, end, range),
-    detected.Deviation });
+  const double range = GetRange(this->Wave.StartTime, detected.Time - this->Offset);
+  const bool isDark = detected.IsDark || begin == end;
+  echoes.push_back({ range, detected.Amplitude, detected.Width,
+    isDark ? nullptr : FindNearest(begin, end, range), detected.Deviation });
 }
 
 } // namespace helios

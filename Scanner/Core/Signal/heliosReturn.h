@@ -35,10 +35,10 @@ struct SubReturn
 /// An echo at its range, and the nearest sub-ray.
 struct Echo
 {
-  double Range;     // [m]
-  double Amplitude; // [W]
-  double Width;     // [ns], full width at half maximum
-  const SubReturn* Nearest;
+  double Range;             // [m]
+  double Amplitude;         // [W]
+  double Width;             // [ns], full width at half maximum
+  const SubReturn* Nearest; // null: a dark count
   double Deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -67,6 +67,9 @@ struct ReceiverSettings
   vtkIdType MaximumCount = VTK_ID_MAX; // of samples of a waveform
   bool HasLimit = true; // whether returns beyond that have no echo, or only no sample
   double Noise = 0.0;   // standard deviation of a sample [W]
+  double Saturation = std::numeric_limits<double>::infinity(); // larger samples are clipped [W]
+  double GateStart = 0.0; // between which the receiver is armed, after the emission [ns]
+  double GateStop = 0.0;
   std::uint64_t Seed = 0;
 };
 
@@ -110,6 +113,9 @@ public:
   bool Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId);
   bool Fill(const PlaneEcho& echo, double background, vtkIdType pulseId);
   ///@}
+
+  /// The waveform of a pulse that returns nothing: no samples.
+  void FillEmpty(vtkIdType pulseId);
 
   const Waveform& GetWaveform() const { return this->Wave; }
 
@@ -165,6 +171,8 @@ private:
 
   ReceiverSettings Settings;
   PulseShape DetectionShape;
+  double Offset; // how late the detector finds a plane [ns]
+  vtkIdType PulseId = 0;
   double Sigma;      // [ns]
   double SigmaRange; // [m]
   double Nearest = 0.0;

@@ -19,8 +19,9 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <limits> // For the missing Deviation
-#include <vector> // For the echoes
+#include <cstdint> // For the keys of random numbers
+#include <limits>  // For the missing Deviation
+#include <vector>  // For the echoes
 
 /// A received waveform: Samples[i] [W] was received at i BinSize.
 struct vtkHeliosWaveform
@@ -29,6 +30,13 @@ struct vtkHeliosWaveform
   vtkIdType Count;
   double BinSize;     ///< [ns]
   double PulseLength; ///< [ns], full width at half maximum of the transmitted pulse
+
+  /// For detectors that draw random numbers: times from the first sample between which the receiver
+  /// is armed [ns] (both 0: while there are samples), and the key of the numbers.
+  double GateStart = 0.0;
+  double GateStop = 0.0;
+  std::uint64_t Seed = 0;
+  std::uint64_t PulseId = 0;
 };
 
 /// An echo in a waveform.
@@ -39,6 +47,7 @@ struct vtkHeliosDetectedEcho
   double Width;     ///< [ns], full width at half maximum
   /// RMS of the samples about the fitted echo over its Amplitude; NaN where no echo was fitted.
   double Deviation = std::numeric_limits<double>::quiet_NaN();
+  bool IsDark = false; ///< a count of the receiver itself, without light of the pulse
 };
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosEchoDetector : public vtkObject
@@ -56,6 +65,16 @@ public:
   double GetDetectionThreshold() const { return this->DetectionThreshold; }
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the dead time of the receiver [ns]: an echo within this time after
+   * the one before, which was detected, is lost. Valid range: [0, 1e6].
+   * Default: 0.
+   */
+  vtkSetClampMacro(DeadTime, double, 0.0, 1e6);
+  vtkGetMacro(DeadTime, double);
+  ///@}
+
   /**
    * Whether echoes have a Deviation. Default: no.
    */
@@ -68,6 +87,20 @@ public:
   virtual bool FindsMaxima() const { return false; }
 
   /**
+   * Whether there may be echoes of pulses that return nothing: dark counts.
+   * Default: no.
+   */
+  virtual bool HasDarkCounts() const { return false; }
+
+  /**
+   * The amplitude [W] for which times of pulses that are not Gaussian are
+   * calibrated: that of the echo of a plane across the beam at the true range;
+   * 0: times are not calibrated. Default: 1000 times the DetectionThreshold,
+   * or 1.
+   */
+  virtual double GetCalibrationAmplitude() const;
+
+  /**
    * Appends the echoes of a waveform in order of time. Thread-safe.
    */
   virtual void Detect(
@@ -77,7 +110,11 @@ protected:
   vtkHeliosEchoDetector() = default;
   ~vtkHeliosEchoDetector() override = default;
 
+  /// Removes echoes, from an index on, within the dead time after one that remains.
+  void RemoveDead(std::vector<vtkHeliosDetectedEcho>& echoes, std::size_t first) const;
+
   double DetectionThreshold = 1e-13;
+  double DeadTime = 0.0;
 
 private:
   vtkHeliosEchoDetector(const vtkHeliosEchoDetector&) = delete;

@@ -3,17 +3,16 @@
 #include "vtkHeliosInstrument.h"
 
 #include "heliosPulseShape.h"
+#include "heliosPulseTable.h"
 #include "heliosRadiometry.h"
 #include "heliosStatus.h"
-#include "heliosTextFile.h"
 
+#include <vtkDataArray.h>
 #include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <string_view>
-#include <vector>
 
 namespace
 {
@@ -21,63 +20,31 @@ namespace
 // The most samples of a waveform: 39 km in bins of 0.25 ns.
 constexpr double LongestWaveform = 1 << 20;
 
-/// Reads one time [ns] and power per line. An error has file:line.
-helios::Status ReadPulse(const std::string& fileName, helios::PulseShape& shape)
-{
-  helios::TextFile file;
-  helios::Status status = file.Open(fileName);
-  if (!status.IsOk())
-  {
-    return status;
-  }
-  std::vector<double> times, powers;
-  std::string_view line;
-  while (file.NextLine(line))
-  {
-    helios::TextWords words(line);
-    if (!words.HasMore())
-    {
-      continue;
-    }
-    using Number = helios::TextWords::Number;
-    double time, power;
-    if (words.Next(time) != Number::Good || words.Next(power) != Number::Good || words.HasMore())
-    {
-      return helios::Status::Error(
-        file.GetPlace() + "expected two numbers per line, a time [ns] and a power");
-    }
-    if (!std::isfinite(time) || !(power >= 0.0) || !std::isfinite(power))
-    {
-      return helios::Status::Error(
-        file.GetPlace() + "times must be finite and powers finite and not negative");
-    }
-    if (!times.empty() && !(time > times.back()))
-    {
-      return helios::Status::Error(
-        file.GetPlace() + "its time is not after that of the previous line; sort the lines");
-    }
-    times.push_back(time);
-    powers.push_back(power);
-  }
-  if (!file.GetError().empty())
-  {
-    return helios::Status::Error(file.GetError());
-  }
-  if (times.size() < 3 || !(*std::max_element(powers.begin(), powers.end()) > 0.0))
-  {
-    return helios::Status::Error(
-      fileName + ": a pulse needs at least three samples, and one above zero");
-  }
-  shape = helios::PulseShape::MakeSampled(times, powers);
-  return {};
-}
-
 } // namespace
+
+//------------------------------------------------------------------------------
+vtkHeliosInstrument::vtkHeliosInstrument() = default;
 
 //------------------------------------------------------------------------------
 vtkHeliosInstrument::~vtkHeliosInstrument()
 {
   this->SetPulseFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosInstrument::SetPulseSamples(vtkDataArray* samples)
+{
+  if (this->PulseSamples != samples)
+  {
+    this->PulseSamples = samples;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkHeliosInstrument::GetPulseSamples() const
+{
+  return this->PulseSamples;
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +84,9 @@ helios::Status vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) co
 {
   if (this->PulseShape == SAMPLED)
   {
-    helios::Status status = ReadPulse(this->PulseFileName, shape);
+    const bool isFile = this->PulseFileName && *this->PulseFileName;
+    helios::Status status = isFile ? helios::ReadPulse(this->PulseFileName, shape)
+                                   : helios::ReadPulse(this->PulseSamples, shape);
     if (!status.IsOk())
     {
       return status;
@@ -172,6 +141,7 @@ bool vtkHeliosInstrument::CheckInstrument()
     { "AtmosphericExtinction", this->AtmosphericExtinction, -1.0, 1e3, " 1/m",
       "-1 derives it from AtmosphericVisibility" },
     { "DetectorNoise", this->DetectorNoise, 0.0, 1e6, " W", "0 for none" },
+    { "SaturationPower", this->SaturationPower, 0.0, 1e6, " W", "0 for none" },
     { "SolarIrradiance", this->SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
     { "FilterBandwidth", this->FilterBandwidth, 0.0, 1e6, " nm", "1 nm is usual" },
     { "FieldOfView", this->FieldOfView, 0.0, 1.0, " rad", "give the full angle" },
@@ -198,10 +168,11 @@ bool vtkHeliosInstrument::CheckInstrument()
                   << this->RangeMin << " m)");
     return false;
   }
-  if (this->PulseShape == SAMPLED && (!this->PulseFileName || !*this->PulseFileName))
+  if (this->PulseShape == SAMPLED && (!this->PulseFileName || !*this->PulseFileName) &&
+    !this->PulseSamples)
   {
     vtkErrorMacro(<< "PulseShape is SAMPLED and PulseFileName is not set; give a file with a time "
-                     "[ns] and a power per line");
+                     "[ns] and a power per line, or such rows as PulseSamples");
     return false;
   }
   return true;
@@ -215,6 +186,7 @@ void vtkHeliosInstrument::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PulseShape: " << this->PulseShape << "\n"
      << indent << "PulseFileName: " << (this->PulseFileName ? this->PulseFileName : "(none)")
      << "\n"
+     << indent << "PulseSamples: " << (this->PulseSamples ? "set" : "(none)") << "\n"
      << indent << "BinSize: " << this->BinSize << " ns\n"
      << indent << "MaximumWaveformLength: " << this->MaximumWaveformLength << " ns\n"
      << indent << "NumberOfBins: " << this->NumberOfBins << "\n"
@@ -225,6 +197,7 @@ void vtkHeliosInstrument::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "AtmosphericVisibility: " << this->AtmosphericVisibility << " km\n"
      << indent << "AtmosphericExtinction: " << this->AtmosphericExtinction << " 1/m\n"
      << indent << "DetectorNoise: " << this->DetectorNoise << " W\n"
+     << indent << "SaturationPower: " << this->SaturationPower << " W\n"
      << indent << "SolarIrradiance: " << this->SolarIrradiance << " W/m^2/nm\n"
      << indent << "FilterBandwidth: " << this->FilterBandwidth << " nm\n"
      << indent << "FieldOfView: " << this->FieldOfView << " rad\n"

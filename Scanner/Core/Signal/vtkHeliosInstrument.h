@@ -29,6 +29,7 @@
 
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For the samples of a pulse
 
 #include <string> // For error messages
 
@@ -37,6 +38,7 @@ namespace helios
 class PulseShape;
 class Status;
 }
+class vtkDataArray;
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkPolyDataAlgorithm
 {
@@ -49,7 +51,7 @@ public:
   {
     GAUSSIAN = 0, ///< exp(-t^2 / (2 sigma^2))
     HELIOS = 1,   ///< (t / tau)^2 exp(-t / tau), tau = PulseLength / 3.3947
-    SAMPLED = 2   ///< the samples of PulseFileName
+    SAMPLED = 2   ///< the samples of PulseFileName or PulseSamples
   };
 
   /// Which echoes of a pulse are kept.
@@ -86,11 +88,23 @@ public:
   ///@{
   /**
    * Set/Get the text file of a sampled pulse: a time [ns] and a power in any unit
-   * per line, times increasing, # for comments; linear between samples. Default:
-   * not set.
+   * per line, with a blank, a comma or a semicolon between them, times increasing,
+   * # for comments; linear between samples. Powers may be negative, their integral
+   * is positive; only the shape counts, it is scaled to a peak of 1. The times of
+   * the detector are corrected, so that a plane across the beam is at its range.
+   * Default: not set.
    */
   vtkSetFilePathMacro(PulseFileName);
   vtkGetFilePathMacro(PulseFileName);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the same as an array, n rows of a time [ns] and a power; used without
+   * a PulseFileName. Default: not set.
+   */
+  void SetPulseSamples(vtkDataArray* samples);
+  vtkDataArray* GetPulseSamples() const;
   ///@}
 
   ///@{
@@ -178,6 +192,16 @@ public:
 
   ///@{
   /**
+   * Set/Get the power at which the receiver saturates [W]: larger samples of a
+   * waveform are clipped to it, after noise and sunlight; 0: never. Then every
+   * pulse is binned. Valid range: [0, 1e6]. Default: 0.
+   */
+  vtkSetMacro(SaturationPower, double);
+  vtkGetMacro(SaturationPower, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064 nm on a
    * clear day), the bandwidth of the receiver's filter [nm] and its field of
    * view, a full angle [rad]. A surface of reflectance rho that fills the field
@@ -256,7 +280,7 @@ public:
   ///@}
 
 protected:
-  vtkHeliosInstrument() = default;
+  vtkHeliosInstrument();
   ~vtkHeliosInstrument() override;
 
   /// Whether all values are in range; otherwise reports an error that names the first invalid one.
@@ -286,7 +310,9 @@ protected:
   double ReceiverDiameter = 0.15;
   double AtmosphericVisibility = 23.0;
   double AtmosphericExtinction = -1.0;
+  vtkSmartPointer<vtkDataArray> PulseSamples;
   double DetectorNoise = 0.0;
+  double SaturationPower = 0.0;
   double SolarIrradiance = 0.0;
   double FilterBandwidth = 1.0;
   double FieldOfView = 1e-3;

@@ -23,10 +23,12 @@ void vtkHeliosPeakDetector::Detect(
 {
   static thread_local std::vector<helios::Peak> peaks;
   helios::FindPeaks(waveform, this->DetectionThreshold, this->MinimumSeparation, peaks);
+  const std::size_t before = echoes.size();
   const double reach = this->FitWindow * waveform.PulseLength / helios::FwhmPerSigma;
   for (const helios::Peak& peak : peaks)
   {
     echoes.push_back(
       reach > 0.0 ? helios::FitPeak(waveform, peak, reach) : helios::FitPeak(waveform, peak));
   }
+  this->RemoveDead(echoes, before);
 }

@@ -52,7 +52,7 @@ public:
 
   bool FindsMaxima() const override
   {
-    return this->FitWindow == 0.0 && this->MinimumSeparation == 0.0;
+    return this->FitWindow == 0.0 && this->MinimumSeparation == 0.0 && this->DeadTime == 0.0;
   }
 
   void Detect(

@@ -229,6 +229,7 @@ void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
   channel->SetGenerateTruth(this->Settings.Truth);
   channel->SetGenerateScanFlags(this->Settings.ScanFlags);
   channel->SetGenerateColumns(this->Settings.Columns);
+  channel->SetGenerateDecibels(this->Settings.Decibels);
 }
 
 //------------------------------------------------------------------------------
@@ -247,6 +248,7 @@ void LegScanner::SetOutputs(const RunSettings& settings)
   this->Settings.Truth = settings.Truth;
   this->Settings.ScanFlags = settings.ScanFlags;
   this->Settings.Columns = settings.Columns;
+  this->Settings.Decibels = settings.Decibels;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     this->ApplyOutputs(channel);

@@ -13,6 +13,7 @@
 #include "vtkHeliosGaussianDecomposition.h"
 #include "vtkHeliosPanoramicErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosPhotonCountingDetector.h"
 #include "vtkHeliosScanner.h"
 
 #include <vtkNew.h>
@@ -133,12 +134,26 @@ void SetUpNoise(const ScannerData& data, bool hasNoise, vtkHeliosScanner* scanne
   scanner->SetRangeAccuracyAtThreshold(factor * receiver.AccuracyAtThreshold);
   scanner->SetAngleAccuracy(factor * receiver.AngleAccuracy);
   scanner->SetDetectorNoise(factor * receiver.DetectorNoise);
+  scanner->SetSaturationPower(receiver.Saturation);
 }
 
-/// Makes a detector by name, or the default; window: how far from a higher peak the next may be
-/// [ns].
-vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, double window)
+/// Sets the values of a photon-counting receiver; what is random apart from the light is noise.
+void SetUpPhotons(const ScannerData& data, bool hasNoise, vtkHeliosPhotonCountingDetector* photons)
 {
+  const double factor = hasNoise ? 1.0 : 0.0;
+  photons->SetWavelength(data.Wavelength);
+  photons->SetDetectionEfficiency(data.Receiver.PhotonEfficiency);
+  photons->SetDarkCountRate(factor * data.Receiver.DarkCountRate);
+  photons->SetTimeJitter(factor * data.Receiver.TimeJitter);
+}
+
+/// Makes the detector of a scanner, or of the options.
+vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(
+  const ScannerData& data, const RunOptions& options)
+{
+  const double window = data.Receiver.PeakWindow; // how far from a higher peak the next may be [ns]
+  const std::string& name =
+    options.EchoDetector.empty() ? data.Receiver.EchoDetector : options.EchoDetector;
   auto detector = vtkSmartPointer<vtkHeliosEchoDetector>::Take(
     vtkHeliosEchoDetection::MakeDetector(name.c_str()));
   if (!detector)
@@ -153,6 +168,12 @@ vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, dou
   {
     gaussian->SetMinimumSeparation(window);
   }
+  if (auto* photons = vtkHeliosPhotonCountingDetector::SafeDownCast(detector))
+  {
+    SetUpPhotons(data, options.Noise, photons);
+  }
+  detector->SetDetectionThreshold(data.DetectionThreshold);
+  detector->SetDeadTime(data.Receiver.DeadTime);
   return detector;
 }
 
@@ -234,11 +255,7 @@ void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHelios
   SetUpReturns(data, options, scanner);
   SetUpNoise(data, options.Noise, scanner);
   SetUpErrors(data.Receiver.Errors, data.Receiver.Panoramic, scanner);
-  const std::string& name =
-    options.EchoDetector.empty() ? data.Receiver.EchoDetector : options.EchoDetector;
-  const auto detector = MakeDetector(name, data.Receiver.PeakWindow);
-  detector->SetDetectionThreshold(data.DetectionThreshold);
-  scanner->SetEchoDetector(detector);
+  scanner->SetEchoDetector(MakeDetector(data, options));
 }
 
 } // namespace helios

@@ -67,6 +67,11 @@ struct ReceiverData
   std::string EchoDetector;         ///< its name; empty: the default
   std::string ReturnSelection;      ///< all, first, last, strongest, firstAndLast; empty: all
   double DetectorNoise = 0.0;       ///< [W]
+  double Saturation = 0.0;          ///< [W]; 0: none
+  double DeadTime = 0.0;            ///< [ns]
+  double PhotonEfficiency = 0.3;    ///< of a photon-counting receiver, like the next two
+  double DarkCountRate = 0.0;       ///< [Hz]
+  double TimeJitter = 0.0;          ///< [ns]
   double SolarIrradiance = 0.0;     ///< [W/m^2/nm]
   double FilterBandwidth = 1.0;     ///< [nm]
   double FieldOfView = 1e-3;        ///< [rad], full angle

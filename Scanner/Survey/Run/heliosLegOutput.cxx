@@ -50,6 +50,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   {
     const auto text = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
     text->SetWriteScanFlags(settings.ScanFlags);
+    text->SetWriteDecibels(settings.Decibels);
     writer = text;
   }
   return writer;

@@ -22,7 +22,8 @@ constexpr vtkIdType FewestHits = 200;
 constexpr vtkIdType MostHits = 1000;
 constexpr vtkIdType HitsPerSample = 20000;
 constexpr vtkIdType MostMisses = 3;
-constexpr vtkIdType PulsesPerPiece = 256; // between checks for an abort
+constexpr vtkIdType PulsesPerPiece = 256;                // between checks for an abort
+constexpr const char* PhotonCounting = "photonCounting"; // the name of its detector
 // The reference.
 constexpr int SubRays = 4096;
 constexpr double BinsPerPulse = 50.0;
@@ -73,6 +74,17 @@ double RunAccuracy::GetFinestBin() const
 }
 
 //------------------------------------------------------------------------------
+bool RunAccuracy::CountsPhotons() const
+{
+  const std::string& name = this->Settings.Options.EchoDetector;
+  const auto& scanners = this->Runner.GetSurvey().Scanners;
+  return name.empty() ? std::any_of(scanners.begin(), scanners.end(),
+                          [](const ScannerData& scanner)
+                          { return scanner.GetChannel(0).Receiver.EchoDetector == PhotonCounting; })
+                      : name == PhotonCounting;
+}
+
+//------------------------------------------------------------------------------
 /// The run, the reference, and the reference with half the sub-rays.
 std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
 {
@@ -115,6 +127,11 @@ void RunAccuracy::Measure(const StepWatcher& onStep)
   if (this->Runner.GetScene()->GetNumberOfPolys() == 0)
   {
     this->Reason = "the scene has only turbid voxels, which are random";
+    return;
+  }
+  if (this->CountsPhotons())
+  {
+    this->Reason = "photons are counted, which is random";
     return;
   }
   this->Log.Mute(true); // the run has reported its warnings

@@ -51,6 +51,7 @@ private:
 
   std::vector<Way> MakeWays() const;
   double GetFinestBin() const;
+  bool CountsPhotons() const;
   void Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way);
   void Compare(const LegPlan& plan, const std::vector<Way>& ways);
   vtkIdType CountSamples(const LegPlan& plan) const;

@@ -88,6 +88,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   {
     options["columns"] = true;
   }
+  if (settings.Decibels)
+  {
+    options["decibels"] = true;
+  }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)

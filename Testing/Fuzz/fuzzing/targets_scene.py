@@ -245,7 +245,7 @@ class Waveforms(Target):
     def run(self, path, data):
         if self.by_detect:
             output = path.with_name(pick(data, ["echoes.xyz", "echoes.pvtp"]))
-            detector = pick(data, ["peak", "gaussian", "cfd", "leadingEdge"])
+            detector = pick(data, ["peak", "gaussian", "cfd", "leadingEdge", "photonCounting"])
             command_line("detect", path, "-o", output, "--detector", detector,
                          "--pulse-length", "5", "--threads", "1")  # fmt: skip
             from .targets_points import read_points

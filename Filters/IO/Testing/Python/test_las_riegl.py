@@ -121,3 +121,18 @@ def test_origins_equal_those_of_pulsewaves(riegl):
     assert np.all(sample > first[pulse] - 0.2)
     assert np.all(sample < last[pulse])
     assert np.median(np.abs(sample - first[pulse])) < 0.1  # except for later segments
+
+
+def test_fields_of_riegl_have_the_names_of_ours(riegl):
+    """Decibels are no watts: the file's Amplitude is 0.01 dB, its Pulse width 0.1 ns per unit."""
+    cloud, _ = riegl
+    assert "Amplitude" not in cloud and "Pulse width" not in cloud
+    raw = np.frombuffer(LAS.read_bytes(), np.uint8)
+    begin = struct.unpack_from("<I", raw, 96)[0]
+    length = struct.unpack_from("<H", raw, 105)[0]
+    rows = raw[begin : begin + length * len(cloud["Intensity"])].reshape(-1, length)
+    fields = np.ascontiguousarray(rows[:, 59:63]).view("<u2")  # format 9 has 59 bytes
+    assert np.allclose(cloud["RelativeAmplitude"], 0.01 * fields[:, 0], rtol=1e-12)
+    assert np.allclose(cloud["EchoWidth"], 0.1 * fields[:, 1], rtol=1e-12)
+    # a few below 0 dB have wrapped round in the file: 65469 for -0.67 dB
+    assert np.quantile(cloud["RelativeAmplitude"], 0.99) < 50.0

@@ -136,12 +136,15 @@ TEST_CASE("Instrument: bad pulse files are refused with file and line", "[Instru
     bench.Scanner->Update();
     CHECK(bench.Log->HasError(message));
   };
-  expect("0 0\n1 nan\n2 0\n", "pulse.txt:2: times must be finite and powers finite");
-  expect("0 0\n1 -3\n2 0\n", "pulse.txt:2: ");
+  expect("0 0\n1 nan\n2 0\n", "pulse.txt:2: times and powers must be finite");
+  expect("0 0\n1,2\n2 -5\n3 0\n",
+    "pulse.txt: the energy of the pulse is not positive: the integral is -3.0");
   expect("0 0\n1 1,5\n2 0\n", "pulse.txt:2: expected two numbers per line");
   expect("0 0\n1 1 1\n2 0\n", "pulse.txt:2: expected two numbers per line");
-  expect("0 0\n2 1\n1 0\n", "pulse.txt:3: its time is not after that of the previous line");
+  expect(
+    "0 0\n2 1\n1 0\n", "pulse.txt:3: its time is not after that of the previous one; sort them");
   expect("0 0\n1 1\n", "pulse.txt: a pulse needs at least three samples");
+  expect("1 1\n", "and one above zero; it has 1");
   expect("0 0\n1 0\n2 0\n", "and one above zero");
   expect("0 0\n0.1 1\n0.2 0\n", "BinSize is 0.25 ns, more than half of the pulse (0.1 ns)");
   expect("", "pulse.txt");

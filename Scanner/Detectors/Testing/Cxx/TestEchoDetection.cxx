@@ -457,21 +457,22 @@ TEST_CASE("EchoDetection: an abort is an error without output", "[EchoDetection]
 TEST_CASE("EchoDetection: detectors by name", "[EchoDetection]")
 {
   const char* classes[] = { "vtkHeliosPeakDetector", "vtkHeliosGaussianDecomposition",
-    "vtkHeliosConstantFractionDetector", "vtkHeliosLeadingEdgeDetector" };
+    "vtkHeliosConstantFractionDetector", "vtkHeliosLeadingEdgeDetector",
+    "vtkHeliosPhotonCountingDetector" };
   const auto getClass = [](const char* name) -> std::string
   {
     const auto detector =
       vtkSmartPointer<vtkHeliosEchoDetector>::Take(vtkHeliosEchoDetection::MakeDetector(name));
     return detector ? detector->GetClassName() : "none";
   };
-  REQUIRE(vtkHeliosEchoDetection::GetNumberOfDetectors() == 4);
-  for (int i = 0; i < 4; ++i)
+  REQUIRE(vtkHeliosEchoDetection::GetNumberOfDetectors() == 5);
+  for (int i = 0; i < 5; ++i)
   {
     CHECK(getClass(vtkHeliosEchoDetection::GetDetectorName(i)) == classes[i]);
   }
   CHECK(getClass("") == classes[0]);
   CHECK(getClass(nullptr) == classes[0]);
   CHECK(getClass("pek") == "none");
-  CHECK(vtkHeliosEchoDetection::GetDetectorName(4) == nullptr);
+  CHECK(vtkHeliosEchoDetection::GetDetectorName(5) == nullptr);
   CHECK(vtkHeliosEchoDetection::GetDetectorName(-1) == nullptr);
 }

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -332,6 +334,50 @@ TEST_CASE(
     const std::string piece = ReadText(leg + "_points_0000.vtp");
     CHECK((piece.find("\"EdgeOfFlightLine\"") != std::string::npos) == isOn);
     CHECK((piece.find("\"ScanDirectionFlag\"") != std::string::npos) == isOn);
+  }
+}
+
+TEST_CASE("SurveyPlayer: decibels in text, VTK XML and LAS on request", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  const std::string leg = files / "out/test/leg000";
+  playing.Player->SetOverwrite(true);
+  playing.Player->WriteDecibelsOn();
+  REQUIRE(playing.Player->Run());
+  const std::vector<std::string> text = ReadLines(leg + "_points.xyz");
+  playing.Player->SetFormat("las");
+  REQUIRE(playing.Player->Run());
+  vtkNew<vtkHeliosLASReader> las;
+  ReadLas(leg + "_points.las", las);
+  vtkPointData* data = las->GetOutput()->GetPointData();
+  for (const char* name : { names::RelativeAmplitude, names::Reflectance, names::Amplitude })
+  {
+    REQUIRE(data->HasArray(name));
+  }
+  REQUIRE(text.size() == static_cast<std::size_t>(las->GetOutput()->GetNumberOfPoints()));
+  std::istringstream words(text[7]);
+  std::vector<double> numbers(15);
+  std::string part;
+  for (std::size_t i = 0; i < 15; ++i)
+  {
+    i == 8 ? words >> part : words >> numbers[i];
+  }
+  REQUIRE(words);
+  const double threshold = reading.Data().Scanners[0].DetectionThreshold;
+  const double amplitude = data->GetArray(names::Amplitude)->GetTuple1(7);
+  const double decibels = data->GetArray(names::RelativeAmplitude)->GetTuple1(7);
+  CHECK(decibels == Approx(10.0 * std::log10(amplitude / threshold)).epsilon(1e-12));
+  CHECK(numbers[13] == Approx(decibels).margin(6e-5));
+  CHECK(numbers[14] == Approx(data->GetArray(names::Reflectance)->GetTuple1(7)).margin(6e-5));
+  playing.Player->SetFormat("vtp");
+  for (const bool isOn : { true, false })
+  {
+    playing.Player->SetWriteDecibels(isOn);
+    REQUIRE(playing.Player->Run());
+    const std::string piece = ReadText(leg + "_points_0000.vtp");
+    CHECK((piece.find("\"Reflectance\"") != std::string::npos) == isOn);
   }
 }
 

@@ -216,13 +216,41 @@ TEST_CASE("SurveyReceiver: waveforms, returns and the pulse", "[SurveyReceiver]"
   CHECK(std::string(scanner->GetPulseFileName()) == sampled.Folder / "shot.txt");
 }
 
+TEST_CASE("SurveyReceiver: saturation, dead time and photons", "[SurveyReceiver]")
+{
+  const Bench bench("echoDetector=\"photonCounting\"",
+    "saturation_nW=\"3\" deadTime_ns=\"40\" photonEfficiency=\"0.1\" darkCountRate_Hz=\"5e4\" "
+    "timeJitter_ns=\"0.2\" wavelength_nm=\"532\"");
+  bench.CheckQuiet();
+  for (const bool hasNoise : { true, false })
+  {
+    helios::RunOptions options;
+    options.Noise = hasNoise;
+    const auto scanner = bench.SetUp(options);
+    CHECK(scanner->GetSaturationPower() == Approx(3e-9));
+    CHECK(scanner->GetEchoDetector()->GetDeadTime() == 40.0);
+    std::ostringstream text;
+    scanner->GetEchoDetector()->Print(text);
+    for (const char* line : { "DetectionEfficiency: 0.1\n", "Wavelength: 532 nm\n",
+           hasNoise ? "DarkCountRate: 50000 Hz\n" : "DarkCountRate: 0 Hz\n",
+           hasNoise ? "TimeJitter: 0.2 ns\n" : "TimeJitter: 0 ns\n" })
+    {
+      INFO(text.str() << "missing: " << line);
+      CHECK(text.str().find(line) != std::string::npos);
+    }
+  }
+  CHECK(Bench("", "deadTime_ns=\"7\"").SetUp()->GetEchoDetector()->GetDeadTime() == 7.0);
+  CHECK(Bench("").SetUp()->GetSaturationPower() == 0.0);
+}
+
 TEST_CASE("SurveyReceiver: detectors", "[SurveyReceiver]")
 {
   const std::vector<std::pair<std::string, std::string>> detectors = { { "",
                                                                          "vtkHeliosPeakDetector" },
     { "peak", "vtkHeliosPeakDetector" }, { "gaussian", "vtkHeliosGaussianDecomposition" },
     { "cfd", "vtkHeliosConstantFractionDetector" },
-    { "leadingEdge", "vtkHeliosLeadingEdgeDetector" } };
+    { "leadingEdge", "vtkHeliosLeadingEdgeDetector" },
+    { "photonCounting", "vtkHeliosPhotonCountingDetector" } };
   for (const auto& [name, type] : detectors)
   {
     const std::string given = name.empty() ? "" : "echoDetector=\"" + name + "\"";
@@ -393,7 +421,8 @@ TEST_CASE("SurveyReceiver: invalid values are refused with their line", "[Survey
     { "scannerEfficiency=\"0\"", "scannerEfficiency=\"0\" is out of range" },
     { "echoDetector=\"gausian\"", "echoDetector=\"gausian\" is not valid; did you mean gaussian?" },
     { "echoDetector=\"xyzzy\"",
-      "echoDetector=\"xyzzy\" is not valid: expected peak, gaussian, cfd or leadingEdge" },
+      "echoDetector=\"xyzzy\" is not valid: expected peak, gaussian, cfd, leadingEdge or "
+      "photonCounting" },
     { "returnSelection=\"frist\"", "returnSelection=\"frist\" is not valid; did you mean first?" },
     { "pulseShape=\"nowhere.txt\"",
       "pulseShape=\"nowhere.txt\" is neither a pulse shape nor a file: expected" },
@@ -505,7 +534,8 @@ TEST_CASE("SurveyReceiver: invalid options of a run are errors", "[SurveyReceive
   CHECK(playing.FailsWith("NumberOfSubRays is 19, but a tolerance"));
   playing.Player->GetOptions()->SetEnergyTolerance(0.0);
   playing.Player->GetOptions()->SetEchoDetector("none");
-  CHECK(playing.FailsWith("EchoDetector is \"none\"; give peak, gaussian, cfd and leadingEdge"));
+  CHECK(playing.FailsWith(
+    "EchoDetector is \"none\"; give peak, gaussian, cfd, leadingEdge and photonCounting"));
   playing.Player->GetOptions()->SetEchoDetector("");
   playing.Player->GetOptions()->SetSubRayPattern("Star");
   CHECK(playing.FailsWith("SubRayPattern is \"Star\"; give GaussLegendre, Circles and Vogel"));

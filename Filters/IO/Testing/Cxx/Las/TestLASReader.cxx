@@ -293,6 +293,39 @@ TEST_CASE("LASReader: Extra Bytes of other programs", "[LASReader]")
   CHECK(reading.Get("normal")->GetComponent(0, 2) == 0.5);
 }
 
+TEST_CASE("LASReader: decibels have the names of RIEGL in the file", "[LASReader]")
+{
+  const auto echoes = MakeLasEchoes(100);
+  vtkPointData* data = echoes->GetPointData();
+  for (const char* name : { names::RelativeAmplitude, names::Reflectance })
+  {
+    helios::AddColumn<vtkDoubleArray>(
+      data, name, 100, [](vtkIdType i) { return 0.37 * static_cast<double>(i) - 10.0; });
+  }
+  WriteEchoes(echoes);
+  const std::string bytes = helios::ReadText(Path);
+  const auto has = [&bytes](const char* name, const char* description)
+  {
+    const std::size_t at = bytes.find(name + std::string(32 - std::strlen(name), '\0'));
+    return at != std::string::npos &&
+      bytes.compare(at + 156, std::strlen(description), description) == 0;
+  };
+  CHECK(has("Amplitude", "Echo signal amplitude [dB]"));
+  CHECK(has("Reflectance", "Echo signal reflectance [dB]"));
+  CHECK(has("Pulse width", "Full width at half maximum [ns]"));
+  CHECK(has("Received power", "peak of the echo [W]"));
+  CHECK(bytes.find("EchoWidth") == std::string::npos);
+  LasReading reading(Path);
+  REQUIRE(reading.Read());
+  for (const char* name :
+    { names::RelativeAmplitude, names::Reflectance, names::Amplitude, names::EchoWidth })
+  {
+    INFO(name);
+    REQUIRE(reading.Get(name));
+    CHECK(CountWrong(reading.Get(name), data->GetArray(name), 0, 0.0) == 0);
+  }
+}
+
 TEST_CASE("LASReader: coordinate systems of other programs", "[LASReader]")
 {
   const auto read = [](const std::string& bytes)

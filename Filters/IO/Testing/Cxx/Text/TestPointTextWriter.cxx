@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTempFolder.h"
 #include "heliosWriterTesting.h"
+#include "vtkHeliosPointTextReader.h"
 #include "vtkHeliosPointTextWriter.h"
 
 #include <vtkFloatArray.h>
@@ -65,6 +66,42 @@ TEST_CASE("PointTextWriter: two more columns for the flags of scan lines", "[Poi
   expected.insert(plain.size() - 1, " 1 0");
   expected.insert(plain.find('\n'), " 0 1");
   CHECK(helios::ReadText(path) == expected);
+}
+
+TEST_CASE("PointTextWriter: decibels follow the flags of scan lines", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(2);
+  const std::string plain = helios::ReadText(WriteEchoes(folder, echoes));
+  const std::string path = folder / "decibels.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  writer->WriteDecibelsOn();
+  vtkPointData* data = echoes->GetPointData();
+  for (const char* name : { names::ScanDirectionFlag, names::EdgeOfFlightLine })
+  {
+    helios::AddColumn<vtkUnsignedCharArray>(data, name, 2, [](vtkIdType i) { return i; });
+  }
+  REQUIRE(writer->Open());
+  CHECK_FALSE(writer->Write(echoes));
+  CHECK(log->HasError("RelativeAmplitude"));
+  helios::AddColumn<vtkDoubleArray>(data, names::RelativeAmplitude, 2,
+    [](vtkIdType i) { return 12.34567 + static_cast<double>(i); });
+  helios::AddColumn<vtkDoubleArray>(
+    data, names::Reflectance, 2, [](vtkIdType i) { return -3.0103 - static_cast<double>(i); });
+  REQUIRE((writer->Write(echoes) && writer->Close()));
+  std::string expected = plain;
+  expected.insert(plain.size() - 1, " 1 1 13.3457 -4.0103");
+  expected.insert(plain.find('\n'), " 0 0 12.3457 -3.0103");
+  CHECK(helios::ReadText(path) == expected);
+  vtkNew<vtkHeliosPointTextReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkPointData* back = reader->GetOutput()->GetPointData();
+  CHECK(back->GetArray(names::RelativeAmplitude)->GetTuple1(1) == 13.3457);
+  CHECK(back->GetArray(names::Reflectance)->GetTuple1(0) == -3.0103);
+  CHECK(back->GetArray(names::EdgeOfFlightLine)->GetTuple1(1) == 1.0);
 }
 
 TEST_CASE("PointTextWriter: an independent reader restores every value", "[PointTextWriter]")
