@@ -143,8 +143,8 @@ def test_trajectory_by_whole_scan_angles():
         fit = vtkhelios.fit(cloud)
         assert fit["mirror"].text == kind
         assert "scan angles in whole degrees" in fit.strips[0].method
-        expect(fit.of_strip("height above ground", 1), HEIGHT, 4)
-        expect(fit.of_strip("speed", 1), SPEED, 0.2)
+        expect(fit.of_strip("height above ground", 1), HEIGHT, 9)
+        expect(fit.of_strip("speed", 1), SPEED, 0.4)
         expect(fit["line frequency"], FREQUENCY[kind], 0.02)
         assert any("if they do not include the roll" in note for note in fit.notes)
 
@@ -163,6 +163,34 @@ def test_lost_pulses_and_a_part_of_the_swath():
     cloud = fly("rotating")
     fit = vtkhelios.fit(cloud.filter(cloud.points[:, 1] > 20))
     assert fit["sweep of a facet"].value == pytest.approx(90, abs=0.01)
+
+
+def test_intervals_cover_the_truth():
+    """Flights with roll, pitch and crab, parts of the swath, coordinates in whole centimetres; one
+    in twenty intervals misses its value by chance."""
+    missed, numbers = [], 0
+    for seed in range(6):
+        random = np.random.default_rng(seed)
+        kind = ("rotating", "oscillating")[seed % 2]
+        turned = dict(heading=90 + random.uniform(-8, 8), roll=random.uniform(0, 1.5))
+        cloud = fly(
+            kind, make_scene(seed=seed + 5), **turned, pitch=random.uniform(-3, 3), seconds=3
+        )
+        points = np.round(cloud.points, 2)
+        cloud = vtkhelios.Cloud.from_arrays(points, **{name: cloud[name] for name in cloud.names})
+        low = random.uniform(-60, 60)
+        width = random.uniform(60, 150)
+        fit = vtkhelios.fit(cloud.filter((points[:, 1] > low) & (points[:, 1] < low + width)))
+        for value, truth in (
+            (fit.of_strip("height above ground", 1), HEIGHT),
+            (fit.of_strip("speed", 1), SPEED),
+            (fit["line frequency"], FREQUENCY[kind]),
+            (fit["range noise"], 0.02),
+        ):
+            numbers += 1
+            if abs(value.value - truth) > value.uncertainty:
+                missed.append(value)
+    assert numbers == 24 and len(missed) <= 2, missed
 
 
 def test_strips_by_sources_and_gaps(flown):
@@ -282,7 +310,7 @@ def test_most_frequent_value_of_a_mixture():
 def test_ahn3_is_a_polygon_of_four_facets():
     fit = vtkhelios.fit(real_file("als/ahn3_delft_1.laz"))
     assert fit["mirror"].text == "rotating" and len(fit.strips) == 3
-    expect(fit["sweep of a facet"], 90.0, 0.2)
+    assert fit["sweep of a facet"].value == pytest.approx(90.0, abs=0.1)
     expect(fit["line frequency"], 186.79, 0.05)
     assert fit["pulse intervals"].text == "2.500, 2.700"
     for strip in (1, 2, 3):
@@ -327,8 +355,8 @@ def test_clouds_that_cannot_be_fitted(flown):
         (changed(cloud, GpsTime=None), "has no GpsTime, which identifies the pulses"),
         (changed(cloud, GpsTime=np.zeros(len(cloud))), "GpsTime is 0 at all points, so that no"),
         (changed(cloud, GpsTime=np.full(len(cloud), np.nan)), "GpsTime is nan at all points"),
-        (changed(flat, ScanAngle=None), "it has no ScanAngle, and fewer than 200 of its pulses"),
-        (changed(flat, ScanAngle=np.zeros(len(flat))), "ScanAngle is constant, and fewer than 200"),
+        (changed(flat, ScanAngle=None), "it has no ScanAngle, and fewer than 50 of its pulses"),
+        (changed(flat, ScanAngle=np.zeros(len(flat))), "ScanAngle is constant, and fewer than 50"),
         (
             cloud.filter(np.arange(len(cloud)) < 300),
             "pulses in its longest strip, too few for a fit",

@@ -67,7 +67,7 @@ def _fit_strip(flight, number, source, rows):
     if track is None:
         angles = f"{SCAN_ANGLE} is constant" if SCAN_ANGLE in flight else f"it has no {SCAN_ANGLE}"
         return None, (
-            f"{angles}, and fewer than 200 of its pulses have returns more than 1 m apart, so that "
+            f"{angles}, and fewer than 50 of its pulses have returns more than 1 m apart, so that "
             "its trajectory is not known; give a cloud with scan angles"
         )
     track, by_lines = track

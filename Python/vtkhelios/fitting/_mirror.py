@@ -26,7 +26,7 @@ MOST = 30_000  # pulses that are fitted
 CYCLE = 0.1  # largest RMS of crossings about equal steps, in periods
 FLYBACK = 0.6  # longest time between two lines, in periods
 INTERVAL, NOISE, CHANGE = 0.2, 0.05, 10.0  # of attitudes: [s], [deg], [deg/s²]
-ROLL_RATE = 0.5  # that cannot be told from a change of the line frequency [deg/s]
+ROLL_RATE = 1.0  # that cannot be told from a change of the line frequency [deg/s]
 TURNS = np.linspace(0.0, 1.0, 21)  # share of a line in which the mirror reverses
 SINUSOIDAL = "sinusoidal"
 BETTER, EXACT = 0.98, 1e-3  # RMS over that of a simpler law, and below it [deg], to replace it
@@ -91,6 +91,9 @@ def find_mirror(track, pulses, period):
         across, along, _ = find_angles(track, pulses, yaw)
     mirror = _find_lines(pulses, across, period)
     if mirror is not None:
+        depth = np.median(track.at(pulses.times)[:, 2] - pulses.points[:, 2])
+        scale = mirror.sweep * track.height_error / max(depth, 1e-6)  # of angles by the height
+        mirror.sweep_error = float(np.hypot(mirror.sweep_error, scale))
         mirror.pitch, mirror.yaw = _fit_pitch(pulses.times, across, along)[0], yaw
     return mirror
 
@@ -160,17 +163,17 @@ def _find_lines(pulses, across, period):
         return None
     value = float(np.mean([each.value for each in found]))
     error = float(max(each.uncertainty for each in found)) / value**2
-    gaps = np.diff(times) < near
-    rates = (np.diff(across) / np.maximum(np.diff(times), 1e-12))[gaps]
-    rates = rates[np.abs(np.diff(across)[gaps]) < jump]
-    rate = float(np.median(np.abs(rates)))
+    step, gap = np.diff(across), np.diff(times)
+    some = (gap < near) & (np.abs(step) < jump)
+    step, gap = step[some], gap[some]
+    rate = float(np.median(np.abs(step / gap)))
     if both:
         mirror = Mirror(OSCILLATING, 1 / value, error)
         _fit_oscillation(mirror, times, across, options[best])
     else:
         error = float(np.hypot(error, ROLL_RATE / rate / value))
         mirror = Mirror(ROTATING, 1 / value, error)
-        _fit_rotation(mirror, times, across, sets[1], rates)
+        _fit_rotation(mirror, times, across, sets[1], step, gap)
     _find_limits(mirror, pulses, across, sets[1])
     return mirror
 
@@ -188,13 +191,17 @@ def _sample(times):
     return np.unique(np.linspace(0, len(times) - 1, MOST).astype(np.int64))
 
 
-def _fit_rotation(mirror, times, across, crossings, rates):
-    """The angle of a period: its rate over the frequency; the roll is what is left."""
-    signed = rates[np.sign(rates) == np.sign(np.median(rates))]
-    rate = np.median(signed)
-    mirror.sweep = float(abs(rate) / mirror.frequency)
-    spread = 1.4826 * np.median(np.abs(signed - rate))
-    mirror.sweep_error = float(2 * 1.2533 * spread / np.sqrt(len(signed)) / mirror.frequency)
+def _fit_rotation(mirror, times, across, crossings, step, gap):
+    """The angle of a period: its rate over the frequency; the roll is what is left. The rate is the sum
+    of the steps over that of their times, in which rounded coordinates and times cancel."""
+    rates = step / gap
+    middle = np.median(rates)
+    spread = 1.4826 * np.median(np.abs(rates - middle))
+    good = np.abs(rates - middle) <= 5 * spread + 1e-9 * abs(middle)
+    rate = float(step[good].sum() / gap[good].sum())
+    mirror.sweep = abs(rate) / mirror.frequency
+    error = 2 * rates[good].std() / np.sqrt(np.count_nonzero(good))
+    mirror.sweep_error = float(np.hypot(error, ROLL_RATE) / mirror.frequency)
     rows = _sample(times)
     phase = _phase(times[rows], crossings[0], 1 / mirror.frequency)
     centre = np.angle(np.exp(2j * np.pi * phase).mean()) / (2 * np.pi)

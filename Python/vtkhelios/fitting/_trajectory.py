@@ -15,7 +15,7 @@ import numpy as np
 
 from ._smooth import Knots
 
-FEWEST = 200  # lines of a strip
+FEWEST = 50  # lines of a strip
 MOST = 20_000  # lines of a strip; of more, those with returns far apart
 SHORTEST = 1.0  # between first and last return, in height [m]
 STEEPEST = 2.0  # slope of a beam
@@ -30,6 +30,8 @@ GROUPS = 5  # of the jackknife
 BLOCK = 0.02  # of successive pulses in a group [s]
 WHOLE, FINE = 0.29, 0.05  # standard deviation of scan angles in whole degrees, and of others [deg]
 SHIFT, FINE_SHIFT = 0.5, 0.1  # that scan angles may have in common [deg]
+ROLL_OF_HEIGHT, ROLL_OF_SPEED = 0.02, 0.005  # errors by a roll of 1.5 degrees that scan angles omit
+PART = 200  # lines of a part of the time, at least
 
 
 class Beams(typing.NamedTuple):
@@ -90,7 +92,7 @@ def beams_of_returns(pulses):
 
 def _farthest(rows, times, depth):
     """MOST rows, equally many of equal parts of the time, with returns far apart."""
-    parts = max(1, min(MOST // FEWEST, int((times[-1] - times[0]) / INTERVAL)))
+    parts = max(1, min(MOST // PART, int((times[-1] - times[0]) / INTERVAL)))
     part = ((times - times[0]) / (times[-1] - times[0]) * parts).astype(np.int64).clip(0, parts - 1)
     order = np.lexsort((-depth, part))
     rank = np.arange(len(rows)) - np.searchsorted(part[order], part[order])
@@ -253,10 +255,15 @@ def track_by_angles(pulses):
     height = float(np.median(positions[:, 2]) - np.median(points[:, 2]))
     shift = np.radians(SHIFT if is_whole else FINE_SHIFT)
     shift *= 2 * abs(np.median(tangent)) * height
+    shift = np.hypot(shift, ROLL_OF_HEIGHT * height)
     if is_whole:  # the outermost degrees are not whole ones: 1.5 / range² of the slope
         shift = np.hypot(shift, 1.5 * height / np.ptp(angles) ** 2)
     step = "whole degrees" if is_whole else "fractions of a degree"
-    return track_of(beams, knots, f"scan angles in {step}, taken to include the roll", float(shift))
+    track = track_of(
+        beams, knots, f"scan angles in {step}, taken to include the roll", float(shift)
+    )
+    slow = ROLL_OF_SPEED * np.linalg.norm(track.velocity())
+    return track._replace(speed_error=float(np.hypot(track.speed_error, slow)))
 
 
 def _find_velocity(times, points, angles):
