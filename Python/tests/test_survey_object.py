@@ -77,6 +77,10 @@ def test_options(survey):
     flagged = survey.run(scan_flags=True)  # a polygon
     assert "EdgeOfFlightLine" not in plain and flagged["ScanDirectionFlag"].all()
     assert set(flagged["EdgeOfFlightLine"]) <= {0, 1}
+    relative = survey.run(decibels=True)
+    assert "Reflectance" not in plain and np.array_equal(relative["Amplitude"], plain["Amplitude"])
+    strength = relative["RelativeAmplitude"] - 10 * np.log10(relative["Amplitude"])
+    assert np.ptp(strength) < 1e-9 and relative["Reflectance"].max() < 0
     full = survey.run(waveforms=True, pulses=True, hits=True, sub_rays=7)
     assert full.waveforms.GetNumberOfRows() == len(np.unique(full["PulseIds"]))
     # the scanner emits over 100 of the 240 degrees of a facet
