@@ -10,7 +10,7 @@ import types
 
 import numpy as np
 
-from ..array_names import AMPLITUDE, INTENSITY, NUMBER_OF_RETURNS
+from ..array_names import AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS
 from ..comparison._ground import box_of, cells_of, choose_cell
 from ..comparison._planes import find_cells
 from .result import Row
@@ -132,7 +132,7 @@ def find_separation(flight, strips):
     they are at most, and the number of pairs; or None."""
     found = []
     for pulses, _ in strips:
-        times, points = flight["GpsTime"][pulses.rows], flight["points"][pulses.rows]
+        times, points = flight[GPS_TIME][pulses.rows], flight["points"][pulses.rows]
         same = np.diff(times) == 0
         found.append(np.linalg.norm(np.diff(points, axis=0)[same], axis=1))
     found = np.concatenate(found)

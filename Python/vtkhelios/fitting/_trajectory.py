@@ -13,6 +13,7 @@ import typing
 
 import numpy as np
 
+from ..array_names import SCAN_ANGLE
 from ._smooth import Knots
 
 FEWEST = 50  # lines of a strip
@@ -224,7 +225,7 @@ def track_by_angles(pulses):
 
     The plane of a line is taken to be vertical and across the flight.
     """
-    angles = pulses.get("ScanAngle")
+    angles = pulses.get(SCAN_ANGLE)
     if angles is None or np.ptp(angles) < 1.0:
         return None
     rows = np.arange(len(pulses))

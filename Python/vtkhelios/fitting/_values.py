@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ..array_names import AMPLITUDE
 from ._mirror import CONIC, OSCILLATING, ROTATING, join
 from .result import Value
 
@@ -115,7 +116,7 @@ class Values:
             self.add_unknown("threshold", "", "the cloud has no Intensity or Amplitude that varies")
             return
         value, name, least = threshold
-        self.add("threshold", "W" if name == "Amplitude" else "", value, None,
+        self.add("threshold", "W" if name == AMPLITUDE else "", value, None,
                  f"0.1 % of the points have a smaller {name}; smallest {least:g}; not calibrated")  # fmt: skip
 
     def add_returns(self, returns, separation):
