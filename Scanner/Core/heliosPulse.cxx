@@ -27,6 +27,18 @@ double UseTerm(double value, int term, Pulse& pulse)
   return isUsable ? value : 0.0;
 }
 
+/// An elliptical beam turned to a direction nearby, the shortest way: its axes turn with it.
+Rotation TurnTo(const Rotation& beam, const Vec3& direction)
+{
+  const auto& m = beam.M;
+  Vec3 local(0.0, 0.0, 0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    local = local + direction[i] * Vec3(m[i][0], m[i][1], m[i][2]);
+  }
+  return beam * BeamFrame(local);
+}
+
 /// Rx(a) Ry(b) Rz(c), of angles [deg].
 Rotation RotateAboutAxes(const double angles[3])
 {
@@ -220,7 +232,7 @@ void PulseSource::MoveRay(
   if (this->Errors->MoveRay(offset.GetData(), ray.GetData()))
   {
     const Rotation toWorld = platform * Rotation(head);
-    pulse.Beam = toWorld * BeamFrame(ray);
+    pulse.Beam = this->Roll.IsOn ? TurnTo(pulse.Beam, toWorld * ray) : toWorld * BeamFrame(ray);
     pulse.Origin = pulse.Origin + toWorld * offset;
   }
 }
@@ -250,7 +262,8 @@ void PulseSource::TurnBeam(
     const auto noise = NormalPair(this->Seed, RandomStream::AngleNoise, id, 0);
     Vec3 axis(this->AngleAccuracy * noise[0], 1.0, this->AngleAccuracy * noise[1]);
     axis.Normalize();
-    pulse.Beam = this->Roll.IsOn ? pulse.Beam * BeamFrame(axis) : BeamFrame(pulse.Beam * axis);
+    const Vec3 turned = pulse.Beam * axis;
+    pulse.Beam = this->Roll.IsOn ? TurnTo(pulse.Beam, turned) : BeamFrame(turned);
   }
 }
 

@@ -70,6 +70,8 @@ private:
   void StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result);
   void StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo, std::size_t number,
     std::size_t count, ChunkResult& result);
+  bool MoveToZone(vtkIdType index, EchoRecord& echo);
+  void MoveToZones(vtkIdType index, std::size_t first, ChunkResult& result);
   void StoreWaveform(const Pulse& pulse, ChunkResult& result);
   void StoreSubRays(const Pulse& pulse, ChunkResult& result);
   double GetMeasuredRange(const Echo& echo, double theta, std::size_t number);
@@ -80,6 +82,7 @@ private:
   BeamTracer Tracer;
   Receiver Signal;
   PulseSource::Cursor Cursor;
+  PulseSource::Cursor TakenCursor; ///< of pulses that echoes are taken for
   ScanCounts Counts;
 
   std::vector<Pulse> Pulses;

@@ -39,6 +39,10 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
     this->Counts.PulsesHit += this->Returns.empty() ? 0 : 1;
     this->SetScanFlags(this->Indices[slot]);
     this->StoreEchoes(pulse, scanAngle, result);
+    if (this->Model.Zones.Zone > 0)
+    {
+      this->MoveToZones(this->Indices[slot], echoesBefore, result);
+    }
     if (this->Model.WantsWaveforms && this->HasWaveform)
     {
       this->StoreWaveform(pulse, result);
@@ -144,6 +148,55 @@ double PulseKernel::UseTerm(int term, double value, double variable, double othe
   }
   this->Counts.Faults[static_cast<std::size_t>(term)].Add(this->PulseId, variable);
   return otherwise;
+}
+
+//------------------------------------------------------------------------------
+/// Moves an echo of a pulse to the pulse that it is taken for; false if that is not emitted.
+bool PulseKernel::MoveToZone(vtkIdType index, EchoRecord& echo)
+{
+  const RangeZones& zones = this->Model.Zones;
+  const vtkIdType step = zones.GetStep(echo.Range);
+  const vtkIdType taken = index + step * zones.Stride;
+  Pulse pulse;
+  if (taken < 0 || taken >= zones.NumberOfPulses ||
+    !this->Model.Source.GetPulse(taken, this->TakenCursor, pulse))
+  {
+    return false;
+  }
+  this->SetScanFlags(taken);
+  echo.Range -= static_cast<double>(step) * zones.Depth;
+  echo.Point = pulse.ReportedOrigin + echo.Range * pulse.Reported;
+  echo.Time = pulse.Time;
+  echo.PulseId = pulse.Id;
+  echo.ScanAngle = this->Model.Source.Deflector->GetScanAngle(taken);
+  echo.ScanDirection = this->ScanDirection;
+  echo.EdgeOfFlightLine = this->EdgeOfFlightLine;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Moves the echoes of a pulse, the last of a chunk from a row on, and drops those that are lost.
+void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& result)
+{
+  std::vector<EchoRecord>& echoes = result.Echoes;
+  std::size_t kept = first;
+  for (std::size_t i = first; i < echoes.size(); ++i)
+  {
+    if (this->MoveToZone(index, echoes[i]))
+    {
+      if (this->Model.WantsTruth)
+      {
+        result.Truths[kept] = result.Truths[i];
+      }
+      echoes[kept++] = echoes[i];
+    }
+  }
+  this->Counts.Echoes -= static_cast<vtkIdType>(echoes.size() - kept);
+  echoes.resize(kept);
+  if (this->Model.WantsTruth)
+  {
+    result.Truths.resize(kept);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "heliosPulse.h"
 #include "heliosPulseSample.h"
 #include "heliosRadiometry.h"
+#include "heliosRangeZones.h"
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
 #include "heliosScanPath.h"
@@ -90,6 +91,7 @@ struct ScanModel
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
   double Background = 0.0; // of the sun, of a white surface without extinction [W]
   RangeGate Gate;
+  RangeZones Zones;
   RangeNoise Noise;
   int ReturnSelection = 0;
   int MaximumNumberOfReturns = 0; // 0: all

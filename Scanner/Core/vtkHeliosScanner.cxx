@@ -5,6 +5,7 @@
 #include "heliosBeamPreparation.h"
 #include "heliosConstants.h"
 #include "heliosPulseCount.h"
+#include "heliosRangeZones.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosScanModel.h"
 #include "heliosScanOutput.h"
@@ -110,6 +111,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PoseInterval: " << this->PoseInterval << " s\n"
      << indent << "InterpolateOrientation: " << this->InterpolateOrientation << "\n"
      << indent << "MergeReturns: " << this->MergeReturns << "\n"
+     << indent << "MTAZone: " << this->MTAZone << "\n"
      << indent << "StartTime: " << this->StartTime << " s\n"
      << indent << "Duration: " << this->Duration << " s\n"
      << indent << "PulseStep: " << this->PulseStep << "\n"
@@ -285,6 +287,13 @@ bool vtkHeliosScanner::CheckSettings()
                   << LongestGate << " m");
     return false;
   }
+  if (this->MTAZone > 0 && this->GenerateWaveforms)
+  {
+    vtkErrorMacro(<< "MTAZone is " << this->MTAZone
+                  << " and GenerateWaveforms is on: waveforms cannot be taken for those of other "
+                     "pulses; turn GenerateWaveforms off, or set MTAZone to 0");
+    return false;
+  }
   return this->CheckInstrument();
 }
 
@@ -357,6 +366,7 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
       helios::CountPulses(time - start, rate), std::min(all, low), std::min(all, high));
   };
   scan.NumberOfPulses = all;
+  scan.Model.Zones = helios::MakeRangeZones(*this->BeamDeflector, this->MTAZone, all);
   const vtkIdType* window = this->PulseWindow;
   scan.FirstPulse = find(this->TimeWindow[0], window[0], window[1]);
   scan.LastPulse = find(this->TimeWindow[1], window[0], window[1]);

@@ -445,6 +445,23 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  ///@{
+  /**
+   * Set/Get the zone of multiple-time-around (MTA) ranges that the instrument takes echoes for, if
+   * pulses follow each other before their echoes arrive. 0: it knows the pulse of each echo. Zone z:
+   * it takes the pulse of the same channel that is z - 1 before the last one emitted when the echo
+   * arrives. Of a pulse frequency f of the channel, zone z are the ranges from (z - 1) c / 2 f to
+   * z c / 2 f: echoes of it are right, and others differ in range by multiples of c / 2 f, along the
+   * beam of the pulse they are taken for, with its time, id and angles. An echo is lost if there is
+   * no such pulse: before the scan, after it, or while a mirror is turned away. ReturnNumber and
+   * NumberOfReturns count the echoes of the true pulse, TruePoint is that of the target; RangeMin
+   * and RangeMax gate true ranges. Not together with GenerateWaveforms. Valid range: [0, 1000].
+   * Default: 0.
+   */
+  vtkSetClampMacro(MTAZone, int, 0, 1000);
+  vtkGetMacro(MTAZone, int);
+  ///@}
+
 protected:
   vtkHeliosScanner();
   ~vtkHeliosScanner() override;
@@ -514,6 +531,7 @@ private:
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
   bool GenerateDecibels = false;
+  int MTAZone = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;
 };

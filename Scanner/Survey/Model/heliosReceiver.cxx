@@ -117,6 +117,7 @@ void SetUpReturns(const ScannerData& data, const RunOptions& options, vtkHeliosS
   scanner->SetMergeReturns(options.IsWithout("waveform"));
   scanner->SetRangeMin(data.RangeMin);
   scanner->SetRangeMax(data.RangeMax);
+  scanner->SetMTAZone(data.MTAZone);
   scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
   scanner->SetReturnSelection(selection == "first" ? vtkHeliosScanner::FIRST
       : selection == "last"                        ? vtkHeliosScanner::LAST

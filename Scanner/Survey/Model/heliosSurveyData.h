@@ -93,6 +93,7 @@ struct ScannerData
   double RangeMin = 0.0;                ///< [m]
   double RangeMax = VTK_DOUBLE_MAX;     ///< [m]
   int MaximumNumberOfReturns = 0;       ///< 0: all
+  int MTAZone = 0;                      ///< that echoes are taken for; 0: the true one
   double ScanAngleMax = 0.0;            ///< [deg], half
   double ScanAngleEffectiveMax = 0.0;   ///< [deg], half
   double ScanFrequencyMin = 0.0;        ///< [Hz]

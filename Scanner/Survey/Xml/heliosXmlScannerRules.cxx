@@ -42,6 +42,7 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("rangeMin_m", "minimum range").In("m", NotNegative).At<&ScannerData::RangeMin>(),
     Number("rangeMax_m", "maximum range").In("m", NotNegative).Default("no limit").At<&ScannerData::RangeMax>(),
     Integer("maxNOR", "maximum number of returns per pulse; 0: all").In("", { 0.0, 255.0 }).At<&ScannerData::MaximumNumberOfReturns>(),
+    Integer("mtaZone", "zone of multiple-time-around ranges that all echoes are taken for; 1: each echo belongs to the last pulse emitted; 0: each is of its true pulse").In("", { 0.0, 1000.0 }).At<&ScannerData::MTAZone>(),
     Number("scanAngleMax_deg", "half of the angle that the mirror sweeps, or half angle of the cone").In("deg", HalfAngle).At<&ScannerData::ScanAngleMax>(),
     Number("scanAngleEffectiveMax_deg", "rotating: half of the vertical field of view").In("deg", HalfAngle).Default("scanAngleMax_deg").At<&ScannerData::ScanAngleEffectiveMax>(),
     Numbers("facetPitches_deg", "rotating: angle between the beam of each facet and the plane of the mirror, positive towards x").In("deg", FacetPitch).Default("facets are alike").At<&ScannerData::FacetPitches>(),
