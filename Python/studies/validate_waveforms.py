@@ -27,7 +27,8 @@ RIEGL = "waveform/100429_152240_2535pt_UTM.las"
 FLIGHTS = ("bcts_1", "autzen_trim", "ahn3_delft_1")
 PULSE_LENGTH = 4.2  # [ns], median of the maker's widths of single echoes on open ground
 THRESHOLD = 8.0  # digitizer units, 3 to 5 above the zero of 3
-SHARES = (0.0, 0.06, 0.1, 0.2)  # relative thresholds
+# Relative thresholds, and the times in which they apply [ns]; 0: to whole waveforms.
+SHARES = ((0.0, 0.0), (0.06, 0.0), (0.1, 0.0), (0.2, 0.0), (0.1, 30.0))
 FULL_LINES = 2e-3  # [s]: longer pauses between pulses are clipped points
 
 # Waveforms ---------------------------------------------------------------------------------------
@@ -79,10 +80,12 @@ def read_starts(path):
     return dict(zip(table["PulseIds"].tolist(), table["StartTime"].tolist()))
 
 
-def match_echoes(path, relative_threshold):
+def match_echoes(path, relative_threshold, ringing_time):
     """Of each packet: the maker's echoes (rows), the detected ones nearest to them, all detected."""
     maker, starts = read_maker(path), read_starts(path)
-    pulses, ranges, widths = detect(path, "--relative-threshold", relative_threshold)
+    pulses, ranges, widths = detect(
+        path, "--relative-threshold", relative_threshold, "--ringing-time", ringing_time
+    )
     by_packet = {}
     for row in np.lexsort((maker["return"], maker["packet"])):
         by_packet.setdefault(int(maker["packet"][row]), []).append(row)
@@ -98,11 +101,11 @@ def match_echoes(path, relative_threshold):
             yield rows, None, 0
 
 
-def compare_echoes(path, relative_threshold):
+def compare_echoes(path, relative_threshold, ringing_time=0.0):
     """A row of the table of echoes: vtkhelios detect against the maker's own."""
     maker = read_maker(path)
     separations, widths, same, count, pairs, wrong = [], [], 0, 0, 0, 0
-    for rows, echoes, number in match_echoes(path, relative_threshold):
+    for rows, echoes, number in match_echoes(path, relative_threshold, ringing_time):
         count += 1
         same += number == len(rows)
         pairs += len(rows) == 2
@@ -117,6 +120,7 @@ def compare_echoes(path, relative_threshold):
     separations, widths = 1e3 * np.array(separations), 100.0 * np.array(widths)
     return {
         "relative threshold": relative_threshold,
+        "ringing time [ns]": ringing_time,
         "packets": count,
         "packets with the maker's number of echoes": int(same),
         "pairs": pairs,
@@ -216,7 +220,7 @@ def _share(values):
 def make_tables(data, _tools):
     """The tables of waveforms.md and flags.md."""
     yield _formats_table(compare_pulsewaves(data / RIEGL))
-    yield _echoes_table([compare_echoes(data / RIEGL, share) for share in SHARES])
+    yield _echoes_table([compare_echoes(data / RIEGL, *share) for share in SHARES])
     yield _flags_table([count_flags(name, data / f"als/{name}.laz") for name in FLIGHTS])
 
 
@@ -246,6 +250,7 @@ def _echoes_table(found):
         rows.append(
             [
                 f"{row['relative threshold']:g}",
+                f"{row['ringing time [ns]']:g}" if row["ringing time [ns]"] else "",
                 f"{number:,}",
                 f"{row['pairs found']}",
                 f"{middle:.1f}, {deviation:.1f}",
@@ -254,6 +259,7 @@ def _echoes_table(found):
         )
     titles = [
         "F",
+        "T [ns]",
         "packets with the maker's number of echoes",
         f"pairs found, of {found[0]['pairs']}",
         "separation of pairs: median, deviation [mm]",
@@ -308,7 +314,7 @@ def main():
     arguments = _study.arguments(__doc__)
     tables = {
         "formats": [compare_pulsewaves(data / RIEGL)],
-        "echoes": [compare_echoes(data / RIEGL, share) for share in SHARES],
+        "echoes": [compare_echoes(data / RIEGL, *share) for share in SHARES],
         "flags": [count_flags(name, data / f"als/{name}.laz") for name in FLIGHTS],
     }
     for name, rows in tables.items():

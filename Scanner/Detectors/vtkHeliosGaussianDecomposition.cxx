@@ -378,19 +378,22 @@ private:
   std::vector<double> Sigmas; // of the guesses [ns]
 };
 
-/// Removes maxima below a fraction of the largest one.
-void RemoveSmall(
-  const vtkHeliosWaveform& waveform, double fraction, std::vector<helios::Peak>& peaks)
+/// Removes maxima below a fraction of the largest one, or of one before them by at most a time [ns].
+void RemoveSmall(const vtkHeliosWaveform& waveform, double fraction, double ringing,
+  std::vector<helios::Peak>& peaks)
 {
   const auto getSample = [&waveform](const helios::Peak& peak)
   { return static_cast<double>(waveform.Samples[peak.First]); };
-  double largest = 0.0;
-  for (const helios::Peak& peak : peaks)
+  const auto isSmall = [&, all = peaks](const helios::Peak& peak)
   {
-    largest = std::max(largest, getSample(peak));
-  }
-  const auto isSmall = [&](const helios::Peak& peak)
-  { return getSample(peak) < fraction * largest; };
+    return std::any_of(all.begin(), all.end(),
+      [&](const helios::Peak& other)
+      {
+        const double after = waveform.BinSize * static_cast<double>(peak.First - other.First);
+        const bool isReached = ringing == 0.0 || (after > 0.0 && after <= ringing);
+        return isReached && getSample(peak) < fraction * getSample(other);
+      });
+  };
   peaks.erase(std::remove_if(peaks.begin(), peaks.end(), isSmall), peaks.end());
 }
 
@@ -404,6 +407,7 @@ void vtkHeliosGaussianDecomposition::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ResolveHidden: " << this->ResolveHidden << "\n"
      << indent << "FitBackground: " << this->FitBackground << "\n"
      << indent << "RelativeThreshold: " << this->RelativeThreshold << "\n"
+     << indent << "RingingTime: " << this->RingingTime << " ns\n"
      << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
 }
 
@@ -413,7 +417,7 @@ void vtkHeliosGaussianDecomposition::Detect(
 {
   static thread_local Scratch scratch;
   helios::FindPeaks(waveform, this->DetectionThreshold, this->MinimumSeparation, scratch.Peaks);
-  RemoveSmall(waveform, this->RelativeThreshold, scratch.Peaks);
+  RemoveSmall(waveform, this->RelativeThreshold, this->RingingTime, scratch.Peaks);
   const std::size_t before = echoes.size();
   Decomposition decomposition(waveform, scratch);
   decomposition.ResolveHidden = this->ResolveHidden;

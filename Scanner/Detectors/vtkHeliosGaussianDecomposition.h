@@ -82,6 +82,15 @@ public:
 
   ///@{
   /**
+   * Set/Get the time after a maximum within which RelativeThreshold applies, as a fraction of
+   * that maximum [ns]; 0: it applies to the whole waveform. Valid range: [0, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(RingingTime, double, 0.0, 1e6);
+  vtkGetMacro(RingingTime, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the maximum number of model evaluations per fit. Valid range:
    * [1, 10000]. Default: 100.
    */
@@ -106,6 +115,7 @@ private:
   bool ResolveHidden = false;
   bool FitBackground = false;
   double RelativeThreshold = 0.0;
+  double RingingTime = 0.0;
   int MaximumNumberOfIterations = 100;
 };
 

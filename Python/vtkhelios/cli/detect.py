@@ -39,7 +39,7 @@ the same echoes again; for a run with adaptive sampling, the same within its tol
 examples:
   vtkhelios detect leg000_fullwave.pvtt --detector gaussian -o leg000_gaussian.xyz
   vtkhelios detect flight.las --detector gaussian --pulse-length 4.2 --threshold 8e9
-                   --relative-threshold 0.1 --fit-background -o flight.xyz
+                   --relative-threshold 0.1 --ringing-time 30 --fit-background -o flight.xyz
   vtkhelios detect leg000_fullwave.txt --threshold 0.2 --returns last -o last.pvtp --pulse-length 3
 
 exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
@@ -107,6 +107,14 @@ def add_arguments(parser):
         default=0.0,
         help="gaussian: maxima below this fraction of the largest sample of a waveform are no "
         "echoes; receivers ring after strong echoes (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--ringing-time",
+        metavar="NS",
+        type=number(0, 1e6),
+        default=0.0,
+        help="gaussian: --relative-threshold applies to maxima up to this time after a stronger one, "
+        "as a fraction of it [ns]; 0: to all of a waveform (default: %(default)s)",
     )
     parser.add_argument(
         "--fit-background",
@@ -221,6 +229,7 @@ def make_detection(arguments, reader):
     detection = vtkhelios.vtkHeliosEchoDetection()
     if arguments.detector == "gaussian":
         detector.SetRelativeThreshold(arguments.relative_threshold)
+        detector.SetRingingTime(arguments.ringing_time)
         detector.SetFitBackground(arguments.fit_background)
     detection.SetInputConnection(reader.GetOutputPort(reader.GetNumberOfOutputPorts() - 1))
     detection.SetEchoDetector(detector)

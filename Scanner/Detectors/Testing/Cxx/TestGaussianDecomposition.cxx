@@ -228,6 +228,10 @@ TEST_CASE("GaussianDecomposition: maxima below a fraction of the largest are no 
   CheckExact({ all[0], all[2] }, Detect(detector, samples, 0.25), 1e-4);
   detector->SetRelativeThreshold(1.0);
   CheckExact({ all[0] }, Detect(detector, samples, 0.25), 1e-4);
+  detector->SetRingingTime(20.0); // only up to so long after a larger one
+  CheckExact({ all[0], all[2] }, Detect(detector, samples, 0.25), 1e-4);
+  detector->SetRingingTime(10.0);
+  CheckExact(all, Detect(detector, samples, 0.25), 1e-4);
 }
 
 TEST_CASE("GaussianDecomposition: echoes that are not Gaussian are kept", "[GaussianDecomposition]")
