@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of real_clouds.py: the city model, tables of returns, facades, pictures."""
+"""Parts of real_clouds.py: the city model, facades, pictures."""
 
 import numpy as np
 
@@ -65,33 +65,6 @@ def write_city(model, folder):
     (folder / "city.mtl").write_text(text)
     (folder / "city.xml").write_text(SCENE)
     return "city.xml#city"
-
-
-def shown(estimate):
-    """A value and the ends of its interval."""
-    if estimate is None:
-        return ""
-    value, low, high = estimate
-    return f"{value:.4g}" if np.isnan(low) else f"{value:.4g} [{low:.4g}, {high:.4g}]"
-
-
-def pulse_rows(real, simulated, classes):
-    """Returns per pulse of the first returns of classes, and the shares of pulses by returns."""
-    rows = []
-    for number in (None, *classes):
-        row = {"class": "all" if number is None else number}
-        for name, cloud in (("real", real), ("simulated", simulated)):
-            first = cloud["ReturnNumber"] == 1
-            if number is not None:
-                first = first & (cloud["ClassificationIds"] == number)
-            returns = cloud["NumberOfReturns"][first]
-            row[f"{name}: pulses"] = len(returns)
-            row[f"{name}: returns per pulse"] = float(returns.mean()) if len(returns) else np.nan
-            for count in (1, 2, 3, 4):
-                share = float(np.mean(returns == count)) if len(returns) else np.nan
-                row[f"{name}: {count}"] = share
-        rows.append(row)
-    return rows
 
 
 def facade_share(mesh, points, box):

@@ -6,11 +6,13 @@
 
 Data of real instruments are in the folder real of HELIOS_DATA (without it: of shared/data beside the
 checkout). What cannot be made, because a file or a program is absent, stays as it is and is named.
-With --check nothing is written, and the status is 1 if a table differs from its page.
+With --check nothing is written, and the status is 1 if a table differs from its page. --quick leaves
+slow studies out, unless they are named.
 
 A study is a module of this folder with make_tables(data, tools), which returns tables (_pages.Table)
 of the folder data and raises FileNotFoundError without a file; tools has ouster_python. It may have
-draw_figures(data, folder). To add one, add its name to STUDIES.
+draw_figures(data, folder), and SLOW = True if it takes a minute or more. To add one, add its name to
+STUDIES.
 """
 
 import argparse
@@ -22,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import _pages  # noqa: E402
 import _study  # noqa: E402
 
-STUDIES = ("patterns", "validate_waveforms", "trajectories", "range_noise", "swath")
+STUDIES = ("patterns", "validate_waveforms", "trajectories", "range_noise", "swath", "real_clouds")
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "Docs" / "validation"
 
 
@@ -52,6 +54,7 @@ def main(words=None):
     )
     parser.add_argument("studies", metavar="STUDY", nargs="*", help="of " + ", ".join(STUDIES))
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    parser.add_argument("--quick", action="store_true", help="leave out the slow studies")
     parser.add_argument("--pages", type=pathlib.Path, default=PAGES, help="folder of the pages")
     parser.add_argument("--ouster-python", metavar="PYTHON", help="an interpreter with ouster-sdk")
     given = parser.parse_args(words)
@@ -61,6 +64,9 @@ def main(words=None):
     different = []
     for name in given.studies or STUDIES:
         study = importlib.import_module(name)
+        if given.quick and not given.studies and getattr(study, "SLOW", False):
+            print(f"{name}: slow, left out")
+            continue
         try:
             different += refresh(study, _study.real_data(), given, given.pages, given.check)
         except FileNotFoundError as absent:

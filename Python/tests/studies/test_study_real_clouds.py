@@ -4,6 +4,7 @@
 
 import importlib
 import pathlib
+import types
 
 import numpy as np
 import pytest
@@ -70,10 +71,59 @@ def test_tables_of_returns(load):
         NumberOfReturns=np.array([2, 2, 1, 1], np.uint8),
         ClassificationIds=np.array([1, 2, 2, 2], np.int32),
     )
-    whole, trees = study.pulse_rows(cloud, cloud, (1,))
-    assert whole["real: pulses"] == 3 and whole["real: 1"] == pytest.approx(2 / 3)
-    assert trees["simulated: returns per pulse"] == 2.0
+    rows = list(load("_cloud_tables").class_rows(cloud, cloud, {1: "trees", 7: "none"}))
+    assert rows == [["1 (trees)", "1", "2.00", "1", "2.00"], ["7 (none)", "0", "", "0", ""]]
     assert study.separation_of(cloud) == 4.0
+
+
+def make_strips(x, legs):
+    points = np.column_stack([x, np.zeros(len(x)), np.zeros(len(x))])
+    first = np.ones(len(x), np.uint8)
+    return vtkhelios.Cloud.from_arrays(points, ReturnNumber=first, LegIds=np.array(legs, np.int32))
+
+
+def test_pulses_of_strips(load):
+    """In squares of 2 m of both clouds; an infinite side counts all."""
+    tables = load("_cloud_tables")
+    real = make_strips([0.0, 1.0, 2.5, 9.0], [40, 40, 50, 50])
+    simulated = make_strips([0.5, 2.1, 2.2, 20.0], [0, 1, 1, 1])
+    strips = [
+        types.SimpleNamespace(number=1, source=40),
+        types.SimpleNamespace(number=2, source=50),
+    ]
+    rows, area = tables.strip_pulses(real, simulated, strips)
+    assert rows[0] == ["pulses of strip 1", "2", "1", "-50.0 %", ""]
+    assert rows[1] == ["pulses of strip 2", "1", "2", "+100.0 %", ""] and area == 8.0
+    rows, _ = tables.strip_pulses(real, simulated, strips, np.inf)
+    assert rows[1][1:3] == ["2", "3"]
+    assert tables.count_row("none", 0, 0) == ["none", "0", "0", "", ""]
+
+
+def test_rows_of_metrics(load):
+    tables = load("_cloud_tables")
+    row = types.SimpleNamespace(
+        a=(0.0123, 0.01, 0.015), b=None, difference=(0.5, np.nan, np.nan), unit="m", agrees=False
+    )
+    found = tables.metric_row({"noise": row}, "noise", "noise of roofs", millimetres=True)
+    assert found == ["noise of roofs [mm]", "12.3 [10, 15]", "", "500", "differs"]
+    result = types.SimpleNamespace(shift=[None, None, (-0.0038, -0.0059, -0.0021)])
+    assert tables.shift_row(result)[3] == "-3.8 [-5.9, -2.1]"
+    result.shift[2] = None
+    assert tables.shift_row(result)[3] == "not determined"
+
+
+def test_yaw_off_the_course(load):
+    """Across north."""
+    fit = types.SimpleNamespace(of_strip=lambda *_: types.SimpleNamespace(value=359.0))
+    strip = types.SimpleNamespace(number=1, angles=np.array([[0, 0, 1.0], [2, 0, 358.0]]))
+    assert load("_cloud_tables").attitude_range(fit, strip, 2) == "-1.0 to 2.0 deg"
+    assert load("_cloud_tables").attitude_range(fit, strip, 0) == "0.0 to 2.0 deg"
+
+
+def test_an_absent_cloud_is_named(load, tmp_path):
+    with pytest.raises(FileNotFoundError) as error:
+        list(load("real_clouds").make_tables(tmp_path, None))
+    assert error.value.filename == str(tmp_path / "als/ahn3_delft_1.laz")
 
 
 def test_trees_of_the_forest(load, tmp_path):

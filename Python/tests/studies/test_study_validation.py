@@ -81,6 +81,15 @@ def test_a_study_without_its_files_is_named(made, capsys):
     assert f"one: without {folder / 'none.laz'}; its tables are left" in capsys.readouterr().out
 
 
+def test_slow_studies_are_left_out(made, capsys):
+    """By --quick, unless they are named."""
+    validation, folder, study = made
+    study.SLOW = True
+    assert validation.main(["--check", "--quick", "--pages", str(folder)]) == 0
+    assert "one: slow, left out" in capsys.readouterr().out
+    assert validation.main(["one", "--check", "--quick", "--pages", str(folder)]) == 1
+
+
 def test_a_page_without_the_comments(pages):
     table = pages.Table("page.md", "b", ["x"], [["1"]])
     with pytest.raises(ValueError, match="page.md: no table b; add the lines <!-- table b: begin"):
@@ -102,7 +111,15 @@ def test_columns_of_rows(pages):
     )
 
 
-def test_the_pages_are_up_to_date(validation, pages, monkeypatch, capsys):
+SLOW_PAGES = {"ahn3.md", "forest.md"}
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["--quick"], pytest.param(["real_clouds"], marks=pytest.mark.slow)],
+    ids=["quick", "real_clouds"],
+)
+def test_the_pages_are_up_to_date(words, validation, pages, monkeypatch, capsys):
     """With the data: all tables between comments are made, and are those of the pages."""
     data = importlib.import_module("_study").real_data()
     if not all((data / name).is_dir() for name in ("als", "pattern", "sensor", "waveform")):
@@ -114,10 +131,11 @@ def test_the_pages_are_up_to_date(validation, pages, monkeypatch, capsys):
         return replace(text, table)
 
     monkeypatch.setattr(pages, "replace_table", record)
-    assert validation.main(["--check"]) == 0, capsys.readouterr().out
+    assert validation.main(["--check", *words]) == 0, capsys.readouterr().out
     named = {
         (path.name, name)
         for path in PAGES.glob("*.md")
+        if (path.name in SLOW_PAGES) == (words == ["real_clouds"])
         for name in re.findall(r"^<!-- table (.*): begin -->$", path.read_text(), re.M)
     }
     assert made == named and len(named) > 8
