@@ -111,7 +111,7 @@ def test_columns_of_rows(pages):
     )
 
 
-SLOW_PAGES = {"ahn3.md", "forest.md"}  # of real_clouds, a minute; its parts are tested by themselves
+SLOW_PAGES = {"ahn3.md", "forest.md"}  # a minute; real_clouds has tests of its own
 
 
 def test_the_pages_are_up_to_date(validation, pages, monkeypatch, capsys):
