@@ -81,7 +81,7 @@ def facade_share(mesh, points, box):
 
 
 def wall_places(corners):
-    """Points on vertical triangles (n, 3, 3), one a square metre, at random (fixed seed)."""
+    """Points on vertical triangles (n, 3, 3), one per square metre, at random (fixed seed)."""
     sides = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     normal = np.cross(*sides)
     area = 0.5 * np.linalg.norm(normal, axis=1)

@@ -16,8 +16,9 @@ namespace
 constexpr double BinRangeLaw = 0.02;
 constexpr int FewestSubRays = 64; // never worse than the 19 of fixed sampling
 constexpr int MostSubRays = 4096;
-// The energy at the rim that is left out. Ranges err by up to 0.43 of their tolerance then, and
-// amplitudes by 0.03 (BenchAccuracy); no echo of 2 % of a full footprint is lost.
+// The energy at the rim that is left out: at most 15 % of an echo that the tolerances promise, which
+// has EnergyTolerance of a full footprint. Ranges err by up to 0.44 of their tolerance then, and
+// amplitudes by 0.1 (BenchAccuracy).
 constexpr double RimShare = 0.15; // of the tolerances
 constexpr double LeastRim = 3e-3; // narrower ones save little
 constexpr double MostRim = 1.5e-2;

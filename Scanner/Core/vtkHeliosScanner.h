@@ -16,8 +16,9 @@
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags; ColumnIds with
- * GenerateColumns; RelativeAmplitude and Reflectance with GenerateDecibels. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags;
+ * ColumnIds with GenerateColumns; RelativeAmplitude and Reflectance with
+ * GenerateDecibels. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -396,7 +397,7 @@ public:
    * RelativeAmplitude, 10 log10(P / P0) of their amplitude P above the
    * DetectionThreshold P0 [dB], and Reflectance, 10 log10(P / Pw) above the
    * amplitude Pw that a white diffuse plane across the whole beam has at the same
-   * range [dB]. Both must be positive. Default: off.
+   * range [dB]. DetectionThreshold and AveragePower must be positive then. Default: off.
    */
   vtkSetMacro(GenerateDecibels, bool);
   vtkGetMacro(GenerateDecibels, bool);

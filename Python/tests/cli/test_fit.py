@@ -102,6 +102,17 @@ def test_survey_is_flown(cloud, tmp_path, capsys):
     assert 'scene="city.xml#city"' in (folder / "survey.xml").read_text()
 
 
+@pytest.mark.parametrize(
+    "name", ["scanner.xml", "scene.xml", "ground.obj", "strip002.csv", "fit.json"]
+)
+def test_no_file_is_replaced_unasked(cloud, tmp_path, capsys, name):
+    (tmp_path / name).write_text("of the user")
+    code, _, err = call(capsys, cloud, "--output", tmp_path)
+    assert code == 1 and f"{name}: already exists; give --overwrite to replace it" in err
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+    assert (tmp_path / name).read_text() == "of the user"
+
+
 def test_errors(cloud, tmp_path, capsys):
     (tmp_path / "empty").mkdir()
     untimed = write(tmp_path / "untimed.las", times=False)

@@ -8,7 +8,7 @@ import pathlib
 from .. import formats
 from ..fitting import POINTS
 from ..fitting._fit import fit_watched
-from ..fitting._write import write_fit
+from ..fitting._write import FILES, write_fit
 from ._files import cannot_be_written
 from ._fit_report import fit_lines
 from ._interrupt import Interrupt
@@ -17,6 +17,7 @@ from ._progress import make_progress
 from ._task import Interrupted, StepWatch
 from .run import number, whole_number
 
+FIT_FILE = "fit.json"
 SUMMARY = "find the instrument and the flight of an airborne cloud, and write them as a survey"
 
 EPILOG = """\
@@ -117,7 +118,7 @@ def fit_clouds(arguments, messages):
 
 
 def find_output(arguments):
-    """The folder to write to, or None; FormatError if it has a survey."""
+    """The folder to write to, or None; FormatError if it has a file that would be replaced."""
     if not arguments.output:
         if arguments.scene:
             raise formats.FormatError("--scene is of the survey that --output writes; give it, too")
@@ -128,16 +129,15 @@ def find_output(arguments):
             f"{arguments.scene}#scene"
         )
     folder = pathlib.Path(arguments.output)
-    if (folder / "survey.xml").exists() and not arguments.overwrite:
-        raise formats.FormatError(
-            f"{folder / 'survey.xml'}: already exists; give --overwrite to replace it"
-        )
+    there = [path for name in (*FILES, FIT_FILE) for path in sorted(folder.glob(name))]
+    if there and not arguments.overwrite:
+        raise formats.FormatError(f"{there[0]}: already exists; give --overwrite to replace it")
     return folder
 
 
 def write(result, folder, scene):
     try:
         write_fit(result, folder, scene)
-        (folder / "fit.json").write_text(result.to_json() + "\n", encoding="utf-8")
+        (folder / FIT_FILE).write_text(result.to_json() + "\n", encoding="utf-8")
     except OSError as error:
         raise formats.FormatError(cannot_be_written(error, folder, "--output")) from error

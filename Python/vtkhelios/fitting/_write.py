@@ -14,6 +14,10 @@ HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<!-- Written by vtkhelios fit. -
 PLATFORM = "Assets/platforms.xml#airplane_linearpath"
 
 
+#: Patterns of the names of all files that may be written.
+FILES = ("survey.xml", "scanner.xml", "scene.xml", "ground.obj", "strip[0-9][0-9][0-9]*.csv")
+
+
 def write_fit(fit, folder, scene):
     """Writes all files into a folder, which is created, and returns their paths."""
     folder = pathlib.Path(folder)
