@@ -5144,7 +5144,8 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     amplitude P above the DetectionThreshold P0 [dB], and
     Reflectance, 10 log10(P / Pw) above the amplitude Pw that a white
     diffuse plane across the whole beam has at the same range [dB].
-    Both must be positive. Default: off.
+    DetectionThreshold and AveragePower must be positive then.
+    Default: off.
     """
     generate_pulses: bool
     """Set/Get the outputs computed in addition to the echoes. Default:
