@@ -49,6 +49,12 @@ inline constexpr const char* PartName = "Part.Name";
 ///@}
 
 ///@{
+/** Raster of heights: point data of an image, pixel by pixel, and its field data. */
+inline constexpr const char* Heights = "Heights";           // [m], NaN: none
+inline constexpr const char* GeoTransform = "GeoTransform"; // six values, in GDAL's order
+///@}
+
+///@{
 /** Turbid voxels: cell data of an image, and its field data. */
 inline constexpr const char* PAD = "PAD"; // plant area density [m2/m3], NaN: unknown
 inline constexpr const char* Transmittance = "Transmittance";   // [0..1], NaN: unknown

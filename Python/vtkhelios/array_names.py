@@ -30,6 +30,10 @@ MATERIAL_SPECTRUM = "Material.Spectrum"
 CRS = "CRS"
 PART_NAME = "Part.Name"
 
+# Raster of heights: point data of an image, pixel by pixel, and its field data.
+HEIGHTS = "Heights"  # [m], NaN: none
+GEO_TRANSFORM = "GeoTransform"  # six values, in GDAL's order
+
 # Turbid voxels: cell data of an image, and its field data.
 PAD = "PAD"  # plant area density [m2/m3], NaN: unknown
 TRANSMITTANCE = "Transmittance"  # [0..1], NaN: unknown
@@ -138,6 +142,7 @@ REGISTRATION_MATRIX = "Registration.Matrix"
 
 # Units of the arrays that have one.
 UNITS = {
+    HEIGHTS: "m",
     SPEED: "m/s",
     YAW_AT_DEPARTURE: "deg",
     GPS_TIME: "s",
