@@ -84,7 +84,7 @@ void vtkHeliosBeamRayCaster::IntersectBeams(
 void vtkHeliosBeamRayCaster::Occluded(
   const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
 {
-  helios::BeamTree::Leaf occluder;
+  helios::BeamTree::Occluder occluder;
   for (vtkIdType i = 0; i < count; ++i)
   {
     occluded[i] = this->Tree->IsOccluded(rays[i], occluder);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosHeightPyramid.h"
 
+#include "heliosVectorLoops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,42 +23,58 @@ std::int64_t Divide(std::int64_t a, std::int64_t b)
   return (a + b - 1) / b;
 }
 
-/// The smallest and the largest of some heights.
-template <typename T>
-struct Interval
-{
-  T Low = std::numeric_limits<T>::max();
-  T High = -std::numeric_limits<T>::max();
+constexpr int Pixels = BlockSize + 1; // of a side of a block
 
-  /// A NaN changes nothing.
-  void Add(T height)
-  {
-    this->Low = height < this->Low ? height : this->Low;
-    this->High = height > this->High ? height : this->High;
-  }
-};
-
-/// Sets a child from two adjacent intervals.
-template <typename T>
-void SetChild(HeightPyramid::Extents& extents, int child, const Interval<T>& a,
-  const Interval<T>& b, double base)
+void SetNone(HeightPyramid::Extents& extents, int child)
 {
-  const T low = std::min(a.Low, b.Low);
-  const T high = std::max(a.High, b.High);
-  if (low > high)
-  {
-    return;
-  }
-  const double least = static_cast<double>(low) - base;
-  const double most = static_cast<double>(high) - base;
-  extents.Low[child] = static_cast<float>(least - std::abs(least) * 0x1p-23);
-  extents.High[child] = static_cast<float>(most + std::abs(most) * 0x1p-23);
+  extents.Low[child] = HeightPyramid::None;
+  extents.High[child] = -HeightPyramid::None;
 }
 
-void Clear(HeightPyramid::Extents& extents)
+/// Sets the extents of the strips of a whole block. A NaN changes nothing.
+template <typename T>
+HELIOS_INLINE void SetExtents(
+  const T* pixels, std::int64_t step, double base, HeightPyramid::Extents& extents)
 {
-  std::fill_n(extents.Low, Width, HeightPyramid::None);
-  std::fill_n(extents.High, Width, -HeightPyramid::None);
+  T low[Pixels * Strips]; // of three pixels of a row
+  T high[Pixels * Strips];
+  for (int i = 0; i < Pixels * Strips; ++i)
+  {
+    const T* from = pixels + i / Strips * step + HeightPyramid::StripSize * (i % Strips);
+    low[i] = std::numeric_limits<T>::max();
+    high[i] = -std::numeric_limits<T>::max();
+    for (int k = 0; k <= HeightPyramid::StripSize; ++k)
+    {
+      low[i] = from[k] < low[i] ? from[k] : low[i];
+      high[i] = from[k] > high[i] ? from[k] : high[i];
+    }
+  }
+  for (int i = 0; i < Width; ++i)
+  {
+    const T least = std::min(low[i], low[i + Strips]);
+    const T most = std::max(high[i], high[i + Strips]);
+    const double below = static_cast<double>(least) - base;
+    const double above = static_cast<double>(most) - base;
+    const bool isNone = least > most;
+    extents.Low[i] =
+      isNone ? HeightPyramid::None : static_cast<float>(below - std::abs(below) * 0x1p-23);
+    extents.High[i] =
+      isNone ? -HeightPyramid::None : static_cast<float>(above + std::abs(above) * 0x1p-23);
+  }
+}
+
+HELIOS_CLONES
+void SetExtentsOf(
+  const float* pixels, std::int64_t step, double base, HeightPyramid::Extents& extents)
+{
+  SetExtents(pixels, step, base, extents);
+}
+
+HELIOS_CLONES
+void SetExtentsOf(
+  const double* pixels, std::int64_t step, double base, HeightPyramid::Extents& extents)
+{
+  SetExtents(pixels, step, base, extents);
 }
 
 } // namespace
@@ -65,31 +83,27 @@ template <typename T>
 void HeightPyramid::ComputeExtents(
   const T* heights, std::int64_t row, std::int64_t column, Extents& extents) const
 {
-  Clear(extents);
-  const std::int64_t firstRow = BlockSize * row;
-  const std::int64_t firstColumn = BlockSize * column;
-  const std::int64_t rows = std::min<std::int64_t>(BlockSize + 1, this->Grid.Rows - firstRow);
-  const std::int64_t columns =
-    std::min<std::int64_t>(BlockSize + 1, this->Grid.Columns - firstColumn);
-  Interval<T> above[Strips];
-  for (std::int64_t r = 0; r < rows; ++r)
+  const T* pixels = heights + BlockSize * (row * this->Grid.Columns + column);
+  const std::int64_t rows = this->Grid.Rows - BlockSize * row;
+  const std::int64_t columns = this->Grid.Columns - BlockSize * column;
+  if (rows >= Pixels && columns >= Pixels)
   {
-    const T* from = heights + (firstRow + r) * this->Grid.Columns + firstColumn;
-    Interval<T> below[Strips];
-    for (int strip = 0; strip < Strips; ++strip)
+    SetExtentsOf(pixels, this->Grid.Columns, this->Base, extents);
+    return;
+  }
+  T copy[Pixels * Pixels];
+  std::fill_n(copy, Pixels * Pixels, std::numeric_limits<T>::quiet_NaN());
+  for (std::int64_t r = 0; r < std::min<std::int64_t>(rows, Pixels); ++r)
+  {
+    std::copy_n(
+      pixels + r * this->Grid.Columns, std::min<std::int64_t>(columns, Pixels), copy + r * Pixels);
+  }
+  SetExtentsOf(copy, Pixels, this->Base, extents);
+  for (int child = 0; child < Width; ++child)
+  {
+    if (child / Strips + 1 >= rows || child % Strips * StripSize + 1 >= columns)
     {
-      const std::int64_t first = StripSize * strip;
-      const std::int64_t last = std::min<std::int64_t>(first + StripSize, columns - 1);
-      for (std::int64_t c = first; c <= last && first + 1 < columns; ++c)
-      {
-        below[strip].Add(from[c]);
-      }
-      if (r > 0)
-      {
-        SetChild(extents, static_cast<int>(r - 1) * Strips + strip, above[strip], below[strip],
-          this->Base);
-      }
-      above[strip] = below[strip];
+      SetNone(extents, child);
     }
   }
 }
@@ -114,7 +128,10 @@ HeightPyramid::Level HeightPyramid::MakeLevel(const Level& below) const
   level.Columns = Divide(below.Columns, level.ChildColumns);
   level.Rows = Divide(below.Rows, childRows);
   Extents none;
-  Clear(none);
+  for (int child = 0; child < Width; ++child)
+  {
+    SetNone(none, child);
+  }
   level.Nodes.assign(static_cast<std::size_t>(level.Columns * level.Rows), none);
   for (std::int64_t row = 0; row < below.Rows; ++row)
   {

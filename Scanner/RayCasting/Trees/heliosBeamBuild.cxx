@@ -3,8 +3,8 @@
 #include "heliosBeamTree.h"
 
 #include "heliosCoreBounds.h"
+#include "heliosHeightTree.h"
 #include "heliosTriangleArea.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +174,17 @@ void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
   {
     return;
   }
+  this->SetFrame(low, high);
+  Bvh binary;
+  binary.Build(mesh, std::move(inside), check);
+  this->MakeNode(binary, Collapse(binary, check), 0, check);
+  this->Nodes.shrink_to_fit();
+  this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read past the end
+  this->Leaves.shrink_to_fit();
+}
+
+void BeamTree::SetFrame(const double low[3], const double high[3])
+{
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -183,12 +194,17 @@ void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
     largest = Max(largest, this->Half[axis]);
   }
   this->Scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
-  Bvh binary;
-  binary.Build(mesh, std::move(inside), check);
-  this->MakeNode(binary, Collapse(binary, check), 0, check);
-  this->Nodes.shrink_to_fit();
-  this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read past the end
-  this->Leaves.shrink_to_fit();
+}
+
+void BeamTree::Build(const HeightField& field)
+{
+  *this = BeamTree();
+  double b[6];
+  field.GetBounds(b);
+  const double low[3] = { b[0], b[2], b[4] };
+  const double high[3] = { b[1], b[3], b[5] };
+  this->SetFrame(low, high);
+  this->Heights = std::make_shared<HeightTree>(field, this->Centre, this->Scale);
 }
 
 vtkTypeUInt32 BeamTree::MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count)

@@ -99,6 +99,10 @@ void BeamBundle::GetHits(vtkHeliosHit* hits) const
   {
     this->Lanes[full].GetHits(hits + QuadWidth * full, this->Count % QuadWidth);
   }
+  for (int i = 0; i < this->Count && this->Tree.IsOfHeights(); ++i)
+  {
+    hits[i].CellId = hits[i].CellId >= 0 ? this->Tree.GetCell(hits[i].CellId) : -1;
+  }
 }
 
 /// Traces the rays with the same main axis together.

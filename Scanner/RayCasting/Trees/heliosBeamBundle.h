@@ -20,7 +20,7 @@ namespace helios
  * four rays. The filter tests groups of eight rays; large bundles in blocks of adjacent groups
  * first.
  */
-class BeamBundle
+class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamBundle
 {
 public:
   static constexpr int MaximumRays = 256;

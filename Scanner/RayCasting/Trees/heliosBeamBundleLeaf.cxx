@@ -5,7 +5,6 @@
 #include "heliosBeamBundle.h"
 
 #include "heliosRayVectors.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +69,9 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
 HELIOS_INLINE bool BeamBundle::TestTriangle(
   vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes)
 {
-  const TriangleMesh& mesh = this->Tree.GetMesh();
-  const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
-    mesh.GetCorner(triangle, 2) };
+  double buffer[3][3];
+  const double* points[3];
+  this->Tree.GetPoints(triangle, buffer, points);
   const TrianglePlane plane = GetPlane(points);
   Masks better = {};
   Seen<double> fromOne;
@@ -184,18 +183,17 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
 HELIOS_CLONES
 bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
 {
-  const TriangleMesh& mesh = this->Tree.GetMesh();
   for (int i = 0; i < leaf.Count; ++i)
   {
-    __builtin_prefetch(mesh.GetCorners() + 3 * static_cast<vtkIdType>(leaf.Triangles[i]));
+    this->Tree.PrefetchNumbers(leaf.Triangles[i]);
   }
   LeafFilter::Edges edges;
   this->Filter.SetEdges(leaf, limit, edges);
   for (int i = 0; i < leaf.Count; ++i)
   {
-    for (int corner = 0; corner < 3 && edges.IsAlive[i]; ++corner)
+    if (edges.IsAlive[i])
     {
-      __builtin_prefetch(mesh.GetCorner(leaf.Triangles[i], corner));
+      this->Tree.PrefetchPoints(leaf.Triangles[i]);
     }
   }
   bool isBetter = false;

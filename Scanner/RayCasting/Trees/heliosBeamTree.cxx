@@ -3,8 +3,8 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamTree.h"
 
+#include "heliosHeightTree.h"
 #include "heliosRayVectors.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +32,14 @@ static_assert(Width == 8, "a node's children are lanes");
 HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
 {
   return GetBytes(masks) & 0x0101010101010101u;
+}
+
+/// The better of two hits, of which the second may be none.
+vtkHeliosHit GetBetter(const vtkHeliosHit& hit, const vtkHeliosHit& other)
+{
+  const bool isBetter =
+    other.Range < hit.Range || (other.Range == hit.Range && other.CellId < hit.CellId);
+  return other.CellId >= 0 && isBetter ? other : hit;
 }
 
 } // namespace
@@ -89,6 +97,7 @@ bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double hi
 //------------------------------------------------------------------------------
 BeamWalk::BeamWalk(const BeamTree& tree, const Frustum& frustum)
   : Tree(tree)
+  , Heights(tree.Heights.get())
   , Axes(frustum.Axes)
   , IsForward(frustum.IsForward)
   , Near(frustum.IsForward ? frustum.High[2] : frustum.Low[2])
@@ -120,6 +129,7 @@ HELIOS_INLINE void BeamTree::Prefetch(vtkTypeUInt32 child) const
 }
 
 /// Pushes entered children on the stack, the nearest on top; bits has 8 for each child.
+template <bool IsOfHeights>
 HELIOS_INLINE void BeamWalk::Push(
   const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears)
 {
@@ -134,12 +144,38 @@ HELIOS_INLINE void BeamWalk::Push(
       this->Stack[at] = this->Stack[at - 1];
     }
     this->Stack[at] = { near, node.Children[child] };
-    this->Tree.Prefetch(node.Children[child]);
+    if (!IsOfHeights)
+    {
+      this->Tree.Prefetch(node.Children[child]);
+    }
   }
 }
 
-HELIOS_CLONES
-bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
+template <bool IsOfHeights>
+HELIOS_INLINE const BeamNode& BeamWalk::GetNode(vtkTypeUInt32 number)
+{
+  if (!IsOfHeights)
+  {
+    return this->Tree.Nodes[number];
+  }
+  this->Heights->MakeNode(number, this->NodeOfHeights);
+  return this->NodeOfHeights;
+}
+
+template <bool IsOfHeights>
+HELIOS_INLINE BeamLeaf BeamWalk::GetLeaf(vtkTypeUInt32 number)
+{
+  if (!IsOfHeights)
+  {
+    const vtkTypeInt32* data = &this->Tree.Leaves[number];
+    return { *data, data + 1 };
+  }
+  this->Heights->MakeLeaf(number, this->LeafOfHeights);
+  return { this->LeafOfHeights.Count, this->LeafOfHeights.Words };
+}
+
+template <bool IsOfHeights>
+HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
 {
   vtkTypeUInt32 child = 0; // the next one, from the node or the stack
   bool isOnStack = true;
@@ -156,11 +192,10 @@ bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
     }
     if (child & BeamTree::LeafBit)
     {
-      const vtkTypeInt32* data = &this->Tree.Leaves[child & ~BeamTree::LeafBit];
-      leaf = { *data, data + 1 };
+      leaf = this->GetLeaf<IsOfHeights>(child & ~BeamTree::LeafBit);
       return true;
     }
-    const BeamTree::Node& node = this->Tree.Nodes[child];
+    const BeamNode& node = this->GetNode<IsOfHeights>(child);
     const Wide lowZ = Load<Wide>(node.Low[this->Axes.Z]);
     const Wide highZ = Load<Wide>(node.High[this->Axes.Z]);
     Wide entry = this->IsForward ? lowZ - this->Near : this->Near - highZ;
@@ -189,9 +224,15 @@ bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
     }
     float nears[Width];
     Store(nears, entry);
-    this->Push(node, bits, nears);
+    this->Push<IsOfHeights>(node, bits, nears);
   }
   return false;
+}
+
+HELIOS_CLONES
+bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
+{
+  return this->Heights ? this->FindNext<true>(limit, leaf) : this->FindNext<false>(limit, leaf);
 }
 
 //------------------------------------------------------------------------------
@@ -203,10 +244,7 @@ vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& 
     return hit;
   }
   rest.MaximumRange = Min(rest.MaximumRange, hit.Range);
-  const vtkHeliosHit other = this->Outliers.Intersect(rest);
-  const bool isBetter =
-    other.Range < hit.Range || (other.Range == hit.Range && other.CellId < hit.CellId);
-  return other.CellId >= 0 && isBetter ? other : hit;
+  return GetBetter(hit, this->Outliers.Intersect(rest));
 }
 
 /// The frustum of one ray; false if it misses the tree.
@@ -221,31 +259,32 @@ bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
   return this->SetFrustum(frustum, origin, origin, slopes, slopes);
 }
 
-vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
+/// The first hit in the tree, to whose range that of the ray shrinks.
+vtkHeliosHit BeamTree::FindHitInTree(TestRay& ray) const
 {
   vtkHeliosHit hit{ NoHit, -1 };
-  TestRay rest; // its MaximumRange shrinks to the best hit so far
   Frustum hull;
-  if (!rest.Set(ray) || !this->SetFrustum(hull, rest))
+  if (!this->SetFrustum(hull, ray))
   {
     return hit;
   }
-  const double speed = std::abs(rest.Largest);
+  const double speed = std::abs(ray.Largest);
   BeamWalk walk(*this, hull);
-  float limit = hull.GetLimit(rest.MaximumRange * speed);
+  float limit = hull.GetLimit(ray.MaximumRange * speed);
   Leaf leaf;
   while (walk.GetNext(limit, leaf))
   {
     for (int i = 0; i < leaf.Count; ++i)
     {
       const vtkTypeInt32 triangle = leaf.Triangles[i];
-      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
-      const double range = TestTriangle(rest, points);
+      double buffer[3][3];
+      const double* points[3];
+      this->GetPoints(triangle, buffer, points);
+      const double range = TestTriangle(ray, points);
       if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
       {
         hit = { range, triangle };
-        rest.MaximumRange = range;
+        ray.MaximumRange = range;
         limit = hull.GetLimit(range * speed);
       }
     }
@@ -253,13 +292,31 @@ vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
   return hit;
 }
 
-bool BeamTree::IsHidden(const TestRay& ray, const Leaf& leaf) const
+vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
 {
-  for (int i = 0; i < leaf.Count; ++i)
+  TestRay test;
+  if (!test.Set(ray))
   {
-    const vtkTypeInt32 triangle = leaf.Triangles[i];
-    const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-      this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
+    return { NoHit, -1 };
+  }
+  const vtkHeliosHit hit = this->FindHitInTree(test);
+  return { hit.Range, hit.CellId >= 0 ? this->GetCell(hit.CellId) : -1 };
+}
+
+vtkHeliosHit BeamTree::FindHit(const TestRay& ray) const
+{
+  TestRay rest = ray;
+  const vtkHeliosHit hit = this->FindHitInTree(rest);
+  return this->OutliersExist ? GetBetter(hit, this->Outliers.Intersect(rest)) : hit;
+}
+
+bool BeamTree::IsHidden(const TestRay& ray, int count, const vtkTypeInt32* triangles) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    double buffer[3][3];
+    const double* points[3];
+    this->GetPoints(triangles[i], buffer, points);
     if (TestTriangle(ray, points) < NoHit)
     {
       return true;
@@ -268,14 +325,14 @@ bool BeamTree::IsHidden(const TestRay& ray, const Leaf& leaf) const
   return false;
 }
 
-bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const
+bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const
 {
   TestRay test;
   if (!test.Set(ray))
   {
     return false;
   }
-  if (this->IsHidden(test, occluder))
+  if (this->IsHidden(test, occluder.Count, occluder.Triangles))
   {
     return true;
   }
@@ -287,14 +344,26 @@ bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const
     Leaf leaf;
     while (walk.GetNext(limit, leaf))
     {
-      if (this->IsHidden(test, leaf))
+      if (this->IsHidden(test, leaf.Count, leaf.Triangles))
       {
-        occluder = leaf;
+        occluder.Count = leaf.Count;
+        std::copy_n(leaf.Triangles, leaf.Count, occluder.Triangles);
         return true;
       }
     }
   }
   return this->OutliersExist && this->Outliers.IsOccluded(test);
+}
+
+//------------------------------------------------------------------------------
+void BeamTree::ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const
+{
+  this->Heights->GetField().GetSlotCorners(triangle, points);
+}
+
+vtkIdType BeamTree::ComputeCell(vtkIdType triangle) const
+{
+  return this->Heights->GetField().GetTriangle(triangle);
 }
 
 } // namespace helios

@@ -5,28 +5,20 @@
 #ifndef heliosBeamTree_h
 #define heliosBeamTree_h
 
+#include "heliosBeamNode.h"
 #include "heliosBvh.h"
+#include "heliosTriangleMesh.h"
 
 #include <vtkType.h>
 
-#include <algorithm>
-#include <cmath>
+#include <memory>
 #include <vector>
 
 namespace helios
 {
 
-class TriangleMesh;
-
-/// A float not above a number, or not below it.
-inline float RoundDown(double x)
-{
-  return static_cast<float>(std::max(x - std::abs(x) * 0x1p-23, -1e30));
-}
-inline float RoundUp(double x)
-{
-  return static_cast<float>(std::min(x + std::abs(x) * 0x1p-23, 1e30));
-}
+class HeightField;
+class HeightTree;
 
 /**
  * The bounds of a bundle's rays: they lie in a frustum about one of the axes, Z. At a distance s
@@ -71,6 +63,7 @@ struct Frustum
 /**
  * Boxes of eight children are float, in a frame local to the scene and rounded outwards; triangles
  * are tested in double. Triangles that reach far out of the scene are kept in a tree of doubles.
+ * Over a height field, nodes, leaves and corners are computed on demand; triangles are its slots.
  */
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
 {
@@ -82,8 +75,14 @@ public:
   /// too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
+  /// Over a height field, which must outlive it.
+  void Build(const HeightField& field);
+
   /// The first hit of a ray in the tree, without the outliers.
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
+
+  /// The first hit with a triangle, of the tree or an outlier, instead of a cell.
+  vtkHeliosHit FindHit(const TestRay& ray) const;
 
   bool HasOutliers() const { return this->OutliersExist; }
 
@@ -92,7 +91,45 @@ public:
 
   std::size_t GetMemorySize() const;
 
-  const TriangleMesh& GetMesh() const { return *this->Mesh; }
+  bool IsOfHeights() const { return this->Heights != nullptr; }
+
+  /// The corners of a triangle, in the buffer if they are not stored.
+  void GetPoints(vtkTypeInt32 triangle, double buffer[3][3], const double* points[3]) const
+  {
+    if (!this->IsOfHeights())
+    {
+      points[0] = this->Mesh->GetCorner(triangle, 0);
+      points[1] = this->Mesh->GetCorner(triangle, 1);
+      points[2] = this->Mesh->GetCorner(triangle, 2);
+      return;
+    }
+    this->ComputePoints(triangle, buffer);
+    points[0] = buffer[0];
+    points[1] = buffer[1];
+    points[2] = buffer[2];
+  }
+
+  /// Prefetches the numbers of the corners of a triangle; then the corners.
+  void PrefetchNumbers(vtkTypeInt32 triangle) const
+  {
+    if (!this->IsOfHeights())
+    {
+      __builtin_prefetch(this->Mesh->GetCorners() + 3 * static_cast<vtkIdType>(triangle));
+    }
+  }
+  void PrefetchPoints(vtkTypeInt32 triangle) const
+  {
+    for (int corner = 0; corner < 3 && !this->IsOfHeights(); ++corner)
+    {
+      __builtin_prefetch(this->Mesh->GetCorner(triangle, corner));
+    }
+  }
+
+  /// The cell of a triangle in the scene.
+  vtkIdType GetCell(vtkIdType triangle) const
+  {
+    return this->IsOfHeights() ? this->ComputeCell(triangle) : triangle;
+  }
 
   /// The outlier triangles.
   const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
@@ -110,46 +147,39 @@ public:
   /// A coordinate along an axis in the frame of the tree.
   double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
 
-  static constexpr int Width = 8;
-  static constexpr int LeafSize = 4;
+  static constexpr int Width = BeamNode::Width;
+  static constexpr int LeafSize = BeamLeaf::Size;
+  using Leaf = BeamLeaf;
 
-  /// Up to four triangles, and their corners in the frame of the tree, rounded.
-  struct Leaf
+  /// The triangles of a leaf.
+  struct Occluder
   {
     int Count = 0;
-    const vtkTypeInt32* Triangles = nullptr;
-
-    /// Where floats start: a coordinate of the triangles, and padding to ignore.
-    const vtkTypeInt32* GetCorners(int corner, int axis) const
-    {
-      return this->Triangles + (1 + 3 * corner + axis) * this->Count;
-    }
+    vtkTypeInt32 Triangles[LeafSize];
   };
 
-  /// Whether a ray is occluded; occluder, initially an empty leaf, is the leaf that occluded
-  /// the previous ray and is tested first.
-  bool IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const;
+  /// Whether a ray is occluded; occluder, initially empty, has the leaf that occluded the previous
+  /// ray and is tested first.
+  bool IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const;
 
 private:
   friend class BeamWalk;
   struct Share;
   class Collapse;
 
-  /// Child i covers Low[axis][i] to High[axis][i]: a node or, with the highest bit set, a leaf.
-  struct alignas(64) Node
-  {
-    float Low[3][Width];
-    float High[3][Width];
-    vtkTypeUInt32 Children[Width];
-  };
-  static constexpr vtkTypeUInt32 LeafBit = 0x80000000u;
+  using Node = BeamNode;
+  static constexpr vtkTypeUInt32 LeafBit = BeamNode::LeafBit;
 
   vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
   vtkTypeUInt32 MakeNode(
     const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
+  void SetFrame(const double low[3], const double high[3]);
   void Prefetch(vtkTypeUInt32 child) const;
   bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
-  bool IsHidden(const TestRay& ray, const Leaf& leaf) const;
+  vtkHeliosHit FindHitInTree(TestRay& ray) const;
+  bool IsHidden(const TestRay& ray, int count, const vtkTypeInt32* triangles) const;
+  void ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const;
+  vtkIdType ComputeCell(vtkIdType triangle) const;
 
   const TriangleMesh* Mesh = nullptr;
   double Centre[3] = { 0, 0, 0 };
@@ -159,6 +189,7 @@ private:
   std::vector<vtkTypeInt32> Leaves; ///< of each the count, the triangles and their corners
   bool OutliersExist = false;
   Bvh Outliers;
+  std::shared_ptr<const HeightTree> Heights; ///< null: over a mesh
 };
 
 /// Traverses a tree along a frustum, from front to back.
@@ -183,11 +214,19 @@ private:
     float Inverse;
     bool IsEntry;
   };
-  void Push(const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears);
+  template <bool IsOfHeights>
+  const BeamNode& GetNode(vtkTypeUInt32 number);
+  template <bool IsOfHeights>
+  BeamLeaf GetLeaf(vtkTypeUInt32 number);
+  template <bool IsOfHeights>
+  void Push(const BeamNode& node, vtkTypeUInt64 bits, const float* nears);
+  template <bool IsOfHeights>
+  bool FindNext(float limit, BeamTree::Leaf& leaf);
 
   static constexpr int StackSize = 8 + 90 * (BeamTree::Width - 1);
 
   const BeamTree& Tree;
+  const HeightTree* Heights; ///< null: over a mesh
   RayAxes Axes;
   bool IsForward;
   float Near, Far; ///< the origins along Z
@@ -195,6 +234,8 @@ private:
   Side Upper[2];   ///< against their Low
   int Size = 0;
   Entry Stack[StackSize];
+  BeamNode NodeOfHeights; ///< computed last
+  BeamLeafData LeafOfHeights;
 };
 
 } // namespace helios

@@ -4,7 +4,6 @@
 #include "heliosCone.h"
 
 #include "heliosLeafFilter.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +59,48 @@ bool IsNear(const double a[2], const double b[2], double distance)
   }
   const double area = a[0] * d[1] - a[1] * d[0];
   return area * area <= most * square;
+}
+
+/// The part of a segment, from 0 to 1, inside a disc about the origin; false if there is none.
+bool ClipToDisc(const double a[2], const double b[2], double radius, double part[2])
+{
+  const double d[2] = { b[0] - a[0], b[1] - a[1] };
+  const double square = d[0] * d[0] + d[1] * d[1];
+  const double along = a[0] * d[0] + a[1] * d[1];
+  const double root =
+    std::sqrt(along * along - square * (a[0] * a[0] + a[1] * a[1] - radius * radius));
+  part[0] = square > 0.0 ? std::max(0.0, (-along - root) / square) : 0.0;
+  part[1] = square > 0.0 ? std::min(1.0, (-along + root) / square) : 1.0;
+  return root >= 0.0 && part[0] <= part[1]; // false for a NaN
+}
+
+/**
+ * Whether a segment p = a + t (b - a) may enter a cone: f = x^2 + y^2 - T^2 z^2, a quadratic function
+ * of t, is not positive somewhere before the apex.
+ */
+bool EntersCone(const double a[3], const double b[3], double tangent, double reach)
+{
+  const double d[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+  double first = 0.0; // the part with z >= 0
+  double last = 1.0;
+  if (a[2] < 0.0 || b[2] < 0.0)
+  {
+    const double crossing = -a[2] / d[2];
+    first = a[2] < 0.0 ? crossing : 0.0;
+    last = b[2] < 0.0 ? crossing : 1.0;
+  }
+  const double square = tangent * tangent;
+  const double error = Error * reach * reach * (1 + square);
+  const double f0 = a[0] * a[0] + a[1] * a[1] - square * a[2] * a[2];
+  const double f1 = a[0] * d[0] + a[1] * d[1] - square * a[2] * d[2];
+  const double f2 = d[0] * d[0] + d[1] * d[1] - square * d[2] * d[2];
+  const auto isInside = [=](double t) { return f0 + t * (2 * f1 + t * f2) <= error; };
+  if (!(first <= last)) // also for a crossing at infinity
+  {
+    return isInside(0.0) || isInside(1.0);
+  }
+  const bool hasMinimum = f2 > 0.0 && -f1 > first * f2 && -f1 < last * f2;
+  return isInside(first) || isInside(last) || (hasMinimum && isInside(-f1 / f2));
 }
 
 } // namespace
@@ -132,16 +173,18 @@ bool Cone::SetHull(
 }
 
 //------------------------------------------------------------------------------
-void Cone::SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, ConeCandidate& c) const
+void Cone::SetCorners(const BeamTree& tree, vtkTypeInt32 triangle, ConeCandidate& c) const
 {
   c.Triangle = triangle;
+  const double* points[3];
+  tree.GetPoints(triangle, c.Points, points);
   for (int corner = 0; corner < 3; ++corner)
   {
-    c.Points[corner] = mesh.GetCorner(triangle, corner);
     double p[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      p[axis] = c.Points[corner][axis] - this->Origin[axis];
+      c.Points[corner][axis] = points[corner][axis];
+      p[axis] = points[corner][axis] - this->Origin[axis];
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -170,14 +213,6 @@ bool Cone::IsBeside(const ConeCandidate& c) const
 }
 
 //------------------------------------------------------------------------------
-bool Cone::MayCover(const ConeCandidate& c) const
-{
-  return std::all_of(c.Corners, c.Corners + 3,
-    [this](const double* p)
-    { return std::max(std::abs(p[0]), std::abs(p[1])) >= this->Tangent * p[2]; });
-}
-
-//------------------------------------------------------------------------------
 bool Cone::Touches(ConeCandidate& c) const
 {
   const auto& p = c.Corners;
@@ -196,7 +231,7 @@ bool Cone::Touches(ConeCandidate& c) const
   if (c.Covers || !c.IsBefore)
   {
     std::fill_n(c.EdgeTouches, 3, !c.Covers);
-    return true;
+    return c.Covers || this->TouchesBeside(c, reach);
   }
   const double radius = this->Tangent + (c.Sign == 0.0 ? this->GetThickness(c, reach) : 0.0);
   return this->SetEdgeTouches(c, radius) || (c.Sign != 0.0 && c.MayHoldAxis);
@@ -258,6 +293,27 @@ bool Cone::IsOutside(ConeCandidate& c) const
   return isOutside;
 }
 
+/// Whether a triangle that is not before the apex, and that no plane of an edge separates from the
+/// cone, may touch it: the axis meets it, or an edge does, or the apex may be on it.
+bool Cone::TouchesBeside(const ConeCandidate& c, double reach) const
+{
+  if (c.Sign != 0.0 && c.MayHoldAxis)
+  {
+    return true;
+  }
+  const auto& p = c.Corners;
+  const double tolerance = Error * reach;
+  bool isAround = c.Sign == 0.0; // its box, around the apex
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isAround = isAround && std::min({ p[0][axis], p[1][axis], p[2][axis] }) <= tolerance &&
+      std::max({ p[0][axis], p[1][axis], p[2][axis] }) >= -tolerance;
+  }
+  const double tangent = this->Tangent * (1 + Margin);
+  return isAround || EntersCone(p[0], p[1], tangent, reach) ||
+    EntersCone(p[1], p[2], tangent, reach) || EntersCone(p[2], p[0], tangent, reach);
+}
+
 /// The thickness, in the plane z = 1, of a triangle that may be edge-on.
 double Cone::GetThickness(const ConeCandidate& c, double reach) const
 {
@@ -300,6 +356,46 @@ void Cone::SetPlane(ConeCandidate& c) const
   const double least = n[2] - spread;
   plane.Nearest = plane.Constant / (n[2] + spread);
   plane.Farthest = least > 0.0 ? plane.Constant / least * (1 + Margin) : HUGE_VAL;
+}
+
+/// Whether the direction in which the plane of a candidate is nearest meets the candidate.
+bool Cone::HoldsNearest(const ConeCandidate& c) const
+{
+  const double* n = c.Surface.Normal;
+  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1]);
+  const double scale = length > 0.0 ? this->Tangent / length : 0.0;
+  const double d[3] = { scale * n[0], scale * n[1], 1.0 };
+  bool isInside = c.Sign != 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    isInside = isInside && c.Sign * Dot(c.Edges[k], d) >= -c.Errors[k];
+  }
+  return isInside;
+}
+
+double Cone::GetNearestDepth(const ConeCandidate& c) const
+{
+  if (c.Covers || !c.IsBefore || this->HoldsNearest(c))
+  {
+    return c.IsBefore ? c.Surface.Nearest : 0.0;
+  }
+  // Else it is on an edge, along which 1 / depth is linear in the plane z = 1.
+  double inverse = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    const double error = std::max(c.FlatErrors[i], c.FlatErrors[j]);
+    double part[2];
+    if (ClipToDisc(c.Flat[i], c.Flat[j], this->Tangent * (1 + Margin) + error, part))
+    {
+      const double from = 1.0 / c.Corners[i][2];
+      const double step = 1.0 / c.Corners[j][2] - from;
+      inverse = std::max({ inverse, from + part[0] * step, from + part[1] * step });
+    }
+  }
+  const double nearest = std::min({ c.Corners[0][2], c.Corners[1][2], c.Corners[2][2] });
+  return inverse > 0.0 ? std::max(nearest, (1 - Margin) / inverse) : nearest;
 }
 
 } // namespace helios

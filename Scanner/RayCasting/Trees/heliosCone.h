@@ -11,7 +11,6 @@ namespace helios
 {
 
 class LeafFilter;
-class TriangleMesh;
 
 /// A triangle in the frame of a cone: the apex is the origin, the axis is z.
 struct ConeCandidate
@@ -26,7 +25,7 @@ struct ConeCandidate
   };
 
   vtkTypeInt32 Triangle;
-  const double* Points[3];
+  double Points[3][3]; ///< the corners in the world
   double Corners[3][3];
   double Edges[3][3];   ///< N_k, the cross product of the corners of the edge opposite corner k
   double Errors[3];     ///< of N_k . d
@@ -67,13 +66,10 @@ public:
   /// The frustum about the cone; false for a cone that is too wide.
   bool SetHull(const BeamTree& tree, const RayAxes& axes, Frustum& hull, LeafFilter& filter) const;
 
-  void SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, ConeCandidate& c) const;
+  void SetCorners(const BeamTree& tree, vtkTypeInt32 triangle, ConeCandidate& c) const;
 
   /// Whether a triangle is beyond a side of the square about the cone.
   bool IsBeside(const ConeCandidate& c) const;
-
-  /// Whether all corners are outside the square: otherwise the triangle does not cover the cone.
-  bool MayCover(const ConeCandidate& c) const;
 
   /// Whether it may touch the cone; sets the candidate's terms from its corners.
   bool Touches(ConeCandidate& c) const;
@@ -81,11 +77,17 @@ public:
   /// Sets the plane of a candidate that touches.
   void SetPlane(ConeCandidate& c) const;
 
+  /// The smallest depth of the part inside the cone, or slightly less, of a candidate that touches
+  /// and has its plane.
+  double GetNearestDepth(const ConeCandidate& c) const;
+
 private:
   void SetEdges(ConeCandidate& c) const;
   void SetNormal(ConeCandidate& c, double reach) const;
   bool IsOutside(ConeCandidate& c) const;
   bool SetEdgeTouches(ConeCandidate& c, double radius) const;
+  bool HoldsNearest(const ConeCandidate& c) const;
+  bool TouchesBeside(const ConeCandidate& c, double reach) const;
   double GetThickness(const ConeCandidate& c, double reach) const;
 
   const double* Origin;

@@ -4,7 +4,6 @@
 #include "heliosConeCollector.h"
 
 #include "heliosConeWalk.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 
@@ -18,15 +17,15 @@ namespace
 class FetchQueue
 {
 public:
-  explicit FetchQueue(const TriangleMesh& mesh)
-    : Mesh(mesh)
+  explicit FetchQueue(const BeamTree& tree)
+    : Tree(tree)
   {
   }
 
   template <typename UseT>
   void Add(vtkTypeInt32 triangle, UseT use)
   {
-    __builtin_prefetch(this->Mesh.GetCorners() + 3 * static_cast<vtkIdType>(triangle));
+    this->Tree.PrefetchNumbers(triangle);
     this->At(this->Size) = triangle;
     this->Advance(this->Size++, use);
   }
@@ -51,10 +50,7 @@ private:
   {
     if (last >= Step && last - Step < this->Size)
     {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        __builtin_prefetch(this->Mesh.GetCorner(this->At(last - Step), corner));
-      }
+      this->Tree.PrefetchPoints(this->At(last - Step));
     }
     if (last >= 2 * Step && last - 2 * Step < this->Size)
     {
@@ -62,7 +58,7 @@ private:
     }
   }
 
-  const TriangleMesh& Mesh;
+  const BeamTree& Tree;
   std::size_t Size = 0;
   vtkTypeInt32 Triangles[2 * Step + 1];
 };
@@ -82,9 +78,8 @@ bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, 
     4; // times as many before those that a triangle hides are dropped
   view.Triangles.clear();
   this->Shape.CopyFrame(view.Frame);
-  FetchQueue queue(tree.GetMesh());
-  const auto use = [&](vtkTypeInt32 triangle)
-  { this->Add(tree.GetMesh(), triangle, nearest, view); };
+  FetchQueue queue(tree);
+  const auto use = [&](vtkTypeInt32 triangle) { this->Add(tree, triangle, nearest, view); };
   const bool isWhole = this->IsValid &&
     WalkCone(this->Shape, this->Axis.Axes, tree, this->Farthest,
       [&](vtkTypeInt32 triangle)
@@ -100,27 +95,28 @@ bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, 
 
 //------------------------------------------------------------------------------
 /// Adds a triangle that may touch the cone to a view; one that covers it hides what is farther.
-void ConeCollector::Add(
-  const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view)
+void ConeCollector::Add(const BeamTree& tree, vtkTypeInt32 triangle, double nearest, ConeView& view)
 {
   ConeCandidate c;
-  this->Shape.SetCorners(mesh, triangle, c);
+  this->Shape.SetCorners(tree, triangle, c);
   const auto& p = c.Corners;
-  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c))
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c) ||
+    !this->Shape.Touches(c))
   {
     return;
   }
   // A tree of one leaf has it twice.
+  const vtkIdType cell = tree.GetCell(triangle);
   const std::size_t recent = std::min<std::size_t>(view.Triangles.size(), BeamTree::LeafSize);
   if (std::any_of(view.Triangles.end() - static_cast<std::ptrdiff_t>(recent), view.Triangles.end(),
-        [triangle](const ConeTriangle& other) { return other.Cell == triangle; }))
+        [cell](const ConeTriangle& other) { return other.Cell == cell; }))
   {
     return;
   }
   view.Triangles.emplace_back();
-  view.Triangles.back().Cell = triangle;
+  view.Triangles.back().Cell = cell;
   std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
-  if (this->Shape.MayCover(c) && this->Shape.Touches(c) && c.Covers && c.IsBefore)
+  if (c.Covers && c.IsBefore)
   {
     this->Shape.SetPlane(c);
     this->Farthest =

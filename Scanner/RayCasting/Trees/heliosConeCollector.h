@@ -23,7 +23,7 @@ public:
   bool Run(const BeamTree& tree, double nearest, std::size_t most, ConeView& view);
 
 private:
-  void Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view);
+  void Add(const BeamTree& tree, vtkTypeInt32 triangle, double nearest, ConeView& view);
 
   Cone Shape;
   TestRay Axis;

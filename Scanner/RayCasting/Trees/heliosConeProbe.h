@@ -52,7 +52,7 @@ public:
 };
 
 /// Probes on a tree, which must outlive the result.
-std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree);
+VTKHELIOSSCANNERRAYCASTING_EXPORT std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree);
 
 /// Probes on a tree of its own over a mesh, which must outlive the result; null if there are too
 /// many triangles. Throws Stopped on an abort request.

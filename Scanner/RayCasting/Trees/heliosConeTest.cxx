@@ -4,7 +4,6 @@
 #include "heliosConeTest.h"
 
 #include "heliosConeWalk.h"
-#include "heliosTriangleMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +35,7 @@ double GetLength(const double a[3])
 
 bool AreSame(const double* a, const double* b)
 {
-  return a == b || (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]);
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
 /// Whether another triangle adjoins an edge on its other side.
@@ -85,55 +84,104 @@ vtkHeliosConeHit ConeTest::Run(const BeamTree& tree, ConeLayer* layer)
   {
     layer->Size = 0;
   }
-  const bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers &&
-    WalkCone(this->Shape, this->Axis.Axes, tree, this->Farthest,
-      [this, &tree](vtkTypeInt32 triangle) { return this->Add(tree.GetMesh(), triangle); });
+  this->Tree = &tree;
+  bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers && this->Walk();
+  if (isKnown && this->IsIncomplete)
+  {
+    this->Count = 0;
+    isKnown = this->Walk();
+  }
   return isKnown ? this->Classify(layer) : Unknown;
 }
 
-//------------------------------------------------------------------------------
-/// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
-bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+/// Adds the triangles that touch the cone; false once it is known to be mixed.
+bool ConeTest::Walk()
 {
-  if (this->Count == MaximumMembers && !this->DropFarther())
-  {
-    return false;
-  }
-  Member& c = this->Members[this->Count];
-  this->Shape.SetCorners(mesh, triangle, c);
-  if (!this->Shape.Touches(c))
+  return WalkCone(this->Shape, this->Axis.Axes, *this->Tree, this->Farthest,
+    [this](vtkTypeInt32 triangle) { return this->Add(triangle); });
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle if it touches the cone; false once the cone is known to be mixed. The result does
+/// not depend on the order of the triangles.
+bool ConeTest::Add(vtkTypeInt32 triangle)
+{
+  Member* c = this->Members + this->Count;
+  this->Shape.SetCorners(*this->Tree, triangle, *c);
+  if (!this->Shape.Touches(*c))
   {
     return true;
   }
-  if (!c.IsBefore && !c.Covers)
+  if (!c->IsBefore && !c->Covers)
   {
     return false;
   }
+  if (this->Count == MaximumMembers)
+  {
+    if (!this->IsTraced && !this->TraceAxis())
+    {
+      return false;
+    }
+    this->Shape.SetPlane(*c);
+    this->DropFarther();
+    if (this->IsFarther(*c) || this->Count == MaximumMembers)
+    {
+      return this->IsFarther(*c);
+    }
+    this->Members[this->Count] = *c;
+    c = this->Members + this->Count;
+  }
   ++this->Count;
-  c.Response = -1.0;
-  this->Shape.SetPlane(c);
-  const double range = c.MayHoldAxis ? TestTriangle(this->Axis, c.Points) : NoHit;
+  c->Response = -1.0;
+  this->Shape.SetPlane(*c);
+  const double* const points[3] = { c->Points[0], c->Points[1], c->Points[2] };
+  const double range = c->MayHoldAxis ? TestTriangle(this->Axis, points) : NoHit;
   if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
   {
-    this->Hit = { range, triangle };
-    this->Farthest =
-      c.Surface.Farthest + std::max(this->Limits.OfPlane.Distance, this->Limits.OfLayer.Distance);
+    this->SetHit(*c, range);
   }
   return true;
 }
 
-/// Makes room by dropping members beyond Farthest; false if there are none.
-bool ConeTest::DropFarther()
+/// Sets the hit of the axis, with a triangle whose plane is known.
+void ConeTest::SetHit(const Member& c, double range)
 {
-  const auto isFarther = [this](const Member& c)
+  const double before = this->Farthest;
+  this->Hit = { range, c.Triangle };
+  this->Farthest =
+    c.Surface.Farthest + std::max(this->Limits.OfPlane.Distance, this->Limits.OfLayer.Distance);
+  this->IsIncomplete = this->IsIncomplete || this->Farthest > before;
+}
+
+/// Finds the hit of the axis; false if there is none.
+bool ConeTest::TraceAxis()
+{
+  this->IsTraced = true;
+  const vtkHeliosHit hit = this->Tree->FindHit(this->Axis);
+  if (hit.CellId < 0)
   {
-    const auto& p = c.Corners;
-    return c.Triangle != this->Hit.CellId &&
-      std::min({ p[0][2], p[1][2], p[2][2] }) > this->Farthest;
-  };
+    return false;
+  }
+  Member c;
+  this->Shape.SetCorners(*this->Tree, static_cast<vtkTypeInt32>(hit.CellId), c);
+  this->Shape.Touches(c);
+  this->Shape.SetPlane(c);
+  this->SetHit(c, hit.Range);
+  return true;
+}
+
+/// Whether all of a member inside the cone is beyond Farthest.
+bool ConeTest::IsFarther(const Member& c) const
+{
+  return c.Triangle != this->Hit.CellId && this->Shape.GetNearestDepth(c) > this->Farthest;
+}
+
+/// Drops the members beyond Farthest.
+void ConeTest::DropFarther()
+{
+  const auto isFarther = [this](const Member& c) { return this->IsFarther(c); };
   Member* end = std::remove_if(this->Members, this->Members + this->Count, isFarther);
   this->Count = static_cast<int>(end - this->Members);
-  return this->Count < MaximumMembers;
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +210,8 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
     {
       this->SetLayer(*layer);
     }
-    return { vtkHeliosConeHit::OnePlane, this->Hit.CellId, this->Hit.Range };
+    const vtkIdType cell = this->Tree->GetCell(this->Hit.CellId);
+    return { vtkHeliosConeHit::OnePlane, cell, this->Hit.Range };
   }
   this->Count = count;
   if (layer && this->Limits.OfLayer.Distance > 0.0 && this->AreNear(this->Limits.OfLayer) &&
@@ -192,7 +241,7 @@ bool ConeTest::AreNear(const PlaneLimits::Difference& most)
       }
       ++i;
     }
-    else if (IsBehind(c, first.Surface, most.Distance))
+    else if (IsBehind(c, first.Surface, most.Distance) || this->IsFarther(c))
     {
       std::swap(c, this->Members[--this->Count]);
     }
@@ -279,7 +328,7 @@ double ConeTest::GetResponse(Member& c) const
 {
   if (c.Response < 0.0)
   {
-    c.Response = this->Limits.GetResponse(c.Triangle);
+    c.Response = this->Limits.GetResponse(this->Tree->GetCell(c.Triangle));
   }
   return c.Response;
 }
@@ -327,7 +376,7 @@ int ConeTest::CountAtAxis() const
     }));
 }
 
-/// Sets a layer to the members.
+/// Sets a layer to the members, sorted by triangle.
 void ConeTest::SetLayer(ConeLayer& layer) const
 {
   this->Shape.CopyFrame(layer.Frame);
@@ -335,8 +384,10 @@ void ConeTest::SetLayer(ConeLayer& layer) const
   for (int i = 0; i < this->Count; ++i)
   {
     const Member& c = this->Members[i];
-    ConeLayer::Piece& piece = layer.Pieces[i];
-    piece.Cell = c.Triangle;
+    const auto place = std::count_if(this->Members, this->Members + this->Count,
+      [&c](const Member& other) { return other.Triangle < c.Triangle; });
+    ConeLayer::Piece& piece = layer.Pieces[place];
+    piece.Cell = this->Tree->GetCell(c.Triangle);
     for (int edge = 0; edge < 3; ++edge)
     {
       const double* e = c.Edges[edge];

@@ -34,8 +34,12 @@ private:
   };
   struct Gap;
 
-  bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
-  bool DropFarther();
+  bool Walk();
+  bool Add(vtkTypeInt32 triangle);
+  void SetHit(const Member& c, double range);
+  bool TraceAxis();
+  bool IsFarther(const Member& c) const;
+  void DropFarther();
   vtkHeliosConeHit Classify(ConeLayer* layer);
   bool AreNear(const PlaneLimits::Difference& most);
   bool AreAlike(Member& a, Member& b, double contrast) const;
@@ -52,13 +56,16 @@ private:
 
   Cone Shape;
   const PlaneLimits& Limits;
+  const BeamTree* Tree = nullptr;
   TestRay Axis;
   bool IsValid;
 
   int Count = 0;
-  Member Members[MaximumMembers];
-  vtkHeliosHit Hit{ NoHit, -1 }; ///< of the axis
-  double Farthest = NoHit;       ///< depth beyond which hits are irrelevant
+  Member Members[MaximumMembers + 1]; ///< the last one is not counted
+  vtkHeliosHit Hit{ NoHit, -1 };      ///< of the axis, a triangle of the tree
+  double Farthest = NoHit;            ///< depth beyond which hits are irrelevant
+  bool IsTraced = false;              ///< whether the hit is that of the whole scene
+  bool IsIncomplete = false;          ///< whether Farthest has increased
 };
 
 } // namespace helios
