@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <sstream>
 
 namespace helios
 {
@@ -26,6 +27,7 @@ namespace
 
 constexpr std::int64_t SmallBlock = std::int64_t(4) << 20;  // bytes
 constexpr std::int64_t LargeBlock = std::int64_t(64) << 20; // bytes
+constexpr double HighestHeight = 9000.0;                    // [m], highest on Earth
 
 std::string ToText(double value)
 {
@@ -446,6 +448,22 @@ double RasterFile::CountPixels() const
   const bool isKnown = (status & GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED) == 0 && percent >= 0.0;
   const double least = (status & GDAL_DATA_COVERAGE_STATUS_DATA) != 0 ? 1.0 : 0.0;
   return isKnown ? std::max(least, std::round(0.01 * percent * all)) : all;
+}
+
+void RasterFile::CheckHeights(double lowest, double highest)
+{
+  if (lowest < -HighestHeight || highest > HighestHeight)
+  {
+    std::ostringstream text;
+    text << "heights range from " << lowest << " to " << highest
+         << " m; if these include pixels without height, set their value with NoDataValue";
+    this->State->Warn(text.str());
+  }
+}
+
+const std::string& RasterFile::GetPath() const
+{
+  return this->State->Path;
 }
 
 std::int64_t RasterFile::GetNumberOfColumns() const

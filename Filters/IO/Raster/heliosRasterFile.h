@@ -38,6 +38,8 @@ public:
   /// Opens a file.
   Status Open(const std::string& path, const RasterOptions& options);
 
+  const std::string& GetPath() const;
+
   std::int64_t GetNumberOfColumns() const;
   std::int64_t GetNumberOfRows() const;
 
@@ -55,6 +57,9 @@ public:
 
   /// Reads heights [m] of rows, NaN if missing.
   Status Read(std::int64_t firstRow, std::int64_t count, double* heights);
+
+  /// Warns of heights that no place on Earth has: of an undeclared no-data value.
+  void CheckHeights(double lowest, double highest);
 
   /// Warnings of GDAL and of the validation.
   std::vector<std::string> GetWarnings() const;

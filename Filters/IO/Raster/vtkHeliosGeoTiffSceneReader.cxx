@@ -6,6 +6,7 @@
 #include "heliosMemoryCheck.h"
 #include "heliosRasterFile.h"
 #include "heliosRasterMesh.h"
+#include "heliosRasterRows.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 
@@ -22,8 +23,6 @@ vtkStandardNewMacro(vtkHeliosGeoTiffSceneReader);
 
 namespace
 {
-
-constexpr double HighestHeight = 9000.0; // [m], highest on Earth
 
 // Whether the mesh fits in 32-bit cells: the last cell offset is the largest number.
 bool IsSmall(const helios::RasterFile& file)
@@ -84,10 +83,7 @@ int vtkHeliosGeoTiffSceneReader::RequestData(
 template <typename IndexArrayT>
 bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData* scene)
 {
-  const std::int64_t columns = file.GetNumberOfColumns();
-  const std::int64_t rows = file.GetNumberOfRows();
-  const std::int64_t step = file.GetRowsPerBlock();
-  const std::string place = std::string(this->FileName) + ": ";
+  const std::string place = file.GetPath() + ": ";
   const double pixels = file.CountPixels();
   if (const helios::Status status =
         helios::CheckMemory("pixels of two triangles", pixels, 2.0 * helios::BytesPerTriangle);
@@ -95,44 +91,32 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   {
     return this->Fail(place + status.Message() + "; gdal_translate -srcwin cuts out a part");
   }
-  helios::RasterMesh<IndexArrayT> mesh(columns, file.GetTransform());
-  const std::unique_ptr<double[]> heights(new double[static_cast<std::size_t>(columns * step)]);
+  helios::RasterMesh<IndexArrayT> mesh(file.GetNumberOfColumns(), file.GetTransform());
   bool hasRoom = true;
-  for (std::int64_t row = 0; row < rows && hasRoom && pixels > 0.0; row += step)
+  const auto add = [&](const double* heights) { return hasRoom = mesh.AddRow(heights); };
+  const auto goOn = [this](double part)
   {
-    const std::int64_t count = std::min(step, rows - row);
-    const helios::Status status = file.Read(row, count, heights.get());
-    if (!status.IsOk())
+    this->UpdateProgress(0.9 * part);
+    return !this->AbortExecute;
+  };
+  if (pixels > 0.0)
+  {
+    if (const helios::Status status = helios::ReadRows(file, add, goOn); !status.IsOk())
     {
       return this->Fail(status.Message());
-    }
-    for (std::int64_t i = 0; i < count && hasRoom; ++i)
-    {
-      hasRoom = mesh.AddRow(heights.get() + i * columns);
-    }
-    this->UpdateProgress(0.9 * static_cast<double>(row + count) / static_cast<double>(rows));
-    if (this->AbortExecute)
-    {
-      return this->Fail(place + "reading was aborted at row " + std::to_string(row + count) +
-        "; update again to read it");
     }
   }
   if (!hasRoom || !mesh.Finish())
   {
     return this->Fail(place + "more than 2^31 points; cut it into parts with gdal_retile.py");
   }
-  const auto& [lowest, highest] = mesh.GetHeights();
-  if (lowest < -HighestHeight || highest > HighestHeight)
-  {
-    vtkWarningMacro(
-      << place << "heights range from " << lowest << " to " << highest
-      << " m; if these include pixels without height, set their value with NoDataValue");
-  }
+  file.CheckHeights(mesh.GetHeights()[0], mesh.GetHeights()[1]);
   mesh.MoveTo(scene);
   if (scene->GetNumberOfPolys() == 0)
   {
     vtkWarningMacro(<< place << "no triangles, so the scene is empty; four neighbours with height "
-                    << "make two (the raster is " << columns << " x " << rows << ")");
+                    << "make two (the raster is " << file.GetNumberOfColumns() << " x "
+                    << file.GetNumberOfRows() << ")");
   }
   return true;
 }
