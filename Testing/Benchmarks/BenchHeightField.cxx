@@ -10,12 +10,7 @@
 #include "heliosHeightField.h"
 #include "heliosPose.h"
 #include "heliosRandom.h"
-#include "heliosRasterMesh.h"
-#include "heliosTestRasters.h"
-
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkTypeInt32Array.h>
+#include "heliosRasterScenes.h"
 
 #include <cmath>
 #include <cstdio>
@@ -181,14 +176,7 @@ int main(int argc, char** argv)
       cells);
 
   start = helios::WallSeconds();
-  helios::RasterMesh<vtkTypeInt32Array> rows(side, raster.Transform.data());
-  for (int row = 0; row < side; ++row)
-  {
-    rows.AddRow(raster.Values.data() + static_cast<std::ptrdiff_t>(row) * side);
-  }
-  rows.Finish();
-  vtkNew<vtkPolyData> scene;
-  rows.MoveTo(scene);
+  const auto scene = helios::MakeMesh(raster);
   helios::TriangleMesh mesh;
   BeamTree ofMesh;
   helios::StopCheck never(nullptr);

@@ -92,21 +92,10 @@ std::vector<HeightRaster> MakeRasters(int columns, int rows)
   return rasters;
 }
 
-/// The triangles of a layer by cell.
-std::vector<helios::ConeLayer::Piece> GetPieces(const helios::ConeLayer& layer)
-{
-  std::vector<helios::ConeLayer::Piece> pieces(layer.Pieces, layer.Pieces + layer.Size);
-  std::sort(
-    pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.Cell < b.Cell; });
-  return pieces;
-}
-
 bool AreSame(const helios::ConeLayer& a, const helios::ConeLayer& b)
 {
-  const auto first = GetPieces(a);
-  const auto second = GetPieces(b);
-  return first.size() == second.size() &&
-    std::memcmp(first.data(), second.data(), first.size() * sizeof(first[0])) == 0;
+  return a.Size == b.Size &&
+    std::memcmp(a.Pieces, b.Pieces, static_cast<std::size_t>(a.Size) * sizeof(a.Pieces[0])) == 0;
 }
 
 bool AreSame(const helios::ConeView& a, const helios::ConeView& b)

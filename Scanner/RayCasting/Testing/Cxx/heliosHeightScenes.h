@@ -7,29 +7,15 @@
 
 #include "heliosBeamTree.h"
 #include "heliosHeightField.h"
-#include "heliosRasterMesh.h"
+#include "heliosRasterScenes.h"
 #include "heliosRayCastingScenes.h"
-#include "heliosTestRasters.h"
-
-#include <vtkTypeInt32Array.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace helios
 {
-
-inline vtkSmartPointer<vtkPolyData> MakeMesh(const HeightRaster& raster)
-{
-  RasterMesh<vtkTypeInt32Array> mesh(raster.Columns, raster.Transform.data());
-  for (int row = 0; row < raster.Rows; ++row)
-  {
-    REQUIRE(mesh.AddRow(raster.Values.data() + static_cast<std::ptrdiff_t>(row) * raster.Columns));
-  }
-  REQUIRE(mesh.Finish());
-  auto scene = vtkSmartPointer<vtkPolyData>::New();
-  mesh.MoveTo(scene);
-  return scene;
-}
 
 struct HeightScene
 {

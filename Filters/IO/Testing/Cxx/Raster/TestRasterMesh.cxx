@@ -3,11 +3,8 @@
 #include "heliosRasterMesh.h"
 
 #include "heliosHeightField.h"
-#include "heliosTestRasters.h"
+#include "heliosRasterScenes.h"
 #include "heliosTriangleMesh.h"
-
-#include <vtkPolyData.h>
-#include <vtkTypeInt32Array.h>
 
 #include <catch2/catch.hpp>
 
@@ -15,19 +12,6 @@
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> MakeMesh(const helios::HeightRaster& raster)
-{
-  helios::RasterMesh<vtkTypeInt32Array> mesh(raster.Columns, raster.Transform.data());
-  for (int row = 0; row < raster.Rows; ++row)
-  {
-    REQUIRE(mesh.AddRow(&raster.Values[static_cast<std::size_t>(row * raster.Columns)]));
-  }
-  REQUIRE(mesh.Finish());
-  auto scene = vtkSmartPointer<vtkPolyData>::New();
-  mesh.MoveTo(scene);
-  return scene;
-}
 
 /// The number of triangles that are not the same bytes in the height field and in the mesh.
 vtkIdType CountDifferences(const helios::HeightField& field, const helios::TriangleMesh& mesh)
@@ -52,7 +36,7 @@ void CheckRaster(const helios::HeightRaster& raster, vtkImageData* image)
   helios::HeightField field;
   REQUIRE(field.Set(image).IsOk());
   helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(MakeMesh(raster)).IsOk());
+  REQUIRE(mesh.Set(helios::MakeMesh(raster)).IsOk());
   REQUIRE(field.GetNumberOfTriangles() == mesh.GetNumberOfTriangles());
   CHECK(CountDifferences(field, mesh) == 0);
   double bounds[6], expected[6];
