@@ -354,8 +354,9 @@ void Cone::SetPlane(ConeCandidate& c) const
   const double* n = plane.Normal;
   const double spread = this->Tangent * std::sqrt(n[0] * n[0] + n[1] * n[1]) + c.NormalDoubt;
   const double least = n[2] - spread;
-  plane.Nearest = plane.Constant / (n[2] + spread);
-  plane.Farthest = least > 0.0 ? plane.Constant / least * (1 + Margin) : HUGE_VAL;
+  const double doubt = GetLargestLength(c) * c.NormalDoubt; // of the constant
+  plane.Nearest = std::max(0.0, plane.Constant - doubt) / (n[2] + spread);
+  plane.Farthest = least > 0.0 ? (plane.Constant + doubt) / least * (1 + Margin) : HUGE_VAL;
 }
 
 /// Whether the direction in which the plane of a candidate is nearest meets the candidate.
@@ -375,9 +376,13 @@ bool Cone::HoldsNearest(const ConeCandidate& c) const
 
 double Cone::GetNearestDepth(const ConeCandidate& c) const
 {
-  if (c.Covers || !c.IsBefore || this->HoldsNearest(c))
+  if (c.Covers || (c.IsBefore && this->HoldsNearest(c)))
   {
-    return c.IsBefore ? c.Surface.Nearest : 0.0;
+    return c.Surface.Nearest;
+  }
+  if (!c.IsBefore)
+  {
+    return 0.0;
   }
   // Else it is on an edge, along which 1 / depth is linear in the plane z = 1.
   double inverse = 0.0;

@@ -6,6 +6,7 @@
 #include "heliosConeWalk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -89,6 +90,7 @@ bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, 
       });
   queue.Finish(use);
   view.Farthest = this->Farthest;
+  this->DropHidden(view);
   view.Finish();
   return isWhole && view.Triangles.size() <= most;
 }
@@ -122,6 +124,30 @@ void ConeCollector::Add(const BeamTree& tree, vtkTypeInt32 triangle, double near
     this->Farthest =
       c.Surface.Nearest > nearest ? std::min(this->Farthest, c.Surface.Farthest) : this->Farthest;
   }
+}
+
+//------------------------------------------------------------------------------
+/// Drops triangles all of which in the cone is hidden: whether the tree returned them depends on its
+/// boxes.
+void ConeCollector::DropHidden(ConeView& view) const
+{
+  if (!(this->Farthest < HUGE_VAL))
+  {
+    return;
+  }
+  const auto isHidden = [this](const ConeTriangle& t)
+  {
+    ConeCandidate c;
+    std::copy_n(&t.Corners[0][0], 9, &c.Corners[0][0]);
+    if (!this->Shape.Touches(c))
+    {
+      return true;
+    }
+    this->Shape.SetPlane(c);
+    return this->Shape.GetNearestDepth(c) > this->Farthest;
+  };
+  view.Triangles.erase(
+    std::remove_if(view.Triangles.begin(), view.Triangles.end(), isHidden), view.Triangles.end());
 }
 
 } // namespace helios

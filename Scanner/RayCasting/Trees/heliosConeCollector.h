@@ -24,6 +24,7 @@ public:
 
 private:
   void Add(const BeamTree& tree, vtkTypeInt32 triangle, double nearest, ConeView& view);
+  void DropHidden(ConeView& view) const;
 
   Cone Shape;
   TestRay Axis;

@@ -176,6 +176,9 @@ std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const 
   const auto dot = [](const Point3& a, const Point3& b)
   { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   const auto getDepth = [&](const Point3& d) { return dot(normal, plane[0]) / dot(normal, d); };
+  // The error of a hit grows with the incidence, as that of a range: 8 u R / cos.
+  const auto getError = [&](const Point3& d, double rounding)
+  { return rounding * std::sqrt(dot(normal, normal) * dot(d, d)) / std::abs(dot(normal, d)); };
   const double rounding = 1e-9 * (isEmpty ? 1.0 : found.Range) +
     1e-15 * std::max({ cone.Apex[0], cone.Apex[1], cone.Apex[2] });
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -188,8 +191,8 @@ std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const 
     {
       const Vec3 d(rays[i].Direction);
       const Point3 local = frame.Get(cone.Apex + d * hits[i].Range);
-      const long double depth = getDepth({ local[0] / local[2], local[1] / local[2], 1 });
-      if (!(std::abs(local[2] - depth) <= tolerance + rounding))
+      const Point3 along = { local[0] / local[2], local[1] / local[2], 1 };
+      if (!(std::abs(local[2] - getDepth(along)) <= tolerance + getError(along, rounding)))
       {
         return "a ray is off the plane";
       }
