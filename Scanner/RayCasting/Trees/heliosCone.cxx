@@ -217,6 +217,7 @@ bool Cone::Touches(ConeCandidate& c) const
 {
   const auto& p = c.Corners;
   const double reach = GetLargestLength(c);
+  c.Reach = reach;
   if (std::max({ p[0][2], p[1][2], p[2][2] }) < -Error * reach)
   {
     return false;
@@ -354,7 +355,7 @@ void Cone::SetPlane(ConeCandidate& c) const
   const double* n = plane.Normal;
   const double spread = this->Tangent * std::sqrt(n[0] * n[0] + n[1] * n[1]) + c.NormalDoubt;
   const double least = n[2] - spread;
-  const double doubt = GetLargestLength(c) * c.NormalDoubt; // of the constant
+  const double doubt = c.Reach * c.NormalDoubt; // of the constant
   plane.Nearest = std::max(0.0, plane.Constant - doubt) / (n[2] + spread);
   plane.Farthest = least > 0.0 ? (plane.Constant + doubt) / least * (1 + Margin) : HUGE_VAL;
 }

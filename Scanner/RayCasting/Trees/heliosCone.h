@@ -27,6 +27,7 @@ struct ConeCandidate
   vtkTypeInt32 Triangle;
   double Points[3][3]; ///< the corners in the world
   double Corners[3][3];
+  double Reach;         ///< an upper bound of their distances
   double Edges[3][3];   ///< N_k, the cross product of the corners of the edge opposite corner k
   double Errors[3];     ///< of N_k . d
   double Flat[3][2];    ///< the corners in the plane z = 1, if the triangle is before the apex

@@ -90,8 +90,8 @@ bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, 
       });
   queue.Finish(use);
   view.Farthest = this->Farthest;
-  this->DropHidden(view);
   view.Finish();
+  this->DropHidden(view);
   return isWhole && view.Triangles.size() <= most;
 }
 
@@ -131,7 +131,7 @@ void ConeCollector::Add(const BeamTree& tree, vtkTypeInt32 triangle, double near
 /// boxes.
 void ConeCollector::DropHidden(ConeView& view) const
 {
-  if (!(this->Farthest < HUGE_VAL))
+  if (!(this->Farthest < HUGE_VAL) || view.Triangles.size() == 1)
   {
     return;
   }

@@ -376,7 +376,7 @@ int ConeTest::CountAtAxis() const
     }));
 }
 
-/// Sets a layer to the members, sorted by triangle.
+/// Sets a layer to the members, sorted by triangle. A tree of one leaf has it twice.
 void ConeTest::SetLayer(ConeLayer& layer) const
 {
   this->Shape.CopyFrame(layer.Frame);
@@ -385,7 +385,8 @@ void ConeTest::SetLayer(ConeLayer& layer) const
   {
     const Member& c = this->Members[i];
     const auto place = std::count_if(this->Members, this->Members + this->Count,
-      [&c](const Member& other) { return other.Triangle < c.Triangle; });
+      [&c](const Member& other)
+      { return other.Triangle < c.Triangle || (other.Triangle == c.Triangle && &other < &c); });
     ConeLayer::Piece& piece = layer.Pieces[place];
     piece.Cell = this->Tree->GetCell(c.Triangle);
     for (int edge = 0; edge < 3; ++edge)

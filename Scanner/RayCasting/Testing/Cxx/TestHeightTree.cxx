@@ -146,7 +146,8 @@ std::array<int, 3> CheckCones(const HeightScene& scene, const std::vector<vtkHel
 
 TEST_CASE("HeightTree: hits are those of the mesh, bit for bit", "[HeightTree]")
 {
-  for (const auto& [columns, rows] : { std::pair(4, 4), { 5, 90 }, { 63, 40 } })
+  for (const auto& [columns, rows] :
+    { std::pair(4, 4), { 3, 70 }, { 5, 90 }, { 131, 9 }, { 63, 40 } })
   {
     for (const HeightRaster& raster : MakeRasters(columns, rows))
     {
