@@ -376,7 +376,7 @@ int ConeTest::CountAtAxis() const
     }));
 }
 
-/// Sets a layer to the members, sorted by triangle. A tree of one leaf has it twice.
+/// Sets a layer to the members, sorted by triangle. A tree of one triangle has it twice.
 void ConeTest::SetLayer(ConeLayer& layer) const
 {
   this->Shape.CopyFrame(layer.Frame);

@@ -74,3 +74,24 @@ TEST_CASE("ConeOrder: a plane before more triangles than a probe holds", "[ConeO
   AddPlane(inTree, 10.0, 0.0, 3.0);
   CHECK(Probe(inTree, 0.01) == vtkHeliosConeHit::OnePlane);
 }
+
+TEST_CASE("ConeOrder: a layer is whole in a tree of one triangle, which has it twice", "[ConeOrder]")
+{
+  Soup soup;
+  AddPlane(soup, 10.0, 0.0, 3.0);
+  vtkNew<vtkHeliosBeamRayCaster> caster;
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  const double from[3] = { 0.1, 0.2, 0 };
+  const double axis[3] = { 0, 0, 1 };
+  helios::ConeLayer layer;
+  for (auto& piece : layer.Pieces)
+  {
+    piece.Cell = -7;
+  }
+  caster->GetConeProbe()->Probe(from, axis, 0.01, 0.1, &layer);
+  CHECK(layer.Size == 2);
+  for (int i = 0; i < layer.Size; ++i)
+  {
+    CHECK(layer.Pieces[i].Cell >= 0);
+  }
+}
