@@ -75,7 +75,8 @@ TEST_CASE("ConeOrder: a plane before more triangles than a probe holds", "[ConeO
   CHECK(Probe(inTree, 0.01) == vtkHeliosConeHit::OnePlane);
 }
 
-TEST_CASE("ConeOrder: a layer is whole in a tree of one triangle, which has it twice", "[ConeOrder]")
+TEST_CASE(
+  "ConeOrder: a layer is whole in a tree of one triangle, which has it twice", "[ConeOrder]")
 {
   Soup soup;
   AddPlane(soup, 10.0, 0.0, 3.0);
