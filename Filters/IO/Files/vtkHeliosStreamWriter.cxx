@@ -12,6 +12,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <fstream>
 #include <vector>
 
 namespace
@@ -19,6 +20,9 @@ namespace
 
 // Size of the text that one thread formats at a time [bytes].
 constexpr vtkIdType ChunkSize = 1 << 18;
+
+// Size of the text that is copied at a time [bytes].
+constexpr std::size_t CopySize = 1 << 20;
 
 /// Formats the rows of a block in rounds of chunks; one round is in memory at a time.
 class RowFormatter
@@ -398,6 +402,33 @@ bool vtkHeliosStreamWriter::WriteRows(vtkIdType count, vtkIdType bytesPerRow,
     vtkWarningMacro(<< this->GetOpenName() << ": " << count - rows.GetNumberOfRows() << " of "
                     << count << " records of a block have a number that is not finite: left out");
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::CopyRows(
+  const std::string& path, const helios::FileBlock& block, vtkIdType count)
+{
+  const vtkIdType start = this->GetFileSize();
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(block.Begin));
+  std::vector<char> bytes(CopySize);
+  for (std::uint64_t at = block.Begin; at < block.End; at += bytes.size())
+  {
+    bytes.resize(std::min<std::uint64_t>(CopySize, block.End - at));
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    {
+      return this->FailBlock(path + ": its bytes " + std::to_string(block.Begin) + " to " +
+          std::to_string(block.End) + " cannot be read",
+        start);
+    }
+    if (!this->WriteBytes(bytes.data(), bytes.size(), start))
+    {
+      return false;
+    }
+  }
+  this->NumberOfRecords += count;
+  this->NumberOfBytes += this->GetFileSize() - start;
   return true;
 }
 

@@ -136,6 +136,11 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
+   * Append the rows of a block of another file of the same text format, and their number.
+   */
+  bool CopyRows(const std::string& path, const helios::FileBlock& block, vtkIdType count);
+
+  /**
    * Get and clear the blocks written since the last call, Open() or Reopen(): the bytes in every
    * file, and their checksums.
    */

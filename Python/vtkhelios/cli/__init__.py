@@ -35,6 +35,7 @@ examples:
   vtkhelios run survey.xml                          run a survey; files go to ./output
   vtkhelios run survey.xml --assets my_scenes       also search my_scenes for scenes and scanners
   vtkhelios run --help                              all options and outputs of a run
+  vtkhelios join output/village                     join the parts of a run of several computers
   vtkhelios plan scene.xml                          find scan positions, write them as a survey
   vtkhelios validate survey.xml                     list all its errors and warnings
   vtkhelios tradeoff survey.xml                     accuracy against time, what its scene requires

@@ -18,6 +18,7 @@ from ..formats import FormatError
 from ..formats._summary import FINISHED, parse_summary
 from ._interrupt import Interrupt
 from ._messages import Messages
+from ._parser import number, part_of_run, whole_number
 from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
 from ._reading import missing_folder
@@ -57,6 +58,10 @@ interrupted runs:
   last blocks of the files have checksums: damage is an error; --check-all verifies the whole
   files. A finished run is not changed. See Docs/running.md.
 
+several computers:
+  --part K/N runs part K of N of the pulses, into a folder partKKKofNNN; vtkhelios join makes the
+  run of them, byte-identical to that of one process. See Docs/cluster.md.
+
 run time, points and bytes beforehand:
   --dry-run loads the scene, runs at most a tenth of the pulses, sampled over every leg, and
   estimates the whole run. It writes nothing. --json prints the estimate as JSON.
@@ -90,40 +95,11 @@ examples:
   vtkhelios run survey.xml --dry-run                     estimate time, points and bytes
   vtkhelios run survey.xml --resume                      continue an interrupted run
   vtkhelios run survey.xml --epoch 2                     only the third epoch, of a scene with swaps
+  vtkhelios run survey.xml --part 2/4                    the second quarter; then vtkhelios join
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
 2 wrong usage, 130 interrupted (Ctrl-C: the files written so far are valid; --resume continues).
 """
-
-
-def whole_number(highest, lowest=0):
-    """An argparse type: an integer from lowest to highest."""
-
-    def parse(text):
-        if not text.isascii() or not text.isdigit() or not lowest <= int(text) <= highest:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a whole number from {lowest} to {highest}"
-            )
-        return int(text)
-
-    return parse
-
-
-def number(lowest, highest):
-    """An argparse type: a number from lowest to highest."""
-
-    def parse(text):
-        try:
-            value = float(text)
-        except ValueError:
-            value = float("nan")
-        if not lowest <= value <= highest:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a number from {lowest:g} to {highest:g}"
-            )
-        return value
-
-    return parse
 
 
 def detectors():
@@ -160,6 +136,12 @@ def add_arguments(parser):
         type=whole_number(2**31 - 1),
         help="run only this epoch of a survey whose scene swaps parts; 0 is the first (default: "
         "all)",
+    )
+    parser.add_argument(
+        "--part",
+        metavar="K/N",
+        type=part_of_run,
+        help="run part K of N parts of the pulses, for vtkhelios join (default: the whole run)",
     )
     parser.add_argument(  # its former name
         "--play", dest="epoch", type=whole_number(2**31 - 1), help=argparse.SUPPRESS
@@ -329,23 +311,31 @@ def add_sampling_arguments(parser, options):
     )
 
 
-def run(arguments):
+def contradiction(arguments):
+    """Which arguments exclude each other, or None."""
     if arguments.sub_rays and (arguments.range_tolerance or arguments.energy_tolerance):
-        print(
-            "error: --sub-rays is a fixed number, and a tolerance makes the number adaptive: "
-            "give one of them",
-            file=sys.stderr,
+        return (
+            "--sub-rays is a fixed number, and a tolerance makes the number adaptive: "
+            "give one of them"
         )
-        return 2
     if arguments.waveforms_in_points and not (arguments.waveforms and arguments.format == "las"):
-        print(
-            "error: --waveforms-in-points needs --format las and --waveforms: give all three",
-            file=sys.stderr,
-        )
-        return 2
+        return "--waveforms-in-points needs --format las and --waveforms: give all three"
     if arguments.check_all and not arguments.resume:
-        print("error: --check-all needs --resume: give both", file=sys.stderr)
+        return "--check-all needs --resume: give both"
+    if arguments.dry_run and arguments.part:
+        return "--dry-run estimates the whole run: leave --part out"
+    return None
+
+
+def run(arguments):
+    if problem := contradiction(arguments):
+        print(f"error: {problem}", file=sys.stderr)
         return 2
+    return run_survey(arguments)
+
+
+def run_survey(arguments, parts=None):
+    """Runs the survey, or joins the folders of its parts, by epoch; returns the exit code."""
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         limit_memory(arguments)
@@ -353,10 +343,11 @@ def run(arguments):
         if survey is None:
             return 1
         player = make_player(arguments, survey, messages)
-        epochs = epochs_to_run(arguments, player, messages)
+        epochs = sorted(parts) if parts else epochs_to_run(arguments, player, messages)
         with Interrupt(player, messages) as interrupt:
             reports = []
             for epoch in epochs:
+                set_parts(player, parts[epoch] if parts else [])
                 code = run_epoch(arguments, player, epoch, messages, interrupt, reports)
                 if code:
                     return code
@@ -397,6 +388,10 @@ def make_player(arguments, survey, messages):
     player.SetWriteTruth(arguments.truth)
     player.SetWriteColumns(arguments.columns)
     player.SetSplitByChannel(arguments.split_by_channel)
+    if arguments.part:
+        player.SetPart(arguments.part[0])
+        player.SetNumberOfParts(arguments.part[1])
+        player.SetPartCommand(to_vtk(command_of_part(arguments)))
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
     options = player.GetOptions()
     options.SetRangeTolerance(arguments.range_tolerance)
@@ -413,6 +408,22 @@ def make_player(arguments, survey, messages):
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
+
+
+def command_of_part(arguments):
+    """What determines the output, as JSON: for vtkhelios join."""
+    host = (
+        "command run part epoch output overwrite resume check_all dry_run threads memory json quiet"
+    )
+    options = {name: value for name, value in vars(arguments).items() if name not in host.split()}
+    return json.dumps({"folder": os.getcwd(), "options": options})
+
+
+def set_parts(player, folders):
+    """Sets the folders of parts that the player joins."""
+    player.ClearPartFolders()
+    for folder in folders:
+        player.AddPartFolder(to_vtk(folder))
 
 
 def epochs_to_run(arguments, player, messages):

@@ -11,6 +11,8 @@
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
 
+#include <vtkTable.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -54,6 +56,21 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
     writer = text;
   }
   return writer;
+}
+
+//------------------------------------------------------------------------------
+bool WriteOutput(const LegOutput& output, const OutputGetter& get)
+{
+  auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
+  if (!las || !las->GetWriteWaveforms())
+  {
+    return output.Writer->Write(get(output.Port, output.Channel));
+  }
+  const vtkSmartPointer<vtkDataObject> waveforms = get(WaveformPort, output.Channel);
+  las->SetWaveforms(vtkTable::SafeDownCast(waveforms));
+  const bool isWritten = las->Write(get(EchoPort, output.Channel));
+  las->SetWaveforms(nullptr); // releases their memory
+  return isWritten;
 }
 
 //------------------------------------------------------------------------------

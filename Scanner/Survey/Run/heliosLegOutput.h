@@ -8,8 +8,10 @@
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosStreamWriter.h"
 
+#include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,12 @@ using LegOutputs = std::vector<LegOutput>;
 
 /// The writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
+
+/// Gets a block: a port of the scanner, of a channel or of AllChannels.
+using OutputGetter = std::function<vtkSmartPointer<vtkDataObject>(int port, std::size_t channel)>;
+
+/// Writes a block; false after an error.
+bool WriteOutput(const LegOutput& output, const OutputGetter& get);
 
 /// The file name of a writer, without the folder.
 std::string GetName(vtkHeliosStreamWriter* writer);

@@ -5,18 +5,13 @@
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
-#include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
-#include "vtkHeliosPointXMLWriter.h"
 #include "vtkHeliosRunFiles.h"
-#include "vtkHeliosTrajectoryTextWriter.h"
 
 #include <vtkPolyData.h>
-#include <vtkTable.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <future>
 #include <limits>
 
@@ -59,6 +54,7 @@ LegRunner::LegRunner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
+  , Files(survey, settings.Part.IsSet() ? MakePartSettings(settings) : settings)
   , Scene(scene)
   , Scanner(survey, scene, settings, log)
 {
@@ -92,7 +88,29 @@ bool LegRunner::Plan()
     }
     shots += plan.NumberOfPulses / static_cast<vtkIdType>(this->Scanner.GetNumberOfChannels());
   }
+  DivideIntoBlocks(this->Plans, this->Settings.PulsesPerBlock);
+  this->NumberOfPulsesToRun = this->NumberOfPulses;
+  if (this->Settings.Part.IsSet())
+  {
+    this->SelectPart();
+  }
   return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+/// Leaves the blocks of the part.
+void LegRunner::SelectPart()
+{
+  this->Plans = helios::SelectPart(this->Plans, this->Settings.Part);
+  this->FirstPulse = this->NumberOfPulsesToRun = 0;
+  if (!this->Plans.empty())
+  {
+    const LegPlan& first = this->Plans.front();
+    const LegPlan& last = this->Plans.back();
+    this->FirstPulse = first.FirstPulse + first.CountPulsesBefore(first.FirstBlock);
+    this->NumberOfPulsesToRun =
+      last.FirstPulse + last.CountPulsesBefore(last.EndBlock) - this->FirstPulse;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -110,64 +128,15 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan, const RunOptions& options)
 }
 
 //------------------------------------------------------------------------------
-std::string LegRunner::MakeFileName(const LegPlan& plan, int kind, const std::string& channel) const
-{
-  using Files = vtkHeliosRunFiles;
-  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
-  const std::string stem =
-    strip.empty() ? Files::GetLegStem(static_cast<int>(plan.Leg)) : Files::GetStripStem(strip);
-  const std::string name = Files::GetFileName(stem, kind, this->Settings.Format, channel);
-  return (std::filesystem::path(this->Settings.Folder) / name).string();
-}
-
-//------------------------------------------------------------------------------
 LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
-  Outputs outputs;
-  this->AddOutputs(plan, EchoPort, outputs);
-  if (this->Settings.Waveforms && !this->Settings.WaveformsInPoints)
-  {
-    this->AddOutputs(plan, WaveformPort, outputs);
-  }
-  if (this->Settings.Pulses)
-  {
-    this->AddOutputs(plan, PulsePort, outputs);
-  }
-  return outputs;
-}
-
-//------------------------------------------------------------------------------
-/// One file of a port, or one per channel.
-void LegRunner::AddOutputs(const LegPlan& plan, int port, Outputs& outputs) const
-{
-  const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
-  const std::size_t channels = scanner.GetNumberOfChannels();
-  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
-  for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
-  {
-    const std::string channel = isSplit ? scanner.GetChannel(k).Channel : "";
-    LegOutput output{ MakeWriter(port, this->Settings), port,
-      isSplit ? k : LegOutput::AllChannels };
-    output.Writer->SetFileName(this->MakeFileName(plan, port, channel).c_str());
-    outputs.push_back(output);
-  }
+  return this->Files.MakeOutputs(plan);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
 {
-  const bool isXml = this->Settings.Format == "vtp";
-  vtkSmartPointer<vtkHeliosStreamWriter> writer;
-  if (isXml)
-  {
-    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-  }
-  else
-  {
-    writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
-  }
-  writer->SetFileName(this->MakeFileName(plan, vtkHeliosRunFiles::TRAJECTORY).c_str());
-  return writer;
+  return this->Files.MakeTrajectoryWriter(plan);
 }
 
 //------------------------------------------------------------------------------
@@ -260,8 +229,9 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
+  const bool hasTrajectory = !this->Settings.Part.IsSet(); // of a part, by those who join it
   bool good = this->OpenAll(outputs, journal) &&
-    this->WriteTrajectory(plan, journal, onBlock, trajectory) &&
+    (!hasTrajectory || this->WriteTrajectory(plan, journal, onBlock, trajectory)) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
@@ -279,7 +249,10 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     done.Files = CollectProgress(
       outputs, true); // with the footer of an index; the next leg of a strip continues before it
   }
-  done.Files.push_back(trajectory);
+  if (hasTrajectory)
+  {
+    done.Files.push_back(trajectory);
+  }
   return this->Check(journal.Append(plan.Leg, done));
 }
 
@@ -287,33 +260,27 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
 bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
-  const vtkIdType size = this->Settings.PulsesPerBlock;
-  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
-  if (count > std::numeric_limits<int>::max())
+  if (plan.NumberOfBlocks > std::numeric_limits<int>::max())
   {
     this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
       " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
     return false;
   }
-  const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
   // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
   std::future<Status> noted;
   const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
-  for (int block = progress.Blocks; block < blocks; ++block)
+  for (vtkIdType block = plan.FirstBlock + progress.Blocks; block < plan.EndBlock; ++block)
   {
-    const bool isComputed = this->Scanner.Update(block, blocks);
-    if (!isNoted() || !isComputed || !this->Write(outputs))
+    const bool isComputed = this->Source->Compute(plan, block);
+    if (!isNoted() || !isComputed || !this->Source->Write(outputs))
     {
       return false;
     }
-    const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
-      plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->Counts.Pulses = plan.FirstPulse + done;
-    this->Scanner.Count(this->Counts);
-    this->Scanner.ReleaseOutput();
-    progress.Blocks = block + 1;
+    this->Source->Count(this->Counts);
+    this->Counts.Pulses = plan.FirstPulse + plan.CountPulsesBefore(block + 1) - this->FirstPulse;
+    ++progress.Blocks;
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
     noted = std::async(std::launch::async,
@@ -329,27 +296,29 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Write(const Outputs& outputs) const
+bool LegRunner::Write(const Outputs& outputs)
 {
-  const auto get = [this](const LegOutput& output, int port)
+  const auto get = [this](int port, std::size_t channel)
   {
-    return output.Channel == LegOutput::AllChannels
+    return channel == LegOutput::AllChannels
       ? this->Scanner.GetOutput(port)
-      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, output.Channel));
+      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, channel));
   };
   return std::all_of(outputs.begin(), outputs.end(),
-    [this, &get](const LegOutput& output)
-    {
-      auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
-      if (!las || !las->GetWriteWaveforms())
-      {
-        return output.Writer->Write(get(output, output.Port));
-      }
-      las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
-      const bool isWritten = las->Write(get(output, EchoPort));
-      las->SetWaveforms(nullptr); // releases their memory
-      return isWritten;
-    });
+    [&get](const LegOutput& output) { return WriteOutput(output, get); });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Compute(const LegPlan& plan, vtkIdType block)
+{
+  return this->Scanner.Update(static_cast<int>(block), static_cast<int>(plan.NumberOfBlocks));
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Count(ScanCounts& counts)
+{
+  this->Scanner.Count(counts);
+  this->Scanner.ReleaseOutput();
 }
 
 //------------------------------------------------------------------------------
