@@ -76,7 +76,7 @@ def _load_modules():
     """Imports every wrapped module of the build and returns the names of its classes."""
     names = []
     for info in pkgutil.iter_modules(__path__):
-        if info.name.startswith("vtkHelios"):
+        if info.name.startswith("vtkHelios") and info.name != "vtkHeliosScannerMpi":  # loads MPI
             module = importlib.import_module(f"{__name__}.{info.name}")
             public = [name for name in vars(module) if name.startswith("vtkHelios")]
             globals().update({name: getattr(module, name) for name in public})

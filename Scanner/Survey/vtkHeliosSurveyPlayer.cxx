@@ -5,6 +5,9 @@
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosPartReader.h"
+#include "heliosRankBlocks.h"
+#include "heliosRankServer.h"
+#include "heliosRankWorker.h"
 #include "heliosRunAccuracy.h"
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
@@ -14,6 +17,8 @@
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"
 #include "heliosSurveyLoader.h"
+#include "vtkHeliosRanks.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
@@ -60,6 +65,9 @@ public:
   /// Reports the estimated time and output of Run().
   bool Estimate();
 
+  /// Computes blocks for rank 0 until it ends the service.
+  bool Serve();
+
 private:
   bool CheckSettings();
   bool CheckFormat();
@@ -67,6 +75,8 @@ private:
   bool Check(const helios::Status& status);
   bool OpenParts();
   bool FindBlocks();
+  bool StartRanks();
+  bool LoadForRank(int epoch);
   const helios::SurveyData& GetSurvey() const
   {
     return this->Player->Source->GetLoader().GetSurvey();
@@ -96,7 +106,9 @@ private:
   bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
   std::unique_ptr<helios::RunJournal> Journal;
-  std::unique_ptr<helios::PartReader> Parts; // null: pulses are computed
+  std::unique_ptr<helios::PartReader> Parts;      // null: pulses are computed
+  std::unique_ptr<helios::RankBlocks> RankSource; // null: by this process
+  std::unique_ptr<helios::RankWorker> Worker;     // of a rank other than 0
   std::unique_ptr<helios::LegRunner> Runner;
   Json::Value Fingerprint;
   double LoadSeconds = 0.0;
@@ -115,8 +127,8 @@ bool vtkHeliosSurveyPlayer::Internals::Run()
   {
     return this->ConcludeFinished();
   }
-  return this->OpenParts() && this->Load() && this->Plan() && this->Begin() && this->RunLegs() &&
-    this->Conclude();
+  return this->OpenParts() && this->StartRanks() && this->Load() && this->Plan() && this->Begin() &&
+    this->RunLegs() && this->Conclude();
 }
 
 //------------------------------------------------------------------------------
@@ -373,6 +385,11 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
   {
     return false;
   }
+  if (this->RankSource)
+  {
+    this->RankSource->SetRun(this->Runner->GetPlans(), this->Fingerprint);
+    this->Runner->SetSource(this->RankSource.get());
+  }
   if (this->Resumes)
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint()) && this->CheckEarlierFiles();
@@ -546,6 +563,66 @@ bool vtkHeliosSurveyPlayer::Internals::Fail()
 }
 
 //------------------------------------------------------------------------------
+/// Lets other ranks load the survey, too.
+bool vtkHeliosSurveyPlayer::Internals::StartRanks()
+{
+  vtkHeliosRanks* ranks = this->Player->Ranks;
+  if (!ranks || ranks->GetNumberOfRanks() < 2 || this->Parts)
+  {
+    return true;
+  }
+  this->RankSource = std::make_unique<helios::RankBlocks>(ranks,
+    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), this->Log,
+    [this] { return this->ReportStep(this->Player->Message); });
+  return this->RankSource->Begin(this->Settings.Options.Epoch) || this->Fail();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Serve()
+{
+  vtkHeliosRanks* ranks = this->Player->Ranks;
+  if (!ranks || ranks->GetRank() == 0)
+  {
+    return this->Fail("Serve() is for ranks above 0: set Ranks, and call Run() of rank 0.");
+  }
+  helios::RankServer server(ranks);
+  const auto load = [this](int epoch)
+  {
+    helios::RankServer::Service service;
+    service.Worker = this->LoadForRank(epoch) ? this->Worker.get() : nullptr;
+    service.Fingerprint = helios::ToLine(this->Fingerprint);
+    service.Error = this->Log.GetLastError();
+    return service;
+  };
+  const helios::Status status = server.Serve(load, this->Player->AbortRequested);
+  return status.IsOk() ? !this->Player->AbortRequested : this->Fail(status.Message());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::LoadForRank(int epoch)
+{
+  this->Worker.reset();
+  this->Runner.reset();
+  this->Player->GetOptions()->SetEpoch(epoch);
+  this->Settings = {};
+  if (!this->CheckSettings())
+  {
+    return false;
+  }
+  this->Settings.Part = {}; // rank 0 says which blocks
+  this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
+  if (!this->Load() || !this->Plan())
+  {
+    return false;
+  }
+  this->HashScene();
+  this->Worker = std::make_unique<helios::RankWorker>(
+    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), *this->Runner,
+    this->Log);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 vtkHeliosSurveyPlayer::vtkHeliosSurveyPlayer()
   : Source(vtkSmartPointer<vtkHeliosSurveySource>::New())
   , Counts(new helios::ScanCounts)
@@ -695,6 +772,28 @@ bool vtkHeliosSurveyPlayer::Estimate()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Serve()
+{
+  return this->Attempt(&Internals::Serve);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::SetRanks(vtkHeliosRanks* ranks)
+{
+  if (this->Ranks != ranks)
+  {
+    this->Ranks = ranks;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRanks* vtkHeliosSurveyPlayer::GetRanks() const
+{
+  return this->Ranks;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -714,6 +813,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Part: " << this->Part << " of " << this->NumberOfParts << "\n"
      << indent << "PartCommand: " << this->PartCommand << "\n"
      << indent << "PartFolders: " << this->PartFolders.size() << "\n"
+     << indent << "Ranks: " << (this->Ranks ? this->Ranks->GetNumberOfRanks() : 1) << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
      << indent << "BytesToCheck: " << this->BytesToCheck << "\n"
      << indent << "Progress: " << this->Progress << "\n"

@@ -48,13 +48,14 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the source
+#include "vtkSmartPointer.h" // For the source and the ranks
 
 #include <atomic> // For Abort()
 #include <memory> // For the counts
 #include <string> // For the message
 #include <vector> // For the parts
 
+class vtkHeliosRanks;
 class vtkHeliosRunOptions;
 class vtkHeliosSurvey;
 class vtkHeliosSurveySource;
@@ -271,6 +272,23 @@ public:
   int GetNumberOfPartFolders() const { return static_cast<int>(this->PartFolders.size()); }
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the processes that share the run: rank 0 calls Run(), which gives blocks of pulses to the
+   * other ranks and writes them in order, and Dismiss() of the ranks when no run follows; the others
+   * call Serve(). All have the same survey and options. Files are byte-identical for any number of
+   * ranks, which may change with Resume. Default: null, one process.
+   */
+  void SetRanks(vtkHeliosRanks* ranks);
+  vtkHeliosRanks* GetRanks() const;
+  ///@}
+
+  /**
+   * Computes blocks for the runs of rank 0 until it dismisses its ranks. Returns false after an error
+   * and after Abort(). Errors of the survey are reported by rank 0.
+   */
+  bool Serve();
+
   /**
    * Runs the survey. Returns false after an error, after Abort(), and if the run has no points;
    * GetMessage() gives the reason, and what is kept.
@@ -339,6 +357,7 @@ private:
   friend class Internals;
 
   vtkSmartPointer<vtkHeliosSurveySource> Source;
+  vtkSmartPointer<vtkHeliosRanks> Ranks;
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
   bool WriteWaveforms = false;

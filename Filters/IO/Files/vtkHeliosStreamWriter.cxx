@@ -386,8 +386,15 @@ bool vtkHeliosStreamWriter::WriteRows(vtkIdType count, vtkIdType bytesPerRow,
 {
   const vtkIdType size = this->GetFileSize();
   RowFormatter rows(count, bytesPerRow, format);
-  const auto append = [this](const helios::TextBuffer& text)
-  { return this->File->Append(text.GetText(), text.GetSize()); };
+  std::string* block = this->CountOnly ? this->BlockText : nullptr;
+  const auto append = [this, block](const helios::TextBuffer& text)
+  {
+    if (block)
+    {
+      block->append(text.GetText(), text.GetSize());
+    }
+    return this->File->Append(text.GetText(), text.GetSize());
+  };
   while (rows.HasRows())
   {
     if (!rows.NextRound(append))
@@ -429,6 +436,18 @@ bool vtkHeliosStreamWriter::CopyRows(
   }
   this->NumberOfRecords += count;
   this->NumberOfBytes += this->GetFileSize() - start;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::CopyRows(const std::string& rows, vtkIdType count)
+{
+  if (!this->WriteBytes(rows.data(), rows.size(), this->GetFileSize()))
+  {
+    return false;
+  }
+  this->NumberOfRecords += count;
+  this->NumberOfBytes += static_cast<vtkIdType>(rows.size());
   return true;
 }
 

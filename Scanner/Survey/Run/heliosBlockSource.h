@@ -15,17 +15,18 @@ namespace helios
 struct LegPlan;
 struct ScanCounts;
 
-/// Gives the blocks of the legs in order. Functions return false after an error.
+/// Gives the blocks of the legs in order.
 class BlockSource
 {
 public:
   virtual ~BlockSource() = default;
 
-  /// Computes or reads a block of a leg, while the one before is flushed to disk.
+  /// Computes, reads or receives a block of a leg, while the one before is flushed to disk; false
+  /// after an error, or to stop.
   virtual bool Compute(const LegPlan& plan, vtkIdType block) = 0;
 
-  /// Writes that block.
-  virtual bool Write(const LegOutputs& outputs) = 0;
+  /// What the outputs of a run have of that block.
+  virtual LegPiece Collect(const LegOutputs& outputs) = 0;
 
   /// Adds the counts of that block, other than pulses, and releases its memory.
   virtual void Count(ScanCounts& counts) = 0;

@@ -4,9 +4,15 @@
 
 #include "heliosSurveyData.h"
 #include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
+#include "vtkHeliosXMLPieceWriter.h"
 
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
 #include <filesystem>
 
 namespace helios
@@ -79,6 +85,20 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegFiles::MakeTrajectoryWriter(const LegP
   }
   writer->SetFileName(this->MakeFileName(plan, vtkHeliosRunFiles::TRAJECTORY).c_str());
   return writer;
+}
+
+//------------------------------------------------------------------------------
+const LegOutput& FindOutput(const LegOutputs& files, const LegOutput& output)
+{
+  return *std::find_if(files.begin(), files.end(),
+    [&output](const LegOutput& file)
+    { return file.Port == output.Port && file.Channel == output.Channel; });
+}
+
+//------------------------------------------------------------------------------
+bool IsXml(const LegOutput& file)
+{
+  return vtkHeliosXMLPieceWriter::SafeDownCast(file.Writer) != nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -39,6 +39,12 @@ private:
   RunSettings Settings;
 };
 
+/// The file of a part with the port and channel of an output of the run.
+const LegOutput& FindOutput(const LegOutputs& files, const LegOutput& output);
+
+/// Whether a file is an index of VTK XML.
+bool IsXml(const LegOutput& file);
+
 /// The settings of the files of parts. Text is that of the run. LAS is VTK XML, which has the exact
 /// numbers: the header of a LAS file, by which its points are rounded, depends on all parts.
 RunSettings MakePartSettings(RunSettings settings);

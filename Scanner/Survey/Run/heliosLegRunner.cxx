@@ -274,7 +274,7 @@ bool LegRunner::RunBlocks(
   for (vtkIdType block = plan.FirstBlock + progress.Blocks; block < plan.EndBlock; ++block)
   {
     const bool isComputed = this->Source->Compute(plan, block);
-    if (!isNoted() || !isComputed || !this->Source->Write(outputs))
+    if (!isNoted() || !isComputed || !WriteOutputs(outputs, this->Source->Collect(outputs)))
     {
       return false;
     }
@@ -296,7 +296,7 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Write(const Outputs& outputs)
+LegPiece LegRunner::Collect(const Outputs& outputs)
 {
   const auto get = [this](int port, std::size_t channel)
   {
@@ -304,8 +304,18 @@ bool LegRunner::Write(const Outputs& outputs)
       ? this->Scanner.GetOutput(port)
       : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, channel));
   };
-  return std::all_of(outputs.begin(), outputs.end(),
-    [&get](const LegOutput& output) { return WriteOutput(output, get); });
+  LegPiece piece;
+  for (const LegOutput& output : outputs)
+  {
+    piece.push_back(CollectPiece(output, get));
+  }
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Write(const Outputs& outputs)
+{
+  return WriteOutputs(outputs, this->Collect(outputs));
 }
 
 //------------------------------------------------------------------------------

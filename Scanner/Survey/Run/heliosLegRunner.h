@@ -83,9 +83,12 @@ public:
   ///@{
   /// Blocks of the scanner, which is set up for their leg.
   bool Compute(const LegPlan& plan, vtkIdType block) override;
-  bool Write(const Outputs& outputs) override;
+  LegPiece Collect(const Outputs& outputs) override;
   void Count(ScanCounts& counts) override;
   ///@}
+
+  /// Writes the output of the scanner; false after an error.
+  bool Write(const Outputs& outputs);
 
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;

@@ -5,9 +5,11 @@
 #include "heliosMessages.h"
 #include "heliosRunFingerprint.h"
 #include "vtkHeliosPointXMLReader.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosWaveformXMLReader.h"
 #include "vtkHeliosXMLPieceWriter.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -19,11 +21,6 @@ namespace helios
 
 namespace
 {
-
-bool IsXml(const LegOutput& file)
-{
-  return vtkHeliosXMLPieceWriter::SafeDownCast(file.Writer) != nullptr;
-}
 
 /// Reads a piece; null after an error.
 template <typename ReaderT>
@@ -210,30 +207,36 @@ bool PartReader::ReadPiece(const LegOutput& file)
 }
 
 //------------------------------------------------------------------------------
-bool PartReader::Write(const LegOutputs& outputs)
+LegPiece PartReader::Collect(const LegOutputs& outputs)
 {
-  return std::all_of(outputs.begin(), outputs.end(),
-    [this](const LegOutput& output) { return this->WriteOne(output); });
+  LegPiece piece;
+  for (const LegOutput& output : outputs)
+  {
+    piece.push_back(this->CollectOne(output));
+  }
+  return piece;
 }
 
 //------------------------------------------------------------------------------
-/// Writes the piece of an output, if it has records, or copies its rows.
-bool PartReader::WriteOne(const LegOutput& output)
+/// The data of VTK XML, or the rows of text.
+OutputPiece PartReader::CollectOne(const LegOutput& output)
 {
-  const auto file = std::find_if(this->CurrentFiles.begin(), this->CurrentFiles.end(),
-    [&output](const LegOutput& each)
-    { return each.Port == output.Port && each.Channel == output.Channel; });
-  if (IsXml(*file))
+  const LegOutput& file = FindOutput(this->CurrentFiles, output);
+  if (IsXml(file))
   {
-    const auto get = [this](int port, std::size_t channel) {
-      return this->Pieces[{ port, channel }];
-    };
-    return !get(output.Port, output.Channel) || WriteOutput(output, get);
+    return CollectPiece(output,
+      [this](int port, std::size_t channel) {
+        return this->Pieces[{ port, channel }];
+      });
   }
-  const FileProgress progress = this->FindFile(*file);
-  return progress.Blocks.empty() ||
-    output.Writer->CopyRows(
-      this->Current->Part->FindFile(progress.Name), progress.Blocks.front(), progress.Records);
+  const FileProgress progress = this->FindFile(file);
+  OutputPiece piece;
+  if (!progress.Blocks.empty())
+  {
+    piece.Rows = { progress.Records, this->Current->Part->FindFile(progress.Name),
+      progress.Blocks.front(), {} };
+  }
+  return piece;
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ public:
   Status FindBlocks(const std::vector<LegPlan>& plans);
 
   bool Compute(const LegPlan& plan, vtkIdType block) override;
-  bool Write(const LegOutputs& outputs) override;
+  LegPiece Collect(const LegOutputs& outputs) override;
   void Count(ScanCounts& counts) override;
 
 private:
@@ -58,7 +58,7 @@ private:
   bool Check(const Status& status);
   FileProgress FindFile(const LegOutput& file) const;
   bool ReadPiece(const LegOutput& file);
-  bool WriteOne(const LegOutput& output);
+  OutputPiece CollectOne(const LegOutput& output);
 
   LegFiles Files;
   Messages& Log;
