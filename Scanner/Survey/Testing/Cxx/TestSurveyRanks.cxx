@@ -273,6 +273,20 @@ TEST_CASE("SurveyRanks: an abort while no block arrives", "[SurveyRanks]")
   cluster.Start();
 }
 
+TEST_CASE("SurveyRanks: messages of an earlier run are ignored", "[SurveyRanks]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Cluster cluster(files, reading, { "xyz" }, 2);
+  helios::RankMessage late(helios::RankMessage::Fault);
+  late.Run = -1;
+  late.Error = "late";
+  cluster.Office.Boxes[0].emplace_back(1, late.Encode());
+  cluster.Start();
+  CHECK(cluster.Main.Player->Run());
+  CHECK(cluster.Main.Log->Errors.empty());
+}
+
 TEST_CASE("SurveyRanks: errors name the rank", "[SurveyRanks]")
 {
   const Files files;
