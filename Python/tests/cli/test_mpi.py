@@ -138,6 +138,26 @@ def test_errors_end_all_ranks(make_survey, tmp_path):
 
 
 @needs_mpi
+def test_epochs_and_parts(make_survey, command_line, tmp_path):
+    survey = make_survey()
+    scene = (tmp_path / "scene.xml").read_text()
+    swap = '<swap><filter type="translate"><param type="vec3" key="offset" value="0;0;1"/></filter></swap>'
+    (tmp_path / "scene.xml").write_text(scene.replace("</part>", f"{swap}</part>"))
+    done = command_line("run", survey, "--output", tmp_path / "whole", *OPTIONS)
+    assert done.returncode == 0, done
+    assert run_ranks(3, survey, tmp_path / "out").returncode == 0
+    for part in ("1/2", "2/2"):
+        done = run_ranks(2, survey, tmp_path / "parts", "--part", part)
+        assert done.returncode == 0, done
+    done = command_line("join", tmp_path / "parts/plane")
+    assert done.returncode == 0, done
+    for epoch in ("play000", "play001"):
+        whole = digests(tmp_path / "whole/plane" / epoch)
+        assert digests(tmp_path / "out/plane" / epoch) == whole
+        assert digests(tmp_path / "parts/plane" / epoch) == whole
+
+
+@needs_mpi
 def test_estimates_and_wrong_usage(make_survey, tmp_path):
     survey = make_survey()
     done = run_ranks(2, survey, tmp_path / "out", "--dry-run")

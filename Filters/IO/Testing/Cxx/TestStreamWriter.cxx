@@ -462,6 +462,28 @@ TEST_CASE("StreamWriter: count only: nothing is written", "[StreamWriter]")
   CHECK(bytes[0] == static_cast<vtkIdType>(fs::file_size(path)));
 }
 
+TEST_CASE("StreamWriter: the text of a block, copied to a file", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  std::string text;
+  vtkNew<vtkHeliosPointTextWriter> counting;
+  counting->SetFileName((folder / "a/nothing.xyz").c_str());
+  counting->CountOnlyOn();
+  counting->SetBlockText(&text);
+  REQUIRE((counting->Open() && counting->Write(helios::MakeEchoes(30000)) && counting->Abandon()));
+  CHECK_FALSE(fs::exists(folder / "a"));
+  vtkNew<vtkHeliosPointTextWriter> copy;
+  copy->SetFileName((folder / "copy.xyz").c_str());
+  REQUIRE((copy->Open() && copy->CopyRows(text, 30000) && copy->Close()));
+  CHECK(copy->GetNumberOfRecords() == 30000);
+  CHECK(copy->GetNumberOfBytes() == static_cast<vtkIdType>(text.size()));
+  vtkNew<vtkHeliosPointTextWriter> expected;
+  expected->SetFileName((folder / "expected.xyz").c_str());
+  REQUIRE((expected->Open() && expected->Write(helios::MakeEchoes(30000)) && expected->Close()));
+  CHECK(text == helios::ReadText(folder / "expected.xyz"));
+  CHECK(helios::ReadText(folder / "copy.xyz") == text);
+}
+
 TEST_CASE("StreamWriter: a disk that is full at the start", "[StreamWriter]")
 {
   const helios::TempFolder folder;
