@@ -165,6 +165,15 @@ def test_estimates_and_wrong_usage(make_survey, tmp_path):
     assert run_ranks(2, survey, tmp_path / "out", "--check-all").returncode == 2
 
 
+def test_one_process_does_not_load_mpi():
+    code = "import vtkhelios, vtkhelios.cli.run; vtkhelios.__all__; print(open('/proc/self/maps').read())"
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", code], env=ENVIRONMENT, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done
+    assert "libvtkHeliosScannerSurvey" in done.stdout and "ScannerMpi" not in done.stdout
+
+
 def test_number_of_processes():
     assert count_started({}) == 1
     assert count_started({"OMPI_COMM_WORLD_SIZE": "4"}) == 4
