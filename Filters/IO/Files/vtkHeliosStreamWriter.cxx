@@ -18,7 +18,7 @@ namespace
 {
 
 // Size of the text that one thread formats at a time [bytes].
-constexpr vtkIdType ChunkSize = 1 << 18;
+constexpr vtkIdType ChunkSize = 1 << 16;
 
 /// Formats the rows of a block in rounds of chunks; one round is in memory at a time.
 class RowFormatter
@@ -192,7 +192,7 @@ bool vtkHeliosStreamWriter::Flush()
 //------------------------------------------------------------------------------
 std::string vtkHeliosStreamWriter::Sync()
 {
-  return this->File->Sync() ? std::string() : this->File->GetProblem();
+  return this->File->Sync().Message();
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,29 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
 }
 
 //------------------------------------------------------------------------------
+bool LegOutput::Write(const OutputPiece& piece) const
+{
+  auto* las = vtkHeliosLASWriter::SafeDownCast(this->Writer);
+  if (las)
+  {
+    las->SetWaveforms(piece.Waveforms);
+  }
+  const bool isWritten = this->Writer->Write(piece.Data);
+  if (las)
+  {
+    las->SetWaveforms(nullptr); // releases their memory
+  }
+  return isWritten;
+}
+
+//------------------------------------------------------------------------------
+bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece)
+{
+  return std::equal(outputs.begin(), outputs.end(), piece.begin(),
+    [](const LegOutput& output, const OutputPiece& part) { return output.Write(part); });
+}
+
+//------------------------------------------------------------------------------
 std::string GetName(vtkHeliosStreamWriter* writer)
 {
   return std::filesystem::path(writer->GetFileName()).filename().string();

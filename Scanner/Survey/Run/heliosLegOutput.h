@@ -8,8 +8,11 @@
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosStreamWriter.h"
 
+#include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,10 +27,20 @@ constexpr int EchoPort = vtkHeliosRunFiles::POINTS;
 constexpr int WaveformPort = vtkHeliosRunFiles::WAVEFORMS;
 constexpr int PulsePort = vtkHeliosRunFiles::PULSES;
 
+/// What a writer writes at a time.
+struct OutputPiece
+{
+  vtkSmartPointer<vtkDataObject> Data;
+  vtkSmartPointer<vtkTable> Waveforms; ///< of LAS points that have them
+};
+
 /// A writer and its input: a port of the scanner, of all channels together or of one.
 struct LegOutput
 {
   static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
+
+  /// Writes a piece; false after an error.
+  bool Write(const OutputPiece& piece) const;
 
   vtkSmartPointer<vtkHeliosStreamWriter> Writer;
   int Port = 0;
@@ -35,6 +48,12 @@ struct LegOutput
 };
 
 using LegOutputs = std::vector<LegOutput>;
+
+/// A piece of every output of a leg.
+using LegPiece = std::vector<OutputPiece>;
+
+/// Writes a piece of every output; false after an error.
+bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece);
 
 /// The writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
+#include "heliosLegWriting.h"
 #include "heliosMessages.h"
+#include "heliosPulseCount.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
 #include "vtkHeliosLASWriter.h"
@@ -17,8 +19,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <future>
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace helios
 {
@@ -27,21 +30,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Journals the output once it is fsynced.
-Status CommitBlock(
-  const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
-{
-  progress.Files = CollectProgress(outputs, false);
-  for (const LegOutput& output : outputs)
-  {
-    const std::string problem = output.Writer->Sync();
-    if (!problem.empty())
-    {
-      return Status::Error(problem);
-    }
-  }
-  return journal.Append(leg, progress);
-}
+/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache.
+constexpr vtkIdType PulsesPerPiece = 32768;
 
 double Now()
 {
@@ -252,11 +242,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return true;
   }
-  if (!this->Check(journal.Check())) // does not recreate a removed folder
+  if (!CheckRun(journal.Check(), this->Log)) // does not recreate a removed folder
   {
     return false;
   }
   this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
+  const ScanCounts counts = this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
@@ -268,11 +259,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   {
     good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
   }
+  LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
   {
+    this->Counts = done.Blocks > 0 ? done.Counts : counts; // what is safe
     return false;
   }
-  LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
   if (isWhole)
   {
@@ -280,7 +272,14 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
       outputs, true); // with the footer of an index; the next leg of a strip continues before it
   }
   done.Files.push_back(trajectory);
-  return this->Check(journal.Append(plan.Leg, done));
+  return CheckRun(journal.Append(plan.Leg, done), this->Log);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType LegRunner::GetPulsesPerPiece() const
+{
+  const vtkIdType block = this->Settings.PulsesPerBlock;
+  return this->Settings.Format == "vtp" ? block : std::min(block, PulsesPerPiece);
 }
 
 //------------------------------------------------------------------------------
@@ -288,80 +287,99 @@ bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
-  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
-  if (count > std::numeric_limits<int>::max())
+  const vtkIdType parts = (size - 1) / this->GetPulsesPerPiece() + 1; // of a block
+  const vtkIdType blocks = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
+  if (blocks * parts > std::numeric_limits<int>::max())
   {
     this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
       " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
     return false;
   }
-  const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
-  // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
-  std::future<Status> noted;
-  const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
-  for (int block = progress.Blocks; block < blocks; ++block)
+  LegWriting writing(outputs, journal, plan.Leg, this->Log);
+  for (vtkIdType block = progress.Blocks; block < blocks; ++block)
   {
-    const bool isComputed = this->Scanner.Update(block, blocks);
-    if (!isNoted() || !isComputed || !this->Write(outputs))
+    const PieceRange pieces{ block * parts, (block + 1) * parts, blocks * parts };
+    const auto conclude = [&]
+    {
+      this->Counts.Pulses = plan.FirstPulse + SplitPulses(plan.NumberOfPulses, block + 1, blocks);
+      progress.Blocks = static_cast<int>(block) + 1;
+      progress.Counts = this->Counts;
+      progress.Seconds = Now() - start;
+      return progress;
+    };
+    if (!this->RunPieces(pieces, outputs, writing, conclude))
     {
       return false;
     }
-    const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
-      plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->Counts.Pulses = plan.FirstPulse + done;
-    this->Scanner.Count(this->Counts);
-    this->Scanner.ReleaseOutput();
-    progress.Blocks = block + 1;
-    progress.Counts = this->Counts;
-    progress.Seconds = Now() - start;
-    noted = std::async(std::launch::async,
-      [&outputs, &journal, &plan, progress]
-      { return CommitBlock(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
     {
-      isNoted();
+      writing.Finish();
       return false;
     }
   }
-  return isNoted();
+  return writing.Finish();
+}
+
+//------------------------------------------------------------------------------
+/// Computes pieces, and has them written.
+bool LegRunner::RunPieces(const PieceRange& pieces, const Outputs& outputs, LegWriting& writing,
+  const std::function<LegProgress()>& conclude)
+{
+  for (vtkIdType piece = pieces.First; piece < pieces.Last; ++piece)
+  {
+    if (!this->Scanner.Update(static_cast<int>(piece), static_cast<int>(pieces.Count)))
+    {
+      return false;
+    }
+    this->Scanner.Count(this->Counts);
+    const bool isLast = piece + 1 == pieces.Last;
+    if (!writing.Write(
+          this->CollectPiece(outputs), isLast ? std::make_optional(conclude()) : std::nullopt))
+    {
+      return false;
+    }
+    this->Scanner.ReleaseOutput();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The output of the scanner, which may then be released.
+LegPiece LegRunner::CollectPiece(const Outputs& outputs) const
+{
+  LegPiece piece;
+  for (const LegOutput& output : outputs)
+  {
+    auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
+    const bool hasWaveforms = las && las->GetWriteWaveforms();
+    OutputPiece part;
+    part.Data = this->CopyOutput(output, hasWaveforms ? EchoPort : output.Port);
+    part.Waveforms =
+      hasWaveforms ? vtkTable::SafeDownCast(this->CopyOutput(output, WaveformPort)) : nullptr;
+    piece.push_back(part);
+  }
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+/// A shallow copy.
+vtkSmartPointer<vtkDataObject> LegRunner::CopyOutput(const LegOutput& output, int port) const
+{
+  using Data = vtkSmartPointer<vtkDataObject>;
+  const bool isJoint = output.Channel == LegOutput::AllChannels;
+  const Data data =
+    isJoint ? this->Scanner.GetOutput(port) : Data(this->Scanner.GetOutput(port, output.Channel));
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
 }
 
 //------------------------------------------------------------------------------
 bool LegRunner::Write(const Outputs& outputs) const
 {
-  const auto get = [this](const LegOutput& output, int port)
-  {
-    return output.Channel == LegOutput::AllChannels
-      ? this->Scanner.GetOutput(port)
-      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, output.Channel));
-  };
-  return std::all_of(outputs.begin(), outputs.end(),
-    [this, &get](const LegOutput& output)
-    {
-      auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
-      if (!las || !las->GetWriteWaveforms())
-      {
-        return output.Writer->Write(get(output, output.Port));
-      }
-      las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
-      const bool isWritten = las->Write(get(output, EchoPort));
-      las->SetWaveforms(nullptr); // releases their memory
-      return isWritten;
-    });
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Check(const Status& status)
-{
-  if (!status.IsOk())
-  {
-    this->Log.Error(status.Message() +
-      "; check that the output folder exists and has free space, and continue with Resume "
-      "(--resume), or run again");
-  }
-  return status.IsOk();
+  return WriteOutputs(outputs, this->CollectPiece(outputs));
 }
 
 //------------------------------------------------------------------------------

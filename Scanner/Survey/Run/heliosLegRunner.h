@@ -24,9 +24,10 @@ class vtkPolyData;
 namespace helios
 {
 
+class LegWriting;
 class Messages;
 class RunJournal;
-class Status;
+struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
@@ -73,6 +74,9 @@ public:
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
+  /// The most pulses that are computed, then written at a time.
+  vtkIdType GetPulsesPerPiece() const;
+
   /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling();
 
@@ -85,6 +89,14 @@ public:
   std::string ExplainNoEchoes() const;
 
 private:
+  /// Pieces [First, Last) of the Count pieces of a leg.
+  struct PieceRange
+  {
+    vtkIdType First;
+    vtkIdType Last;
+    vtkIdType Count;
+  };
+
   /// The path of a file of a leg; channel is empty for all channels.
   std::string MakeFileName(
     const LegPlan& plan, int kind, const std::string& channel = std::string()) const;
@@ -96,7 +108,10 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool Check(const Status& status);
+  bool RunPieces(const PieceRange& pieces, const Outputs& outputs, LegWriting& writing,
+    const std::function<LegProgress()>& conclude);
+  LegPiece CollectPiece(const Outputs& outputs) const;
+  vtkSmartPointer<vtkDataObject> CopyOutput(const LegOutput& output, int port) const;
 
   const SurveyData& Survey;
   RunSettings Settings;
