@@ -87,14 +87,14 @@ void BatchSize::Adapt(double seconds, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
+ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
   const RunWatcher& goesOn, const ChunkSink& take)
 {
   const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   const vtkIdType size = ChooseChunkSize(last - first, threads);
   ChunkFunctor functor{ model, size, first, first, {}, {} };
   const auto count = static_cast<double>(last - first);
-  BatchSize batch(threads);
+  batch.SetThreads(threads);
   while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
   {
     functor.First = functor.Last;

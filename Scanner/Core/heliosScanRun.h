@@ -16,7 +16,7 @@
 // - A batch is as many chunks as take 0.05 to 0.5 s (BatchSize); then its records are appended to
 //   the output, and progress is reported.
 // - A chunk is 256 pulses, fewer in a small piece: PulseKernel::Run(), which fills one ChunkResult.
-// - A group is 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
+// - A group is up to 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
 //   sub-rays of each of its pulses are a bundle (BeamBundle).
 //
 // The output is byte-identical for any of these sizes.
@@ -52,11 +52,12 @@ using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
 class VTKHELIOSSCANNERCORE_EXPORT BatchSize
 {
 public:
-  explicit BatchSize(vtkIdType threads)
+  explicit BatchSize(vtkIdType threads = 1)
     : Threads(threads)
   {
   }
 
+  void SetThreads(vtkIdType threads) { this->Threads = threads; }
   vtkIdType GetChunks() const { return this->Threads * this->ChunksPerThread; }
 
   /// After a batch.
@@ -67,8 +68,9 @@ private:
   vtkIdType ChunksPerThread = 1;
 };
 
-/// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts them.
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
+/// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts
+/// them. The first batch is as large as the last one of the scan before.
+ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
   const RunWatcher& goesOn, const ChunkSink& take);
 
 } // namespace helios
