@@ -140,7 +140,7 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
   {
     return this->Fail();
   }
-  helios::RunEstimate estimate(*this->Runner, this->Settings, this->LoadSeconds);
+  helios::RunEstimate estimate(*this->Runner, this->LoadSeconds);
   const bool isWhole = estimate.Make(
     [this](double share)
     {
@@ -412,6 +412,7 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
     if (!this->ReportStep("running leg " + std::to_string(plan.Leg)) ||
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
+      this->SetCounts(this->Runner->GetCounts());
       const std::string error = this->Log.GetLastError();
       const std::string kept = this->DescribeKept();
       if (!error.empty())

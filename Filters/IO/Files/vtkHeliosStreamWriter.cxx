@@ -19,7 +19,7 @@ namespace
 {
 
 // Size of the text that one thread formats at a time [bytes].
-constexpr vtkIdType ChunkSize = 1 << 18;
+constexpr vtkIdType ChunkSize = 1 << 16;
 
 // Size of the text that is copied at a time [bytes].
 constexpr std::size_t CopySize = 1 << 20;
@@ -196,7 +196,7 @@ bool vtkHeliosStreamWriter::Flush()
 //------------------------------------------------------------------------------
 std::string vtkHeliosStreamWriter::Sync()
 {
-  return this->File->Sync() ? std::string() : this->File->GetProblem();
+  return this->File->Sync().Message();
 }
 
 //------------------------------------------------------------------------------

@@ -102,8 +102,8 @@ public:
   bool Flush();
 
   /**
-   * Like Flush(), but returns the error message, empty after success. May be called from any thread
-   * while no other thread uses the writer.
+   * Like Flush(), but returns the error message, empty after success. May be called from any thread.
+   * Another thread may write meanwhile, except to the pieces of VTK XML.
    */
   virtual std::string Sync();
 

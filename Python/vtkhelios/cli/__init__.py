@@ -19,8 +19,7 @@ import importlib
 import pkgutil
 import sys
 
-import vtkhelios
-
+from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
 from ._streams import standard_streams
@@ -101,7 +100,7 @@ def run_command(argv):
     parser = make_parser(known)
     arguments = parser.parse_args(argv)
     if arguments.version:
-        print(f"vtkhelios {vtkhelios.__version__}")
+        print(f"vtkhelios {vtkHeliosVersion.GetVersion()}")
         return 0
     if not arguments.command:
         parser.print_help(sys.stderr)

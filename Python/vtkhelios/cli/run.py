@@ -10,12 +10,10 @@ import signal
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-import vtkhelios
-
 from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
-from ..formats import FormatError
-from ..formats._summary import FINISHED, parse_summary
+from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
+from ..vtkHeliosScannerSurvey import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._interrupt import Interrupt
 from ._messages import Messages, say_error
 from ._parser import number, part_of_run, whole_number
@@ -31,18 +29,18 @@ SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
 def detectors():
     """The names of the echo detectors, the default one first."""
-    return vtkhelios.vtkHeliosRunOptions.GetEchoDetectorNames().split()
+    return vtkHeliosRunOptions.GetEchoDetectorNames().split()
 
 
 def ray_casters():
     """The names of the ray casters in this build, the default one first."""
-    factory = vtkhelios.vtkHeliosRayCasterFactory
+    factory = vtkHeliosRayCasterFactory
     return [factory.GetBackendName(index) for index in range(factory.GetNumberOfBackends())]
 
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    player, options = vtkhelios.vtkHeliosSurveyPlayer(), vtkhelios.vtkHeliosRunOptions()
+    player, options = vtkHeliosSurveyPlayer(), vtkHeliosRunOptions()
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
     add_assets_argument(parser)
     parser.add_argument(
@@ -348,7 +346,7 @@ def read_survey(arguments, messages):
 
 
 def make_player(arguments, survey, messages):
-    player = vtkhelios.vtkHeliosSurveyPlayer()
+    player = vtkHeliosSurveyPlayer()
     messages.watch(player)
     player.SetSurvey(survey)
     player.SetOutputDirectory(to_vtk(arguments.output))
@@ -447,10 +445,8 @@ def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     if not succeeded:
         messages.error_unless_told(from_vtk(player.GetMessage()))
         return 1
-    try:
-        report = read_report(player, folder)
-    except FormatError as error:
-        messages.error(str(error))
+    report = read_report(player, folder, messages)
+    if report is None:
         return 1
     if player.GetWasFinished():
         messages.info(from_vtk(player.GetMessage()))
@@ -460,11 +456,18 @@ def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     return 0
 
 
-def read_report(player, folder):
-    """The report of a run, or of an earlier one: then that of its summary, which is checked."""
-    if player.GetWasFinished():
-        return parse_summary(from_vtk(player.GetReport()), folder / SUMMARY_NAME, FINISHED)
-    return json.loads(from_vtk(player.GetReport()))
+def read_report(player, folder, messages):
+    """The report of a run, or of an earlier one; None after an error."""
+    text = from_vtk(player.GetReport())
+    if not player.GetWasFinished():
+        return json.loads(text)
+    from ..formats._summary import FINISHED, FormatError, parse_summary  # slow to import
+
+    try:
+        return parse_summary(text, folder / SUMMARY_NAME, FINISHED)
+    except FormatError as error:
+        messages.error(str(error))
+        return None
 
 
 def conclude(arguments, epochs, reports, messages):

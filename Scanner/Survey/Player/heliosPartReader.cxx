@@ -170,7 +170,7 @@ FileProgress PartReader::FindFile(const LegOutput& file) const
 }
 
 //------------------------------------------------------------------------------
-bool PartReader::Compute(const LegPlan& plan, vtkIdType block)
+bool PartReader::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
 {
   this->Current = &this->Blocks[this->FirstBlock.at(plan.Leg) + static_cast<std::size_t>(block)];
   this->CurrentFiles = this->Files.MakeOutputs(plan);

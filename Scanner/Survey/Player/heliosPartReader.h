@@ -40,7 +40,7 @@ public:
   /// Checks that the parts have all blocks of the legs, and finds them.
   Status FindBlocks(const std::vector<LegPlan>& plans);
 
-  bool Compute(const LegPlan& plan, vtkIdType block) override;
+  bool Compute(const LegPlan& plan, vtkIdType block, vtkIdType count) override;
   LegPiece Collect(const LegOutputs& outputs) override;
   void Count(ScanCounts& counts) override;
 

@@ -130,7 +130,7 @@ bool RankBlocks::AssignJobs()
 }
 
 //------------------------------------------------------------------------------
-bool RankBlocks::Compute(const LegPlan& plan, vtkIdType block)
+bool RankBlocks::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
 {
   if (this->Jobs.empty())
   {

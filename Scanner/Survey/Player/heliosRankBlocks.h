@@ -48,7 +48,7 @@ public:
   /// Sets the legs with blocks, and the fingerprint that all ranks must have.
   void SetRun(const std::vector<LegPlan>& plans, const Json::Value& fingerprint);
 
-  bool Compute(const LegPlan& plan, vtkIdType block) override;
+  bool Compute(const LegPlan& plan, vtkIdType block, vtkIdType count) override;
   LegPiece Collect(const LegOutputs& outputs) override;
   void Count(ScanCounts& counts) override;
 

@@ -86,7 +86,8 @@ bool RankWorker::Fill(const LegPlan& plan, RankMessage& block)
   {
     before.push_back(output.Writer->GetNumberOfRecords());
   }
-  if (!this->Runner.Compute(plan, block.Index) || !this->Runner.Write(this->Outputs))
+  if (!this->Runner.Compute(plan, block.Index, plan.NumberOfBlocks) ||
+    !this->Runner.Write(this->Outputs))
   {
     return false;
   }

@@ -21,14 +21,17 @@ class BlockSource
 public:
   virtual ~BlockSource() = default;
 
-  /// Computes, reads or receives a block of a leg, while the one before is flushed to disk; false
-  /// after an error, or to stop.
-  virtual bool Compute(const LegPlan& plan, vtkIdType block) = 0;
+  /// The pieces of a block, which are written one after the other.
+  virtual vtkIdType GetPiecesPerBlock() const { return 1; }
 
-  /// What the outputs of a run have of that block.
+  /// Computes, reads or receives one of the count equal pieces of a leg, while the one before is
+  /// written; false after an error, or to stop.
+  virtual bool Compute(const LegPlan& plan, vtkIdType piece, vtkIdType count) = 0;
+
+  /// What the outputs of a run have of that piece; it stays as it is while the next one is computed.
   virtual LegPiece Collect(const LegOutputs& outputs) = 0;
 
-  /// Adds the counts of that block, other than pulses, and releases its memory.
+  /// Adds the counts of that piece, other than pulses, and releases its memory.
   virtual void Count(ScanCounts& counts) = 0;
 };
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
+#include "heliosLegWriting.h"
 #include "heliosMessages.h"
+#include "heliosPulseCount.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
 #include "vtkHeliosPlatform.h"
@@ -12,8 +14,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <future>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace helios
 {
@@ -22,21 +26,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Journals the output once it is fsynced.
-Status CommitBlock(
-  const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
-{
-  progress.Files = CollectProgress(outputs, false);
-  for (const LegOutput& output : outputs)
-  {
-    const std::string problem = output.Writer->Sync();
-    if (!problem.empty())
-    {
-      return Status::Error(problem);
-    }
-  }
-  return journal.Append(leg, progress);
-}
+/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache.
+constexpr vtkIdType PulsesPerPiece = 32768;
 
 double Now()
 {
@@ -221,11 +212,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return true;
   }
-  if (!this->Check(journal.Check())) // does not recreate a removed folder
+  if (!CheckRun(journal.Check(), this->Log)) // does not recreate a removed folder
   {
     return false;
   }
   this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
+  const ScanCounts counts = this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
@@ -238,11 +230,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   {
     good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
   }
+  LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
   {
+    this->Counts = done.Blocks > 0 ? done.Counts : counts; // what is safe
     return false;
   }
-  LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
   if (isWhole)
   {
@@ -253,14 +246,31 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   {
     done.Files.push_back(trajectory);
   }
-  return this->Check(journal.Append(plan.Leg, done));
+  return CheckRun(journal.Append(plan.Leg, done), this->Log);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType LegRunner::GetPulsesPerPiece() const
+{
+  const vtkIdType block = this->Settings.PulsesPerBlock;
+  const bool isWhole =
+    (this->Settings.Part.IsSet() ? MakePartSettings(this->Settings) : this->Settings).Format ==
+    "vtp";
+  return isWhole ? block : std::min(block, PulsesPerPiece);
+}
+
+vtkIdType LegRunner::GetPiecesPerBlock() const
+{
+  return (this->Settings.PulsesPerBlock - 1) / this->GetPulsesPerPiece() + 1;
 }
 
 //------------------------------------------------------------------------------
 bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
-  if (plan.NumberOfBlocks > std::numeric_limits<int>::max())
+  const vtkIdType parts = this->Source->GetPiecesPerBlock();
+  const vtkIdType count = plan.NumberOfBlocks * parts;
+  if (count > std::numeric_limits<int>::max())
   {
     this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
       " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
@@ -268,48 +278,76 @@ bool LegRunner::RunBlocks(
   }
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
-  // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
-  std::future<Status> noted;
-  const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
+  LegWriting writing(outputs, journal, plan.Leg, this->Log);
   for (vtkIdType block = plan.FirstBlock + progress.Blocks; block < plan.EndBlock; ++block)
   {
-    const bool isComputed = this->Source->Compute(plan, block);
-    if (!isNoted() || !isComputed || !WriteOutputs(outputs, this->Source->Collect(outputs)))
+    const auto conclude = [&]
+    {
+      this->Counts.Pulses = plan.FirstPulse + plan.CountPulsesBefore(block + 1) - this->FirstPulse;
+      ++progress.Blocks;
+      progress.Counts = this->Counts;
+      progress.Seconds = Now() - start;
+      return progress;
+    };
+    if (!this->RunPieces(
+          plan, { block * parts, (block + 1) * parts, count }, outputs, writing, conclude))
     {
       return false;
     }
-    this->Source->Count(this->Counts);
-    this->Counts.Pulses = plan.FirstPulse + plan.CountPulsesBefore(block + 1) - this->FirstPulse;
-    ++progress.Blocks;
-    progress.Counts = this->Counts;
-    progress.Seconds = Now() - start;
-    noted = std::async(std::launch::async,
-      [&outputs, &journal, &plan, progress]
-      { return CommitBlock(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
     {
-      isNoted();
+      writing.Finish();
       return false;
     }
   }
-  return isNoted();
+  return writing.Finish();
+}
+
+//------------------------------------------------------------------------------
+/// Computes pieces, and has them written.
+bool LegRunner::RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
+  LegWriting& writing, const std::function<LegProgress()>& conclude)
+{
+  for (vtkIdType piece = pieces.First; piece < pieces.Last; ++piece)
+  {
+    if (!this->Source->Compute(plan, piece, pieces.Count))
+    {
+      return false;
+    }
+    LegPiece data = this->Source->Collect(outputs);
+    this->Source->Count(this->Counts);
+    const bool isLast = piece + 1 == pieces.Last;
+    if (!writing.Write(std::move(data), isLast ? std::make_optional(conclude()) : std::nullopt))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 LegPiece LegRunner::Collect(const Outputs& outputs)
 {
-  const auto get = [this](int port, std::size_t channel)
-  {
-    return channel == LegOutput::AllChannels
-      ? this->Scanner.GetOutput(port)
-      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, channel));
-  };
   LegPiece piece;
   for (const LegOutput& output : outputs)
   {
-    piece.push_back(CollectPiece(output, get));
+    piece.push_back(helios::CollectPiece(
+      output, [this](int port, std::size_t channel) { return this->CopyOutput(port, channel); }));
   }
   return piece;
+}
+
+//------------------------------------------------------------------------------
+/// A shallow copy of the output of the scanner, which may then be released.
+vtkSmartPointer<vtkDataObject> LegRunner::CopyOutput(int port, std::size_t channel) const
+{
+  using Data = vtkSmartPointer<vtkDataObject>;
+  const bool isJoint = channel == LegOutput::AllChannels;
+  const Data data =
+    isJoint ? this->Scanner.GetOutput(port) : Data(this->Scanner.GetOutput(port, channel));
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
 }
 
 //------------------------------------------------------------------------------
@@ -319,9 +357,9 @@ bool LegRunner::Write(const Outputs& outputs)
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Compute(const LegPlan& plan, vtkIdType block)
+bool LegRunner::Compute(const LegPlan&, vtkIdType piece, vtkIdType count)
 {
-  return this->Scanner.Update(static_cast<int>(block), static_cast<int>(plan.NumberOfBlocks));
+  return this->Scanner.Update(static_cast<int>(piece), static_cast<int>(count));
 }
 
 //------------------------------------------------------------------------------
@@ -329,18 +367,6 @@ void LegRunner::Count(ScanCounts& counts)
 {
   this->Scanner.Count(counts);
   this->Scanner.ReleaseOutput();
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Check(const Status& status)
-{
-  if (!status.IsOk())
-  {
-    this->Log.Error(status.Message() +
-      "; check that the output folder exists and has free space, and continue with Resume "
-      "(--resume), or run again");
-  }
-  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------

@@ -26,9 +26,10 @@ class vtkPolyData;
 namespace helios
 {
 
+class LegWriting;
 class Messages;
 class RunJournal;
-class Status;
+struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
@@ -82,7 +83,8 @@ public:
 
   ///@{
   /// Blocks of the scanner, which is set up for their leg.
-  bool Compute(const LegPlan& plan, vtkIdType block) override;
+  vtkIdType GetPiecesPerBlock() const override;
+  bool Compute(const LegPlan& plan, vtkIdType piece, vtkIdType count) override;
   LegPiece Collect(const Outputs& outputs) override;
   void Count(ScanCounts& counts) override;
   ///@}
@@ -92,6 +94,9 @@ public:
 
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
+
+  /// The most pulses that are computed, then written at a time.
+  vtkIdType GetPulsesPerPiece() const;
 
   /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling();
@@ -105,6 +110,14 @@ public:
   std::string ExplainNoEchoes() const;
 
 private:
+  /// Pieces [First, Last) of the Count pieces of a leg.
+  struct PieceRange
+  {
+    vtkIdType First;
+    vtkIdType Last;
+    vtkIdType Count;
+  };
+
   void SelectPart();
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
@@ -113,7 +126,9 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool Check(const Status& status);
+  bool RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
+    LegWriting& writing, const std::function<LegProgress()>& conclude);
+  vtkSmartPointer<vtkDataObject> CopyOutput(int port, std::size_t channel) const;
 
   const SurveyData& Survey;
   RunSettings Settings;
