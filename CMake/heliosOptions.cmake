@@ -10,6 +10,7 @@ option(VTKHELIOS_ENABLE_EMBREE "Build the ray caster on Embree 3" ON)
 option(VTKHELIOS_ENABLE_CGAL "Build what uses CGAL's GPL parts: a ray caster, mesh simplification" OFF)
 option(VTKHELIOS_ENABLE_PCL "Build the filters on the Point Cloud Library" ON)
 option(VTKHELIOS_ENABLE_CBC "Build the proof of the fewest scan positions, on COIN-OR CBC" ON)
+option(VTKHELIOS_ENABLE_MPI "Build runs by the ranks of MPI" ON)
 option(VTKHELIOS_PRECOMPILE_HEADERS "Precompile the headers that most sources include" OFF)
 set(VTKHELIOS_MUTATIONS 200 CACHE STRING "Damaged files that the tests give to each reader")
 
@@ -50,6 +51,9 @@ endif()
 set(vtkhelios_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms CommonSystem
   FiltersCore FiltersGeneral IOXML)
+if(VTKHELIOS_ENABLE_MPI)
+  list(APPEND vtkhelios_vtk_components ParallelMPI)
+endif()
 if(VTKHELIOS_WRAP_PYTHON)
   list(APPEND vtkhelios_vtk_components FiltersPython WrappingPythonCore Python)
 endif()

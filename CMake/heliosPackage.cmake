@@ -7,7 +7,7 @@ set(vtkhelios_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vtkHelios)
 set(vtkhelios_components ${vtkhelios_modules})
 list(TRANSFORM vtkhelios_components REPLACE "^vtkHelios::" "")
 set(vtkhelios_vtk_public ${vtkhelios_vtk_components})
-list(REMOVE_ITEM vtkhelios_vtk_public WrappingPythonCore Python)
+list(REMOVE_ITEM vtkhelios_vtk_public ParallelMPI WrappingPythonCore Python)
 list(JOIN vtkhelios_vtk_public " " vtkhelios_vtk_public)
 configure_package_config_file(
   "${CMAKE_CURRENT_SOURCE_DIR}/CMake/vtkHeliosConfig.cmake.in"

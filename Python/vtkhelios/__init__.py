@@ -40,7 +40,6 @@ The classes work with those of stock vtkmodules in one process:
 
 import importlib
 import pathlib
-import pkgutil
 
 from ._vtk import check_vtk
 
@@ -48,23 +47,6 @@ check_vtk()  # before any binary module
 
 # Before _native, which links to its libraries.
 from . import vtkHeliosScannerSurvey as _  # noqa: F401
-from ._arrays import arrays
-from ._compose import Pipeline, select_ports
-from ._extend import extend
-from ._filter import filter
-from ._pipeline import PipelineError, update
-from .cloud import Cloud, Records
-from .comparison import Comparison, compare
-from .fitting import Fit, fit
-from .planning import Plan, plan
-from .scanning import make_survey, scan
-from .scene import Scene
-from .survey import Survey, read_survey
-
-_own = [
-    "Cloud", "Comparison", "Fit", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
-    "compare", "data_directory", "filter", "fit", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
-]  # fmt: skip
 
 
 def data_directory():
@@ -72,19 +54,16 @@ def data_directory():
     return pathlib.Path(__file__).absolute().parent / "data"
 
 
-def _load_modules():
-    """Imports every wrapped module of the build and returns the names of its classes."""
-    names = []
-    for info in pkgutil.iter_modules(__path__):
-        if info.name.startswith("vtkHelios"):
-            module = importlib.import_module(f"{__name__}.{info.name}")
-            public = [name for name in vars(module) if name.startswith("vtkHelios")]
-            globals().update({name: getattr(module, name) for name in public})
-            names += public
-    return sorted(names)
+def __getattr__(name):
+    """A public name, once it is used: vtkhelios run starts without those that it does not use."""
+    if not name.startswith("_") or name in ("__all__", "__version__"):
+        public = importlib.import_module("._public", __name__)
+        if name in ("__all__", *getattr(public, "__all__", ()), "__version__"):
+            globals()[name] = getattr(public, name)
+        if name in globals():  # else, while _public is imported, it may be a submodule
+            return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
-_classes = _load_modules()
-extend(globals()[name] for name in _classes)
-__all__ = _own + _classes
-__version__ = globals()["vtkHeliosVersion"].GetVersion()
+def __dir__():
+    return sorted({*globals(), *importlib.import_module("._public", __name__).__all__})

@@ -16,8 +16,9 @@ namespace helios
 namespace
 {
 
-constexpr vtkIdType PulsesPerGroup = 32; // traced together
-constexpr double LeastShare = 0.02;      // of a full footprint, of echoes that the tolerances bound
+constexpr vtkIdType MostPulses = 32;    // of a group, traced together
+constexpr std::size_t MostRays = 16384; // of a group with several pulses
+constexpr double LeastShare = 0.02;     // of a full footprint, of echoes that the tolerances bound
 
 } // namespace
 
@@ -33,10 +34,12 @@ PulseKernel::PulseKernel(const ScanModel& model)
 void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
 {
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
-  for (vtkIdType begin = first; begin < last; begin += PulsesPerGroup)
+  const bool isAdaptive = this->Model.Path.IsAdaptive();
+  const std::size_t rays = isAdaptive ? 1 : std::max<std::size_t>(1, this->Model.SubRays.size());
+  const vtkIdType size = std::clamp<vtkIdType>(MostRays / rays, 1, MostPulses);
+  for (vtkIdType begin = first; begin < last; begin += size)
   {
-    this->AimPulses(begin, std::min(last, begin + PulsesPerGroup));
-    const bool isAdaptive = this->Model.Path.IsAdaptive();
+    this->AimPulses(begin, std::min(last, begin + size));
     if (!isAdaptive)
     {
       this->Tracer.Cast(this->Pulses, this->Counts);

@@ -16,7 +16,11 @@ namespace helios
 namespace
 {
 
-constexpr vtkIdType PulsesPerChunk = 256;
+// Of a chunk.
+constexpr vtkIdType MostPulses = 256;
+constexpr vtkIdType FewestPulses = 32; // a group
+constexpr vtkIdType FewestChunks = 4;  // of a thread, in a scan of few pulses
+
 constexpr vtkIdType MostChunksPerThread = 64; // per batch, so that their records stay in the cache
 
 // Of a batch.
@@ -34,10 +38,17 @@ std::size_t CountBytes(const std::vector<ChunkResult>& results)
   return samples * sizeof(float);
 }
 
+/// The pulses of a chunk: few enough that every thread has some, also of a small scan.
+vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads)
+{
+  return std::clamp(pulses / (FewestChunks * threads), FewestPulses, MostPulses);
+}
+
 /// Runs chunks of the pulses [First, Last), each thread with its own kernel.
 struct ChunkFunctor
 {
   const ScanModel& Model;
+  vtkIdType PulsesPerChunk;
   vtkIdType First;
   vtkIdType Last;
   std::vector<ChunkResult> Results;
@@ -52,10 +63,10 @@ struct ChunkFunctor
     }
     for (vtkIdType c = begin; c < end; ++c)
     {
-      const vtkIdType from = this->First + c * PulsesPerChunk;
+      const vtkIdType from = this->First + c * this->PulsesPerChunk;
       ChunkResult& result = this->Results[static_cast<std::size_t>(c)];
       result.Clear();
-      kernel->Run(from, std::min(this->Last, from + PulsesPerChunk), result);
+      kernel->Run(from, std::min(this->Last, from + this->PulsesPerChunk), result);
     }
   }
 };
@@ -76,19 +87,21 @@ void BatchSize::Adapt(double seconds, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
+ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
   const RunWatcher& goesOn, const ChunkSink& take)
 {
-  ChunkFunctor functor{ model, first, first, {}, {} };
+  const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const vtkIdType size = ChooseChunkSize(last - first, threads);
+  ChunkFunctor functor{ model, size, first, first, {}, {} };
   const auto count = static_cast<double>(last - first);
-  BatchSize batch(vtkSMPTools::GetEstimatedNumberOfThreads());
+  batch.SetThreads(threads);
   while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
   {
     functor.First = functor.Last;
-    functor.Last = std::min(last, functor.First + PulsesPerChunk * batch.GetChunks());
+    functor.Last = std::min(last, functor.First + size * batch.GetChunks());
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    const vtkIdType chunks = (functor.Last - functor.First + PulsesPerChunk - 1) / PulsesPerChunk;
+    const vtkIdType chunks = (functor.Last - functor.First + size - 1) / size;
     functor.Results.resize(static_cast<std::size_t>(chunks));
     vtkSMPTools::For(0, chunks, 1, functor);
     take(functor.Results);

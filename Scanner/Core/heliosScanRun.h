@@ -4,18 +4,19 @@
 //
 // The pulses of a scan are divided at five levels:
 //
-//   |<--------------------- block ---------------------->|<- ...   written at once, then flushed
+//   |<--------------------- block ---------------------->|<- ...   flushed to disk, journaled
 //   |<-------- piece -------->|<-------- piece --------->|         requested from the pipeline
 //   |<- batch ->|<-- batch -->|<- ...                              between checks for an abort
 //   |  |  |  |  |  |  |  |  | chunk                                a task of a thread
 //   ||||||||                  group                                rays traced together
 //
-// - A block is computed by one update of the scanner (its PulseWindow, --pulses-per-block).
-// - A piece is a part in VTK's sense (UPDATE_PIECE_NUMBER); usually a block has one.
+// - A block is what a run that is killed may lose (--pulses-per-block).
+// - A piece is a part in VTK's sense (UPDATE_PIECE_NUMBER), computed by one update of the scanner and
+//   written while the next one is computed: 32768 pulses, or the whole block of VTK XML.
 // - A batch is as many chunks as take 0.05 to 0.5 s (BatchSize); then its records are appended to
 //   the output, and progress is reported.
-// - A chunk is 256 pulses: PulseKernel::Run(), which fills one ChunkResult.
-// - A group is 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
+// - A chunk is 256 pulses, fewer in a small piece: PulseKernel::Run(), which fills one ChunkResult.
+// - A group is up to 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
 //   sub-rays of each of its pulses are a bundle (BeamBundle).
 //
 // The output is byte-identical for any of these sizes.
@@ -51,11 +52,12 @@ using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
 class VTKHELIOSSCANNERCORE_EXPORT BatchSize
 {
 public:
-  explicit BatchSize(vtkIdType threads)
+  explicit BatchSize(vtkIdType threads = 1)
     : Threads(threads)
   {
   }
 
+  void SetThreads(vtkIdType threads) { this->Threads = threads; }
   vtkIdType GetChunks() const { return this->Threads * this->ChunksPerThread; }
 
   /// After a batch.
@@ -66,8 +68,9 @@ private:
   vtkIdType ChunksPerThread = 1;
 };
 
-/// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts them.
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
+/// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts
+/// them. The first batch is as large as the last one of the scan before.
+ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
   const RunWatcher& goesOn, const ChunkSink& take);
 
 } // namespace helios

@@ -73,6 +73,7 @@ vtkHeliosScanner::vtkHeliosScanner()
   , EnergyTolerance(helios::DefaultEnergyTolerance)
   , MaximumNumberOfSubRays(helios::DefaultMostSubRays)
   , Counts(new helios::ScanCounts)
+  , Batch(new helios::BatchSize)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(4);
@@ -552,7 +553,8 @@ bool vtkHeliosScanner::RunPulses(
   helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, end - begin, outputs);
   const auto take = [&output](const std::vector<helios::ChunkResult>& chunks)
   { output.Add(chunks); };
-  const helios::ScanCounts sum = helios::RunScan(scan.Model, begin, end, goesOn, take);
+  const helios::ScanCounts sum =
+    helios::RunScan(scan.Model, begin, end, *this->Batch, goesOn, take);
   output.Finish();
   if (isAborted)
   {

@@ -85,6 +85,7 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
+class BatchSize;
 class PulseShape;
 struct SamplingPlan;
 struct ScanCounts;
@@ -535,6 +536,7 @@ private:
   int MTAZone = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;
+  std::unique_ptr<helios::BatchSize> Batch; // of the last scan
 };
 
 #endif

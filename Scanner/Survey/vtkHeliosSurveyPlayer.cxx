@@ -4,6 +4,10 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosPartReader.h"
+#include "heliosRankBlocks.h"
+#include "heliosRankServer.h"
+#include "heliosRankWorker.h"
 #include "heliosRunAccuracy.h"
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
@@ -13,6 +17,8 @@
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"
 #include "heliosSurveyLoader.h"
+#include "vtkHeliosRanks.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
@@ -59,8 +65,18 @@ public:
   /// Reports the estimated time and output of Run().
   bool Estimate();
 
+  /// Computes blocks for rank 0 until it ends the service.
+  bool Serve();
+
 private:
   bool CheckSettings();
+  bool CheckFormat();
+  bool CheckPart();
+  bool Check(const helios::Status& status);
+  bool OpenParts();
+  bool FindBlocks();
+  bool StartRanks();
+  bool LoadForRank(int epoch);
   const helios::SurveyData& GetSurvey() const
   {
     return this->Player->Source->GetLoader().GetSurvey();
@@ -90,6 +106,9 @@ private:
   bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
   std::unique_ptr<helios::RunJournal> Journal;
+  std::unique_ptr<helios::PartReader> Parts;      // null: pulses are computed
+  std::unique_ptr<helios::RankBlocks> RankSource; // null: by this process
+  std::unique_ptr<helios::RankWorker> Worker;     // of a rank other than 0
   std::unique_ptr<helios::LegRunner> Runner;
   Json::Value Fingerprint;
   double LoadSeconds = 0.0;
@@ -108,17 +127,20 @@ bool vtkHeliosSurveyPlayer::Internals::Run()
   {
     return this->ConcludeFinished();
   }
-  return this->Load() && this->Plan() && this->Begin() && this->RunLegs() && this->Conclude();
+  return this->OpenParts() && this->StartRanks() && this->Load() && this->Plan() && this->Begin() &&
+    this->RunLegs() && this->Conclude();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Estimate()
 {
-  if (!this->CheckSettings() || !this->Load() || !this->Plan())
+  const bool isChecked = this->CheckSettings();
+  this->Settings.Part = {}; // all of them
+  if (!isChecked || !this->Load() || !this->Plan())
   {
     return this->Fail();
   }
-  helios::RunEstimate estimate(*this->Runner, this->Settings, this->LoadSeconds);
+  helios::RunEstimate estimate(*this->Runner, this->LoadSeconds);
   const bool isWhole = estimate.Make(
     [this](double share)
     {
@@ -142,6 +164,30 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   {
     return this->Fail();
   }
+  if (!this->CheckFormat() || !this->CheckPart())
+  {
+    return false;
+  }
+  this->Settings.Folder = player->GetRunFolder();
+  this->Settings.Truth = player->WriteTruth;
+  this->Settings.Columns = player->WriteColumns;
+  this->Settings.Waveforms = player->WriteWaveforms;
+  const bool isLas = this->Settings.Format == "las";
+  this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
+  const bool isText = this->Settings.Format == "xyz";
+  this->Settings.Decibels = player->WriteDecibels;
+  this->Settings.ScanFlags =
+    isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
+  this->Settings.Pulses = player->WritePulses;
+  this->Settings.SplitByChannel = player->SplitByChannel;
+  this->Settings.PulsesPerBlock = player->PulsesPerBlock;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::CheckFormat()
+{
+  vtkHeliosSurveyPlayer* player = this->Player;
   this->Settings.Format = TextOf(player->Format);
   if (vtkHeliosRunFiles::GetFileName("", vtkHeliosRunFiles::POINTS, this->Settings.Format).empty())
   {
@@ -163,20 +209,57 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
     return this->Fail("WriteColumns is on, but files of the format " + this->Settings.Format +
       " cannot store columns of revolutions; set Format to vtp.");
   }
-  this->Settings.Folder = player->GetRunFolder();
-  this->Settings.Truth = player->WriteTruth;
-  this->Settings.Columns = player->WriteColumns;
-  this->Settings.Waveforms = player->WriteWaveforms;
-  const bool isLas = this->Settings.Format == "las";
-  this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
-  const bool isText = this->Settings.Format == "xyz";
-  this->Settings.Decibels = player->WriteDecibels;
-  this->Settings.ScanFlags =
-    isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
-  this->Settings.Pulses = player->WritePulses;
-  this->Settings.SplitByChannel = player->SplitByChannel;
-  this->Settings.PulsesPerBlock = player->PulsesPerBlock;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::CheckPart()
+{
+  const vtkHeliosSurveyPlayer* player = this->Player;
+  if (player->NumberOfParts == 0)
+  {
+    return true;
+  }
+  const std::string parts = std::to_string(player->NumberOfParts);
+  if (player->Part > player->NumberOfParts)
+  {
+    return this->Fail("Part is " + std::to_string(player->Part) + ", but NumberOfParts is " +
+      parts + "; give 1 to " + parts + ".");
+  }
+  if (!player->PartFolders.empty())
+  {
+    return this->Fail("NumberOfParts is " + parts +
+      ", but there are folders of parts to join; set "
+      "it to 0, or call ClearPartFolders().");
+  }
+  this->Settings.Part = { player->Part, player->NumberOfParts, player->PartCommand };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Reads what the parts are; before the scene is loaded.
+bool vtkHeliosSurveyPlayer::Internals::OpenParts()
+{
+  if (this->Player->PartFolders.empty())
+  {
+    return true;
+  }
+  this->Parts = std::make_unique<helios::PartReader>(this->GetSurvey(), this->Settings, this->Log);
+  return this->Check(this->Parts->Open(this->Player->PartFolders)) &&
+    this->Check(this->Parts->CheckFingerprints(this->Fingerprint));
+}
+
+//------------------------------------------------------------------------------
+/// Finds the blocks of the legs in the parts, and checks that they are of the same scene.
+bool vtkHeliosSurveyPlayer::Internals::FindBlocks()
+{
+  if (!this->Parts)
+  {
+    return true;
+  }
+  this->Runner->SetSource(this->Parts.get());
+  return this->Check(this->Parts->CheckFingerprints(this->Fingerprint)) &&
+    this->Check(this->Parts->FindBlocks(this->Runner->GetPlans()));
 }
 
 //------------------------------------------------------------------------------
@@ -185,9 +268,9 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   vtkHeliosSurveyPlayer* player = this->Player;
   this->Folder = std::make_unique<helios::RunFolder>(this->Settings.Folder);
   this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
-  // Epochs after the current one of an interrupted run have no files yet.
-  const bool isNext =
-    this->Settings.Options.Epoch > 0 && !player->Overwrite && this->Folder->IsEmpty();
+  // Epochs after the current one of an interrupted run, and parts, may have no files yet.
+  const bool isNext = (this->Settings.Options.Epoch > 0 || this->Settings.Part.IsSet()) &&
+    !player->Overwrite && this->Folder->IsEmpty();
   this->Resumes = player->Resume && !isNext;
   helios::Status status = this->Folder->Prepare(player->Overwrite, this->Resumes);
   if (!status.IsOk())
@@ -209,7 +292,8 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
     this->HashScene();
   }
   Json::Value summary;
-  player->WasFinished = !this->Journal->Exists();
+  player->WasFinished =
+    this->Settings.Part.IsSet() ? this->Folder->HasSummary() : !this->Journal->Exists();
   status = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
   if (!status.IsOk())
   {
@@ -288,15 +372,24 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
   {
     return this->Fail();
   }
-  this->Player->NumberOfPulses = this->Runner->GetNumberOfPulses();
+  this->Player->NumberOfPulses = this->Runner->GetNumberOfPulsesToRun();
   this->Player->Sampling = this->Runner->DescribeSampling();
-  return this->Player->NumberOfPulses > 0 || this->Fail(this->Runner->ExplainNoEchoes());
+  return this->Runner->GetNumberOfPulses() > 0 || this->Fail(this->Runner->ExplainNoEchoes());
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Begin()
 {
   this->HashScene();
+  if (!this->FindBlocks())
+  {
+    return false;
+  }
+  if (this->RankSource)
+  {
+    this->RankSource->SetRun(this->Runner->GetPlans(), this->Fingerprint);
+    this->Runner->SetSource(this->RankSource.get());
+  }
   if (this->Resumes)
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint()) && this->CheckEarlierFiles();
@@ -319,6 +412,7 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
     if (!this->ReportStep("running leg " + std::to_string(plan.Leg)) ||
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
+      this->SetCounts(this->Runner->GetCounts());
       const std::string error = this->Log.GetLastError();
       const std::string kept = this->DescribeKept();
       if (!error.empty())
@@ -371,11 +465,15 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
 {
   const helios::ScanCounts& counts = this->Runner->GetCounts();
   this->SetCounts(counts);
-  if (counts.Echoes == 0)
+  const bool isPart = this->Settings.Part.IsSet();
+  if (counts.Echoes == 0 && !isPart)
   {
     return this->Fail(this->Runner->ExplainNoEchoes());
   }
-  this->MeasureAccuracy();
+  if (!isPart)
+  {
+    this->MeasureAccuracy();
+  }
   const Json::Value summary = helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner,
     this->Accuracy, this->LoadSeconds, this->AccuracySeconds);
   const helios::Status status = this->Folder->WriteSummary(summary);
@@ -385,10 +483,14 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
       "; all points are written: free disk space, and complete the run with Resume "
       "(--resume)");
   }
-  this->Journal->Remove();
+  if (!isPart) // whose blocks are read by its journal
+  {
+    this->Journal->Remove();
+  }
   this->Player->Report = helios::ToText(summary);
   helios::Sentence text;
-  text << counts.Echoes << " points from " << counts.Pulses << " pulses are in "
+  text << counts.Echoes << " points from " << counts.Pulses << " pulses "
+       << (isPart ? "of part " + this->Settings.Part.GetText() + " " : "") << "are in "
        << this->Settings.Folder << ".";
   this->Player->Message = text.str();
   return true;
@@ -424,8 +526,9 @@ void vtkHeliosSurveyPlayer::Internals::SetCounts(const helios::ScanCounts& count
 {
   vtkHeliosSurveyPlayer* player = this->Player;
   *player->Counts = counts;
-  player->Progress =
-    static_cast<double>(counts.Pulses) / static_cast<double>(player->NumberOfPulses);
+  player->Progress = player->NumberOfPulses > 0
+    ? static_cast<double>(counts.Pulses) / static_cast<double>(player->NumberOfPulses)
+    : 1.0; // a part without blocks
 }
 
 //------------------------------------------------------------------------------
@@ -437,6 +540,12 @@ bool vtkHeliosSurveyPlayer::Internals::Count(const helios::ScanCounts& counts)
   player->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   // After the last pulse the run is complete.
   return !player->AbortRequested || counts.Pulses == player->NumberOfPulses;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Check(const helios::Status& status)
+{
+  return status.IsOk() || this->Fail(status.Message());
 }
 
 //------------------------------------------------------------------------------
@@ -452,6 +561,66 @@ bool vtkHeliosSurveyPlayer::Internals::Fail()
   const std::string& error = this->Log.GetLastError();
   this->Player->Message = error.empty() ? this->Player->Message : error;
   return false;
+}
+
+//------------------------------------------------------------------------------
+/// Lets other ranks load the survey, too.
+bool vtkHeliosSurveyPlayer::Internals::StartRanks()
+{
+  vtkHeliosRanks* ranks = this->Player->Ranks;
+  if (!ranks || ranks->GetNumberOfRanks() < 2 || this->Parts)
+  {
+    return true;
+  }
+  this->RankSource = std::make_unique<helios::RankBlocks>(ranks,
+    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), this->Log,
+    [this] { return this->ReportStep(this->Player->Message); });
+  return this->RankSource->Begin(this->Settings.Options.Epoch) || this->Fail();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Serve()
+{
+  vtkHeliosRanks* ranks = this->Player->Ranks;
+  if (!ranks || ranks->GetRank() == 0)
+  {
+    return this->Fail("Serve() is for ranks above 0: set Ranks, and call Run() of rank 0.");
+  }
+  helios::RankServer server(ranks);
+  const auto load = [this](int epoch)
+  {
+    helios::RankServer::Service service;
+    service.Worker = this->LoadForRank(epoch) ? this->Worker.get() : nullptr;
+    service.Fingerprint = helios::ToLine(this->Fingerprint);
+    service.Error = this->Log.GetLastError();
+    return service;
+  };
+  const helios::Status status = server.Serve(load, this->Player->AbortRequested);
+  return status.IsOk() ? !this->Player->AbortRequested : this->Fail(status.Message());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::LoadForRank(int epoch)
+{
+  this->Worker.reset();
+  this->Runner.reset();
+  this->Player->GetOptions()->SetEpoch(epoch);
+  this->Settings = {};
+  if (!this->CheckSettings())
+  {
+    return false;
+  }
+  this->Settings.Part = {}; // rank 0 says which blocks
+  this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
+  if (!this->Load() || !this->Plan())
+  {
+    return false;
+  }
+  this->HashScene();
+  this->Worker = std::make_unique<helios::RankWorker>(
+    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), *this->Runner,
+    this->Log);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -530,7 +699,25 @@ std::string vtkHeliosSurveyPlayer::GetRunFolder()
   {
     folder /= vtkHeliosRunFiles::GetEpochName(this->GetOptions()->GetEpoch());
   }
+  if (this->NumberOfParts > 0)
+  {
+    folder /= vtkHeliosRunFiles::GetPartName(this->Part, this->NumberOfParts);
+  }
   return folder.string();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::AddPartFolder(const std::string& folder)
+{
+  this->PartFolders.push_back(folder);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::ClearPartFolders()
+{
+  this->PartFolders.clear();
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -586,6 +773,28 @@ bool vtkHeliosSurveyPlayer::Estimate()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Serve()
+{
+  return this->Attempt(&Internals::Serve);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::SetRanks(vtkHeliosRanks* ranks)
+{
+  if (this->Ranks != ranks)
+  {
+    this->Ranks = ranks;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRanks* vtkHeliosSurveyPlayer::GetRanks() const
+{
+  return this->Ranks;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -602,6 +811,10 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"
+     << indent << "Part: " << this->Part << " of " << this->NumberOfParts << "\n"
+     << indent << "PartCommand: " << this->PartCommand << "\n"
+     << indent << "PartFolders: " << this->PartFolders.size() << "\n"
+     << indent << "Ranks: " << (this->Ranks ? this->Ranks->GetNumberOfRanks() : 1) << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
      << indent << "BytesToCheck: " << this->BytesToCheck << "\n"
      << indent << "Progress: " << this->Progress << "\n"

@@ -48,12 +48,14 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the source
+#include "vtkSmartPointer.h" // For the source and the ranks
 
 #include <atomic> // For Abort()
 #include <memory> // For the counts
 #include <string> // For the message
+#include <vector> // For the parts
 
+class vtkHeliosRanks;
 class vtkHeliosRunOptions;
 class vtkHeliosSurvey;
 class vtkHeliosSurveySource;
@@ -101,7 +103,7 @@ public:
 
   /**
    * The output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder playNNN if
-   * the survey has several epochs. Empty without a survey.
+   * the survey has several epochs, and partNNNofNNN of a part. Empty without a survey.
    */
   std::string GetRunFolder();
 
@@ -234,6 +236,59 @@ public:
   vtkGetMacro(PulsesPerBlock, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get which part of the run is run, of a number of parts: consecutive blocks of pulses, so that
+   * several computers share a run. A part has its own folder, partNNNofNNN in that of the run, and its
+   * own journal, which stays; --resume continues it as any run, and starts one that was not started.
+   * Its files of points and waveforms are those of the run if Format is "xyz", else VTK XML; it has
+   * no trajectories and no accuracy. Valid range: [1, NumberOfParts]; 0: the whole run. Default: 1
+   * and 0.
+   */
+  vtkSetClampMacro(Part, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Part, int);
+  vtkSetClampMacro(NumberOfParts, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfParts, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a text that the journal of a part has for the program that joins the parts, such as the
+   * command that runs the part. Default: empty.
+   */
+  vtkSetMacro(PartCommand, std::string);
+  vtkGetMacro(PartCommand, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Add the folder of a part, or remove all of them. With folders Run() computes no pulses: it reads
+   * their blocks from the parts and writes the files of the run, byte-identical to those of one
+   * process. All parts of one run are required, with the same inputs and options; their folders may
+   * be anywhere. Default: none.
+   */
+  void AddPartFolder(const std::string& folder);
+  void ClearPartFolders();
+  int GetNumberOfPartFolders() const { return static_cast<int>(this->PartFolders.size()); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the processes that share the run: rank 0 calls Run(), which gives blocks of pulses to the
+   * other ranks and writes them in order, and Dismiss() of the ranks when no run follows; the others
+   * call Serve(). All have the same survey and options. Files are byte-identical for any number of
+   * ranks, which may change with Resume. Default: null, one process.
+   */
+  void SetRanks(vtkHeliosRanks* ranks);
+  vtkHeliosRanks* GetRanks() const;
+  ///@}
+
+  /**
+   * Computes blocks for the runs of rank 0 until it dismisses its ranks. Returns false after an error
+   * and after Abort(). Errors of the survey are reported by rank 0.
+   */
+  bool Serve();
+
   /**
    * Runs the survey. Returns false after an error, after Abort(), and if the run has no points;
    * GetMessage() gives the reason, and what is kept.
@@ -302,6 +357,7 @@ private:
   friend class Internals;
 
   vtkSmartPointer<vtkHeliosSurveySource> Source;
+  vtkSmartPointer<vtkHeliosRanks> Ranks;
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
   bool WriteWaveforms = false;
@@ -315,6 +371,10 @@ private:
   bool Overwrite = false;
   bool Resume = false;
   bool WasFinished = false;
+  int Part = 1;
+  int NumberOfParts = 0;
+  std::string PartCommand;
+  std::vector<std::string> PartFolders;
   vtkIdType PulsesPerBlock = 262144;
   vtkIdType BytesToCheck = 1073741824;
 

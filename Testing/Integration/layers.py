@@ -20,6 +20,7 @@ LAYERS = [
     ["ScannerCore"],
     ["ScannerDetectors"],
     ["ScannerSurvey"],
+    ["ScannerMpi"],
     ["PlanningCbc"],
     ["Planning"],
 ]
@@ -34,6 +35,7 @@ HOMES = {
     r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
     r"lzf": "FiltersIO",
+    r"vtkMPI": "ScannerMpi",
     r"Random123/": "FiltersCore",
     r"pcl/": "FiltersPCL",
     r"(unsupported/)?Eigen/": "ScannerDetectors",

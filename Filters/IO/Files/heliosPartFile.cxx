@@ -76,6 +76,11 @@ int WriteAll(int descriptor, const char* bytes, std::size_t count, std::uint64_t
   return 0;
 }
 
+std::string Explain(const std::string& path, const char* what, int error)
+{
+  return path + " cannot be " + what + ": " + std::strerror(error);
+}
+
 constexpr const char* WasRemoved = "was removed while it was written";
 
 } // namespace
@@ -146,7 +151,7 @@ PartFile::~PartFile()
 
 bool PartFile::Fail(const char* what, int error)
 {
-  this->Problem = this->GetPartPath() + " cannot be " + what + ": " + std::strerror(error);
+  this->Problem = Explain(this->GetPartPath(), what, error);
   return false;
 }
 
@@ -285,31 +290,40 @@ bool PartFile::IsRemoved() const
   return this->Descriptor >= 0 && IsUnlinked(this->Descriptor);
 }
 
-bool PartFile::Sync()
+Status PartFile::Sync()
 {
   if (this->IsNowhere)
   {
-    return true;
+    return {};
   }
   if (this->IsRemoved())
   {
-    this->Problem = this->GetPartPath() + " " + WasRemoved;
-    return false;
+    return Status::Error(this->GetPartPath() + " " + WasRemoved);
   }
   if (!this->IsInFolder)
   {
-    this->Problem = SyncFolderOf(this->Path).Message();
-    this->IsInFolder = this->Problem.empty();
+    Status status = SyncFolderOf(this->Path);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    this->IsInFolder = true;
   }
   const int error = SyncDescriptor(this->Descriptor);
-  return this->IsInFolder && (error == 0 || this->Fail("flushed to disk", error));
+  return error == 0 ? Status()
+                    : Status::Error(Explain(this->GetPartPath(), "flushed to disk", error));
 }
 
 bool PartFile::Close()
 {
-  const bool isKept = this->Sync();
-  if (!this->Abandon() || !isKept)
+  const Status kept = this->Sync();
+  if (!this->Abandon())
   {
+    return false;
+  }
+  if (!kept.IsOk())
+  {
+    this->Problem = kept.Message();
     return false;
   }
   if (!this->IsNowhere)

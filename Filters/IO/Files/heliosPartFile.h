@@ -72,8 +72,9 @@ public:
   /// Whether the open file was removed.
   bool IsRemoved() const;
 
-  /// Fsyncs the file. Fails if the file was removed in the meantime.
-  bool Sync();
+  /// Fsyncs the file, also while another thread appends to it. Fails if the file was removed in the
+  /// meantime.
+  Status Sync();
 
   /// Closes the file, gives it its final name and fsyncs it.
   bool Close();

@@ -12,13 +12,17 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <fstream>
 #include <vector>
 
 namespace
 {
 
 // Size of the text that one thread formats at a time [bytes].
-constexpr vtkIdType ChunkSize = 1 << 18;
+constexpr vtkIdType ChunkSize = 1 << 16;
+
+// Size of the text that is copied at a time [bytes].
+constexpr std::size_t CopySize = 1 << 20;
 
 /// Formats the rows of a block in rounds of chunks; one round is in memory at a time.
 class RowFormatter
@@ -192,7 +196,7 @@ bool vtkHeliosStreamWriter::Flush()
 //------------------------------------------------------------------------------
 std::string vtkHeliosStreamWriter::Sync()
 {
-  return this->File->Sync() ? std::string() : this->File->GetProblem();
+  return this->File->Sync().Message();
 }
 
 //------------------------------------------------------------------------------
@@ -382,8 +386,15 @@ bool vtkHeliosStreamWriter::WriteRows(vtkIdType count, vtkIdType bytesPerRow,
 {
   const vtkIdType size = this->GetFileSize();
   RowFormatter rows(count, bytesPerRow, format);
-  const auto append = [this](const helios::TextBuffer& text)
-  { return this->File->Append(text.GetText(), text.GetSize()); };
+  std::string* block = this->CountOnly ? this->BlockText : nullptr;
+  const auto append = [this, block](const helios::TextBuffer& text)
+  {
+    if (block)
+    {
+      block->append(text.GetText(), text.GetSize());
+    }
+    return this->File->Append(text.GetText(), text.GetSize());
+  };
   while (rows.HasRows())
   {
     if (!rows.NextRound(append))
@@ -398,6 +409,45 @@ bool vtkHeliosStreamWriter::WriteRows(vtkIdType count, vtkIdType bytesPerRow,
     vtkWarningMacro(<< this->GetOpenName() << ": " << count - rows.GetNumberOfRows() << " of "
                     << count << " records of a block have a number that is not finite: left out");
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::CopyRows(
+  const std::string& path, const helios::FileBlock& block, vtkIdType count)
+{
+  const vtkIdType start = this->GetFileSize();
+  std::ifstream file(path, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(block.Begin));
+  std::vector<char> bytes(CopySize);
+  for (std::uint64_t at = block.Begin; at < block.End; at += bytes.size())
+  {
+    bytes.resize(std::min<std::uint64_t>(CopySize, block.End - at));
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    {
+      return this->FailBlock(path + ": its bytes " + std::to_string(block.Begin) + " to " +
+          std::to_string(block.End) + " cannot be read",
+        start);
+    }
+    if (!this->WriteBytes(bytes.data(), bytes.size(), start))
+    {
+      return false;
+    }
+  }
+  this->NumberOfRecords += count;
+  this->NumberOfBytes += this->GetFileSize() - start;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::CopyRows(const std::string& rows, vtkIdType count)
+{
+  if (!this->WriteBytes(rows.data(), rows.size(), this->GetFileSize()))
+  {
+    return false;
+  }
+  this->NumberOfRecords += count;
+  this->NumberOfBytes += static_cast<vtkIdType>(rows.size());
   return true;
 }
 

@@ -102,8 +102,8 @@ public:
   bool Flush();
 
   /**
-   * Like Flush(), but returns the error message, empty after success. May be called from any thread
-   * while no other thread uses the writer.
+   * Like Flush(), but returns the error message, empty after success. May be called from any thread.
+   * Another thread may write meanwhile, except to the pieces of VTK XML.
    */
   virtual std::string Sync();
 
@@ -135,6 +135,24 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Append the rows of a block of another file of the same text format, or of a text, and their
+   * number.
+   */
+  bool CopyRows(const std::string& path, const helios::FileBlock& block, vtkIdType count);
+  bool CopyRows(const std::string& rows, vtkIdType count);
+  ///@}
+
+  /**
+   * With CountOnly, also append what a block would write to a text, which must exist until the file
+   * is closed: rows, or a piece of VTK XML without its index. Null: to no text. Default: null.
+   */
+  void SetBlockText(std::string* text)
+  {
+    this->BlockText = text;
+  }
+
   /**
    * Get and clear the blocks written since the last call, Open() or Reopen(): the bytes in every
    * file, and their checksums.
@@ -212,6 +230,7 @@ protected:
   vtkIdType NumberOfRecords = 0;
   vtkIdType NumberOfBytes = 0;
   bool CountOnly = false;
+  std::string* BlockText = nullptr;
 
 private:
   vtkHeliosStreamWriter(const vtkHeliosStreamWriter&) = delete;

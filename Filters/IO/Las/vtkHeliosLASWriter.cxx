@@ -407,8 +407,8 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
 //------------------------------------------------------------------------------
 std::string vtkHeliosLASWriter::Sync()
 {
-  return !this->Packets || this->Packets->Sync() ? this->Superclass::Sync()
-                                                 : this->Packets->GetProblem();
+  const std::string problem = this->Packets ? this->Packets->Sync().Message() : std::string();
+  return problem.empty() ? this->Superclass::Sync() : problem;
 }
 
 //------------------------------------------------------------------------------

@@ -29,45 +29,54 @@ struct RasterOptions
  * A band of heights. GDAL messages do not go to the console: errors are returned, warnings
  * collected.
  */
-class VTKHELIOSFILTERSIO_EXPORT RasterFile
+class RasterFile
 {
 public:
-  RasterFile();
-  ~RasterFile();
+  virtual ~RasterFile() = default;
+  RasterFile(const RasterFile&) = delete;
+  void operator=(const RasterFile&) = delete;
 
   /// Opens a file.
-  Status Open(const std::string& path, const RasterOptions& options);
+  virtual Status Open(const std::string& path, const RasterOptions& options) = 0;
 
-  const std::string& GetPath() const;
+  virtual const std::string& GetPath() const = 0;
 
-  std::int64_t GetNumberOfColumns() const;
-  std::int64_t GetNumberOfRows() const;
+  virtual std::int64_t GetNumberOfColumns() const = 0;
+  virtual std::int64_t GetNumberOfRows() const = 0;
 
   /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel centre is at 0.5.
-  const double* GetTransform() const;
+  virtual const double* GetTransform() const = 0;
 
   /// WKT with heights in metres; empty if the file has none.
-  const std::string& GetCrs() const;
+  virtual const std::string& GetCrs() const = 0;
 
   /// Number of pixels except those of missing blocks; other pixels may also lack a height.
-  double CountPixels() const;
+  virtual double CountPixels() const = 0;
 
   /// Number of rows to read at a time: whole blocks of the file, some megabytes.
-  std::int64_t GetRowsPerBlock() const;
+  virtual std::int64_t GetRowsPerBlock() const = 0;
 
   /// Reads heights [m] of rows, NaN if missing.
-  Status Read(std::int64_t firstRow, std::int64_t count, double* heights);
+  virtual Status Read(std::int64_t firstRow, std::int64_t count, double* heights) = 0;
 
   /// Warns of heights that no place on Earth has: of an undeclared no-data value.
-  void CheckHeights(double lowest, double highest);
+  virtual void CheckHeights(double lowest, double highest) = 0;
 
   /// Warnings of GDAL and of the validation.
-  std::vector<std::string> GetWarnings() const;
+  virtual std::vector<std::string> GetWarnings() const = 0;
 
-private:
-  struct Internals;
-  std::unique_ptr<Internals> State;
+protected:
+  RasterFile() = default;
 };
+
+/**
+ * Makes a raster file. The first call loads GDAL, which needs 85 libraries and 30 MB: what reads no
+ * raster runs without them. Library is the file name of the part of vtkHelios that is linked to
+ * GDAL.
+ */
+VTKHELIOSFILTERSIO_EXPORT Status MakeRasterFile(std::unique_ptr<RasterFile>& file);
+VTKHELIOSFILTERSIO_EXPORT Status MakeRasterFile(
+  const std::string& library, std::unique_ptr<RasterFile>& file);
 
 } // namespace helios
 

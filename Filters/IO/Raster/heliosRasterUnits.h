@@ -5,7 +5,7 @@
 #ifndef heliosRasterUnits_h
 #define heliosRasterUnits_h
 
-#include "vtkHeliosFiltersIOModule.h"
+#include "heliosGdalExport.h"
 
 #include <ogr_srs_api.h>
 
@@ -15,7 +15,7 @@ namespace helios
 {
 
 /// Metres per unit for a GeoTIFF unit name ("m", "us-ft", "Foot_US", ...); 0: unknown.
-VTKHELIOSFILTERSIO_EXPORT double GetUnitInMetres(const std::string& name);
+HELIOSGDAL_EXPORT double GetUnitInMetres(const std::string& name);
 
 /// WKT 2 of a coordinate system.
 std::string ToWkt(OGRSpatialReferenceH system);
@@ -24,7 +24,7 @@ std::string ToWkt(OGRSpatialReferenceH system);
  * Returns the same system (WKT) with heights in metres, if it has any. The vertical part then says
  * so in its name and has no code. Empty on failure.
  */
-VTKHELIOSFILTERSIO_EXPORT std::string MakeHeightsMetric(const std::string& wkt);
+HELIOSGDAL_EXPORT std::string MakeHeightsMetric(const std::string& wkt);
 
 } // namespace helios
 

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -144,28 +145,32 @@ vtkHeliosGeoTiffHeightReader::~vtkHeliosGeoTiffHeightReader()
   this->SetFileName(nullptr);
 }
 
-bool vtkHeliosGeoTiffHeightReader::Open(RasterFile& file)
+bool vtkHeliosGeoTiffHeightReader::Open(std::unique_ptr<RasterFile>& file)
 {
   if (!this->FileName || !*this->FileName)
   {
     return this->Fail("FileName is not set; give the GeoTIFF file with SetFileName");
   }
-  const helios::Status status =
-    file.Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
+  helios::Status status = helios::MakeRasterFile(file);
+  if (!status.IsOk())
+  {
+    return this->Fail(std::string(this->FileName) + ": " + status.Message());
+  }
+  status = file->Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
   return status.IsOk() || this->Fail(status.Message());
 }
 
 int vtkHeliosGeoTiffHeightReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  RasterFile file;
+  std::unique_ptr<RasterFile> file;
   if (!this->Open(file))
   {
     return 0;
   }
-  const int extent[6] = { 0, static_cast<int>(file.GetNumberOfColumns()) - 1, 0,
-    static_cast<int>(file.GetNumberOfRows()) - 1, 0, 0 };
-  Lattice lattice(file.GetTransform());
+  const int extent[6] = { 0, static_cast<int>(file->GetNumberOfColumns()) - 1, 0,
+    static_cast<int>(file->GetNumberOfRows()) - 1, 0, 0 };
+  Lattice lattice(file->GetTransform());
   vtkInformation* information = outputVector->GetInformationObject(0);
   information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   information->Set(vtkDataObject::ORIGIN(), lattice.Origin, 3);
@@ -177,25 +182,25 @@ int vtkHeliosGeoTiffHeightReader::RequestInformation(
 int vtkHeliosGeoTiffHeightReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  RasterFile file;
+  std::unique_ptr<RasterFile> file;
   vtkImageData* image = vtkImageData::GetData(outputVector);
   try
   {
-    if (!this->Open(file) || !this->ReadHeights(file, image))
+    if (!this->Open(file) || !this->ReadHeights(*file, image))
     {
       return 0;
     }
   }
   catch (const std::bad_alloc&)
   {
-    return this->Fail(file.GetPath() +
+    return this->Fail(file->GetPath() +
       ": not enough memory for its heights; free some, or cut out a part with gdal_translate "
       "-srcwin");
   }
-  SetPlace(file, image);
+  SetPlace(*file, image);
   helios::SetMaterials(image, { helios::Material() });
-  helios::SetCRS(image, file.GetCrs());
-  for (const std::string& warning : file.GetWarnings())
+  helios::SetCRS(image, file->GetCrs());
+  for (const std::string& warning : file->GetWarnings())
   {
     vtkWarningMacro(<< warning);
   }

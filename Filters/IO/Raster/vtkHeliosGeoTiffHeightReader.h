@@ -26,6 +26,8 @@
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#include <memory> // For the file
+
 #include <limits> // For the default NoDataValue
 
 namespace helios
@@ -87,7 +89,7 @@ private:
   vtkHeliosGeoTiffHeightReader(const vtkHeliosGeoTiffHeightReader&) = delete;
   void operator=(const vtkHeliosGeoTiffHeightReader&) = delete;
 
-  bool Open(helios::RasterFile& file);
+  bool Open(std::unique_ptr<helios::RasterFile>& file);
   bool ReadHeights(helios::RasterFile& file, vtkImageData* image);
   bool Fail(const std::string& message);
 

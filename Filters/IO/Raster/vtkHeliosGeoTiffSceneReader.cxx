@@ -50,9 +50,13 @@ int vtkHeliosGeoTiffSceneReader::RequestData(
   {
     return this->Fail("FileName is not set; give the GeoTIFF file with SetFileName");
   }
-  helios::RasterFile file;
-  const helios::Status status =
-    file.Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
+  std::unique_ptr<helios::RasterFile> file;
+  helios::Status status = helios::MakeRasterFile(file);
+  if (!status.IsOk())
+  {
+    return this->Fail(std::string(this->FileName) + ": " + status.Message());
+  }
+  status = file->Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
   if (!status.IsOk())
   {
     return this->Fail(status.Message());
@@ -60,8 +64,8 @@ int vtkHeliosGeoTiffSceneReader::RequestData(
   vtkPolyData* scene = vtkPolyData::GetData(outputVector);
   try
   {
-    if (!(IsSmall(file) ? this->ReadMesh<vtkTypeInt32Array>(file, scene)
-                        : this->ReadMesh<vtkTypeInt64Array>(file, scene)))
+    if (!(IsSmall(*file) ? this->ReadMesh<vtkTypeInt32Array>(*file, scene)
+                         : this->ReadMesh<vtkTypeInt64Array>(*file, scene)))
     {
       return 0;
     }
@@ -72,8 +76,8 @@ int vtkHeliosGeoTiffSceneReader::RequestData(
       ": not enough memory for its mesh; free some, or cut out a part with gdal_translate -srcwin");
   }
   helios::SetMaterials(scene, { helios::Material() });
-  helios::SetCRS(scene, file.GetCrs());
-  for (const std::string& warning : file.GetWarnings())
+  helios::SetCRS(scene, file->GetCrs());
+  for (const std::string& warning : file->GetWarnings())
   {
     vtkWarningMacro(<< warning);
   }

@@ -315,6 +315,10 @@ helios::Status vtkHeliosXMLPieceWriter::WritePieceFile(
 {
   if (this->CountOnly)
   {
+    if (this->BlockText)
+    {
+      this->BlockText->append(bytes);
+    }
     return {};
   }
   helios::PartFile file;

@@ -186,7 +186,7 @@ def test_reader_that_fails_without_a_message_raises(make_survey, monkeypatch):
         def Read(self):
             return False
 
-    monkeypatch.setattr(vtkhelios, "vtkHeliosSurveyReader", Silent)
+    monkeypatch.setattr("vtkhelios.cli._reading.vtkHeliosSurveyReader", Silent)
     with pytest.raises(vtkhelios.PipelineError, match="survey.xml: cannot be read"):
         vtkhelios.read_survey(make_survey())
 

@@ -19,8 +19,7 @@ import importlib
 import pkgutil
 import sys
 
-import vtkhelios
-
+from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
 from ._streams import standard_streams
@@ -35,6 +34,7 @@ examples:
   vtkhelios run survey.xml                          run a survey; files go to ./output
   vtkhelios run survey.xml --assets my_scenes       also search my_scenes for scenes and scanners
   vtkhelios run --help                              all options and outputs of a run
+  vtkhelios join output/village                     join the parts of a run of several computers
   vtkhelios plan scene.xml                          find scan positions, write them as a survey
   vtkhelios validate survey.xml                     list all its errors and warnings
   vtkhelios tradeoff survey.xml                     accuracy against time, what its scene requires
@@ -100,7 +100,7 @@ def run_command(argv):
     parser = make_parser(known)
     arguments = parser.parse_args(argv)
     if arguments.version:
-        print(f"vtkhelios {vtkhelios.__version__}")
+        print(f"vtkhelios {vtkHeliosVersion.GetVersion()}")
         return 0
     if not arguments.command:
         parser.print_help(sys.stderr)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An argument parser that names the nearest known word for a misspelt one."""
+"""An argument parser that names the nearest known word for a misspelt one, and types of arguments."""
 
 import argparse
 import difflib
@@ -8,6 +8,46 @@ import re
 import sys
 
 OPTION = re.compile(r"-[^\d.]")  # -1 and -.5 are numbers
+
+
+def whole_number(highest, lowest=0):
+    """An argparse type: an integer from lowest to highest."""
+
+    def parse(text):
+        if not text.isascii() or not text.isdigit() or not lowest <= int(text) <= highest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a whole number from {lowest} to {highest}"
+            )
+        return int(text)
+
+    return parse
+
+
+def number(lowest, highest):
+    """An argparse type: a number from lowest to highest."""
+
+    def parse(text):
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if not lowest <= value <= highest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a number from {lowest:g} to {highest:g}"
+            )
+        return value
+
+    return parse
+
+
+def part_of_run(text):
+    """An argparse type: part K of N, as (K, N)."""
+    found = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
+    if not found or not 1 <= int(found[1]) <= int(found[2]):
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a part; expected K/N with K from 1 to N, as 2/4"
+        )
+    return int(found[1]), int(found[2])
 
 
 def nearest(word, known):

@@ -5,7 +5,7 @@
 from .._plan_settings import SETTINGS
 from ..planning import PLATFORM, SCANNER
 from ._reading import add_assets_argument
-from .run import number, whole_number
+from ._parser import number, whole_number
 
 
 def value_of(name):

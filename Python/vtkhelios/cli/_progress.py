@@ -3,16 +3,12 @@
 """Progress of a run: a bar on a terminal, a line every few seconds elsewhere."""
 
 import collections
+import importlib.util
 import sys
 import time
 
 from .._paths import from_vtk
 from ._streams import unfiltered, visible
-
-try:
-    import rich.progress as rich_progress
-except ImportError:
-    rich_progress = None
 
 SECONDS_BETWEEN_LINES = 5.0
 SECONDS_BETWEEN_BARS = 0.1
@@ -127,40 +123,46 @@ def _overwrite(text):
 
 
 class RichBar(Progress):
-    """A bar drawn by rich; messages printed meanwhile scroll above it."""
+    """A bar drawn by rich; messages printed meanwhile scroll above it.
+
+    The bar, and rich, which is slow to import, are loaded when it is first shown.
+    """
 
     seconds_between = SECONDS_BETWEEN_BARS
 
     def __init__(self, player, messages):
         super().__init__(player)
+        self._messages = messages
+        self._bar = None
+
+    def _start(self):
+        from rich import progress
         from rich.console import Console
 
-        console = Console(file=unfiltered(sys.stderr), highlight=False)
-        self._messages = messages
-        self._bar = rich_progress.Progress(
-            rich_progress.BarColumn(bar_width=24),
-            rich_progress.TaskProgressColumn(),
-            rich_progress.TextColumn("{task.description}", markup=False),
-            console=console,
+        self._bar = progress.Progress(
+            progress.BarColumn(bar_width=24),
+            progress.TaskProgressColumn(),
+            progress.TextColumn("{task.description}", markup=False),
+            console=Console(file=unfiltered(sys.stderr), highlight=False),
             auto_refresh=False,
             transient=True,
         )
         self._task = self._bar.add_task("loading", total=1.0)
-
-    def __enter__(self):
         self._write_error = self._messages.write_error
         self._messages.write_error = lambda text: self._bar.console.print(
             text, markup=False, soft_wrap=True
         )
         self._bar.start()
-        return super().__enter__()
 
     def __exit__(self, *_):
         super().__exit__()
-        self._bar.stop()
-        self._messages.write_error = self._write_error
+        if self._bar:
+            self._bar.stop()
+            self._messages.write_error = self._write_error
 
     def show(self):
+        if not self._bar:
+            self._start()
         done = min(1.0, max(0.0, self._player.GetProgress()))
         self._bar.update(self._task, completed=done, description=visible(self.describe()))
         self._bar.refresh()
@@ -172,4 +174,5 @@ def make_progress(player, messages, quiet=False):
         return Progress(player)
     if not sys.stderr.isatty():
         return Lines(player)
-    return RichBar(player, messages) if rich_progress else PlainBar(player)
+    has_rich = importlib.util.find_spec("rich")
+    return RichBar(player, messages) if has_rich else PlainBar(player)

@@ -6,9 +6,10 @@ import argparse
 import pathlib
 import re
 
-import vtkhelios
-
+from .. import data_directory
 from .._paths import to_vtk
+from ..vtkHeliosFiltersCore import vtkHeliosMemoryLimit
+from ..vtkHeliosScannerSurvey import vtkHeliosSurveyReader
 
 SIZES = {"": 1, "k": 1e3, "m": 1e6, "g": 1e9, "t": 1e12}
 SIZES |= {f"{unit}i": 1024**power for power, unit in enumerate("kmgt", 1)}
@@ -48,7 +49,7 @@ def add_memory_argument(parser, more=""):
 
 def limit_memory(arguments):
     """Applies --memory from here on."""
-    vtkhelios.vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
+    vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
 
 
 def missing_folder(assets):
@@ -60,12 +61,12 @@ def missing_folder(assets):
 
 def make_reader(path, assets):
     """A reader of a survey."""
-    return look_up(vtkhelios.vtkHeliosSurveyReader(), path, assets)
+    return look_up(vtkHeliosSurveyReader(), path, assets)
 
 
 def look_up(reader, path, assets):
     """A reader, or writer, that searches the user's folders, the file's own, then the shipped data."""
-    shipped = vtkhelios.data_directory()
+    shipped = data_directory()
     beside = str(pathlib.Path(path).parent)
     reader.SetFileName(to_vtk(path))
     for folder in dict.fromkeys([*assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]):

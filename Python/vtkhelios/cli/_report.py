@@ -124,7 +124,7 @@ def _padded(texts, width):
 
 def describe_paths(totals):
     """How pulses were sampled, and their cost."""
-    pulses = max(1, totals["pulsesFired"])
+    pulses = totals["pulsesFired"]
     ways = {
         "planar": totals["pulsesOnPlane"],
         "without bins": totals["pulsesWithoutBins"],
@@ -132,7 +132,7 @@ def describe_paths(totals):
     }
     ways["without hits"] = pulses - sum(ways.values())
     counts = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
-    return f"{counts}; {totals['subRays'] / pulses:.1f} sub-rays per pulse"
+    return f"{counts or 'none'}; {totals['subRays'] / max(1, pulses):.1f} sub-rays per pulse"
 
 
 def unresolved_lines(totals):

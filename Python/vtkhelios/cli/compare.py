@@ -18,7 +18,7 @@ from ._page import load_template
 from ._progress import make_progress
 from ._task import Interrupted, StepWatch
 from .plan import shown_warnings
-from .run import number, whole_number
+from ._parser import number, whole_number
 
 SUMMARY = "compare two clouds: returns, spacing, planes, heights, distances, with intervals"
 

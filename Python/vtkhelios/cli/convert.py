@@ -15,7 +15,7 @@ from ._points import RETURNS, Selection
 from ._progress import make_progress
 from ._report import readable
 from ._task import Interrupted, Task
-from .run import whole_number
+from ._parser import whole_number
 
 SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs"
 

@@ -19,7 +19,8 @@ from .._paths import to_vtk
 from .._run_files import PART
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
 from ._messages import Messages
-from .run import detectors, number, whole_number
+from .run import detectors
+from ._parser import number, whole_number
 
 SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
 

@@ -15,7 +15,7 @@ from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
 from ._task import Interrupted, StepWatch
-from .run import number, whole_number
+from ._parser import number, whole_number
 
 FIT_FILE = "fit.json"
 SUMMARY = "find the instrument and the flight of an airborne cloud, and write them as a survey"

@@ -19,7 +19,7 @@ from ._page import load_template, write_page
 from ._progress import make_progress
 from ._report import readable
 from ._task import Interrupted, Task
-from .run import number
+from ._parser import number
 
 SUMMARY = "write a report page of a run in HTML: maps, histograms, timings, inputs"
 

@@ -6,140 +6,41 @@ import argparse
 import json
 import os
 import pathlib
-import sys
+import signal
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-import vtkhelios
-
 from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
-from ..formats import FormatError
-from ..formats._summary import FINISHED, parse_summary
+from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
+from ..vtkHeliosScannerSurvey import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._interrupt import Interrupt
-from ._messages import Messages
+from ._messages import Messages, say_error
+from ._parser import number, part_of_run, whole_number
 from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
 from ._reading import missing_folder
 from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
+from ._run.help import EPILOG
+from ._run.ranks import NoMpi, count_threads, start_ranks
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
-
-EPILOG = """\
-what it writes, below OUTPUT/<name of the survey>/, for every active leg:
-  legNNN_points.xyz       one echo per line: x y z [m], intensity [nW], echo width [ns],
-                          return number, number of returns, pulse, object, class, GPS time [s]
-  legNNN_trajectory.txt   x y z [m], GPS time [s], roll pitch yaw [deg]
-  legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse per line, pulse, origin x y z,
-                          direction x y z, first and last time [ns, two-way], GPS time [s],
-                          samples [nW]
-  legNNN_pulse.txt        the pulses, with --pulses: one per line, origin x y z, direction x y z,
-                          time [ns], pulse, channel
-Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
-With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), point
-format 6 or 7, which all programs read. With --waveforms legNNN_fullwave.las beside it, the same
-points with waveforms, point format 9 or 10, and their samples in legNNN_fullwave.wdp; PDAL and
-QGIS refuse these formats. With --waveforms-in-points legNNN_points.las has format 9 or 10, with
-legNNN_points.wdp, and is the only LAS file of the leg. Other files are text.
-With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
-their pieces beside them.
-  run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
-                          leg, timings
-During a run file names end in .part; the files hold whole lines at any time.
-A survey whose scene swaps parts has several epochs. They run one after the other, each into its
-own folder below that: play000, play001 and so on. See Docs/scenes.md.
-
-interrupted runs:
-  run.journal, beside the files, records what is flushed to disk. The same command with --resume
-  continues a run that was killed, stopped by Ctrl-C, or ended by a full disk after its last block;
-  the files are then byte-identical to those of an uninterrupted run. Inputs and options (files,
-  seed, format, sampling) must be the same; an error names those that differ. The journal and the
-  last blocks of the files have checksums: damage is an error; --check-all verifies the whole
-  files. A finished run is not changed. See Docs/running.md.
-
-run time, points and bytes beforehand:
-  --dry-run loads the scene, runs at most a tenth of the pulses, sampled over every leg, and
-  estimates the whole run. It writes nothing. --json prints the estimate as JSON.
-
-beam sampling:
-  A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
-  adaptive, to the tolerances (1 mm for 95 % of the ranges, 1 % of the amplitudes and echoes): a
-  closed form for planar footprints, the visible areas of all surfaces in other beams, and samples
-  in beams of more than 512 surfaces, until successive answers agree or there are --max-sub-rays of
-  them. --range-tolerance and --energy-tolerance, or --sub-rays, override the survey. The end of a
-  run prints the statistics. See Docs/instrument.md.
-
-accuracy:
-  At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again with 4096
-  sub-rays in fine bins, and prints the difference: median and 95th percentile of the range error, missed and
-  invented echoes and the RMS of the amplitude, each with its 95 % confidence interval, beside what
-  was asked and beside the error of this reference itself. run_summary.json has it as "accuracy".
-  Noise and turbid voxels are left out. The point files do not depend on it.
-
-where files are searched: absolute names are used unchanged; others in every --assets folder in
-order, the folder of the survey, the working directory, and the data shipped with vtkHelios.
-
-examples:
-  vtkhelios run survey.xml
-  vtkhelios run survey.xml --assets scenes --assets my_scanners --output clouds
-  vtkhelios run survey.xml --no-noise --seed 7 --threads 4 --overwrite
-  vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
-  vtkhelios run survey.xml --format las                  for LAS tools
-  vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
-  vtkhelios run survey.xml --sub-rays 19 --detector gaussian
-  vtkhelios run survey.xml --dry-run                     estimate time, points and bytes
-  vtkhelios run survey.xml --resume                      continue an interrupted run
-  vtkhelios run survey.xml --epoch 2                     only the third epoch, of a scene with swaps
-
-exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
-2 wrong usage, 130 interrupted (Ctrl-C: the files written so far are valid; --resume continues).
-"""
-
-
-def whole_number(highest, lowest=0):
-    """An argparse type: an integer from lowest to highest."""
-
-    def parse(text):
-        if not text.isascii() or not text.isdigit() or not lowest <= int(text) <= highest:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a whole number from {lowest} to {highest}"
-            )
-        return int(text)
-
-    return parse
-
-
-def number(lowest, highest):
-    """An argparse type: a number from lowest to highest."""
-
-    def parse(text):
-        try:
-            value = float(text)
-        except ValueError:
-            value = float("nan")
-        if not lowest <= value <= highest:
-            raise argparse.ArgumentTypeError(
-                f"{text!r} is not a number from {lowest:g} to {highest:g}"
-            )
-        return value
-
-    return parse
 
 
 def detectors():
     """The names of the echo detectors, the default one first."""
-    return vtkhelios.vtkHeliosRunOptions.GetEchoDetectorNames().split()
+    return vtkHeliosRunOptions.GetEchoDetectorNames().split()
 
 
 def ray_casters():
     """The names of the ray casters in this build, the default one first."""
-    factory = vtkhelios.vtkHeliosRayCasterFactory
+    factory = vtkHeliosRayCasterFactory
     return [factory.GetBackendName(index) for index in range(factory.GetNumberOfBackends())]
 
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    player, options = vtkhelios.vtkHeliosSurveyPlayer(), vtkhelios.vtkHeliosRunOptions()
+    player, options = vtkHeliosSurveyPlayer(), vtkHeliosRunOptions()
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
     add_assets_argument(parser)
     parser.add_argument(
@@ -160,6 +61,12 @@ def add_arguments(parser):
         type=whole_number(2**31 - 1),
         help="run only this epoch of a survey whose scene swaps parts; 0 is the first (default: "
         "all)",
+    )
+    parser.add_argument(
+        "--part",
+        metavar="K/N",
+        type=part_of_run,
+        help="run part K of N parts of the pulses, for vtkhelios join (default: the whole run)",
     )
     parser.add_argument(  # its former name
         "--play", dest="epoch", type=whole_number(2**31 - 1), help=argparse.SUPPRESS
@@ -329,40 +236,100 @@ def add_sampling_arguments(parser, options):
     )
 
 
-def run(arguments):
+def contradiction(arguments):
+    """Which arguments exclude each other, or None."""
     if arguments.sub_rays and (arguments.range_tolerance or arguments.energy_tolerance):
-        print(
-            "error: --sub-rays is a fixed number, and a tolerance makes the number adaptive: "
-            "give one of them",
-            file=sys.stderr,
+        return (
+            "--sub-rays is a fixed number, and a tolerance makes the number adaptive: "
+            "give one of them"
         )
-        return 2
     if arguments.waveforms_in_points and not (arguments.waveforms and arguments.format == "las"):
-        print(
-            "error: --waveforms-in-points needs --format las and --waveforms: give all three",
-            file=sys.stderr,
-        )
-        return 2
+        return "--waveforms-in-points needs --format las and --waveforms: give all three"
     if arguments.check_all and not arguments.resume:
-        print("error: --check-all needs --resume: give both", file=sys.stderr)
+        return "--check-all needs --resume: give both"
+    if arguments.dry_run and arguments.part:
+        return "--dry-run estimates the whole run: leave --part out"
+    return None
+
+
+def run(arguments):
+    if problem := contradiction(arguments):
+        say_error(problem)
         return 2
+    return run_survey(arguments)
+
+
+def run_survey(arguments, parts=None):
+    """Runs the survey, or joins the folders of its parts, by epoch; returns the exit code."""
+    try:
+        ranks = start_ranks()
+    except NoMpi as error:
+        say_error(str(error))
+        return 1
+    if ranks is None:
+        return run_here(arguments, parts)
+    code = serve(arguments, ranks) if ranks.GetRank() else run_here(arguments, parts, ranks)
+    if code < 128:  # else MPI ends the other ranks
+        ranks.Finalize()
+    return code
+
+
+def run_here(arguments, parts, ranks=None):
+    """Runs the survey, with other ranks if there are any."""
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
-        vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
+        vtkSMPTools.Initialize(arguments.threads or count_threads())
         limit_memory(arguments)
         survey = read_survey(arguments, messages)
-        if survey is None:
-            return 1
-        player = make_player(arguments, survey, messages)
-        epochs = epochs_to_run(arguments, player, messages)
-        with Interrupt(player, messages) as interrupt:
-            reports = []
-            for epoch in epochs:
-                code = run_epoch(arguments, player, epoch, messages, interrupt, reports)
-                if code:
-                    return code
-        if reports:
-            conclude(arguments, epochs, reports, messages)
-        return 0 if reports else 1
+        code = 1
+        if survey is not None:
+            player = make_player(arguments, survey, messages)
+            player.SetRanks(ranks)
+            code = run_epochs(arguments, player, parts, messages)
+        if ranks and not code and not arguments.dry_run:
+            messages.info(describe_traffic(ranks, player))
+        if ranks and code < 128:
+            ranks.Dismiss()
+        return code
+
+
+def describe_traffic(ranks, player):
+    """The ranks of a run, and what rank 0 has received."""
+    per_pulse = ranks.GetNumberOfBytes() / max(1, player.GetNumberOfPulses())
+    return (
+        f"ranks    {ranks.GetNumberOfRanks()}, which sent {ranks.GetNumberOfBytes():,} bytes, "
+        f"{per_pulse:.1f} bytes per pulse"
+    )
+
+
+def serve(arguments, ranks):
+    """Computes blocks for rank 0, which reports errors, and ends this when it is interrupted."""
+    for each in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(each, signal.SIG_IGN)
+    with Messages(quiet=True) as messages:
+        messages.write_error = lambda text: None
+        vtkSMPTools.Initialize(arguments.threads or count_threads())
+        limit_memory(arguments)
+        survey = read_survey(arguments, messages)
+        player = vtkhelios.vtkHeliosSurveyPlayer()
+        if survey is not None:
+            player = make_player(arguments, survey, messages)
+        player.SetRanks(ranks)
+        return 0 if player.Serve() else 1
+
+
+def run_epochs(arguments, player, parts, messages):
+    """Runs all epochs; returns the exit code."""
+    epochs = sorted(parts) if parts else epochs_to_run(arguments, player, messages)
+    reports = []
+    with Interrupt(player, messages) as interrupt:
+        for epoch in epochs:
+            set_parts(player, parts[epoch] if parts else [])
+            code = run_epoch(arguments, player, epoch, messages, interrupt, reports)
+            if code:
+                return code
+    if reports:
+        conclude(arguments, epochs, reports, messages)
+    return 0 if reports else 1
 
 
 def read_survey(arguments, messages):
@@ -379,7 +346,7 @@ def read_survey(arguments, messages):
 
 
 def make_player(arguments, survey, messages):
-    player = vtkhelios.vtkHeliosSurveyPlayer()
+    player = vtkHeliosSurveyPlayer()
     messages.watch(player)
     player.SetSurvey(survey)
     player.SetOutputDirectory(to_vtk(arguments.output))
@@ -397,6 +364,10 @@ def make_player(arguments, survey, messages):
     player.SetWriteTruth(arguments.truth)
     player.SetWriteColumns(arguments.columns)
     player.SetSplitByChannel(arguments.split_by_channel)
+    if arguments.part:
+        player.SetPart(arguments.part[0])
+        player.SetNumberOfParts(arguments.part[1])
+        player.SetPartCommand(to_vtk(command_of_part(arguments)))
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
     options = player.GetOptions()
     options.SetRangeTolerance(arguments.range_tolerance)
@@ -413,6 +384,22 @@ def make_player(arguments, survey, messages):
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
+
+
+def command_of_part(arguments):
+    """What determines the output, as JSON: for vtkhelios join."""
+    host = (
+        "command run part epoch output overwrite resume check_all dry_run threads memory json quiet"
+    )
+    options = {name: value for name, value in vars(arguments).items() if name not in host.split()}
+    return json.dumps({"folder": os.getcwd(), "options": options})
+
+
+def set_parts(player, folders):
+    """Sets the folders of parts that the player joins."""
+    player.ClearPartFolders()
+    for folder in folders:
+        player.AddPartFolder(to_vtk(folder))
 
 
 def epochs_to_run(arguments, player, messages):
@@ -458,10 +445,8 @@ def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     if not succeeded:
         messages.error_unless_told(from_vtk(player.GetMessage()))
         return 1
-    try:
-        report = read_report(player, folder)
-    except FormatError as error:
-        messages.error(str(error))
+    report = read_report(player, folder, messages)
+    if report is None:
         return 1
     if player.GetWasFinished():
         messages.info(from_vtk(player.GetMessage()))
@@ -471,11 +456,18 @@ def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     return 0
 
 
-def read_report(player, folder):
-    """The report of a run, or of an earlier one: then that of its summary, which is checked."""
-    if player.GetWasFinished():
-        return parse_summary(from_vtk(player.GetReport()), folder / SUMMARY_NAME, FINISHED)
-    return json.loads(from_vtk(player.GetReport()))
+def read_report(player, folder, messages):
+    """The report of a run, or of an earlier one; None after an error."""
+    text = from_vtk(player.GetReport())
+    if not player.GetWasFinished():
+        return json.loads(text)
+    from ..formats._summary import FINISHED, FormatError, parse_summary  # slow to import
+
+    try:
+        return parse_summary(text, folder / SUMMARY_NAME, FINISHED)
+    except FormatError as error:
+        messages.error(str(error))
+        return None
 
 
 def conclude(arguments, epochs, reports, messages):

@@ -28,7 +28,7 @@ from ._tradeoff.input import open_input
 from ._tradeoff.pictures import make_parts_picture, make_picture
 from ._tradeoff.report import megabytes, result_lines
 from .plan import shown_warnings
-from .run import whole_number
+from ._parser import whole_number
 
 SUMMARY = "measure accuracy against time on a survey, and what its scene requires of the model"
 

@@ -70,6 +70,7 @@ WHOLE = {
         **dict.fromkeys(("firstReturns", "points", "pulses", "pulsesFired", "pulsesHit"), _count),
     }],
     "options": _OPTIONS,
+    "part": {"number": _index, "count": _index, "command": _text},
     "rayCaster": _text,
     "sampling": _text,
     "scene": _text,

@@ -5,6 +5,8 @@
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -19,6 +21,10 @@ constexpr int NumberOfBins = 16;
 constexpr vtkTypeInt32 LeafSize = 4;
 constexpr int BinnedDepth = 56; // median splits below: at most 56 + 31 levels
 constexpr int StackSize = 96;
+
+// A large tree is built of parts, on all threads.
+constexpr vtkTypeInt32 PartsOfTree = 64;
+constexpr vtkTypeInt32 SmallestPart = 512; // triangles
 
 struct Box
 {
@@ -101,6 +107,17 @@ struct Binning
 
 } // namespace
 
+/// A range of primitives whose node, a child of another one, is made later.
+struct Bvh::Part
+{
+  vtkTypeInt32 Parent;
+  int Child;
+  vtkTypeInt32 First;
+  vtkTypeInt32 Last;
+  int Depth;
+  std::vector<Node> Nodes; // of it, the first on top
+};
+
 /// Splits ranges of primitives by the surface area heuristic over bins of their centres.
 class Bvh::Builder
 {
@@ -112,11 +129,18 @@ public:
   {
   }
 
+  /// Makes the nodes of ranges with more primitives only, and parts of the others.
+  void MakeParts(vtkTypeInt32 size, std::vector<Part>& parts)
+  {
+    this->PartSize = size;
+    this->Parts = &parts;
+  }
+
   /// Creates the node of at least two primitives; returns its index.
   vtkTypeInt32 MakeNode(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
   {
     this->Check.Count(1 + static_cast<std::size_t>(last - first) / 32);
-    const vtkTypeInt32 middle = this->Part(first, last, depth);
+    const vtkTypeInt32 middle = this->Divide(first, last, depth);
     const vtkTypeInt32 index = static_cast<vtkTypeInt32>(this->Nodes.size());
     this->Nodes.emplace_back();
     this->SetChild(index, 0, first, middle, depth);
@@ -132,7 +156,16 @@ public:
       bounds.Add(this->Primitives[i].Bounds);
     }
     const bool isLeaf = last - first <= LeafSize;
-    const vtkTypeInt32 inner = isLeaf ? first : this->MakeNode(first, last, depth + 1);
+    const bool isPart = !isLeaf && last - first <= this->PartSize;
+    vtkTypeInt32 inner = first;
+    if (isPart)
+    {
+      this->Parts->push_back({ node, child, first, last, depth + 1, {} });
+    }
+    else if (!isLeaf)
+    {
+      inner = this->MakeNode(first, last, depth + 1);
+    }
     Node& n = this->Nodes[node]; // here, since creating nodes moves them
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -145,7 +178,7 @@ public:
 
 private:
   /// Partitions a range; returns the start of its second half.
-  vtkTypeInt32 Part(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
+  vtkTypeInt32 Divide(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
   {
     Box centres;
     for (vtkTypeInt32 i = first; i < last; ++i)
@@ -227,7 +260,57 @@ private:
   std::vector<Primitive>& Primitives;
   std::vector<Node>& Nodes;
   StopCheck& Check;
+  vtkTypeInt32 PartSize = 0;
+  std::vector<Part>* Parts = nullptr;
 };
+
+/// Appends the nodes of a part.
+void Bvh::Append(const Part& part)
+{
+  const auto offset = static_cast<vtkTypeInt32>(this->Nodes.size());
+  this->Nodes[part.Parent].First[part.Child] = offset;
+  for (Node node : part.Nodes)
+  {
+    for (int child = 0; child < 2; ++child)
+    {
+      node.First[child] += node.Count[child] == 0 ? offset : 0;
+    }
+    this->Nodes.push_back(node);
+  }
+}
+
+/// Makes the nodes of parts, on all threads, in rounds between checks for a stop.
+template <typename PrimitivesT>
+void Bvh::BuildParts(std::vector<Part>& parts, PrimitivesT& primitives, StopCheck& check)
+{
+  const auto build = [&](vtkIdType begin, vtkIdType end)
+  {
+    StopCheck never(nullptr);
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      Part& part = parts[static_cast<std::size_t>(i)];
+      Builder(primitives, part.Nodes, never).MakeNode(part.First, part.Last, part.Depth);
+    }
+  };
+  const auto count = static_cast<vtkIdType>(parts.size());
+  const vtkIdType round = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
+  for (vtkIdType first = 0; first < count; first += round)
+  {
+    check.Poll();
+    vtkSMPTools::For(first, std::min(count, first + round), 1, build);
+  }
+  std::size_t size = this->Nodes.size();
+  for (const Part& part : parts)
+  {
+    size += part.Nodes.size();
+  }
+  this->Nodes.reserve(size);
+  for (Part& part : parts)
+  {
+    this->Append(part);
+    part.Nodes = std::vector<Node>();
+  }
+}
 
 void Bvh::Build(const TriangleMesh& mesh, StopCheck& check)
 {
@@ -257,7 +340,11 @@ void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, S
   Builder builder(primitives, this->Nodes, check);
   if (count > 1)
   {
+    std::vector<Part> parts;
+    const vtkTypeInt32 size = count / PartsOfTree;
+    builder.MakeParts(size < SmallestPart ? 0 : size, parts);
     builder.MakeNode(0, count, 0);
+    this->BuildParts(parts, primitives, check);
   }
   else if (count == 1) // a duplicate leaf is harmless
   {

@@ -65,7 +65,12 @@ private:
     vtkTypeInt32 Count[2];
   };
   class Builder;
+  struct Part;
   class NearestSearch;
+
+  void Append(const Part& part);
+  template <typename PrimitivesT>
+  void BuildParts(std::vector<Part>& parts, PrimitivesT& primitives, StopCheck& check);
 
   template <typename VisitT>
   void Traverse(const TestRay& ray, const double& range, VisitT visit) const;

@@ -6,6 +6,7 @@
 #define heliosLegPlan_h
 
 #include "heliosMakePlatform.h"
+#include "heliosPulseCount.h"
 #include "heliosTrajectory.h"
 #include "heliosWaypoints.h"
 
@@ -31,6 +32,19 @@ struct LegPlan
   vtkIdType FirstPulse = 0;                    ///< id, over the run
   vtkIdType NumberOfPulses = 0;
   vtkIdType FirstShot = 0; ///< pulses of one channel in the legs before
+
+  ///@{
+  /// The leg is divided into blocks; a part of a run has those from FirstBlock to EndBlock.
+  vtkIdType NumberOfBlocks = 1;
+  vtkIdType FirstBlock = 0;
+  vtkIdType EndBlock = 1;
+  ///@}
+
+  /// The pulses of the leg before a block.
+  vtkIdType CountPulsesBefore(vtkIdType block) const
+  {
+    return SplitPulses(this->NumberOfPulses, block, this->NumberOfBlocks);
+  }
 };
 
 /**

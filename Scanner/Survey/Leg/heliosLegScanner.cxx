@@ -26,6 +26,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -48,13 +49,10 @@ void SetPose(const Pose& pose, double position[3], double orientation[4])
 
 vtkIdType CountFirstReturns(vtkPolyData* echoes)
 {
-  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
-  {
-    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
-  }
-  return count;
+  auto* numbers =
+    vtkUnsignedCharArray::SafeDownCast(echoes->GetPointData()->GetArray(names::ReturnNumber));
+  const unsigned char* first = numbers ? numbers->GetPointer(0) : nullptr;
+  return first ? std::count(first, first + numbers->GetNumberOfTuples(), 1) : 0;
 }
 
 void AddCounts(const std::vector<vtkSmartPointer<vtkHeliosScanner>>& channels, ScanCounts& counts)

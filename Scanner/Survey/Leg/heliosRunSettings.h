@@ -6,6 +6,7 @@
 #define heliosRunSettings_h
 
 #include "heliosRunOptions.h"
+#include "heliosRunPart.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -37,6 +38,7 @@ struct RunSettings
   std::string Format; ///< xyz, las, vtp
   bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
+  RunPart Part; ///< that is run
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene

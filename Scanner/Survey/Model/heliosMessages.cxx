@@ -25,6 +25,8 @@ std::string StripOrigin(const std::string& message)
 
 constexpr std::size_t LongestShown = 200;
 
+thread_local int NumberOfDeferrals = 0;
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -45,6 +47,18 @@ std::string Enumerate(const std::vector<std::string>& words, const char* last)
     text += (i == 0 ? "" : i + 1 < words.size() ? ", " : before) + words[i];
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+Messages::Deferral::Deferral()
+{
+  ++NumberOfDeferrals;
+}
+
+//------------------------------------------------------------------------------
+Messages::Deferral::~Deferral()
+{
+  --NumberOfDeferrals;
 }
 
 //------------------------------------------------------------------------------
@@ -107,26 +121,52 @@ void Messages::Listen(vtkAlgorithm* algorithm, const std::string& where)
 void Messages::Forward(vtkObject* caller, unsigned long event, void* self, void* data)
 {
   auto* messages = static_cast<Messages*>(self);
-  if (messages->IsMuted)
+  const Message message{ caller, event, data ? static_cast<const char*>(data) : "" };
+  if (NumberOfDeferrals == 0)
+  {
+    messages->Report(message);
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(messages->DeferredMutex);
+  messages->Deferred.push_back(message);
+}
+
+//------------------------------------------------------------------------------
+void Messages::ReportDeferred()
+{
+  std::vector<Message> deferred;
+  {
+    const std::lock_guard<std::mutex> lock(this->DeferredMutex);
+    deferred.swap(this->Deferred);
+  }
+  for (const Message& message : deferred)
+  {
+    this->Report(message);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Messages::Report(const Message& message)
+{
+  if (this->IsMuted)
   {
     return;
   }
-  const std::string& where = messages->Places[caller];
-  const std::string text =
-    where + (where.empty() ? "" : ": ") + StripOrigin(data ? static_cast<const char*>(data) : "");
-  const bool isEcho =
-    vtkExecutive::SafeDownCast(caller) && text.find("returned failure") != std::string::npos;
+  const std::string& where = this->Places[message.Caller];
+  const std::string text = where + (where.empty() ? "" : ": ") + StripOrigin(message.Text);
+  const bool isEcho = vtkExecutive::SafeDownCast(message.Caller) &&
+    text.find("returned failure") != std::string::npos;
   if (isEcho)
   {
-    ++messages->NumberOfErrors;
+    ++this->NumberOfErrors;
   }
-  else if (event == vtkCommand::ErrorEvent)
+  else if (message.Event == vtkCommand::ErrorEvent)
   {
-    messages->Error(text);
+    this->Error(text);
   }
   else
   {
-    messages->Warning(text);
+    this->Warning(text);
   }
 }
 

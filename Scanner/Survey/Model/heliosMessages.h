@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 
 #include <map>
+#include <mutex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -62,6 +63,20 @@ public:
   /// The last error; empty: none.
   const std::string& GetLastError() const { return this->LastError; }
 
+  /// While one exists, messages of the objects listened to that the calling thread causes are
+  /// deferred: observers may need a lock that the thread of the run holds, such as Python's.
+  class Deferral
+  {
+  public:
+    Deferral();
+    ~Deferral();
+    Deferral(const Deferral&) = delete;
+    void operator=(const Deferral&) = delete;
+  };
+
+  /// Reports the deferred messages, in their order.
+  void ReportDeferred();
+
   /// Makes the owner report what this object reports from now on, with the current place
   /// (file:line), if any, in front. Messages of an algorithm's executive that only repeat the
   /// algorithm's error are dropped.
@@ -69,7 +84,15 @@ public:
   void Listen(vtkAlgorithm* algorithm, const std::string& where = {});
 
 private:
+  struct Message
+  {
+    vtkObject* Caller;
+    unsigned long Event;
+    std::string Text;
+  };
+
   static void Forward(vtkObject*, unsigned long event, void* self, void* text);
+  void Report(const Message& message);
 
   vtkObject* Owner;
   vtkNew<vtkCallbackCommand> Observer;
@@ -78,6 +101,8 @@ private:
   std::string LastError;
   int NumberOfErrors = 0;
   bool IsMuted = false;
+  std::mutex DeferredMutex;
+  std::vector<Message> Deferred;
 };
 
 } // namespace helios

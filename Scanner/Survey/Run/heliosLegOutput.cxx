@@ -57,6 +57,56 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
 }
 
 //------------------------------------------------------------------------------
+bool LegOutput::HasWaveforms() const
+{
+  auto* las = vtkHeliosLASWriter::SafeDownCast(this->Writer);
+  return las && las->GetWriteWaveforms();
+}
+
+//------------------------------------------------------------------------------
+bool LegOutput::Write(const OutputPiece& piece) const
+{
+  if (!piece.Data)
+  {
+    const OutputRows& rows = piece.Rows;
+    return rows.Count == 0 ||
+      (rows.Path.empty() ? this->Writer->CopyRows(rows.Text, rows.Count)
+                         : this->Writer->CopyRows(rows.Path, rows.Block, rows.Count));
+  }
+  auto* las = vtkHeliosLASWriter::SafeDownCast(this->Writer);
+  if (las)
+  {
+    las->SetWaveforms(piece.Waveforms);
+  }
+  const bool isWritten = this->Writer->Write(piece.Data);
+  if (las)
+  {
+    las->SetWaveforms(nullptr); // releases their memory
+  }
+  return isWritten;
+}
+
+//------------------------------------------------------------------------------
+OutputPiece CollectPiece(const LegOutput& output, const PortGetter& get)
+{
+  OutputPiece piece;
+  piece.Data = get(output.HasWaveforms() ? EchoPort : output.Port, output.Channel);
+  if (output.HasWaveforms())
+  {
+    const vtkSmartPointer<vtkDataObject> waveforms = get(WaveformPort, output.Channel);
+    piece.Waveforms = vtkTable::SafeDownCast(waveforms);
+  }
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece)
+{
+  return std::equal(outputs.begin(), outputs.end(), piece.begin(),
+    [](const LegOutput& output, const OutputPiece& part) { return output.Write(part); });
+}
+
+//------------------------------------------------------------------------------
 std::string GetName(vtkHeliosStreamWriter* writer)
 {
   return std::filesystem::path(writer->GetFileName()).filename().string();

@@ -5,11 +5,16 @@
 #ifndef heliosLegOutput_h
 #define heliosLegOutput_h
 
+#include "heliosPartFile.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosStreamWriter.h"
 
+#include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,10 +29,33 @@ constexpr int EchoPort = vtkHeliosRunFiles::POINTS;
 constexpr int WaveformPort = vtkHeliosRunFiles::WAVEFORMS;
 constexpr int PulsePort = vtkHeliosRunFiles::PULSES;
 
+/// Rows of a text file: bytes of another file, or a text.
+struct OutputRows
+{
+  vtkIdType Count = 0;
+  std::string Path; ///< empty: Text
+  FileBlock Block;  ///< in that file
+  std::string Text;
+};
+
+/// What a writer writes at a time: data, or rows that have its format already.
+struct OutputPiece
+{
+  vtkSmartPointer<vtkDataObject> Data; ///< null: rows
+  vtkSmartPointer<vtkTable> Waveforms; ///< of LAS points that have them
+  OutputRows Rows;
+};
+
 /// A writer and its input: a port of the scanner, of all channels together or of one.
 struct LegOutput
 {
   static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
+
+  /// Writes a piece; false after an error.
+  bool Write(const OutputPiece& piece) const;
+
+  /// Whether the writer needs the waveforms of points, too.
+  bool HasWaveforms() const;
 
   vtkSmartPointer<vtkHeliosStreamWriter> Writer;
   int Port = 0;
@@ -35,6 +63,18 @@ struct LegOutput
 };
 
 using LegOutputs = std::vector<LegOutput>;
+
+/// A piece of every output of a leg.
+using LegPiece = std::vector<OutputPiece>;
+
+/// Gets a port of the scanner, of a channel or of AllChannels; null: it has no records.
+using PortGetter = std::function<vtkSmartPointer<vtkDataObject>(int port, std::size_t channel)>;
+
+/// What an output needs of the ports.
+OutputPiece CollectPiece(const LegOutput& output, const PortGetter& get);
+
+/// Writes a piece of every output; false after an error.
+bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece);
 
 /// The writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);

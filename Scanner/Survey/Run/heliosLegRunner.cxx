@@ -2,23 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
+#include "heliosLegWriting.h"
 #include "heliosMessages.h"
+#include "heliosPulseCount.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
-#include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
-#include "vtkHeliosPointXMLWriter.h"
 #include "vtkHeliosRunFiles.h"
-#include "vtkHeliosTrajectoryTextWriter.h"
 
 #include <vtkPolyData.h>
-#include <vtkTable.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <future>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace helios
 {
@@ -27,21 +26,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Journals the output once it is fsynced.
-Status CommitBlock(
-  const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
-{
-  progress.Files = CollectProgress(outputs, false);
-  for (const LegOutput& output : outputs)
-  {
-    const std::string problem = output.Writer->Sync();
-    if (!problem.empty())
-    {
-      return Status::Error(problem);
-    }
-  }
-  return journal.Append(leg, progress);
-}
+/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache.
+constexpr vtkIdType PulsesPerPiece = 32768;
 
 double Now()
 {
@@ -59,6 +45,7 @@ LegRunner::LegRunner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
+  , Files(survey, settings.Part.IsSet() ? MakePartSettings(settings) : settings)
   , Scene(scene)
   , Scanner(survey, scene, settings, log)
 {
@@ -92,7 +79,29 @@ bool LegRunner::Plan()
     }
     shots += plan.NumberOfPulses / static_cast<vtkIdType>(this->Scanner.GetNumberOfChannels());
   }
+  DivideIntoBlocks(this->Plans, this->Settings.PulsesPerBlock);
+  this->NumberOfPulsesToRun = this->NumberOfPulses;
+  if (this->Settings.Part.IsSet())
+  {
+    this->SelectPart();
+  }
   return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+/// Leaves the blocks of the part.
+void LegRunner::SelectPart()
+{
+  this->Plans = helios::SelectPart(this->Plans, this->Settings.Part);
+  this->FirstPulse = this->NumberOfPulsesToRun = 0;
+  if (!this->Plans.empty())
+  {
+    const LegPlan& first = this->Plans.front();
+    const LegPlan& last = this->Plans.back();
+    this->FirstPulse = first.FirstPulse + first.CountPulsesBefore(first.FirstBlock);
+    this->NumberOfPulsesToRun =
+      last.FirstPulse + last.CountPulsesBefore(last.EndBlock) - this->FirstPulse;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -110,64 +119,15 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan, const RunOptions& options)
 }
 
 //------------------------------------------------------------------------------
-std::string LegRunner::MakeFileName(const LegPlan& plan, int kind, const std::string& channel) const
-{
-  using Files = vtkHeliosRunFiles;
-  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
-  const std::string stem =
-    strip.empty() ? Files::GetLegStem(static_cast<int>(plan.Leg)) : Files::GetStripStem(strip);
-  const std::string name = Files::GetFileName(stem, kind, this->Settings.Format, channel);
-  return (std::filesystem::path(this->Settings.Folder) / name).string();
-}
-
-//------------------------------------------------------------------------------
 LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
-  Outputs outputs;
-  this->AddOutputs(plan, EchoPort, outputs);
-  if (this->Settings.Waveforms && !this->Settings.WaveformsInPoints)
-  {
-    this->AddOutputs(plan, WaveformPort, outputs);
-  }
-  if (this->Settings.Pulses)
-  {
-    this->AddOutputs(plan, PulsePort, outputs);
-  }
-  return outputs;
-}
-
-//------------------------------------------------------------------------------
-/// One file of a port, or one per channel.
-void LegRunner::AddOutputs(const LegPlan& plan, int port, Outputs& outputs) const
-{
-  const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
-  const std::size_t channels = scanner.GetNumberOfChannels();
-  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
-  for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
-  {
-    const std::string channel = isSplit ? scanner.GetChannel(k).Channel : "";
-    LegOutput output{ MakeWriter(port, this->Settings), port,
-      isSplit ? k : LegOutput::AllChannels };
-    output.Writer->SetFileName(this->MakeFileName(plan, port, channel).c_str());
-    outputs.push_back(output);
-  }
+  return this->Files.MakeOutputs(plan);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
 {
-  const bool isXml = this->Settings.Format == "vtp";
-  vtkSmartPointer<vtkHeliosStreamWriter> writer;
-  if (isXml)
-  {
-    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-  }
-  else
-  {
-    writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
-  }
-  writer->SetFileName(this->MakeFileName(plan, vtkHeliosRunFiles::TRAJECTORY).c_str());
-  return writer;
+  return this->Files.MakeTrajectoryWriter(plan);
 }
 
 //------------------------------------------------------------------------------
@@ -252,116 +212,161 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return true;
   }
-  if (!this->Check(journal.Check())) // does not recreate a removed folder
+  if (!CheckRun(journal.Check(), this->Log)) // does not recreate a removed folder
   {
     return false;
   }
   this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
+  const ScanCounts counts = this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
+  const bool hasTrajectory = !this->Settings.Part.IsSet(); // of a part, by those who join it
   bool good = this->OpenAll(outputs, journal) &&
-    this->WriteTrajectory(plan, journal, onBlock, trajectory) &&
+    (!hasTrajectory || this->WriteTrajectory(plan, journal, onBlock, trajectory)) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
   {
     good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
   }
+  LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
   {
+    this->Counts = done.Blocks > 0 ? done.Counts : counts; // what is safe
     return false;
   }
-  LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
   if (isWhole)
   {
     done.Files = CollectProgress(
       outputs, true); // with the footer of an index; the next leg of a strip continues before it
   }
-  done.Files.push_back(trajectory);
-  return this->Check(journal.Append(plan.Leg, done));
+  if (hasTrajectory)
+  {
+    done.Files.push_back(trajectory);
+  }
+  return CheckRun(journal.Append(plan.Leg, done), this->Log);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType LegRunner::GetPulsesPerPiece() const
+{
+  const vtkIdType block = this->Settings.PulsesPerBlock;
+  const bool isWhole =
+    (this->Settings.Part.IsSet() ? MakePartSettings(this->Settings) : this->Settings).Format ==
+    "vtp";
+  return isWhole ? block : std::min(block, PulsesPerPiece);
+}
+
+vtkIdType LegRunner::GetPiecesPerBlock() const
+{
+  return (this->Settings.PulsesPerBlock - 1) / this->GetPulsesPerPiece() + 1;
 }
 
 //------------------------------------------------------------------------------
 bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
-  const vtkIdType size = this->Settings.PulsesPerBlock;
-  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
+  const vtkIdType parts = this->Source->GetPiecesPerBlock();
+  const vtkIdType count = plan.NumberOfBlocks * parts;
   if (count > std::numeric_limits<int>::max())
   {
     this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
       " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
     return false;
   }
-  const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
-  // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
-  std::future<Status> noted;
-  const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
-  for (int block = progress.Blocks; block < blocks; ++block)
+  LegWriting writing(outputs, journal, plan.Leg, this->Log);
+  for (vtkIdType block = plan.FirstBlock + progress.Blocks; block < plan.EndBlock; ++block)
   {
-    const bool isComputed = this->Scanner.Update(block, blocks);
-    if (!isNoted() || !isComputed || !this->Write(outputs))
+    const auto conclude = [&]
+    {
+      this->Counts.Pulses = plan.FirstPulse + plan.CountPulsesBefore(block + 1) - this->FirstPulse;
+      ++progress.Blocks;
+      progress.Counts = this->Counts;
+      progress.Seconds = Now() - start;
+      return progress;
+    };
+    if (!this->RunPieces(
+          plan, { block * parts, (block + 1) * parts, count }, outputs, writing, conclude))
     {
       return false;
     }
-    const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
-      plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->Counts.Pulses = plan.FirstPulse + done;
-    this->Scanner.Count(this->Counts);
-    this->Scanner.ReleaseOutput();
-    progress.Blocks = block + 1;
-    progress.Counts = this->Counts;
-    progress.Seconds = Now() - start;
-    noted = std::async(std::launch::async,
-      [&outputs, &journal, &plan, progress]
-      { return CommitBlock(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
     {
-      isNoted();
+      writing.Finish();
       return false;
     }
   }
-  return isNoted();
+  return writing.Finish();
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Write(const Outputs& outputs) const
+/// Computes pieces, and has them written.
+bool LegRunner::RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
+  LegWriting& writing, const std::function<LegProgress()>& conclude)
 {
-  const auto get = [this](const LegOutput& output, int port)
+  for (vtkIdType piece = pieces.First; piece < pieces.Last; ++piece)
   {
-    return output.Channel == LegOutput::AllChannels
-      ? this->Scanner.GetOutput(port)
-      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, output.Channel));
-  };
-  return std::all_of(outputs.begin(), outputs.end(),
-    [this, &get](const LegOutput& output)
+    if (!this->Source->Compute(plan, piece, pieces.Count))
     {
-      auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
-      if (!las || !las->GetWriteWaveforms())
-      {
-        return output.Writer->Write(get(output, output.Port));
-      }
-      las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
-      const bool isWritten = las->Write(get(output, EchoPort));
-      las->SetWaveforms(nullptr); // releases their memory
-      return isWritten;
-    });
+      return false;
+    }
+    LegPiece data = this->Source->Collect(outputs);
+    this->Source->Count(this->Counts);
+    const bool isLast = piece + 1 == pieces.Last;
+    if (!writing.Write(std::move(data), isLast ? std::make_optional(conclude()) : std::nullopt))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::Check(const Status& status)
+LegPiece LegRunner::Collect(const Outputs& outputs)
 {
-  if (!status.IsOk())
+  LegPiece piece;
+  for (const LegOutput& output : outputs)
   {
-    this->Log.Error(status.Message() +
-      "; check that the output folder exists and has free space, and continue with Resume "
-      "(--resume), or run again");
+    piece.push_back(helios::CollectPiece(
+      output, [this](int port, std::size_t channel) { return this->CopyOutput(port, channel); }));
   }
-  return status.IsOk();
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+/// A shallow copy of the output of the scanner, which may then be released.
+vtkSmartPointer<vtkDataObject> LegRunner::CopyOutput(int port, std::size_t channel) const
+{
+  using Data = vtkSmartPointer<vtkDataObject>;
+  const bool isJoint = channel == LegOutput::AllChannels;
+  const Data data =
+    isJoint ? this->Scanner.GetOutput(port) : Data(this->Scanner.GetOutput(port, channel));
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Write(const Outputs& outputs)
+{
+  return WriteOutputs(outputs, this->Collect(outputs));
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Compute(const LegPlan&, vtkIdType piece, vtkIdType count)
+{
+  return this->Scanner.Update(static_cast<int>(piece), static_cast<int>(count));
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Count(ScanCounts& counts)
+{
+  this->Scanner.Count(counts);
+  this->Scanner.ReleaseOutput();
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #ifndef heliosLegRunner_h
 #define heliosLegRunner_h
 
+#include "heliosBlockSource.h"
+#include "heliosLegFiles.h"
 #include "heliosLegOutput.h"
 #include "heliosLegPlan.h"
 #include "heliosLegScanner.h"
@@ -24,27 +26,39 @@ class vtkPolyData;
 namespace helios
 {
 
+class LegWriting;
 class Messages;
 class RunJournal;
-class Status;
+struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
 
-class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
+/// Runs legs with blocks of its scanner, a source itself, or of another source.
+class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner : public BlockSource
 {
 public:
   using Outputs = LegOutputs;
 
   LegRunner(
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
-  ~LegRunner();
+  ~LegRunner() override;
 
   /// Plans the legs and counts their pulses; false after an error.
   bool Plan();
 
+  /// The legs, or those of the part that is run.
   const std::vector<LegPlan>& GetPlans() const { return this->Plans; }
+
+  ///@{
+  /// The pulses of the survey, and of the part that is run.
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
+  vtkIdType GetNumberOfPulsesToRun() const { return this->NumberOfPulsesToRun; }
+  ///@}
+
+  /// Sets where blocks are from in place of the scanner; null: the scanner.
+  void SetSource(BlockSource* source) { this->Source = source ? source : this; }
+
   const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
   vtkPolyData* GetScene() const;
@@ -67,11 +81,22 @@ public:
   /// The outputs of the leg that the scanner is set up for, with unopened writers.
   Outputs MakeOutputs(const LegPlan& plan) const;
 
+  ///@{
+  /// Blocks of the scanner, which is set up for their leg.
+  vtkIdType GetPiecesPerBlock() const override;
+  bool Compute(const LegPlan& plan, vtkIdType piece, vtkIdType count) override;
+  LegPiece Collect(const Outputs& outputs) override;
+  void Count(ScanCounts& counts) override;
+  ///@}
+
   /// Writes the output of the scanner; false after an error.
-  bool Write(const Outputs& outputs) const;
+  bool Write(const Outputs& outputs);
 
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
+
+  /// The most pulses that are computed, then written at a time.
+  vtkIdType GetPulsesPerPiece() const;
 
   /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling();
@@ -85,10 +110,15 @@ public:
   std::string ExplainNoEchoes() const;
 
 private:
-  /// The path of a file of a leg; channel is empty for all channels.
-  std::string MakeFileName(
-    const LegPlan& plan, int kind, const std::string& channel = std::string()) const;
-  void AddOutputs(const LegPlan& plan, int port, Outputs& outputs) const;
+  /// Pieces [First, Last) of the Count pieces of a leg.
+  struct PieceRange
+  {
+    vtkIdType First;
+    vtkIdType Last;
+    vtkIdType Count;
+  };
+
+  void SelectPart();
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
   bool OpenAll(const Outputs& outputs, const RunJournal& journal);
@@ -96,15 +126,21 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool Check(const Status& status);
+  bool RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
+    LegWriting& writing, const std::function<LegProgress()>& conclude);
+  vtkSmartPointer<vtkDataObject> CopyOutput(int port, std::size_t channel) const;
 
   const SurveyData& Survey;
   RunSettings Settings;
   Messages& Log;
+  LegFiles Files;
   vtkSmartPointer<vtkPolyData> Scene;
   LegScanner Scanner;
   std::vector<LegPlan> Plans;
+  BlockSource* Source = this;
   vtkIdType NumberOfPulses = 0;
+  vtkIdType NumberOfPulsesToRun = 0;
+  vtkIdType FirstPulse = 0; // that is run
   ScanCounts Counts;
 };
 

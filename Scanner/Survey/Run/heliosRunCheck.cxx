@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr const char* Cure = "; set Overwrite (--overwrite) to start again";
+constexpr const char* StartAgain = "; set Overwrite (--overwrite) to start again";
 
 /// The size of a file [bytes]; -1 if missing, with the reason.
 vtkIdType GetSize(const std::string& path, std::string& why)
@@ -39,8 +39,9 @@ std::string Describe(vtkIdType size, const std::string& why)
 } // namespace
 
 //------------------------------------------------------------------------------
-RunCheck::RunCheck(const std::string& folder)
+RunCheck::RunCheck(const std::string& folder, const std::string& cure)
   : Folder(folder)
+  , Cure(cure.empty() ? StartAgain : cure)
 {
 }
 
@@ -51,7 +52,6 @@ std::string RunCheck::GetPath(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-/// The path of a file, with its final name or not.
 std::string RunCheck::FindFile(const std::string& name) const
 {
   std::error_code ignored;
@@ -93,7 +93,7 @@ Status RunCheck::CheckSize(const FileProgress& file) const
     return size == file.Size
       ? Status()
       : Status::Error(path + ": was complete with " + std::to_string(file.Size) + " bytes and " +
-          Describe(size, why) + Cure);
+          Describe(size, why) + this->Cure);
   }
   if (size >= file.Size)
   {
@@ -101,7 +101,7 @@ Status RunCheck::CheckSize(const FileProgress& file) const
   }
   return Status::Error(path + " cannot be resumed: " +
     (size < 0 ? why : "it has " + std::to_string(size) + " bytes of " + std::to_string(file.Size)) +
-    Cure);
+    this->Cure);
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +134,7 @@ Status RunCheck::CheckBlock(const FileBlock& block) const
     (checksum.empty()
         ? " cannot be read"
         : " do not match their checksum in " + std::string(vtkHeliosRunFiles::GetJournalName())) +
-    "; the file was changed or is damaged" + Cure);
+    "; the file was changed or is damaged" + this->Cure);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ Status RunCheck::CheckSummary(const Json::Value& summary) const
     if (size != file.second)
     {
       return Status::Error(path + ": was complete with " + std::to_string(file.second) +
-        " bytes and " + Describe(size, why) + Cure);
+        " bytes and " + Describe(size, why) + this->Cure);
     }
   }
   return {};

@@ -22,7 +22,8 @@ public:
   /// Called before every block; false ends the check.
   using BlockCallback = std::function<bool()>;
 
-  explicit RunCheck(const std::string& folder);
+  /// The cure follows messages; by default, to start the run again.
+  explicit RunCheck(const std::string& folder, const std::string& cure = {});
 
   /// Checks the sizes of all files in a journal.
   Status CheckSizes(const RunJournal& journal) const;
@@ -31,17 +32,22 @@ public:
   Status CheckBlocks(
     const RunJournal& journal, vtkIdType bytes, const BlockCallback& onBlock) const;
 
+  /// Checks a block against its checksum.
+  Status CheckBlock(const FileBlock& block) const;
+
+  /// The path of a file, with its final name or not.
+  std::string FindFile(const std::string& name) const;
+
   /// Checks the sizes of the files of a finished run against its summary.
   Status CheckSummary(const Json::Value& summary) const;
 
 private:
   Status CheckSize(const FileProgress& file) const;
-  Status CheckBlock(const FileBlock& block) const;
-  std::string FindFile(const std::string& name) const;
   std::string GetPath(const std::string& name) const;
   vtkIdType GetSizeWithPieces(const std::string& name) const;
 
   std::string Folder;
+  std::string Cure;
 };
 
 } // namespace helios

@@ -51,9 +51,8 @@ double CountBytes(vtkHeliosStreamWriter* writer)
 } // namespace
 
 //------------------------------------------------------------------------------
-RunEstimate::RunEstimate(LegRunner& runner, const RunSettings& settings, double loadSeconds)
+RunEstimate::RunEstimate(LegRunner& runner, double loadSeconds)
   : Runner(runner)
-  , Settings(settings)
   , LoadSeconds(loadSeconds)
 {
 }
@@ -255,11 +254,12 @@ double RunEstimate::CountTrajectoryBytes(const LegPlan& plan) const
 //------------------------------------------------------------------------------
 double RunEstimate::GuessMemory(const Sums& totals) const
 {
-  // The output of a block is held twice: in parts by thread, and joined.
+  // A piece is written while the next one is computed.
   vtksys::SystemInformation system;
   const double now = BytesPerKibibyte * static_cast<double>(system.GetProcMemoryUsed());
-  const double block = std::min(static_cast<double>(this->Settings.PulsesPerBlock), totals.Pulses);
-  return now + 2.0 * block * totals.Memory / std::max(1.0, totals.Pulses);
+  const double piece =
+    std::min(static_cast<double>(this->Runner.GetPulsesPerPiece()), totals.Pulses);
+  return now + 2.0 * piece * totals.Memory / std::max(1.0, totals.Pulses);
 }
 
 //------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ namespace helios
 class RunEstimate
 {
 public:
-  RunEstimate(LegRunner& runner, const RunSettings& settings, double loadSeconds);
+  RunEstimate(LegRunner& runner, double loadSeconds);
 
   /// Computes the samples. onStep gets the fraction done; false stops it. Returns false then and
   /// after an error.
@@ -60,7 +60,6 @@ private:
   double GuessMemory(const Sums& totals) const;
 
   LegRunner& Runner;
-  const RunSettings& Settings;
   double LoadSeconds;
   std::vector<Sums> Samples; // of each leg
   std::vector<Sums> Legs;    // their extrapolations

@@ -71,6 +71,15 @@ Json::Value DescribeInputs(const SurveyData& survey, const RunSettings& settings
   return inputs;
 }
 
+Json::Value DescribePart(const RunPart& part)
+{
+  Json::Value described;
+  described["number"] = part.Number;
+  described["count"] = part.Count;
+  described["command"] = part.Command;
+  return described;
+}
+
 Json::Value DescribeOptions(const RunSettings& settings)
 {
   Json::Value options;
@@ -155,6 +164,14 @@ std::map<std::string, std::string> GetDigests(const Json::Value& fingerprint)
   return digests;
 }
 
+/// The part of a fingerprint: "2/4"; empty: the whole run.
+std::string DescribePart(const Json::Value& fingerprint)
+{
+  const Json::Value& part = fingerprint["part"];
+  return part.isObject() ? part["number"].asString() + "/" + part["count"].asString()
+                         : std::string();
+}
+
 /// A value as a user would type it.
 std::string Quote(const Json::Value& value)
 {
@@ -186,6 +203,10 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
   fingerprint["inputs"] = DescribeInputs(survey, settings);
   fingerprint["options"] = DescribeOptions(settings);
   fingerprint["scene"] = "";
+  if (settings.Part.IsSet())
+  {
+    fingerprint["part"] = DescribePart(settings.Part);
+  }
   if (!settings.Trajectories.empty())
   {
     fingerprint["trajectory"] = HashTrajectories(settings.Trajectories);
@@ -241,6 +262,11 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   }
   CompareMembers(then["versions"], now["versions"], differences);
   CompareMembers(then["options"], now["options"], differences);
+  const std::string part = DescribePart(now);
+  if (!part.empty() && part != DescribePart(then)) // those who join parts read all of them
+  {
+    differences.push_back("it is part " + DescribePart(then) + " and not " + part);
+  }
   if (Quote(then["trajectory"]) != Quote(now["trajectory"]))
   {
     differences.emplace_back("the input trajectory has changed");

@@ -23,7 +23,7 @@ struct SurveyData;
 
 /**
  * The fingerprint of a run as JSON: "versions", "survey", "inputs" (the files that the survey
- * names, each with its SHA-256), "options", and "scene", which is empty until the scene is loaded.
+ * names, each with its SHA-256), "options", and "scene", which is empty until the scene is loaded; of a part of a run also "part".
  * An unreadable file has no digest; its reader reports the error.
  */
 Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& settings);

@@ -63,6 +63,7 @@ void RunJournal::Forget()
   this->Legs.clear();
   this->Files.clear();
   this->Blocks.clear();
+  this->Lines.clear();
   this->Counts = ScanCounts();
   this->Leg = 0;
   this->LastSeal.clear();
@@ -215,6 +216,10 @@ Status RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) co
 //------------------------------------------------------------------------------
 void RunJournal::Accept(std::size_t leg, const LegProgress& progress)
 {
+  if (this->RemembersLines)
+  {
+    this->Lines.emplace_back(leg, progress);
+  }
   LegProgress& taken = this->Legs[leg];
   taken = progress;
   this->Leg = leg;

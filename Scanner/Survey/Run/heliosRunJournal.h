@@ -12,6 +12,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -44,6 +45,12 @@ public:
   /// The progress of all files, by name.
   const std::map<std::string, FileProgress>& GetFiles() const { return this->Files; }
 
+  ///@{
+  /// The lines that Read() has read: the leg, and its progress. Remembered on request only.
+  void RememberLines() { this->RemembersLines = true; }
+  const std::vector<std::pair<std::size_t, LegProgress>>& GetLines() const { return this->Lines; }
+  ///@}
+
   /// The file blocks that were read, in the order of writing.
   const std::vector<FileBlock>& GetBlocks() const { return this->Blocks; }
 
@@ -68,6 +75,8 @@ private:
   std::map<std::size_t, LegProgress> Legs;
   std::map<std::string, FileProgress> Files;
   std::vector<FileBlock> Blocks;
+  std::vector<std::pair<std::size_t, LegProgress>> Lines;
+  bool RemembersLines = false;
   std::size_t Leg = 0;    // of the last line
   ScanCounts Counts;      // of the last line
   std::string LastSeal;   // the checksum of the last line

@@ -58,6 +58,7 @@ Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journa
   summary["sampling"] = runner.DescribeSampling();
   summary["legs"] = Json::arrayValue;
   Json::Value timings;
+  timings["legs_s"] = Json::arrayValue;
   double seconds = 0.0;
   ScanCounts before;
   for (const LegPlan& plan : runner.GetPlans())

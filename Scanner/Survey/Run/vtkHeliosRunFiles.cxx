@@ -33,6 +33,8 @@ constexpr KindOfFile Kinds[] = {
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
 constexpr std::string_view EpochFolder = "play";
+constexpr std::string_view PartFolder = "part";
+constexpr std::string_view PartCount = "of";
 constexpr std::string_view Channel = "_dev";
 constexpr std::string_view ConvertedPoints = ".laz";
 constexpr std::size_t MinimumWidth = 3; // of numbers and names of strips
@@ -139,6 +141,12 @@ int vtkHeliosRunFiles::GetEpoch(const std::string& folder)
   const int epoch =
     StartsWith(folder, EpochFolder) ? ParseNumber(folder.substr(EpochFolder.size())) : -1;
   return epoch >= 0 && vtkHeliosRunFiles::GetEpochName(epoch) == folder ? epoch : -1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunFiles::GetPartName(int part, int parts)
+{
+  return Pad(PartFolder, std::to_string(part)) + Pad(PartCount, std::to_string(parts));
 }
 
 //------------------------------------------------------------------------------

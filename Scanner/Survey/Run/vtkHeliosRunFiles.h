@@ -5,7 +5,7 @@
  * @brief   names of the files of a run
  *
  * A run writes into the folder of its survey or, of a survey with several epochs, into the
- * subfolder playNNN: run.journal while it runs, run_summary.json at its end, and of each leg, or of
+ * subfolder playNNN, a part of a run into the subfolder partNNNofNNN of that: run.journal while it runs, run_summary.json at its end, and of each leg, or of
  * the legs of a strip S:
  * - legNNN_points, stripS_points: echoes
  * - legNNN_fullwave: waveforms
@@ -60,6 +60,11 @@ public:
   static std::string GetEpochName(int epoch);
   static int GetEpoch(const std::string& folder);
   ///@}
+
+  /**
+   * The subfolder of a part, counted from 1, of a run in a number of parts: "part002of004".
+   */
+  static std::string GetPartName(int part, int parts);
 
   ///@{
   /**

@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <memory>
+
 namespace
 {
 
@@ -45,9 +47,10 @@ std::string WriteSparse(const helios::TempFolder& folder, int side, bool hasBloc
 TEST_CASE("ReaderMemory: GeoTIFF: pixels of existing blocks count", "[ReaderMemory]")
 {
   const helios::TempFolder folder;
-  helios::RasterFile file;
-  REQUIRE(file.Open(WriteSparse(folder, 1000, true), {}).IsOk());
-  CHECK(file.CountPixels() == Approx(256.0 * 256.0).epsilon(1e-6));
+  std::unique_ptr<helios::RasterFile> file;
+  REQUIRE(helios::MakeRasterFile(file).IsOk());
+  REQUIRE(file->Open(WriteSparse(folder, 1000, true), {}).IsOk());
+  CHECK(file->CountPixels() == Approx(256.0 * 256.0).epsilon(1e-6));
 
   const Limit limit(0.001);
   helios::GeoTiffReading reading(folder / "sparse.tif");

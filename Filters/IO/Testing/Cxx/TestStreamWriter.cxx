@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Common behaviour of all writers, tested with the point text writer.
+#include "heliosPartFile.h"
 #include "heliosTempFolder.h"
 #include "heliosWriterTesting.h"
 #include "vtkHeliosPointTextWriter.h"
@@ -378,6 +379,45 @@ TEST_CASE("StreamWriter: resumes a file", "[StreamWriter]")
   CHECK(log->Errors.empty());
 }
 
+TEST_CASE("StreamWriter: copies rows of another file", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  vtkNew<vtkHeliosPointTextWriter> other;
+  other->SetFileName((folder / "other.xyz").c_str());
+  REQUIRE((other->Open() && other->Write(helios::MakeEchoes(7))));
+  const auto begin = static_cast<std::uint64_t>(other->GetFileSize());
+  REQUIRE((other->Write(helios::MakeEchoes(30000)) && other->Close()));
+  helios::FileBlock rows{ "other.xyz", begin, fs::file_size(folder / "other.xyz"), "", false };
+  REQUIRE(rows.End - rows.Begin > 1 << 20); // several reads
+  const std::string path = folder / "points.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(3))));
+  const vtkIdType size = writer->GetFileSize();
+  SECTION("as if they were written")
+  {
+    REQUIRE((writer->CopyRows(folder / "other.xyz", rows, 30000) && writer->Close()));
+    CHECK(writer->GetNumberOfRecords() == 30003);
+    CHECK(writer->GetNumberOfBytes() == static_cast<vtkIdType>(fs::file_size(path)));
+    vtkNew<vtkHeliosPointTextWriter> expected;
+    expected->SetFileName((folder / "expected.xyz").c_str());
+    REQUIRE((expected->Open() && expected->Write(helios::MakeEchoes(3)) &&
+      expected->Write(helios::MakeEchoes(30000)) && expected->Close()));
+    CHECK(helios::ReadText(path) == helios::ReadText(folder / "expected.xyz"));
+  }
+  SECTION("that do not exist: nothing is appended")
+  {
+    rows.End += 1;
+    CHECK_FALSE(writer->CopyRows(folder / "other.xyz", rows, 30000));
+    CHECK(log->HasError("other.xyz: its bytes " + std::to_string(rows.Begin) + " to " +
+      std::to_string(rows.End) + " cannot be read"));
+    CHECK(log->HasError("3 records are safe in " + path + ".part"));
+    CHECK(writer->GetFileSize() == size);
+    writer->Abandon();
+  }
+}
+
 TEST_CASE("StreamWriter: the file is removed during a run", "[StreamWriter]")
 {
   const helios::TempFolder folder;
@@ -420,6 +460,28 @@ TEST_CASE("StreamWriter: count only: nothing is written", "[StreamWriter]")
   }
   CHECK(bytes[0] == bytes[1]);
   CHECK(bytes[0] == static_cast<vtkIdType>(fs::file_size(path)));
+}
+
+TEST_CASE("StreamWriter: the text of a block, copied to a file", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  std::string text;
+  vtkNew<vtkHeliosPointTextWriter> counting;
+  counting->SetFileName((folder / "a/nothing.xyz").c_str());
+  counting->CountOnlyOn();
+  counting->SetBlockText(&text);
+  REQUIRE((counting->Open() && counting->Write(helios::MakeEchoes(30000)) && counting->Abandon()));
+  CHECK_FALSE(fs::exists(folder / "a"));
+  vtkNew<vtkHeliosPointTextWriter> copy;
+  copy->SetFileName((folder / "copy.xyz").c_str());
+  REQUIRE((copy->Open() && copy->CopyRows(text, 30000) && copy->Close()));
+  CHECK(copy->GetNumberOfRecords() == 30000);
+  CHECK(copy->GetNumberOfBytes() == static_cast<vtkIdType>(text.size()));
+  vtkNew<vtkHeliosPointTextWriter> expected;
+  expected->SetFileName((folder / "expected.xyz").c_str());
+  REQUIRE((expected->Open() && expected->Write(helios::MakeEchoes(30000)) && expected->Close()));
+  CHECK(text == helios::ReadText(folder / "expected.xyz"));
+  CHECK(helios::ReadText(folder / "copy.xyz") == text);
 }
 
 TEST_CASE("StreamWriter: a disk that is full at the start", "[StreamWriter]")

@@ -9,6 +9,22 @@ TEST_CASE("BvhRayCaster: equal to brute force bit for bit", "[BvhRayCaster]")
   helios::CheckAgainstBruteForce<vtkHeliosBvhRayCaster>(1000);
 }
 
+TEST_CASE("BvhRayCaster: a tree made of parts is equal to brute force", "[BvhRayCaster]")
+{
+  const helios::Soup soup = helios::MakeTerrain(200, 1.0); // 80,000 triangles
+  const auto rays = helios::MakeRays(soup, 300);
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  std::vector<vtkHeliosHit> truth;
+  for (const vtkHeliosRay& ray : rays)
+  {
+    truth.push_back(helios::IntersectBruteForce(caster->GetMesh(), ray));
+  }
+  CHECK(helios::CountDifferences(helios::Cast(caster, rays), truth) == 0);
+  const auto isHit = [](const vtkHeliosHit& hit) { return hit.CellId >= 0; };
+  CHECK(std::count_if(truth.begin(), truth.end(), isHit) > 50);
+}
+
 TEST_CASE("BvhRayCaster: no leak at corners and edges", "[BvhRayCaster]")
 {
   helios::CheckLeaks<vtkHeliosBvhRayCaster>(5);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of the GeoTIFF reader on bad files.
 #include "heliosGeoTiffTesting.h"
+#include "heliosRasterFile.h"
 #include "heliosRasterMesh.h"
 #include "heliosRasterUnits.h"
 #include "heliosSceneCrs.h"
+#include "heliosStatus.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkTypeInt32Array.h>
@@ -13,6 +15,8 @@
 #include <catch2/catch.hpp>
 
 #include <cstdio>
+#include <memory>
+#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -249,6 +253,15 @@ TEST_CASE("GeoTiffErrors: scale, offset and units", "[GeoTiffErrors]")
   CHECK(reading.Read());
   CHECK(helios::GetUnitInMetres("") == 0.0);
   CHECK(helios::GetUnitInMetres("foot meter") == 0.0);
+}
+
+TEST_CASE("GeoTiffErrors: without the library linked to GDAL", "[GeoTiffErrors]")
+{
+  std::unique_ptr<helios::RasterFile> file;
+  const helios::Status status = helios::MakeRasterFile("libvtkHeliosNothing.so", file);
+  CHECK(status.Message().find("rasters cannot be read: libvtkHeliosNothing.so: ") == 0);
+  CHECK(status.Message().find("; install GDAL (Debian: ") != std::string::npos);
+  CHECK(file == nullptr);
 }
 
 TEST_CASE("GeoTiffErrors: heights in feet of a three-dimensional system", "[GeoTiffErrors]")

@@ -1,14 +1,48 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adds features of VTK 9.4 and newer to the wrapped classes, and an informative repr."""
+"""The public names of the package: the thin layer, and every class of every module of this build.
+
+The classes get the features of VTK 9.4 and newer, and an informative repr.
+"""
+
+import importlib
+import pkgutil
 
 from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersPython import vtkPythonAlgorithm  # noqa: F401  guard() looks for it
 
-from . import _native
-from ._compose import METHODS, compose
+from . import __path__ as _folders
+from . import _native, data_directory
+from ._arrays import arrays
+from ._compose import METHODS, Pipeline, compose, select_ports
+from ._filter import filter
+from ._pipeline import PipelineError, update
 from ._properties import make_properties, properties, refuse, set_properties
+from .cloud import Cloud, Records
+from .comparison import Comparison, compare
+from .fitting import Fit, fit
+from .planning import Plan, plan
+from .scanning import make_survey, scan
+from .scene import Scene
+from .survey import Survey, read_survey
+
+_own = [
+    "Cloud", "Comparison", "Fit", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
+    "compare", "data_directory", "filter", "fit", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
+]  # fmt: skip
+
+
+def _load_modules():
+    """Imports every wrapped module of the build and returns the names of its classes."""
+    names = []
+    for info in pkgutil.iter_modules(_folders):
+        if info.name.startswith("vtkHelios") and info.name != "vtkHeliosScannerMpi":  # loads MPI
+            module = importlib.import_module(f"{__package__}.{info.name}")
+            public = [name for name in vars(module) if name.startswith("vtkHelios")]
+            globals().update({name: getattr(module, name) for name in public})
+            names += public
+    return sorted(names)
 
 
 def extend(classes):
@@ -72,3 +106,9 @@ def _short(value):
     if type(value) is tuple:
         return f"({', '.join(map(_short, value))})"
     return repr(value)
+
+
+_classes = _load_modules()
+extend(globals()[name] for name in _classes)
+__all__ = _own + _classes
+__version__ = globals()["vtkHeliosVersion"].GetVersion()

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPartFolder.h"
+
+#include "heliosLegPlan.h"
+#include "heliosRunCheck.h"
+#include "heliosRunJournal.h"
+#include "vtkHeliosRunFiles.h"
+
+#include <utility>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The counts of a block, given those up to it.
+ScanCounts Subtract(const ScanCounts& after, const ScanCounts& before)
+{
+  ScanCounts counts;
+  for (const CountName& count : CountNames)
+  {
+    counts.*count.Count = after.*count.Count - before.*count.Count;
+  }
+  counts.LargestAmplitude = after.LargestAmplitude;
+  return counts;
+}
+
+/// Which part a fingerprint is of; none: of a whole run.
+RunPart ReadPart(const Json::Value& fingerprint)
+{
+  RunPart part;
+  const Json::Value& value = fingerprint["part"];
+  if (value.isObject() && value["number"].isInt() && value["count"].isInt())
+  {
+    part.Number = value["number"].asInt();
+    part.Count = value["count"].asInt();
+  }
+  return part.Number >= 1 && part.Number <= part.Count ? part : RunPart();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+PartFolder::PartFolder(const std::string& path)
+  : Path(path)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string PartFolder::Describe() const
+{
+  return this->Path + ": part " + this->Part.GetText();
+}
+
+//------------------------------------------------------------------------------
+std::string PartFolder::GetCure(const char* option) const
+{
+  return std::string("; run it with --part ") + this->Part.GetText() + " " + option;
+}
+
+//------------------------------------------------------------------------------
+Status PartFolder::Read()
+{
+  RunJournal journal(this->Path);
+  if (!journal.Exists())
+  {
+    return Status::Error(this->Path + " is no part of a run: it has no " +
+      vtkHeliosRunFiles::GetJournalName() + "; give folders that were run with --part");
+  }
+  journal.RememberLines();
+  if (const Status status = journal.Read(); !status.IsOk())
+  {
+    return Status::Error(status.Message() + "; run this part again with --overwrite");
+  }
+  this->Fingerprint = journal.GetFingerprint();
+  this->Part = ReadPart(this->Fingerprint);
+  if (!this->Part.IsSet())
+  {
+    return Status::Error(this->Path + " is no part of a run: its " +
+      vtkHeliosRunFiles::GetJournalName() +
+      " is that of a whole run; give folders that were run with --part");
+  }
+  for (const auto& [leg, progress] : journal.GetLines())
+  {
+    this->AddBlock(leg, progress);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// Adds a line of the journal.
+void PartFolder::AddBlock(std::size_t leg, const LegProgress& progress)
+{
+  if (progress.IsDone)
+  {
+    return; // a line at the end of a leg
+  }
+  PartBlock block{ leg, progress.Files, Subtract(progress.Counts, this->Counts) };
+  this->Counts = progress.Counts;
+  for (FileProgress& file : block.Files)
+  {
+    const vtkIdType records = file.Records;
+    file.Records -= std::exchange(this->Records[file.Name], records);
+  }
+  this->Blocks.push_back(std::move(block));
+}
+
+//------------------------------------------------------------------------------
+Status PartFolder::Check(const std::vector<LegPlan>& plans) const
+{
+  const std::vector<LegPlan> legs = SelectPart(plans, this->Part);
+  const auto expected = static_cast<std::size_t>(CountBlocks(legs));
+  RunJournal journal(this->Path);
+  const bool isWhole = this->Blocks.size() == expected && journal.Read().IsOk() &&
+    (legs.empty() || journal.GetLeg(legs.back().Leg).IsDone);
+  if (!isWhole)
+  {
+    return Status::Error(this->Describe() + " is not finished: it has " +
+      std::to_string(this->Blocks.size()) + " of " + std::to_string(expected) + " blocks" +
+      this->GetCure("--resume"));
+  }
+  return RunCheck(this->Path, this->GetCure("--overwrite")).CheckSizes(journal);
+}
+
+//------------------------------------------------------------------------------
+Status PartFolder::CheckBlock(const FileBlock& block) const
+{
+  return RunCheck(this->Path, this->GetCure("--overwrite")).CheckBlock(block);
+}
+
+//------------------------------------------------------------------------------
+std::string PartFolder::FindFile(const std::string& name) const
+{
+  return RunCheck(this->Path).FindFile(name);
+}
+
+} // namespace helios

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of a part of a run: what its journal states, and whether its files are complete.
+
+#ifndef heliosPartFolder_h
+#define heliosPartFolder_h
+
+#include "heliosRunPart.h"
+#include "heliosRunProgress.h"
+#include "heliosScanCounts.h"
+#include "heliosStatus.h"
+
+#include <json/value.h>
+
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+struct LegPlan;
+
+/// A block of a part.
+struct PartBlock
+{
+  std::size_t Leg = 0;
+  std::vector<FileProgress> Files; ///< Records are those of the block
+  ScanCounts Counts;               ///< of the block
+};
+
+class PartFolder
+{
+public:
+  explicit PartFolder(const std::string& path);
+
+  /// Reads the journal.
+  Status Read();
+
+  /// Checks the blocks against the legs of the run, and the sizes of the files.
+  Status Check(const std::vector<LegPlan>& plans) const;
+
+  /// Checks the bytes of a block.
+  Status CheckBlock(const FileBlock& block) const;
+
+  /// The path of a file.
+  std::string FindFile(const std::string& name) const;
+
+  const RunPart& GetPart() const { return this->Part; }
+  const Json::Value& GetFingerprint() const { return this->Fingerprint; }
+  const std::vector<PartBlock>& GetBlocks() const { return this->Blocks; }
+
+  /// The folder and the part, for messages.
+  std::string Describe() const;
+
+private:
+  void AddBlock(std::size_t leg, const LegProgress& progress);
+  std::string GetCure(const char* option) const;
+
+  std::string Path;
+  RunPart Part;
+  Json::Value Fingerprint;
+  std::vector<PartBlock> Blocks;
+  ScanCounts Counts;                        // of the blocks so far
+  std::map<std::string, vtkIdType> Records; // of the files so far
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the blocks of a run from its parts.
+
+#ifndef heliosPartReader_h
+#define heliosPartReader_h
+
+#include "heliosBlockSource.h"
+#include "heliosLegFiles.h"
+#include "heliosPartFolder.h"
+#include "heliosStatus.h"
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <json/value.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace helios
+{
+
+class Messages;
+
+class PartReader : public BlockSource
+{
+public:
+  PartReader(const SurveyData& survey, const RunSettings& settings, Messages& log);
+  ~PartReader() override;
+
+  /// Reads the journals of all parts, in any order: they must be those of one run.
+  Status Open(const std::vector<std::string>& folders);
+
+  /// Checks that the parts are of a run with this fingerprint. A scene not known yet is ignored.
+  Status CheckFingerprints(const Json::Value& fingerprint) const;
+
+  /// Checks that the parts have all blocks of the legs, and finds them.
+  Status FindBlocks(const std::vector<LegPlan>& plans);
+
+  bool Compute(const LegPlan& plan, vtkIdType block, vtkIdType count) override;
+  LegPiece Collect(const LegOutputs& outputs) override;
+  void Count(ScanCounts& counts) override;
+
+private:
+  using Place = std::pair<int, std::size_t>; // port and channel
+
+  struct Block
+  {
+    const PartFolder* Part;
+    const PartBlock* Data;
+  };
+
+  Status Sort();
+  Status FindMissing() const;
+  bool Check(const Status& status);
+  FileProgress FindFile(const LegOutput& file) const;
+  bool ReadPiece(const LegOutput& file);
+  OutputPiece CollectOne(const LegOutput& output);
+
+  LegFiles Files;
+  Messages& Log;
+  std::vector<PartFolder> Parts;
+  std::vector<Block> Blocks;                     // of the run
+  std::map<std::size_t, std::size_t> FirstBlock; // of a leg
+  const Block* Current = nullptr;
+  LegOutputs CurrentFiles; // of its part
+  std::map<Place, vtkSmartPointer<vtkDataObject>> Pieces;
+};
+
+} // namespace helios
+
+#endif
