@@ -50,7 +50,7 @@ struct Seen
 
 /// Keeps better hits with a triangle in lanes that may be inside, one byte per lane.
 template <typename SeenT>
-HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
+HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkIdType cell,
   const TrianglePlane& plane, const SeenT& seen, Masks& better) const
 {
   Masks inside, isBetter;
@@ -62,7 +62,7 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
     const Masks isPossible = inside;
     helios::GetInside(isPossible, sheared, edges, inside);
   }
-  SelectBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
+  SelectBetter(lanes, inside, cell, plane, seen.Terms, isBetter);
   better |= isBetter;
 }
 
@@ -70,9 +70,10 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
 HELIOS_INLINE bool BeamBundle::TestTriangle(
   vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes)
 {
-  const TriangleMesh& mesh = this->Tree.GetMesh();
-  const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
-    mesh.GetCorner(triangle, 2) };
+  double own[3][3];
+  const double* points[3];
+  this->Placed.GetCorners(triangle, own, points);
+  const vtkIdType cell = this->Placed.GetCell(triangle);
   const TrianglePlane plane = GetPlane(points);
   Masks better = {};
   Seen<double> fromOne;
@@ -95,13 +96,13 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
       }
       if (this->HaveSameOrigin)
       {
-        this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
+        this->TestQuad(lanes, bytes[quad], cell, plane, fromOne, better);
         continue;
       }
       Seen<Doubles> seen;
       seen.SetCorners(lanes.Origin, points);
       seen.Terms.Set(plane, seen.Corners);
-      this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
+      this->TestQuad(lanes, bytes[quad], cell, plane, seen, better);
     }
   }
   return Any(better);
@@ -184,7 +185,7 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
 HELIOS_CLONES
 bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
 {
-  const TriangleMesh& mesh = this->Tree.GetMesh();
+  const TriangleMesh& mesh = this->Placed.GetTree().GetMesh();
   for (int i = 0; i < leaf.Count; ++i)
   {
     __builtin_prefetch(mesh.GetCorners() + 3 * static_cast<vtkIdType>(leaf.Triangles[i]));

@@ -51,7 +51,7 @@ std::size_t BeamTree::GetMemorySize() const
 
 //------------------------------------------------------------------------------
 bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double high[3],
-  const double slopeLow[2], const double slopeHigh[2]) const
+  const double slopeLow[2], const double slopeHigh[2], double error) const
 {
   if (this->Scale == 0.0)
   {
@@ -67,7 +67,7 @@ bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double hi
     reach = Max(reach, Max(Max(from[i], -from[i]), Max(to[i], -to[i])) + this->Half[axes[i]]);
   }
   const double half = this->Half[axes[2]];
-  frustum.Slack = FrustumSlack * reach;
+  frustum.Slack = FrustumSlack * reach + error;
   frustum.Scale = this->Scale;
   frustum.Start = Max((frustum.IsForward ? -half - to[2] : from[2] - half) - frustum.Slack, 0.0);
   const double advance = frustum.IsForward ? frustum.Start : -frustum.Start;
@@ -195,22 +195,18 @@ bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
+double BeamTree::GetReach() const
 {
-  TestRay rest;
-  if (!rest.Set(ray))
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return hit;
+    reach = Max(reach, std::abs(this->Centre[axis]) + this->Half[axis]);
   }
-  rest.MaximumRange = Min(rest.MaximumRange, hit.Range);
-  const vtkHeliosHit other = this->Outliers.Intersect(rest);
-  const bool isBetter =
-    other.Range < hit.Range || (other.Range == hit.Range && other.CellId < hit.CellId);
-  return other.CellId >= 0 && isBetter ? other : hit;
+  return reach;
 }
 
-/// The frustum of one ray; false if it misses the tree.
-bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
+//------------------------------------------------------------------------------
+bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray, double error) const
 {
   const RayAxes& a = ray.Axes;
   frustum.Axes = a;
@@ -218,83 +214,7 @@ bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
   const double sign = frustum.IsForward ? 1.0 : -1.0;
   const double origin[3] = { ray.Origin[a.X], ray.Origin[a.Y], ray.Origin[a.Z] };
   const double slopes[2] = { sign * ray.Shear[0], sign * ray.Shear[1] };
-  return this->SetFrustum(frustum, origin, origin, slopes, slopes);
-}
-
-vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
-{
-  vtkHeliosHit hit{ NoHit, -1 };
-  TestRay rest; // its MaximumRange shrinks to the best hit so far
-  Frustum hull;
-  if (!rest.Set(ray) || !this->SetFrustum(hull, rest))
-  {
-    return hit;
-  }
-  const double speed = std::abs(rest.Largest);
-  BeamWalk walk(*this, hull);
-  float limit = hull.GetLimit(rest.MaximumRange * speed);
-  Leaf leaf;
-  while (walk.GetNext(limit, leaf))
-  {
-    for (int i = 0; i < leaf.Count; ++i)
-    {
-      const vtkTypeInt32 triangle = leaf.Triangles[i];
-      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
-      const double range = TestTriangle(rest, points);
-      if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
-      {
-        hit = { range, triangle };
-        rest.MaximumRange = range;
-        limit = hull.GetLimit(range * speed);
-      }
-    }
-  }
-  return hit;
-}
-
-bool BeamTree::IsHidden(const TestRay& ray, const Leaf& leaf) const
-{
-  for (int i = 0; i < leaf.Count; ++i)
-  {
-    const vtkTypeInt32 triangle = leaf.Triangles[i];
-    const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-      this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
-    if (TestTriangle(ray, points) < NoHit)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const
-{
-  TestRay test;
-  if (!test.Set(ray))
-  {
-    return false;
-  }
-  if (this->IsHidden(test, occluder))
-  {
-    return true;
-  }
-  Frustum hull;
-  if (this->SetFrustum(hull, test))
-  {
-    BeamWalk walk(*this, hull);
-    const float limit = hull.GetLimit(test.MaximumRange * std::abs(test.Largest));
-    Leaf leaf;
-    while (walk.GetNext(limit, leaf))
-    {
-      if (this->IsHidden(test, leaf))
-      {
-        occluder = leaf;
-        return true;
-      }
-    }
-  }
-  return this->OutliersExist && this->Outliers.IsOccluded(test);
+  return this->SetFrustum(frustum, origin, origin, slopes, slopes, error);
 }
 
 } // namespace helios

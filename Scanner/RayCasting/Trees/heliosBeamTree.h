@@ -82,13 +82,17 @@ public:
   /// too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// The first hit of a ray in the tree, without the outliers.
-  vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
+  /// The same, without outliers: all triangles are in the tree of floats.
+  void BuildWhole(const TriangleMesh& mesh, StopCheck& check);
 
   bool HasOutliers() const { return this->OutliersExist; }
 
-  /// The better of a hit of a ray and its first hit of the outliers.
-  vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
+  /// The first hit of the outliers.
+  vtkHeliosHit IntersectOutliers(const TestRay& ray) const { return this->Outliers.Intersect(ray); }
+  bool IsOccludedByOutliers(const TestRay& ray) const
+  {
+    return this->OutliersExist && this->Outliers.IsOccluded(ray);
+  }
 
   std::size_t GetMemorySize() const;
 
@@ -102,10 +106,17 @@ public:
 
   /**
    * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
-   * origins, and of slopes per unit along Z. False if it misses the tree.
+   * origins, and of slopes per unit along Z. False if the tree is empty. Error: by which rays and
+   * triangles may be off, in addition to the tolerance of the test.
    */
   bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
-    const double slopeLow[2], const double slopeHigh[2]) const;
+    const double slopeLow[2], const double slopeHigh[2], double error = 0.0) const;
+
+  /// The frustum of one ray.
+  bool SetFrustum(Frustum& frustum, const TestRay& ray, double error) const;
+
+  /// The largest coordinate of its corners, without the sign.
+  double GetReach() const;
 
   /// A coordinate along an axis in the frame of the tree.
   double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
@@ -126,10 +137,6 @@ public:
     }
   };
 
-  /// Whether a ray is occluded; occluder, initially an empty leaf, is the leaf that occluded
-  /// the previous ray and is tested first.
-  bool IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const;
-
 private:
   friend class BeamWalk;
   struct Share;
@@ -144,12 +151,12 @@ private:
   };
   static constexpr vtkTypeUInt32 LeafBit = 0x80000000u;
 
+  void BuildOutliers(std::vector<vtkTypeInt32>& inside, const double core[6], StopCheck& check);
+  void BuildNodes(std::vector<vtkTypeInt32>& inside, StopCheck& check);
   vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
   vtkTypeUInt32 MakeNode(
     const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
   void Prefetch(vtkTypeUInt32 child) const;
-  bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
-  bool IsHidden(const TestRay& ray, const Leaf& leaf) const;
 
   const TriangleMesh* Mesh = nullptr;
   double Centre[3] = { 0, 0, 0 };

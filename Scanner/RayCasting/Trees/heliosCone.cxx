@@ -4,7 +4,7 @@
 #include "heliosCone.h"
 
 #include "heliosLeafFilter.h"
-#include "heliosTriangleMesh.h"
+#include "heliosPlacedTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,8 +97,15 @@ void Cone::CopyFrame(double frame[3][3]) const
 }
 
 //------------------------------------------------------------------------------
-bool Cone::SetHull(
-  const BeamTree& tree, const RayAxes& hullAxes, Frustum& hull, LeafFilter& filter) const
+double Cone::GetStretch(const RayAxes& axes) const
+{
+  const double w = std::abs(this->Frame[2][axes.Z]);
+  return (w + this->Tangent * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + Margin);
+}
+
+//------------------------------------------------------------------------------
+bool Cone::SetHull(const BeamTree& tree, const RayAxes& hullAxes, double error, Frustum& hull,
+  LeafFilter& filter) const
 {
   const double* w = this->Frame[2];
   const double sineSquare = this->Tangent * this->Tangent / (1 + this->Tangent * this->Tangent);
@@ -122,7 +129,7 @@ bool Cone::SetHull(
     slopeHigh[i] = (x * along + root) / a + Error;
   }
   const double origin[3] = { this->Origin[axes[0]], this->Origin[axes[1]], this->Origin[axes[2]] };
-  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh))
+  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh, error))
   {
     return false;
   }
@@ -132,16 +139,18 @@ bool Cone::SetHull(
 }
 
 //------------------------------------------------------------------------------
-void Cone::SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, ConeCandidate& c) const
+void Cone::SetCorners(const PlacedTree& placed, vtkTypeInt32 triangle, ConeCandidate& c) const
 {
-  c.Triangle = triangle;
+  c.Cell = placed.GetCell(triangle);
+  const double* points[3];
+  placed.GetCorners(triangle, c.Points, points);
   for (int corner = 0; corner < 3; ++corner)
   {
-    c.Points[corner] = mesh.GetCorner(triangle, corner);
     double p[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      p[axis] = c.Points[corner][axis] - this->Origin[axis];
+      c.Points[corner][axis] = points[corner][axis];
+      p[axis] = points[corner][axis] - this->Origin[axis];
     }
     for (int axis = 0; axis < 3; ++axis)
     {

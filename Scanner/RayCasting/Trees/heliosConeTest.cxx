@@ -36,7 +36,7 @@ double GetLength(const double a[3])
 
 bool AreSame(const double* a, const double* b)
 {
-  return a == b || (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]);
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
 /// Whether another triangle adjoins an edge on its other side.
@@ -79,28 +79,30 @@ ConeTest::ConeTest(
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosConeHit ConeTest::Run(const BeamTree& tree, ConeLayer* layer)
+vtkHeliosConeHit ConeTest::Run(const SceneTree& scene, ConeLayer* layer)
 {
   if (layer)
   {
     layer->Size = 0;
   }
-  const bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers &&
-    WalkCone(this->Shape, this->Axis.Axes, tree, this->Farthest,
-      [this, &tree](vtkTypeInt32 triangle) { return this->Add(tree.GetMesh(), triangle); });
+  const bool isKnown = this->IsValid &&
+    scene.GetMesh().GetTree().GetOutliers().size() <= MaximumOutliers &&
+    WalkCone(this->Shape, this->Axis.Axes, scene, this->Farthest,
+      [this](const PlacedTree& placed, vtkTypeInt32 triangle)
+      { return this->Add(placed, triangle); });
   return isKnown ? this->Classify(layer) : Unknown;
 }
 
 //------------------------------------------------------------------------------
 /// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
-bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+bool ConeTest::Add(const PlacedTree& placed, vtkTypeInt32 triangle)
 {
   if (this->Count == MaximumMembers && !this->DropFarther())
   {
     return false;
   }
   Member& c = this->Members[this->Count];
-  this->Shape.SetCorners(mesh, triangle, c);
+  this->Shape.SetCorners(placed, triangle, c);
   if (!this->Shape.Touches(c))
   {
     return true;
@@ -112,10 +114,11 @@ bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
   ++this->Count;
   c.Response = -1.0;
   this->Shape.SetPlane(c);
-  const double range = c.MayHoldAxis ? TestTriangle(this->Axis, c.Points) : NoHit;
-  if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
+  const double* points[3] = { c.Points[0], c.Points[1], c.Points[2] };
+  const double range = c.MayHoldAxis ? TestTriangle(this->Axis, points) : NoHit;
+  if (range < this->Hit.Range || (range == this->Hit.Range && c.Cell < this->Hit.CellId))
   {
-    this->Hit = { range, triangle };
+    this->Hit = { range, c.Cell };
     this->Farthest =
       c.Surface.Farthest + std::max(this->Limits.OfPlane.Distance, this->Limits.OfLayer.Distance);
   }
@@ -128,8 +131,7 @@ bool ConeTest::DropFarther()
   const auto isFarther = [this](const Member& c)
   {
     const auto& p = c.Corners;
-    return c.Triangle != this->Hit.CellId &&
-      std::min({ p[0][2], p[1][2], p[2][2] }) > this->Farthest;
+    return c.Cell != this->Hit.CellId && std::min({ p[0][2], p[1][2], p[2][2] }) > this->Farthest;
   };
   Member* end = std::remove_if(this->Members, this->Members + this->Count, isFarther);
   this->Count = static_cast<int>(end - this->Members);
@@ -146,7 +148,7 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
   }
   Member* const end = this->Members + this->Count;
   Member* const hit = std::find_if(
-    this->Members, end, [this](const Member& c) { return c.Triangle == this->Hit.CellId; });
+    this->Members, end, [this](const Member& c) { return c.Cell == this->Hit.CellId; });
   if (hit == end)
   {
     return Unknown;
@@ -279,7 +281,7 @@ double ConeTest::GetResponse(Member& c) const
 {
   if (c.Response < 0.0)
   {
-    c.Response = this->Limits.GetResponse(c.Triangle);
+    c.Response = this->Limits.GetResponse(c.Cell);
   }
   return c.Response;
 }
@@ -336,7 +338,7 @@ void ConeTest::SetLayer(ConeLayer& layer) const
   {
     const Member& c = this->Members[i];
     ConeLayer::Piece& piece = layer.Pieces[i];
-    piece.Cell = c.Triangle;
+    piece.Cell = c.Cell;
     for (int edge = 0; edge < 3; ++edge)
     {
       const double* e = c.Edges[edge];

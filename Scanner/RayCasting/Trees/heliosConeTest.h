@@ -14,6 +14,8 @@
 namespace helios
 {
 
+class SceneTree;
+
 /// Tests one cone: gathers the triangles that touch it, from front to back, and classifies them.
 /// What rounding leaves in doubt is Mixed.
 class ConeTest
@@ -24,7 +26,7 @@ public:
     const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
   /// As ConeProbe::Probe().
-  vtkHeliosConeHit Run(const BeamTree& tree, ConeLayer* layer);
+  vtkHeliosConeHit Run(const SceneTree& scene, ConeLayer* layer);
 
 private:
   /// A triangle that touches the cone.
@@ -34,7 +36,7 @@ private:
   };
   struct Gap;
 
-  bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
+  bool Add(const PlacedTree& placed, vtkTypeInt32 triangle);
   bool DropFarther();
   vtkHeliosConeHit Classify(ConeLayer* layer);
   bool AreNear(const PlaneLimits::Difference& most);
