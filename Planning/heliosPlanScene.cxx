@@ -74,7 +74,7 @@ Status PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
 
 Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const
 {
-  return this->Caster->GetMesh().GetNormal(hit);
+  return this->Caster->GetGeometry().GetNormal(hit);
 }
 
 Vec3 PlanScene::GetNormal(vtkIdType hit) const

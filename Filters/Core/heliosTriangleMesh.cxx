@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTriangleMesh.h"
 
+#include "heliosFlatScene.h"
 #include "heliosFloatCoordinates.h"
 #include "heliosStatus.h"
 
@@ -22,6 +23,11 @@ namespace helios
 Status TriangleMesh::Set(vtkPolyData* scene)
 {
   *this = TriangleMesh();
+  if (HasInstances(scene))
+  {
+    return Status::Error(
+      "the scene has instances, which are not supported here; use the mesh of its Flatten()");
+  }
   if (!scene || scene->GetNumberOfCells() == 0)
   {
     return Status::Error("the scene is empty: it has no triangles");
@@ -90,14 +96,20 @@ Status TriangleMesh::Set(vtkPolyData* scene)
   return {};
 }
 
-Vec3 TriangleMesh::GetNormal(vtkIdType triangle) const
+Vec3 GetTriangleNormal(const double p[3], const double q[3], const double r[3])
 {
-  const Vec3 a(this->GetCorner(triangle, 0));
-  const Vec3 b(this->GetCorner(triangle, 1));
-  const Vec3 c(this->GetCorner(triangle, 2));
+  const Vec3 a(p);
+  const Vec3 b(q);
+  const Vec3 c(r);
   Vec3 normal = (b - a).Cross(c - a);
   normal.Normalize();
   return normal;
+}
+
+Vec3 TriangleMesh::GetNormal(vtkIdType triangle) const
+{
+  return GetTriangleNormal(
+    this->GetCorner(triangle, 0), this->GetCorner(triangle, 1), this->GetCorner(triangle, 2));
 }
 
 void TriangleMesh::GetBounds(double bounds[6]) const

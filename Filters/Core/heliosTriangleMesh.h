@@ -20,6 +20,10 @@ class vtkPolyData;
 namespace helios
 {
 
+/// Unit normal by the right-hand rule; zero for a degenerate triangle.
+VTKHELIOSFILTERSCORE_EXPORT Vec3 GetTriangleNormal(
+  const double p[3], const double q[3], const double r[3]);
+
 /**
  * Cell i of the scene is triangle i. Points are double and corner indices 32-bit: a scene with this
  * storage (vtkDoubleArray points, 32-bit vtkCellArray) is not copied.
@@ -33,7 +37,7 @@ public:
 
   /**
    * Sets a scene and keeps a reference. Errors: cells other than triangles, corners that are
-   * invalid or not finite, more than 2^31 points.
+   * invalid or not finite, more than 2^31 points, instances (vtkHeliosScene).
    */
   Status Set(vtkPolyData* scene);
 
@@ -47,7 +51,7 @@ public:
     return this->Points + 3 * static_cast<vtkIdType>(this->Corners[3 * triangle + corner]);
   }
 
-  /// Unit normal by the right-hand rule; zero for a degenerate triangle.
+  /// As GetTriangleNormal().
   Vec3 GetNormal(vtkIdType triangle) const;
 
   /// Smallest and largest coordinates of the points that triangles use: x0 x1 y0 y1 z0 z1.

@@ -26,6 +26,13 @@ inline constexpr const char* EdgeDefects = "EdgeDefects"; // bits, see vtkHelios
 ///@}
 
 ///@{
+/** Instances of a scene (vtkHeliosScene): point data, with Orientation, MaterialIds, PartIds. */
+inline constexpr const char* PrototypeIds = "PrototypeIds";
+inline constexpr const char* Scale = "Scale";
+inline constexpr const char* FirstCellIds = "FirstCellIds"; // int64, of the first triangle
+///@}
+
+///@{
 /** Input clouds: point data (with Normals); scenes made from clouds: cell data. */
 inline constexpr const char* RGB = "RGB";           // [0..1]
 inline constexpr const char* VoxelIds = "VoxelIds"; // solid voxel that a triangle bounds

@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneTransform.h"
 
 #include "heliosPose.h"
+#include "heliosSimilarity.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -24,39 +25,11 @@ vtkStandardNewMacro(vtkHeliosSceneTransform);
 namespace
 {
 
-/// Maps a point. Identity components are skipped to keep precision.
-struct Similarity
-{
-  bool HasRotation;
-  helios::Rotation Rotation;
-  double Scale;
-  helios::Vec3 Translation;
-
-  bool IsIdentity() const
-  {
-    return !this->HasRotation && this->Scale == 1.0 &&
-      this->Translation == helios::Vec3(0.0, 0.0, 0.0);
-  }
-
-  void Apply(const double in[3], double out[3]) const
-  {
-    helios::Vec3 p(in);
-    if (this->HasRotation)
-    {
-      p = this->Rotation * p;
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      out[axis] = p[axis] * this->Scale + this->Translation[axis];
-    }
-  }
-};
-
 struct MovePoints
 {
   vtkDataArray* From;
   double* To;
-  const Similarity& Motion;
+  const helios::Similarity& Motion;
 
   void operator()(vtkIdType begin, vtkIdType end) const
   {
@@ -70,7 +43,7 @@ struct MovePoints
   }
 };
 
-vtkSmartPointer<vtkPoints> Move(vtkPoints* from, const Similarity& motion)
+vtkSmartPointer<vtkPoints> Move(vtkPoints* from, const helios::Similarity& motion)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
@@ -138,11 +111,7 @@ int vtkHeliosSceneTransform::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(input);
 
-  const double* q = this->Rotation;
-  helios::Quaternion rotation(q[0], q[1], q[2], q[3]);
-  rotation.Normalize();
-  const Similarity motion{ q[1] != 0.0 || q[2] != 0.0 || q[3] != 0.0, helios::Rotation(rotation),
-    this->Scale, helios::Vec3(this->Translation) };
+  const helios::Similarity motion(this->Rotation, this->Scale, this->Translation);
   vtkPoints* points = input->GetPoints();
   if (points && (!motion.IsIdentity() || points->GetDataType() != VTK_DOUBLE))
   {
@@ -150,8 +119,8 @@ int vtkHeliosSceneTransform::RequestData(
   }
   if (motion.HasRotation)
   {
-    RotateNormals(output->GetPointData(), motion.Rotation);
-    RotateNormals(output->GetCellData(), motion.Rotation);
+    RotateNormals(output->GetPointData(), motion.Turn);
+    RotateNormals(output->GetCellData(), motion.Turn);
   }
   return 1;
 }

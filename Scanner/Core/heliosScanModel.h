@@ -15,9 +15,9 @@
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
 #include "heliosScanPath.h"
+#include "heliosSceneGeometry.h"
 #include "heliosSceneSurfaces.h"
 #include "heliosSubRays.h"
-#include "heliosTriangleMesh.h"
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -108,7 +108,7 @@ struct ScanModel
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const
   {
-    Vec3 normal = this->Caster->GetMesh().GetNormal(cell);
+    Vec3 normal = this->Caster->GetGeometry().GetNormal(cell);
     this->Surfaces.GetNormal(cell, normal);
     return helios::GetBackscatter(
       this->Surfaces.GetReflection(this->Surfaces.GetMaterialId(cell)), std::abs(normal.Dot(axis)));

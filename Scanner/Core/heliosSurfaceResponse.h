@@ -6,7 +6,7 @@
 #define heliosSurfaceResponse_h
 
 #include "heliosScanModel.h"
-#include "heliosTriangleMesh.h"
+#include "heliosSceneGeometry.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ private:
       const bool isTurbid = this->Model.Surfaces.IsTurbid(cell);
       surface.LeastCosine = isTurbid ? 1.0 : 0.0;
       surface.PlaneNormal =
-        isTurbid ? Vec3(0.0, 0.0, 0.0) : this->Model.Caster->GetMesh().GetNormal(cell);
+        isTurbid ? Vec3(0.0, 0.0, 0.0) : this->Model.Caster->GetGeometry().GetNormal(cell);
       surface.Normal = surface.PlaneNormal;
       this->Model.Surfaces.GetNormal(cell, surface.Normal);
       surface.Reflection =

@@ -3,8 +3,8 @@
 #include "heliosGround.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
-#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
 
@@ -97,9 +97,9 @@ vtkSmartPointer<vtkPolyData> ExtractSurfaces(
 std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
 {
   double bounds[6] = {};
-  if (caster->GetMesh().GetNumberOfTriangles() > 0)
+  if (caster->GetGeometry().GetNumberOfTriangles() > 0)
   {
-    caster->GetMesh().GetBounds(bounds);
+    caster->GetGeometry().GetBounds(bounds);
   }
   const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
   std::vector<double> heights;

@@ -6,13 +6,15 @@
 #include "heliosBeamBundle.h"
 #include "heliosBeamTree.h"
 #include "heliosConeProbe.h"
+#include "heliosSceneGeometry.h"
+#include "heliosSceneTree.h"
 #include "heliosTriangleMesh.h"
 
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
 
-class vtkHeliosBeamRayCaster::Internals : public helios::BeamTree
+class vtkHeliosBeamRayCaster::Internals : public helios::SceneTree
 {
 };
 
@@ -44,6 +46,26 @@ bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
   return true;
 }
 
+bool vtkHeliosBeamRayCaster::BuildInstances(const helios::SceneGeometry& scene)
+{
+  vtkIdType most = std::max<vtkIdType>(
+    scene.GetMesh().GetNumberOfTriangles(), static_cast<vtkIdType>(scene.GetInstances().size()));
+  for (const helios::TriangleMesh& mesh : scene.GetPrototypes())
+  {
+    most = std::max(most, mesh.GetNumberOfTriangles());
+  }
+  if (most > helios::BeamTree::MaximumTriangles)
+  {
+    vtkErrorMacro(<< "Build: the mesh or a prototype of the scene has " << most
+                  << " triangles, or there are as many instances, and the ray caster \"beam\" "
+                  << "supports at most " << helios::BeamTree::MaximumTriangles
+                  << "; use a part of the scene.");
+    return false;
+  }
+  this->Tree->Build(scene, this->GetStopCheck());
+  return true;
+}
+
 std::unique_ptr<helios::ConeProbe> vtkHeliosBeamRayCaster::MakeConeProbe()
 {
   return helios::MakeConeProbe(*this->Tree);
@@ -58,7 +80,8 @@ void vtkHeliosBeamRayCaster::Intersect(
 void vtkHeliosBeamRayCaster::IntersectBeams(
   const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
 {
-  const helios::BeamTree& tree = *this->Tree;
+  const helios::SceneTree& tree = *this->Tree;
+  const bool hasOutliers = tree.GetMesh().GetTree().HasOutliers();
   helios::BeamBundle bundle(tree);
   for (vtkIdType beam = 0; beam < beams; ++beam)
   {
@@ -72,7 +95,7 @@ void vtkHeliosBeamRayCaster::IntersectBeams(
       }
       bundle.Trace(rays + first, hits + first, count);
     }
-    for (int i = 0; i < raysPerBeam && tree.HasOutliers(); ++i)
+    for (int i = 0; i < raysPerBeam && hasOutliers; ++i)
     {
       hits[i] = tree.AddOutliers(rays[i], hits[i]);
     }
@@ -84,7 +107,7 @@ void vtkHeliosBeamRayCaster::IntersectBeams(
 void vtkHeliosBeamRayCaster::Occluded(
   const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
 {
-  helios::BeamTree::Occluder occluder;
+  helios::SceneTree::Occluder occluder;
   for (vtkIdType i = 0; i < count; ++i)
   {
     occluded[i] = this->Tree->IsOccluded(rays[i], occluder);

@@ -44,6 +44,7 @@ protected:
   ~vtkHeliosBeamRayCaster() override;
 
   bool BuildAccelerator(const helios::TriangleMesh& mesh) override;
+  bool BuildInstances(const helios::SceneGeometry& scene) override;
 #ifndef __VTK_WRAP__
   std::unique_ptr<helios::ConeProbe> MakeConeProbe() override;
 #endif

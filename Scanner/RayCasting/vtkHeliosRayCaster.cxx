@@ -3,15 +3,19 @@
 #include "vtkHeliosRayCaster.h"
 
 #include "heliosConeProbe.h"
+#include "heliosFlatScene.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
@@ -24,8 +28,10 @@ struct vtkHeliosRayCaster::Internals
   helios::StopCheck Check{ nullptr };
   std::unique_ptr<helios::ConeProbe> Probe;
   vtkWeakPointer<vtkPolyData> Scene;
-  vtkPoints* Points = nullptr;   ///< of the scene, which holds it
-  vtkCellArray* Polys = nullptr; ///< of the scene, which holds it
+  vtkPoints* Points = nullptr;      ///< of the scene, which holds it
+  vtkCellArray* Polys = nullptr;    ///< of the scene, which holds it
+  vtkPolyData* Instances = nullptr; ///< of the scene, which holds it
+  helios::TriangleMesh Flat;        ///< copies of instances, if there are any
   vtkMTimeType Time = 0;
 
   void Set(vtkPolyData* scene)
@@ -33,6 +39,7 @@ struct vtkHeliosRayCaster::Internals
     this->Scene = scene;
     this->Points = scene->GetPoints();
     this->Polys = scene->GetPolys();
+    this->Instances = GetInstances(scene);
     this->Time = scene->GetMTime();
   }
 
@@ -55,13 +62,46 @@ struct vtkHeliosRayCaster::Internals
     }
     return scene->GetPoints() == this->Points && scene->GetPolys() == this->Polys &&
       scene->GetNumberOfStrips() == 0 && this->Scene->GetNumberOfStrips() == 0 &&
-      std::max(this->Points->GetMTime(), this->Polys->GetMTime()) <= this->Time;
+      (!this->Points || this->Points->GetMTime() <= this->Time) &&
+      this->Polys->GetMTime() <= this->Time && this->HasInstancesOf(scene);
+  }
+
+  /// Bytes of the copies of instances.
+  std::size_t GetFlatSize() const
+  {
+    return static_cast<std::size_t>(this->Flat.GetNumberOfPoints()) * 3 * sizeof(double) +
+      static_cast<std::size_t>(this->Flat.GetNumberOfTriangles()) * 3 * sizeof(vtkTypeInt32);
+  }
+
+private:
+  static vtkPolyData* GetInstances(vtkPolyData* scene)
+  {
+    auto* whole = vtkHeliosScene::SafeDownCast(scene);
+    return whole ? whole->GetInstances() : nullptr;
+  }
+
+  /// Whether the instances and their prototypes are those of a scene.
+  bool HasInstancesOf(vtkPolyData* scene) const
+  {
+    if (GetInstances(scene) != this->Instances)
+    {
+      return false;
+    }
+    auto* whole = vtkHeliosScene::SafeDownCast(scene);
+    auto* own = vtkHeliosScene::SafeDownCast(this->Scene);
+    bool areSame = !this->Instances || this->Instances->GetMTime() <= this->Time;
+    for (int i = 0; this->Instances && i < own->GetNumberOfPrototypes(); ++i)
+    {
+      areSame = areSame && whole->GetPrototype(i) == own->GetPrototype(i) &&
+        own->GetPrototype(i)->GetMTime() <= this->Time;
+    }
+    return areSame;
   }
 };
 
 vtkHeliosRayCaster::vtkHeliosRayCaster()
   : Built(new Internals)
-  , Mesh(new helios::TriangleMesh)
+  , Geometry(new helios::SceneGeometry)
 {
 }
 
@@ -71,7 +111,7 @@ void vtkHeliosRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Name: " << this->GetName() << "\n";
-  os << indent << "NumberOfTriangles: " << this->Mesh->GetNumberOfTriangles() << "\n";
+  os << indent << "NumberOfTriangles: " << this->Geometry->GetNumberOfTriangles() << "\n";
   os << indent << "AcceleratorSize: " << this->GetAcceleratorSize() << "\n";
 }
 
@@ -83,16 +123,17 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   }
   this->Built->Clear();
   this->BuildAccelerator(helios::TriangleMesh()); // releases the old one before its mesh
-  const helios::Status status = this->Mesh->Set(scene);
+  this->Built->Flat = helios::TriangleMesh();
+  const helios::Status status = this->Geometry->Set(scene);
   if (!status.IsOk())
   {
-    *this->Mesh = helios::TriangleMesh();
+    *this->Geometry = helios::SceneGeometry();
     vtkErrorMacro(<< "Build: " << status.Message() << ".");
     return false;
   }
   if (!this->TryToBuild())
   {
-    *this->Mesh = helios::TriangleMesh();
+    *this->Geometry = helios::SceneGeometry();
     return false;
   }
   this->Built->Set(scene);
@@ -105,7 +146,9 @@ bool vtkHeliosRayCaster::TryToBuild()
   try
   {
     this->Built->Check.Poll();
-    return this->BuildAccelerator(*this->Mesh);
+    return this->Geometry->GetInstances().empty()
+      ? this->BuildAccelerator(this->Geometry->GetMesh())
+      : this->BuildInstances(*this->Geometry);
   }
   catch (const helios::Stopped&)
   {
@@ -113,6 +156,19 @@ bool vtkHeliosRayCaster::TryToBuild()
     vtkErrorMacro(<< "Build: aborted; build again.");
     return false;
   }
+}
+
+bool vtkHeliosRayCaster::BuildInstances(const helios::SceneGeometry& scene)
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  helios::Status status = helios::GetFlatScene(scene.GetScene(), mesh);
+  status = status.IsOk() ? this->Built->Flat.Set(mesh) : status;
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< "Build: " << status.Message() << ".");
+    return false;
+  }
+  return this->BuildAccelerator(this->Built->Flat);
 }
 
 void vtkHeliosRayCaster::SetShouldStop(const std::function<bool()>& shouldStop)
@@ -194,10 +250,13 @@ const helios::ConeProbe* vtkHeliosRayCaster::GetConeProbe()
 std::size_t vtkHeliosRayCaster::GetMemorySize() const
 {
   const std::size_t probe = this->Built->Probe ? this->Built->Probe->GetMemorySize() : 0;
-  return this->GetAcceleratorSize() + probe + this->Mesh->GetMemorySize();
+  return this->GetAcceleratorSize() + probe + this->Geometry->GetMemorySize() +
+    this->Built->GetFlatSize();
 }
 
 std::unique_ptr<helios::ConeProbe> vtkHeliosRayCaster::MakeConeProbe()
 {
-  return helios::MakeConeProbe(*this->Mesh, this->GetStopCheck());
+  const bool isFlat = this->Geometry->GetInstances().empty();
+  return helios::MakeConeProbe(
+    isFlat ? this->Geometry->GetMesh() : this->Built->Flat, this->GetStopCheck());
 }

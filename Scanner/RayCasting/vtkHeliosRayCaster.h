@@ -30,6 +30,7 @@ class vtkPolyData;
 namespace helios
 {
 class ConeProbe;
+class SceneGeometry;
 class StopCheck;
 class TriangleMesh;
 }
@@ -42,7 +43,8 @@ public:
 
   /**
    * Builds the accelerator for a scene of triangles, if it has changed. Returns false, after an
-   * error, for a scene that is empty, or has other cells or points that are not finite.
+   * error, for a scene that is empty, or has other cells or points that are not finite. Instances
+   * of a vtkHeliosScene are copied, unless by vtkHeliosBeamRayCaster.
    */
   bool Build(vtkPolyData* scene);
 
@@ -94,9 +96,9 @@ public:
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
   /// The triangles of the built scene.
-  const helios::TriangleMesh& GetMesh() const
+  const helios::SceneGeometry& GetGeometry() const
   {
-    return *this->Mesh;
+    return *this->Geometry;
   }
 #endif
 
@@ -106,6 +108,9 @@ protected:
 
   /// Builds the accelerator of the mesh; false after an error.
   virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
+
+  /// The same for a scene with instances; the default makes one mesh of them.
+  virtual bool BuildInstances(const helios::SceneGeometry& scene);
 
 #ifndef __VTK_WRAP__
   /// Makes the cone probe of the built scene; the default has a tree of its own.
@@ -123,7 +128,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Built;
-  std::unique_ptr<helios::TriangleMesh> Mesh;
+  std::unique_ptr<helios::SceneGeometry> Geometry;
 };
 
 #endif

@@ -21,7 +21,7 @@
 namespace
 {
 
-using helios::BeamTree;
+using helios::SceneTree;
 using helios::Vec3;
 
 constexpr int RaysPerBeam = 19;
@@ -67,7 +67,7 @@ std::vector<vtkHeliosRay> MakeRays(const Scan& scan, const Vec3& middle, int bea
 
 using Hits = std::vector<vtkHeliosHit>;
 
-void TraceBeams(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
+void TraceBeams(const SceneTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
 {
   helios::BeamBundle bundle(tree);
   for (std::size_t i = 0; i < rays.size(); i += RaysPerBeam)
@@ -76,7 +76,7 @@ void TraceBeams(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hit
   }
 }
 
-void TraceAxes(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
+void TraceAxes(const SceneTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
 {
   for (std::size_t i = 0; i < rays.size(); i += RaysPerBeam)
   {
@@ -84,7 +84,7 @@ void TraceAxes(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hits
   }
 }
 
-void ProbeCones(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
+void ProbeCones(const SceneTree& tree, const std::vector<vtkHeliosRay>& rays, Hits& hits)
 {
   const auto probe = helios::MakeConeProbe(tree);
   const helios::PlaneLimits limits(0.002);
@@ -96,11 +96,11 @@ void ProbeCones(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, Hit
   }
 }
 
-using Trace = std::function<void(const BeamTree&, const std::vector<vtkHeliosRay>&, Hits&)>;
+using Trace = std::function<void(const SceneTree&, const std::vector<vtkHeliosRay>&, Hits&)>;
 
 /// The time of a beam in the tree [us].
 double Measure(
-  const BeamTree& tree, const Trace& trace, const std::vector<vtkHeliosRay>& rays, Hits& hits)
+  const SceneTree& tree, const Trace& trace, const std::vector<vtkHeliosRay>& rays, Hits& hits)
 {
   hits.assign(rays.size(), { 0.0, -1 });
   std::vector<double> seconds;
@@ -121,7 +121,7 @@ bool AreSame(const Hits& a, const Hits& b)
 }
 
 bool Compare(
-  const BeamTree& ofField, const BeamTree& ofMesh, const Vec3& middle, double width, int beams)
+  const SceneTree& ofField, const SceneTree& ofMesh, const Vec3& middle, double width, int beams)
 {
   const Scan scans[] = { { "aircraft, 1000 m", 1000.0, 0.0, 0.45 * width },
     { "tripod, 2 m", 12.0, 2.0, 200.0 } };
@@ -163,7 +163,7 @@ int main(int argc, char** argv)
   const double cells = static_cast<double>(side - 1) * (side - 1);
   double start = helios::WallSeconds();
   helios::HeightField field;
-  BeamTree ofField;
+  SceneTree ofField;
   if (const helios::Status status = field.Set(image); !status.IsOk())
   {
     std::printf("%s\n", status.Message().c_str());
@@ -178,7 +178,7 @@ int main(int argc, char** argv)
   start = helios::WallSeconds();
   const auto scene = helios::MakeMesh(raster);
   helios::TriangleMesh mesh;
-  BeamTree ofMesh;
+  SceneTree ofMesh;
   helios::StopCheck never(nullptr);
   if (!mesh.Set(scene).IsOk())
   {

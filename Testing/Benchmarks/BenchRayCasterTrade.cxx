@@ -12,6 +12,7 @@
 
 #include "heliosBareCasters.h"
 #include "heliosBenchScenes.h"
+#include "heliosSceneGeometry.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosCgalRayCaster.h"
 #include "vtkHeliosEmbreeRayCaster.h"
@@ -288,7 +289,7 @@ bool RunPlace(const Setting& setting, const Place& place, int repeats, Table& ta
   Hits truth(rays.size());
   bvh->Build(setting.Scene);
   bvh->Intersect(rays.data(), truth.data(), static_cast<vtkIdType>(rays.size()));
-  const helios::TriangleMesh& mesh = bvh->GetMesh();
+  const helios::TriangleMesh& mesh = bvh->GetGeometry().GetMesh();
   const double triangles = static_cast<double>(mesh.GetNumberOfTriangles());
   bool isRight = true;
   const auto runOurs = [&](vtkHeliosRayCaster* caster, std::size_t share, bool isExact)

@@ -14,6 +14,7 @@
 #include "heliosBareCasters.h"
 #include "heliosBenchScenes.h"
 #include "heliosConeProbe.h"
+#include "heliosSceneGeometry.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosEmbreeRayCaster.h"
@@ -182,7 +183,7 @@ bool RunProbe(vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
   {
     const vtkHeliosConeHit cone = probe(rays[i]);
     ++counts[cone.Kind];
-    wrong += !IsTrue(caster->GetMesh(), cone, tolerance, &rays[i], &hits[i]);
+    wrong += !IsTrue(caster->GetGeometry().GetMesh(), cone, tolerance, &rays[i], &hits[i]);
   }
   const double number = static_cast<double>(rays.size() / 19);
   std::vector<double> rates;
@@ -224,7 +225,7 @@ bool Run(const char* name, vtkPolyData* scene, double width, double height, int 
   {
     return false;
   }
-  const helios::TriangleMesh& mesh = bvh->GetMesh();
+  const helios::TriangleMesh& mesh = bvh->GetGeometry().GetMesh();
   const BareEmbree bareEmbree(mesh);
   const BareCgal bareCgal(mesh);
   PrintSizes(name, mesh, beam->GetAcceleratorSize(), embree->GetAcceleratorSize(),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneLayer.h"
 
-#include "heliosTriangleMesh.h"
+#include "heliosSceneGeometry.h"
 #include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkActor.h>
@@ -237,7 +237,7 @@ vtkHeliosHit SceneLayer::Pick(const vtkHeliosRay& ray, Vec3& normal)
   this->Caster->Intersect(&ray, &hit, 1);
   if (hit.CellId >= 0)
   {
-    normal = this->Caster->GetMesh().GetNormal(hit.CellId);
+    normal = this->Caster->GetGeometry().GetNormal(hit.CellId);
     hit.CellId = this->GetSceneCell(hit.CellId);
   }
   return hit;

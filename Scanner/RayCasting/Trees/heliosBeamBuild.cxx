@@ -130,53 +130,111 @@ private:
   std::vector<Share> Shares;
 };
 
+namespace
+{
+
+/// The triangles of a mesh that have an area.
+std::vector<vtkTypeInt32> FindTriangles(const TriangleMesh& mesh)
+{
+  std::vector<vtkTypeInt32> triangles;
+  triangles.reserve(static_cast<std::size_t>(mesh.GetNumberOfTriangles()));
+  for (vtkTypeInt32 i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    if (SpansArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
+    {
+      triangles.push_back(i);
+    }
+  }
+  return triangles;
+}
+
+/// Whether all corners of a triangle are in a box.
+bool IsInside(const TriangleMesh& mesh, vtkTypeInt32 triangle, const double box[6])
+{
+  bool isInside = true;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const double* p = mesh.GetCorner(triangle, corner);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isInside = isInside && p[axis] >= box[2 * axis] && p[axis] <= box[2 * axis + 1];
+    }
+  }
+  return isInside;
+}
+
+bool CanBeBuilt(const TriangleMesh& mesh)
+{
+  return mesh.GetNumberOfTriangles() > 0 &&
+    mesh.GetNumberOfTriangles() <= BeamTree::MaximumTriangles;
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   *this = BeamTree();
   this->Mesh = &mesh;
-  if (mesh.GetNumberOfTriangles() == 0 || mesh.GetNumberOfTriangles() > MaximumTriangles)
+  if (CanBeBuilt(mesh))
   {
-    return;
+    double core[6];
+    GetCoreBounds(mesh, core);
+    std::vector<vtkTypeInt32> triangles = FindTriangles(mesh);
+    this->BuildOutliers(triangles, core, check);
+    this->BuildNodes(triangles, check);
   }
-  double core[6];
-  GetCoreBounds(mesh, core);
-  double low[3] = { core[1], core[3], core[5] };
-  double high[3] = { core[0], core[2], core[4] };
-  std::vector<vtkTypeInt32> inside, outside;
-  inside.reserve(static_cast<std::size_t>(mesh.GetNumberOfTriangles()));
-  for (vtkTypeInt32 i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+}
+
+void BeamTree::BuildWhole(const TriangleMesh& mesh, StopCheck& check)
+{
+  *this = BeamTree();
+  this->Mesh = &mesh;
+  if (CanBeBuilt(mesh))
   {
-    const double* p[3] = { mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2) };
-    if (!SpansArea(p[0], p[1], p[2]))
-    {
-      continue;
-    }
-    double least[3], most[3];
-    bool isInside = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      least[axis] = Min(Min(p[0][axis], p[1][axis]), p[2][axis]);
-      most[axis] = Max(Max(p[0][axis], p[1][axis]), p[2][axis]);
-      isInside = isInside && least[axis] >= core[2 * axis] && most[axis] <= core[2 * axis + 1];
-    }
-    for (int axis = 0; axis < 3 && isInside; ++axis)
-    {
-      low[axis] = Min(low[axis], least[axis]);
-      high[axis] = Max(high[axis], most[axis]);
-    }
-    (isInside ? inside : outside).push_back(i);
+    std::vector<vtkTypeInt32> triangles = FindTriangles(mesh);
+    this->BuildNodes(triangles, check);
   }
-  this->OutliersExist = !outside.empty();
+}
+
+/// Moves the triangles outside of a box to the outliers.
+void BeamTree::BuildOutliers(
+  std::vector<vtkTypeInt32>& inside, const double core[6], StopCheck& check)
+{
+  const auto outside = std::stable_partition(inside.begin(), inside.end(),
+    [this, core](vtkTypeInt32 i) { return IsInside(*this->Mesh, i, core); });
+  std::vector<vtkTypeInt32> outliers(outside, inside.end());
+  inside.erase(outside, inside.end());
+  this->OutliersExist = !outliers.empty();
   check.Poll();
-  this->Outliers.Build(mesh, std::move(outside), check);
+  this->Outliers.Build(*this->Mesh, std::move(outliers), check);
+}
+
+/// Builds the tree over some triangles.
+void BeamTree::BuildNodes(std::vector<vtkTypeInt32>& inside, StopCheck& check)
+{
   if (inside.empty())
   {
     return;
   }
+  double low[3], high[3];
+  std::copy_n(this->Mesh->GetCorner(inside.front(), 0), 3, low);
+  std::copy_n(low, 3, high);
+  for (const vtkTypeInt32 i : inside)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double* p = this->Mesh->GetCorner(i, corner);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = Min(low[axis], p[axis]);
+        high[axis] = Max(high[axis], p[axis]);
+      }
+    }
+  }
   this->SetFrame(low, high);
   Bvh binary;
-  binary.Build(mesh, std::move(inside), check);
+  binary.Build(*this->Mesh, std::move(inside), check);
   this->MakeNode(binary, Collapse(binary, check), 0, check);
   this->Nodes.shrink_to_fit();
   this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read past the end

@@ -62,6 +62,20 @@ HELIOS_INLINE void SetRays(const vtkHeliosRay& a, const vtkHeliosRay& b, const v
     direction[1], direction[2], lanes.Range);
 }
 
+HELIOS_INLINE bool AreAll(const Masks& m)
+{
+  return m[0] && m[1] && m[2] && m[3];
+}
+
+/// The rays whose direction is largest along an axis, forward or not.
+HELIOS_INLINE Masks IsAlong(const RayTerms<Doubles>& rays, const Masks& isX, const Masks& isY,
+  const RayAxes& axes, bool isForward)
+{
+  const Masks isSame = axes.Z == 0 ? isX : (axes.Z == 1 ? ~isX & isY : ~isX & ~isY);
+  const Masks areForward = rays.Largest > 0.0;
+  return isSame & (isForward ? areForward : ~areForward);
+}
+
 } // namespace
 
 void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
@@ -71,20 +85,85 @@ void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
     this->TraceParts(rays, hits, count);
     return;
   }
-  if (this->SetFrame())
+  this->TraceTree(this->Scene.GetMesh());
+  if (this->Scene.HasInstances())
   {
-    BeamWalk walk(this->Tree, this->Hull);
-    float limit = this->Hull.GetLimit(this->GetFarthest());
-    BeamTree::Leaf leaf;
-    while (walk.GetNext(limit, leaf))
-    {
-      if (this->Test(leaf, limit))
-      {
-        limit = this->Hull.GetLimit(this->GetFarthest());
-      }
-    }
+    this->TraceInstances();
   }
   this->GetHits(hits);
+}
+
+/// Keeps better hits with the triangles of a tree.
+void BeamBundle::TraceTree(const PlacedTree& placed)
+{
+  this->Placed = placed;
+  if (placed.IsMoved() && !this->MoveRays())
+  {
+    this->TraceEach();
+    return;
+  }
+  if (!this->SetFrame())
+  {
+    return;
+  }
+  BeamWalk walk(placed.GetTree(), this->Hull);
+  float limit = this->Hull.GetLimit(this->GetFarthest());
+  BeamTree::Leaf leaf;
+  while (walk.GetNext(limit, leaf))
+  {
+    if (this->Test(leaf, limit))
+    {
+      limit = this->Hull.GetLimit(this->GetFarthest());
+    }
+  }
+}
+
+/// The same, ray by ray.
+void BeamBundle::TraceEach()
+{
+  for (int i = 0; i < this->Count; ++i)
+  {
+    RayLanes& lanes = this->Lanes[i / QuadWidth];
+    const int lane = i % QuadWidth;
+    vtkHeliosRay ray;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ray.Origin[axis] = lanes.Origin[axis][lane];
+      ray.Direction[axis] = lanes.Direction[axis][lane];
+    }
+    ray.MaximumRange = lanes.Range[lane];
+    const vtkHeliosHit before = lanes.GetHit(lane);
+    vtkHeliosHit hit = before;
+    SceneTree::Intersect(this->Placed, ray, hit);
+    if (hit.CellId != before.CellId)
+    {
+      lanes.Range[lane] = hit.Range;
+      lanes.Triangle[lane] = hit.CellId;
+    }
+  }
+}
+
+/// Keeps better hits with the instances whose boxes the rays enter.
+void BeamBundle::TraceInstances()
+{
+  this->Placed = PlacedTree(this->Scene.GetBoxes(), nullptr);
+  if (!this->SetFrame())
+  {
+    return;
+  }
+  const Frustum hull = this->Hull; // those of the instances replace it
+  BeamWalk walk(this->Scene.GetBoxes(), hull);
+  BeamTree::Leaf leaf;
+  float limit = hull.GetLimit(this->GetFarthest());
+  while (walk.GetNext(limit, leaf))
+  {
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      this->TraceTree(this->Scene.GetInstance(leaf.Triangles[i]));
+    }
+    this->Placed = PlacedTree(this->Scene.GetBoxes(), nullptr);
+    limit = hull.GetLimit(this->GetFarthest());
+  }
 }
 
 HELIOS_CLONES
@@ -98,10 +177,6 @@ void BeamBundle::GetHits(vtkHeliosHit* hits) const
   if (full < this->Quads)
   {
     this->Lanes[full].GetHits(hits + QuadWidth * full, this->Count % QuadWidth);
-  }
-  for (int i = 0; i < this->Count && this->Tree.IsOfHeights(); ++i)
-  {
-    hits[i].CellId = hits[i].CellId >= 0 ? this->Tree.GetCell(hits[i].CellId) : -1;
   }
 }
 
@@ -151,6 +226,7 @@ bool BeamBundle::GatherRays(const vtkHeliosRay* rays, int count)
   this->Quads = (count + QuadWidth - 1) / QuadWidth;
   Masks isX, isY, isFine;
   Masks areFine = Masks() - 1;
+  Masks areOne = areFine;
   for (int quad = 0; quad < this->Quads; ++quad)
   {
     RayLanes& lanes = this->Lanes[quad];
@@ -163,56 +239,123 @@ bool BeamBundle::GatherRays(const vtkHeliosRay* rays, int count)
     if (quad == 0)
     {
       this->Axes = RayAxes(isX[0] ? 0 : (isY[0] ? 1 : 2));
-      this->IsForward = lanes.Largest[0] > 0.0;
     }
-    const Masks isSame = this->Axes.Z == 0 ? isX : (this->Axes.Z == 1 ? ~isX & isY : ~isX & ~isY);
-    const Masks isForward = lanes.Largest > 0.0;
-    areFine =
-      areFine & isFine & isSame & (this->IsForward ? isForward : ~isForward) & (lanes.Range > 0.0);
+    areFine = areFine & isFine & (lanes.Range > 0.0) &
+      IsAlong(lanes, isX, isY, this->Axes, this->Lanes[0].Largest[0] > 0.0);
+    areOne = areOne & (lanes.Origin[0] == this->Lanes[0].Origin[0][0]) &
+      (lanes.Origin[1] == this->Lanes[0].Origin[1][0]) &
+      (lanes.Origin[2] == this->Lanes[0].Origin[2][0]);
   }
-  return areFine[0] && areFine[1] && areFine[2] && areFine[3];
+  this->HaveSameOrigin = AreAll(areOne);
+  return AreAll(areFine);
 }
 
-/// Sets the frustum and the filter; false if the frustum misses the tree.
+/// Moves the rays into the frame of an instance; false unless they have the same main axis there.
+HELIOS_CLONES
+bool BeamBundle::MoveRays()
+{
+  const Similarity& place = this->Placed.GetPlace();
+  const double inverse = 1.0 / place.Scale;
+  const auto& m = place.Turn.M;
+  Masks isX, isY, isFine;
+  Masks areFine = Masks() - 1;
+  for (int quad = 0; quad < this->Quads; ++quad)
+  {
+    const RayLanes& from = this->Lanes[quad];
+    RayTerms<Doubles>& to = this->Moved[quad];
+    const Doubles o[3] = { from.Origin[0] - place.Translation[0],
+      from.Origin[1] - place.Translation[1], from.Origin[2] - place.Translation[2] };
+    const Doubles* d = from.Direction;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double* const column[3] = { &m[0][axis], &m[1][axis], &m[2][axis] };
+      to.Origin[axis] = (*column[0] * o[0] + *column[1] * o[1] + *column[2] * o[2]) * inverse;
+      to.Direction[axis] = (*column[0] * d[0] + *column[1] * d[1] + *column[2] * d[2]) * inverse;
+    }
+    SetTerms<Doubles, Masks>(to, isFine, isX, isY);
+    if (quad == 0)
+    {
+      this->HullAxes = RayAxes(isX[0] ? 0 : (isY[0] ? 1 : 2));
+    }
+    areFine =
+      areFine & isFine & IsAlong(to, isX, isY, this->HullAxes, this->Moved[0].Largest[0] > 0.0);
+  }
+  return AreAll(areFine);
+}
+
+/// Sets the frustum and the filter for the current tree; false if it is empty.
 HELIOS_CLONES
 bool BeamBundle::SetFrame()
 {
-  const int axes[3] = { this->Axes.X, this->Axes.Y, this->Axes.Z };
-  const double sign = this->IsForward ? 1.0 : -1.0;
   double low[3], high[3], slopeLow[2], slopeHigh[2];
+  this->SetIntervals(low, high, slopeLow, slopeHigh);
+  const BeamTree& tree = this->Placed.GetTree();
+  double error = 0.0;
+  if (this->Placed.IsMoved())
+  {
+    double reach = 0.0;
+    for (int quad = 0; quad < this->Quads; ++quad)
+    {
+      const Doubles* o = this->Lanes[quad].Origin;
+      const Doubles most =
+        Max(Max(Max<Doubles>(o[0], -o[0]), Max<Doubles>(o[1], -o[1])), Max<Doubles>(o[2], -o[2]));
+      reach = Max(reach, GetMost(most));
+    }
+    error = this->Placed.GetError(reach);
+  }
+  this->Hull.Axes = this->HullAxes;
+  this->Hull.IsForward = this->IsForward;
+  if (!tree.SetFrustum(this->Hull, low, high, slopeLow, slopeHigh, error))
+  {
+    return false;
+  }
+  this->HaveSamePlace = low[0] == high[0] && low[1] == high[1] && low[2] == high[2];
+  this->Filter.SetAxis(tree, this->Hull, low, high, slopeLow, slopeHigh);
+  this->SetSlopes(low, high);
+  this->SetBlocks();
+  return true;
+}
+
+/// The intervals of origins and slopes in the frame of the current tree; sets its axes.
+HELIOS_INLINE void BeamBundle::SetIntervals(
+  double low[3], double high[3], double slopeLow[2], double slopeHigh[2])
+{
+  this->HullAxes = this->Placed.IsMoved() ? this->HullAxes : this->Axes;
+  this->IsForward = this->GetRays(0).Largest[0] > 0.0;
+  const int axes[3] = { this->HullAxes.X, this->HullAxes.Y, this->HullAxes.Z };
+  const double sign = this->IsForward ? 1.0 : -1.0;
   for (int i = 0; i < 3; ++i)
   {
-    Doubles least = this->Lanes[0].Origin[axes[i]];
+    Doubles least = this->GetRays(0).Origin[axes[i]];
     Doubles most = least;
     for (int quad = 1; quad < this->Quads; ++quad)
     {
-      least = Min(least, this->Lanes[quad].Origin[axes[i]]);
-      most = Max(most, this->Lanes[quad].Origin[axes[i]]);
+      least = Min(least, this->GetRays(quad).Origin[axes[i]]);
+      most = Max(most, this->GetRays(quad).Origin[axes[i]]);
     }
     low[i] = GetLeast(least);
     high[i] = GetMost(most);
   }
   for (int i = 0; i < 2; ++i)
   {
-    Doubles least = this->Lanes[0].Shear[i] * sign;
+    Doubles least = this->GetRays(0).Shear[i] * sign;
     Doubles most = least;
     for (int quad = 1; quad < this->Quads; ++quad)
     {
-      least = Min<Doubles>(least, this->Lanes[quad].Shear[i] * sign);
-      most = Max<Doubles>(most, this->Lanes[quad].Shear[i] * sign);
+      least = Min<Doubles>(least, this->GetRays(quad).Shear[i] * sign);
+      most = Max<Doubles>(most, this->GetRays(quad).Shear[i] * sign);
     }
     slopeLow[i] = GetLeast(least);
     slopeHigh[i] = GetMost(most);
   }
-  this->Hull.Axes = this->Axes;
-  this->Hull.IsForward = this->IsForward;
-  if (!this->Tree.SetFrustum(this->Hull, low, high, slopeLow, slopeHigh))
-  {
-    return false;
-  }
-  this->HaveSameOrigin = low[0] == high[0] && low[1] == high[1] && low[2] == high[2];
+}
+
+/// Sets the slopes of the rays relative to the filter's axis.
+HELIOS_INLINE void BeamBundle::SetSlopes(const double low[3], const double high[3])
+{
+  const int axes[3] = { this->HullAxes.X, this->HullAxes.Y, this->HullAxes.Z };
+  const double sign = this->IsForward ? 1.0 : -1.0;
   const double middle[2] = { 0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1] };
-  this->Filter.SetAxis(this->Tree, this->Hull, low, high, slopeLow, slopeHigh);
   double rest = 0.0;
   for (int i = 0; i < 2; ++i)
   {
@@ -220,15 +363,14 @@ bool BeamBundle::SetFrame()
     Doubles most = Doubles();
     for (int quad = 0; quad < this->Quads; ++quad)
     {
-      const RayLanes& lanes = this->Lanes[quad];
-      const Doubles own = lanes.Shear[i] * sign;
+      const RayTerms<Doubles>& rays = this->GetRays(quad);
+      const Doubles own = rays.Shear[i] * sign;
       const Floats shortSlope = __builtin_convertvector(own - slope, Floats);
       Store(&this->Slopes[i][QuadWidth * quad], shortSlope);
-      if (!this->HaveSameOrigin)
+      if (!this->HaveSamePlace)
       {
-        const Doubles ahead = this->Hull.Start + (low[2] - lanes.Origin[axes[2]]) * sign;
-        const Doubles x =
-          lanes.Origin[axes[i]] - middle[i] + own * ahead - slope * this->Hull.Start;
+        const Doubles ahead = this->Hull.Start + (low[2] - rays.Origin[axes[2]]) * sign;
+        const Doubles x = rays.Origin[axes[i]] - middle[i] + own * ahead - slope * this->Hull.Start;
         const Doubles off = x * this->Hull.Scale - (own - slope) * this->Filter.GetDepth();
         most = Max(most, Max<Doubles>(off, -off));
       }
@@ -246,8 +388,6 @@ bool BeamBundle::SetFrame()
     Store(&this->Slopes[0][QuadWidth * this->Quads], nowhere);
     Store(&this->Slopes[1][QuadWidth * this->Quads], nowhere);
   }
-  this->SetBlocks();
-  return true;
 }
 
 /// Sets the bounds of blocks of adjacent rays.
@@ -278,15 +418,15 @@ HELIOS_INLINE void BeamBundle::SetBlocks()
   }
 }
 
-/// The distance along Z beyond which no ray can have a better hit.
+/// The distance along Z of the current tree beyond which no ray can have a better hit.
 HELIOS_CLONES
 double BeamBundle::GetFarthest() const
 {
   Doubles farthest = Doubles();
   for (int quad = 0; quad < this->Quads; ++quad)
   {
-    const RayLanes& lanes = this->Lanes[quad];
-    farthest = Max<Doubles>(farthest, lanes.Range * Max<Doubles>(lanes.Largest, -lanes.Largest));
+    const Doubles& speed = this->GetRays(quad).Largest;
+    farthest = Max<Doubles>(farthest, this->Lanes[quad].Range * Max<Doubles>(speed, -speed));
   }
   return GetMost(farthest);
 }

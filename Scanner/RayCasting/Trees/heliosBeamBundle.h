@@ -8,7 +8,9 @@
 
 #include "heliosBeamTree.h"
 #include "heliosLeafFilter.h"
+#include "heliosPlacedTree.h"
 #include "heliosRayLanes.h"
+#include "heliosSceneTree.h"
 
 #include <cstdint>
 
@@ -25,12 +27,12 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamBundle
 public:
   static constexpr int MaximumRays = 256;
 
-  explicit BeamBundle(const BeamTree& tree)
-    : Tree(tree)
+  explicit BeamBundle(const SceneTree& scene)
+    : Scene(scene)
   {
   }
 
-  /// The first hits of rays in the tree, without its outliers.
+  /// The first hits of rays in the scene, without the outliers of its mesh.
   void Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
 
 private:
@@ -38,7 +40,13 @@ private:
 
   void TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
   bool GatherRays(const vtkHeliosRay* rays, int count);
+  void TraceTree(const PlacedTree& placed);
+  void TraceEach();
+  void TraceInstances();
+  bool MoveRays();
   bool SetFrame();
+  void SetIntervals(double low[3], double high[3], double slopeLow[2], double slopeHigh[2]);
+  void SetSlopes(const double low[3], const double high[3]);
   void SetBlocks();
   double GetFarthest() const;
   void GetHits(vtkHeliosHit* hits) const;
@@ -50,16 +58,27 @@ private:
   bool Test(const BeamTree::Leaf& leaf, float limit);
   bool TestTriangle(vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes);
   template <typename SeenT>
-  void TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
-    const TrianglePlane& plane, const SeenT& seen, Masks& better) const;
+  void TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkIdType cell, const TrianglePlane& plane,
+    const SeenT& seen, Masks& better) const;
 
-  const BeamTree& Tree;
+  /// Rays in the frame of the current tree.
+  const RayTerms<Doubles>& GetRays(int quad) const
+  {
+    return this->Placed.IsMoved() ? this->Moved[quad] : this->Lanes[quad];
+  }
+
+  const SceneTree& Scene;
   int Count = 0;
   int Quads = 0;
   RayAxes Axes;
-  bool IsForward = true;
   bool HaveSameOrigin = false;
   RayLanes Lanes[MaximumRays / QuadWidth]; ///< padded with the last ray
+
+  PlacedTree Placed;                                ///< the current tree; and in its frame:
+  RayTerms<Doubles> Moved[MaximumRays / QuadWidth]; ///< the rays, if it is an instance's
+  RayAxes HullAxes;
+  bool IsForward = true;
+  bool HaveSamePlace = false; ///< the origins
   Frustum Hull;
 
   LeafFilter Filter;

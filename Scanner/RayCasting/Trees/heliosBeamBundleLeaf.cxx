@@ -49,7 +49,7 @@ struct Seen
 
 /// Keeps better hits with a triangle in lanes that may be inside, one byte per lane.
 template <typename SeenT>
-HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
+HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkIdType cell,
   const TrianglePlane& plane, const SeenT& seen, Masks& better) const
 {
   Masks inside, isBetter;
@@ -61,7 +61,7 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
     const Masks isPossible = inside;
     helios::GetInside(isPossible, sheared, edges, inside);
   }
-  SelectBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
+  SelectBetter(lanes, inside, cell, plane, seen.Terms, isBetter);
   better |= isBetter;
 }
 
@@ -71,7 +71,8 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
 {
   double buffer[3][3];
   const double* points[3];
-  this->Tree.GetPoints(triangle, buffer, points);
+  this->Placed.GetPoints(triangle, buffer, points);
+  const vtkIdType cell = this->Placed.GetCell(triangle);
   const TrianglePlane plane = GetPlane(points);
   Masks better = {};
   Seen<double> fromOne;
@@ -94,13 +95,13 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
       }
       if (this->HaveSameOrigin)
       {
-        this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
+        this->TestQuad(lanes, bytes[quad], cell, plane, fromOne, better);
         continue;
       }
       Seen<Doubles> seen;
       seen.SetCorners(lanes.Origin, points);
       seen.Terms.Set(plane, seen.Corners);
-      this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
+      this->TestQuad(lanes, bytes[quad], cell, plane, seen, better);
     }
   }
   return Any(better);
@@ -183,9 +184,10 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
 HELIOS_CLONES
 bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
 {
+  const BeamTree& tree = this->Placed.GetTree();
   for (int i = 0; i < leaf.Count; ++i)
   {
-    this->Tree.PrefetchNumbers(leaf.Triangles[i]);
+    tree.PrefetchNumbers(leaf.Triangles[i]);
   }
   LeafFilter::Edges edges;
   this->Filter.SetEdges(leaf, limit, edges);
@@ -193,7 +195,7 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
   {
     if (edges.IsAlive[i])
     {
-      this->Tree.PrefetchPoints(leaf.Triangles[i]);
+      tree.PrefetchPoints(leaf.Triangles[i]);
     }
   }
   bool isBetter = false;

@@ -34,14 +34,6 @@ HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
   return GetBytes(masks) & 0x0101010101010101u;
 }
 
-/// The better of two hits, of which the second may be none.
-vtkHeliosHit GetBetter(const vtkHeliosHit& hit, const vtkHeliosHit& other)
-{
-  const bool isBetter =
-    other.Range < hit.Range || (other.Range == hit.Range && other.CellId < hit.CellId);
-  return other.CellId >= 0 && isBetter ? other : hit;
-}
-
 } // namespace
 
 float Frustum::GetLimit(double distance) const
@@ -59,7 +51,7 @@ std::size_t BeamTree::GetMemorySize() const
 
 //------------------------------------------------------------------------------
 bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double high[3],
-  const double slopeLow[2], const double slopeHigh[2]) const
+  const double slopeLow[2], const double slopeHigh[2], double error) const
 {
   if (this->Scale == 0.0)
   {
@@ -75,7 +67,7 @@ bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double hi
     reach = Max(reach, Max(Max(from[i], -from[i]), Max(to[i], -to[i])) + this->Half[axes[i]]);
   }
   const double half = this->Half[axes[2]];
-  frustum.Slack = FrustumSlack * reach;
+  frustum.Slack = FrustumSlack * reach + error;
   frustum.Scale = this->Scale;
   frustum.Start = Max((frustum.IsForward ? -half - to[2] : from[2] - half) - frustum.Slack, 0.0);
   const double advance = frustum.IsForward ? frustum.Start : -frustum.Start;
@@ -236,19 +228,18 @@ bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
+double BeamTree::GetReach() const
 {
-  TestRay rest;
-  if (!rest.Set(ray))
+  double reach = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    return hit;
+    reach = Max(reach, std::abs(this->Centre[axis]) + this->Half[axis]);
   }
-  rest.MaximumRange = Min(rest.MaximumRange, hit.Range);
-  return GetBetter(hit, this->Outliers.Intersect(rest));
+  return reach;
 }
 
-/// The frustum of one ray; false if it misses the tree.
-bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
+//------------------------------------------------------------------------------
+bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray, double error) const
 {
   const RayAxes& a = ray.Axes;
   frustum.Axes = a;
@@ -256,109 +247,26 @@ bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
   const double sign = frustum.IsForward ? 1.0 : -1.0;
   const double origin[3] = { ray.Origin[a.X], ray.Origin[a.Y], ray.Origin[a.Z] };
   const double slopes[2] = { sign * ray.Shear[0], sign * ray.Shear[1] };
-  return this->SetFrustum(frustum, origin, origin, slopes, slopes);
-}
-
-/// The first hit in the tree, to whose range that of the ray shrinks.
-vtkHeliosHit BeamTree::FindHitInTree(TestRay& ray) const
-{
-  vtkHeliosHit hit{ NoHit, -1 };
-  Frustum hull;
-  if (!this->SetFrustum(hull, ray))
-  {
-    return hit;
-  }
-  const double speed = std::abs(ray.Largest);
-  BeamWalk walk(*this, hull);
-  float limit = hull.GetLimit(ray.MaximumRange * speed);
-  Leaf leaf;
-  while (walk.GetNext(limit, leaf))
-  {
-    for (int i = 0; i < leaf.Count; ++i)
-    {
-      const vtkTypeInt32 triangle = leaf.Triangles[i];
-      double buffer[3][3];
-      const double* points[3];
-      this->GetPoints(triangle, buffer, points);
-      const double range = TestTriangle(ray, points);
-      if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
-      {
-        hit = { range, triangle };
-        ray.MaximumRange = range;
-        limit = hull.GetLimit(range * speed);
-      }
-    }
-  }
-  return hit;
-}
-
-vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
-{
-  TestRay test;
-  if (!test.Set(ray))
-  {
-    return { NoHit, -1 };
-  }
-  const vtkHeliosHit hit = this->FindHitInTree(test);
-  return { hit.Range, hit.CellId >= 0 ? this->GetCell(hit.CellId) : -1 };
-}
-
-vtkHeliosHit BeamTree::FindHit(const TestRay& ray) const
-{
-  TestRay rest = ray;
-  const vtkHeliosHit hit = this->FindHitInTree(rest);
-  return this->OutliersExist ? GetBetter(hit, this->Outliers.Intersect(rest)) : hit;
-}
-
-bool BeamTree::IsHidden(const TestRay& ray, int count, const vtkTypeInt32* triangles) const
-{
-  for (int i = 0; i < count; ++i)
-  {
-    double buffer[3][3];
-    const double* points[3];
-    this->GetPoints(triangles[i], buffer, points);
-    if (TestTriangle(ray, points) < NoHit)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const
-{
-  TestRay test;
-  if (!test.Set(ray))
-  {
-    return false;
-  }
-  if (this->IsHidden(test, occluder.Count, occluder.Triangles))
-  {
-    return true;
-  }
-  Frustum hull;
-  if (this->SetFrustum(hull, test))
-  {
-    BeamWalk walk(*this, hull);
-    const float limit = hull.GetLimit(test.MaximumRange * std::abs(test.Largest));
-    Leaf leaf;
-    while (walk.GetNext(limit, leaf))
-    {
-      if (this->IsHidden(test, leaf.Count, leaf.Triangles))
-      {
-        occluder.Count = leaf.Count;
-        std::copy_n(leaf.Triangles, leaf.Count, occluder.Triangles);
-        return true;
-      }
-    }
-  }
-  return this->OutliersExist && this->Outliers.IsOccluded(test);
+  return this->SetFrustum(frustum, origin, origin, slopes, slopes, error);
 }
 
 //------------------------------------------------------------------------------
 void BeamTree::ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const
 {
   this->Heights->GetField().GetSlotCorners(triangle, points);
+}
+
+void BeamTree::GetCellPoints(vtkIdType cell, double points[3][3]) const
+{
+  if (this->IsOfHeights())
+  {
+    this->Heights->GetField().GetCorners(cell, points);
+    return;
+  }
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    std::copy_n(this->Mesh->GetCorner(cell, corner), 3, points[corner]);
+  }
 }
 
 vtkIdType BeamTree::ComputeCell(vtkIdType triangle) const

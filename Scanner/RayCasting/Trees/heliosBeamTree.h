@@ -75,19 +75,20 @@ public:
   /// too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
+  /// The same, without outliers: all triangles are in the tree of floats.
+  void BuildWhole(const TriangleMesh& mesh, StopCheck& check);
+
   /// Over a height field, which must outlive it.
   void Build(const HeightField& field);
 
-  /// The first hit of a ray in the tree, without the outliers.
-  vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
-
-  /// The first hit with a triangle, of the tree or an outlier, instead of a cell.
-  vtkHeliosHit FindHit(const TestRay& ray) const;
-
   bool HasOutliers() const { return this->OutliersExist; }
 
-  /// The better of a hit of a ray and its first hit of the outliers.
-  vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
+  /// The first hit of the outliers.
+  vtkHeliosHit IntersectOutliers(const TestRay& ray) const { return this->Outliers.Intersect(ray); }
+  bool IsOccludedByOutliers(const TestRay& ray) const
+  {
+    return this->OutliersExist && this->Outliers.IsOccluded(ray);
+  }
 
   std::size_t GetMemorySize() const;
 
@@ -131,6 +132,9 @@ public:
     return this->IsOfHeights() ? this->ComputeCell(triangle) : triangle;
   }
 
+  /// The corners of a cell.
+  void GetCellPoints(vtkIdType cell, double points[3][3]) const;
+
   /// The outlier triangles.
   const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
 
@@ -139,10 +143,17 @@ public:
 
   /**
    * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
-   * origins, and of slopes per unit along Z. False if it misses the tree.
+   * origins, and of slopes per unit along Z. False if the tree is empty. Error: by which rays and
+   * triangles may be off, in addition to the tolerance of the test.
    */
   bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
-    const double slopeLow[2], const double slopeHigh[2]) const;
+    const double slopeLow[2], const double slopeHigh[2], double error = 0.0) const;
+
+  /// The frustum of one ray.
+  bool SetFrustum(Frustum& frustum, const TestRay& ray, double error) const;
+
+  /// The largest coordinate of its corners, without the sign.
+  double GetReach() const;
 
   /// A coordinate along an axis in the frame of the tree.
   double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
@@ -150,17 +161,6 @@ public:
   static constexpr int Width = BeamNode::Width;
   static constexpr int LeafSize = BeamLeaf::Size;
   using Leaf = BeamLeaf;
-
-  /// The triangles of a leaf.
-  struct Occluder
-  {
-    int Count = 0;
-    vtkTypeInt32 Triangles[LeafSize];
-  };
-
-  /// Whether a ray is occluded; occluder, initially empty, has the leaf that occluded the previous
-  /// ray and is tested first.
-  bool IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const;
 
 private:
   friend class BeamWalk;
@@ -170,14 +170,13 @@ private:
   using Node = BeamNode;
   static constexpr vtkTypeUInt32 LeafBit = BeamNode::LeafBit;
 
+  void BuildOutliers(std::vector<vtkTypeInt32>& inside, const double core[6], StopCheck& check);
+  void BuildNodes(std::vector<vtkTypeInt32>& inside, StopCheck& check);
   vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
   vtkTypeUInt32 MakeNode(
     const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
   void SetFrame(const double low[3], const double high[3]);
   void Prefetch(vtkTypeUInt32 child) const;
-  bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
-  vtkHeliosHit FindHitInTree(TestRay& ray) const;
-  bool IsHidden(const TestRay& ray, int count, const vtkTypeInt32* triangles) const;
   void ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const;
   vtkIdType ComputeCell(vtkIdType triangle) const;
 

@@ -4,6 +4,7 @@
 #include "heliosCone.h"
 
 #include "heliosLeafFilter.h"
+#include "heliosPlacedTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,8 +139,15 @@ void Cone::CopyFrame(double frame[3][3]) const
 }
 
 //------------------------------------------------------------------------------
-bool Cone::SetHull(
-  const BeamTree& tree, const RayAxes& hullAxes, Frustum& hull, LeafFilter& filter) const
+double Cone::GetStretch(const RayAxes& axes) const
+{
+  const double w = std::abs(this->Frame[2][axes.Z]);
+  return (w + this->Tangent * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + Margin);
+}
+
+//------------------------------------------------------------------------------
+bool Cone::SetHull(const BeamTree& tree, const RayAxes& hullAxes, double error, Frustum& hull,
+  LeafFilter& filter) const
 {
   const double* w = this->Frame[2];
   const double sineSquare = this->Tangent * this->Tangent / (1 + this->Tangent * this->Tangent);
@@ -163,7 +171,7 @@ bool Cone::SetHull(
     slopeHigh[i] = (x * along + root) / a + Error;
   }
   const double origin[3] = { this->Origin[axes[0]], this->Origin[axes[1]], this->Origin[axes[2]] };
-  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh))
+  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh, error))
   {
     return false;
   }
@@ -173,24 +181,33 @@ bool Cone::SetHull(
 }
 
 //------------------------------------------------------------------------------
-void Cone::SetCorners(const BeamTree& tree, vtkTypeInt32 triangle, ConeCandidate& c) const
+void Cone::SetCorners(ConeCandidate& c) const
 {
-  c.Triangle = triangle;
-  const double* points[3];
-  tree.GetPoints(triangle, c.Points, points);
   for (int corner = 0; corner < 3; ++corner)
   {
     double p[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      c.Points[corner][axis] = points[corner][axis];
-      p[axis] = points[corner][axis] - this->Origin[axis];
+      p[axis] = c.Points[corner][axis] - this->Origin[axis];
     }
     for (int axis = 0; axis < 3; ++axis)
     {
       c.Corners[corner][axis] = Dot(this->Frame[axis], p);
     }
   }
+}
+
+void Cone::SetCorners(const PlacedTree& placed, vtkTypeInt32 triangle, ConeCandidate& c) const
+{
+  c.Cell = placed.GetCell(triangle);
+  double buffer[3][3];
+  const double* points[3];
+  placed.GetPoints(triangle, buffer, points);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    std::copy_n(points[corner], 3, c.Points[corner]);
+  }
+  this->SetCorners(c);
 }
 
 //------------------------------------------------------------------------------

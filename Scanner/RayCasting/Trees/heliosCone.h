@@ -11,6 +11,7 @@ namespace helios
 {
 
 class LeafFilter;
+class PlacedTree;
 
 /// A triangle in the frame of a cone: the apex is the origin, the axis is z.
 struct ConeCandidate
@@ -24,7 +25,7 @@ struct ConeCandidate
     double Nearest, Farthest; ///< depth over the cone; Farthest may be infinite
   };
 
-  vtkTypeInt32 Triangle;
+  vtkIdType Cell;
   double Points[3][3]; ///< the corners in the world
   double Corners[3][3];
   double Reach;         ///< an upper bound of their distances
@@ -58,16 +59,26 @@ public:
   /// The origin must outlive the cone; the axis is a unit vector.
   Cone(const double origin[3], const double axis[3], double tanHalfAngle);
 
+  const double* GetOrigin() const { return this->Origin; }
   const double* GetAxis(int axis) const { return this->Frame[axis]; }
   double GetTangent() const { return this->Tangent; }
+
+  /// The largest distance along the main axis of a ray for a unit of depth: w_z + T sqrt(1 - w_z^2).
+  double GetStretch(const RayAxes& axes) const;
 
   /// The rows: two axes across, the axis; in the world.
   void CopyFrame(double frame[3][3]) const;
 
-  /// The frustum about the cone; false for a cone that is too wide.
-  bool SetHull(const BeamTree& tree, const RayAxes& axes, Frustum& hull, LeafFilter& filter) const;
+  /// The frustum about the cone; false for a cone that is too wide. Error: as of
+  /// BeamTree::SetFrustum().
+  bool SetHull(const BeamTree& tree, const RayAxes& axes, double error, Frustum& hull,
+    LeafFilter& filter) const;
 
-  void SetCorners(const BeamTree& tree, vtkTypeInt32 triangle, ConeCandidate& c) const;
+  /// Sets the corners of a candidate from its points.
+  void SetCorners(ConeCandidate& c) const;
+
+  /// Sets the cell, the points and the corners of a candidate.
+  void SetCorners(const PlacedTree& placed, vtkTypeInt32 triangle, ConeCandidate& c) const;
 
   /// Whether a triangle is beyond a side of the square about the cone.
   bool IsBeside(const ConeCandidate& c) const;

@@ -4,6 +4,7 @@
 #include "heliosConeCollector.h"
 
 #include "heliosConeWalk.h"
+#include "heliosSceneTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +19,11 @@ namespace
 class FetchQueue
 {
 public:
-  explicit FetchQueue(const BeamTree& tree)
-    : Tree(tree)
-  {
-  }
-
   template <typename UseT>
-  void Add(vtkTypeInt32 triangle, UseT use)
+  void Add(const PlacedTree& placed, vtkTypeInt32 triangle, UseT use)
   {
-    this->Tree.PrefetchNumbers(triangle);
-    this->At(this->Size) = triangle;
+    placed.GetTree().PrefetchNumbers(triangle);
+    this->At(this->Size) = { placed, triangle };
     this->Advance(this->Size++, use);
   }
 
@@ -42,26 +38,33 @@ public:
   }
 
 private:
+  struct Entry
+  {
+    PlacedTree Placed;
+    vtkTypeInt32 Triangle;
+  };
+
   static constexpr std::size_t Step = 8;
 
-  vtkTypeInt32& At(std::size_t i) { return this->Triangles[i % (2 * Step + 1)]; }
+  Entry& At(std::size_t i) { return this->Entries[i % (2 * Step + 1)]; }
 
   template <typename UseT>
   void Advance(std::size_t last, UseT use)
   {
     if (last >= Step && last - Step < this->Size)
     {
-      this->Tree.PrefetchPoints(this->At(last - Step));
+      const Entry& entry = this->At(last - Step);
+      entry.Placed.GetTree().PrefetchPoints(entry.Triangle);
     }
     if (last >= 2 * Step && last - 2 * Step < this->Size)
     {
-      use(this->At(last - 2 * Step));
+      const Entry& entry = this->At(last - 2 * Step);
+      use(entry.Placed, entry.Triangle);
     }
   }
 
-  const BeamTree& Tree;
   std::size_t Size = 0;
-  vtkTypeInt32 Triangles[2 * Step + 1];
+  Entry Entries[2 * Step + 1];
 };
 
 } // namespace
@@ -73,19 +76,20 @@ ConeCollector::ConeCollector(const double origin[3], const double axis[3], doubl
 }
 
 //------------------------------------------------------------------------------
-bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, ConeView& view)
+bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t most, ConeView& view)
 {
   constexpr std::size_t transient =
     4; // times as many before those that a triangle hides are dropped
   view.Triangles.clear();
   this->Shape.CopyFrame(view.Frame);
-  FetchQueue queue(tree);
-  const auto use = [&](vtkTypeInt32 triangle) { this->Add(tree, triangle, nearest, view); };
+  FetchQueue queue;
+  const auto use = [&](const PlacedTree& placed, vtkTypeInt32 triangle)
+  { this->Add(placed, triangle, nearest, view); };
   const bool isWhole = this->IsValid &&
-    WalkCone(this->Shape, this->Axis.Axes, tree, this->Farthest,
-      [&](vtkTypeInt32 triangle)
+    WalkCone(this->Shape, this->Axis.Axes, scene, this->Farthest,
+      [&](const PlacedTree& placed, vtkTypeInt32 triangle)
       {
-        queue.Add(triangle, use);
+        queue.Add(placed, triangle, use);
         return view.Triangles.size() <= transient * most;
       });
   queue.Finish(use);
@@ -97,10 +101,11 @@ bool ConeCollector::Run(const BeamTree& tree, double nearest, std::size_t most, 
 
 //------------------------------------------------------------------------------
 /// Adds a triangle that may touch the cone to a view; one that covers it hides what is farther.
-void ConeCollector::Add(const BeamTree& tree, vtkTypeInt32 triangle, double nearest, ConeView& view)
+void ConeCollector::Add(
+  const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view)
 {
   ConeCandidate c;
-  this->Shape.SetCorners(tree, triangle, c);
+  this->Shape.SetCorners(placed, triangle, c);
   const auto& p = c.Corners;
   if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c) ||
     !this->Shape.Touches(c))
@@ -108,7 +113,7 @@ void ConeCollector::Add(const BeamTree& tree, vtkTypeInt32 triangle, double near
     return;
   }
   // A tree of one leaf has it twice.
-  const vtkIdType cell = tree.GetCell(triangle);
+  const vtkIdType cell = c.Cell;
   const std::size_t recent = std::min<std::size_t>(view.Triangles.size(), BeamTree::LeafSize);
   if (std::any_of(view.Triangles.end() - static_cast<std::ptrdiff_t>(recent), view.Triangles.end(),
         [cell](const ConeTriangle& other) { return other.Cell == cell; }))

@@ -14,16 +14,18 @@
 namespace helios
 {
 
+class SceneTree;
+
 class ConeCollector
 {
 public:
   ConeCollector(const double origin[3], const double axis[3], double tanHalfAngle);
 
   /// As ConeProbe::Collect().
-  bool Run(const BeamTree& tree, double nearest, std::size_t most, ConeView& view);
+  bool Run(const SceneTree& scene, double nearest, std::size_t most, ConeView& view);
 
 private:
-  void Add(const BeamTree& tree, vtkTypeInt32 triangle, double nearest, ConeView& view);
+  void Add(const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view);
   void DropHidden(ConeView& view) const;
 
   Cone Shape;

@@ -5,6 +5,7 @@
 #include "heliosBeamTree.h"
 #include "heliosConeCollector.h"
 #include "heliosConeTest.h"
+#include "heliosSceneTree.h"
 #include "heliosTriangleMesh.h"
 
 namespace helios
@@ -16,13 +17,13 @@ namespace
 class TreeProbe : public ConeProbe
 {
 public:
-  explicit TreeProbe(const BeamTree& tree)
-    : Tree(&tree)
+  explicit TreeProbe(const SceneTree& scene)
+    : Tree(&scene)
   {
   }
 
   TreeProbe(const TriangleMesh& mesh, StopCheck& check)
-    : OwnTree(std::make_unique<BeamTree>())
+    : OwnTree(std::make_unique<SceneTree>())
     , Tree(this->OwnTree.get())
   {
     this->OwnTree->Build(mesh, check);
@@ -46,15 +47,15 @@ public:
   }
 
 private:
-  std::unique_ptr<BeamTree> OwnTree;
-  const BeamTree* Tree;
+  std::unique_ptr<SceneTree> OwnTree;
+  const SceneTree* Tree;
 };
 
 } // namespace
 
-std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree)
+std::unique_ptr<ConeProbe> MakeConeProbe(const SceneTree& scene)
 {
-  return std::make_unique<TreeProbe>(tree);
+  return std::make_unique<TreeProbe>(scene);
 }
 
 std::unique_ptr<ConeProbe> MakeConeProbe(const TriangleMesh& mesh, StopCheck& check)

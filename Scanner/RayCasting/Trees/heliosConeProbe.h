@@ -17,7 +17,7 @@
 namespace helios
 {
 
-class BeamTree;
+class SceneTree;
 class StopCheck;
 class TriangleMesh;
 
@@ -51,8 +51,8 @@ public:
   virtual std::size_t GetMemorySize() const = 0;
 };
 
-/// Probes on a tree, which must outlive the result.
-VTKHELIOSSCANNERRAYCASTING_EXPORT std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree);
+/// Probes on the trees of a scene, which must outlive the result.
+VTKHELIOSSCANNERRAYCASTING_EXPORT std::unique_ptr<ConeProbe> MakeConeProbe(const SceneTree& scene);
 
 /// Probes on a tree of its own over a mesh, which must outlive the result; null if there are too
 /// many triangles. Throws Stopped on an abort request.

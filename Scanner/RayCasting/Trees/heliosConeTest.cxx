@@ -78,14 +78,15 @@ ConeTest::ConeTest(
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosConeHit ConeTest::Run(const BeamTree& tree, ConeLayer* layer)
+vtkHeliosConeHit ConeTest::Run(const SceneTree& scene, ConeLayer* layer)
 {
   if (layer)
   {
     layer->Size = 0;
   }
-  this->Tree = &tree;
-  bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers && this->Walk();
+  this->Scene = &scene;
+  bool isKnown = this->IsValid &&
+    scene.GetMesh().GetTree().GetOutliers().size() <= MaximumOutliers && this->Walk();
   if (isKnown && this->IsIncomplete)
   {
     this->Count = 0;
@@ -97,17 +98,18 @@ vtkHeliosConeHit ConeTest::Run(const BeamTree& tree, ConeLayer* layer)
 /// Adds the triangles that touch the cone; false once it is known to be mixed.
 bool ConeTest::Walk()
 {
-  return WalkCone(this->Shape, this->Axis.Axes, *this->Tree, this->Farthest,
-    [this](vtkTypeInt32 triangle) { return this->Add(triangle); });
+  return WalkCone(this->Shape, this->Axis.Axes, *this->Scene, this->Farthest,
+    [this](const PlacedTree& placed, vtkTypeInt32 triangle)
+    { return this->Add(placed, triangle); });
 }
 
 //------------------------------------------------------------------------------
 /// Adds a triangle if it touches the cone; false once the cone is known to be mixed. The result does
 /// not depend on the order of the triangles.
-bool ConeTest::Add(vtkTypeInt32 triangle)
+bool ConeTest::Add(const PlacedTree& placed, vtkTypeInt32 triangle)
 {
   Member* c = this->Members + this->Count;
-  this->Shape.SetCorners(*this->Tree, triangle, *c);
+  this->Shape.SetCorners(placed, triangle, *c);
   if (!this->Shape.Touches(*c))
   {
     return true;
@@ -136,7 +138,7 @@ bool ConeTest::Add(vtkTypeInt32 triangle)
   this->Shape.SetPlane(*c);
   const double* const points[3] = { c->Points[0], c->Points[1], c->Points[2] };
   const double range = c->MayHoldAxis ? TestTriangle(this->Axis, points) : NoHit;
-  if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
+  if (range < this->Hit.Range || (range == this->Hit.Range && c->Cell < this->Hit.CellId))
   {
     this->SetHit(*c, range);
   }
@@ -147,7 +149,7 @@ bool ConeTest::Add(vtkTypeInt32 triangle)
 void ConeTest::SetHit(const Member& c, double range)
 {
   const double before = this->Farthest;
-  this->Hit = { range, c.Triangle };
+  this->Hit = { range, c.Cell };
   this->Farthest =
     c.Surface.Farthest + std::max(this->Limits.OfPlane.Distance, this->Limits.OfLayer.Distance);
   this->IsIncomplete = this->IsIncomplete || this->Farthest > before;
@@ -157,13 +159,18 @@ void ConeTest::SetHit(const Member& c, double range)
 bool ConeTest::TraceAxis()
 {
   this->IsTraced = true;
-  const vtkHeliosHit hit = this->Tree->FindHit(this->Axis);
+  vtkHeliosRay ray;
+  std::copy_n(this->Axis.Origin, 3, ray.Origin);
+  std::copy_n(this->Axis.Direction, 3, ray.Direction);
+  const vtkHeliosHit hit = this->Scene->AddOutliers(ray, this->Scene->Intersect(ray));
   if (hit.CellId < 0)
   {
     return false;
   }
   Member c;
-  this->Shape.SetCorners(*this->Tree, static_cast<vtkTypeInt32>(hit.CellId), c);
+  c.Cell = hit.CellId;
+  this->Scene->GetCellPoints(hit.CellId, c.Points);
+  this->Shape.SetCorners(c);
   this->Shape.Touches(c);
   this->Shape.SetPlane(c);
   this->SetHit(c, hit.Range);
@@ -173,7 +180,7 @@ bool ConeTest::TraceAxis()
 /// Whether all of a member inside the cone is beyond Farthest.
 bool ConeTest::IsFarther(const Member& c) const
 {
-  return c.Triangle != this->Hit.CellId && this->Shape.GetNearestDepth(c) > this->Farthest;
+  return c.Cell != this->Hit.CellId && this->Shape.GetNearestDepth(c) > this->Farthest;
 }
 
 /// Drops the members beyond Farthest.
@@ -194,7 +201,7 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
   }
   Member* const end = this->Members + this->Count;
   Member* const hit = std::find_if(
-    this->Members, end, [this](const Member& c) { return c.Triangle == this->Hit.CellId; });
+    this->Members, end, [this](const Member& c) { return c.Cell == this->Hit.CellId; });
   if (hit == end)
   {
     return Unknown;
@@ -210,8 +217,7 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
     {
       this->SetLayer(*layer);
     }
-    const vtkIdType cell = this->Tree->GetCell(this->Hit.CellId);
-    return { vtkHeliosConeHit::OnePlane, cell, this->Hit.Range };
+    return { vtkHeliosConeHit::OnePlane, this->Hit.CellId, this->Hit.Range };
   }
   this->Count = count;
   if (layer && this->Limits.OfLayer.Distance > 0.0 && this->AreNear(this->Limits.OfLayer) &&
@@ -328,7 +334,7 @@ double ConeTest::GetResponse(Member& c) const
 {
   if (c.Response < 0.0)
   {
-    c.Response = this->Limits.GetResponse(this->Tree->GetCell(c.Triangle));
+    c.Response = this->Limits.GetResponse(c.Cell);
   }
   return c.Response;
 }
@@ -386,9 +392,9 @@ void ConeTest::SetLayer(ConeLayer& layer) const
     const Member& c = this->Members[i];
     const auto place = std::count_if(this->Members, this->Members + this->Count,
       [&c](const Member& other)
-      { return other.Triangle < c.Triangle || (other.Triangle == c.Triangle && &other < &c); });
+      { return other.Cell < c.Cell || (other.Cell == c.Cell && &other < &c); });
     ConeLayer::Piece& piece = layer.Pieces[place];
-    piece.Cell = this->Tree->GetCell(c.Triangle);
+    piece.Cell = c.Cell;
     for (int edge = 0; edge < 3; ++edge)
     {
       const double* e = c.Edges[edge];

@@ -14,6 +14,8 @@
 namespace helios
 {
 
+class SceneTree;
+
 /// Tests one cone: gathers the triangles that touch it, from front to back, and classifies them.
 /// What rounding leaves in doubt is Mixed.
 class ConeTest
@@ -24,7 +26,7 @@ public:
     const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
   /// As ConeProbe::Probe().
-  vtkHeliosConeHit Run(const BeamTree& tree, ConeLayer* layer);
+  vtkHeliosConeHit Run(const SceneTree& scene, ConeLayer* layer);
 
 private:
   /// A triangle that touches the cone.
@@ -35,7 +37,7 @@ private:
   struct Gap;
 
   bool Walk();
-  bool Add(vtkTypeInt32 triangle);
+  bool Add(const PlacedTree& placed, vtkTypeInt32 triangle);
   void SetHit(const Member& c, double range);
   bool TraceAxis();
   bool IsFarther(const Member& c) const;
@@ -56,13 +58,13 @@ private:
 
   Cone Shape;
   const PlaneLimits& Limits;
-  const BeamTree* Tree = nullptr;
+  const SceneTree* Scene = nullptr;
   TestRay Axis;
   bool IsValid;
 
   int Count = 0;
   Member Members[MaximumMembers + 1]; ///< the last one is not counted
-  vtkHeliosHit Hit{ NoHit, -1 };      ///< of the axis, a triangle of the tree
+  vtkHeliosHit Hit{ NoHit, -1 };      ///< of the axis
   double Farthest = NoHit;            ///< depth beyond which hits are irrelevant
   bool IsTraced = false;              ///< whether the hit is that of the whole scene
   bool IsIncomplete = false;          ///< whether Farthest has increased

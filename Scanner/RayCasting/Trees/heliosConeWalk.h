@@ -7,11 +7,12 @@
 
 #include "heliosCone.h"
 #include "heliosLeafFilter.h"
+#include "heliosPlacedTree.h"
+#include "heliosSceneTree.h"
 #include "heliosTriangleTest.h"
 #include "vtkHeliosRay.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace helios
 {
@@ -26,36 +27,26 @@ inline bool SetAxis(const double origin[3], const double axis[3], TestRay& test)
 }
 
 /**
- * Adds all triangles that may touch the cone, from front to back, as far as a depth along its axis,
- * which add() may reduce; false if add() returns false, or the cone is too wide. The axes are those
- * of the test of its axis.
+ * Adds the triangles of a tree that may touch the cone, from front to back, as far as a depth along
+ * its axis, which add() may reduce; false if add() returns false, or the cone is too wide. The axes
+ * are those of the test of its axis. In the frame of the tree a length is scale times that of the
+ * depth; error: as of BeamTree::SetFrustum().
  */
 template <typename AddT>
-bool WalkCone(
-  const Cone& cone, const RayAxes& axes, const BeamTree& tree, const double& farthest, AddT add)
+bool WalkTree(const Cone& cone, const RayAxes& axes, const BeamTree& tree, double error,
+  double scale, const double& farthest, AddT add)
 {
-  for (const vtkTypeInt32 triangle : tree.GetOutliers())
-  {
-    if (!add(triangle))
-    {
-      return false;
-    }
-  }
   if (tree.IsEmpty())
   {
     return true;
   }
   Frustum hull;
   LeafFilter filter;
-  if (!cone.SetHull(tree, axes, hull, filter))
+  if (!cone.SetHull(tree, axes, error, hull, filter))
   {
     return false;
   }
-  // A depth h along the axis is at most h (w_z + T sqrt(1 - w_z^2)) along the frustum's Z.
-  constexpr double margin = 1e-9;
-  const double w = std::abs(cone.GetAxis(2)[axes.Z]);
-  const double stretch =
-    (w + cone.GetTangent() * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + margin);
+  const double stretch = scale * cone.GetStretch(axes);
   BeamWalk walk(tree, hull);
   BeamTree::Leaf leaf;
   float limit = hull.GetLimit(farthest * stretch);
@@ -73,6 +64,61 @@ bool WalkCone(
     limit = hull.GetLimit(farthest * stretch);
   }
   return true;
+}
+
+/// The same for an instance, with the cone in the scene.
+template <typename AddT>
+bool WalkInstance(const Cone& cone, const PlacedTree& placed, const double& farthest, AddT add)
+{
+  const Similarity& place = placed.GetPlace();
+  double origin[3], axis[3];
+  place.ApplyInverseToPoint(cone.GetOrigin(), origin);
+  place.ApplyInverse(cone.GetAxis(2), axis);
+  TestRay local;
+  return SetAxis(origin, axis, local) &&
+    WalkTree(Cone(origin, axis, cone.GetTangent()), local.Axes, placed.GetTree(),
+      placed.GetError(GetLargest(cone.GetOrigin())), 1.0 / place.Scale, farthest,
+      [&](vtkTypeInt32 triangle) { return add(placed, triangle); });
+}
+
+/// The same for the instances of a scene whose boxes the cone enters.
+template <typename AddT>
+bool WalkInstances(
+  const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+{
+  const BeamTree& boxes = scene.GetBoxes();
+  Frustum hull;
+  LeafFilter unused; // leaves have boxes
+  if (!cone.SetHull(boxes, axes, 0.0, hull, unused))
+  {
+    return false;
+  }
+  BeamWalk walk(boxes, hull);
+  BeamTree::Leaf leaf;
+  while (walk.GetNext(hull.GetLimit(farthest * cone.GetStretch(axes)), leaf))
+  {
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      if (!WalkInstance(cone, scene.GetInstance(leaf.Triangles[i]), farthest, add))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The same for all triangles of a scene; add() is given their tree, too.
+template <typename AddT>
+bool WalkCone(
+  const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+{
+  const PlacedTree& mesh = scene.GetMesh();
+  const auto addOfMesh = [&](vtkTypeInt32 triangle) { return add(mesh, triangle); };
+  const auto& outliers = mesh.GetTree().GetOutliers();
+  return std::all_of(outliers.begin(), outliers.end(), addOfMesh) &&
+    WalkTree(cone, axes, mesh.GetTree(), 0.0, 1.0, farthest, addOfMesh) &&
+    (!scene.HasInstances() || WalkInstances(cone, axes, scene, farthest, add));
 }
 
 } // namespace helios

@@ -59,7 +59,7 @@ public:
   }
   void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override
   {
-    helios::BeamTree::Occluder occluder;
+    helios::SceneTree::Occluder occluder;
     for (vtkIdType i = 0; i < count; ++i)
     {
       occluded[i] = this->Tree.IsOccluded(rays[i], occluder);
@@ -77,7 +77,7 @@ protected:
 
 private:
   helios::HeightField Field;
-  helios::BeamTree Tree;
+  helios::SceneTree Tree;
 };
 
 /// A raster of 200 x 200 pixels of 0.5 m about the origin.

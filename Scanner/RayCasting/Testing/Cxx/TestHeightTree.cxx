@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <cstring>
 
-using helios::BeamTree;
 using helios::Dice;
 using helios::HeightRaster;
 using helios::HeightScene;
+using helios::SceneTree;
 using helios::Vec3;
 
 namespace
 {
 
 std::vector<vtkHeliosHit> Trace(
-  const BeamTree& tree, const std::vector<vtkHeliosRay>& rays, int raysPerBeam)
+  const SceneTree& tree, const std::vector<vtkHeliosRay>& rays, int raysPerBeam)
 {
   std::vector<vtkHeliosHit> hits(rays.size());
   helios::BeamBundle bundle(tree);
@@ -30,7 +30,7 @@ std::vector<vtkHeliosHit> Trace(
   return hits;
 }
 
-std::vector<vtkHeliosHit> Intersect(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays)
+std::vector<vtkHeliosHit> Intersect(const SceneTree& tree, const std::vector<vtkHeliosRay>& rays)
 {
   std::vector<vtkHeliosHit> hits;
   std::transform(rays.begin(), rays.end(), std::back_inserter(hits),
@@ -38,9 +38,9 @@ std::vector<vtkHeliosHit> Intersect(const BeamTree& tree, const std::vector<vtkH
   return hits;
 }
 
-std::vector<bool> GetOccluded(const BeamTree& tree, const std::vector<vtkHeliosRay>& rays)
+std::vector<bool> GetOccluded(const SceneTree& tree, const std::vector<vtkHeliosRay>& rays)
 {
-  BeamTree::Occluder occluder;
+  SceneTree::Occluder occluder;
   std::vector<bool> occluded;
   for (const vtkHeliosRay& ray : rays)
   {

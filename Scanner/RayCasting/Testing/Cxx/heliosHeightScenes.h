@@ -5,10 +5,10 @@
 #ifndef heliosHeightScenes_h
 #define heliosHeightScenes_h
 
-#include "heliosBeamTree.h"
 #include "heliosHeightField.h"
 #include "heliosRasterScenes.h"
 #include "heliosRayCastingScenes.h"
+#include "heliosSceneTree.h"
 
 #include <catch2/catch.hpp>
 
@@ -20,9 +20,9 @@ namespace helios
 struct HeightScene
 {
   HeightField Field;
-  BeamTree OfField;
+  SceneTree OfField;
   TriangleMesh Mesh;
-  BeamTree OfMesh;
+  SceneTree OfMesh;
 
   /// Heights are floats if all of them are.
   explicit HeightScene(const HeightRaster& raster)

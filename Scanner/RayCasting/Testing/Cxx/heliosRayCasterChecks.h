@@ -6,6 +6,7 @@
 #define heliosRayCasterChecks_h
 
 #include "heliosRayCastingScenes.h"
+#include "heliosSceneGeometry.h"
 
 #include <vtkNew.h>
 
@@ -34,7 +35,7 @@ void CheckAgainstBruteForce(int rayCount)
       std::vector<vtkHeliosHit> truth;
       for (const vtkHeliosRay& ray : rays)
       {
-        truth.push_back(IntersectBruteForce(caster->GetMesh(), ray));
+        truth.push_back(IntersectBruteForce(caster->GetGeometry().GetMesh(), ray));
       }
       std::vector<unsigned char> occluded(rays.size(), 2);
       caster->Occluded(rays.data(), occluded.data(), static_cast<vtkIdType>(rays.size()));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneGeometry.h"
 #include "vtkHeliosObbTreeRayCaster.h"
 
 #include "../../../Testing/Cxx/heliosRayCasterChecks.h"
@@ -21,7 +22,7 @@ TEST_CASE("ObbTreeRayCaster: rays in general position agree with brute force", "
     std::vector<vtkHeliosHit> truth;
     for (const vtkHeliosRay& ray : rays)
     {
-      truth.push_back(helios::IntersectBruteForce(caster->GetMesh(), ray));
+      truth.push_back(helios::IntersectBruteForce(caster->GetGeometry().GetMesh(), ray));
     }
     std::vector<unsigned char> occluded(rays.size(), 2);
     caster->Occluded(rays.data(), occluded.data(), static_cast<vtkIdType>(rays.size()));

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangles of a scene with instances as one mesh.
+
+#ifndef heliosFlatScene_h
+#define heliosFlatScene_h
+
+#include "heliosStatus.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
+
+#include <vtkSmartPointer.h>
+
+class vtkHeliosScene;
+class vtkPolyData;
+
+namespace helios
+{
+
+/// As vtkHeliosScene::Flatten().
+VTKHELIOSFILTERSCORE_EXPORT Status FlattenScene(vtkHeliosScene* scene, vtkPolyData* mesh);
+
+/// A scene without instances as it is; another one as a mesh, after a check of the memory.
+VTKHELIOSFILTERSCORE_EXPORT Status GetFlatScene(
+  vtkPolyData* scene, vtkSmartPointer<vtkPolyData>& mesh);
+
+/// Whether a scene has instances.
+VTKHELIOSFILTERSCORE_EXPORT bool HasInstances(vtkPolyData* scene);
+
+} // namespace helios
+
+#endif

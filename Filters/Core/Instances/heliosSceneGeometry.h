@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangles of a scene: of its mesh, and of prototypes at instances.
+
+#ifndef heliosSceneGeometry_h
+#define heliosSceneGeometry_h
+
+#include "heliosPose.h"
+#include "heliosSimilarity.h"
+#include "heliosStatus.h"
+#include "heliosTriangleMesh.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <array>
+#include <vector>
+
+class vtkHeliosScene;
+class vtkPolyData;
+
+namespace helios
+{
+
+/// A prototype at a place.
+struct SceneInstance
+{
+  Similarity Place;
+  int Prototype = 0;
+  int Part = 0;
+  int Material = -1;         ///< of all triangles; -1: those of the prototype
+  vtkIdType FirstCell = 0;   ///< the cell id of its first triangle
+  vtkIdType CellsBefore = 0; ///< triangles of the mesh with lower cell ids
+
+  /// The corners of a triangle of the prototype in the scene.
+  void GetCorners(const TriangleMesh& prototype, vtkIdType triangle, double corners[3][3]) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->Place.Apply(prototype.GetCorner(triangle, corner), corners[corner]);
+    }
+  }
+};
+
+/**
+ * Cell ids count all triangles, 64-bit; those of an instance are consecutive. Corners of instances
+ * are those that a copy of the prototype, moved by vtkHeliosSceneTransform, has.
+ */
+class VTKHELIOSFILTERSCORE_EXPORT SceneGeometry
+{
+public:
+  /**
+   * Sets a scene, which may be a vtkHeliosScene, and keeps references. Errors: those of
+   * TriangleMesh, and instances whose values are invalid.
+   */
+  Status Set(vtkPolyData* scene);
+
+  vtkPolyData* GetScene() const { return this->Scene; }
+
+  /// The triangles that are no instance's; may be empty.
+  const TriangleMesh& GetMesh() const { return this->Mesh; }
+  const std::vector<TriangleMesh>& GetPrototypes() const { return this->Prototypes; }
+  const std::vector<SceneInstance>& GetInstances() const { return this->Instances; }
+  const TriangleMesh& GetPrototype(const SceneInstance& instance) const
+  {
+    return this->Prototypes[static_cast<std::size_t>(instance.Prototype)];
+  }
+
+  vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+
+  /// Where the triangle of a cell is stored.
+  struct Cell
+  {
+    const SceneInstance* Instance; ///< null: in the mesh
+    vtkIdType Triangle;
+  };
+  Cell Find(vtkIdType cell) const
+  {
+    return this->Instances.empty() ? Cell{ nullptr, cell } : this->FindInstance(cell);
+  }
+
+  /// The cell id of a triangle of the mesh.
+  vtkIdType GetCell(vtkIdType triangle) const
+  {
+    return this->Instances.empty() ? triangle : this->CountCells(triangle);
+  }
+
+  void GetCorners(vtkIdType cell, double corners[3][3]) const;
+
+  /// As TriangleMesh::GetNormal().
+  Vec3 GetNormal(vtkIdType cell) const;
+
+  /// A box that contains all corners, to rounding: x0 x1 y0 y1 z0 z1. Tight for the mesh.
+  void GetBounds(double bounds[6]) const;
+
+  /// The same for an instance.
+  void GetBounds(const SceneInstance& instance, double bounds[6]) const;
+
+  /// Bytes held by this object in addition to the scene.
+  std::size_t GetMemorySize() const;
+
+private:
+  Status AddPrototypes(vtkHeliosScene* scene);
+  Status AddInstances(vtkPolyData* instances);
+  Status SetCells(vtkPolyData* instances);
+  Cell FindInstance(vtkIdType cell) const;
+  vtkIdType CountCells(vtkIdType triangle) const;
+
+  vtkSmartPointer<vtkPolyData> Scene;
+  TriangleMesh Mesh;
+  std::vector<TriangleMesh> Prototypes;
+  std::vector<std::array<double, 6>> PrototypeBounds;
+  std::vector<SceneInstance> Instances;
+  vtkIdType NumberOfTriangles = 0;
+};
+
+} // namespace helios
+
+#endif

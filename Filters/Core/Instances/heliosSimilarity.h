@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rotation, uniform scale and translation of meshes.
+
+#ifndef heliosSimilarity_h
+#define heliosSimilarity_h
+
+#include "heliosPose.h"
+
+namespace helios
+{
+
+/// Maps a point p to R p s + t. Identity components are skipped to keep precision.
+struct Similarity
+{
+  bool HasRotation = false;
+  Rotation Turn;
+  double Scale = 1.0;
+  Vec3 Translation{ 0.0, 0.0, 0.0 };
+
+  Similarity() = default;
+  /// The quaternion (w, x, y, z) may have any length but 0.
+  Similarity(const double quaternion[4], double scale, const double translation[3])
+    : HasRotation(quaternion[1] != 0.0 || quaternion[2] != 0.0 || quaternion[3] != 0.0)
+    , Scale(scale)
+    , Translation(translation)
+  {
+    Quaternion q(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
+    q.Normalize();
+    this->Turn = Rotation(q);
+  }
+
+  bool IsIdentity() const
+  {
+    return !this->HasRotation && this->Scale == 1.0 && this->Translation == Vec3(0.0, 0.0, 0.0);
+  }
+
+  void Apply(const double in[3], double out[3]) const
+  {
+    Vec3 p(in);
+    if (this->HasRotation)
+    {
+      p = this->Turn * p;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      out[axis] = p[axis] * this->Scale + this->Translation[axis];
+    }
+  }
+
+  /// The rotated vector.
+  Vec3 Rotate(const Vec3& v) const { return this->HasRotation ? this->Turn * v : v; }
+
+  /// The vector R^-1 v / s.
+  void ApplyInverse(const double v[3], double out[3]) const
+  {
+    const auto& m = this->Turn.M;
+    const double inverse = 1.0 / this->Scale;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x =
+        this->HasRotation ? m[0][axis] * v[0] + m[1][axis] * v[1] + m[2][axis] * v[2] : v[axis];
+      out[axis] = x * inverse;
+    }
+  }
+
+  /// The point R^-1 (p - t) / s.
+  void ApplyInverseToPoint(const double p[3], double out[3]) const
+  {
+    const double v[3] = { p[0] - this->Translation[0], p[1] - this->Translation[1],
+      p[2] - this->Translation[2] };
+    this->ApplyInverse(v, out);
+  }
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosScene.h"
+
+#include "heliosFlatScene.h"
+#include "heliosStatus.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDataArray.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <utility>
+
+vtkStandardNewMacro(vtkHeliosScene);
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::SetInstances(vtkPolyData* instances)
+{
+  if (this->Instances != instances)
+  {
+    this->Instances = instances;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosScene::GetNumberOfInstances() const
+{
+  return this->Instances ? this->Instances->GetNumberOfPoints() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::AddPrototype(vtkPolyData* mesh)
+{
+  if (!mesh)
+  {
+    vtkErrorMacro(<< "AddPrototype: the mesh is null; give a vtkPolyData of triangles.");
+    return;
+  }
+  this->Prototypes.emplace_back(mesh);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkHeliosScene::GetPrototype(int prototype) const
+{
+  const bool isKnown = prototype >= 0 && prototype < this->GetNumberOfPrototypes();
+  return isKnown ? this->Prototypes[static_cast<std::size_t>(prototype)].Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosScene::GetNumberOfTriangles() const
+{
+  vtkIdType count = const_cast<vtkHeliosScene*>(this)->GetNumberOfPolys();
+  vtkDataArray* ids = this->Instances
+    ? this->Instances->GetPointData()->GetArray(vtkHeliosArrayNames::PrototypeIds)
+    : nullptr;
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    vtkPolyData* mesh = this->GetPrototype(static_cast<int>(ids->GetComponent(i, 0)));
+    count += mesh ? mesh->GetNumberOfPolys() : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScene::Flatten(vtkPolyData* mesh)
+{
+  const helios::Status status = helios::FlattenScene(this, mesh);
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< "Flatten: " << status.Message() << ".");
+  }
+  return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::Initialize()
+{
+  this->Superclass::Initialize();
+  this->Instances = nullptr;
+  this->Prototypes.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::ShallowCopy(vtkDataObject* from)
+{
+  this->Superclass::ShallowCopy(from);
+  auto* scene = vtkHeliosScene::SafeDownCast(from);
+  this->Instances = scene ? scene->Instances : nullptr;
+  this->Prototypes = scene ? scene->Prototypes : decltype(this->Prototypes)();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::DeepCopy(vtkDataObject* from)
+{
+  this->Superclass::DeepCopy(from);
+  const auto copy = [](vtkPolyData* mesh)
+  {
+    auto own = vtkSmartPointer<vtkPolyData>::New();
+    own->DeepCopy(mesh);
+    return own;
+  };
+  auto* scene = vtkHeliosScene::SafeDownCast(from);
+  this->Instances = scene && scene->Instances ? copy(scene->Instances) : nullptr;
+  decltype(this->Prototypes) copies;
+  for (int i = 0; scene && i < scene->GetNumberOfPrototypes(); ++i)
+  {
+    copies.push_back(copy(scene->GetPrototype(i)));
+  }
+  this->Prototypes = std::move(copies);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHeliosScene::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  time = this->Instances ? std::max(time, this->Instances->GetMTime()) : time;
+  for (vtkPolyData* mesh : this->Prototypes)
+  {
+    time = std::max(time, mesh->GetMTime());
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkHeliosScene::GetActualMemorySize()
+{
+  unsigned long size = this->Superclass::GetActualMemorySize();
+  size += this->Instances ? this->Instances->GetActualMemorySize() : 0;
+  for (vtkPolyData* mesh : this->Prototypes)
+  {
+    size += mesh->GetActualMemorySize();
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Prototypes: " << this->Prototypes.size() << "\n";
+  os << indent << "Instances: " << this->GetNumberOfInstances() << "\n";
+}
