@@ -310,7 +310,7 @@ def serve(arguments, ranks):
         vtkSMPTools.Initialize(arguments.threads or count_threads())
         limit_memory(arguments)
         survey = read_survey(arguments, messages)
-        player = vtkhelios.vtkHeliosSurveyPlayer()
+        player = vtkHeliosSurveyPlayer()
         if survey is not None:
             player = make_player(arguments, survey, messages)
         player.SetRanks(ranks)

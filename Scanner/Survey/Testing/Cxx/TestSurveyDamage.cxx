@@ -427,5 +427,8 @@ TEST_CASE("SurveyDamage: the folder is removed and replaced", "[SurveyDamage]")
   CHECK_FALSE(playing.Log->HasError("are safe"));
   CHECK(playing.Log->HasError("or was replaced by another one") == isReplaced);
   CHECK(fs::exists(files / "out") == isReplaced);
-  CHECK((!isReplaced || fs::is_empty(files / "out/test")));
+  // A piece of VTK XML is a file of its own, which was perhaps being written.
+  const auto first = fs::directory_iterator(isReplaced ? files / "out/test" : files / ".");
+  const auto count = isReplaced ? std::distance(first, fs::directory_iterator()) : 0;
+  CHECK(count <= (format == "vtp" ? 2 : 0));
 }
