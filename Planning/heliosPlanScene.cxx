@@ -3,6 +3,7 @@
 #include "heliosPlanScene.h"
 
 #include "heliosRayCasterBackends.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"

@@ -18,7 +18,7 @@ TEST_CASE("BvhRayCaster: a tree made of parts is equal to brute force", "[BvhRay
   std::vector<vtkHeliosHit> truth;
   for (const vtkHeliosRay& ray : rays)
   {
-    truth.push_back(helios::IntersectBruteForce(caster->GetMesh(), ray));
+    truth.push_back(helios::IntersectBruteForce(caster->GetGeometry().GetMesh(), ray));
   }
   CHECK(helios::CountDifferences(helios::Cast(caster, rays), truth) == 0);
   const auto isHit = [](const vtkHeliosHit& hit) { return hit.CellId >= 0; };
