@@ -3,14 +3,17 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosCoordinateSystem.h"
+#include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDemandDrivenPipeline.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkInformation.h>
@@ -18,12 +21,14 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 vtkStandardNewMacro(vtkHeliosSceneComposer);
 
@@ -110,6 +115,37 @@ helios::Status CompareCRS(const std::string& own, const std::string& before)
 } // namespace
 
 //------------------------------------------------------------------------------
+vtkHeliosSceneComposer::vtkHeliosSceneComposer()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::SetPartId(int part, int id)
+{
+  if (part < 0 || id < 0)
+  {
+    vtkErrorMacro(<< "Part " << part << " cannot have the id " << id
+                  << "; parts and ids are numbered from 0");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(part);
+  this->PartIds.resize(std::max(this->PartIds.size(), index + 1), -1);
+  if (this->PartIds[index] != id)
+  {
+    this->PartIds[index] = id;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSceneComposer::GetPartId(int part) const
+{
+  const auto index = static_cast<std::size_t>(part);
+  return part >= 0 && index < this->PartIds.size() ? this->PartIds[index] : -1;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosSceneComposer::SetPartName(int part, const char* name)
 {
   if (part < 0)
@@ -142,9 +178,35 @@ std::string vtkHeliosSceneComposer::GetPartName(int part) const
 int vtkHeliosSceneComposer::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 0);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // for a clearer error message of this class
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkHeliosSceneComposer::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  }
+  this->MakeOutput(outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::MakeOutput(vtkInformationVector* outputVector)
+{
+  const bool hasInstances = this->GetNumberOfInputConnections(1) > 0;
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!output || hasInstances != (vtkHeliosScene::SafeDownCast(output) != nullptr))
+  {
+    const auto made = hasInstances
+      ? vtkSmartPointer<vtkPolyData>(vtkSmartPointer<vtkHeliosScene>::New())
+      : vtkSmartPointer<vtkPolyData>::New();
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -157,12 +219,26 @@ int vtkHeliosSceneComposer::RequestData(
   {
     return 0;
   }
-  output->SetPoints(helios::JoinPoints(parts));
-  output->SetPolys(helios::JoinCells(parts));
-  if (!this->AddMaterialIds(output, parts) || !this->AddCRS(output, parts))
+  vtkPolyData* instances = vtkPolyData::GetData(inputVector[1]);
+  const bool isMade = instances
+    ? this->ComposeInstances(parts, instances, vtkHeliosScene::SafeDownCast(output))
+    : this->Compose(parts, output);
+  if (!isMade || !this->AddCRS(output, parts))
   {
     output->Initialize();
     return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::Compose(const PartList& parts, vtkPolyData* output)
+{
+  output->SetPoints(helios::JoinPoints(parts));
+  output->SetPolys(helios::JoinCells(parts));
+  if (!this->AddMaterialIds(output, parts))
+  {
+    return false;
   }
   output->GetCellData()->AddArray(helios::MakePartIds(parts));
   if (const auto normals = helios::JoinNormals(parts))
@@ -170,7 +246,86 @@ int vtkHeliosSceneComposer::RequestData(
     output->GetCellData()->SetNormals(normals);
   }
   this->AddPartNames(output, static_cast<int>(parts.size()));
-  return 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::ComposeInstances(
+  const PartList& all, vtkPolyData* instances, vtkHeliosScene* output)
+{
+  helios::InstanceParts split;
+  if (const helios::Status status = split.Set(all, this->PartIds, instances); !status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return false;
+  }
+  std::vector<vtkSmartPointer<vtkIntArray>> ids;
+  if (!this->MapMaterials(all, split.GetOrder(), output, ids))
+  {
+    return false;
+  }
+  const PartList& parts = split.GetParts();
+  if (helios::CountTriangles(parts) > 0)
+  {
+    output->SetPoints(helios::JoinPoints(parts));
+    output->SetPolys(helios::JoinCells(parts));
+    vtkNew<vtkIntArray> materials;
+    materials->SetName(names::MaterialIds);
+    const auto partIds = helios::MakePartIds(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      for (vtkIdType cell = 0; parts[i] && cell < parts[i]->GetNumberOfPolys(); ++cell)
+      {
+        partIds->SetValue(materials->InsertNextValue(ids[i]->GetValue(cell)), split.GetPartId(i));
+      }
+    }
+    output->GetCellData()->AddArray(materials);
+    output->GetCellData()->AddArray(partIds);
+    if (const auto normals = helios::JoinNormals(parts))
+    {
+      output->GetCellData()->SetNormals(normals);
+    }
+  }
+  for (const std::size_t connection : split.GetPrototypes())
+  {
+    vtkNew<vtkPolyData> prototype;
+    prototype->ShallowCopy(all[connection]);
+    prototype->GetCellData()->AddArray(ids[connection]);
+    output->AddPrototype(prototype);
+  }
+  output->SetInstances(split.MakeInstances());
+  this->AddPartNames(output, split);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Sets the materials of a scene, merged from those of the parts in an order, and makes the
+/// material ids of the parts.
+bool vtkHeliosSceneComposer::MapMaterials(const PartList& parts,
+  const std::vector<std::size_t>& order, vtkPolyData* scene,
+  std::vector<vtkSmartPointer<vtkIntArray>>& ids)
+{
+  helios::MaterialTable table;
+  ids.resize(parts.size());
+  for (const std::size_t i : order)
+  {
+    if (!parts[i])
+    {
+      continue;
+    }
+    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i]), table);
+    ids[i] = vtkSmartPointer<vtkIntArray>::New();
+    ids[i]->SetName(names::MaterialIds);
+    ids[i]->SetNumberOfValues(parts[i]->GetNumberOfPolys());
+    const vtkIdType bad = MapMaterialIds(parts[i], rows, ids[i]->GetPointer(0));
+    if (bad >= 0)
+    {
+      this->ReportMaterial(static_cast<int>(i), bad, rows.size());
+      return false;
+    }
+  }
+  helios::SetMaterials(scene, table);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -229,31 +384,31 @@ bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& 
     scene->GetCellData()->AddArray(single);
     return true;
   }
-  helios::MaterialTable table;
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<vtkSmartPointer<vtkIntArray>> all;
+  if (!this->MapMaterials(parts, order, scene, all))
+  {
+    return false;
+  }
   vtkNew<vtkIntArray> ids;
   ids->SetName(names::MaterialIds);
   ids->SetNumberOfValues(helios::CountTriangles(parts));
   int* to = ids->GetPointer(0);
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (const auto& own : all)
   {
-    if (!parts[i])
-    {
-      continue;
-    }
-    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i]), table);
-    const vtkIdType bad = MapMaterialIds(parts[i], rows, to);
-    if (bad >= 0)
-    {
-      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << ": triangle " << bad
-                    << " has a material id that is not one of its " << rows.size()
-                    << " materials; material ids are rows of the material columns");
-      return false;
-    }
-    to += parts[i]->GetNumberOfPolys();
+    to = own ? std::copy_n(own->GetPointer(0), own->GetNumberOfValues(), to) : to;
   }
-  helios::SetMaterials(scene, table);
   scene->GetCellData()->AddArray(ids);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::ReportMaterial(int part, vtkIdType triangle, std::size_t count)
+{
+  vtkErrorMacro(<< this->DescribePart(part) << ": triangle " << triangle
+                << " has a material id that is not one of its " << count
+                << " materials; material ids are rows of the material columns");
 }
 
 //------------------------------------------------------------------------------
@@ -285,6 +440,40 @@ void vtkHeliosSceneComposer::AddPartNames(vtkPolyData* scene, int count) const
   for (int i = 0; i < count; ++i)
   {
     column->InsertNextValue(this->GetPartName(i));
+  }
+  scene->GetFieldData()->AddArray(column);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::AddPartNames(
+  vtkPolyData* scene, const helios::InstanceParts& split) const
+{
+  std::vector<std::string> all(static_cast<std::size_t>(split.GetNumberOfParts()));
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    all[i] = std::to_string(i);
+  }
+  for (std::size_t i = 0; i < split.GetParts().size(); ++i)
+  {
+    const bool isNamed = i < this->PartNames.size() && !this->PartNames[i].empty();
+    if (!split.IsPrototype(i) && isNamed)
+    {
+      all[static_cast<std::size_t>(split.GetPartId(i))] = this->PartNames[i];
+    }
+  }
+  vtkPolyData* instances = vtkHeliosScene::SafeDownCast(scene)->GetInstances();
+  auto* given =
+    vtkStringArray::SafeDownCast(instances->GetPointData()->GetAbstractArray(names::PartName));
+  for (vtkIdType i = 0; given && i < given->GetNumberOfValues(); ++i)
+  {
+    std::string& name = all[static_cast<std::size_t>(split.GetInstancePart(i))];
+    name = given->GetValue(i).empty() ? name : std::string(given->GetValue(i));
+  }
+  vtkNew<vtkStringArray> column;
+  column->SetName(names::PartName);
+  for (const std::string& name : all)
+  {
+    column->InsertNextValue(name);
   }
   scene->GetFieldData()->AddArray(column);
 }

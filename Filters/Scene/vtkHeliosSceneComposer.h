@@ -16,12 +16,19 @@
  * - field data Part.Name (string), one per connection, and CRS, if parts have one: that of the
  *   first part with one, assumed for parts without.
  *
+ * Input 1, optional: instances (vtkPolyData), with the arrays of vtkHeliosScene; PrototypeIds are
+ * connections of input 0, which are then no parts themselves, but the meshes of instances. PartIds
+ * and FirstCellIds are set: instances are parts after all others, with the names of the point data
+ * Part.Name (string), if there is one, unless SetPartId() gives the others ids between them. The
+ * output is then a vtkHeliosScene, whose cell ids are in the order of the part ids.
+ *
  * Other arrays are left out. Unchanged data pass by reference: of a single part its points, cells
  * and material ids.
  *
  * Warnings: parts without triangles (skipped; they keep their id). Errors: no triangles at all,
  * cells that are not triangles, material ids without a material, parts of different CRS (but not
- * different spellings of one), more than 2^31 points or corners.
+ * different spellings of one), more than 2^31 points or corners, part ids that are given twice,
+ * instances of connections that do not exist.
  *
  * @sa
  * vtkHeliosSceneTransform vtkHeliosObjSceneReader
@@ -33,8 +40,17 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // For the names of parts
-#include <vector> // For the names of parts
+#include "vtkSmartPointer.h" // For material ids
+#include <string>            // For the names of parts
+#include <vector>            // For the names of parts
+
+class vtkHeliosScene;
+class vtkIntArray;
+
+namespace helios
+{
+class InstanceParts;
+}
 
 class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosSceneComposer : public vtkPolyDataAlgorithm
 {
@@ -52,24 +68,44 @@ public:
   std::string GetPartName(int part) const;
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the id of a part, by connection index (from 0), with instances on input 1. Default: the
+   * number of connections before it that are parts.
+   */
+  void SetPartId(int part, int id);
+  int GetPartId(int part) const;
+  ///@}
+
 protected:
-  vtkHeliosSceneComposer() = default;
+  vtkHeliosSceneComposer();
   ~vtkHeliosSceneComposer() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHeliosSceneComposer(const vtkHeliosSceneComposer&) = delete;
   void operator=(const vtkHeliosSceneComposer&) = delete;
 
+  void MakeOutput(vtkInformationVector* outputVector);
+  bool Compose(const std::vector<vtkPolyData*>& parts, vtkPolyData* output);
+  bool ComposeInstances(
+    const std::vector<vtkPolyData*>& parts, vtkPolyData* instances, vtkHeliosScene* output);
   bool FindParts(vtkInformationVector* inputs, std::vector<vtkPolyData*>& parts);
   std::string DescribePart(int part) const;
+  void ReportMaterial(int part, vtkIdType triangle, std::size_t count);
   void AddPartNames(vtkPolyData* scene, int count) const;
+  void AddPartNames(vtkPolyData* scene, const helios::InstanceParts& split) const;
   bool AddCRS(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
   bool AddMaterialIds(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
+  bool MapMaterials(const std::vector<vtkPolyData*>& parts, const std::vector<std::size_t>& order,
+    vtkPolyData* scene, std::vector<vtkSmartPointer<vtkIntArray>>& ids);
 
   std::vector<std::string> PartNames;
+  std::vector<int> PartIds; // -1: the default
 };
 
 #endif

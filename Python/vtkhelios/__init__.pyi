@@ -4,8 +4,8 @@
 from pathlib import Path
 from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Union, overload
 
-from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIdTypeArray, vtkObject, vtkObjectBase, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkStructuredGrid, vtkTable, vtkUnstructuredGrid
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIdTypeArray, vtkObject, vtkObjectBase, vtkPoints, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkAbstractCellLocator, vtkAbstractPointLocator, vtkCellArray, vtkCellData, vtkDataObject, vtkFieldData, vtkImageData, vtkPointData, vtkPolyData, vtkStructuredGrid, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm, vtkPointSetAlgorithm, vtkPolyDataAlgorithm, vtkTableAlgorithm
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from . import array_names as array_names, catalogue as catalogue
@@ -5584,6 +5584,205 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     @overload
     def SetTimeWindow(self, _arg: Sequence[float]) -> None: ...
 
+class vtkHeliosScene(vtkPolyData):
+    """vtkHeliosScene - a scene of a mesh and of instances of other meshes"""
+    @property
+    def actual_memory_size(self) -> int:
+        """Return the actual size of the data in kibibytes (1024 bytes).
+        This number is valid only after the pipeline has updated. The
+        memory size returned is guaranteed to be greater than or equal to
+        the memory required to represent the data (e.g., extra space in
+        arrays, etc. are not included in the return value). THIS METHOD
+        IS THREAD SAFE.
+        """
+    @property
+    def bounds(self) -> Tuple[float, float, float, float, float, float]:
+        """Return a pointer to the geometry bounding box in the form
+        (xmin,xmax, ymin,ymax, zmin,zmax). THIS METHOD IS NOT THREAD
+        SAFE.
+        """
+    @property
+    def cell_data(self) -> Optional[vtkCellData]:
+        """Return a pointer to this dataset's cell data. THIS METHOD IS
+        THREAD SAFE
+        """
+    @property
+    def cell_ghost_array(self) -> Optional[vtkUnsignedCharArray]:
+        """Get the array that defines the ghost type of each cell. We cache
+        the pointer to the array to save a lookup involving string
+        comparisons
+        """
+    cell_locator: Optional[vtkAbstractCellLocator]
+    """Set / get an instance of vtkAbstractCellLocator which may be used
+    when a vtkCellLocatorStrategy is used during a FindCelloperation.
+    """
+    @property
+    def center(self) -> Tuple[float, float, float]:
+        """Get the center of the bounding box. THIS METHOD IS NOT THREAD
+        SAFE.
+        """
+    @property
+    def data_object_type(self) -> int:
+        """Return what type of dataset this is."""
+    @property
+    def data_released(self) -> int:
+        """Get the flag indicating the data has been released."""
+    editable: bool
+    """Specify whether this dataset is editable after creation. Meaning,
+    once the points and cells are defined, can the dataset be
+    incrementally modified. By default, this dataset is non-editable
+    (i.e., "static") after construction. The reason for this is
+    performance: cell links and locators can be built (and destroyed)
+    much faster is it is known that the data is static (see
+    vtkStaticCellLinks, vtkStaticPointLocator, vtkStaticCellLocator).
+    """
+    @property
+    def extent_type(self) -> int:
+        """The ExtentType will be left as VTK_PIECES_EXTENT for data objects
+        such as vtkPolyData and vtkUnstructuredGrid. The ExtentType will
+        be changed to VTK_3D_EXTENT for data objects with 3D structure
+        such as vtkImageData (and its subclass vtkStructuredPoints),
+        vtkRectilinearGrid, and vtkStructuredGrid. The default is the
+        have an extent in pieces, with only one piece (no streaming
+        possible).
+        """
+    field_data: Optional[vtkFieldData]
+    """Assign or retrieve a general field data to this data object."""
+    @property
+    def ghost_level(self) -> int:
+        """Get the ghost level."""
+    global_release_data_flag: Any
+    """Turn on/off flag to control whether every object releases its
+    data after being used by a filter.
+    """
+    instances: Optional[vtkPolyData]
+    """Set/Get the instances, with the arrays above. Null: none.
+    Default: null.
+    """
+    @property
+    def length(self) -> float:
+        """Return the length of the diagonal of the bounding box. THIS
+        METHOD IS THREAD SAFE IF FIRST CALLED FROM A SINGLE THREAD AND
+        THE DATASET IS NOT MODIFIED
+        """
+    lines: Optional[vtkCellArray]
+    """Set the cell array defining lines."""
+    @property
+    def m_time(self) -> int:
+        """Get MTime which also considers its cell array MTime."""
+    @property
+    def max_cell_size(self) -> int:
+        """Return the maximum cell size in this poly data."""
+    @property
+    def mesh_m_time(self) -> int:
+        """Return the mesh (geometry/topology) modification time. This time
+        is different from the usual MTime which also takes into account
+        the modification of data arrays. This function can be used to
+        track the changes on the mesh separately from the data arrays
+        (eg. static mesh over time with transient data).
+        """
+    @property
+    def number_of_cells(self) -> int:
+        """Standard vtkDataSet interface."""
+    @property
+    def number_of_instances(self) -> int:
+        """Set/Get the instances, with the arrays above. Null: none.
+        Default: null.
+        """
+    @property
+    def number_of_lines(self) -> int:
+        ...
+    @property
+    def number_of_pieces(self) -> int:
+        ...
+    @property
+    def number_of_points(self) -> int:
+        """See vtkDataSet for additional information."""
+    @property
+    def number_of_polys(self) -> int:
+        ...
+    @property
+    def number_of_prototypes(self) -> int:
+        """The meshes of the instances, numbered from 0: adds one, gets one
+        (null: no such number).
+        """
+    @property
+    def number_of_strips(self) -> int:
+        ...
+    @property
+    def number_of_triangles(self) -> int:
+        """The triangles of the mesh and of all instances."""
+    @property
+    def number_of_verts(self) -> int:
+        """Return the number of primitives of a particular type held."""
+    @property
+    def piece(self) -> int:
+        """Get the piece and the number of pieces. Similar to extent in 3D."""
+    @property
+    def point_data(self) -> Optional[vtkPointData]:
+        """Return a pointer to this dataset's point data. THIS METHOD IS
+        THREAD SAFE
+        """
+    @property
+    def point_ghost_array(self) -> Optional[vtkUnsignedCharArray]:
+        """Gets the array that defines the ghost type of each point. We
+        cache the pointer to the array to save a lookup involving string
+        comparisons
+        """
+    point_locator: Optional[vtkAbstractPointLocator]
+    """Set / get an instance of vtkAbstractPointLocator which is used to
+    support the FindPoint() and FindCell() methods. By default a
+    vtkStaticPointLocator is used, unless the class is set as
+    Editable, in which case a vtkPointLocator is used.
+    """
+    points: Optional[vtkPoints]
+    """Specify point array to define point coordinates."""
+    polys: Optional[vtkCellArray]
+    """Set the cell array defining polygons."""
+    @property
+    def scalar_range(self) -> Tuple[float, float]:
+        """Convenience method to get the range of the first component (and
+        only the first component) of any scalars in the data set.  If the
+        data has both point data and cell data, it returns the (min/max)
+        range of combined point and cell data.  If there are no point or
+        cell scalars the method will return (0,1).  Note: It might be
+        necessary to call Update to create or refresh the scalars before
+        calling this method. THIS METHOD IS THREAD SAFE IF FIRST CALLED
+        FROM A SINGLE THREAD AND THE DATASET IS NOT MODIFIED
+        """
+    strips: Optional[vtkCellArray]
+    """Set the cell array defining triangle strips."""
+    @property
+    def update_time(self) -> int:
+        """Used by Threaded ports to determine if they should initiate an
+        asynchronous update (still in development).
+        """
+    verts: Optional[vtkCellArray]
+    """Set the cell array defining vertices."""
+    def __init__(self, *, cell_locator: Optional[vtkAbstractCellLocator] = ..., editable: bool = ..., field_data: Optional[vtkFieldData] = ..., global_release_data_flag: Any = ..., instances: Optional[vtkPolyData] = ..., lines: Optional[vtkCellArray] = ..., point_locator: Optional[vtkAbstractPointLocator] = ..., points: Optional[vtkPoints] = ..., polys: Optional[vtkCellArray] = ..., strips: Optional[vtkCellArray] = ..., verts: Optional[vtkCellArray] = ...) -> None: ...
+    def AddPrototype(self, mesh: vtkPolyData) -> None: ...
+    def DeepCopy(self, from_: vtkDataObject) -> None: ...
+    def Flatten(self, mesh: vtkPolyData) -> bool: ...
+    def GetActualMemorySize(self) -> int: ...
+    def GetInstances(self) -> vtkPolyData: ...
+    def GetMTime(self) -> int: ...
+    def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    def GetNumberOfInstances(self) -> int: ...
+    def GetNumberOfPrototypes(self) -> int: ...
+    def GetNumberOfTriangles(self) -> int: ...
+    def GetPrototype(self, prototype: int) -> vtkPolyData: ...
+    def Initialize(self) -> None: ...
+    def IsA(self, type: str) -> int: ...
+    @staticmethod
+    def IsTypeOf(type: str) -> int: ...
+    def NewInstance(self) -> vtkHeliosScene: ...
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkHeliosScene: ...
+    def SetInstances(self, instances: vtkPolyData) -> None: ...
+    def ShallowCopy(self, from_: vtkDataObject) -> None: ...
+
 class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     """vtkHeliosSceneComposer - composes parts into one scene"""
     abort_execute: int
@@ -5627,6 +5826,7 @@ class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
     def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    def GetPartId(self, part: int) -> int: ...
     def GetPartName(self, part: int) -> str: ...
     def IsA(self, type: str) -> int: ...
     @staticmethod
@@ -5634,6 +5834,7 @@ class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     def NewInstance(self) -> vtkHeliosSceneComposer: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosSceneComposer: ...
+    def SetPartId(self, part: int, id: int) -> None: ...
     def SetPartName(self, part: int, name: str) -> None: ...
 
 class vtkHeliosSceneMotion(vtkPolyDataAlgorithm):

@@ -13,6 +13,11 @@ PART_IDS = "PartIds"
 NORMALS = "Normals"  # unit vectors; used for incidence if present
 EDGE_DEFECTS = "EdgeDefects"  # bits, see vtkHeliosMeshRepair
 
+# Instances of a scene (vtkHeliosScene): point data, with Orientation, MaterialIds, PartIds.
+PROTOTYPE_IDS = "PrototypeIds"
+SCALE = "Scale"
+FIRST_CELL_IDS = "FirstCellIds"  # int64, of the first triangle
+
 # Input clouds: point data (with Normals); scenes made from clouds: cell data.
 RGB = "RGB"  # [0..1]
 VOXEL_IDS = "VoxelIds"  # solid voxel that a triangle bounds

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosScenePreparation.h"
 
+#include "heliosFlatScene.h"
 #include "heliosScanModel.h"
 #include "heliosStatus.h"
 
@@ -35,10 +36,11 @@ Status Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
 Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
   vtkHeliosRayCaster* caster, ScanModel& model)
 {
-  const bool hasSurfaces = grids.empty() || scene->GetNumberOfCells() > 0;
+  const bool hasSurfaces = grids.empty() || scene->GetNumberOfCells() > 0 || HasInstances(scene);
   Status status = hasSurfaces ? Build(caster, scene) : Status();
   model.Caster = hasSurfaces ? caster : nullptr;
-  status = status.IsOk() ? model.Surfaces.Set(scene) : status;
+  status = status.IsOk() ? model.Surfaces.Set(scene, hasSurfaces ? &caster->GetGeometry() : nullptr)
+                         : status;
   for (std::size_t i = 0; status.IsOk() && i < grids.size(); ++i)
   {
     vtkIdType firstCell = 0;

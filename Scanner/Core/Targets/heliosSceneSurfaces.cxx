@@ -3,8 +3,10 @@
 #include "heliosSceneSurfaces.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -53,30 +55,112 @@ auto* GetValues(const vtkSmartPointer<ArrayT>& array)
   return array ? array->GetPointer(0) : nullptr;
 }
 
+/// Not inlined: GCC 12 drops the conversions to float and back of a vector of doubles.
+__attribute__((noinline)) double RoundToFloat(double x)
+{
+  return static_cast<float>(x);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
-Status SceneSurfaces::Set(vtkPolyData* scene)
+Status SceneSurfaces::CellArrays::Set(vtkPolyData* mesh, const std::string& what)
 {
-  const std::string what = "the scene";
   Status status;
-  this->MaterialArray = FindArray<vtkIntArray>(scene, names::MaterialIds, 1, what, status);
-  this->PartArray = FindArray<vtkIntArray>(scene, names::PartIds, 1, what, status);
-  this->NormalArray = FindArray<vtkFloatArray>(scene, names::Normals, 3, what, status);
+  this->MaterialArray = FindArray<vtkIntArray>(mesh, names::MaterialIds, 1, what, status);
+  this->PartArray = FindArray<vtkIntArray>(mesh, names::PartIds, 1, what, status);
+  this->NormalArray = FindArray<vtkFloatArray>(mesh, names::Normals, 3, what, status);
   this->Materials = GetValues(this->MaterialArray);
   this->Parts = GetValues(this->PartArray);
   this->Normals = GetValues(this->NormalArray);
+  return status;
+}
+
+//------------------------------------------------------------------------------
+Status SceneSurfaces::Set(vtkPolyData* scene, const SceneGeometry* geometry)
+{
+  const std::string what = "the scene";
+  Status status = this->Mesh.Set(scene, what);
+  this->HasNormals = this->Mesh.Normals;
+  this->Prototypes.clear();
+  this->Geometry = geometry && !geometry->GetInstances().empty() ? geometry : nullptr;
   this->PartNames =
     vtkStringArray::SafeDownCast(scene->GetFieldData()->GetAbstractArray(names::PartName));
-  this->NumberOfTriangles = this->NumberOfCells = scene->GetNumberOfCells();
+  this->NumberOfTriangles = this->NumberOfCells =
+    this->Geometry ? this->Geometry->GetNumberOfTriangles() : scene->GetNumberOfCells();
   this->Grids.clear();
   this->Reflections.clear();
   this->Classifications.clear();
   const Status material = this->AddMaterials(scene, what);
   status = status.IsOk() ? material : status;
-  return status.IsOk()
-    ? this->CheckMaterialIds(this->MaterialArray, static_cast<int>(this->Reflections.size()), what)
-    : status;
+  const int count = static_cast<int>(this->Reflections.size());
+  status = status.IsOk() ? this->CheckMaterialIds(this->Mesh.MaterialArray, count, what) : status;
+  return status.IsOk() && this->Geometry ? this->AddInstances(scene) : status;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the arrays of the prototypes, and checks the materials of the instances.
+Status SceneSurfaces::AddInstances(vtkPolyData* scene)
+{
+  auto* whole = vtkHeliosScene::SafeDownCast(scene);
+  const int count = static_cast<int>(this->Reflections.size());
+  for (int i = 0; i < whole->GetNumberOfPrototypes(); ++i)
+  {
+    const std::string what = "prototype " + std::to_string(i);
+    this->Prototypes.emplace_back();
+    CellArrays& arrays = this->Prototypes.back();
+    Status status = arrays.Set(whole->GetPrototype(i), what);
+    status = status.IsOk() ? this->CheckMaterialIds(arrays.MaterialArray, count, what) : status;
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    this->HasNormals = this->HasNormals || arrays.Normals;
+  }
+  for (const SceneInstance& instance : this->Geometry->GetInstances())
+  {
+    if (instance.Material >= count)
+    {
+      return Status::Error(std::string("point array ") + names::MaterialIds +
+        " of the instances has " + std::to_string(instance.Material) + ", but the field data of " +
+        "the scene has " + std::to_string(count) + " materials");
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int SceneSurfaces::FindMaterialId(vtkIdType cell) const
+{
+  const SceneGeometry::Cell at = this->Geometry->Find(cell);
+  if (!at.Instance)
+  {
+    return this->Mesh.GetMaterialId(at.Triangle);
+  }
+  return at.Instance->Material >= 0
+    ? at.Instance->Material
+    : this->Prototypes[static_cast<std::size_t>(at.Instance->Prototype)].GetMaterialId(at.Triangle);
+}
+
+//------------------------------------------------------------------------------
+int SceneSurfaces::FindPartId(vtkIdType cell) const
+{
+  const SceneGeometry::Cell at = this->Geometry->Find(cell);
+  return at.Instance ? at.Instance->Part : this->Mesh.GetPartId(at.Triangle);
+}
+
+//------------------------------------------------------------------------------
+Vec3 SceneSurfaces::FindNormal(vtkIdType cell) const
+{
+  const SceneGeometry::Cell at = this->Geometry->Find(cell);
+  if (!at.Instance)
+  {
+    return this->Mesh.GetNormal(at.Triangle);
+  }
+  const auto prototype = static_cast<std::size_t>(at.Instance->Prototype);
+  const Vec3 turned = at.Instance->Place.Rotate(this->Prototypes[prototype].GetNormal(at.Triangle));
+  // As in a copy of the prototype.
+  return { RoundToFloat(turned[0]), RoundToFloat(turned[1]), RoundToFloat(turned[2]) };
 }
 
 //------------------------------------------------------------------------------
@@ -120,11 +204,16 @@ int SceneSurfaces::CountParts() const
     return static_cast<int>(this->PartNames->GetNumberOfValues());
   }
   int range[2] = { 0, 0 };
-  if (this->PartArray && this->PartArray->GetNumberOfValues() > 0)
+  if (this->Mesh.PartArray && this->Mesh.PartArray->GetNumberOfValues() > 0)
   {
-    this->PartArray->GetValueRange(range);
+    this->Mesh.PartArray->GetValueRange(range);
   }
-  return this->NumberOfTriangles > 0 ? range[1] + 1 : 0;
+  int last = range[1];
+  for (std::size_t i = 0; this->Geometry && i < this->Geometry->GetInstances().size(); ++i)
+  {
+    last = std::max(last, this->Geometry->GetInstances()[i].Part);
+  }
+  return this->NumberOfTriangles > 0 ? last + 1 : 0;
 }
 
 //------------------------------------------------------------------------------

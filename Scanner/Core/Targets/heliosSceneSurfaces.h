@@ -25,11 +25,16 @@ class vtkPolyData;
 namespace helios
 {
 
+class SceneGeometry;
+
 class SceneSurfaces
 {
 public:
-  /// Reads a scene and keeps its arrays alive.
-  Status Set(vtkPolyData* scene);
+  /**
+   * Reads a scene and keeps its arrays alive. Its geometry must outlive it if it has instances; null:
+   * it has none.
+   */
+  Status Set(vtkPolyData* scene, const SceneGeometry* geometry = nullptr);
 
   /**
    * Appends a grid of turbid voxels; its cell ids, materials and part follow all previous ones.
@@ -43,18 +48,20 @@ public:
   int GetMaterialId(vtkIdType cell) const
   {
     return this->IsTurbid(cell) ? this->FindGrid(cell).GetMaterialId(cell)
-      : this->Materials         ? this->Materials[cell]
-                                : 0;
+      : this->Geometry          ? this->FindMaterialId(cell)
+                                : this->Mesh.GetMaterialId(cell);
   }
   int GetPartId(vtkIdType cell) const
   {
-    return this->IsTurbid(cell) ? this->FindGrid(cell).Part : this->Parts ? this->Parts[cell] : 0;
+    return this->IsTurbid(cell) ? this->FindGrid(cell).Part
+      : this->Geometry          ? this->FindPartId(cell)
+                                : this->Mesh.GetPartId(cell);
   }
 
   /// Whether triangles of one plane have the same response and part.
   bool AreAlike(vtkIdType a, vtkIdType b) const
   {
-    return !this->Normals && this->GetMaterialId(a) == this->GetMaterialId(b) &&
+    return !this->HasNormals && this->GetMaterialId(a) == this->GetMaterialId(b) &&
       this->GetPartId(a) == this->GetPartId(b);
   }
 
@@ -73,12 +80,11 @@ public:
   /// Sets the unit normal of a cell from the scene; unchanged if the scene has none.
   void GetNormal(vtkIdType cell, Vec3& normal) const
   {
-    if (!this->Normals || this->IsTurbid(cell))
+    if (!this->HasNormals || this->IsTurbid(cell))
     {
       return;
     }
-    const float* n = this->Normals + 3 * cell;
-    const Vec3 given(n[0], n[1], n[2]);
+    const Vec3 given = this->Geometry ? this->FindNormal(cell) : this->Mesh.GetNormal(cell);
     const double length = given.Norm();
     if (length > 0.0)
     {
@@ -87,6 +93,26 @@ public:
   }
 
 private:
+  /// The cell arrays of a mesh.
+  struct CellArrays
+  {
+    vtkSmartPointer<vtkIntArray> MaterialArray;
+    vtkSmartPointer<vtkIntArray> PartArray;
+    vtkSmartPointer<vtkFloatArray> NormalArray;
+    const int* Materials = nullptr;
+    const int* Parts = nullptr;
+    const float* Normals = nullptr;
+
+    Status Set(vtkPolyData* mesh, const std::string& what);
+    int GetMaterialId(vtkIdType cell) const { return this->Materials ? this->Materials[cell] : 0; }
+    int GetPartId(vtkIdType cell) const { return this->Parts ? this->Parts[cell] : 0; }
+    Vec3 GetNormal(vtkIdType cell) const
+    {
+      const float* n = this->Normals ? this->Normals + 3 * cell : nullptr;
+      return n ? Vec3(n[0], n[1], n[2]) : Vec3(0.0, 0.0, 0.0);
+    }
+  };
+
   /// Turbid voxels and their materials.
   struct Grid
   {
@@ -108,13 +134,15 @@ private:
   int CountParts() const;
   Status AddMaterials(vtkDataObject* data, const std::string& what);
   Status CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
+  Status AddInstances(vtkPolyData* scene);
+  int FindMaterialId(vtkIdType cell) const;
+  int FindPartId(vtkIdType cell) const;
+  Vec3 FindNormal(vtkIdType cell) const;
 
-  vtkSmartPointer<vtkIntArray> MaterialArray;
-  vtkSmartPointer<vtkIntArray> PartArray;
-  vtkSmartPointer<vtkFloatArray> NormalArray;
-  const int* Materials = nullptr;
-  const int* Parts = nullptr;
-  const float* Normals = nullptr;
+  CellArrays Mesh;
+  std::vector<CellArrays> Prototypes;
+  const SceneGeometry* Geometry = nullptr; // null: no instances
+  bool HasNormals = false;
   vtkIdType NumberOfTriangles = VTK_ID_MAX;
   vtkSmartPointer<vtkStringArray> PartNames; // of the scene; null: none
   std::vector<Grid> Grids;

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Instances on input 1 of vtkHeliosSceneComposer.
+#include "heliosErrorObserver.h"
+#include "heliosMaterialTable.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
+#include "vtkHeliosSceneComposer.h"
+#include "vtkHeliosSceneTransform.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTrivialProducer.h>
+
+#include <string>
+#include <vector>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// A strip of triangles of a material.
+vtkSmartPointer<vtkPolyData> MakeMesh(int count, const char* material)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  for (int i = 0; i < count + 2; ++i)
+  {
+    points->InsertNextPoint(0.1 * i, i % 2, 0.3 * i);
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    polys->InsertNextCell({ i, i + 1, i + 2 });
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  helios::MaterialTable table(1);
+  table[0].Name = material;
+  helios::SetMaterials(mesh, table);
+  return mesh;
+}
+
+struct Place
+{
+  int Prototype;
+  double Position[3];
+  double Rotation[4];
+  double Scale;
+  int Part;
+};
+
+const std::vector<Place> Places = { { 1, { 5, 0, 0 }, { 1, 0, 0, 0 }, 1.0, 1 },
+  { 1, { 0, 7, 2 }, { 0.9, 0.1, 0.3, 0.2 }, 2.5, 3 }, { 2, { 1, 1, 1 }, { 0, 0, 0, 1 }, 0.5, 4 } };
+
+vtkSmartPointer<vtkPolyData> MakeInstances(const std::vector<Place>& places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIntArray> prototypes, parts;
+  prototypes->SetName(names::PrototypeIds);
+  parts->SetName(names::PartIds);
+  vtkNew<vtkDoubleArray> orientations, scales;
+  orientations->SetName(names::Orientation);
+  orientations->SetNumberOfComponents(4);
+  scales->SetName(names::Scale);
+  vtkNew<vtkStringArray> partNames;
+  partNames->SetName(names::PartName);
+  for (const Place& place : places)
+  {
+    points->InsertNextPoint(place.Position);
+    prototypes->InsertNextValue(place.Prototype);
+    parts->InsertNextValue(place.Part);
+    orientations->InsertNextTuple(place.Rotation);
+    scales->InsertNextValue(place.Scale);
+    partNames->InsertNextValue("tree " + std::to_string(place.Part));
+  }
+  auto instances = vtkSmartPointer<vtkPolyData>::New();
+  instances->SetPoints(points);
+  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(prototypes),
+         static_cast<vtkAbstractArray*>(parts), static_cast<vtkAbstractArray*>(orientations),
+         static_cast<vtkAbstractArray*>(scales), static_cast<vtkAbstractArray*>(partNames) })
+  {
+    instances->GetPointData()->AddArray(array);
+  }
+  return instances;
+}
+
+/// Two parts, two prototypes, and their instances: parts 0 and 2, instances 1, 3, 4.
+struct Composing
+{
+  vtkSmartPointer<vtkPolyData> Meshes[4] = { MakeMesh(3, "ground"), MakeMesh(4, "oak"),
+    MakeMesh(5, "pine"), MakeMesh(2, "wall") };
+  vtkNew<vtkHeliosSceneComposer> Composer;
+  vtkSmartPointer<helios::ErrorObserver> Log =
+    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+
+  Composing()
+  {
+    for (const auto& mesh : this->Meshes)
+    {
+      this->Composer->AddInputDataObject(0, mesh);
+    }
+    this->Composer->SetPartName(0, "the ground");
+    this->Composer->SetPartId(3, 2);
+    this->Composer->SetInputDataObject(1, MakeInstances(Places));
+    this->Log->Watch(this->Composer);
+  }
+};
+
+std::string Bytes(vtkDataArray* array)
+{
+  return { static_cast<const char*>(array->GetVoidPointer(0)),
+    static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()) };
+}
+
+} // namespace
+
+TEST_CASE("SceneComposer: instances are what copies are, flattened", "[SceneInstances]")
+{
+  Composing composing;
+  composing.Composer->Update();
+  auto* scene = vtkHeliosScene::SafeDownCast(composing.Composer->GetOutput());
+  REQUIRE(scene);
+  CHECK(composing.Log->Errors.empty());
+  CHECK(scene->GetNumberOfPolys() == 5);
+  CHECK(scene->GetNumberOfPrototypes() == 2);
+  CHECK(scene->GetNumberOfTriangles() == 5 + 4 + 4 + 5);
+  vtkNew<vtkPolyData> flat;
+  REQUIRE(scene->Flatten(flat));
+
+  // The same parts as copies.
+  vtkNew<vtkHeliosSceneComposer> copies;
+  int part = 0;
+  const auto add = [&](vtkPolyData* mesh, const Place& place)
+  {
+    vtkNew<vtkHeliosSceneTransform> move;
+    move->SetInputDataObject(mesh);
+    move->SetRotation(place.Rotation);
+    move->SetScale(place.Scale);
+    move->SetTranslation(place.Position);
+    copies->AddInputConnection(move->GetOutputPort());
+    const std::string name = "tree " + std::to_string(part++);
+    copies->SetPartName(part - 1, name.c_str());
+  };
+  const Place none{ 0, { 0, 0, 0 }, { 1, 0, 0, 0 }, 1.0, 0 };
+  add(composing.Meshes[0], none);
+  add(composing.Meshes[1], Places[0]);
+  add(composing.Meshes[3], none);
+  add(composing.Meshes[1], Places[1]);
+  add(composing.Meshes[2], Places[2]);
+  copies->SetPartName(0, "the ground");
+  copies->SetPartName(2, nullptr);
+  copies->Update();
+  vtkPolyData* truth = copies->GetOutput();
+  CHECK_FALSE(vtkHeliosScene::SafeDownCast(truth));
+
+  REQUIRE(flat->GetNumberOfPolys() == truth->GetNumberOfPolys());
+  for (vtkIdType i = 0; i < truth->GetNumberOfPolys(); ++i)
+  {
+    for (vtkIdType corner = 0; corner < 3; ++corner)
+    {
+      vtkIdType size;
+      const vtkIdType *a, *b;
+      double p[3], q[3];
+      flat->GetPolys()->GetCellAtId(i, size, a);
+      flat->GetPoint(a[corner], p);
+      truth->GetPolys()->GetCellAtId(i, size, b);
+      truth->GetPoint(b[corner], q);
+      REQUIRE(std::equal(p, p + 3, q)); // to the last bit
+    }
+  }
+  for (const char* name : { names::MaterialIds, names::PartIds })
+  {
+    INFO(name);
+    CHECK(
+      Bytes(flat->GetCellData()->GetArray(name)) == Bytes(truth->GetCellData()->GetArray(name)));
+  }
+  CHECK(helios::GetMaterials(flat) == helios::GetMaterials(truth));
+  auto* own = vtkStringArray::SafeDownCast(flat->GetFieldData()->GetAbstractArray(names::PartName));
+  auto* all =
+    vtkStringArray::SafeDownCast(truth->GetFieldData()->GetAbstractArray(names::PartName));
+  REQUIRE(own->GetNumberOfValues() == 5);
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    CHECK(own->GetValue(i) == all->GetValue(i));
+  }
+}
+
+TEST_CASE("SceneComposer: without input 1 the output is a mesh again", "[SceneInstances]")
+{
+  Composing composing;
+  composing.Composer->Update();
+  composing.Composer->SetInputConnection(1, nullptr);
+  composing.Composer->Update();
+  CHECK_FALSE(vtkHeliosScene::SafeDownCast(composing.Composer->GetOutput()));
+  CHECK(composing.Composer->GetOutput()->GetNumberOfPolys() == 14);
+}
+
+TEST_CASE("SceneComposer: instances of nothing but prototypes", "[SceneInstances]")
+{
+  vtkNew<vtkHeliosSceneComposer> composer;
+  composer->AddInputDataObject(0, MakeMesh(3, "oak"));
+  vtkNew<vtkPolyData> instances; // one, at the default place
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1, 2, 3);
+  instances->SetPoints(points);
+  composer->SetInputDataObject(1, instances);
+  composer->Update();
+  auto* scene = vtkHeliosScene::SafeDownCast(composer->GetOutput());
+  REQUIRE(scene);
+  CHECK(scene->GetNumberOfPolys() == 0);
+  CHECK(scene->GetNumberOfTriangles() == 3);
+  vtkNew<vtkHeliosScene> copy;
+  copy->DeepCopy(scene);
+  CHECK(copy->GetNumberOfTriangles() == 3);
+  CHECK(copy->GetPrototype(0) != scene->GetPrototype(0));
+  CHECK(copy->GetPrototype(1) == nullptr);
+  CHECK(scene->GetActualMemorySize() > 0);
+  copy->Initialize();
+  CHECK(copy->GetNumberOfTriangles() == 0);
+}
+
+TEST_CASE("SceneComposer: invalid instances have messages", "[SceneInstances]")
+{
+  const auto fails = [](std::vector<Place> places, const std::string& text)
+  {
+    Composing composing;
+    composing.Composer->SetInputDataObject(1, MakeInstances(places));
+    composing.Composer->Update();
+    CHECK(composing.Log->HasError(text));
+  };
+  auto places = Places;
+  places[1].Prototype = 4;
+  fails(places,
+    "Instance 1 has PrototypeIds 4.000000, which is none of the 4 connections with triangles");
+  places = Places;
+  places[2].Part = 3;
+  fails(places, "Part id 3 is given twice");
+  places[2].Part = 2;
+  fails(places, "Part id 2 is given twice");
+  places = Places;
+  places[1].Part = 9;
+  fails(places, "Part ids must ascend");
+
+  Composing composing;
+  composing.Composer->SetPartId(-1, 2);
+  CHECK(composing.Log->HasError("Part -1 cannot have the id 2"));
+  CHECK(composing.Composer->GetPartId(3) == 2);
+  CHECK(composing.Composer->GetPartId(0) == -1);
+}
