@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTriangleMesh.h"
 
-#include "heliosFlatScene.h"
 #include "heliosFloatCoordinates.h"
 #include "heliosStatus.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -20,13 +20,20 @@
 namespace helios
 {
 
+Status CheckNoInstances(vtkPolyData* scene)
+{
+  return vtkHeliosScene::HasInstances(scene)
+    ? Status::Error("the scene has instances, which are not supported here; pass it through "
+                    "vtkHeliosSceneFlatten first")
+    : Status();
+}
+
 Status TriangleMesh::Set(vtkPolyData* scene)
 {
   *this = TriangleMesh();
-  if (HasInstances(scene))
+  if (Status status = CheckNoInstances(scene); !status.IsOk())
   {
-    return Status::Error(
-      "the scene has instances, which are not supported here; use the mesh of its Flatten()");
+    return status;
   }
   if (!scene || scene->GetNumberOfCells() == 0)
   {

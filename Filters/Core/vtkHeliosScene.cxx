@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScene.h"
 
-#include "heliosFlatScene.h"
-#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -66,14 +64,10 @@ vtkIdType vtkHeliosScene::GetNumberOfTriangles() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosScene::Flatten(vtkPolyData* mesh)
+bool vtkHeliosScene::HasInstances(vtkPolyData* scene)
 {
-  const helios::Status status = helios::FlattenScene(this, mesh);
-  if (!status.IsOk())
-  {
-    vtkErrorMacro(<< "Flatten: " << status.Message() << ".");
-  }
-  return status.IsOk();
+  auto* whole = vtkHeliosScene::SafeDownCast(scene);
+  return whole && whole->GetNumberOfInstances() > 0;
 }
 
 //------------------------------------------------------------------------------

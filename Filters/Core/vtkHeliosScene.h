@@ -22,10 +22,10 @@
  * columns in the field data of this scene.
  *
  * Ray casters, the scanner and what is built on them take such a scene as a mesh; the ray caster
- * "beam" without copies of the triangles. Flatten() makes a mesh for all other filters.
+ * "beam" without copies of the triangles. vtkHeliosSceneFlatten makes a mesh for all other filters.
  *
  * @sa
- * vtkHeliosSceneComposer
+ * vtkHeliosSceneComposer vtkHeliosSceneFlatten
  */
 
 #ifndef vtkHeliosScene_h
@@ -67,12 +67,8 @@ public:
    */
   vtkIdType GetNumberOfTriangles() const;
 
-  /**
-   * Sets a mesh to all triangles, in the order of their cell ids, with MaterialIds, PartIds,
-   * Normals (as far as the scene has them) and the field data. Returns false after an error:
-   * instances with invalid values, more than 2^31 points or corners.
-   */
-  bool Flatten(vtkPolyData* mesh);
+  /// Whether a scene is a vtkHeliosScene with instances.
+  static bool HasInstances(vtkPolyData* scene);
 
   ///@{
   /**

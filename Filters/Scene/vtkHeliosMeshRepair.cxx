@@ -7,6 +7,7 @@
 #include "heliosSceneSubset.h"
 #include "heliosStatus.h"
 #include "heliosTriangleArea.h"
+#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -290,6 +291,11 @@ int vtkHeliosMeshRepair::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (const helios::Status status = helios::CheckNoInstances(input); !status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->ResetCounters();
   if (!std::isfinite(this->MergeTolerance))

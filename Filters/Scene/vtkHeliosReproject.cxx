@@ -5,12 +5,14 @@
 #include "heliosReprojection.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
+#include "heliosTriangleMesh.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 
 #include <string>
 #include <vector>
@@ -95,6 +97,12 @@ int vtkHeliosReproject::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  if (const helios::Status status = helios::CheckNoInstances(vtkPolyData::SafeDownCast(input));
+      !status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return 0;
+  }
   vtkPointSet* output = vtkPointSet::GetData(outputVector);
   helios::CoordinateSystem source;
   helios::CoordinateSystem target;

@@ -8,6 +8,7 @@
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
 #include "heliosStatus.h"
+#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 
@@ -334,6 +335,11 @@ bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, PartList& p
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     vtkPolyData* part = vtkPolyData::GetData(inputs, i);
+    if (const helios::Status status = helios::CheckNoInstances(part); !status.IsOk())
+    {
+      vtkErrorMacro(<< this->DescribePart(i) << ": " << status.Message());
+      return false;
+    }
     const bool isEmpty = !part || part->GetNumberOfCells() == 0;
     parts.push_back(isEmpty ? nullptr : part);
     if (isEmpty)

@@ -4,6 +4,8 @@
 
 #include "heliosPose.h"
 #include "heliosSimilarity.h"
+#include "heliosStatus.h"
+#include "heliosTriangleMesh.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -108,6 +110,11 @@ int vtkHeliosSceneTransform::RequestData(
     return 0;
   }
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  if (const helios::Status status = helios::CheckNoInstances(input); !status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(input);
 

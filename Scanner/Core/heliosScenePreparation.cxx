@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosScenePreparation.h"
 
-#include "heliosFlatScene.h"
 #include "heliosScanModel.h"
 #include "heliosStatus.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
@@ -36,7 +36,8 @@ Status Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
 Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
   vtkHeliosRayCaster* caster, ScanModel& model)
 {
-  const bool hasSurfaces = grids.empty() || scene->GetNumberOfCells() > 0 || HasInstances(scene);
+  const bool hasSurfaces =
+    grids.empty() || scene->GetNumberOfCells() > 0 || vtkHeliosScene::HasInstances(scene);
   Status status = hasSurfaces ? Build(caster, scene) : Status();
   model.Caster = hasSurfaces ? caster : nullptr;
   status = status.IsOk() ? model.Surfaces.Set(scene, hasSurfaces ? &caster->GetGeometry() : nullptr)

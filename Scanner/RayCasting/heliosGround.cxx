@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosGround.h"
 
+#include "heliosFlatScene.h"
 #include "heliosMaterialTable.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -53,6 +56,11 @@ public:
       points->GetPoint(corners[i], p);
       box.AddPoint(p);
     }
+    return this->AreIn(box);
+  }
+
+  bool AreIn(const vtkBoundingBox& box) const
+  {
     const std::array<double, 2> least = { box.GetMinPoint()[0], box.GetMinPoint()[1] };
     const std::array<double, 2> most = { box.GetMaxPoint()[0], box.GetMaxPoint()[1] };
     auto place = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), least);
@@ -67,6 +75,38 @@ public:
 private:
   std::vector<std::array<double, 2>> Sorted;
 };
+
+/// A scene with copies of the instances at some positions, and without the others.
+Status FlattenNear(vtkPolyData* scene, const Places& places, vtkSmartPointer<vtkPolyData>& flat)
+{
+  SceneGeometry geometry;
+  if (const Status status = geometry.Set(scene); !status.IsOk())
+  {
+    return status;
+  }
+  vtkPolyData* all = vtkHeliosScene::SafeDownCast(scene)->GetInstances();
+  vtkNew<vtkPolyData> some;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  some->GetPointData()->CopyAllOn();
+  some->GetPointData()->CopyAllocate(all->GetPointData());
+  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  {
+    double bounds[6];
+    geometry.GetBounds(geometry.GetInstances()[static_cast<std::size_t>(i)], bounds);
+    if (places.AreIn(vtkBoundingBox(bounds)))
+    {
+      some->GetPointData()->CopyData(
+        all->GetPointData(), i, points->InsertNextPoint(all->GetPoint(i)));
+    }
+  }
+  some->SetPoints(points);
+  some->GetPointData()->RemoveArray(names::FirstCellIds);
+  vtkNew<vtkHeliosScene> near;
+  near->ShallowCopy(scene);
+  near->SetInstances(some);
+  return GetFlatScene(near, flat);
+}
 
 /// The scene's cells at some positions; with groundOnly those with a ground material, if any has
 /// it.
@@ -160,7 +200,7 @@ std::string DescribePlace(vtkPolyData* points, vtkIdType index)
 Status GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights)
 {
-  if (!scene || scene->GetNumberOfCells() == 0)
+  if (!scene || (scene->GetNumberOfCells() == 0 && !vtkHeliosScene::HasInstances(scene)))
   {
     return Status::Error("The scene on port 1 is empty: it has no ground for the points.");
   }
@@ -170,8 +210,17 @@ Status GetGroundHeights(
     return Status::Error(
       "No ground for " + DescribePlace(points, notFinite) + "; its coordinates must be finite.");
   }
+  const Places places(points);
+  vtkSmartPointer<vtkPolyData> mesh = scene;
+  if (vtkHeliosScene::HasInstances(scene))
+  {
+    if (const Status status = FlattenNear(scene, places, mesh); !status.IsOk())
+    {
+      return Status::Error("No ground in the scene on port 1: " + status.Message() + ".");
+    }
+  }
   vtkNew<vtkHeliosBvhRayCaster> caster;
-  const auto surfaces = ExtractSurfaces(scene, Places(points), groundOnly);
+  const auto surfaces = ExtractSurfaces(mesh, places, groundOnly);
   if (surfaces->GetNumberOfCells() > 0 && !caster->Build(surfaces))
   {
     return Status::Error("No rays can be cast onto the scene on port 1.");

@@ -628,6 +628,7 @@ vtkHeliosSurveyPlayer::vtkHeliosSurveyPlayer()
   : Source(vtkSmartPointer<vtkHeliosSurveySource>::New())
   , Counts(new helios::ScanCounts)
 {
+  this->Source->SetInstances(true);
   this->SetOutputDirectory("output");
   this->SetFormat("xyz");
 }

@@ -138,6 +138,7 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
       inputs.Grids.push_back(grid);
     }
   }
+  inputs.Instances = source->Instances;
   inputs.Mesh = vtkPolyData::SafeDownCast(source->GetInputDataObject(MeshPort, 0));
   for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
   {
@@ -661,6 +662,7 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
      << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
      << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
+     << indent << "Instances: " << this->Instances << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";
   this->Options->PrintSelf(os, indent.GetNextIndent());

@@ -123,6 +123,16 @@ public:
   vtkGetVector2Macro(PulseWindow, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether meshes that several parts of the survey have are stored once: the scene is then
+   * a vtkHeliosScene with instances, unless parts move. Default: off.
+   */
+  vtkSetMacro(Instances, bool);
+  vtkGetMacro(Instances, bool);
+  vtkBooleanMacro(Instances, bool);
+  ///@}
+
   /**
    * Loads the scene and plans the legs, unless that is done; Update() calls it. Returns false after
    * an error, and after Abort().
@@ -131,7 +141,7 @@ public:
 
   ///@{
   /**
-   * Get the results of Load(); empty before. The scene as one mesh, moving parts at their start;
+   * Get the results of Load(); empty before. The scene as one mesh (with Instances: and its instances), moving parts at their start;
    * the number of pulses of all legs; the pulse ids [i0, i1) and the time [t0, t1] of a leg [s],
    * both empty ranges for a leg that fires no pulses; the length of its pulses, the full width at
    * half maximum, or 0 [ns]; the time of a pulse, and the first pulse at a time or later [s].
@@ -229,6 +239,7 @@ private:
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
   bool GenerateDecibels = false;
+  bool Instances = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 
   std::atomic<bool> AbortRequested{ false };

@@ -225,17 +225,10 @@ Status FlattenScene(vtkHeliosScene* scene, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-bool HasInstances(vtkPolyData* scene)
-{
-  auto* whole = vtkHeliosScene::SafeDownCast(scene);
-  return whole && whole->GetNumberOfInstances() > 0;
-}
-
-//------------------------------------------------------------------------------
 Status GetFlatScene(vtkPolyData* scene, vtkSmartPointer<vtkPolyData>& mesh)
 {
   mesh = scene;
-  if (!HasInstances(scene))
+  if (!vtkHeliosScene::HasInstances(scene))
   {
     return {};
   }

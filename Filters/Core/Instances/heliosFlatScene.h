@@ -16,15 +16,12 @@ class vtkPolyData;
 namespace helios
 {
 
-/// As vtkHeliosScene::Flatten().
+/// As vtkHeliosSceneFlatten.
 VTKHELIOSFILTERSCORE_EXPORT Status FlattenScene(vtkHeliosScene* scene, vtkPolyData* mesh);
 
 /// A scene without instances as it is; another one as a mesh, after a check of the memory.
 VTKHELIOSFILTERSCORE_EXPORT Status GetFlatScene(
   vtkPolyData* scene, vtkSmartPointer<vtkPolyData>& mesh);
-
-/// Whether a scene has instances.
-VTKHELIOSFILTERSCORE_EXPORT bool HasInstances(vtkPolyData* scene);
 
 } // namespace helios
 

@@ -134,6 +134,11 @@ def add_arguments(parser):
         "--no-noise", action="store_true", help="ranges without the scanner's noise"
     )
     parser.add_argument(
+        "--no-instances",
+        action="store_true",
+        help="copy the mesh of a file for each part that has it, instead of storing it once",
+    )
+    parser.add_argument(
         "--no-accuracy-report",
         action="store_true",
         help="do not compute 200 to 1000 of the pulses again to measure the accuracy of the run",
@@ -354,6 +359,7 @@ def make_player(arguments, survey, messages):
     player.SetResume(arguments.resume)
     if arguments.check_all:
         player.SetBytesToCheck(player.GetBytesToCheckMaxValue())
+    player.GetSource().SetInstances(not arguments.no_instances)
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)

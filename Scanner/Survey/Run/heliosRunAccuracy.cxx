@@ -6,6 +6,7 @@
 #include "heliosPulseSample.h"
 #include "heliosReceiver.h"
 #include "heliosStatus.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -124,7 +125,8 @@ vtkIdType RunAccuracy::CountSamples(const LegPlan& plan) const
 //------------------------------------------------------------------------------
 void RunAccuracy::Measure(const StepWatcher& onStep)
 {
-  if (this->Runner.GetScene()->GetNumberOfPolys() == 0)
+  vtkPolyData* scene = this->Runner.GetScene();
+  if (scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     this->Reason = "the scene has only turbid voxels, which are random";
     return;

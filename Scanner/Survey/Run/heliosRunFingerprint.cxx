@@ -7,6 +7,7 @@
 #include "heliosRunSettings.h"
 #include "heliosSha256.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScene.h"
 #include "vtkHeliosVersion.h"
 
 #include <vtkCellArray.h>
@@ -219,15 +220,34 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+
+void AddMesh(vtkPolyData* mesh, Sha256& hash)
+{
+  AddArray(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, hash);
+  AddArray(mesh->GetPolys()->GetOffsetsArray(), hash);
+  AddArray(mesh->GetPolys()->GetConnectivityArray(), hash);
+  AddArrays(mesh->GetPointData(), hash);
+  AddArrays(mesh->GetCellData(), hash);
+  AddArrays(mesh->GetFieldData(), hash);
+}
+
+} // namespace
+
 std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
 {
   Sha256 hash;
-  AddArray(scene->GetPoints() ? scene->GetPoints()->GetData() : nullptr, hash);
-  AddArray(scene->GetPolys()->GetOffsetsArray(), hash);
-  AddArray(scene->GetPolys()->GetConnectivityArray(), hash);
-  AddArrays(scene->GetPointData(), hash);
-  AddArrays(scene->GetCellData(), hash);
-  AddArrays(scene->GetFieldData(), hash);
+  AddMesh(scene, hash);
+  if (vtkHeliosScene::HasInstances(scene))
+  {
+    auto* whole = vtkHeliosScene::SafeDownCast(scene);
+    AddMesh(whole->GetInstances(), hash);
+    for (int i = 0; i < whole->GetNumberOfPrototypes(); ++i)
+    {
+      AddMesh(whole->GetPrototype(i), hash);
+    }
+  }
   for (vtkImageData* grid : grids)
   {
     hash.Add(grid->GetOrigin(), 3 * sizeof(double));

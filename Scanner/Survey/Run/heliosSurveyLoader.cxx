@@ -11,6 +11,7 @@
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRayCasterFactory.h"
 #include "vtkHeliosScanner.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
@@ -73,7 +74,10 @@ vtkMTimeType FindTime(const RunInputs& inputs)
 bool SurveyLoader::Origin::operator==(const Origin& other) const
 {
   const auto tie = [](const Origin& o)
-  { return std::tie(o.Survey, o.SurveyTime, o.Epoch, o.Seed, o.Scene, o.SceneTime, o.Files); };
+  {
+    return std::tie(
+      o.Survey, o.SurveyTime, o.Epoch, o.Seed, o.Instances, o.Scene, o.SceneTime, o.Files);
+  };
   return tie(*this) == tie(other);
 }
 
@@ -231,7 +235,7 @@ SurveyLoader::Origin SurveyLoader::FindOrigin() const
 {
   const RunInputs& inputs = this->Inputs;
   Origin origin{ inputs.Survey, inputs.SurveyTime, inputs.Options.Epoch, inputs.Options.Seed,
-    inputs.Scene, FindTime(inputs), {} };
+    inputs.Instances, inputs.Scene, FindTime(inputs), {} };
   if (!this->HasGivenScene())
   {
     for (const PartData& part : inputs.Survey->Scene.Parts)
@@ -282,6 +286,7 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
   {
     this->Builder = std::make_unique<SceneBuilder>(
       this->Inputs.Survey->Scene, this->Log, this->Inputs.Options.Seed);
+    this->Builder->SetInstances(this->Inputs.Instances);
   }
   this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Epoch);
   this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();
@@ -299,7 +304,9 @@ bool SurveyLoader::UseGivenScene()
   this->Scene =
     this->Inputs.Scene ? MakeTriangles(this->Inputs.Scene) : vtkSmartPointer<vtkPolyData>::New();
   this->Grids.assign(this->Inputs.Grids.begin(), this->Inputs.Grids.end());
-  if (!this->Scene || (this->Scene->GetNumberOfPolys() == 0 && this->Grids.empty()))
+  if (!this->Scene ||
+    (this->Scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(this->Scene) &&
+      this->Grids.empty()))
   {
     this->Log.Error(std::string("the input scene, a ") + this->Inputs.Scene->GetClassName() +
       ", has no polygons; give a vtkPolyData, or another data set that has a surface");

@@ -38,6 +38,7 @@ struct RunInputs
   std::vector<vtkImageData*> Grids;       ///< turbid voxels, with that scene
   vtkPolyData* Mesh = nullptr;            ///< that beams hit in place of the scene; null: none
   std::vector<vtkPolyData*> Trajectories; ///< replace the files of platforms; empty: none
+  bool Instances = false;                 ///< whether the scene may have them
 };
 
 /**
@@ -70,7 +71,7 @@ public:
   /// The survey of the epoch, after Check().
   const SurveyData& GetSurvey() const { return this->Survey; }
 
-  /// The scene as one mesh; null before Load().
+  /// The scene; null before Load().
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
 
@@ -82,6 +83,7 @@ private:
     vtkMTimeType SurveyTime = 0;
     int Epoch = 0;
     vtkIdType Seed = 0;
+    bool Instances = false;
     vtkDataObject* Scene = nullptr;
     vtkMTimeType SceneTime = 0;
     std::vector<std::string> Files; ///< with size and time

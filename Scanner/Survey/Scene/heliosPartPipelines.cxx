@@ -140,6 +140,20 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
   return reader;
 }
 
+/// Whether two parts are meshes with the same triangles and materials before they are placed.
+bool HaveSameMesh(const PartData& a, const PartData& b)
+{
+  const auto isMesh = [](const PartData& p)
+  { return p.Type == Loader::Obj || p.Type == Loader::GeoTiff; };
+  const auto areEqual = [](const CrsData& c, const CrsData& d)
+  { return c.Source == d.Source && c.Target == d.Target; };
+  return isMesh(a) && a.Type == b.Type && a.Files == b.Files && a.UpIsY == b.UpIsY &&
+    a.Material.File == b.Material.File && a.Material.Name == b.Material.Name &&
+    a.Material.Count == b.Material.Count && a.Material.RandomRange == b.Material.RandomRange &&
+    std::equal(a.Crs.begin(), a.Crs.end(), b.Crs.begin(), b.Crs.end(), areEqual) &&
+    a.Repair == b.Repair && a.SimplifyDistance == b.SimplifyDistance;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -149,7 +163,7 @@ vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& par
   if (!place)
   {
     const Quaternion& q = part.Rotation;
-    const Filter last = this->MakePipeline(part);
+    const Filter last = this->GetPipeline(part);
     place = vtkSmartPointer<vtkHeliosSceneTransform>::New();
     place->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
     place->SetScale(part.Scale);
@@ -158,6 +172,23 @@ vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& par
   // A part on the ground was moved by the epoch before.
   place->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
   return place;
+}
+
+//------------------------------------------------------------------------------
+PartPipelines::Filter PartPipelines::GetPipeline(const PartData& part)
+{
+  const auto known = std::find_if(this->Shared.begin(), this->Shared.end(),
+    [&part](const auto& shared) { return HaveSameMesh(*shared.first, part); });
+  if (this->IsSharing && known != this->Shared.end())
+  {
+    return known->second;
+  }
+  const Filter last = this->MakePipeline(part);
+  if (this->IsSharing)
+  {
+    this->Shared.emplace_back(&part, last);
+  }
+  return last;
 }
 
 //------------------------------------------------------------------------------
@@ -183,6 +214,8 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   }
   const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
   EraseIf(this->MeshReaders, isUnused);
+  this->Shared.erase(
+    std::remove_if(this->Shared.begin(), this->Shared.end(), isUnused), this->Shared.end());
   this->Readers.erase(
     std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());
 }

@@ -43,6 +43,10 @@ public:
   /// The last filter of a part; a part that is there already has a kept one.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
+  /// Sets whether parts that differ only in place, name and motion share their filters but the
+  /// last; before Make(). Default: false.
+  void SetSharing(bool isOn) { this->IsSharing = isOn; }
+
   /// Releases the pipelines of all other parts.
   void RemoveOthers(const std::vector<const PartData*>& parts);
 
@@ -64,6 +68,7 @@ public:
 private:
   using Filter = vtkSmartPointer<vtkAlgorithm>;
 
+  Filter GetPipeline(const PartData& part);
   Filter MakePipeline(const PartData& part);
   Filter MakeMesh(const PartData& part);
   Filter MakeVoxels(const PartData& part);
@@ -80,8 +85,10 @@ private:
   vtkIdType Seed;
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
-  std::string Where;                                          // the current part
-  std::string Step;                                           // the current step
+  bool IsSharing = false;
+  std::vector<std::pair<const PartData*, Filter>> Shared; // of the first part with these filters
+  std::string Where;                                      // the current part
+  std::string Step;                                       // the current step
   const StepCallback* OnProgress = nullptr;
   bool IsStopped = false;
   std::chrono::steady_clock::time_point LastProgress{};

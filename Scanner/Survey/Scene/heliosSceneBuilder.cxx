@@ -5,19 +5,28 @@
 #include "heliosEpochs.h"
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
+#include "heliosSimilarity.h"
 #include "heliosStatus.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosGroundSnap.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
+
+namespace names = vtkHeliosArrayNames;
 
 namespace helios
 {
@@ -25,23 +34,88 @@ namespace helios
 namespace
 {
 
-/// The lowest vertex of a mesh; false if it has no triangles.
-bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
+/// The first lowest corner of a mesh along a direction; false if it has no triangles.
+bool FindLowestCorner(vtkPolyData* data, const double up[3], Vec3& lowest)
 {
   TriangleMesh mesh;
   if (!mesh.Set(data).IsOk() || mesh.GetNumberOfTriangles() == 0)
   {
     return false;
   }
+  const auto getHeight = [up](const double* p)
+  { return up[0] * p[0] + up[1] * p[1] + up[2] * p[2]; };
   const double* best = mesh.GetCorner(0, 0);
   for (vtkIdType corner = 0; corner < 3 * mesh.GetNumberOfTriangles(); ++corner)
   {
     const double* p = mesh.GetCorner(corner / 3, static_cast<int>(corner % 3));
-    best = p[2] < best[2] ? p : best;
+    best = getHeight(p) < getHeight(best) ? p : best;
   }
   lowest = Vec3(best);
   return true;
 }
+
+constexpr double Upwards[3] = { 0.0, 0.0, 1.0 };
+
+Similarity GetSimilarity(vtkHeliosSceneTransform* place)
+{
+  return Similarity(place->GetRotation(), place->GetScale(), place->GetTranslation());
+}
+
+vtkAlgorithm* GetSource(vtkHeliosSceneTransform* place)
+{
+  return place->GetInputAlgorithm(0, 0);
+}
+
+/// The instances of a composer under construction.
+class InstanceList
+{
+public:
+  InstanceList()
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Prototypes->SetName(names::PrototypeIds);
+    this->Orientations->SetName(names::Orientation);
+    this->Orientations->SetNumberOfComponents(4);
+    this->Scales->SetName(names::Scale);
+    this->PartIds->SetName(names::PartIds);
+    this->Names->SetName(names::PartName);
+  }
+
+  void Add(int connection, vtkHeliosSceneTransform* place, int part, const std::string& name)
+  {
+    this->Points->InsertNextPoint(place->GetTranslation());
+    this->Prototypes->InsertNextValue(connection);
+    this->Orientations->InsertNextTuple(place->GetRotation());
+    this->Scales->InsertNextValue(place->GetScale());
+    this->PartIds->InsertNextValue(part);
+    this->Names->InsertNextValue(name);
+  }
+
+  bool IsEmpty() const { return this->Points->GetNumberOfPoints() == 0; }
+
+  vtkSmartPointer<vtkPolyData> Get() const
+  {
+    auto instances = vtkSmartPointer<vtkPolyData>::New();
+    instances->SetPoints(this->Points);
+    for (vtkAbstractArray* array :
+      { static_cast<vtkAbstractArray*>(this->Prototypes),
+        static_cast<vtkAbstractArray*>(this->Orientations),
+        static_cast<vtkAbstractArray*>(this->Scales), static_cast<vtkAbstractArray*>(this->PartIds),
+        static_cast<vtkAbstractArray*>(this->Names) })
+    {
+      instances->GetPointData()->AddArray(array);
+    }
+    return instances;
+  }
+
+private:
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkIntArray> Prototypes;
+  vtkNew<vtkDoubleArray> Orientations;
+  vtkNew<vtkDoubleArray> Scales;
+  vtkNew<vtkIntArray> PartIds;
+  vtkNew<vtkStringArray> Names;
+};
 
 } // namespace
 
@@ -74,6 +148,14 @@ void SceneBuilder::MakeParts(int epoch)
 {
   this->Parts.clear();
   std::vector<const PartData*> all;
+  bool areStill = true;
+  for (const PartData& part : this->Scene.Parts)
+  {
+    const PartData* data = FindPart(part, epoch);
+    areStill = areStill && !(data && data->Motion.IsMoving());
+  }
+  const bool areShared = this->MakesInstances && areStill;
+  this->Pipelines.SetSharing(areShared);
   for (const PartData& part : this->Scene.Parts)
   {
     if (const PartData* data = FindPart(part, epoch))
@@ -83,6 +165,18 @@ void SceneBuilder::MakeParts(int epoch)
     }
   }
   this->Pipelines.RemoveOthers(all);
+  this->Uses.clear();
+  this->Lowest.clear();
+  for (const Part& part : this->Parts)
+  {
+    this->Uses[GetSource(part.Place)] += areShared ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SceneBuilder::IsInstance(const Part& part) const
+{
+  return !part.Data->IsTurbid() && this->Uses.at(GetSource(part.Place)) > 1;
 }
 
 //------------------------------------------------------------------------------
@@ -105,16 +199,8 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 {
   vtkNew<vtkHeliosSceneComposer> composer;
   this->Log.Listen(composer, this->Scene.Where);
-  int count = 0;
-  for (const Part& part : this->Parts)
-  {
-    if (!part.Data->IsTurbid() && (withPartsOnGround || !part.Data->OnGround))
-    {
-      composer->AddInputConnection(part.Place->GetOutputPort());
-      composer->SetPartName(count, part.Name->c_str());
-      ++count;
-    }
-  }
+  this->AddParts(composer, withPartsOnGround);
+  const int count = composer->GetNumberOfInputConnections(0);
   const Status status = CheckMemory(
     "triangles of all parts", this->Pipelines.CountTriangles(composer), BytesPerTriangle);
   if (!status.IsOk())
@@ -129,9 +215,77 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   {
     return nullptr;
   }
-  auto scene = vtkSmartPointer<vtkPolyData>::New(); // detached from the pipeline
-  scene->ShallowCopy(composer->GetOutput());
+  vtkPolyData* composed = composer->GetOutput();
+  auto scene = vtk::TakeSmartPointer(composed->NewInstance()); // detached from the pipeline
+  scene->ShallowCopy(composed);
   return SetSceneCrs(scene, this->Scene, this->Log) ? scene : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const
+{
+  InstanceList instances;
+  std::map<const vtkAlgorithm*, int> prototypes;
+  int id = 0;
+  for (const Part& part : this->Parts)
+  {
+    if (part.Data->IsTurbid() || (!withPartsOnGround && part.Data->OnGround))
+    {
+      continue;
+    }
+    const int connection = composer->GetNumberOfInputConnections(0);
+    if (!this->IsInstance(part))
+    {
+      composer->AddInputConnection(part.Place->GetOutputPort());
+      composer->SetPartName(connection, part.Name->c_str());
+      composer->SetPartId(connection, id);
+    }
+    else
+    {
+      vtkAlgorithm* source = GetSource(part.Place);
+      const auto [known, isNew] = prototypes.emplace(source, connection);
+      if (isNew)
+      {
+        composer->AddInputConnection(source->GetOutputPort());
+      }
+      instances.Add(known->second, part.Place, id, *part.Name);
+    }
+    ++id;
+  }
+  if (!instances.IsEmpty())
+  {
+    composer->SetInputDataObject(1, instances.Get());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The lowest corner of a part in the scene; false if it has no triangles.
+bool SceneBuilder::FindLowest(const Part& part, Vec3& lowest)
+{
+  if (!this->IsInstance(part))
+  {
+    part.Place->Update();
+    return FindLowestCorner(part.Place->GetOutput(), Upwards, lowest);
+  }
+  vtkAlgorithm* source = GetSource(part.Place);
+  source->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(source->GetOutputDataObject(0));
+  const Similarity place = GetSimilarity(part.Place);
+  const double* up = place.Turn.M[2];
+  const bool isUpright = up[0] == 0.0 && up[1] == 0.0 && up[2] > 0.0;
+  const auto known = this->Lowest.find(source);
+  Vec3 corner = known == this->Lowest.end() ? Vec3(0.0, 0.0, 0.0) : known->second;
+  if ((!isUpright || known == this->Lowest.end()) &&
+    !FindLowestCorner(mesh, isUpright ? Upwards : up, corner))
+  {
+    return false;
+  }
+  if (isUpright)
+  {
+    this->Lowest.emplace(source, corner);
+  }
+  place.Apply(corner.GetData(), lowest.GetData());
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -161,8 +315,7 @@ bool SceneBuilder::PlaceOnGround()
     const PartData& part = *this->Parts[i].Data;
     if (part.OnGround)
     {
-      this->Parts[i].Place->Update();
-      if (FindLowestCorner(this->Parts[i].Place->GetOutput(), point))
+      if (this->FindLowest(this->Parts[i], point))
       {
         lowest->InsertNextPoint(point.GetData());
         snapped.push_back(i);

@@ -10,11 +10,14 @@
 
 #include <vtkSmartPointer.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
 class vtkHeliosSceneTransform;
 class vtkImageData;
+class vtkAlgorithm;
+class vtkHeliosSceneComposer;
 class vtkPolyData;
 
 namespace helios
@@ -30,7 +33,11 @@ public:
   SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);
   ~SceneBuilder();
 
-  /// All parts of an epoch as one mesh, with parts on the ground placed there; null after an error,
+  /// Sets whether meshes of several parts become instances of a vtkHeliosScene; not in epochs with
+  /// moving parts. Default: false.
+  void SetInstances(bool areMade) { this->MakesInstances = areMade; }
+
+  /// All parts of an epoch as one scene, with parts on the ground placed there; null after an error,
   /// or if stopped.
   vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int epoch = 0);
 
@@ -47,6 +54,9 @@ private:
   };
 
   void MakeParts(int epoch);
+  bool IsInstance(const Part& part) const;
+  void AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const;
+  bool FindLowest(const Part& part, Vec3& lowest);
   bool PlaceOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
@@ -55,6 +65,9 @@ private:
   Messages& Log;
   PartPipelines Pipelines;
   std::vector<Part> Parts;
+  bool MakesInstances = false;
+  std::map<const vtkAlgorithm*, int> Uses;    ///< of the filter before the place of a part
+  std::map<const vtkAlgorithm*, Vec3> Lowest; ///< corners of meshes that are not tilted
 };
 
 } // namespace helios

@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
   {
-    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    auto copy = vtk::TakeSmartPointer(mesh->NewInstance()); // may have instances
     copy->ShallowCopy(mesh);
     return copy;
   }

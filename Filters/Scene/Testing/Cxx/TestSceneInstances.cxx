@@ -6,6 +6,7 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 #include "vtkHeliosSceneComposer.h"
+#include "vtkHeliosSceneFlatten.h"
 #include "vtkHeliosSceneTransform.h"
 
 #include <catch2/catch.hpp>
@@ -138,8 +139,10 @@ TEST_CASE("SceneComposer: instances are what copies are, flattened", "[SceneInst
   CHECK(scene->GetNumberOfPolys() == 5);
   CHECK(scene->GetNumberOfPrototypes() == 2);
   CHECK(scene->GetNumberOfTriangles() == 5 + 4 + 4 + 5);
-  vtkNew<vtkPolyData> flat;
-  REQUIRE(scene->Flatten(flat));
+  vtkNew<vtkHeliosSceneFlatten> flatten;
+  flatten->SetInputConnection(composing.Composer->GetOutputPort());
+  flatten->Update();
+  vtkPolyData* flat = flatten->GetOutput();
 
   // The same parts as copies.
   vtkNew<vtkHeliosSceneComposer> copies;
@@ -197,6 +200,23 @@ TEST_CASE("SceneComposer: instances are what copies are, flattened", "[SceneInst
   {
     CHECK(own->GetValue(i) == all->GetValue(i));
   }
+}
+
+TEST_CASE("SceneFlatten: a mesh stays as it is, errors have messages", "[SceneInstances]")
+{
+  vtkNew<vtkHeliosSceneFlatten> flatten;
+  const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(flatten);
+  const auto mesh = MakeMesh(3, "oak");
+  flatten->SetInputDataObject(0, mesh);
+  flatten->Update();
+  CHECK(flatten->GetOutput()->GetPoints() == mesh->GetPoints());
+  vtkNew<vtkHeliosScene> scene;
+  scene->SetInstances(MakeInstances(Places));
+  flatten->SetInputDataObject(0, scene);
+  flatten->Update();
+  CHECK(log->HasError("instance 0 of the scene has PrototypeIds 1.000000, but there are 0"));
+  CHECK(flatten->GetOutput()->GetNumberOfCells() == 0);
 }
 
 TEST_CASE("SceneComposer: without input 1 the output is a mesh again", "[SceneInstances]")

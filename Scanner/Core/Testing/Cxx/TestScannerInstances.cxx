@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Echoes of instances are those of copies, byte for byte.
+#include "heliosFlatScene.h"
 #include "heliosMaterialTable.h"
 #include "heliosRandom.h"
 #include "heliosScannerBench.h"
@@ -213,7 +214,7 @@ TEST_CASE("ScannerInstances: echoes are those of copies", "[ScannerInstances]")
   {
     const auto scene = MakeStand(hasNormals);
     vtkNew<vtkPolyData> flat;
-    REQUIRE(scene->Flatten(flat));
+    REQUIRE(helios::FlattenScene(scene, flat).IsOk());
     for (const bool isFixed : { true, false })
     {
       INFO("normals " << hasNormals << ", fixed " << isFixed);

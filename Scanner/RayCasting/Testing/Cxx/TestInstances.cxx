@@ -3,6 +3,7 @@
 // Instances of a scene against copies of their triangles.
 #include "heliosConeProbe.h"
 #include "heliosConeView.h"
+#include "heliosFlatScene.h"
 #include "heliosRayCasterChecks.h"
 #include "heliosSceneGeometry.h"
 #include "vtkHeliosArrayNames.h"
@@ -94,7 +95,7 @@ vtkSmartPointer<vtkHeliosScene> MakeStand(const Vec3& offset, int count = 200)
 vtkSmartPointer<vtkPolyData> Flatten(vtkHeliosScene* scene)
 {
   auto flat = vtkSmartPointer<vtkPolyData>::New();
-  REQUIRE(scene->Flatten(flat));
+  REQUIRE(helios::FlattenScene(scene, flat).IsOk());
   REQUIRE(flat->GetNumberOfCells() == scene->GetNumberOfTriangles());
   return flat;
 }
@@ -408,5 +409,6 @@ TEST_CASE("instances: invalid values have messages", "[instances]")
     "instance 2 of the scene has FirstCellIds 3000, expected");
   helios::TriangleMesh mesh;
   CHECK(mesh.Set(MakeStand({ 0, 0, 0 }, 3)).Message() ==
-    "the scene has instances, which are not supported here; use the mesh of its Flatten()");
+    "the scene has instances, which are not supported here; pass it through "
+    "vtkHeliosSceneFlatten first");
 }

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of the same mesh become instances; a run is the same as with copies.
+#include "heliosSurveyFiles.h"
+#include "heliosSurveyPlaying.h"
+#include "vtkHeliosRunOptions.h"
+#include "vtkHeliosScene.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveyPlayer.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace helios::test;
+
+namespace
+{
+
+std::string MakePart(const std::string& id, const std::string& file, const std::string& filters)
+{
+  return "<part id=\"" + id +
+    "\"><filter type=\"objloader\"><param type=\"string\" key=\"filepath\" value=\"" + file +
+    "\"/></filter>" + filters + "</part>\n";
+}
+
+std::string MakePlace(double x, double y, double yaw, double scale, bool onGround)
+{
+  std::ostringstream text;
+  text << "<filter type=\"rotate\"><param key=\"rotation\" type=\"rotation\"><rot axis=\"z\" "
+          "angle_deg=\""
+       << yaw << "\"/></param></filter>"
+       << "<filter type=\"scale\"><param type=\"double\" key=\"scale\" value=\"" << scale
+       << "\"/></filter>"
+       << "<filter type=\"translate\"><param type=\"vec3\" key=\"offset\" value=\"" << x << ";" << y
+       << ";0\"/>" << (onGround ? "<param type=\"integer\" key=\"onGround\" value=\"1\"/>" : "")
+       << "</filter>";
+  return text.str();
+}
+
+/// A hill with five trees, three of them on the ground, and a house.
+void WriteScene(const Files& files, const std::string& more = "")
+{
+  files.Write("a.mtl", "newmtl earth\nhelios_isGround true\nnewmtl leaf\nhelios_reflectance 0.3\n");
+  files.Write("hill.obj",
+    "mtllib a.mtl\nusemtl earth\nv -50 -50 -4\nv 50 -50 2\nv 50 50 3\nv -50 50 -5\nf 1 2 3\nf 1 3 "
+    "4\n");
+  files.Write("tree.obj",
+    "mtllib a.mtl\nusemtl leaf\nv -1 0 0.5\nv 1 0 0\nv 0 0.5 6\nv 0 -1 1\nv 0.2 1 2\nv 0.1 0 5\n"
+    "f 1 2 3\nf 4 5 6\nf 1 5 3\n");
+  files.Write("house.obj", "v -3 12 -3\nv 3 12 -3\nv 3 12 7\nv -3 12 7\nf 1 2 3 4\n");
+  files.Write("scene.xml",
+    "<document><scene id=\"s\">\n" + MakePart("hill", "hill.obj", "") +
+      MakePart("t0", "tree.obj", MakePlace(4, 9, 30, 1.5, true)) +
+      MakePart("t1", "tree.obj", MakePlace(-4, 8, 75, 0.8, true)) +
+      MakePart("house", "house.obj", "") +
+      MakePart("t2", "tree.obj", MakePlace(8, 12, 200, 1, false)) +
+      MakePart("t3", "tree.obj", MakePlace(-7, 14, 0, 2, true)) +
+      MakePart("t4", "tree.obj", MakePlace(0, 7, 10, 1, false)) + more + "</scene></document>");
+}
+
+constexpr const char* Leg = R"(<leg><platformSettings onGround="true"/>
+<scannerSettings scanFreq_hz="100" headRotatePerSec_deg="60" headRotateStart_deg="-40"
+ headRotateStop_deg="40"/></leg>)";
+
+} // namespace
+
+TEST_CASE("SurveyInstances: files are those of copies", "[SurveyInstances]")
+{
+  const Files files;
+  WriteScene(files);
+  const Reading reading(files, Tripod, Leg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  std::string points[2];
+  for (const bool areInstances : { false, true })
+  {
+    Playing playing(files, reading);
+    playing.Player->SetOverwrite(true);
+    playing.Player->GetSource()->SetInstances(areInstances);
+    playing.Player->GetOptions()->SetNumberOfSubRays(19);
+    REQUIRE(playing.Player->Run());
+    auto* scene = vtkHeliosScene::SafeDownCast(playing.Player->GetSource()->GetScene());
+    REQUIRE((scene != nullptr) == areInstances);
+    if (scene)
+    {
+      CHECK(scene->GetNumberOfInstances() == 5);
+      CHECK(scene->GetNumberOfPrototypes() == 1);
+      CHECK(scene->GetNumberOfPolys() == 4);
+      CHECK(scene->GetNumberOfTriangles() == 19);
+    }
+    points[areInstances] = ReadText(files / "out/test/leg000_points.xyz");
+  }
+  CHECK(points[0].size() > 100000);
+  CHECK((points[0] == points[1]));
+  for (const char* part : { " hill ", " t0 ", " t1 ", " house ", " t2 ", " t3 ", " t4 " })
+  {
+    INFO(part);
+    CHECK(points[1].find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("SurveyInstances: they are resumed, and not where parts move", "[SurveyInstances]")
+{
+  const Files files;
+  WriteScene(files);
+  const Reading reading(files, Tripod, Leg);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  playing.Player->SetResume(true);
+  CHECK(playing.Player->Run()); // complete: the scene has the same digest
+  WriteScene(files,
+    MakePart("car", "house.obj",
+      "<dmotion id=\"all\" loop=\"0\"><motion type=\"translation\" vec=\"0.1;0;0\"/></dmotion>"));
+  const Reading moving(files, Tripod, Leg);
+  INFO(moving.Log->Errors);
+  REQUIRE(moving.Good);
+  Playing other(files, moving);
+  other.Player->SetOverwrite(true);
+  CHECK(other.Player->Run());
+  CHECK_FALSE(vtkHeliosScene::SafeDownCast(other.Player->GetSource()->GetScene()));
+}
+
+TEST_CASE("SurveyInstances: a source makes them only if asked", "[SurveyInstances]")
+{
+  const Files files;
+  WriteScene(files);
+  const Reading reading(files, Tripod, Leg);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(reading.Reader->GetSurvey());
+  REQUIRE(source->Load());
+  CHECK(source->GetScene()->GetNumberOfPolys() == 19);
+  source->InstancesOn();
+  REQUIRE(source->Load());
+  CHECK(source->GetScene()->GetNumberOfPolys() == 4);
+}
