@@ -136,7 +136,10 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
     scene = f'<document><scene id="plane">{part * 600}</scene></document>'
     (survey.parent / "scene.xml").write_text(scene)
     own = 1e6 + vtkhelios_memory()
-    assert cli.main(["run", str(survey), "--dry-run", "--memory", f"{own + 5e7:.0f}"]) == 1
+    run = ["run", str(survey), "--dry-run", "--memory", f"{own + 5e7:.0f}"]
+    assert cli.main(run) == 0  # as instances
+    capsys.readouterr()
+    assert cli.main([*run, "--no-instances"]) == 1
     err = capsys.readouterr().err
     assert "899400 triangles of all parts need about 148 MB of memory, and" in err
 

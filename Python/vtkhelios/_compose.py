@@ -116,11 +116,11 @@ def compose(left, right):
 def connect(source, algorithm, port=0):
     """Sets the input of an algorithm: a source, or a tuple of them for its ports from port on.
 
-    An algorithm with one repeatable port gets the whole tuple there.
+    A repeatable port, or the only one, gets the whole tuple.
     """
     sources = source if isinstance(source, (tuple, list)) else (source,)
     count = algorithm.GetNumberOfInputPorts()
-    takes_many = len(sources) > 1 and count == 1
+    takes_many = len(sources) > 1 and (count == 1 or _is_repeatable(algorithm, port))
     if port + (1 if takes_many else len(sources)) > count:
         raise TypeError(
             f"{algorithm.GetClassName()} takes {count} inputs, not {port + len(sources)}"
@@ -131,6 +131,13 @@ def connect(source, algorithm, port=0):
         algorithm.RemoveAllInputConnections(port)
     for index, item in enumerate(sources):
         _connect_one(item, algorithm, port if takes_many else port + index, takes_many)
+
+
+def _is_repeatable(algorithm, port):
+    information = (
+        algorithm.GetInputPortInformation(port) if algorithm.GetNumberOfInputPorts() else None
+    )
+    return bool(information and information.Get(vtkAlgorithm.INPUT_IS_REPEATABLE()))
 
 
 def _connect_one(source, algorithm, port, add):

@@ -11,6 +11,7 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -18,7 +19,6 @@
 #include <vector>
 
 class vtkHeliosScene;
-class vtkPolyData;
 
 namespace helios
 {

@@ -118,6 +118,9 @@ def test_edges_have_no_effect_without_a_footprint(study):
 
 
 def test_without_pcl(study, monkeypatch):
+    public = sys.modules["vtkhelios._public"]
+    monkeypatch.delattr(public, "vtkHeliosPCLPlanes", raising=False)
+    monkeypatch.setattr(public, "__all__", [n for n in public.__all__ if n != "vtkHeliosPCLPlanes"])
     monkeypatch.delattr(vtkhelios, "vtkHeliosPCLPlanes", raising=False)
     with pytest.raises(ImportError, match="needs vtkHeliosPCLPlanes.*VTKHELIOS_ENABLE_PCL=ON"):
         study.study(quick=True)
