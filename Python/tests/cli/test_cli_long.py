@@ -186,7 +186,7 @@ def test_dry_run_of_epochs(command_line, make_epochs, tmp_path):
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
 def test_interrupted_epochs(number, command_line, make_epochs, tmp_path):
-    survey = make_epochs(speed=8, stop=60)  # 750,000 pulse indices per epoch
+    survey = make_epochs(speed=8, stop=120)  # 1,500,000 pulse indices per epoch
     more = ["--pulses-per-block", "2048"]
     folder = tmp_path / "out/plane"
     for _ in range(10):  # on a busy machine an epoch may end before the signal arrives
