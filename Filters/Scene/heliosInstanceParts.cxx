@@ -12,11 +12,24 @@
 
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 namespace names = vtkHeliosArrayNames;
 
 namespace helios
 {
+
+namespace
+{
+
+std::string ToText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 Status InstanceParts::Set(
@@ -40,9 +53,10 @@ Status InstanceParts::FindPrototypes(const PartList& parts)
     if (!(id >= 0.0 && id < static_cast<double>(parts.size())) ||
       !parts[static_cast<std::size_t>(id)])
     {
-      return Status::Error("Instance " + std::to_string(i) + " has " + names::PrototypeIds + " " +
-        std::to_string(id) + ", which is none of the " + std::to_string(parts.size()) +
-        " connections with triangles, counted from 0");
+      return Status::Error(std::string(names::PrototypeIds) + " " + ToText(id) + " of instance " +
+        std::to_string(i) +
+        " is not valid: expected a connection of input 0 with triangles, 0 to " +
+        std::to_string(parts.size() - 1));
     }
     const auto connection = static_cast<std::size_t>(id);
     if (this->Numbers[connection] < 0)

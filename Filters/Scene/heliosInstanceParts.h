@@ -24,8 +24,8 @@ class InstanceParts
 public:
   /**
    * Sets the connections, and the ids of those that are parts (negative: the number of parts before
-   * them), and the instances. Errors: prototypes that are no connection, ids that do not ascend or
-   * are given twice.
+   * them), and the instances. Errors: prototypes that are not connections with triangles, ids that
+   * do not ascend or are given twice.
    */
   Status Set(const PartList& parts, const std::vector<int>& ids, vtkPolyData* instances);
 

@@ -42,8 +42,10 @@ _OPTIONS = {
     "pulse_step": "pulse_step",
     "accuracy_report": "accuracy_report",
 }
-# What a run returns besides echoes, and the properties of vtkHeliosSurveySource.
+# What a run returns besides echoes, and how it stores the scene: the properties of
+# vtkHeliosSurveySource.
 _OUTPUTS = {
+    "instances": "instances",
     "waveforms": "generate_waveforms",
     "pulses": "generate_pulses",
     "hits": "generate_sub_rays",
@@ -214,6 +216,9 @@ class Survey:
             vtkPolyData made of ``survey.scene``, with fewer triangles or without some parts.
         pulse_step
             a sample: every n-th pulse.
+        instances
+            True: meshes that several parts have are stored once, and ``survey.scene`` is a
+            vtkHeliosScene. Default: False.
 
         Raises PipelineError with the message of any filter.
         """
@@ -247,13 +252,16 @@ class Survey:
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
         sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, decibels, split_by_channel,
-        overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer. Memory
+        overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer; instances
+        as in run(), but True by default, as of vtkhelios run. Memory
         holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
         and has the "folder".
         """
         known = {name: f"write_{name}" for name in ("waveforms", "pulses", "decibels")}
         known |= {name: name for name in _FILES}
-        _translate(options, {**_OPTIONS, **known, MESH: ""})  # refuses any other
+        known_here = {**_OPTIONS, **known, "instances": "", MESH: ""}
+        _translate(options, known_here)  # refuses any other
+        options.setdefault("instances", True)
         written = {name: options.pop(name) for name in list(options) if name in known}
         player = _class("vtkHeliosSurveyPlayer")(source=self.source(**options), format=format)
         player.SetOutputDirectory(to_vtk(folder))

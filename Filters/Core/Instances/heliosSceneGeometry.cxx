@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace names = vtkHeliosArrayNames;
@@ -52,6 +53,13 @@ private:
   vtkDataArray* Array;
 };
 
+std::string ToText(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 std::string Describe(vtkIdType instance)
 {
   return "instance " + std::to_string(instance) + " of the scene";
@@ -70,7 +78,7 @@ Status CheckPlace(vtkIdType i, const double q[4], double scale, const double t[3
   if (!std::isfinite(scale) || scale <= 0.0)
   {
     return Status::Error(
-      Describe(i) + " has Scale " + std::to_string(scale) + "; set a number greater than 0");
+      Describe(i) + " has Scale " + ToText(scale) + "; set a number greater than 0");
   }
   if (!std::isfinite(t[0]) || !std::isfinite(t[1]) || !std::isfinite(t[2]))
   {
@@ -156,7 +164,7 @@ Status SceneGeometry::AddInstances(vtkPolyData* instances)
     const double prototype = prototypes.Get(i, 0, 0.0);
     if (!(prototype >= 0.0 && prototype < count))
     {
-      return Status::Error(Describe(i) + " has PrototypeIds " + std::to_string(prototype) +
+      return Status::Error(Describe(i) + " has PrototypeIds " + ToText(prototype) +
         ", but there are " + std::to_string(this->Prototypes.size()) + " prototypes, from 0");
     }
     const double q[4] = { orientations.Get(i, 0, 1.0), orientations.Get(i, 1, 0.0),

@@ -151,6 +151,7 @@ void BeamBundle::TraceInstances()
   {
     return;
   }
+  this->SetReach();
   const Frustum hull = this->Hull; // those of the instances replace it
   BeamWalk walk(this->Scene.GetBoxes(), hull);
   BeamTree::Leaf leaf;
@@ -250,6 +251,19 @@ bool BeamBundle::GatherRays(const vtkHeliosRay* rays, int count)
   return AreAll(areFine);
 }
 
+/// Sets the largest coordinate of the origins, without the sign.
+void BeamBundle::SetReach()
+{
+  this->Reach = 0.0;
+  for (int quad = 0; quad < this->Quads; ++quad)
+  {
+    const Doubles* o = this->Lanes[quad].Origin;
+    const Doubles most =
+      Max(Max(Max<Doubles>(o[0], -o[0]), Max<Doubles>(o[1], -o[1])), Max<Doubles>(o[2], -o[2]));
+    this->Reach = Max(this->Reach, GetMost(most));
+  }
+}
+
 /// Moves the rays into the frame of an instance; false unless they have the same main axis there.
 HELIOS_CLONES
 bool BeamBundle::MoveRays()
@@ -268,9 +282,8 @@ bool BeamBundle::MoveRays()
     const Doubles* d = from.Direction;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double* const column[3] = { &m[0][axis], &m[1][axis], &m[2][axis] };
-      to.Origin[axis] = (*column[0] * o[0] + *column[1] * o[1] + *column[2] * o[2]) * inverse;
-      to.Direction[axis] = (*column[0] * d[0] + *column[1] * d[1] + *column[2] * d[2]) * inverse;
+      to.Origin[axis] = (m[0][axis] * o[0] + m[1][axis] * o[1] + m[2][axis] * o[2]) * inverse;
+      to.Direction[axis] = (m[0][axis] * d[0] + m[1][axis] * d[1] + m[2][axis] * d[2]) * inverse;
     }
     SetTerms<Doubles, Masks>(to, isFine, isX, isY);
     if (quad == 0)
@@ -290,19 +303,7 @@ bool BeamBundle::SetFrame()
   double low[3], high[3], slopeLow[2], slopeHigh[2];
   this->SetIntervals(low, high, slopeLow, slopeHigh);
   const BeamTree& tree = this->Placed.GetTree();
-  double error = 0.0;
-  if (this->Placed.IsMoved())
-  {
-    double reach = 0.0;
-    for (int quad = 0; quad < this->Quads; ++quad)
-    {
-      const Doubles* o = this->Lanes[quad].Origin;
-      const Doubles most =
-        Max(Max(Max<Doubles>(o[0], -o[0]), Max<Doubles>(o[1], -o[1])), Max<Doubles>(o[2], -o[2]));
-      reach = Max(reach, GetMost(most));
-    }
-    error = this->Placed.GetError(reach);
-  }
+  const double error = this->Placed.IsMoved() ? this->Placed.GetError(this->Reach) : 0.0;
   this->Hull.Axes = this->HullAxes;
   this->Hull.IsForward = this->IsForward;
   if (!tree.SetFrustum(this->Hull, low, high, slopeLow, slopeHigh, error))

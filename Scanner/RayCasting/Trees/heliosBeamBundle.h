@@ -43,6 +43,7 @@ private:
   void TraceTree(const PlacedTree& placed);
   void TraceEach();
   void TraceInstances();
+  void SetReach();
   bool MoveRays();
   bool SetFrame();
   void SetIntervals(double low[3], double high[3], double slopeLow[2], double slopeHigh[2]);
@@ -73,6 +74,8 @@ private:
   RayAxes Axes;
   bool HaveSameOrigin = false;
   RayLanes Lanes[MaximumRays / QuadWidth]; ///< padded with the last ray
+
+  double Reach = 0.0; ///< of the origins, if there are instances
 
   PlacedTree Placed;                                ///< the current tree; and in its frame:
   RayTerms<Doubles> Moved[MaximumRays / QuadWidth]; ///< the rays, if it is an instance's

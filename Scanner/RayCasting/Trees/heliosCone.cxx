@@ -62,7 +62,7 @@ bool IsNear(const double a[2], const double b[2], double distance)
   return area * area <= most * square;
 }
 
-/// The part of a segment, from 0 to 1, inside a disc about the origin; false if there is none.
+/// The part of a segment, from 0 to 1, inside a disc about the origin; false if all of it is outside.
 bool ClipToDisc(const double a[2], const double b[2], double radius, double part[2])
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };

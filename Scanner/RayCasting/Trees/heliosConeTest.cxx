@@ -155,7 +155,7 @@ void ConeTest::SetHit(const Member& c, double range)
   this->IsIncomplete = this->IsIncomplete || this->Farthest > before;
 }
 
-/// Finds the hit of the axis; false if there is none.
+/// Finds the hit of the axis; false if it hits nothing.
 bool ConeTest::TraceAxis()
 {
   this->IsTraced = true;

@@ -50,12 +50,12 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Send a message to a rank. Returns an error, or an empty text.
+   * Send a message to a rank. Returns the error message; an empty string after success.
    */
   virtual std::string Send(int rank, const std::string& message) = 0;
 
   /**
-   * Get the next message that has arrived and its rank; false if there is none.
+   * Get the next message that has arrived and its rank; false if no message has.
    */
   bool Receive(int& rank, std::string& message);
 #endif

@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <sstream>
 
 #if VTK_MODULE_ENABLE_vtkHelios_FiltersSimplify
 #include "vtkHeliosMeshSimplify.h"
@@ -140,18 +141,27 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
   return reader;
 }
 
-/// Whether two parts are meshes with the same triangles and materials before they are placed.
-bool HaveSameMesh(const PartData& a, const PartData& b)
+/// What the triangles and materials of a mesh depend on before it is placed; empty for other parts.
+std::string GetMeshKey(const PartData& part)
 {
-  const auto isMesh = [](const PartData& p)
-  { return p.Type == Loader::Obj || p.Type == Loader::GeoTiff; };
-  const auto areEqual = [](const CrsData& c, const CrsData& d)
-  { return c.Source == d.Source && c.Target == d.Target; };
-  return isMesh(a) && a.Type == b.Type && a.Files == b.Files && a.UpIsY == b.UpIsY &&
-    a.Material.File == b.Material.File && a.Material.Name == b.Material.Name &&
-    a.Material.Count == b.Material.Count && a.Material.RandomRange == b.Material.RandomRange &&
-    std::equal(a.Crs.begin(), a.Crs.end(), b.Crs.begin(), b.Crs.end(), areEqual) &&
-    a.Repair == b.Repair && a.SimplifyDistance == b.SimplifyDistance;
+  if (part.Type != Loader::Obj && part.Type != Loader::GeoTiff)
+  {
+    return {};
+  }
+  std::ostringstream key;
+  key << std::hexfloat << static_cast<int>(part.Type) << part.UpIsY << part.Repair << ' '
+      << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange;
+  std::vector<std::string> texts = part.Files;
+  texts.insert(texts.end(), { part.Material.File, part.Material.Name });
+  for (const CrsData& crs : part.Crs)
+  {
+    texts.insert(texts.end(), { crs.Source, crs.Target });
+  }
+  for (const std::string& text : texts)
+  {
+    key << '\0' << text;
+  }
+  return key.str();
 }
 
 } // namespace
@@ -177,18 +187,14 @@ vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& par
 //------------------------------------------------------------------------------
 PartPipelines::Filter PartPipelines::GetPipeline(const PartData& part)
 {
-  const auto known = std::find_if(this->Shared.begin(), this->Shared.end(),
-    [&part](const auto& shared) { return HaveSameMesh(*shared.first, part); });
-  if (this->IsSharing && known != this->Shared.end())
+  const std::string key = this->IsSharing ? GetMeshKey(part) : std::string();
+  if (key.empty())
   {
-    return known->second;
+    return this->MakePipeline(part);
   }
-  const Filter last = this->MakePipeline(part);
-  if (this->IsSharing)
-  {
-    this->Shared.emplace_back(&part, last);
-  }
-  return last;
+  Filter& shared = this->Shared[key];
+  shared = shared ? shared : this->MakePipeline(part);
+  return shared;
 }
 
 //------------------------------------------------------------------------------
@@ -214,8 +220,7 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   }
   const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
   EraseIf(this->MeshReaders, isUnused);
-  this->Shared.erase(
-    std::remove_if(this->Shared.begin(), this->Shared.end(), isUnused), this->Shared.end());
+  EraseIf(this->Shared, isUnused);
   this->Readers.erase(
     std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());
 }

@@ -86,9 +86,9 @@ private:
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
   bool IsSharing = false;
-  std::vector<std::pair<const PartData*, Filter>> Shared; // of the first part with these filters
-  std::string Where;                                      // the current part
-  std::string Step;                                       // the current step
+  std::map<std::string, Filter> Shared; // the filters before the place, by what they depend on
+  std::string Where;                    // the current part
+  std::string Step;                     // the current step
   const StepCallback* OnProgress = nullptr;
   bool IsStopped = false;
   std::chrono::steady_clock::time_point LastProgress{};

@@ -215,7 +215,7 @@ TEST_CASE("SceneFlatten: a mesh stays as it is, errors have messages", "[SceneIn
   scene->SetInstances(MakeInstances(Places));
   flatten->SetInputDataObject(0, scene);
   flatten->Update();
-  CHECK(log->HasError("instance 0 of the scene has PrototypeIds 1.000000, but there are 0"));
+  CHECK(log->HasError("instance 0 of the scene has PrototypeIds 1, but there are 0"));
   CHECK(flatten->GetOutput()->GetNumberOfCells() == 0);
 }
 
@@ -265,7 +265,8 @@ TEST_CASE("SceneComposer: invalid instances have messages", "[SceneInstances]")
   auto places = Places;
   places[1].Prototype = 4;
   fails(places,
-    "Instance 1 has PrototypeIds 4.000000, which is none of the 4 connections with triangles");
+    "PrototypeIds 4 of instance 1 is not valid: expected a connection of input 0 with triangles, 0 "
+    "to 3");
   places = Places;
   places[2].Part = 3;
   fails(places, "Part id 3 is given twice");

@@ -9,6 +9,7 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosGroundSnap.h"
 #include "vtkHeliosScene.h"
 
 #include <vtkDoubleArray.h>
@@ -370,6 +371,34 @@ TEST_CASE(
   CHECK((beam->GetGeometry().GetNormal(count - 1) - before).Norm() < 1e-9); // only moved
 }
 
+TEST_CASE("instances: points are placed on them as on a copy", "[instances]")
+{
+  const auto scene = MakeStand({ 5e5, 5.5e6, 300 });
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  Dice dice(12);
+  for (int i = 0; i < 500; ++i)
+  {
+    places->InsertNextPoint(5e5 + dice(1, 99), 5.5e6 + dice(1, 99), 0);
+  }
+  points->SetPoints(places);
+  vtkNew<vtkHeliosGroundSnap> snap, truth;
+  snap->SetInputDataObject(0, points);
+  snap->SetInputDataObject(1, scene);
+  snap->Update();
+  truth->SetInputDataObject(0, points);
+  truth->SetInputDataObject(1, Flatten(scene));
+  truth->Update();
+  int onInstances = 0;
+  for (vtkIdType i = 0; i < 500; ++i)
+  {
+    CHECK(snap->GetOutput()->GetPoint(i)[2] == truth->GetOutput()->GetPoint(i)[2]);
+    onInstances += snap->GetOutput()->GetPoint(i)[2] > 300 + 3.5; // above the terrain
+  }
+  CHECK(onInstances > 50);
+}
+
 TEST_CASE("instances: invalid values have messages", "[instances]")
 {
   const auto fails = [](const std::function<void(vtkHeliosScene*)>& change, const std::string& text)
@@ -384,9 +413,9 @@ TEST_CASE("instances: invalid values have messages", "[instances]")
   const auto array = [](vtkHeliosScene* s, const char* name)
   { return s->GetInstances()->GetPointData()->GetArray(name); };
   fails([&](vtkHeliosScene* s) { array(s, names::PrototypeIds)->SetComponent(1, 0, 2); },
-    "instance 1 of the scene has PrototypeIds 2.000000, but there are 2 prototypes, from 0");
+    "instance 1 of the scene has PrototypeIds 2, but there are 2 prototypes, from 0");
   fails([&](vtkHeliosScene* s) { array(s, names::Scale)->SetComponent(2, 0, -1); },
-    "instance 2 of the scene has Scale -1.000000; set a number greater than 0");
+    "instance 2 of the scene has Scale -1; set a number greater than 0");
   fails([&](vtkHeliosScene* s) { array(s, names::Orientation)->SetTuple4(0, 0, 0, 0, 0); },
     "instance 0 of the scene has an Orientation that is no rotation");
   fails([&](vtkHeliosScene* s) { array(s, names::Scale)->SetNumberOfTuples(2); },

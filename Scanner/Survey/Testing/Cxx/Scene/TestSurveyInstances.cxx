@@ -25,12 +25,13 @@ std::string MakePart(const std::string& id, const std::string& file, const std::
     "\"/></filter>" + filters + "</part>\n";
 }
 
-std::string MakePlace(double x, double y, double yaw, double scale, bool onGround)
+std::string MakePlace(
+  double x, double y, double yaw, double scale, bool onGround, const char* axis = "z")
 {
   std::ostringstream text;
-  text << "<filter type=\"rotate\"><param key=\"rotation\" type=\"rotation\"><rot axis=\"z\" "
-          "angle_deg=\""
-       << yaw << "\"/></param></filter>"
+  text.precision(17);
+  text << "<filter type=\"rotate\"><param key=\"rotation\" type=\"rotation\"><rot axis=\"" << axis
+       << "\" angle_deg=\"" << yaw << "\"/></param></filter>"
        << "<filter type=\"scale\"><param type=\"double\" key=\"scale\" value=\"" << scale
        << "\"/></filter>"
        << "<filter type=\"translate\"><param type=\"vec3\" key=\"offset\" value=\"" << x << ";" << y
@@ -39,7 +40,7 @@ std::string MakePlace(double x, double y, double yaw, double scale, bool onGroun
   return text.str();
 }
 
-/// A hill with five trees, three of them on the ground, and a house.
+/// A hill with five trees, three of them on the ground, one of these tilted, and a house.
 void WriteScene(const Files& files, const std::string& more = "")
 {
   files.Write("a.mtl", "newmtl earth\nhelios_isGround true\nnewmtl leaf\nhelios_reflectance 0.3\n");
@@ -56,7 +57,7 @@ void WriteScene(const Files& files, const std::string& more = "")
       MakePart("t1", "tree.obj", MakePlace(-4, 8, 75, 0.8, true)) +
       MakePart("house", "house.obj", "") +
       MakePart("t2", "tree.obj", MakePlace(8, 12, 200, 1, false)) +
-      MakePart("t3", "tree.obj", MakePlace(-7, 14, 0, 2, true)) +
+      MakePart("t3", "tree.obj", MakePlace(-7, 14, 160, 2, true, "x")) +
       MakePart("t4", "tree.obj", MakePlace(0, 7, 10, 1, false)) + more + "</scene></document>");
 }
 
@@ -121,6 +122,61 @@ TEST_CASE("SurveyInstances: they are resumed, and not where parts move", "[Surve
   other.Player->SetOverwrite(true);
   CHECK(other.Player->Run());
   CHECK_FALSE(vtkHeliosScene::SafeDownCast(other.Player->GetSource()->GetScene()));
+}
+
+TEST_CASE(
+  "SurveyInstances: meshes that differ before they are placed are apart", "[SurveyInstances]")
+{
+  const Files files;
+  const auto add = [](const std::string& id, const std::string& param, const std::string& filter)
+  {
+    return "<part id=\"" + id +
+      "\"><filter type=\"objloader\"><param type=\"string\" key=\"filepath\" "
+      "value=\"tree.obj\"/>" +
+      param + "</filter>" + filter + "</part>\n";
+  };
+  const std::string up = "<param type=\"string\" key=\"up\" value=\"y\"/>";
+  WriteScene(files,
+    add("lying", up, "") + add("lying too", up, "") +
+      add("repaired", "", "<filter type=\"repair\"/>"));
+  const Reading reading(files, Tripod, Leg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(reading.Reader->GetSurvey());
+  source->InstancesOn();
+  REQUIRE(source->Load());
+  auto* scene = vtkHeliosScene::SafeDownCast(source->GetScene());
+  REQUIRE(scene);
+  CHECK(scene->GetNumberOfInstances() == 7); // five trees, two lying
+  CHECK(scene->GetNumberOfPrototypes() == 2);
+  CHECK(scene->GetNumberOfPolys() == 4 + 3); // hill, house, repaired
+}
+
+TEST_CASE("SurveyInstances: the digest of a scene has the instances", "[SurveyInstances]")
+{
+  const Files files;
+  const auto getDigest = [&files](double x, double height)
+  {
+    WriteScene(files, MakePart("t5", "tree.obj", MakePlace(x, 11, 0, 1, false)));
+    std::string tree = ReadText(files / "tree.obj");
+    const std::size_t at = tree.find("0.5 6");
+    files.Write("tree.obj", tree.replace(at, 5, "0.5 " + std::to_string(height)));
+    const Reading reading(files, Tripod, Leg);
+    REQUIRE(reading.Good);
+    Playing playing(files, reading);
+    playing.Player->SetOverwrite(true);
+    REQUIRE(playing.Player->Run());
+    const std::string report = playing.Player->GetReport();
+    const std::size_t found = report.find("\"scene\"");
+    REQUIRE(found != std::string::npos);
+    return report.substr(found, 90);
+  };
+  const std::string first = getDigest(11.0, 6.0);
+  INFO(first);
+  CHECK(getDigest(11.0, 6.0) == first);
+  CHECK(getDigest(11.0 + 1e-9, 6.0) != first); // an instance
+  CHECK(getDigest(11.0, 6.1) != first);        // the prototype
 }
 
 TEST_CASE("SurveyInstances: a source makes them only if asked", "[SurveyInstances]")
