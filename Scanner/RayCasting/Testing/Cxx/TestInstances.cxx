@@ -316,6 +316,57 @@ TEST_CASE("instances: no ray is lost between neighbours", "[instances]")
   CHECK(CountHits(helios::Cast(beam, rays)) == 20000);
 }
 
+TEST_CASE("instances: rays through the middle of a prototype hit as a copy", "[instances]")
+{
+  // A flat grid: where local coordinates are 0, boxes of floats are not wider than their triangles.
+  helios::Soup grid;
+  for (int j = -4; j <= 4; ++j)
+  {
+    for (int i = -4; i <= 4; ++i)
+    {
+      const vtkIdType a = grid.AddPoint(Vec3(i, j, 0));
+      if (i < 4 && j < 4)
+      {
+        grid.Triangles.push_back({ a, a + 1, a + 10 });
+        grid.Triangles.push_back({ a, a + 10, a + 9 });
+      }
+    }
+  }
+  const Vec3 offset = helios::Offsets[1];
+  vtkNew<vtkHeliosScene> scene;
+  scene->AddPrototype(grid.GetPolyData());
+  Places places;
+  Dice dice(5);
+  for (int i = 0; i < 100; ++i)
+  {
+    places.Add(0, offset + Vec3(20.0 * (i % 10) + dice(), 20.0 * (i / 10) + dice(), dice()),
+      helios::AxisAngle({ 0, 0, 1 }, dice(0, 360)), dice(0.3, 1.5));
+  }
+  scene->SetInstances(places.Get());
+  helios::SceneGeometry geometry;
+  REQUIRE(geometry.Set(scene).IsOk());
+  std::vector<vtkHeliosRay> rays;
+  for (const helios::SceneInstance& instance : geometry.GetInstances())
+  {
+    for (int k = 0; k < 40; ++k)
+    {
+      const double along = k < 9 ? k - 4.0 : dice(-4, 4); // corners and edges
+      const double p[3] = { k % 2 == 0 ? 0.0 : along, k % 2 == 0 ? along : 0.0, 0.0 };
+      double q[3];
+      instance.Place.Apply(p, q);
+      rays.push_back({ { q[0], q[1], q[2] + 500.0 }, { 0, 0, -1 } });
+    }
+  }
+  vtkNew<vtkHeliosBeamRayCaster> beam;
+  vtkNew<vtkHeliosBvhRayCaster> flat;
+  REQUIRE(beam->Build(scene));
+  REQUIRE(flat->Build(Flatten(scene)));
+  const auto truth = helios::Cast(flat, rays);
+  CHECK(CountHits(truth) > 3800);
+  CHECK(AreEqual(helios::Cast(beam, rays), truth));
+  CHECK(AreEqual(CastBeams(beam, rays, 40), truth));
+}
+
 TEST_CASE("instances: cell ids may lie between those of the mesh", "[instances]")
 {
   const auto scene = MakeStand({ 0, 0, 0 }, 10);
@@ -361,6 +412,22 @@ TEST_CASE(
   same->ShallowCopy(scene);
   REQUIRE(beam->Build(same));
   CHECK(beam->GetGeometry().GetScene() == scene); // not built again
+  vtkNew<vtkHeliosScene> other;                   // the same mesh with other instances
+  other->ShallowCopy(scene);
+  other->SetInstances(MakeStand({ 0, 0, 0 }, 12)->GetInstances());
+  REQUIRE(beam->Build(other));
+  CHECK(beam->GetGeometry().GetScene() == other);
+  vtkNew<vtkHeliosScene> changed; // other prototypes
+  changed->ShallowCopy(scene);
+  changed->Initialize();
+  changed->SetPoints(scene->GetPoints());
+  changed->SetPolys(scene->GetPolys());
+  changed->SetInstances(other->GetInstances());
+  changed->AddPrototype(scene->GetPrototype(1));
+  changed->AddPrototype(scene->GetPrototype(0));
+  REQUIRE(beam->Build(changed));
+  CHECK(beam->GetGeometry().GetScene() == changed);
+  REQUIRE(beam->Build(scene));
   scene->GetInstances()->GetPoints()->SetPoint(9, 50.0, 50.0, 1000.0);
   scene->GetInstances()->Modified();
   REQUIRE(beam->Build(scene));

@@ -156,12 +156,12 @@ TEST_CASE(
 TEST_CASE("SurveyInstances: the digest of a scene has the instances", "[SurveyInstances]")
 {
   const Files files;
-  const auto getDigest = [&files](double x, double height)
+  const auto getDigest = [&files](double x, double corner)
   {
     WriteScene(files, MakePart("t5", "tree.obj", MakePlace(x, 11, 0, 1, false)));
     std::string tree = ReadText(files / "tree.obj");
-    const std::size_t at = tree.find("0.5 6");
-    files.Write("tree.obj", tree.replace(at, 5, "0.5 " + std::to_string(height)));
+    const std::size_t at = tree.find("0.2 1 2");
+    files.Write("tree.obj", tree.replace(at, 3, std::to_string(corner)));
     const Reading reading(files, Tripod, Leg);
     REQUIRE(reading.Good);
     Playing playing(files, reading);
@@ -172,11 +172,11 @@ TEST_CASE("SurveyInstances: the digest of a scene has the instances", "[SurveyIn
     REQUIRE(found != std::string::npos);
     return report.substr(found, 90);
   };
-  const std::string first = getDigest(11.0, 6.0);
+  const std::string first = getDigest(11.0, 0.2);
   INFO(first);
-  CHECK(getDigest(11.0, 6.0) == first);
-  CHECK(getDigest(11.0 + 1e-9, 6.0) != first); // an instance
-  CHECK(getDigest(11.0, 6.1) != first);        // the prototype
+  CHECK(getDigest(11.0, 0.2) == first);
+  CHECK(getDigest(11.0 + 1e-9, 0.2) != first); // an instance
+  CHECK(getDigest(11.0, 0.3) != first);        // the prototype
 }
 
 TEST_CASE("SurveyInstances: a source makes them only if asked", "[SurveyInstances]")
