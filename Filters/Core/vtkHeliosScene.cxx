@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScene.h"
 
+#include "heliosPrototype.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeliosScene);
@@ -30,19 +33,21 @@ vtkIdType vtkHeliosScene::GetNumberOfInstances() const
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosScene::AddPrototype(vtkPolyData* mesh)
+void vtkHeliosScene::AddPrototype(vtkDataSet* prototype)
 {
-  if (!mesh)
+  if (!vtkPolyData::SafeDownCast(prototype) && !vtkImageData::SafeDownCast(prototype))
   {
-    vtkErrorMacro(<< "AddPrototype: the mesh is null; give a vtkPolyData of triangles.");
+    vtkErrorMacro(<< "AddPrototype: the prototype is "
+                  << (prototype ? prototype->GetClassName() : "null")
+                  << "; give a vtkPolyData of triangles, or a vtkImageData of heights.");
     return;
   }
-  this->Prototypes.emplace_back(mesh);
+  this->Prototypes.emplace_back(prototype);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkHeliosScene::GetPrototype(int prototype) const
+vtkDataSet* vtkHeliosScene::GetPrototype(int prototype) const
 {
   const bool isKnown = prototype >= 0 && prototype < this->GetNumberOfPrototypes();
   return isKnown ? this->Prototypes[static_cast<std::size_t>(prototype)].Get() : nullptr;
@@ -55,10 +60,13 @@ vtkIdType vtkHeliosScene::GetNumberOfTriangles() const
   vtkDataArray* ids = this->Instances
     ? this->Instances->GetPointData()->GetArray(vtkHeliosArrayNames::PrototypeIds)
     : nullptr;
+  std::map<vtkDataSet*, vtkIdType> counts;
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
-    vtkPolyData* mesh = this->GetPrototype(static_cast<int>(ids->GetComponent(i, 0)));
-    count += mesh ? mesh->GetNumberOfPolys() : 0;
+    vtkDataSet* prototype = this->GetPrototype(static_cast<int>(ids->GetComponent(i, 0)));
+    const auto [known, isNew] = counts.emplace(prototype, 0);
+    known->second = isNew ? helios::Prototype::CountTriangles(prototype) : known->second;
+    count += known->second;
   }
   return count;
 }
@@ -91,18 +99,18 @@ void vtkHeliosScene::ShallowCopy(vtkDataObject* from)
 void vtkHeliosScene::DeepCopy(vtkDataObject* from)
 {
   this->Superclass::DeepCopy(from);
-  const auto copy = [](vtkPolyData* mesh)
+  const auto copy = [](auto* data)
   {
-    auto own = vtkSmartPointer<vtkPolyData>::New();
-    own->DeepCopy(mesh);
+    auto own = vtk::TakeSmartPointer(data->NewInstance());
+    own->DeepCopy(data);
     return own;
   };
   auto* scene = vtkHeliosScene::SafeDownCast(from);
-  this->Instances = scene && scene->Instances ? copy(scene->Instances) : nullptr;
+  this->Instances = scene && scene->Instances ? copy(scene->Instances.Get()) : nullptr;
   decltype(this->Prototypes) copies;
   for (int i = 0; scene && i < scene->GetNumberOfPrototypes(); ++i)
   {
-    copies.push_back(copy(scene->GetPrototype(i)));
+    copies.emplace_back(copy(scene->GetPrototype(i)));
   }
   this->Prototypes = std::move(copies);
 }
@@ -112,9 +120,9 @@ vtkMTimeType vtkHeliosScene::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
   time = this->Instances ? std::max(time, this->Instances->GetMTime()) : time;
-  for (vtkPolyData* mesh : this->Prototypes)
+  for (vtkDataSet* prototype : this->Prototypes)
   {
-    time = std::max(time, mesh->GetMTime());
+    time = std::max(time, prototype->GetMTime());
   }
   return time;
 }
@@ -124,9 +132,9 @@ unsigned long vtkHeliosScene::GetActualMemorySize()
 {
   unsigned long size = this->Superclass::GetActualMemorySize();
   size += this->Instances ? this->Instances->GetActualMemorySize() : 0;
-  for (vtkPolyData* mesh : this->Prototypes)
+  for (vtkDataSet* prototype : this->Prototypes)
   {
-    size += mesh->GetActualMemorySize();
+    size += prototype->GetActualMemorySize();
   }
   return size;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosScene
- * @brief   a scene of a mesh and of instances of other meshes
+ * @brief   a scene of a mesh, of instances of other meshes, and of rasters of heights
  *
  * The mesh is this vtkPolyData itself, with the cell arrays and material columns of any scene; it
  * may be empty. Instances are meshes at several places that are stored once. They are what
@@ -20,6 +20,11 @@
  *
  * A point p of a prototype is at R p s + t. MaterialIds of prototypes are rows of the material
  * columns in the field data of this scene.
+ *
+ * A prototype may also be a raster of heights, as from vtkHeliosGeoTiffHeightReader: a vtkImageData
+ * with the point data Heights and the field data GeoTransform. Its triangles are those of
+ * vtkHeliosGeoTiffSceneReader and are computed on demand; their material is that of the instance, by
+ * default the first.
  *
  * Ray casters, the scanner and what is built on them take such a scene as a mesh; the ray caster
  * "beam" without copies of the triangles. vtkHeliosSceneFlatten makes a mesh for all other filters.
@@ -55,15 +60,16 @@ public:
 
   ///@{
   /**
-   * The meshes of the instances, numbered from 0: adds one, gets one (null: no such number).
+   * The meshes (vtkPolyData) and rasters (vtkImageData) of the instances, numbered from 0: adds one,
+   * gets one (null: no such number).
    */
-  void AddPrototype(vtkPolyData* mesh);
-  vtkPolyData* GetPrototype(int prototype) const;
+  void AddPrototype(vtkDataSet* prototype);
+  vtkDataSet* GetPrototype(int prototype) const;
   int GetNumberOfPrototypes() const { return static_cast<int>(this->Prototypes.size()); }
   ///@}
 
   /**
-   * The triangles of the mesh and of all instances.
+   * The triangles of the mesh and of all instances; those of rasters that are not valid: none.
    */
   vtkIdType GetNumberOfTriangles() const;
 
@@ -90,7 +96,7 @@ private:
   void operator=(const vtkHeliosScene&) = delete;
 
   vtkSmartPointer<vtkPolyData> Instances;
-  std::vector<vtkSmartPointer<vtkPolyData>> Prototypes;
+  std::vector<vtkSmartPointer<vtkDataSet>> Prototypes;
 };
 
 #endif

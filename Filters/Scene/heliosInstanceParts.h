@@ -14,11 +14,27 @@
 #include <string>
 #include <vector>
 
+class vtkDataSet;
 class vtkPolyData;
 
 namespace helios
 {
 
+/// An input of a composer: a mesh, or a raster of heights.
+struct Connection
+{
+  vtkDataSet* Data = nullptr; ///< null: without triangles
+  vtkIdType Triangles = 0;
+
+  vtkPolyData* GetMesh() const; ///< null: a raster, or without triangles
+  bool IsRaster() const { return this->Data && !this->GetMesh(); }
+};
+using ConnectionList = std::vector<Connection>;
+
+/// The meshes; null for the others.
+PartList GetMeshes(const ConnectionList& connections);
+
+/// A raster that no instance uses is a part, and an instance at its own place.
 class InstanceParts
 {
 public:
@@ -27,12 +43,15 @@ public:
    * them), and the instances. Errors: prototypes that are not connections with triangles, ids that
    * do not ascend or are given twice.
    */
-  Status Set(const PartList& parts, const std::vector<int>& ids, vtkPolyData* instances);
+  Status Set(
+    const ConnectionList& connections, const std::vector<int>& ids, vtkPolyData* instances);
 
   bool IsPrototype(std::size_t connection) const { return this->Numbers[connection] >= 0; }
 
-  /// The connections that are parts; null for the others.
+  /// The connections that are meshes of the scene; null for the others.
   const PartList& GetParts() const { return this->Parts; }
+
+  /// The id of a connection that is a part, else -1.
   int GetPartId(std::size_t connection) const { return this->Ids[connection]; }
 
   /// The connections that are prototypes, in their new order.
@@ -41,27 +60,41 @@ public:
   /// All connections in the order in which parts use them first.
   std::vector<std::size_t> GetOrder() const;
 
-  /// The instances with PrototypeIds, PartIds and FirstCellIds of the scene.
-  vtkSmartPointer<vtkPolyData> MakeInstances() const;
+  /// The instances with PrototypeIds, PartIds and FirstCellIds of the scene, and MaterialIds of
+  /// those of rasters, by connection, if there are any.
+  vtkSmartPointer<vtkPolyData> MakeInstances(const std::vector<int>& materials) const;
 
   int GetNumberOfParts() const { return this->NumberOfParts; }
+
+  /// The part of a given instance.
   int GetInstancePart(vtkIdType instance) const
   {
-    return this->InstanceIds[static_cast<std::size_t>(instance)];
+    return this->GivenIds[static_cast<std::size_t>(instance)];
   }
 
 private:
-  Status FindPrototypes(const PartList& parts);
-  Status SetIds(const std::vector<int>& ids);
+  /// An instance of the scene.
+  struct Row
+  {
+    vtkIdType Given; ///< number of the given instance; -1: a raster at its own place
+    std::size_t Connection;
+    int Part;
+  };
 
-  PartList All;
+  Status FindPrototypes();
+  void AddPrototype(std::size_t connection);
+  Status SetIds(const std::vector<int>& ids);
+  vtkSmartPointer<vtkPolyData> CopyInstances() const;
+
+  ConnectionList All;
   PartList Parts;
-  vtkPolyData* Instances = nullptr;
-  std::vector<int> Numbers; ///< of connections as prototypes; -1: parts
+  vtkPolyData* Instances = nullptr; ///< as given; null: none
+  std::vector<int> Numbers;         ///< of connections as prototypes; -1: parts
   std::vector<std::size_t> Prototypes;
   std::vector<int> Ids;          ///< of the connections that are parts
-  std::vector<int> InstanceIds;  ///< of the instances
-  std::vector<std::size_t> Uses; ///< the connections of the instances
+  std::vector<int> GivenIds;     ///< of the given instances
+  std::vector<std::size_t> Uses; ///< the connections of the given instances
+  std::vector<Row> Rows;         ///< all instances
   int NumberOfParts = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosCoordinateSystem.h"
+#include "heliosHeightField.h"
 #include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
 #include "heliosSceneCrs.h"
@@ -17,6 +18,7 @@
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
@@ -34,6 +36,7 @@
 vtkStandardNewMacro(vtkHeliosSceneComposer);
 
 namespace names = vtkHeliosArrayNames;
+using helios::ConnectionList;
 using helios::PartList;
 
 namespace
@@ -91,6 +94,32 @@ vtkIntArray* GetSingleMaterialIds(const PartList& parts)
   const int* range = ids->GetValueRange();
   const bool isRight = table.size() == rows && range[0] >= 0 && range[1] < static_cast<int>(rows);
   return isRight ? ids : nullptr;
+}
+
+/// Sets a connection; returns an error for data that are no triangles.
+helios::Status SetPart(vtkDataSet* data, helios::Connection& part)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (auto* raster = vtkImageData::SafeDownCast(data))
+  {
+    const helios::Status status = helios::HeightField::CountTriangles(raster, part.Triangles);
+    part.Data = raster;
+    return status.IsOk() ? status : helios::Status::Error(": " + status.Message());
+  }
+  if (const helios::Status status = helios::CheckNoInstances(mesh); !status.IsOk())
+  {
+    return helios::Status::Error(": " + status.Message());
+  }
+  if (!mesh || mesh->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  part.Data = mesh;
+  part.Triangles = mesh->GetNumberOfPolys();
+  return mesh->GetNumberOfCells() == part.Triangles && mesh->GetPolys()->IsHomogeneous() == 3
+    ? helios::Status()
+    : helios::Status::Error(
+        " has cells that are not triangles; pass it through vtkTriangleFilter first");
 }
 
 /// Returns an error if two CRS texts are not equivalent.
@@ -179,6 +208,10 @@ std::string vtkHeliosSceneComposer::GetPartName(int part) const
 int vtkHeliosSceneComposer::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  }
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), port == 0);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // for a clearer error message of this class
   return 1;
@@ -192,14 +225,19 @@ vtkTypeBool vtkHeliosSceneComposer::ProcessRequest(
   {
     return this->Superclass::ProcessRequest(request, inputVector, outputVector);
   }
-  this->MakeOutput(outputVector);
+  this->MakeOutput(inputVector[0], outputVector);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosSceneComposer::MakeOutput(vtkInformationVector* outputVector)
+void vtkHeliosSceneComposer::MakeOutput(
+  vtkInformationVector* inputs, vtkInformationVector* outputVector)
 {
-  const bool hasInstances = this->GetNumberOfInputConnections(1) > 0;
+  bool hasInstances = this->GetNumberOfInputConnections(1) > 0;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    hasInstances = hasInstances || vtkImageData::GetData(inputs, i);
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!output || hasInstances != (vtkHeliosScene::SafeDownCast(output) != nullptr))
   {
@@ -214,15 +252,15 @@ void vtkHeliosSceneComposer::MakeOutput(vtkInformationVector* outputVector)
 int vtkHeliosSceneComposer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  PartList parts;
+  ConnectionList parts;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!this->FindParts(inputVector[0], parts))
   {
     return 0;
   }
-  vtkPolyData* instances = vtkPolyData::GetData(inputVector[1]);
-  const bool isMade = instances
-    ? this->ComposeInstances(parts, instances, vtkHeliosScene::SafeDownCast(output))
+  auto* scene = vtkHeliosScene::SafeDownCast(output);
+  const bool isMade = scene
+    ? this->ComposeInstances(parts, vtkPolyData::GetData(inputVector[1]), scene)
     : this->Compose(parts, output);
   if (!isMade || !this->AddCRS(output, parts))
   {
@@ -233,11 +271,12 @@ int vtkHeliosSceneComposer::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSceneComposer::Compose(const PartList& parts, vtkPolyData* output)
+bool vtkHeliosSceneComposer::Compose(const ConnectionList& connections, vtkPolyData* output)
 {
+  const PartList parts = helios::GetMeshes(connections);
   output->SetPoints(helios::JoinPoints(parts));
   output->SetPolys(helios::JoinCells(parts));
-  if (!this->AddMaterialIds(output, parts))
+  if (!this->AddMaterialIds(output, connections))
   {
     return false;
   }
@@ -252,7 +291,7 @@ bool vtkHeliosSceneComposer::Compose(const PartList& parts, vtkPolyData* output)
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSceneComposer::ComposeInstances(
-  const PartList& all, vtkPolyData* instances, vtkHeliosScene* output)
+  const ConnectionList& all, vtkPolyData* instances, vtkHeliosScene* output)
 {
   helios::InstanceParts split;
   if (const helios::Status status = split.Set(all, this->PartIds, instances); !status.IsOk())
@@ -261,7 +300,8 @@ bool vtkHeliosSceneComposer::ComposeInstances(
     return false;
   }
   std::vector<vtkSmartPointer<vtkIntArray>> ids;
-  if (!this->MapMaterials(all, split.GetOrder(), output, ids))
+  std::vector<int> rows;
+  if (!this->MapMaterials(all, split.GetOrder(), output, ids, rows))
   {
     return false;
   }
@@ -289,36 +329,46 @@ bool vtkHeliosSceneComposer::ComposeInstances(
   }
   for (const std::size_t connection : split.GetPrototypes())
   {
-    vtkNew<vtkPolyData> prototype;
-    prototype->ShallowCopy(all[connection]);
-    prototype->GetCellData()->AddArray(ids[connection]);
+    const auto prototype = vtk::TakeSmartPointer(all[connection].Data->NewInstance());
+    prototype->ShallowCopy(all[connection].Data);
+    if (ids[connection])
+    {
+      prototype->GetCellData()->AddArray(ids[connection]);
+    }
     output->AddPrototype(prototype);
   }
-  output->SetInstances(split.MakeInstances());
-  this->AddPartNames(output, split);
+  output->SetInstances(split.MakeInstances(rows));
+  this->AddPartNames(output, split, instances);
   return true;
 }
 
 //------------------------------------------------------------------------------
 /// Sets the materials of a scene, merged from those of the parts in an order, and makes the
-/// material ids of the parts.
-bool vtkHeliosSceneComposer::MapMaterials(const PartList& parts,
+/// material ids of meshes, and the first row of each part.
+bool vtkHeliosSceneComposer::MapMaterials(const ConnectionList& parts,
   const std::vector<std::size_t>& order, vtkPolyData* scene,
-  std::vector<vtkSmartPointer<vtkIntArray>>& ids)
+  std::vector<vtkSmartPointer<vtkIntArray>>& ids, std::vector<int>& firstRows)
 {
   helios::MaterialTable table;
   ids.resize(parts.size());
+  firstRows.assign(parts.size(), 0);
   for (const std::size_t i : order)
   {
-    if (!parts[i])
+    if (!parts[i].Data)
     {
       continue;
     }
-    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i]), table);
+    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i].Data), table);
+    firstRows[i] = rows.front();
+    vtkPolyData* mesh = parts[i].GetMesh();
+    if (!mesh)
+    {
+      continue;
+    }
     ids[i] = vtkSmartPointer<vtkIntArray>::New();
     ids[i]->SetName(names::MaterialIds);
-    ids[i]->SetNumberOfValues(parts[i]->GetNumberOfPolys());
-    const vtkIdType bad = MapMaterialIds(parts[i], rows, ids[i]->GetPointer(0));
+    ids[i]->SetNumberOfValues(mesh->GetNumberOfPolys());
+    const vtkIdType bad = MapMaterialIds(mesh, rows, ids[i]->GetPointer(0));
     if (bad >= 0)
     {
       this->ReportMaterial(static_cast<int>(i), bad, rows.size());
@@ -330,42 +380,37 @@ bool vtkHeliosSceneComposer::MapMaterials(const PartList& parts,
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, PartList& parts)
+bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, ConnectionList& parts)
 {
+  vtkIdType triangles = 0;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    vtkPolyData* part = vtkPolyData::GetData(inputs, i);
-    if (const helios::Status status = helios::CheckNoInstances(part); !status.IsOk())
+    helios::Connection part;
+    if (const helios::Status status = SetPart(vtkDataSet::GetData(inputs, i), part); !status.IsOk())
     {
-      vtkErrorMacro(<< this->DescribePart(i) << ": " << status.Message());
+      vtkErrorMacro(<< this->DescribePart(i) << status.Message());
       return false;
     }
-    const bool isEmpty = !part || part->GetNumberOfCells() == 0;
-    parts.push_back(isEmpty ? nullptr : part);
-    if (isEmpty)
+    if (!part.Data)
     {
       vtkWarningMacro(<< this->DescribePart(i) << " has no triangles; it is left out");
     }
-    else if (part->GetNumberOfCells() != part->GetNumberOfPolys() ||
-      part->GetPolys()->IsHomogeneous() != 3)
-    {
-      vtkErrorMacro(
-        << this->DescribePart(i)
-        << " has cells that are not triangles; pass it through vtkTriangleFilter first");
-      return false;
-    }
+    parts.push_back(part);
+    triangles += part.Triangles;
   }
-  if (helios::CountTriangles(parts) == 0)
+  if (triangles == 0)
   {
     vtkErrorMacro(<< "The scene is empty: none of its " << parts.size()
                   << " parts has triangles; add parts with AddInputConnection");
     return false;
   }
-  const vtkIdType largest = std::max(helios::CountPoints(parts), 3 * helios::CountTriangles(parts));
+  const PartList meshes = helios::GetMeshes(parts);
+  const vtkIdType largest =
+    std::max(helios::CountPoints(meshes), 3 * helios::CountTriangles(meshes));
   if (largest > std::numeric_limits<vtkTypeInt32>::max())
   {
-    vtkErrorMacro(<< "The scene has " << helios::CountPoints(parts) << " points and "
-                  << helios::CountTriangles(parts)
+    vtkErrorMacro(<< "The scene has " << helios::CountPoints(meshes) << " points and "
+                  << helios::CountTriangles(meshes)
                   << " triangles, more than 2^31 points or corners; "
                   << "split it into several scenes");
     return false;
@@ -382,8 +427,9 @@ std::string vtkHeliosSceneComposer::DescribePart(int part) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& parts)
+bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const ConnectionList& connections)
 {
+  const PartList parts = helios::GetMeshes(connections);
   if (vtkIntArray* single = GetSingleMaterialIds(parts))
   {
     helios::SetMaterials(scene, helios::GetMaterials(helios::GetSinglePart(parts)));
@@ -393,7 +439,8 @@ bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& 
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::vector<vtkSmartPointer<vtkIntArray>> all;
-  if (!this->MapMaterials(parts, order, scene, all))
+  std::vector<int> firstRows;
+  if (!this->MapMaterials(connections, order, scene, all, firstRows))
   {
     return false;
   }
@@ -418,12 +465,12 @@ void vtkHeliosSceneComposer::ReportMaterial(int part, vtkIdType triangle, std::s
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
+bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const ConnectionList& parts)
 {
   std::string crs; // of the first part that has one
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    const std::string own = parts[i] ? helios::GetCRS(parts[i]) : std::string();
+    const std::string own = parts[i].Data ? helios::GetCRS(parts[i].Data) : std::string();
     const helios::Status status =
       crs.empty() || own.empty() || own == crs ? helios::Status() : CompareCRS(own, crs);
     if (!status.IsOk())
@@ -452,7 +499,7 @@ void vtkHeliosSceneComposer::AddPartNames(vtkPolyData* scene, int count) const
 
 //------------------------------------------------------------------------------
 void vtkHeliosSceneComposer::AddPartNames(
-  vtkPolyData* scene, const helios::InstanceParts& split) const
+  vtkPolyData* scene, const helios::InstanceParts& split, vtkPolyData* instances) const
 {
   std::vector<std::string> all(static_cast<std::size_t>(split.GetNumberOfParts()));
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -462,14 +509,13 @@ void vtkHeliosSceneComposer::AddPartNames(
   for (std::size_t i = 0; i < split.GetParts().size(); ++i)
   {
     const bool isNamed = i < this->PartNames.size() && !this->PartNames[i].empty();
-    if (!split.IsPrototype(i) && isNamed)
+    if (split.GetPartId(i) >= 0 && isNamed)
     {
       all[static_cast<std::size_t>(split.GetPartId(i))] = this->PartNames[i];
     }
   }
-  vtkPolyData* instances = vtkHeliosScene::SafeDownCast(scene)->GetInstances();
-  auto* given =
-    vtkStringArray::SafeDownCast(instances->GetPointData()->GetAbstractArray(names::PartName));
+  auto* given = vtkStringArray::SafeDownCast(
+    instances ? instances->GetPointData()->GetAbstractArray(names::PartName) : nullptr);
   for (vtkIdType i = 0; given && i < given->GetNumberOfValues(); ++i)
   {
     std::string& name = all[static_cast<std::size_t>(split.GetInstancePart(i))];

@@ -4,8 +4,9 @@
  * @class   vtkHeliosSceneComposer
  * @brief   composes parts into one scene
  *
- * Input 0, repeatable: the parts, each a vtkPolyData of triangles, one connection per part. Output
- * 0: one vtkPolyData with
+ * Input 0, repeatable: the parts, each a vtkPolyData of triangles or a raster of heights
+ * (vtkImageData, as from vtkHeliosGeoTiffHeightReader), one connection per part. Output 0: one
+ * vtkPolyData with
  * - points: those of all parts, double;
  * - polys: the triangles of all parts, in the order of the connections, in 32-bit storage;
  * - cell data MaterialIds (int): rows of the material columns in the field data, where equal
@@ -20,13 +21,14 @@
  * connections of input 0, which are then no parts themselves, but the meshes of instances. PartIds
  * and FirstCellIds are set: instances are parts after all others, with the names of the point data
  * Part.Name (string), if there is one, unless SetPartId() gives the others ids between them. The
- * output is then a vtkHeliosScene, whose cell ids are in the order of the part ids.
+ * output is then a vtkHeliosScene, whose cell ids are in the order of the part ids. So it is with
+ * rasters, which are prototypes always: without an instance of its own, one is at its own place.
  *
  * Other arrays are left out. Unchanged data pass by reference: of a single part its points, cells
  * and material ids.
  *
- * Warnings: parts without triangles (skipped; they keep their id). Errors: no triangles at all,
- * cells that are not triangles, material ids without a material, parts of different CRS (but not
+ * Warnings: meshes without triangles (skipped; they keep their id). Errors: no triangles at all,
+ * cells that are not triangles, rasters that are not valid, material ids without a material, parts of different CRS (but not
  * different spellings of one), more than 2^31 points or corners, part ids that are given twice,
  * instances of connections that do not exist.
  *
@@ -49,6 +51,7 @@ class vtkIntArray;
 
 namespace helios
 {
+struct Connection;
 class InstanceParts;
 }
 
@@ -90,19 +93,21 @@ private:
   vtkHeliosSceneComposer(const vtkHeliosSceneComposer&) = delete;
   void operator=(const vtkHeliosSceneComposer&) = delete;
 
-  void MakeOutput(vtkInformationVector* outputVector);
-  bool Compose(const std::vector<vtkPolyData*>& parts, vtkPolyData* output);
+  void MakeOutput(vtkInformationVector* inputs, vtkInformationVector* outputVector);
+  bool Compose(const std::vector<helios::Connection>& connections, vtkPolyData* output);
   bool ComposeInstances(
-    const std::vector<vtkPolyData*>& parts, vtkPolyData* instances, vtkHeliosScene* output);
-  bool FindParts(vtkInformationVector* inputs, std::vector<vtkPolyData*>& parts);
+    const std::vector<helios::Connection>& all, vtkPolyData* instances, vtkHeliosScene* output);
+  bool FindParts(vtkInformationVector* inputs, std::vector<helios::Connection>& parts);
   std::string DescribePart(int part) const;
   void ReportMaterial(int part, vtkIdType triangle, std::size_t count);
   void AddPartNames(vtkPolyData* scene, int count) const;
-  void AddPartNames(vtkPolyData* scene, const helios::InstanceParts& split) const;
-  bool AddCRS(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
-  bool AddMaterialIds(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
-  bool MapMaterials(const std::vector<vtkPolyData*>& parts, const std::vector<std::size_t>& order,
-    vtkPolyData* scene, std::vector<vtkSmartPointer<vtkIntArray>>& ids);
+  void AddPartNames(
+    vtkPolyData* scene, const helios::InstanceParts& split, vtkPolyData* instances) const;
+  bool AddCRS(vtkPolyData* scene, const std::vector<helios::Connection>& parts);
+  bool AddMaterialIds(vtkPolyData* scene, const std::vector<helios::Connection>& connections);
+  bool MapMaterials(const std::vector<helios::Connection>& parts,
+    const std::vector<std::size_t>& order, vtkPolyData* scene,
+    std::vector<vtkSmartPointer<vtkIntArray>>& ids, std::vector<int>& firstRows);
 
   std::vector<std::string> PartNames;
   std::vector<int> PartIds; // -1: the default

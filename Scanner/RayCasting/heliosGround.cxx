@@ -4,6 +4,7 @@
 
 #include "heliosFlatScene.h"
 #include "heliosMaterialTable.h"
+#include "heliosRasterGround.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
@@ -13,6 +14,7 @@
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -22,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 namespace names = vtkHeliosArrayNames;
@@ -72,48 +75,131 @@ public:
     return place != this->Sorted.end() && (*place)[0] <= most[0];
   }
 
+  const std::vector<std::array<double, 2>>& Get() const { return this->Sorted; }
+
 private:
   std::vector<std::array<double, 2>> Sorted;
 };
 
-/// A scene with copies of the instances at some positions, and without the others.
-Status FlattenNear(vtkPolyData* scene, const Places& places, vtkSmartPointer<vtkPolyData>& flat)
+/// A scene with some instances of another one, and copies of their prototypes near positions.
+class NearScene
 {
-  SceneGeometry geometry;
-  if (const Status status = geometry.Set(scene); !status.IsOk())
+public:
+  NearScene(const SceneGeometry& geometry, const Places& places)
+    : Geometry(geometry)
+    , All(vtkHeliosScene::SafeDownCast(geometry.GetScene()))
+    , Near(places)
   {
-    return status;
+    this->Scene->vtkPolyData::ShallowCopy(this->All);
+    this->PrototypeIds->SetName(names::PrototypeIds);
   }
-  vtkPolyData* all = vtkHeliosScene::SafeDownCast(scene)->GetInstances();
-  vtkNew<vtkPolyData> some;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  some->GetPointData()->CopyAllOn();
-  some->GetPointData()->CopyAllocate(all->GetPointData());
-  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+
+  /// Adds the instances at the positions, and makes one mesh.
+  Status Flatten(vtkSmartPointer<vtkPolyData>& flat)
+  {
+    vtkPolyData* all = this->All->GetInstances();
+    vtkNew<vtkPolyData> some;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    some->GetPointData()->CopyAllOn();
+    some->GetPointData()->CopyAllocate(all->GetPointData());
+    Status status;
+    for (vtkIdType i = 0; status.IsOk() && i < all->GetNumberOfPoints(); ++i)
+    {
+      if (this->AddPrototype(this->Geometry.GetInstances()[static_cast<std::size_t>(i)], status))
+      {
+        some->GetPointData()->CopyData(
+          all->GetPointData(), i, points->InsertNextPoint(all->GetPoint(i)));
+      }
+    }
+    some->SetPoints(points);
+    some->GetPointData()->RemoveArray(names::FirstCellIds);
+    some->GetPointData()->AddArray(this->PrototypeIds);
+    this->Scene->SetInstances(some);
+    return status.IsOk() ? GetFlatScene(this->Scene, flat) : status;
+  }
+
+private:
+  /// Adds the prototype of an instance; false if the instance has no triangles at the positions.
+  bool AddPrototype(const SceneInstance& instance, Status& status)
   {
     double bounds[6];
-    geometry.GetBounds(geometry.GetInstances()[static_cast<std::size_t>(i)], bounds);
-    if (places.AreIn(vtkBoundingBox(bounds)))
+    this->Geometry.GetBounds(instance, bounds);
+    if (!this->Near.AreIn(vtkBoundingBox(bounds)))
     {
-      some->GetPointData()->CopyData(
-        all->GetPointData(), i, points->InsertNextPoint(all->GetPoint(i)));
+      return false;
     }
+    const int next = this->Scene->GetNumberOfPrototypes();
+    if (const Prototype& prototype = this->Geometry.GetPrototype(instance); prototype.IsRaster())
+    {
+      vtkNew<vtkPolyData> mesh;
+      status = ExtractRasterGround(prototype.GetHeights(), instance.Place, this->Near.Get(), mesh);
+      if (!status.IsOk() || mesh->GetNumberOfPolys() == 0)
+      {
+        return false;
+      }
+      this->Scene->AddPrototype(mesh);
+      this->PrototypeIds->InsertNextValue(next);
+      return true;
+    }
+    const auto [known, isNew] = this->Numbers.emplace(instance.PrototypeId, next);
+    if (isNew)
+    {
+      this->Scene->AddPrototype(this->All->GetPrototype(instance.PrototypeId));
+    }
+    this->PrototypeIds->InsertNextValue(known->second);
+    return true;
   }
-  some->SetPoints(points);
-  some->GetPointData()->RemoveArray(names::FirstCellIds);
-  vtkNew<vtkHeliosScene> near;
-  near->ShallowCopy(scene);
-  near->SetInstances(some);
-  return GetFlatScene(near, flat);
+
+  const SceneGeometry& Geometry;
+  vtkHeliosScene* All;
+  const Places& Near;
+  vtkNew<vtkHeliosScene> Scene;
+  vtkNew<vtkIntArray> PrototypeIds;
+  std::map<int, int> Numbers; ///< of meshes in Scene, by that in All
+};
+
+/// Whether any triangle of a scene with instances has a ground material.
+bool HasGround(const SceneGeometry& geometry)
+{
+  auto* scene = vtkHeliosScene::SafeDownCast(geometry.GetScene());
+  const MaterialTable materials = GetMaterials(scene);
+  const auto isGround = [&materials](int id)
+  {
+    return id >= 0 && id < static_cast<int>(materials.size()) &&
+      materials[static_cast<std::size_t>(id)].IsGround;
+  };
+  std::vector<bool> ofPrototypes;
+  for (int i = 0; i < scene->GetNumberOfPrototypes(); ++i)
+  {
+    vtkDataArray* ids = scene->GetPrototype(i)->GetCellData()->GetArray(names::MaterialIds);
+    bool has = !ids && isGround(0);
+    for (vtkIdType cell = 0; ids && !has && cell < ids->GetNumberOfTuples(); ++cell)
+    {
+      has = isGround(static_cast<int>(ids->GetComponent(cell, 0)));
+    }
+    ofPrototypes.push_back(has);
+  }
+  const auto hasGround = [&](const SceneInstance& instance)
+  {
+    return instance.Material >= 0 ? isGround(instance.Material)
+                                  : ofPrototypes[static_cast<std::size_t>(instance.PrototypeId)];
+  };
+  const auto& instances = geometry.GetInstances();
+  return !FindGroundCells(scene).empty() ||
+    std::any_of(instances.begin(), instances.end(), hasGround);
 }
 
 /// The scene's cells at some positions; with groundOnly those with a ground material, if any has
-/// it.
+/// it, or if it is known that others have.
 vtkSmartPointer<vtkPolyData> ExtractSurfaces(
-  vtkPolyData* scene, const Places& places, bool groundOnly)
+  vtkPolyData* scene, const Places& places, bool groundOnly, bool othersAreGround)
 {
-  const std::vector<bool> isGround = groundOnly ? FindGroundCells(scene) : std::vector<bool>();
+  std::vector<bool> isGround = groundOnly ? FindGroundCells(scene) : std::vector<bool>();
+  if (groundOnly && othersAreGround)
+  {
+    isGround.resize(static_cast<std::size_t>(scene->GetPolys()->GetNumberOfCells()));
+  }
   vtkCellArray* cells = scene->GetPolys();
   vtkNew<vtkCellArray> polys;
   polys->Use32BitStorage();
@@ -212,15 +298,20 @@ Status GetGroundHeights(
   }
   const Places places(points);
   vtkSmartPointer<vtkPolyData> mesh = scene;
+  bool hasGround = false;
   if (vtkHeliosScene::HasInstances(scene))
   {
-    if (const Status status = FlattenNear(scene, places, mesh); !status.IsOk())
+    SceneGeometry geometry;
+    Status status = geometry.Set(scene);
+    status = status.IsOk() ? NearScene(geometry, places).Flatten(mesh) : status;
+    if (!status.IsOk())
     {
       return Status::Error("No ground in the scene on port 1: " + status.Message() + ".");
     }
+    hasGround = groundOnly && HasGround(geometry);
   }
   vtkNew<vtkHeliosBvhRayCaster> caster;
-  const auto surfaces = ExtractSurfaces(mesh, places, groundOnly);
+  const auto surfaces = ExtractSurfaces(mesh, places, groundOnly, hasGround);
   if (surfaces->GetNumberOfCells() > 0 && !caster->Build(surfaces))
   {
     return Status::Error("No rays can be cast onto the scene on port 1.");

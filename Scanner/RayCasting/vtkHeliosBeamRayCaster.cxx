@@ -50,9 +50,9 @@ bool vtkHeliosBeamRayCaster::BuildInstances(const helios::SceneGeometry& scene)
 {
   vtkIdType most = std::max<vtkIdType>(
     scene.GetMesh().GetNumberOfTriangles(), static_cast<vtkIdType>(scene.GetInstances().size()));
-  for (const helios::TriangleMesh& mesh : scene.GetPrototypes())
+  for (const helios::Prototype& prototype : scene.GetPrototypes())
   {
-    most = std::max(most, mesh.GetNumberOfTriangles());
+    most = std::max(most, prototype.GetMesh().GetNumberOfTriangles());
   }
   if (most > helios::BeamTree::MaximumTriangles)
   {

@@ -70,16 +70,26 @@ struct HeightField::PixelRow
   }
 };
 
+Status HeightField::SetTriangles(vtkImageData* raster)
+{
+  Status status = this->SetGrid(raster);
+  status = status.IsOk() ? this->CheckTransform() : status;
+  status = status.IsOk() ? this->FindTriangles() : status;
+  return status.IsOk() ? this->CheckHeights() : status;
+}
+
+Status HeightField::CountTriangles(vtkImageData* raster, vtkIdType& count)
+{
+  HeightField field;
+  Status status = field.SetTriangles(raster);
+  count = status.IsOk() ? field.NumberOfTriangles : 0;
+  return status;
+}
+
 Status HeightField::Set(vtkImageData* raster)
 {
   *this = HeightField();
-  Status status = this->SetGrid(raster);
-  if (status.IsOk())
-    status = this->CheckTransform();
-  if (status.IsOk())
-    status = this->FindTriangles();
-  if (status.IsOk())
-    status = this->CheckHeights();
+  Status status = this->SetTriangles(raster);
   if (!status.IsOk())
   {
     *this = HeightField();

@@ -49,6 +49,9 @@ public:
    */
   Status Set(vtkImageData* raster);
 
+  /// The triangles of a raster; the errors are those of Set().
+  static Status CountTriangles(vtkImageData* raster, vtkIdType& count);
+
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 
   void GetCorners(vtkIdType triangle, double corners[3][3]) const
@@ -81,6 +84,7 @@ private:
 
   struct PixelRow;
 
+  Status SetTriangles(vtkImageData* raster);
   Status SetGrid(vtkImageData* raster);
   Status SetHeights(vtkDataArray* heights, std::int64_t count);
   Status CheckTransform() const;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFlatScene.h"
 
+#include "heliosHeightField.h"
 #include "heliosMemoryCheck.h"
+#include "heliosRasterMesh.h"
 #include "heliosSceneGeometry.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
@@ -12,6 +14,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -30,7 +33,35 @@ namespace helios
 namespace
 {
 
-/// Makes the mesh of all triangles of a scene.
+/// A scene with meshes in place of its rasters.
+Status MakeMeshes(vtkHeliosScene* scene, vtkHeliosScene* meshes)
+{
+  meshes->vtkPolyData::ShallowCopy(scene);
+  meshes->SetInstances(scene->GetInstances());
+  Status status;
+  for (int i = 0; status.IsOk() && i < scene->GetNumberOfPrototypes(); ++i)
+  {
+    vtkSmartPointer<vtkDataSet> prototype = scene->GetPrototype(i);
+    if (auto* raster = vtkImageData::SafeDownCast(prototype))
+    {
+      vtkNew<vtkPolyData> mesh;
+      HeightField field;
+      status = field.Set(raster);
+      const auto count = static_cast<double>(field.GetNumberOfTriangles());
+      status =
+        status.IsOk() ? CheckMemory("triangles of a raster", count, BytesPerTriangle) : status;
+      status = status.IsOk() ? MakeRasterMesh(field.GetGrid(), mesh) : status;
+      status = status.IsOk()
+        ? status
+        : Status::Error("prototype " + std::to_string(i) + ": " + status.Message());
+      prototype = mesh;
+    }
+    meshes->AddPrototype(prototype);
+  }
+  return status;
+}
+
+/// Makes the mesh of all triangles of a scene without rasters.
 class Flattener
 {
 public:
@@ -62,7 +93,7 @@ private:
     this->PointCount = this->Geometry.GetMesh().GetNumberOfPoints();
     for (const SceneInstance& instance : this->Geometry.GetInstances())
     {
-      this->PointCount += this->Geometry.GetPrototype(instance).GetNumberOfPoints();
+      this->PointCount += this->Geometry.GetPrototype(instance).GetMesh().GetNumberOfPoints();
     }
     const vtkIdType count = this->Geometry.GetNumberOfTriangles();
     if (std::max(this->PointCount, 3 * count) > std::numeric_limits<vtkTypeInt32>::max())
@@ -84,7 +115,7 @@ private:
     double* to = std::copy_n(mesh.GetPoints(), 3 * mesh.GetNumberOfPoints(), all->GetPointer(0));
     for (const SceneInstance& instance : this->Geometry.GetInstances())
     {
-      const TriangleMesh& prototype = this->Geometry.GetPrototype(instance);
+      const TriangleMesh& prototype = this->Geometry.GetPrototype(instance).GetMesh();
       for (vtkIdType i = 0; i < prototype.GetNumberOfPoints(); ++i, to += 3)
       {
         instance.Place.Apply(prototype.GetPoints() + 3 * i, to);
@@ -117,7 +148,7 @@ private:
     vtkIdType firstPoint = mesh.GetNumberOfPoints();
     for (const SceneInstance& instance : this->Geometry.GetInstances())
     {
-      const TriangleMesh& prototype = this->Geometry.GetPrototype(instance);
+      const TriangleMesh& prototype = this->Geometry.GetPrototype(instance).GetMesh();
       add(mesh, done, instance.CellsBefore, 0);
       add(prototype, 0, prototype.GetNumberOfTriangles(), firstPoint);
       done = instance.CellsBefore;
@@ -130,9 +161,9 @@ private:
   }
 
   /// The mesh of a cell, with its own cell.
-  vtkPolyData* GetData(const SceneGeometry::Cell& cell) const
+  vtkDataSet* GetData(const SceneGeometry::Cell& cell) const
   {
-    return cell.Instance ? this->Scene->GetPrototype(cell.Instance->Prototype) : this->Scene;
+    return cell.Instance ? this->Scene->GetPrototype(cell.Instance->PrototypeId) : this->Scene;
   }
 
   template <typename GetT>
@@ -148,7 +179,7 @@ private:
     return ids;
   }
 
-  static int GetId(vtkPolyData* data, const char* name, vtkIdType cell)
+  static int GetId(vtkDataSet* data, const char* name, vtkIdType cell)
   {
     vtkDataArray* ids = data->GetCellData()->GetArray(name);
     return ids && cell < ids->GetNumberOfTuples() ? static_cast<int>(ids->GetComponent(cell, 0))
@@ -221,7 +252,9 @@ private:
 //------------------------------------------------------------------------------
 Status FlattenScene(vtkHeliosScene* scene, vtkPolyData* mesh)
 {
-  return Flattener(scene).Run(mesh);
+  vtkNew<vtkHeliosScene> meshes;
+  const Status status = MakeMeshes(scene, meshes);
+  return status.IsOk() ? Flattener(meshes).Run(mesh) : status;
 }
 
 //------------------------------------------------------------------------------

@@ -142,8 +142,6 @@ Status SceneGeometry::AddPrototypes(vtkHeliosScene* scene)
     {
       return Status::Error("prototype " + std::to_string(i) + ": " + status.Message());
     }
-    this->PrototypeBounds.emplace_back();
-    this->Prototypes.back().GetBounds(this->PrototypeBounds.back().data());
   }
   return {};
 }
@@ -174,7 +172,7 @@ Status SceneGeometry::AddInstances(vtkPolyData* instances)
     status = CheckPlace(i, q, scale, t);
     SceneInstance& instance = this->Instances[static_cast<std::size_t>(i)];
     instance.Place = Similarity(q, scale, t);
-    instance.Prototype = static_cast<int>(prototype);
+    instance.PrototypeId = static_cast<int>(prototype);
     instance.Part = static_cast<int>(parts.Get(i, 0, 0.0));
     instance.Material = static_cast<int>(materials.Get(i, 0, -1.0));
   }
@@ -290,7 +288,8 @@ void SceneGeometry::GetBounds(double bounds[6]) const
 void SceneGeometry::GetBounds(const SceneInstance& instance, double bounds[6]) const
 {
   ClearBounds(bounds);
-  const auto& own = this->PrototypeBounds[static_cast<std::size_t>(instance.Prototype)];
+  double own[6];
+  this->GetPrototype(instance).GetBounds(own);
   for (int corner = 0; corner < 8; ++corner)
   {
     const double p[3] = { own[corner & 1], own[2 + (corner >> 1 & 1)], own[4 + (corner >> 2)] };
@@ -305,9 +304,9 @@ std::size_t SceneGeometry::GetMemorySize() const
 {
   std::size_t size =
     this->Mesh.GetMemorySize() + this->Instances.capacity() * sizeof(SceneInstance);
-  for (const TriangleMesh& mesh : this->Prototypes)
+  for (const Prototype& prototype : this->Prototypes)
   {
-    size += mesh.GetMemorySize();
+    size += prototype.GetMemorySize();
   }
   return size;
 }

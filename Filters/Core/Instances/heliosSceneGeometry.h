@@ -6,6 +6,7 @@
 #define heliosSceneGeometry_h
 
 #include "heliosPose.h"
+#include "heliosPrototype.h"
 #include "heliosSimilarity.h"
 #include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
@@ -15,7 +16,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <array>
 #include <vector>
 
 class vtkHeliosScene;
@@ -27,18 +27,19 @@ namespace helios
 struct SceneInstance
 {
   Similarity Place;
-  int Prototype = 0;
+  int PrototypeId = 0;
   int Part = 0;
   int Material = -1;         ///< of all triangles; -1: those of the prototype
   vtkIdType FirstCell = 0;   ///< the cell id of its first triangle
   vtkIdType CellsBefore = 0; ///< triangles of the mesh with lower cell ids
 
   /// The corners of a triangle of the prototype in the scene.
-  void GetCorners(const TriangleMesh& prototype, vtkIdType triangle, double corners[3][3]) const
+  void GetCorners(const Prototype& prototype, vtkIdType triangle, double corners[3][3]) const
   {
+    prototype.GetCorners(triangle, corners);
     for (int corner = 0; corner < 3; ++corner)
     {
-      this->Place.Apply(prototype.GetCorner(triangle, corner), corners[corner]);
+      this->Place.Apply(corners[corner], corners[corner]);
     }
   }
 };
@@ -52,7 +53,7 @@ class VTKHELIOSFILTERSCORE_EXPORT SceneGeometry
 public:
   /**
    * Sets a scene, which may be a vtkHeliosScene, and keeps references. Errors: those of
-   * TriangleMesh, and instances whose values are invalid.
+   * TriangleMesh and HeightField, and instances whose values are invalid.
    */
   Status Set(vtkPolyData* scene);
 
@@ -60,11 +61,11 @@ public:
 
   /// The triangles that are no instance's; may be empty.
   const TriangleMesh& GetMesh() const { return this->Mesh; }
-  const std::vector<TriangleMesh>& GetPrototypes() const { return this->Prototypes; }
+  const std::vector<Prototype>& GetPrototypes() const { return this->Prototypes; }
   const std::vector<SceneInstance>& GetInstances() const { return this->Instances; }
-  const TriangleMesh& GetPrototype(const SceneInstance& instance) const
+  const Prototype& GetPrototype(const SceneInstance& instance) const
   {
-    return this->Prototypes[static_cast<std::size_t>(instance.Prototype)];
+    return this->Prototypes[static_cast<std::size_t>(instance.PrototypeId)];
   }
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
@@ -109,8 +110,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Scene;
   TriangleMesh Mesh;
-  std::vector<TriangleMesh> Prototypes;
-  std::vector<std::array<double, 6>> PrototypeBounds;
+  std::vector<Prototype> Prototypes;
   std::vector<SceneInstance> Instances;
   vtkIdType NumberOfTriangles = 0;
 };

@@ -8,10 +8,15 @@
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,10 +74,14 @@ helios::MaterialTable Vary(
   return table;
 }
 
-/// Sets the materials; MaterialIds are those of the input, modulo the number of materials.
-void SetMaterials(vtkPolyData* scene, const helios::MaterialTable& materials)
+/// Sets the materials; MaterialIds of a mesh are those of the input, modulo the number of materials.
+void SetMaterials(vtkDataSet* scene, const helios::MaterialTable& materials)
 {
   helios::SetMaterials(scene, materials);
+  if (!vtkPolyData::SafeDownCast(scene))
+  {
+    return;
+  }
   vtkDataArray* before = scene->GetCellData()->GetArray(names::MaterialIds);
   vtkNew<vtkIntArray> ids;
   ids->SetName(names::MaterialIds);
@@ -93,6 +102,40 @@ vtkHeliosMaterialReader::~vtkHeliosMaterialReader()
 {
   this->SetFileName(nullptr);
   this->SetMaterialName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosMaterialReader::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosMaterialReader::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkHeliosMaterialReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  }
+  const bool isRaster = vtkImageData::GetData(inputVector[0]) != nullptr;
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  if (!output || isRaster != output->IsA("vtkImageData"))
+  {
+    const auto made = isRaster ? vtkSmartPointer<vtkDataSet>(vtkSmartPointer<vtkImageData>::New())
+                               : vtkSmartPointer<vtkDataSet>(vtkSmartPointer<vtkPolyData>::New());
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -126,8 +169,8 @@ int vtkHeliosMaterialReader::RequestData(
                                         : " " + name + "; it has " + ListNames(materials)));
     return 0;
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->ShallowCopy(vtkPolyData::GetData(inputVector[0]));
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  output->ShallowCopy(vtkDataSet::GetData(inputVector[0]));
   SetMaterials(output,
     Vary(*material, this->NumberOfMaterials, this->RandomRange,
       static_cast<std::uint64_t>(this->Seed)));

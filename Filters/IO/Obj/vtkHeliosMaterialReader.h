@@ -7,6 +7,7 @@
  * For scenes without materials in their own file: height rasters, voxelized points. Input 0 is a
  * scene; output 0 is the same scene with that one material in the material columns and MaterialIds
  * 0 on every triangle. The file is read like the material libraries of vtkHeliosObjSceneReader.
+ * Input and output may also be a raster of heights (vtkImageData), which gets the material columns.
  *
  * If NumberOfMaterials is above 1, the others are copies with a different reflectance: the original
  * plus a random number, uniform in +-RandomRange and keyed by Seed and the material index, clamped
@@ -79,6 +80,10 @@ protected:
   vtkHeliosMaterialReader() = default;
   ~vtkHeliosMaterialReader() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

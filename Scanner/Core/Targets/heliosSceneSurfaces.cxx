@@ -109,7 +109,8 @@ Status SceneSurfaces::AddInstances(vtkPolyData* scene)
     const std::string what = "prototype " + std::to_string(i);
     this->Prototypes.emplace_back();
     CellArrays& arrays = this->Prototypes.back();
-    Status status = arrays.Set(whole->GetPrototype(i), what);
+    auto* mesh = vtkPolyData::SafeDownCast(whole->GetPrototype(i));
+    Status status = mesh ? arrays.Set(mesh, what) : Status(); // a raster has no cell arrays
     status = status.IsOk() ? this->CheckMaterialIds(arrays.MaterialArray, count, what) : status;
     if (!status.IsOk())
     {
@@ -139,7 +140,7 @@ int SceneSurfaces::FindMaterialId(vtkIdType cell) const
   }
   return at.Instance->Material >= 0
     ? at.Instance->Material
-    : this->Prototypes[static_cast<std::size_t>(at.Instance->Prototype)].GetMaterialId(at.Triangle);
+    : this->Prototypes[static_cast<std::size_t>(at.Instance->PrototypeId)].GetMaterialId(at.Triangle);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +158,7 @@ Vec3 SceneSurfaces::FindNormal(vtkIdType cell) const
   {
     return this->Mesh.GetNormal(at.Triangle);
   }
-  const auto prototype = static_cast<std::size_t>(at.Instance->Prototype);
+  const auto prototype = static_cast<std::size_t>(at.Instance->PrototypeId);
   const Vec3 turned = at.Instance->Place.Rotate(this->Prototypes[prototype].GetNormal(at.Triangle));
   // As in a copy of the prototype.
   return { RoundToFloat(turned[0]), RoundToFloat(turned[1]), RoundToFloat(turned[2]) };

@@ -35,18 +35,19 @@ public:
   PlacedTree(const BeamTree& tree, const SceneInstance& instance)
     : Tree(&tree)
     , Instance(&instance)
+    , HasFrame(!instance.Place.IsIdentity())
   {
   }
 
   const BeamTree& GetTree() const { return *this->Tree; }
 
   /// Whether the frame of the tree is not that of the scene.
-  bool IsMoved() const { return this->Instance != nullptr; }
+  bool IsMoved() const { return this->HasFrame; }
 
   /// The cell id of a triangle.
   vtkIdType GetCell(vtkIdType triangle) const
   {
-    return this->Instance ? this->Instance->FirstCell + triangle
+    return this->Instance ? this->Instance->FirstCell + this->Tree->GetCell(triangle)
       : this->Scene       ? this->Scene->GetCell(triangle)
                           : this->Tree->GetCell(triangle);
   }
@@ -55,14 +56,14 @@ public:
   void GetPoints(vtkTypeInt32 triangle, double buffer[3][3], const double* points[3]) const
   {
     this->Tree->GetPoints(triangle, buffer, points);
-    for (int corner = 0; corner < 3 && this->Instance; ++corner)
+    for (int corner = 0; corner < 3 && this->IsMoved(); ++corner)
     {
       this->Instance->Place.Apply(points[corner], buffer[corner]);
       points[corner] = buffer[corner];
     }
   }
 
-  /// The rest is of instances only.
+  /// The rest is of instances only, moved or not.
   ///@{
   const Similarity& GetPlace() const { return this->Instance->Place; }
 
@@ -95,6 +96,7 @@ private:
   const BeamTree* Tree = nullptr;
   const SceneGeometry* Scene = nullptr;
   const SceneInstance* Instance = nullptr;
+  bool HasFrame = false;
 };
 
 /// The largest coordinate of a point, without its sign.

@@ -105,7 +105,9 @@ void SceneTree::Build(const SceneGeometry& scene, StopCheck& check)
   this->Prototypes.resize(scene.GetPrototypes().size());
   for (std::size_t i = 0; i < this->Prototypes.size(); ++i)
   {
-    this->Prototypes[i].BuildWhole(scene.GetPrototypes()[i], check);
+    const Prototype& prototype = scene.GetPrototypes()[i];
+    prototype.IsRaster() ? this->Prototypes[i].Build(prototype.GetHeights())
+                         : this->Prototypes[i].BuildWhole(prototype.GetMesh(), check);
   }
   if (this->BoxMesh.Set(MakeBoxes(scene)).IsOk())
   {
@@ -130,7 +132,7 @@ std::size_t SceneTree::GetMemorySize() const
 PlacedTree SceneTree::GetInstance(vtkTypeInt32 number) const
 {
   const SceneInstance& instance = this->Scene->GetInstances()[static_cast<std::size_t>(number)];
-  return { this->Prototypes[static_cast<std::size_t>(instance.Prototype)], instance };
+  return { this->Prototypes[static_cast<std::size_t>(instance.PrototypeId)], instance };
 }
 
 //------------------------------------------------------------------------------

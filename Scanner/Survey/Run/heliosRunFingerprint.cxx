@@ -223,14 +223,30 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
 namespace
 {
 
-void AddMesh(vtkPolyData* mesh, Sha256& hash)
+void AddGrid(vtkImageData* grid, Sha256& hash)
 {
-  AddArray(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, hash);
-  AddArray(mesh->GetPolys()->GetOffsetsArray(), hash);
-  AddArray(mesh->GetPolys()->GetConnectivityArray(), hash);
-  AddArrays(mesh->GetPointData(), hash);
-  AddArrays(mesh->GetCellData(), hash);
-  AddArrays(mesh->GetFieldData(), hash);
+  hash.Add(grid->GetOrigin(), 3 * sizeof(double));
+  hash.Add(grid->GetSpacing(), 3 * sizeof(double));
+  hash.Add(grid->GetDimensions(), 3 * sizeof(int));
+  hash.Add(grid->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+}
+
+/// A mesh, or a raster of heights.
+void AddTriangles(vtkDataSet* data, Sha256& hash)
+{
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    AddArray(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, hash);
+    AddArray(mesh->GetPolys()->GetOffsetsArray(), hash);
+    AddArray(mesh->GetPolys()->GetConnectivityArray(), hash);
+  }
+  else if (auto* raster = vtkImageData::SafeDownCast(data))
+  {
+    AddGrid(raster, hash);
+  }
+  AddArrays(data->GetPointData(), hash);
+  AddArrays(data->GetCellData(), hash);
+  AddArrays(data->GetFieldData(), hash);
 }
 
 } // namespace
@@ -238,22 +254,19 @@ void AddMesh(vtkPolyData* mesh, Sha256& hash)
 std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
 {
   Sha256 hash;
-  AddMesh(scene, hash);
+  AddTriangles(scene, hash);
   if (vtkHeliosScene::HasInstances(scene))
   {
     auto* whole = vtkHeliosScene::SafeDownCast(scene);
-    AddMesh(whole->GetInstances(), hash);
+    AddTriangles(whole->GetInstances(), hash);
     for (int i = 0; i < whole->GetNumberOfPrototypes(); ++i)
     {
-      AddMesh(whole->GetPrototype(i), hash);
+      AddTriangles(whole->GetPrototype(i), hash);
     }
   }
   for (vtkImageData* grid : grids)
   {
-    hash.Add(grid->GetOrigin(), 3 * sizeof(double));
-    hash.Add(grid->GetSpacing(), 3 * sizeof(double));
-    hash.Add(grid->GetDimensions(), 3 * sizeof(int));
-    hash.Add(grid->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+    AddGrid(grid, hash);
     AddArrays(grid->GetCellData(), hash);
     AddArrays(grid->GetFieldData(), hash);
   }

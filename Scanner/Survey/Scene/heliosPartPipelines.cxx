@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPartPipelines.h"
 
+#include "heliosHeightField.h"
 #include "heliosMessages.h"
+#include "vtkHeliosGeoTiffHeightReader.h"
 #include "vtkHeliosGeoTiffSceneReader.h"
 #include "vtkHeliosMaterialReader.h"
 #include "vtkHeliosMeshRepair.h"
@@ -170,8 +172,15 @@ std::string GetMeshKey(const PartData& part)
 vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
 {
   vtkSmartPointer<vtkHeliosSceneTransform>& place = this->Places[&part];
-  if (!place)
+  const bool isRaster = this->IsRaster(part);
+  const bool wasRaster = this->RasterParts.count(&part) > 0;
+  if (!place || isRaster != wasRaster)
   {
+    this->RasterParts.erase(&part);
+    if (isRaster)
+    {
+      this->RasterParts.insert(&part);
+    }
     const Quaternion& q = part.Rotation;
     const Filter last = this->GetPipeline(part);
     place = vtkSmartPointer<vtkHeliosSceneTransform>::New();
@@ -192,7 +201,7 @@ PartPipelines::Filter PartPipelines::GetPipeline(const PartData& part)
   {
     return this->MakePipeline(part);
   }
-  Filter& shared = this->Shared[key];
+  Filter& shared = this->Shared[key + (this->IsRaster(part) ? "raster" : "")];
   shared = shared ? shared : this->MakePipeline(part);
   return shared;
 }
@@ -201,9 +210,54 @@ PartPipelines::Filter PartPipelines::GetPipeline(const PartData& part)
 PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
 {
   this->Where = part.Where;
+  if (this->IsRaster(part))
+  {
+    return this->AddMaterial(part.Material, this->MakeRasterReader(part));
+  }
   const Filter mesh =
     part.Type == Loader::Xyz ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
   return this->AddMeshCare(part, this->AddMaterial(part.Material, mesh));
+}
+
+//------------------------------------------------------------------------------
+bool PartPipelines::IsRaster(const PartData& part) const
+{
+  return this->IsSharing && part.Type == Loader::GeoTiff && part.Files.size() == 1 &&
+    part.Crs.empty() && !part.Repair && part.SimplifyDistance <= 0.0 && !part.OnGround &&
+    this->NoRasters.count(part.Files.front()) == 0;
+}
+
+//------------------------------------------------------------------------------
+PartPipelines::Filter PartPipelines::MakeRasterReader(const PartData& part)
+{
+  const std::string& file = part.Files.front();
+  Filter& known = this->RasterReaders[file];
+  if (!known)
+  {
+    auto reader = vtkSmartPointer<vtkHeliosGeoTiffHeightReader>::New();
+    reader->SetFileName(file.c_str());
+    this->Listen(reader, this->Where);
+    this->Readers.emplace_back(file, reader);
+    known = reader;
+  }
+  return known;
+}
+
+//------------------------------------------------------------------------------
+bool PartPipelines::CheckRasters()
+{
+  bool areFine = true;
+  for (const auto& [file, reader] : this->RasterReaders)
+  {
+    vtkIdType count;
+    auto* raster = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
+    if (!HeightField::CountTriangles(raster, count).IsOk())
+    {
+      this->NoRasters.insert(file);
+      areFine = false;
+    }
+  }
+  return areFine;
 }
 
 //------------------------------------------------------------------------------
@@ -211,6 +265,7 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
 {
   const auto isGone = [&parts](const PartData* part)
   { return std::find(parts.begin(), parts.end(), part) == parts.end(); };
+  EraseIf(this->RasterParts, isGone);
   EraseIf(this->Places, [&isGone](const auto& place) { return isGone(place.first); });
   EraseIf(this->GridReaders, [&isGone](const auto& grid) { return isGone(grid.first); });
   std::set<vtkAlgorithm*> used;
@@ -220,6 +275,7 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   }
   const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
   EraseIf(this->MeshReaders, isUnused);
+  EraseIf(this->RasterReaders, isUnused);
   EraseIf(this->Shared, isUnused);
   this->Readers.erase(
     std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,8 +45,15 @@ public:
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
   /// Sets whether parts that differ only in place, name and motion share their filters but the
-  /// last; before Make(). Default: false.
+  /// last, and rasters of heights stay ones; before Make(). Default: false.
   void SetSharing(bool isOn) { this->IsSharing = isOn; }
+
+  /// Whether a part is a raster of heights that stays one.
+  bool IsRaster(const PartData& part) const;
+
+  /// After ReadFiles(): whether all rasters can stay ones. The parts of those that cannot are made
+  /// of meshes from then on, by Make().
+  bool CheckRasters();
 
   /// Releases the pipelines of all other parts.
   void RemoveOthers(const std::vector<const PartData*>& parts);
@@ -70,6 +78,7 @@ private:
 
   Filter GetPipeline(const PartData& part);
   Filter MakePipeline(const PartData& part);
+  Filter MakeRasterReader(const PartData& part);
   Filter MakeMesh(const PartData& part);
   Filter MakeVoxels(const PartData& part);
   Filter GetReader(const PartData& part, const std::string& file);
@@ -87,8 +96,11 @@ private:
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
   bool IsSharing = false;
   std::map<std::string, Filter> Shared; // the filters before the place, by what they depend on
-  std::string Where;                    // the current part
-  std::string Step;                     // the current step
+  std::map<std::string, Filter> RasterReaders; // by file
+  std::set<std::string> NoRasters;             // files that can only be meshes
+  std::set<const PartData*> RasterParts;       // whose places are over rasters
+  std::string Where;                           // the current part
+  std::string Step;                            // the current step
   const StepCallback* OnProgress = nullptr;
   bool IsStopped = false;
   std::chrono::steady_clock::time_point LastProgress{};

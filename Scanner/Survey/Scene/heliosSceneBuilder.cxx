@@ -133,14 +133,26 @@ SceneBuilder::~SceneBuilder() = default;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int epoch)
 {
-  this->MakeParts(epoch);
   this->Pipelines.SetOnProgress(&onStep);
   const bool isReady =
-    this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PlaceOnGround();
+    this->ReadParts(onStep, epoch) && onStep("assembling the scene") && this->PlaceOnGround();
   auto scene = isReady ? this->Compose(true) : nullptr;
   this->Pipelines.SetOnProgress(nullptr);
   this->Log.Mute(false);
   return this->Pipelines.WasStopped() ? nullptr : scene;
+}
+
+//------------------------------------------------------------------------------
+bool SceneBuilder::ReadParts(const StepCallback& onStep, int epoch)
+{
+  this->MakeParts(epoch);
+  bool areRead = this->Pipelines.ReadFiles(onStep);
+  if (areRead && !this->Pipelines.CheckRasters())
+  {
+    this->MakeParts(epoch);
+    areRead = this->Pipelines.ReadFiles(onStep);
+  }
+  return areRead;
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +188,8 @@ void SceneBuilder::MakeParts(int epoch)
 //------------------------------------------------------------------------------
 bool SceneBuilder::IsInstance(const Part& part) const
 {
-  return !part.Data->IsTurbid() && this->Uses.at(GetSource(part.Place)) > 1;
+  return !part.Data->IsTurbid() &&
+    (this->Pipelines.IsRaster(*part.Data) || this->Uses.at(GetSource(part.Place)) > 1);
 }
 
 //------------------------------------------------------------------------------

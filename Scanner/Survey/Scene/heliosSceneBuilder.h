@@ -33,8 +33,8 @@ public:
   SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);
   ~SceneBuilder();
 
-  /// Sets whether meshes of several parts become instances of a vtkHeliosScene; not in epochs with
-  /// moving parts. Default: false.
+  /// Sets whether meshes of several parts become instances of a vtkHeliosScene, and rasters of
+  /// heights its rasters; not in epochs with moving parts. Default: false.
   void SetInstances(bool areMade) { this->MakesInstances = areMade; }
 
   /// All parts of an epoch as one scene, with parts on the ground placed there; null after an error,
@@ -53,6 +53,7 @@ private:
     vtkSmartPointer<vtkHeliosSceneTransform> Place;
   };
 
+  bool ReadParts(const StepCallback& onStep, int epoch);
   void MakeParts(int epoch);
   bool IsInstance(const Part& part) const;
   void AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const;

@@ -6,6 +6,8 @@
 #define heliosRasterMesh_h
 
 #include "heliosGrowingArray.h"
+#include "heliosStatus.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <vtkDoubleArray.h>
 
@@ -74,6 +76,11 @@ private:
   GrowingArray<vtkDoubleArray> Points;
   GrowingArray<IndexArrayT> Corners;
 };
+
+struct HeightGrid;
+
+/// The mesh of a raster in 32-bit cells. Error: more points than a scene can hold.
+VTKHELIOSFILTERSCORE_EXPORT Status MakeRasterMesh(const HeightGrid& grid, vtkPolyData* mesh);
 
 } // namespace helios
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRasterMesh.h"
 
+#include "heliosHeightGrid.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosFiltersIOModule.h"
+#include "vtkHeliosFiltersCoreModule.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -173,7 +174,29 @@ void RasterMesh<IndexArrayT>::MoveTo(vtkPolyData* scene)
   scene->GetCellData()->AddArray(materialIds);
 }
 
-template class VTKHELIOSFILTERSIO_EXPORT RasterMesh<vtkTypeInt32Array>;
-template class VTKHELIOSFILTERSIO_EXPORT RasterMesh<vtkTypeInt64Array>;
+template class VTKHELIOSFILTERSCORE_EXPORT RasterMesh<vtkTypeInt32Array>;
+template class VTKHELIOSFILTERSCORE_EXPORT RasterMesh<vtkTypeInt64Array>;
+
+Status MakeRasterMesh(const HeightGrid& grid, vtkPolyData* mesh)
+{
+  RasterMesh<vtkTypeInt32Array> made(grid.Columns, grid.Transform);
+  std::vector<double> heights(static_cast<std::size_t>(grid.Columns));
+  bool hasRoom = true;
+  for (std::int64_t row = 0; hasRoom && row < grid.Rows; ++row)
+  {
+    for (std::int64_t column = 0; column < grid.Columns; ++column)
+    {
+      heights[static_cast<std::size_t>(column)] = grid.GetHeight(row, column);
+    }
+    hasRoom = made.AddRow(heights.data());
+  }
+  if (!hasRoom || !made.Finish())
+  {
+    return Status::Error("the raster has more than 2^31 points, too many for a mesh; use the ray "
+                         "caster \"beam\", which does not make one, or a part of the raster");
+  }
+  made.MoveTo(mesh);
+  return {};
+}
 
 } // namespace helios

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPrototype.h"
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+namespace helios
+{
+
+//------------------------------------------------------------------------------
+Status Prototype::Set(vtkDataSet* data)
+{
+  *this = Prototype();
+  if (auto* raster = vtkImageData::SafeDownCast(data))
+  {
+    const Status status = this->Field.Set(raster);
+    this->Field.GetBounds(this->Bounds);
+    return status;
+  }
+  const Status status = this->Mesh.Set(vtkPolyData::SafeDownCast(data));
+  if (status.IsOk())
+  {
+    this->Mesh.GetBounds(this->Bounds);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType Prototype::CountTriangles(vtkDataSet* data)
+{
+  vtkIdType count = 0;
+  if (auto* raster = vtkImageData::SafeDownCast(data))
+  {
+    return HeightField::CountTriangles(raster, count).IsOk() ? count : 0;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  return mesh ? mesh->GetNumberOfPolys() : 0;
+}
+
+} // namespace helios
