@@ -333,9 +333,10 @@ void Footprint::SetCuts(const VisibleSurfaces::Face& face, const Interval& part)
   const double depth = std::max(
     std::min(this->Settings.Depth, LargestRatio * near), (part.Far - part.Near) / MostStrips);
   const double first = std::max(0.0, std::floor((part.Near - near) / depth)) + 1.0;
-  for (double k = first; near + k * depth < part.Far; ++k)
+  // Far beyond the nearest point, steps may be too small to count: there are at most so many.
+  for (int i = 0; i <= MostStrips && near + (first + i) * depth < part.Far; ++i)
   {
-    this->Cuts.push_back(near + k * depth);
+    this->Cuts.push_back(near + (first + i) * depth);
   }
   for (const double limit : this->Settings.Gate)
   {

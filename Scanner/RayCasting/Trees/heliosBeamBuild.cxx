@@ -58,6 +58,12 @@ public:
   /// Collects the children of the wide node for a binary one; returns their number.
   int GetChildren(vtkTypeInt32 node, Child children[Width]) const
   {
+    const Bvh::Node& n = this->Binary.Nodes[node];
+    if (n.Count[0] > 0 && n.Count[1] > 0 && n.First[0] == n.First[1])
+    {
+      children[0] = { node, 0 }; // a tree of one leaf has it on both sides
+      return 1;
+    }
     int count = 0;
     this->Part(node, this->Shares[node].Left[1], Width, children, count);
     return count;

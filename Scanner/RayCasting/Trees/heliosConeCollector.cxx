@@ -112,16 +112,8 @@ void ConeCollector::Add(
   {
     return;
   }
-  // A tree of one leaf has it twice.
-  const vtkIdType cell = c.Cell;
-  const std::size_t recent = std::min<std::size_t>(view.Triangles.size(), BeamTree::LeafSize);
-  if (std::any_of(view.Triangles.end() - static_cast<std::ptrdiff_t>(recent), view.Triangles.end(),
-        [cell](const ConeTriangle& other) { return other.Cell == cell; }))
-  {
-    return;
-  }
   view.Triangles.emplace_back();
-  view.Triangles.back().Cell = cell;
+  view.Triangles.back().Cell = c.Cell;
   std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
   if (c.Covers && c.IsBefore)
   {

@@ -382,7 +382,7 @@ int ConeTest::CountAtAxis() const
     }));
 }
 
-/// Sets a layer to the members, sorted by triangle. A tree of one triangle has it twice.
+/// Sets a layer to the members, sorted by triangle.
 void ConeTest::SetLayer(ConeLayer& layer) const
 {
   this->Shape.CopyFrame(layer.Frame);
@@ -391,8 +391,7 @@ void ConeTest::SetLayer(ConeLayer& layer) const
   {
     const Member& c = this->Members[i];
     const auto place = std::count_if(this->Members, this->Members + this->Count,
-      [&c](const Member& other)
-      { return other.Cell < c.Cell || (other.Cell == c.Cell && &other < &c); });
+      [&c](const Member& other) { return other.Cell < c.Cell; });
     ConeLayer::Piece& piece = layer.Pieces[place];
     piece.Cell = c.Cell;
     for (int edge = 0; edge < 3; ++edge)

@@ -2,102 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Instances on input 1 of vtkHeliosSceneComposer.
 #include "heliosErrorObserver.h"
-#include "heliosMaterialTable.h"
+#include "heliosInstanceTesting.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneFlatten.h"
 #include "vtkHeliosSceneTransform.h"
 
-#include <catch2/catch.hpp>
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
 
 #include <string>
 #include <vector>
+
+using namespace helios::test;
 
 namespace names = vtkHeliosArrayNames;
 
 namespace
 {
 
-/// A strip of triangles of a material.
-vtkSmartPointer<vtkPolyData> MakeMesh(int count, const char* material)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
-  for (int i = 0; i < count + 2; ++i)
-  {
-    points->InsertNextPoint(0.1 * i, i % 2, 0.3 * i);
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    polys->InsertNextCell({ i, i + 1, i + 2 });
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(polys);
-  helios::MaterialTable table(1);
-  table[0].Name = material;
-  helios::SetMaterials(mesh, table);
-  return mesh;
-}
-
-struct Place
-{
-  int Prototype;
-  double Position[3];
-  double Rotation[4];
-  double Scale;
-  int Part;
-};
-
 const std::vector<Place> Places = { { 1, { 5, 0, 0 }, { 1, 0, 0, 0 }, 1.0, 1 },
   { 1, { 0, 7, 2 }, { 0.9, 0.1, 0.3, 0.2 }, 2.5, 3 }, { 2, { 1, 1, 1 }, { 0, 0, 0, 1 }, 0.5, 4 } };
-
-vtkSmartPointer<vtkPolyData> MakeInstances(const std::vector<Place>& places)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkIntArray> prototypes, parts;
-  prototypes->SetName(names::PrototypeIds);
-  parts->SetName(names::PartIds);
-  vtkNew<vtkDoubleArray> orientations, scales;
-  orientations->SetName(names::Orientation);
-  orientations->SetNumberOfComponents(4);
-  scales->SetName(names::Scale);
-  vtkNew<vtkStringArray> partNames;
-  partNames->SetName(names::PartName);
-  for (const Place& place : places)
-  {
-    points->InsertNextPoint(place.Position);
-    prototypes->InsertNextValue(place.Prototype);
-    parts->InsertNextValue(place.Part);
-    orientations->InsertNextTuple(place.Rotation);
-    scales->InsertNextValue(place.Scale);
-    partNames->InsertNextValue("tree " + std::to_string(place.Part));
-  }
-  auto instances = vtkSmartPointer<vtkPolyData>::New();
-  instances->SetPoints(points);
-  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(prototypes),
-         static_cast<vtkAbstractArray*>(parts), static_cast<vtkAbstractArray*>(orientations),
-         static_cast<vtkAbstractArray*>(scales), static_cast<vtkAbstractArray*>(partNames) })
-  {
-    instances->GetPointData()->AddArray(array);
-  }
-  return instances;
-}
 
 /// Two parts, two prototypes, and their instances: parts 0 and 2, instances 1, 3, 4.
 struct Composing
@@ -120,12 +48,6 @@ struct Composing
     this->Log->Watch(this->Composer);
   }
 };
-
-std::string Bytes(vtkDataArray* array)
-{
-  return { static_cast<const char*>(array->GetVoidPointer(0)),
-    static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()) };
-}
 
 } // namespace
 
@@ -170,36 +92,7 @@ TEST_CASE("SceneComposer: instances are what copies are, flattened", "[SceneInst
   vtkPolyData* truth = copies->GetOutput();
   CHECK_FALSE(vtkHeliosScene::SafeDownCast(truth));
 
-  REQUIRE(flat->GetNumberOfPolys() == truth->GetNumberOfPolys());
-  for (vtkIdType i = 0; i < truth->GetNumberOfPolys(); ++i)
-  {
-    for (vtkIdType corner = 0; corner < 3; ++corner)
-    {
-      vtkIdType size;
-      const vtkIdType *a, *b;
-      double p[3], q[3];
-      flat->GetPolys()->GetCellAtId(i, size, a);
-      flat->GetPoint(a[corner], p);
-      truth->GetPolys()->GetCellAtId(i, size, b);
-      truth->GetPoint(b[corner], q);
-      REQUIRE(std::equal(p, p + 3, q)); // to the last bit
-    }
-  }
-  for (const char* name : { names::MaterialIds, names::PartIds })
-  {
-    INFO(name);
-    CHECK(
-      Bytes(flat->GetCellData()->GetArray(name)) == Bytes(truth->GetCellData()->GetArray(name)));
-  }
-  CHECK(helios::GetMaterials(flat) == helios::GetMaterials(truth));
-  auto* own = vtkStringArray::SafeDownCast(flat->GetFieldData()->GetAbstractArray(names::PartName));
-  auto* all =
-    vtkStringArray::SafeDownCast(truth->GetFieldData()->GetAbstractArray(names::PartName));
-  REQUIRE(own->GetNumberOfValues() == 5);
-  for (vtkIdType i = 0; i < 5; ++i)
-  {
-    CHECK(own->GetValue(i) == all->GetValue(i));
-  }
+  CheckSame(flat, truth);
 }
 
 TEST_CASE("SceneFlatten: a mesh stays as it is, errors have messages", "[SceneInstances]")

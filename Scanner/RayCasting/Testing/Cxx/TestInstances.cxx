@@ -6,6 +6,7 @@
 #include "heliosFlatScene.h"
 #include "heliosRayCasterChecks.h"
 #include "heliosSceneGeometry.h"
+#include "heliosScenePlaces.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -30,44 +31,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Instances of a scene under construction.
-class Places
-{
-public:
-  Places()
-  {
-    this->Prototypes->SetName(names::PrototypeIds);
-    this->Orientations->SetName(names::Orientation);
-    this->Orientations->SetNumberOfComponents(4);
-    this->Scales->SetName(names::Scale);
-    this->Points->SetDataTypeToDouble();
-  }
-
-  void Add(int prototype, const Vec3& at, const helios::Quaternion& q, double scale)
-  {
-    this->Points->InsertNextPoint(at.GetData());
-    this->Prototypes->InsertNextValue(prototype);
-    this->Orientations->InsertNextTuple4(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
-    this->Scales->InsertNextValue(scale);
-  }
-
-  vtkSmartPointer<vtkPolyData> Get() const
-  {
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(this->Points);
-    data->GetPointData()->AddArray(this->Prototypes);
-    data->GetPointData()->AddArray(this->Orientations);
-    data->GetPointData()->AddArray(this->Scales);
-    return data;
-  }
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkIntArray> Prototypes;
-  vtkNew<vtkDoubleArray> Orientations;
-  vtkNew<vtkDoubleArray> Scales;
-};
-
 /// A terrain with trees and stones at any place, rotation and scale.
 vtkSmartPointer<vtkHeliosScene> MakeStand(const Vec3& offset, int count = 200)
 {
@@ -79,7 +42,7 @@ vtkSmartPointer<vtkHeliosScene> MakeStand(const Vec3& offset, int count = 200)
   scene->ShallowCopy(terrain.GetPolyData());
   scene->AddPrototype(tree.GetPolyData());
   scene->AddPrototype(helios::MakeIcosphere(3).GetPolyData());
-  Places places;
+  helios::ScenePlaces places;
   Dice dice(11);
   for (int i = 0; i < count; ++i)
   {
@@ -293,7 +256,7 @@ TEST_CASE("instances: no ray is lost between neighbours", "[instances]")
   tile.AddTriangle({ -0.5, -0.5, 0 }, { 0.5, 0.5, 0 }, { -0.5, 0.5, 0 });
   vtkNew<vtkHeliosScene> scene;
   scene->AddPrototype(tile.GetPolyData());
-  Places places;
+  helios::ScenePlaces places;
   for (int i = 0; i < 400; ++i)
   {
     const helios::Quaternion turn =
@@ -335,7 +298,7 @@ TEST_CASE("instances: rays through the middle of a prototype hit as a copy", "[i
   const Vec3 offset = helios::Offsets[1];
   vtkNew<vtkHeliosScene> scene;
   scene->AddPrototype(grid.GetPolyData());
-  Places places;
+  helios::ScenePlaces places;
   Dice dice(5);
   for (int i = 0; i < 100; ++i)
   {
