@@ -28,9 +28,9 @@
  * and material ids.
  *
  * Warnings: meshes without triangles (skipped; they keep their id). Errors: no triangles at all,
- * cells that are not triangles, rasters that are not valid, material ids without a material, parts of different CRS (but not
- * different spellings of one), more than 2^31 points or corners, part ids that are given twice,
- * instances of connections that do not exist.
+ * cells that are not triangles, rasters that are not valid, material ids without a material, parts
+ * of different CRS (but not different spellings of one), more than 2^31 points or corners, part ids
+ * that are given twice, instances of connections that do not exist.
  *
  * @sa
  * vtkHeliosSceneTransform vtkHeliosObjSceneReader

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Union, overload
 
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray, vtkIdTypeArray, vtkObject, vtkObjectBase, vtkPoints, vtkStringArray, vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkAbstractCellLocator, vtkAbstractPointLocator, vtkCellArray, vtkCellData, vtkDataObject, vtkFieldData, vtkImageData, vtkPointData, vtkPolyData, vtkStructuredGrid, vtkTable, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkAbstractCellLocator, vtkAbstractPointLocator, vtkCellArray, vtkCellData, vtkDataObject, vtkDataSet, vtkFieldData, vtkImageData, vtkPointData, vtkPolyData, vtkStructuredGrid, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm, vtkPointSetAlgorithm, vtkPolyDataAlgorithm, vtkTableAlgorithm
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from . import array_names as array_names, catalogue as catalogue
@@ -5585,7 +5585,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     def SetTimeWindow(self, _arg: Sequence[float]) -> None: ...
 
 class vtkHeliosScene(vtkPolyData):
-    """vtkHeliosScene - a scene of a mesh and of instances of other meshes"""
+    """vtkHeliosScene - a scene of a mesh, of instances of other meshes, and of rasters of heights"""
     @property
     def actual_memory_size(self) -> int:
         """Return the actual size of the data in kibibytes (1024 bytes).
@@ -5703,15 +5703,18 @@ class vtkHeliosScene(vtkPolyData):
         ...
     @property
     def number_of_prototypes(self) -> int:
-        """The meshes of the instances, numbered from 0: adds one, gets one
-        (null: no such number).
+        """The meshes (vtkPolyData) and rasters (vtkImageData) of the
+        instances, numbered from 0: adds one, gets one (null: no such
+        number).
         """
     @property
     def number_of_strips(self) -> int:
         ...
     @property
     def number_of_triangles(self) -> int:
-        """The triangles of the mesh and of all instances."""
+        """The triangles of the mesh and of all instances; those of rasters
+        that are not valid: none.
+        """
     @property
     def number_of_verts(self) -> int:
         """Return the number of primitives of a particular type held."""
@@ -5760,7 +5763,7 @@ class vtkHeliosScene(vtkPolyData):
     verts: Optional[vtkCellArray]
     """Set the cell array defining vertices."""
     def __init__(self, *, cell_locator: Optional[vtkAbstractCellLocator] = ..., editable: bool = ..., field_data: Optional[vtkFieldData] = ..., global_release_data_flag: Any = ..., instances: Optional[vtkPolyData] = ..., lines: Optional[vtkCellArray] = ..., point_locator: Optional[vtkAbstractPointLocator] = ..., points: Optional[vtkPoints] = ..., polys: Optional[vtkCellArray] = ..., strips: Optional[vtkCellArray] = ..., verts: Optional[vtkCellArray] = ...) -> None: ...
-    def AddPrototype(self, mesh: vtkPolyData) -> None: ...
+    def AddPrototype(self, prototype: vtkDataSet) -> None: ...
     def DeepCopy(self, from_: vtkDataObject) -> None: ...
     def GetActualMemorySize(self) -> int: ...
     def GetInstances(self) -> vtkPolyData: ...
@@ -5771,7 +5774,7 @@ class vtkHeliosScene(vtkPolyData):
     def GetNumberOfInstances(self) -> int: ...
     def GetNumberOfPrototypes(self) -> int: ...
     def GetNumberOfTriangles(self) -> int: ...
-    def GetPrototype(self, prototype: int) -> vtkPolyData: ...
+    def GetPrototype(self, prototype: int) -> vtkDataSet: ...
     @staticmethod
     def HasInstances(scene: vtkPolyData) -> bool: ...
     def Initialize(self) -> None: ...
@@ -6628,8 +6631,8 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     """
     instances: bool
     """Set/Get whether meshes that several parts of the survey have are
-    stored once: the scene is then a vtkHeliosScene with instances,
-    unless parts move. Default: off.
+    stored once, and rasters of heights stay rasters: the scene is
+    then a vtkHeliosScene, unless parts move. Default: off.
     """
     @property
     def m_time(self) -> int:
@@ -6643,12 +6646,12 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     @property
     def number_of_pulses(self) -> int:
         """Get the results of Load(); empty before. The scene as one mesh
-        (with Instances: and its instances), moving parts at their start;
-        the number of pulses of all legs; the pulse ids [i0, i1) and the
-        time [t0, t1] of a leg [s], both empty ranges for a leg that
-        fires no pulses; the length of its pulses, the full width at half
-        maximum, or 0 [ns]; the time of a pulse, and the first pulse at a
-        time or later [s].
+        (with Instances: with its instances), moving parts at their
+        start; the number of pulses of all legs; the pulse ids [i0, i1)
+        and the time [t0, t1] of a leg [s], both empty ranges for a leg
+        that fires no pulses; the length of its pulses, the full width at
+        half maximum, or 0 [ns]; the time of a pulse, and the first pulse
+        at a time or later [s].
         """
     options: Optional[vtkHeliosRunOptions]
     """Set/Get the options of the run: epoch, seed, sampling of the
@@ -6674,12 +6677,12 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     @property
     def scene(self) -> Optional[vtkPolyData]:
         """Get the results of Load(); empty before. The scene as one mesh
-        (with Instances: and its instances), moving parts at their start;
-        the number of pulses of all legs; the pulse ids [i0, i1) and the
-        time [t0, t1] of a leg [s], both empty ranges for a leg that
-        fires no pulses; the length of its pulses, the full width at half
-        maximum, or 0 [ns]; the time of a pulse, and the first pulse at a
-        time or later [s].
+        (with Instances: with its instances), moving parts at their
+        start; the number of pulses of all legs; the pulse ids [i0, i1)
+        and the time [t0, t1] of a leg [s], both empty ranges for a leg
+        that fires no pulses; the length of its pulses, the full width at
+        half maximum, or 0 [ns]; the time of a pulse, and the first pulse
+        at a time or later [s].
         """
     @property
     def scene_size(self) -> float:

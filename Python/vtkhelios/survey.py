@@ -217,8 +217,8 @@ class Survey:
         pulse_step
             a sample: every n-th pulse.
         instances
-            True: meshes that several parts have are stored once, and ``survey.scene`` is a
-            vtkHeliosScene. Default: False.
+            True: meshes that several parts have are stored once, height rasters stay rasters, and
+            ``survey.scene`` is a vtkHeliosScene. Default: False.
 
         Raises PipelineError with the message of any filter.
         """

@@ -125,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether meshes that several parts of the survey have are stored once: the scene is then
-   * a vtkHeliosScene with instances, unless parts move. Default: off.
+   * Set/Get whether meshes that several parts of the survey have are stored once, and rasters of
+   * heights stay rasters: the scene is then a vtkHeliosScene, unless parts move. Default: off.
    */
   vtkSetMacro(Instances, bool);
   vtkGetMacro(Instances, bool);
@@ -141,7 +141,8 @@ public:
 
   ///@{
   /**
-   * Get the results of Load(); empty before. The scene as one mesh (with Instances: and its instances), moving parts at their start;
+   * Get the results of Load(); empty before. The scene as one mesh (with Instances: with its
+   * instances), moving parts at their start;
    * the number of pulses of all legs; the pulse ids [i0, i1) and the time [t0, t1] of a leg [s],
    * both empty ranges for a leg that fires no pulses; the length of its pulses, the full width at
    * half maximum, or 0 [ns]; the time of a pulse, and the first pulse at a time or later [s].

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A stand of instances of a few trees on a terrain: memory, time to build, beams a second; and, if
+// A stand of instances of a few trees on a raster of heights: memory, time to build, beams a second; and, if
 // its triangles fit into one mesh, the same of the copies, which must have the same hits.
 // Usage: BenchInstances [triangles of a tree [trees [copies: 0 or 1]]]
 #include "heliosBenchClock.h"
@@ -16,6 +16,9 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -24,6 +27,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -85,43 +89,42 @@ double GetGround(double x, double y)
   return 4 * std::sin(0.02 * x) * std::cos(0.015 * y);
 }
 
-/// The ground of a square, a point every metre.
-vtkSmartPointer<vtkPolyData> MakeGround(double width)
+/// The ground of a square: a raster of up to 4000 x 4000 pixels of 0.1 m and more.
+vtkSmartPointer<vtkImageData> MakeGround(double width)
 {
-  const auto n = static_cast<vtkIdType>(width);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
-  polys->Use32BitStorage();
-  for (vtkIdType j = 0; j <= n; ++j)
+  const double pixel = std::max(0.1, width / 3999.0);
+  const int n = static_cast<int>(std::ceil(width / pixel)) + 1;
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName(vtkHeliosArrayNames::Heights);
+  for (int row = 0; row < n; ++row)
   {
-    for (vtkIdType i = 0; i <= n; ++i)
+    for (int column = 0; column < n; ++column)
     {
-      const auto x = static_cast<double>(i);
-      const auto y = static_cast<double>(j);
-      points->InsertNextPoint(x, y, GetGround(x, y));
-      if (i < n && j < n)
-      {
-        const vtkIdType a = j * (n + 1) + i;
-        polys->InsertNextCell({ a, a + 1, a + n + 2 });
-        polys->InsertNextCell({ a, a + n + 2, a + n + 1 });
-      }
+      heights->InsertNextValue(static_cast<float>(GetGround(column * pixel, width - row * pixel)));
     }
   }
-  auto ground = vtkSmartPointer<vtkPolyData>::New();
-  ground->SetPoints(points);
-  ground->SetPolys(polys);
+  vtkNew<vtkDoubleArray> transform;
+  transform->SetName(vtkHeliosArrayNames::GeoTransform);
+  for (const double value : { -0.5 * pixel, pixel, 0.0, width + 0.5 * pixel, 0.0,
+         -pixel }) // the first centre: x 0, y width
+  {
+    transform->InsertNextValue(value);
+  }
+  auto ground = vtkSmartPointer<vtkImageData>::New();
+  ground->SetDimensions(n, n, 1);
+  ground->GetPointData()->SetScalars(heights);
+  ground->GetFieldData()->AddArray(transform);
   return ground;
 }
 
 vtkSmartPointer<vtkHeliosScene> MakeStand(vtkIdType triangles, int trees, double width)
 {
   auto scene = vtkSmartPointer<vtkHeliosScene>::New();
-  scene->ShallowCopy(MakeGround(width));
   for (int i = 0; i < Prototypes; ++i)
   {
     scene->AddPrototype(MakeTree(static_cast<std::uint64_t>(i), triangles));
   }
+  scene->AddPrototype(MakeGround(width));
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkIntArray> prototypes;
@@ -130,17 +133,23 @@ vtkSmartPointer<vtkHeliosScene> MakeStand(vtkIdType triangles, int trees, double
   orientations->SetName(vtkHeliosArrayNames::Orientation);
   orientations->SetNumberOfComponents(4);
   scales->SetName(vtkHeliosArrayNames::Scale);
+  const auto add = [&](const Vec3& at, int prototype, double angle, double scale)
+  {
+    const helios::Quaternion q = helios::AxisAngle({ 0, 0, 1 }, angle);
+    points->InsertNextPoint(at.GetData());
+    prototypes->InsertNextValue(prototype);
+    orientations->InsertNextTuple4(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
+    scales->InsertNextValue(scale);
+  };
+  add({ 0, 0, 0 }, Prototypes, 0.0, 1.0);
   const int perRow = static_cast<int>(width / Spacing);
   for (int i = 0; i < trees; ++i)
   {
     const auto key = static_cast<std::uint64_t>(i) + 99999999999;
     const double x = Spacing * (i % perRow + 0.2 + 0.6 * Draw(key, 0));
     const double y = Spacing * (i / perRow + 0.2 + 0.6 * Draw(key, 1));
-    points->InsertNextPoint(x, y, GetGround(x, y));
-    prototypes->InsertNextValue(static_cast<int>(Prototypes * Draw(key, 2)));
-    const helios::Quaternion q = helios::AxisAngle({ 0, 0, 1 }, 360 * Draw(key, 3));
-    orientations->InsertNextTuple4(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
-    scales->InsertNextValue(0.7 + 0.6 * Draw(key, 4));
+    add({ x, y, GetGround(x, y) }, static_cast<int>(Prototypes * Draw(key, 2)), 360 * Draw(key, 3),
+      0.7 + 0.6 * Draw(key, 4));
   }
   vtkNew<vtkPolyData> instances;
   instances->SetPoints(points);

@@ -3,6 +3,7 @@
 """Surveys over height rasters: traced as they are, with the files of a mesh."""
 
 import hashlib
+import json
 
 import numpy as np
 import pytest
@@ -95,8 +96,10 @@ def folder(tmp_path):
     return tmp_path
 
 
-def write_survey(folder, parts, plan="tls"):
-    (folder / "scene.xml").write_text(f'<document><scene id="s">\n{parts}</scene></document>')
+def write_survey(folder, parts, plan="tls", scene=""):
+    (folder / "scene.xml").write_text(
+        f'<document><scene id="s" {scene}>\n{parts}</scene></document>'
+    )
     platform, scanner, legs = PLANS[plan]
     survey = folder / f"{plan}.xml"
     survey.write_text(SURVEY.format(platform=platform, scanner=scanner, legs=legs))
@@ -114,8 +117,8 @@ def run(survey, *options):
     return {str(p.relative_to(output)): hashlib.sha256(p.read_bytes()).hexdigest() for p in files}
 
 
-def load(survey, instances=True):
-    source = vtkhelios.read_survey(survey).source(instances=instances)
+def load(survey, instances=True, **options):
+    source = vtkhelios.read_survey(survey).source(instances=instances, **options)
     assert source.Load()
     return source.GetScene()
 
@@ -221,15 +224,26 @@ def test_a_missing_raster_has_a_message(folder, capsys):
 
 
 def test_epochs_with_and_without_moving_parts(folder):
-    """Where parts move, the raster is a mesh; in the next epoch it is a raster again."""
+    """Where a part moves, the raster is a mesh; in the next epoch it is a raster."""
     motion = '<dmotion id="all" loop="0"><motion type="translation" vec="0.1;0;0"/></dmotion>'
-    house = OBJ.format("tree.obj") + move(EAST + 6, NORTH, 111)
-    moving = part(
-        "car",
-        house + f'<swap swapStep="1">{house}{motion}</swap><swap swapStep="1">{house}</swap>',
-        "",
-    )
-    survey = write_survey(folder, part("terrain") + moving)
+    car = OBJ.format("tree.obj") + move(EAST + 6, NORTH, 111) + motion
+    moving = part("car", car, '<swap force_null="true"/>')
+    survey = write_survey(folder, part("terrain") + moving, scene='dynTimeStep="0.1"')
+    for epoch, prototypes in enumerate(([], ["vtkImageData"])):
+        assert find_prototypes(load(survey, epoch=epoch)) == prototypes
     files = run(survey)
     assert files == run(survey, "--no-instances")
     assert len(files) > 3
+
+
+def test_a_changed_raster_is_another_scene(folder):
+    survey = write_survey(folder, part("terrain"))
+    digests = set()
+    for change in (0, 0, 1):
+        heights = make_heights()
+        heights[-1, -1] += change
+        write_raster(folder / "terrain.tif", heights)
+        run(survey)
+        summary = json.loads((folder / "out" / "s" / "run_summary.json").read_text())
+        digests.add(json.dumps(summary["scene"]))
+    assert len(digests) == 2

@@ -136,7 +136,8 @@ def add_arguments(parser):
     parser.add_argument(
         "--no-instances",
         action="store_true",
-        help="copy the mesh of a file for each part that has it, instead of storing it once",
+        help="copy the mesh of a file for each part that has it, instead of storing it once, and make "
+        "meshes of height rasters",
     )
     parser.add_argument(
         "--no-accuracy-report",

@@ -140,7 +140,8 @@ int SceneSurfaces::FindMaterialId(vtkIdType cell) const
   }
   return at.Instance->Material >= 0
     ? at.Instance->Material
-    : this->Prototypes[static_cast<std::size_t>(at.Instance->PrototypeId)].GetMaterialId(at.Triangle);
+    : this->Prototypes[static_cast<std::size_t>(at.Instance->PrototypeId)].GetMaterialId(
+        at.Triangle);
 }
 
 //------------------------------------------------------------------------------

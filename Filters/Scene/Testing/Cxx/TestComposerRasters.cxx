@@ -87,7 +87,7 @@ TEST_CASE("SceneComposer: instances of rasters and meshes", "[ComposerRasters]")
 {
   const Terrain soil("soil"), rock("rock");
   const auto oak = MakeMesh(4, "oak");
-  const std::vector<Place> places = { { 2, { 5, 0, 0 }, { 1, 0, 0, 0 }, 1.0, 0 },
+  const std::vector<Place> places = { { 2, { 5, 0, 0 }, { 0.8, 0, 0.6, 0 }, 1.2, 0 },
     { 0, { 0, 7, 2 }, { 0.9, 0.1, 0.3, 0.2 }, 2.5, 2 },
     { 0, { 1, 1, 1 }, { 0, 0, 0, 1 }, 0.5, 3 } };
   vtkNew<vtkHeliosSceneComposer> composer, copies;

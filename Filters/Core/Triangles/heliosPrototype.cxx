@@ -26,16 +26,4 @@ Status Prototype::Set(vtkDataSet* data)
   return status;
 }
 
-//------------------------------------------------------------------------------
-vtkIdType Prototype::CountTriangles(vtkDataSet* data)
-{
-  vtkIdType count = 0;
-  if (auto* raster = vtkImageData::SafeDownCast(data))
-  {
-    return HeightField::CountTriangles(raster, count).IsOk() ? count : 0;
-  }
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  return mesh ? mesh->GetNumberOfPolys() : 0;
-}
-
 } // namespace helios

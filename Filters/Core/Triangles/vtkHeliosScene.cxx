@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScene.h"
 
-#include "heliosPrototype.h"
+#include "heliosHeightField.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -15,6 +16,23 @@
 #include <utility>
 
 vtkStandardNewMacro(vtkHeliosScene);
+
+namespace
+{
+
+/// The triangles of a prototype; none if it is not valid.
+vtkIdType CountTriangles(vtkDataSet* prototype)
+{
+  vtkIdType count = 0;
+  if (auto* raster = vtkImageData::SafeDownCast(prototype))
+  {
+    return helios::HeightField::CountTriangles(raster, count).IsOk() ? count : 0;
+  }
+  auto* mesh = vtkPolyData::SafeDownCast(prototype);
+  return mesh ? mesh->GetNumberOfPolys() : 0;
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 void vtkHeliosScene::SetInstances(vtkPolyData* instances)
@@ -65,7 +83,7 @@ vtkIdType vtkHeliosScene::GetNumberOfTriangles() const
   {
     vtkDataSet* prototype = this->GetPrototype(static_cast<int>(ids->GetComponent(i, 0)));
     const auto [known, isNew] = counts.emplace(prototype, 0);
-    known->second = isNew ? helios::Prototype::CountTriangles(prototype) : known->second;
+    known->second = isNew ? CountTriangles(prototype) : known->second;
     count += known->second;
   }
   return count;

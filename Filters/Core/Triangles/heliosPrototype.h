@@ -28,9 +28,6 @@ public:
   /// TriangleMesh and HeightField.
   Status Set(vtkDataSet* data);
 
-  /// The triangles of a prototype; 0 if it is not valid.
-  static vtkIdType CountTriangles(vtkDataSet* data);
-
   bool IsRaster() const { return this->Field.GetNumberOfTriangles() > 0; }
   const TriangleMesh& GetMesh() const { return this->Mesh; }    ///< unless it is a raster
   const HeightField& GetHeights() const { return this->Field; } ///< if it is a raster
