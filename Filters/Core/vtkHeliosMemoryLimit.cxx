@@ -91,8 +91,9 @@ double vtkHeliosMemoryLimit::GetUsed()
   std::ifstream file("/proc/self/statm");
   double all = 0.0;
   double resident = 0.0;
-  file >> all >> resident;
-  return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebibyte : 0.0;
+  double ofFiles = 0.0;
+  file >> all >> resident >> ofFiles;
+  return file ? (resident - ofFiles) * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebibyte : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,8 @@ public:
   static double GetAvailable();
 
   /**
-   * Get the memory used by this process [MiB]; 0 if the system does not report it.
+   * Get the memory used by this process [MiB], without pages of files, which the system may drop; 0
+   * if the system does not report it.
    */
   static double GetUsed();
 

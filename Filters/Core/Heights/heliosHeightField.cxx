@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosHeightField.h"
 
+#include "heliosMemoryCheck.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
@@ -23,7 +24,8 @@ namespace
 {
 
 constexpr std::int64_t MaximumCells = std::int64_t(1) << 30; // slots are 31-bit
-constexpr double MostRelief = 1e4; // heights in units of the raster's width: boxes are floats
+constexpr double BytesPerPixel = 1.0; // of the pyramid and of missing triangles
+constexpr double MostRelief = 1e4;    // heights in units of the raster's width: boxes are floats
 
 /// The slots of a cell, a bit each.
 constexpr std::uint64_t UpperBit = 1;
@@ -89,7 +91,14 @@ Status HeightField::CountTriangles(vtkImageData* raster, vtkIdType& count)
 Status HeightField::Set(vtkImageData* raster)
 {
   *this = HeightField();
-  Status status = this->SetTriangles(raster);
+  int size[3] = { 0, 0, 0 };
+  if (raster)
+  {
+    raster->GetDimensions(size);
+  }
+  Status status =
+    CheckMemory("pixels of a raster", static_cast<double>(size[0]) * size[1], BytesPerPixel);
+  status = status.IsOk() ? this->SetTriangles(raster) : status;
   if (!status.IsOk())
   {
     *this = HeightField();

@@ -7,6 +7,7 @@
 #include "heliosRasterFile.h"
 #include "heliosRasterRows.h"
 #include "heliosSceneCrs.h"
+#include "heliosScratchArray.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -39,18 +40,25 @@ constexpr double BytesPerPixel = 12.0; // when the first height that is not a fl
 class HeightArray
 {
 public:
-  explicit HeightArray(vtkIdType count)
+  HeightArray(vtkIdType count, bool isInFile)
     : Count(count)
+    , IsInFile(isInFile)
   {
-    this->Floats->SetNumberOfValues(count);
   }
 
-  void AddRow(const double* heights, vtkIdType columns)
+  helios::Status Allocate() { return this->Allocate(this->Floats); }
+
+  helios::Status AddRow(const double* heights, vtkIdType columns)
   {
+    helios::Status status;
     this->AreFloats = this->AreFloats && std::all_of(heights, heights + columns, IsFloat);
     if (!this->AreFloats && this->Doubles->GetNumberOfValues() == 0)
     {
-      this->CopyToDoubles();
+      status = this->CopyToDoubles();
+    }
+    if (!status.IsOk())
+    {
+      return status;
     }
     for (vtkIdType i = 0; i < columns; ++i)
     {
@@ -68,6 +76,7 @@ public:
       std::copy_n(heights, columns, this->Doubles->GetPointer(this->Size));
     }
     this->Size += columns;
+    return status;
   }
 
   vtkDataArray* Get()
@@ -86,14 +95,29 @@ private:
       (std::abs(height) <= largest && static_cast<double>(static_cast<float>(height)) == height);
   }
 
-  void CopyToDoubles()
+  helios::Status Allocate(vtkDataArray* array) const
   {
-    this->Doubles->SetNumberOfValues(this->Count);
-    std::copy_n(this->Floats->GetPointer(0), this->Size, this->Doubles->GetPointer(0));
-    this->Floats->Initialize();
+    if (this->IsInFile)
+    {
+      return helios::MapScratchFile(array, static_cast<std::size_t>(this->Count));
+    }
+    array->SetNumberOfTuples(this->Count);
+    return {};
+  }
+
+  helios::Status CopyToDoubles()
+  {
+    const helios::Status status = this->Allocate(this->Doubles);
+    if (status.IsOk())
+    {
+      std::copy_n(this->Floats->GetPointer(0), this->Size, this->Doubles->GetPointer(0));
+      this->Floats->Initialize();
+    }
+    return status;
   }
 
   vtkIdType Count;
+  bool IsInFile;
   vtkIdType Size = 0; // read so far
   bool AreFloats = true;
   vtkNew<vtkFloatArray> Floats;
@@ -211,25 +235,26 @@ bool vtkHeliosGeoTiffHeightReader::ReadHeights(RasterFile& file, vtkImageData* i
 {
   const auto columns = static_cast<vtkIdType>(file.GetNumberOfColumns());
   const auto count = columns * static_cast<vtkIdType>(file.GetNumberOfRows());
-  helios::Status status =
-    helios::CheckMemory("pixels with a height", static_cast<double>(count), BytesPerPixel);
-  if (!status.IsOk())
-  {
-    return this->Fail(
-      file.GetPath() + ": " + status.Message() + "; gdal_translate -srcwin cuts out a part");
-  }
-  HeightArray heights(count);
+  const bool fits =
+    helios::CheckMemory("pixels with a height", static_cast<double>(count), BytesPerPixel).IsOk();
+  HeightArray heights(count, !fits);
+  helios::Status allocated = heights.Allocate();
   const auto add = [&](const double* row)
   {
-    heights.AddRow(row, columns);
-    return true;
+    allocated = heights.AddRow(row, columns);
+    return allocated.IsOk();
   };
   const auto goOn = [this](double part)
   {
     this->UpdateProgress(part);
     return !this->AbortExecute;
   };
-  status = helios::ReadRows(file, add, goOn);
+  const helios::Status status =
+    allocated.IsOk() ? helios::ReadRows(file, add, goOn) : helios::Status();
+  if (!allocated.IsOk())
+  {
+    return this->Fail(file.GetPath() + ": " + allocated.Message());
+  }
   if (!status.IsOk())
   {
     return this->Fail(status.Message());

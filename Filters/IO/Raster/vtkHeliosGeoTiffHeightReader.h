@@ -14,7 +14,11 @@
  * Origin, spacing and direction of the image place its points at the pixel centres, at z = 0, up to
  * rounding.
  *
- * Heights, units and holes, errors and warnings are those of vtkHeliosGeoTiffSceneReader.
+ * Heights that do not fit into memory (vtkHeliosMemoryLimit) are in a temporary file in the folder
+ * TMPDIR (default: /var/tmp), of which the system holds the pages used last in memory.
+ *
+ * Heights, units and holes, errors and warnings are those of vtkHeliosGeoTiffSceneReader. Further
+ * error: no room for the temporary file.
  *
  * @sa
  * vtkHeliosGeoTiffSceneReader
