@@ -3,15 +3,20 @@
 #include "vtkHeliosScene.h"
 
 #include "heliosHeightField.h"
+#include "heliosSimilarity.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -30,6 +35,55 @@ vtkIdType CountTriangles(vtkDataSet* prototype)
   }
   auto* mesh = vtkPolyData::SafeDownCast(prototype);
   return mesh ? mesh->GetNumberOfPolys() : 0;
+}
+
+/// A box of bounds; not valid if they are not set.
+vtkBoundingBox MakeBox(const double bounds[6])
+{
+  vtkBoundingBox box;
+  if (vtkMath::AreBoundsInitialized(bounds))
+  {
+    box.SetBounds(bounds);
+  }
+  return box;
+}
+
+/// The box of a prototype; not valid if it has none.
+vtkBoundingBox GetBox(vtkDataSet* prototype)
+{
+  double bounds[6];
+  vtkMath::UninitializeBounds(bounds);
+  helios::HeightField field;
+  auto* raster = vtkImageData::SafeDownCast(prototype);
+  if (raster && field.Set(raster).IsOk())
+  {
+    field.GetBounds(bounds);
+  }
+  else if (prototype && !raster)
+  {
+    prototype->GetBounds(bounds);
+  }
+  return MakeBox(bounds);
+}
+
+/// The place of an instance; its arrays may be missing.
+helios::Similarity GetPlace(vtkPolyData* instances, vtkIdType i)
+{
+  double quaternion[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double scale = 1.0;
+  vtkDataArray* orientations =
+    instances->GetPointData()->GetArray(vtkHeliosArrayNames::Orientation);
+  vtkDataArray* scales = instances->GetPointData()->GetArray(vtkHeliosArrayNames::Scale);
+  if (orientations && orientations->GetNumberOfComponents() == 4 &&
+    i < orientations->GetNumberOfTuples())
+  {
+    orientations->GetTuple(i, quaternion);
+  }
+  if (scales && i < scales->GetNumberOfTuples())
+  {
+    scale = scales->GetComponent(i, 0);
+  }
+  return { quaternion, scale, instances->GetPoint(i) };
 }
 
 } // namespace
@@ -94,6 +148,47 @@ bool vtkHeliosScene::HasInstances(vtkPolyData* scene)
 {
   auto* whole = vtkHeliosScene::SafeDownCast(scene);
   return whole && whole->GetNumberOfInstances() > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScene::ComputeBounds()
+{
+  if (this->GetMTime() <= this->ComputeTime)
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> mesh; // without the instances
+  mesh->ShallowCopy(this);
+  vtkBoundingBox all = MakeBox(mesh->GetBounds());
+  std::vector<vtkBoundingBox> boxes;
+  std::transform(
+    this->Prototypes.begin(), this->Prototypes.end(), std::back_inserter(boxes), GetBox);
+  vtkDataArray* ids = this->Instances
+    ? this->Instances->GetPointData()->GetArray(vtkHeliosArrayNames::PrototypeIds)
+    : nullptr;
+  for (vtkIdType i = 0; i < this->GetNumberOfInstances(); ++i)
+  {
+    const double id = ids ? ids->GetComponent(i, 0) : 0.0;
+    if (!(id >= 0.0 && id < static_cast<double>(boxes.size())) ||
+      !boxes[static_cast<std::size_t>(id)].IsValid())
+    {
+      continue;
+    }
+    const helios::Similarity place = GetPlace(this->Instances, i);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double p[3];
+      boxes[static_cast<std::size_t>(id)].GetCorner(corner, p);
+      place.Apply(p, p);
+      all.AddPoint(p);
+    }
+  }
+  vtkMath::UninitializeBounds(this->Bounds);
+  if (all.IsValid())
+  {
+    all.GetBounds(this->Bounds);
+  }
+  this->ComputeTime.Modified();
 }
 
 //------------------------------------------------------------------------------

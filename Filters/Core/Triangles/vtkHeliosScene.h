@@ -80,6 +80,7 @@ public:
   /**
    * Of the mesh, the prototypes and the instances.
    */
+  void ComputeBounds() override;
   void Initialize() override;
   void ShallowCopy(vtkDataObject* from) override;
   void DeepCopy(vtkDataObject* from) override;

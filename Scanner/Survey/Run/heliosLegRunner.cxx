@@ -6,11 +6,9 @@
 #include "heliosMessages.h"
 #include "heliosPulseCount.h"
 #include "heliosRunJournal.h"
-#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosRunFiles.h"
-#include "vtkHeliosScene.h"
 
 #include <vtkPolyData.h>
 
@@ -432,11 +430,6 @@ std::string LegRunner::ExplainNoEchoes() const
     const Vec3 p(plan.Platform->GetOutput()->GetPoint(0));
     double b[6];
     this->Scene->GetBounds(b);
-    SceneGeometry geometry;
-    if (vtkHeliosScene::HasInstances(this->Scene) && geometry.Set(this->Scene).IsOk())
-    {
-      geometry.GetBounds(b);
-    }
     text << "none of " << this->Counts.PulsesFired << " pulses hit the scene. It spans x " << b[0]
          << " to " << b[1] << ", y " << b[2] << " to " << b[3] << ", z " << b[4] << " to " << b[5]
          << "; leg " << plan.Leg << " starts at " << p[0] << ", " << p[1] << ", " << p[2]

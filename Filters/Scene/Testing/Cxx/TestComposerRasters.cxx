@@ -80,6 +80,10 @@ TEST_CASE("SceneComposer: rasters are parts as meshes are", "[ComposerRasters]")
     CHECK(scene->GetNumberOfPolys() == (hasMeshes ? 6 : 0));
     CHECK(scene->GetNumberOfTriangles() == copies->GetOutput()->GetNumberOfPolys());
     CheckSame(Flatten(composer), copies->GetOutput());
+    double bounds[6], expected[6];
+    scene->GetBounds(bounds);
+    copies->GetOutput()->GetBounds(expected);
+    CHECK(std::equal(bounds, bounds + 6, expected));
   }
 }
 

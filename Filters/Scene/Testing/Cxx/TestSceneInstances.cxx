@@ -175,3 +175,34 @@ TEST_CASE("SceneComposer: invalid instances have messages", "[SceneInstances]")
   CHECK(composing.Composer->GetPartId(3) == 2);
   CHECK(composing.Composer->GetPartId(0) == -1);
 }
+
+TEST_CASE("vtkHeliosScene: its bounds are those of all triangles", "[SceneInstances]")
+{
+  Composing composing;
+  composing.Composer->Update();
+  auto* scene = vtkHeliosScene::SafeDownCast(composing.Composer->GetOutput());
+  REQUIRE(scene);
+  const auto check = [scene]
+  {
+    vtkNew<vtkHeliosSceneFlatten> flatten;
+    flatten->SetInputDataObject(0, scene);
+    flatten->Update();
+    double own[6], tight[6];
+    scene->GetBounds(own);
+    flatten->GetOutput()->GetBounds(tight);
+    for (int i = 0; i < 6; i += 2)
+    {
+      CHECK(own[i] <= tight[i]);
+      CHECK(own[i + 1] >= tight[i + 1]);
+      CHECK(own[i] > tight[i] - 3.0); // boxes of rotated boxes
+      CHECK(own[i + 1] < tight[i + 1] + 3.0);
+    }
+  };
+  check();
+  scene->GetInstances()->GetPoints()->SetPoint(0, 500.0, 0.0, 0.0);
+  scene->GetInstances()->GetPoints()->Modified();
+  scene->GetInstances()->Modified();
+  check();
+  vtkNew<vtkHeliosScene> empty;
+  CHECK(empty->GetBounds()[0] > empty->GetBounds()[1]);
+}

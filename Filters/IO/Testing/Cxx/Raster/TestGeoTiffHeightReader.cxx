@@ -256,9 +256,10 @@ TEST_CASE("GeoTiffHeightReader: heights beyond the memory are in a file", "[GeoT
       const TinyMemory tiny(folder / "none");
       error = GetError(folder / "a.tif");
     }
-    CHECK_THAT(error, Catch::Contains("a.tif: a temporary file of 0 MB in " + (folder / "none") +
-                        " cannot be made: No such file or directory; set TMPDIR to a folder with "
-                        "enough room"));
+    CHECK_THAT(error,
+      Catch::Contains("a.tif: a temporary file of 0 MB in " + (folder / "none") +
+        " cannot be made: No such file or directory; set TMPDIR to a folder with "
+        "enough room"));
     {
       const TinyMemory tiny(folder / "");
       REQUIRE(inFile.Read());
