@@ -27,6 +27,7 @@ enum class RandomStream : std::uint32_t
   VoxelShift = 20,
   TurbidMedium = 21,
   RandomMaterial = 22,
+  PartTable = 23,
   ScanPositions = 40
 };
 

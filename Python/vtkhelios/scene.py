@@ -5,7 +5,10 @@
 >>> scene = vtkhelios.Scene(points, triangles, reflectance=0.4)
 """
 
+import csv
 import importlib
+import io
+import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -180,6 +183,55 @@ def _for_each(name, values, count):
             f"{name} has the shape {values.shape}; give one number, or {count} of them"
         )
     return values
+
+
+def add_parts(survey, table, models, seed, yaw, scale):
+    """Adds a table of parts to a vtkHeliosSurvey; returns whether that succeeded.
+
+    table
+        a row for each part: the name of a CSV file, or its columns, a dictionary, a structured
+        array or a data frame. Columns are x and y [m], and optionally model, z [m] (NaN: on the
+        ground), yaw_deg, scale, id and classification; others of a file are not used.
+    models
+        a dictionary of what rows place: by the names in the column model, the OBJ file of each, or
+        a dictionary of attributes of <model>, such as {"objloader/filepath": "oak.obj", "share":
+        3}. Rows without a model have one of them at random.
+    seed
+        of all random values.
+    yaw, scale
+        the ranges of random rotations about the vertical [deg] and factors, of rows without.
+    """
+    is_file = isinstance(table, (str, os.PathLike))
+    index = survey.AddPartTable(to_vtk(table) if is_file else "")
+    if index < 0:
+        return False
+    values = {"seed": seed, "yawMin_deg": yaw[0], "yawMax_deg": yaw[1]}
+    values.update({"scaleMin": scale[0], "scaleMax": scale[1]})
+    for number, (name, model) in enumerate(models.items()):
+        given = {"objloader/filepath": model} if not hasattr(model, "items") else model
+        values[f"model[{number}]/id"] = name
+        values.update({f"model[{number}]/{key}": value for key, value in given.items()})
+    for name, value in values.items():
+        if not survey.SetPartTableAttribute(index, name, to_vtk(str(value))):
+            return False
+    if not is_file:
+        survey.SetPartTableRows(index, to_vtk(_table_text(table)))
+    return survey.Check()
+
+
+def _table_text(table):
+    """Columns as the text of a CSV file; None and NaN are empty."""
+    names = getattr(getattr(table, "dtype", None), "names", None) or list(table)
+    columns = {name: np.asarray(table[name]).reshape(-1).tolist() for name in names}
+    lengths = {name: len(column) for name, column in columns.items()}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"the columns have different lengths: {lengths}; give one value per row")
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    for row in zip(*columns.values()):
+        writer.writerow("" if cell is None or cell != cell else cell for cell in row)
+    return text.getvalue()
 
 
 def _class(name):

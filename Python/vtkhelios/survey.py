@@ -22,6 +22,7 @@ from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclud
 from ._properties import set_properties
 from ._watching import Progress
 from .cloud import Cloud, data_of
+from .scene import add_parts
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
@@ -293,6 +294,17 @@ class Survey:
         with Progress(progress) as watched:
             tell = watched.callback or (lambda *_: None)
             return make_tradeoff(self, pulses, parts, tell, **options)
+
+    def add_parts(self, table, models=None, seed=0, yaw=(0, 0), scale=(1, 1)):
+        """Adds a part per row of a table to the scene; see vtkhelios.scene.add_parts()."""
+        if self._input is not None:
+            raise ValueError("the scene of this survey is an input; add parts to a survey without")
+        with self._lock, MessageLog() as log:
+            log.watch(self.vtk)
+            succeeded = add_parts(self.vtk, table, models or {}, seed, yaw, scale)
+        conclude(log)
+        if not succeeded:
+            raise PipelineError(["the parts cannot be added, for a reason that was not reported"])
 
     def source_of(self, options):
         """The loaded source that run() uses, with these options."""

@@ -22,7 +22,7 @@ namespace helios
  * The height of the highest surface at the x, y of each point, NaN without a surface; with
  * groundOnly only of surfaces with a ground material, if the scene has any.
  */
-Status GetGroundHeights(
+VTKHELIOSSCANNERRAYCASTING_EXPORT Status GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
 
 /// For each triangle of a scene whether its material is a ground; empty if none is.

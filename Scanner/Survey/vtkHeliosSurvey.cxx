@@ -269,6 +269,31 @@ void vtkHeliosSurvey::RemoveAllParts()
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddPartTable(const std::string& file)
+{
+  return this->Maker->AddPartTable(file);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetPartTableAttribute(
+  int table, const std::string& name, const std::string& value)
+{
+  return this->Maker->SetPartTable(table, name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPartTableAttribute(int table, const std::string& name)
+{
+  return this->Maker->GetPartTable(table, name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetPartTableRows(int table, const std::string& text)
+{
+  return this->Maker->SetPartTableRows(table, text);
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosSurvey::RotatePart(int part, const std::string& axis, double angle)
 {
   return this->Maker->RotatePart(part, axis, angle);

@@ -189,6 +189,28 @@ public:
   ///@}
 
   /**
+   * Add a table of parts, a row for each place where a model stands: a CSV file, or an empty name for
+   * a table with the rows of SetPartTableAttribute() or SetPartTableRows(). Its parts come after all
+   * others. Returns its index, or -1 after an error. RemoveAllParts() removes tables, too.
+   */
+  int AddPartTable(const std::string& file);
+
+  ///@{
+  /**
+   * Set/Get an attribute of a table: seed, yawMax_deg ...; of its models, as in model[0]/id or
+   * model[0]/objloader/filepath; and of its rows, as in row[0]/x.
+   */
+  bool SetPartTableAttribute(int table, const std::string& name, const std::string& value);
+  std::string GetPartTableAttribute(int table, const std::string& name);
+  ///@}
+
+  /**
+   * Set the rows of a table that has no file as the text of a CSV file. Returns false after an
+   * error.
+   */
+  bool SetPartTableRows(int table, const std::string& text);
+
+  /**
    * Rotate a part about x, y or z by an angle [deg], after its other rotations. Valid range: [-1e6,
    * 1e6]. Returns false after an error.
    */

@@ -8,7 +8,7 @@
 #include "heliosRunJournal.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
-#include "heliosXmlPlanner.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
 

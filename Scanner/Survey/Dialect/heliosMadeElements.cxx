@@ -9,6 +9,7 @@
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 
@@ -33,6 +34,13 @@ void ReadOrientation(
     orientation = element ? element.ReadRotation() : Quaternion(1.0, 0.0, 0.0, 0.0);
   }
 }
+
+std::string NameTable(std::size_t table)
+{
+  return "part table " + std::to_string(table);
+}
+
+constexpr const char* TableTag = "partTable";
 
 } // namespace
 
@@ -88,6 +96,97 @@ void MadeElements::RemoveParts()
   for (auto tree = this->Trees.begin(); tree != this->Trees.end();)
   {
     tree = tree->first.compare(0, 5, "part ") == 0 ? this->Trees.erase(tree) : std::next(tree);
+  }
+  this->TableRows.clear();
+  this->NumberOfTableParts = 0;
+  this->AreTablesRead = true;
+}
+
+//------------------------------------------------------------------------------
+int MadeElements::AddTable(const std::string& file)
+{
+  const std::string where = NameTable(this->TableRows.size());
+  Messages silent(nullptr);
+  this->TableRows.emplace_back();
+  this->AreTablesRead = false;
+  this->Set(TableTag, { "file", file, where }, silent);
+  return static_cast<int>(this->TableRows.size()) - 1;
+}
+
+//------------------------------------------------------------------------------
+bool MadeElements::CheckTable(int table, Messages& log) const
+{
+  const bool exists = table >= 0 && table < static_cast<int>(this->TableRows.size());
+  if (!exists)
+  {
+    log.Error("part table " + std::to_string(table) + " does not exist; there are " +
+      std::to_string(this->TableRows.size()) + ", counted from 0");
+  }
+  return exists;
+}
+
+//------------------------------------------------------------------------------
+bool MadeElements::SetTable(
+  int table, const std::string& name, const std::string& value, Messages& log)
+{
+  const bool isGood = this->CheckTable(table, log) &&
+    this->Set(TableTag, { name, value, NameTable(static_cast<std::size_t>(table)) }, log);
+  this->AreTablesRead = this->AreTablesRead && !isGood;
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+std::string MadeElements::GetTable(int table, const std::string& name, Messages& log) const
+{
+  return this->CheckTable(table, log)
+    ? this->Get(TableTag, { name, "", NameTable(static_cast<std::size_t>(table)) }, log)
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool MadeElements::SetTableRows(int table, const std::string& text, Messages& log)
+{
+  const bool isGood = this->CheckTable(table, log);
+  if (isGood)
+  {
+    this->TableRows[static_cast<std::size_t>(table)] = text;
+    this->AreTablesRead = false;
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+void MadeElements::RemoveTableParts(std::vector<PartData>& parts)
+{
+  this->AreTablesRead = this->AreTablesRead && this->NumberOfTableParts == 0;
+  parts.resize(parts.size() - std::min(parts.size(), this->NumberOfTableParts));
+  this->NumberOfTableParts = 0;
+}
+
+//------------------------------------------------------------------------------
+/// Makes the parts of tables after all others; those of tables that were read are unchanged.
+void MadeElements::ApplyTables(SurveyData& survey, Assets& assets, Messages& log)
+{
+  if (this->AreTablesRead)
+  {
+    return;
+  }
+  const int before = log.GetNumberOfErrors();
+  std::vector<PartData>& parts = survey.Scene.Parts;
+  this->RemoveTableParts(parts);
+  const std::size_t others = parts.size();
+  for (std::size_t i = 0; i < this->TableRows.size(); ++i)
+  {
+    const auto document = this->Find(NameTable(i))->MakeDocument(NameTable(i), log);
+    ReadPartTable(document->GetRoot().GetChild(TableTag), assets, this->TableRows[i], parts);
+  }
+  this->NumberOfTableParts = parts.size() - others;
+  this->AreTablesRead = log.GetNumberOfErrors() == before;
+  for (const std::string& path : assets.GetDocumentPaths())
+  {
+    std::vector<std::string>& all = survey.Documents;
+    const auto place = std::lower_bound(all.begin(), all.end(), path);
+    place == all.end() || *place != path ? void(all.insert(place, path)) : void();
   }
 }
 
@@ -159,7 +258,7 @@ void MadeElements::Apply(
   }
   const ElementTree* steps = this->Find("scene");
   const auto scene = (steps ? *steps : ElementTree("scene")).MakeDocument("scene", log);
-  for (std::size_t i = 0; i < survey.Scene.Parts.size(); ++i)
+  for (std::size_t i = 0; i < survey.Scene.Parts.size() - this->NumberOfTableParts; ++i)
   {
     const std::string where = number("part ", i);
     if (const ElementTree* tree = this->Find(where))
@@ -170,6 +269,7 @@ void MadeElements::Apply(
         [tree](const char* name) { return tree->HasSet(name); }, assets, survey.Scene.Parts[i]);
     }
   }
+  this->ApplyTables(survey, assets, log);
   CheckEpochs(survey.Scene, log);
 }
 

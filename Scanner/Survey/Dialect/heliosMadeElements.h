@@ -8,6 +8,7 @@
 #include "heliosElementTree.h"
 #include "heliosSurveyData.h"
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,7 +44,22 @@ public:
   bool Set(const char* tag, const XmlValue& value, Messages& log);
   std::string Get(const char* tag, const XmlValue& value, Messages& log) const;
 
-  /// Forgets the trees of parts.
+  ///@{
+  /// Adds a table of parts, from a file if it is not empty; sets and gets the value of a path, and
+  /// sets its rows as text in place of a file. A table that does not exist is an error; -1: none.
+  int AddTable(const std::string& file);
+  bool SetTable(int table, const std::string& name, const std::string& value, Messages& log);
+  std::string GetTable(int table, const std::string& name, Messages& log) const;
+  bool SetTableRows(int table, const std::string& text, Messages& log);
+  ///@}
+
+  /// The parts of tables, which are the last ones of the scene.
+  std::size_t GetNumberOfTableParts() const { return this->NumberOfTableParts; }
+
+  /// Removes the parts of tables until the next Apply().
+  void RemoveTableParts(std::vector<PartData>& parts);
+
+  /// Forgets the trees of parts, and the tables.
   void RemoveParts();
 
   /// Reads all trees into the survey, and checks them as a whole.
@@ -54,8 +70,13 @@ private:
   void Apply(
     ScannerData& scanner, const std::string& where, const Assets& assets, Messages& log) const;
   void Apply(PlatformData& platform, const std::string& where, Messages& log) const;
+  bool CheckTable(int table, Messages& log) const;
+  void ApplyTables(SurveyData& survey, Assets& assets, Messages& log);
 
   std::map<std::string, ElementTree> Trees;
+  std::vector<std::string> TableRows; ///< of the tables, as text
+  std::size_t NumberOfTableParts = 0;
+  bool AreTablesRead = true;
 };
 
 } // namespace helios

@@ -287,16 +287,17 @@ void SurveyMaker::RemoveAllLegs()
 //------------------------------------------------------------------------------
 /// One of several; null after an error if it does not exist.
 template <typename DataT>
-DataT* SurveyMaker::Find(std::vector<DataT>& all, int index, const char* what)
+DataT* SurveyMaker::Find(std::vector<DataT>& all, int index, const char* what, std::size_t count)
 {
+  count = std::min(count, all.size());
   this->Where = std::string(what) + " " + std::to_string(index);
-  if (index >= 0 && index < static_cast<int>(all.size()))
+  if (index >= 0 && index < static_cast<int>(count))
   {
     return &all[static_cast<std::size_t>(index)];
   }
   Messages(this->Owner)
-    .Error(this->Where + " does not exist; there are " + std::to_string(all.size()) +
-      ", counted from 0");
+    .Error(
+      this->Where + " does not exist; there are " + std::to_string(count) + ", counted from 0");
   return nullptr;
 }
 
@@ -329,7 +330,8 @@ ScannerData* SurveyMaker::FindScanner(int scanner, int channel)
 //------------------------------------------------------------------------------
 PartData* SurveyMaker::FindPart(int part)
 {
-  return this->Find(this->Data.Scene.Parts, part, "part");
+  const std::size_t count = this->Data.Scene.Parts.size() - this->Elements.GetNumberOfTableParts();
+  return this->Find(this->Data.Scene.Parts, part, "part", count);
 }
 
 //------------------------------------------------------------------------------

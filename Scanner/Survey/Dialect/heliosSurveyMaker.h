@@ -10,6 +10,8 @@
 #include "heliosMessages.h"
 #include "heliosSurveyData.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +56,14 @@ public:
   /// Adds a part from a file by one of the loaders.
   int AddPart(const std::string& loader, const std::string& file);
   void RemoveAllParts();
+
+  ///@{
+  /// Adds a table of parts, from a file if it is not empty; its values by path, and its rows as text.
+  int AddPartTable(const std::string& file);
+  bool SetPartTable(int table, const std::string& name, const std::string& value);
+  std::string GetPartTable(int table, const std::string& name);
+  bool SetPartTableRows(int table, const std::string& text);
+  ///@}
 
   ///@{
   /// Something to change, with its place in messages; null after an error.
@@ -163,7 +173,7 @@ private:
   template <typename ReadT>
   bool ReadFromFile(const char* tag, const std::string& reference, ReadT read);
   template <typename DataT>
-  DataT* Find(std::vector<DataT>& all, int index, const char* what);
+  DataT* Find(std::vector<DataT>& all, int index, const char* what, std::size_t count = SIZE_MAX);
 
   vtkObject* Owner;
   SurveyData Data;

@@ -35,6 +35,7 @@ int SurveyMaker::AddPart(const std::string& loader, const std::string& file)
 {
   Messages log(this->Owner);
   const std::vector<std::string> loaders(GetFilterTypes().begin(), GetFilterTypes().begin() + 4);
+  this->Elements.RemoveTableParts(this->Data.Scene.Parts);
   PartData part;
   part.Where = "part " + std::to_string(this->Data.Scene.Parts.size());
   part.Name = std::to_string(this->Data.Scene.Parts.size());
@@ -52,7 +53,7 @@ int SurveyMaker::AddPart(const std::string& loader, const std::string& file)
     return -1;
   }
   this->Data.Scene.Parts.push_back(part);
-  this->Owner->Modified();
+  this->Change();
   return static_cast<int>(this->Data.Scene.Parts.size()) - 1;
 }
 
@@ -62,6 +63,47 @@ void SurveyMaker::RemoveAllParts()
   this->Data.Scene.Parts.clear();
   this->Elements.RemoveParts();
   this->Owner->Modified();
+}
+
+//------------------------------------------------------------------------------
+int SurveyMaker::AddPartTable(const std::string& file)
+{
+  Messages log(this->Owner);
+  const std::string path = file.empty()
+    ? file
+    : Assets(log, this->AssetDirectories)
+        .FindFile({ "file", file, "part table" }, *MakeNowhere(log));
+  if (log.HasError())
+  {
+    return -1;
+  }
+  this->Change();
+  return this->Elements.AddTable(path);
+}
+
+//------------------------------------------------------------------------------
+bool SurveyMaker::SetPartTable(int table, const std::string& name, const std::string& value)
+{
+  Messages log(this->Owner);
+  const bool isGood = this->Elements.SetTable(table, name, value, log);
+  isGood ? this->Change() : void();
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+std::string SurveyMaker::GetPartTable(int table, const std::string& name)
+{
+  Messages log(this->Owner);
+  return this->Elements.GetTable(table, name, log);
+}
+
+//------------------------------------------------------------------------------
+bool SurveyMaker::SetPartTableRows(int table, const std::string& text)
+{
+  Messages log(this->Owner);
+  const bool isGood = this->Elements.SetTableRows(table, text, log);
+  isGood ? this->Change() : void();
+  return isGood;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,9 @@
 #include "heliosMessages.h"
 #include "heliosXmlRules.h"
 
+#include <filesystem>
+#include <sstream>
+
 namespace helios
 {
 
@@ -16,6 +19,15 @@ std::string FindType(const std::string& given)
 {
   const std::string type = ToLower(given);
   return type == "crstransform" || type == "transform" ? "crs" : type;
+}
+
+/// The type of a file by its extension; null: not a mesh.
+const char* FindLoader(const std::string& fileName)
+{
+  const std::string ending = ToLower(std::filesystem::path(fileName).extension().string());
+  return ending == ".obj"                   ? "objloader"
+    : ending == ".tif" || ending == ".tiff" ? "geotiffloader"
+                                            : nullptr;
 }
 
 } // namespace
@@ -108,6 +120,30 @@ const std::vector<std::string>& GetFilterTypes()
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
     "detailedvoxels", "crs", "repair", "simplify", "rotate", "scale", "translate" };
   return types;
+}
+
+//------------------------------------------------------------------------------
+std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
+{
+  const char* loader = FindLoader(fileName);
+  if (!loader)
+  {
+    return {};
+  }
+  pugi::xml_document document;
+  pugi::xml_node scene = document.append_child("document").append_child("scene");
+  scene.append_attribute("id") = id.c_str();
+  pugi::xml_node part = scene.append_child("part");
+  part.append_attribute("id") = id.c_str();
+  pugi::xml_node filter = part.append_child("filter");
+  filter.append_attribute("type") = loader;
+  pugi::xml_node param = filter.append_child("param");
+  param.append_attribute("type") = "string";
+  param.append_attribute("key") = "filepath";
+  param.append_attribute("value") = fileName.c_str();
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
 }
 
 } // namespace helios

@@ -62,6 +62,10 @@ private:
 /// The supported filter types.
 const std::vector<std::string>& GetFilterTypes();
 
+/// A <document> with a <scene> of one part, a mesh file; empty if the extension is not that of a
+/// mesh.
+std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
+
 } // namespace helios
 
 #endif

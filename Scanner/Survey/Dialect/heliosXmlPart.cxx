@@ -76,8 +76,8 @@ PartData PartReader::Read()
   this->ReadFilters();
   if (!this->HasLoader)
   {
-    this->Element.GetMessages().Error(this->Part.Where +
-      ": <part> has no loader; add a <filter type=\"objloader\">, geotiffloader, xyzloader or "
+    this->Element.GetMessages().Error(this->Part.Where + ": <" + this->Element.GetTag() +
+      "> has no loader; add a <filter type=\"objloader\">, geotiffloader, xyzloader or "
       "detailedvoxels");
   }
   this->CheckTurbid();
@@ -205,6 +205,7 @@ bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
     PartData fresh;
     fresh.Where = this->Part.Where;
     fresh.Name = this->Part.Name;
+    fresh.Classification = this->Part.Classification;
     this->Part = fresh;
   }
   this->Part.Type = type;

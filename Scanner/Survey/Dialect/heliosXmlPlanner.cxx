@@ -7,6 +7,7 @@
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
 #include "heliosXmlCheck.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlLeg.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlRules.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 namespace helios
 {
@@ -315,15 +315,6 @@ void PlannerReader::CheckHeight(PlannerData& data)
   }
 }
 
-/// The type of a file by its extension; null: not a mesh.
-const char* FindLoader(const std::string& fileName)
-{
-  const std::string ending = ToLower(fs::path(fileName).extension().string());
-  return ending == ".obj"                   ? "objloader"
-    : ending == ".tif" || ending == ".tiff" ? "geotiffloader"
-                                            : nullptr;
-}
-
 void WarnOfSeveral(const std::vector<XmlElement>& elements, Messages& log)
 {
   if (elements.size() > 1)
@@ -352,7 +343,7 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
     reader.ReadScene(document->GetRoot().GetChild("scene"), data);
     return data;
   }
-  if (FindLoader(request.FileName))
+  if (!MakeMeshDocument(request.FileName, {}).empty())
   {
     std::error_code ignored;
     if (!fs::is_regular_file(request.FileName, ignored))
@@ -411,30 +402,6 @@ void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log)
 std::string MakeReference(const std::string& where, const std::string& id)
 {
   return where.substr(0, where.rfind(':')) + "#" + id;
-}
-
-//------------------------------------------------------------------------------
-std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
-{
-  const char* loader = FindLoader(fileName);
-  if (!loader)
-  {
-    return {};
-  }
-  pugi::xml_document document;
-  pugi::xml_node scene = document.append_child("document").append_child("scene");
-  scene.append_attribute("id") = id.c_str();
-  pugi::xml_node part = scene.append_child("part");
-  part.append_attribute("id") = id.c_str();
-  pugi::xml_node filter = part.append_child("filter");
-  filter.append_attribute("type") = loader;
-  pugi::xml_node param = filter.append_child("param");
-  param.append_attribute("type") = "string";
-  param.append_attribute("key") = "filepath";
-  param.append_attribute("value") = fileName.c_str();
-  std::ostringstream text;
-  document.save(text, "  ");
-  return text.str();
 }
 
 } // namespace helios

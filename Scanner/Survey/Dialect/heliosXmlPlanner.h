@@ -27,10 +27,6 @@ void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log);
 /// A file.xml#id for an element read at a place (file:line).
 std::string MakeReference(const std::string& where, const std::string& id);
 
-/// A <document> with a <scene> of one part, a mesh file; empty if the extension is not that of a
-/// mesh.
-std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
-
 } // namespace helios
 
 #endif

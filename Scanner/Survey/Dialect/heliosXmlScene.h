@@ -8,11 +8,18 @@
 #include "heliosAssets.h"
 #include "heliosSurveyData.h"
 
+#include <string>
+#include <vector>
+
 namespace helios
 {
 
 /// The parts of a <scene>, with their files found.
 SceneData ReadScene(const XmlElement& element, Assets& assets);
+
+/// Adds the parts of a <partTable>; rows: its rows as the text of a CSV file, if there is no file.
+void ReadPartTable(
+  const XmlElement& element, Assets& assets, const std::string& rows, std::vector<PartData>& parts);
 
 /// Checks that every epoch has a part to scan.
 void CheckEpochs(const SceneData& scene, Messages& log);

@@ -9,8 +9,8 @@
 #include "heliosSceneBuilder.h"
 #include "heliosStatus.h"
 #include "heliosSurveyXml.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlPart.h"
-#include "heliosXmlPlanner.h"
 #include "heliosXmlScene.h"
 #include "heliosXmlText.h"
 #include "vtkHeliosObjSceneReader.h"
@@ -222,6 +222,10 @@ bool SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
   {
     this->Spread(elements[i], parts[i], scene, assets, count);
   }
+  for (const pugi::xml_node table : copy.children("partTable"))
+  {
+    this->FindFiles(table, scene.GetDocument(), assets);
+  }
   return true;
 }
 
@@ -272,6 +276,12 @@ void SceneEdit::Internals::FindFiles(pugi::xml_node node, const XmlDocument& fro
     const std::string pattern = value.Text.substr(value.Text.rfind('/') + 1);
     const fs::path folder = files.empty() ? fs::path() : fs::path(files.front()).parent_path();
     files.empty() ? void() : SetValue(node, fs::absolute(folder).string() + "/" + pattern);
+  }
+  const char* const name = std::strcmp(node.name(), "row") == 0 ? "model" : "file";
+  if (pugi::xml_attribute file = node.attribute(name); file)
+  {
+    const std::string path = assets.FindPath(file.value(), from);
+    path.empty() ? void() : void(file.set_value(this->Refer(path).c_str()));
   }
   for (const pugi::xml_node child : node.children())
   {

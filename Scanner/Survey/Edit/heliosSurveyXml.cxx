@@ -6,7 +6,7 @@
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
-#include "heliosXmlPlanner.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
 

@@ -43,6 +43,10 @@ const PartData* FindPart(const PartData& part, int epoch)
 SurveyData MakeEpoch(const SurveyData& survey, int epoch)
 {
   SurveyData made = survey;
+  if (CountEpochs(survey.Scene) == 1)
+  {
+    return made;
+  }
   made.Scene.Parts.clear();
   for (const PartData& part : survey.Scene.Parts)
   {

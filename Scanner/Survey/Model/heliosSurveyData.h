@@ -249,6 +249,7 @@ struct PartData
   std::vector<CrsData> Crs;
   bool Repair = false;
   double SimplifyDistance = 0.0; ///< [m], tolerance of the surface; 0: not simplified
+  int Classification = -1;       ///< of its echoes; negative: that of the materials
   Quaternion Rotation{ 1.0, 0.0, 0.0, 0.0 };
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <tuple>
 
 namespace helios
@@ -37,14 +38,13 @@ std::string StampFile(const std::string& file)
 }
 
 /// Adds the files of a part in all epochs.
-void StampFiles(const PartData& part, std::vector<std::string>& stamps)
+void AddFiles(const PartData& part, std::set<std::string>& files)
 {
-  std::transform(part.Files.begin(), part.Files.end(), std::back_inserter(stamps), StampFile);
-  stamps.push_back(StampFile(part.Material.File));
-  stamps.push_back(StampFile(part.Vegetation.LeafTable));
+  files.insert(part.Files.begin(), part.Files.end());
+  files.insert({ part.Material.File, part.Vegetation.LeafTable });
   for (const SwapData& swap : part.Swaps)
   {
-    StampFiles(swap.Part, stamps);
+    AddFiles(swap.Part, files);
   }
 }
 
@@ -238,10 +238,12 @@ SurveyLoader::Origin SurveyLoader::FindOrigin() const
     inputs.Instances, inputs.Scene, FindTime(inputs), {} };
   if (!this->HasGivenScene())
   {
+    std::set<std::string> files; // each once: parts of a table have the same
     for (const PartData& part : inputs.Survey->Scene.Parts)
     {
-      StampFiles(part, origin.Files);
+      AddFiles(part, files);
     }
+    std::transform(files.begin(), files.end(), std::back_inserter(origin.Files), StampFile);
   }
   return origin;
 }

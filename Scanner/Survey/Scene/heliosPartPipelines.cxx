@@ -11,6 +11,7 @@
 #include "vtkHeliosObjSceneReader.h"
 #include "vtkHeliosPointVoxelizer.h"
 #include "vtkHeliosReproject.h"
+#include "vtkHeliosSceneClassify.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
 #include "vtkHeliosVoxelCubes.h"
@@ -115,7 +116,10 @@ bool IsRead(vtkAlgorithm* reader)
 /// Adds a filter and all filters before it.
 void AddPipeline(vtkAlgorithm* filter, std::set<vtkAlgorithm*>& all)
 {
-  all.insert(filter);
+  if (!all.insert(filter).second)
+  {
+    return;
+  }
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
@@ -152,7 +156,8 @@ std::string GetMeshKey(const PartData& part)
   }
   std::ostringstream key;
   key << std::hexfloat << static_cast<int>(part.Type) << part.UpIsY << part.Repair << ' '
-      << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange;
+      << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange
+      << ' ' << part.Classification;
   std::vector<std::string> texts = part.Files;
   texts.insert(texts.end(), { part.Material.File, part.Material.Name });
   for (const CrsData& crs : part.Crs)
@@ -169,20 +174,31 @@ std::string GetMeshKey(const PartData& part)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
+vtkAlgorithm* PartPipelines::GetSource(const PartData& part)
 {
-  vtkSmartPointer<vtkHeliosSceneTransform>& place = this->Places[&part];
+  Filter& source = this->Sources[&part];
   const bool isRaster = this->IsRaster(part);
-  const bool wasRaster = this->RasterParts.count(&part) > 0;
-  if (!place || isRaster != wasRaster)
+  if (!source || isRaster != (this->RasterParts.count(&part) > 0))
   {
     this->RasterParts.erase(&part);
     if (isRaster)
     {
       this->RasterParts.insert(&part);
     }
+    this->Places.erase(&part);
+    source = this->GetPipeline(part);
+  }
+  return source;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
+{
+  const Filter last = this->GetSource(part);
+  vtkSmartPointer<vtkHeliosSceneTransform>& place = this->Places[&part];
+  if (!place)
+  {
     const Quaternion& q = part.Rotation;
-    const Filter last = this->GetPipeline(part);
     place = vtkSmartPointer<vtkHeliosSceneTransform>::New();
     place->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
     place->SetScale(part.Scale);
@@ -216,15 +232,15 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
   }
   const Filter mesh =
     part.Type == Loader::Xyz ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
-  return this->AddMeshCare(part, this->AddMaterial(part.Material, mesh));
+  return this->AddMeshCare(part, this->AddClass(part, this->AddMaterial(part.Material, mesh)));
 }
 
 //------------------------------------------------------------------------------
 bool PartPipelines::IsRaster(const PartData& part) const
 {
   return this->IsSharing && part.Type == Loader::GeoTiff && part.Files.size() == 1 &&
-    part.Crs.empty() && !part.Repair && part.SimplifyDistance <= 0.0 && !part.OnGround &&
-    this->NoRasters.count(part.Files.front()) == 0;
+    part.Crs.empty() && part.Classification < 0 && !part.Repair && part.SimplifyDistance <= 0.0 &&
+    !part.OnGround && this->NoRasters.count(part.Files.front()) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -263,15 +279,16 @@ bool PartPipelines::CheckRasters()
 //------------------------------------------------------------------------------
 void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
 {
-  const auto isGone = [&parts](const PartData* part)
-  { return std::find(parts.begin(), parts.end(), part) == parts.end(); };
+  const std::set<const PartData*> kept(parts.begin(), parts.end());
+  const auto isGone = [&kept](const PartData* part) { return kept.count(part) == 0; };
+  EraseIf(this->Sources, [&isGone](const auto& source) { return isGone(source.first); });
   EraseIf(this->RasterParts, isGone);
   EraseIf(this->Places, [&isGone](const auto& place) { return isGone(place.first); });
   EraseIf(this->GridReaders, [&isGone](const auto& grid) { return isGone(grid.first); });
   std::set<vtkAlgorithm*> used;
-  for (const auto& place : this->Places)
+  for (const auto& source : this->Sources)
   {
-    AddPipeline(place.second, used);
+    AddPipeline(source.second, used);
   }
   const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
   EraseIf(this->MeshReaders, isUnused);
@@ -288,7 +305,7 @@ std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
   vtkNew<vtkPolyData> nothing;
   auto source = vtkSmartPointer<vtkTrivialProducer>::New();
   source->SetOutput(nothing);
-  const Filter material = this->AddMaterial(part.Material, source);
+  const Filter material = this->AddClass(part, this->AddMaterial(part.Material, source));
   material->Update();
   vtkNew<vtkStringArray> name;
   name->SetName(vtkHeliosArrayNames::PartName);
@@ -466,6 +483,18 @@ PartPipelines::Filter PartPipelines::AddMaterial(const MaterialData& material, F
   reader->SetRandomRange(material.RandomRange);
   reader->SetSeed(this->Seed);
   return this->Connect(reader, before);
+}
+
+//------------------------------------------------------------------------------
+PartPipelines::Filter PartPipelines::AddClass(const PartData& part, Filter before)
+{
+  if (part.Classification < 0)
+  {
+    return before;
+  }
+  auto classify = vtkSmartPointer<vtkHeliosSceneClassify>::New();
+  classify->SetClassification(part.Classification);
+  return this->Connect(classify, before);
 }
 
 //------------------------------------------------------------------------------

@@ -41,18 +41,21 @@ public:
   {
   }
 
-  /// The last filter of a part; a part that is there already has a kept one.
+  /// The last filter of a part before it is placed; a part that is there already has a kept one.
+  vtkAlgorithm* GetSource(const PartData& part);
+
+  /// The filter that places a part, likewise.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
   /// Sets whether parts that differ only in place, name and motion share their filters but the
-  /// last, and rasters of heights stay ones; before Make(). Default: false.
+  /// last, and rasters of heights stay ones; before GetSource(). Default: false.
   void SetSharing(bool isOn) { this->IsSharing = isOn; }
 
   /// Whether a part is a raster of heights that stays one.
   bool IsRaster(const PartData& part) const;
 
   /// After ReadFiles(): whether all rasters can stay ones. The parts of those that cannot are made
-  /// of meshes from then on, by Make().
+  /// of meshes from then on, by GetSource().
   bool CheckRasters();
 
   /// Releases the pipelines of all other parts.
@@ -84,6 +87,7 @@ private:
   Filter GetReader(const PartData& part, const std::string& file);
   Filter MakeCubes(const PartData& part, const std::string& file);
   Filter AddMaterial(const MaterialData& material, Filter before);
+  Filter AddClass(const PartData& part, Filter before);
   Filter AddCrs(const PartData& part, Filter before);
   Filter AddMeshCare(const PartData& part, Filter before);
   Filter Connect(Filter filter, const Filter& before);
@@ -92,6 +96,7 @@ private:
 
   Messages& Log;
   vtkIdType Seed;
+  std::map<const PartData*, Filter> Sources;
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
   bool IsSharing = false;

@@ -3,14 +3,13 @@
 #include "heliosSceneBuilder.h"
 
 #include "heliosEpochs.h"
+#include "heliosGround.h"
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
 #include "heliosSimilarity.h"
 #include "heliosStatus.h"
 #include "heliosSurveyCrs.h"
-#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosGroundSnap.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
 
@@ -25,6 +24,8 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace names = vtkHeliosArrayNames;
 
@@ -34,37 +35,7 @@ namespace helios
 namespace
 {
 
-/// The first lowest corner of a mesh along a direction; false if it has no triangles.
-bool FindLowestCorner(vtkPolyData* data, const double up[3], Vec3& lowest)
-{
-  TriangleMesh mesh;
-  if (!mesh.Set(data).IsOk() || mesh.GetNumberOfTriangles() == 0)
-  {
-    return false;
-  }
-  const auto getHeight = [up](const double* p)
-  { return up[0] * p[0] + up[1] * p[1] + up[2] * p[2]; };
-  const double* best = mesh.GetCorner(0, 0);
-  for (vtkIdType corner = 0; corner < 3 * mesh.GetNumberOfTriangles(); ++corner)
-  {
-    const double* p = mesh.GetCorner(corner / 3, static_cast<int>(corner % 3));
-    best = getHeight(p) < getHeight(best) ? p : best;
-  }
-  lowest = Vec3(best);
-  return true;
-}
-
-constexpr double Upwards[3] = { 0.0, 0.0, 1.0 };
-
-Similarity GetSimilarity(vtkHeliosSceneTransform* place)
-{
-  return Similarity(place->GetRotation(), place->GetScale(), place->GetTranslation());
-}
-
-vtkAlgorithm* GetSource(vtkHeliosSceneTransform* place)
-{
-  return place->GetInputAlgorithm(0, 0);
-}
+const Vec3 Upwards(0.0, 0.0, 1.0);
 
 /// The instances of a composer under construction.
 class InstanceList
@@ -81,12 +52,13 @@ public:
     this->Names->SetName(names::PartName);
   }
 
-  void Add(int connection, vtkHeliosSceneTransform* place, int part, const std::string& name)
+  void Add(int connection, const PartData& data, const Vec3& translation, int part,
+    const std::string& name)
   {
-    this->Points->InsertNextPoint(place->GetTranslation());
+    this->Points->InsertNextPoint(translation.GetData());
     this->Prototypes->InsertNextValue(connection);
-    this->Orientations->InsertNextTuple(place->GetRotation());
-    this->Scales->InsertNextValue(place->GetScale());
+    this->Orientations->InsertNextTuple(data.Rotation.GetData());
+    this->Scales->InsertNextValue(data.Scale);
     this->PartIds->InsertNextValue(part);
     this->Names->InsertNextValue(name);
   }
@@ -167,29 +139,26 @@ void SceneBuilder::MakeParts(int epoch)
     areStill = areStill && !(data && data->Motion.IsMoving());
   }
   const bool areShared = this->MakesInstances && areStill;
+  std::map<const vtkAlgorithm*, int> uses;
   this->Pipelines.SetSharing(areShared);
   for (const PartData& part : this->Scene.Parts)
   {
     if (const PartData* data = FindPart(part, epoch))
     {
       all.push_back(data);
-      this->Parts.push_back({ data, &part.Name, this->Pipelines.Make(*data) });
+      vtkAlgorithm* source = this->Pipelines.GetSource(*data);
+      this->Parts.push_back({ data, &part.Name, source, data->Translation, nullptr });
+      uses[source] += areShared ? 1 : 0;
     }
   }
   this->Pipelines.RemoveOthers(all);
-  this->Uses.clear();
-  this->Lowest.clear();
-  for (const Part& part : this->Parts)
+  this->Lowest.Clear();
+  for (Part& part : this->Parts)
   {
-    this->Uses[GetSource(part.Place)] += areShared ? 1 : 0;
+    const bool isInstance =
+      !part.Data->IsTurbid() && (this->Pipelines.IsRaster(*part.Data) || uses.at(part.Source) > 1);
+    part.Place = isInstance ? nullptr : this->Pipelines.Make(*part.Data);
   }
-}
-
-//------------------------------------------------------------------------------
-bool SceneBuilder::IsInstance(const Part& part) const
-{
-  return !part.Data->IsTurbid() &&
-    (this->Pipelines.IsRaster(*part.Data) || this->Uses.at(GetSource(part.Place)) > 1);
 }
 
 //------------------------------------------------------------------------------
@@ -247,7 +216,7 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
       continue;
     }
     const int connection = composer->GetNumberOfInputConnections(0);
-    if (!this->IsInstance(part))
+    if (!part.IsInstance())
     {
       composer->AddInputConnection(part.Place->GetOutputPort());
       composer->SetPartName(connection, part.Name->c_str());
@@ -255,13 +224,12 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
     }
     else
     {
-      vtkAlgorithm* source = GetSource(part.Place);
-      const auto [known, isNew] = prototypes.emplace(source, connection);
+      const auto [known, isNew] = prototypes.emplace(part.Source, connection);
       if (isNew)
       {
-        composer->AddInputConnection(source->GetOutputPort());
+        composer->AddInputConnection(part.Source->GetOutputPort());
       }
-      instances.Add(known->second, part.Place, id, *part.Name);
+      instances.Add(known->second, *part.Data, part.Translation, id, *part.Name);
     }
     ++id;
   }
@@ -275,27 +243,21 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
 /// The lowest corner of a part in the scene; false if it has no triangles.
 bool SceneBuilder::FindLowest(const Part& part, Vec3& lowest)
 {
-  if (!this->IsInstance(part))
+  if (!part.IsInstance())
   {
     part.Place->Update();
     return FindLowestCorner(part.Place->GetOutput(), Upwards, lowest);
   }
-  vtkAlgorithm* source = GetSource(part.Place);
-  source->Update();
-  auto* mesh = vtkPolyData::SafeDownCast(source->GetOutputDataObject(0));
-  const Similarity place = GetSimilarity(part.Place);
-  const double* up = place.Turn.M[2];
+  part.Source->Update();
+  auto* mesh = vtkPolyData::SafeDownCast(part.Source->GetOutputDataObject(0));
+  const Similarity place(
+    part.Data->Rotation.GetData(), part.Data->Scale, part.Translation.GetData());
+  const Vec3 up(place.Turn.M[2]);
   const bool isUpright = up[0] == 0.0 && up[1] == 0.0 && up[2] > 0.0;
-  const auto known = this->Lowest.find(source);
-  Vec3 corner = known == this->Lowest.end() ? Vec3(0.0, 0.0, 0.0) : known->second;
-  if ((!isUpright || known == this->Lowest.end()) &&
-    !FindLowestCorner(mesh, isUpright ? Upwards : up, corner))
+  Vec3 corner;
+  if (!this->Lowest.Find(mesh, isUpright ? Upwards : up, corner))
   {
     return false;
-  }
-  if (isUpright)
-  {
-    this->Lowest.emplace(source, corner);
   }
   place.Apply(corner.GetData(), lowest.GetData());
   return true;
@@ -321,25 +283,38 @@ bool SceneBuilder::PlaceOnGround()
   vtkNew<vtkPoints> lowest;
   lowest->SetDataTypeToDouble();
   std::vector<std::size_t> snapped;
-  std::string places;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
     Vec3 point;
-    const PartData& part = *this->Parts[i].Data;
-    if (part.OnGround)
+    if (this->Parts[i].Data->OnGround && this->FindLowest(this->Parts[i], point))
     {
-      if (this->FindLowest(this->Parts[i], point))
-      {
-        lowest->InsertNextPoint(point.GetData());
-        snapped.push_back(i);
-        places += (places.empty() ? "" : ", ") + part.Where;
-      }
+      lowest->InsertNextPoint(point.GetData());
+      snapped.push_back(i);
     }
   }
   if (snapped.empty())
   {
     return !this->Log.HasError();
   }
+  std::vector<double> heights;
+  if (!this->FindGround(snapped, lowest, heights))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < snapped.size(); ++k)
+  {
+    Part& part = this->Parts[snapped[k]];
+    part.Translation[2] += heights[k] - lowest->GetPoint(static_cast<vtkIdType>(k))[2];
+    part.IsInstance() ? void() : part.Place->SetTranslation(part.Translation.GetData());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The heights of the ground at the lowest corners of parts; false after an error.
+bool SceneBuilder::FindGround(
+  const std::vector<std::size_t>& parts, vtkPoints* lowest, std::vector<double>& heights)
+{
   const vtkSmartPointer<vtkPolyData> ground = this->MakeGround();
   if (!ground)
   {
@@ -347,28 +322,26 @@ bool SceneBuilder::PlaceOnGround()
   }
   vtkNew<vtkPolyData> points;
   points->SetPoints(lowest);
-  vtkNew<vtkHeliosGroundSnap> snap;
-  this->Log.Listen(snap);
-  snap->SetInputDataObject(0, points);
-  snap->SetInputDataObject(1, ground);
-  snap->Update();
-  if (this->Log.HasError())
+  const Status status = GetGroundHeights(points, ground, true, heights);
+  if (!status.IsOk())
   {
-    this->Log.Error(
-      "Parts with onGround need ground below their lowest corner; point 0, 1 ... are the "
-      "lowest corners of the parts at " +
-      places);
+    this->Log.Error(this->Scene.Where + ": " + status.Message());
     return false;
   }
-  for (std::size_t k = 0; k < snapped.size(); ++k)
+  const auto isMissing = [](double height) { return std::isnan(height); };
+  const auto missing = std::find_if(heights.begin(), heights.end(), isMissing);
+  if (missing != heights.end())
   {
-    const auto id = static_cast<vtkIdType>(k);
-    vtkHeliosSceneTransform* place = this->Parts[snapped[k]].Place;
-    Vec3 translation(place->GetTranslation());
-    translation[2] += snap->GetOutput()->GetPoint(id)[2] - lowest->GetPoint(id)[2];
-    place->SetTranslation(translation.GetData());
+    const auto index = missing - heights.begin();
+    const double* p = lowest->GetPoint(index);
+    const Part& part = this->Parts[parts[static_cast<std::size_t>(index)]];
+    Sentence text;
+    text << part.Data->Where << ": part " << *part.Name
+         << " is on the ground, but there is no ground above or below its lowest corner at x "
+         << p[0] << ", y " << p[1] << "; move the part, or give its height without onGround";
+    this->Log.Error(text.str());
   }
-  return true;
+  return missing == heights.end();
 }
 
 } // namespace helios

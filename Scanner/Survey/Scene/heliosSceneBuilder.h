@@ -5,12 +5,12 @@
 #ifndef heliosSceneBuilder_h
 #define heliosSceneBuilder_h
 
+#include "heliosLowestCorners.h"
 #include "heliosPartPipelines.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +18,7 @@ class vtkHeliosSceneTransform;
 class vtkImageData;
 class vtkAlgorithm;
 class vtkHeliosSceneComposer;
+class vtkPoints;
 class vtkPolyData;
 
 namespace helios
@@ -45,19 +46,24 @@ public:
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
 private:
-  /// A part of the epoch and its last filter.
+  /// A part of the epoch. Instances have no filter that places them: many of one source are slow.
   struct Part
   {
     const PartData* Data;
     const std::string* Name;
+    vtkAlgorithm* Source; ///< the filter before the part is placed
+    Vec3 Translation;     ///< [m]
     vtkSmartPointer<vtkHeliosSceneTransform> Place;
+
+    bool IsInstance() const { return this->Place == nullptr; }
   };
 
   bool ReadParts(const StepCallback& onStep, int epoch);
   void MakeParts(int epoch);
-  bool IsInstance(const Part& part) const;
   void AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const;
   bool FindLowest(const Part& part, Vec3& lowest);
+  bool FindGround(
+    const std::vector<std::size_t>& parts, vtkPoints* lowest, std::vector<double>& heights);
   bool PlaceOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
@@ -67,8 +73,7 @@ private:
   PartPipelines Pipelines;
   std::vector<Part> Parts;
   bool MakesInstances = false;
-  std::map<const vtkAlgorithm*, int> Uses;    ///< of the filter before the place of a part
-  std::map<const vtkAlgorithm*, Vec3> Lowest; ///< corners of meshes that are not tilted
+  LowestCorners Lowest;
 };
 
 } // namespace helios

@@ -18,12 +18,8 @@ class Messages;
 /// The maximum number of beams of a head.
 constexpr std::size_t MostBeams = 100000;
 
-/**
- * Reads a table of beams: a line with the names of columns, which are those of the attributes of
- * <beam>, then a line per beam; columns are separated by commas, and a line that starts with # is a
- * comment. Values are checked by the rules of <beam>. Beams that were read before an error are
- * kept.
- */
+/// Reads a table of beams, whose columns are the attributes of <beam>. Beams that were read before
+/// an error are kept.
 void ReadBeamTable(const std::string& path, std::vector<BeamData>& beams, Messages& log);
 
 } // namespace helios

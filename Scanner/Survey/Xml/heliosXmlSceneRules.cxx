@@ -3,12 +3,21 @@
 // The dialect: scenes and parts.
 #include "heliosXmlTables.h"
 
+#include "heliosPartTable.h"
 #include "heliosSurveyData.h"
 
 namespace helios
 {
 
 using namespace rows;
+
+namespace
+{
+
+constexpr XmlRange Classes = { 0.0, 255.0 };
+constexpr XmlRange Scales = { 1e-9, 1e9 };
+
+} // namespace
 
 //------------------------------------------------------------------------------
 std::vector<XmlElementRule> MakeSceneRules()
@@ -23,18 +32,51 @@ std::vector<XmlElementRule> MakeSceneRules()
       Integer("dynStep", "pulses of a channel between updates of moving parts").In("", Steps).Default("1"),
       Number("dynTimeStep", "time between updates of moving parts, instead of dynStep").In("s", TimeStep).Default("as dynStep"),
     },
-    { Many("part"), One("sunDir", "light of the display; sunlight as noise is solarIrradiance_W_m2_nm of the scanner").Ignored(), One("sky", "background of the display").Ignored(), One("skybox", "background of the display").Ignored() } },
+    { Many("part"), Many("partTable"), One("sunDir", "light of the display; sunlight as noise is solarIrradiance_W_m2_nm of the scanner").Ignored(), One("sky", "background of the display").Ignored(), One("skybox", "background of the display").Ignored() } },
 
   { "part", "a mesh: a loader, then filters that rotate, scale and move it, in this order",
     {
       Text("id", "name of the part, and object of its points").Default("its number").At<&PartData::Name>(),
       Text("name", "the name of a part is its id").Ignored(),
+      Integer("classification", "class of its echoes").In("", Classes).Default("those of its materials").At<&PartData::Classification>(),
       Integer("dynStep", "updates of the scene per update of the part").In("", Steps).Default("1"),
       Number("dynTimeStep", "time between updates of the part: a multiple of the scene's dynTimeStep, if it has one").In("s", TimeStep).Default("as dynStep"),
       Integer("kdtDynStep", "updates of the part per update of the geometry that rays see").In("", Steps).Default("1"),
       Number("kdtDynTimeStep", "time between updates of the geometry that rays see").In("s", TimeStep).Default("as kdtDynStep"),
     },
     { Many("filter"), One("color", "colour of the display").Ignored(), Many("swap"), Many("dmotion") } },
+
+  { "partTable", "parts from a list, after all other parts of the scene: a row for each place where a model stands",
+    {
+      Text("file", "a CSV file with a line of names of columns, which are the attributes of row, and a line per part").Default("row children").File().At<&PartTableData::File>(),
+      Integer("seed", "seed of the random values of the table, which --seed does not change").In("", { 0.0, 2147483647.0 }).At<&PartTableData::Seed>(),
+      Number("yawMin_deg", "lowest random yaw_deg").In("deg", HeadAngle).At<&PartTableData::YawMin>(),
+      Number("yawMax_deg", "highest random yaw_deg").In("deg", HeadAngle).At<&PartTableData::YawMax>(),
+      Number("scaleMin", "lowest random scale").In("", Scales).At<&PartTableData::ScaleMin>(),
+      Number("scaleMax", "highest random scale").In("", Scales).At<&PartTableData::ScaleMax>(),
+    },
+    { Many("model"), Many("row") } },
+
+  { "model", "a part that rows of a table place: a loader, then filters as of a part",
+    {
+      Text("id", "name of the model in rows").Required().At<&PartData::Name>(),
+      Number("share", "its share of the rows without a model, in proportion to that of the others; 0: only rows that name it").In("", { 0.0, 1e9 }).At<&TableModel::Share>(),
+      Integer("classification", "class of the echoes of its parts").In("", Classes).Default("those of its materials").At<&PartData::Classification>(),
+    },
+    { Many("filter") } },
+
+  { "row", "a part of a table: the model, as its filters make it, is rotated, scaled and moved",
+    {
+      Text("model", "id of a model, or a file with a mesh").Default("one of the models at random").At<&TableRow::Model>(),
+      Number("x", "place of the origin of the model").In("m").Required().At<&TableRow::X>(),
+      Number("y", "place of the origin of the model").In("m").Required().At<&TableRow::Y>(),
+      Number("z", "place of the origin of the model").In("m").Default("that at which its lowest corner is on the ground below").At<&TableRow::Z>(),
+      Number("yaw_deg", "rotation about the vertical, anticlockwise from above").In("deg", HeadAngle).Default("random, from yawMin_deg to yawMax_deg").At<&TableRow::Yaw>(),
+      Number("scale", "factor").In("", Scales).Default("random, from scaleMin to scaleMax").At<&TableRow::Scale>(),
+      Text("id", "name of the part, and object of its points").Default("the number of the part").At<&TableRow::Name>(),
+      Integer("classification", "class of its echoes").In("", Classes).Default("that of the model").At<&TableRow::Classification>(),
+    },
+    {} },
 
   { "dmotion", "motion of the part: each step applies all its motions, in their order; the first dmotion starts",
     {

@@ -203,3 +203,23 @@ TEST_CASE("SceneEdit: a mesh becomes a scene of a survey", "[SceneEdit]")
   REQUIRE(data.Scene.Parts.size() == 2);
   CHECK(data.Scene.Parts[1].Translation == Vec3(-1.0, -0.5, 0.0));
 }
+
+TEST_CASE("SceneEdit: tables of parts are kept, with their files", "[SceneEdit]")
+{
+  Scene scene;
+  scene.Folder.Write("parts/stand.csv", "model,x,y,id\nbox.obj,3,4,b1\nsmall,7,8,b2\n");
+  scene.Folder.Replace("parts/scene.xml", "</scene>",
+    R"(<partTable file="stand.csv"><model id="small"><filter type="objloader">
+<param type="string" key="filepath" value="box.obj"/></filter><filter type="scale">
+<param type="double" key="scale" value="0.5"/></filter></model></partTable><partTable>
+<row model="box.obj" x="-9" y="0" z="5"/></partTable></scene>)");
+  REQUIRE(scene.Edit.Load("parts/scene.xml#s", scene.Folder / "", {}, scene.Log));
+  CHECK(scene.Edit.GetNumberOfParts() == 4); // without those of tables
+  CHECK_THAT(scene.Edit.GetText(), Contains("file=\"parts/stand.csv\""));
+  CHECK(scene.Edit.MovePart(1, { 1.0, 0.0, 0.0 }));
+  const auto mesh = scene.Read();
+  CHECK(GetBounds(mesh, 4) == std::array<double, 6>{ 3.0, 5.0, 4.0, 5.0, 0.0, 3.0 });
+  CHECK(GetBounds(mesh, 5) == std::array<double, 6>{ 7.0, 8.0, 8.0, 8.5, 0.0, 1.5 });
+  CHECK(GetBounds(mesh, 6) == std::array<double, 6>{ -9.0, -7.0, 0.0, 1.0, 5.0, 8.0 });
+  CHECK(scene.Edit.Build(scene.Log)->GetNumberOfPolys() == mesh->GetNumberOfPolys());
+}

@@ -65,6 +65,7 @@ const std::vector<Kind> Kinds = {
   { "survey", { "survey" }, {} },
   { "scene", { "scene" }, {} },
   { "part", { "part" }, { "swap", "dmotion" } },
+  { "table", { "partTable" }, { "model", "row" } },
   { "scanner", { "scanner", "FWFSettings", "detectorSettings" },
     { "beamOrigin", "headRotateAxis", "incidentBeam", "rangeError", "deflectionError", "headError",
       "panoramicError", "channel", "beams" } },
@@ -162,6 +163,7 @@ struct Bench
     {
       this->Survey->AddPart(loader, "plane.obj");
     }
+    this->Survey->AddPartTable("");
   }
 
   bool Set(const std::string& kind, const std::string& name, const std::string& value, int part = 0)
@@ -170,6 +172,7 @@ struct Bench
     return kind == "survey" ? s->SetSurveyAttribute(name, value)
       : kind == "scene"     ? s->SetSceneAttribute(name, value)
       : kind == "part"      ? s->SetPartAttribute(part, name, value)
+      : kind == "table"     ? s->SetPartTableAttribute(0, name, value)
       : kind == "scanner"   ? s->SetScannerAttribute(0, name, value)
       : kind == "platform"  ? s->SetPlatformAttribute(0, name, value)
                             : s->SetLegAttribute(0, name, value);
@@ -181,6 +184,7 @@ struct Bench
     return kind == "survey" ? s->GetSurveyAttribute(name)
       : kind == "scene"     ? s->GetSceneAttribute(name)
       : kind == "part"      ? s->GetPartAttribute(part, name)
+      : kind == "table"     ? s->GetPartTableAttribute(0, name)
       : kind == "scanner"   ? s->GetScannerAttribute(0, name)
       : kind == "platform"  ? s->GetPlatformAttribute(0, name)
                             : s->GetLegAttribute(0, name);

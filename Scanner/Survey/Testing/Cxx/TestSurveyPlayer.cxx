@@ -628,8 +628,9 @@ TEST_CASE("SurveyPlayer: scenes that cannot be composed are errors", "[SurveyPla
     REQUIRE(reading.Good);
     Playing playing(files, reading);
     CHECK_FALSE(playing.Player->Run());
-    CHECK(playing.Log->HasError("no ground above or below point 0 at x 450, y -50"));
-    CHECK(playing.Log->HasError("scene.xml:4"));
+    CHECK(
+      playing.Log->HasError("scene.xml:4: part 1 is on the ground, but there is no ground above "
+                            "or below its lowest corner at x 450, y -50; move the part"));
   }
   SECTION("a leg outside the ground")
   {
