@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosCoordinateSystem.h"
+#include "heliosHeightCache.h"
 #include "heliosHeightField.h"
 #include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 vtkStandardNewMacro(vtkHeliosSceneComposer);
@@ -102,7 +104,9 @@ helios::Status SetPart(vtkDataSet* data, helios::Connection& part)
   auto* mesh = vtkPolyData::SafeDownCast(data);
   if (auto* raster = vtkImageData::SafeDownCast(data))
   {
-    const helios::Status status = helios::HeightField::CountTriangles(raster, part.Triangles);
+    std::shared_ptr<const helios::HeightField> field;
+    const helios::Status status = helios::GetHeightField(raster, field);
+    part.Triangles = field->GetNumberOfTriangles();
     part.Data = raster;
     return status.IsOk() ? status : helios::Status::Error(": " + status.Message());
   }

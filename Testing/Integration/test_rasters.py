@@ -215,6 +215,53 @@ def test_a_raster_without_triangles_is_left_out(folder, capsys):
     )
 
 
+def test_tiles_of_a_vrt_are_the_whole(folder):
+    survey = write_survey(folder, part("terrain") + TREES)
+    whole = run(survey, "--sub-rays", "19")
+    heights = make_heights()
+    for i in range(4):
+        column, row = 80 * (i % 2), 80 * (i // 2)
+        write_raster(
+            folder / f"tile{i}.tif",
+            heights[row : row + 80, column : column + 80],
+            EAST - 20 + column / 2,
+            NORTH + 20 - row / 2,
+        )
+    gdal.BuildVRT(
+        str(folder / "all.vrt"), [str(folder / f"tile{i}.tif") for i in range(4)]
+    ).FlushCache()
+    write_survey(folder, part("terrain", TIF.replace("terrain.tif", "all.vrt")) + TREES)
+    assert find_prototypes(load(survey)) == ["vtkImageData", "vtkPolyData"]
+    assert run(survey, "--sub-rays", "19") == whole
+
+
+def test_a_missing_tile_of_a_vrt_has_a_message(folder, capsys):
+    gdal.BuildVRT(str(folder / "all.vrt"), [str(folder / "terrain.tif")]).FlushCache()
+    survey = write_survey(folder, part("terrain", TIF.replace("terrain.tif", "all.vrt")))
+    (folder / "terrain.tif").unlink()
+    assert main(["run", str(survey), "--output", str(folder / "out"), "--quiet"]) == 1
+    error = capsys.readouterr().err
+    assert "all.vrt" in error and "terrain.tif" in error
+
+
+def test_heights_beyond_the_memory_are_in_a_file(folder, monkeypatch):
+    """The files are the same; the temporary one has no name."""
+    side = 3000
+    y, x = np.mgrid[0:side, 0:side] * 0.5
+    write_raster(
+        folder / "terrain.tif", (110 + 3 * np.sin(x / 9) * np.cos(y / 7)).astype(np.float32)
+    )
+    survey = write_survey(folder, part("terrain"))
+    whole = run(survey, "--sub-rays", "1")
+    scratch = folder / "scratch"
+    scratch.mkdir()
+    monkeypatch.setenv("TMPDIR", str(scratch))
+    used = vtkhelios.vtkHeliosMemoryLimit.GetUsed()
+    limit = f"{int(used + 70)}MiB"
+    assert run(survey, "--sub-rays", "1", "--memory", limit) == whole
+    assert not list(scratch.iterdir())
+
+
 def test_a_missing_raster_has_a_message(folder, capsys):
     survey = write_survey(folder, part("terrain") + TREES)
     (folder / "terrain.tif").write_bytes(b"II*\0 not a raster")

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosHeightField.h"
 
-#include "heliosMemoryCheck.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
@@ -24,7 +23,6 @@ namespace
 {
 
 constexpr std::int64_t MaximumCells = std::int64_t(1) << 30; // slots are 31-bit
-constexpr double BytesPerPixel = 1.0; // of the pyramid and of missing triangles
 constexpr double MostRelief = 1e4;    // heights in units of the raster's width: boxes are floats
 
 /// The slots of a cell, a bit each.
@@ -80,25 +78,10 @@ Status HeightField::SetTriangles(vtkImageData* raster)
   return status.IsOk() ? this->CheckHeights() : status;
 }
 
-Status HeightField::CountTriangles(vtkImageData* raster, vtkIdType& count)
-{
-  HeightField field;
-  Status status = field.SetTriangles(raster);
-  count = status.IsOk() ? field.NumberOfTriangles : 0;
-  return status;
-}
-
 Status HeightField::Set(vtkImageData* raster)
 {
   *this = HeightField();
-  int size[3] = { 0, 0, 0 };
-  if (raster)
-  {
-    raster->GetDimensions(size);
-  }
-  Status status =
-    CheckMemory("pixels of a raster", static_cast<double>(size[0]) * size[1], BytesPerPixel);
-  status = status.IsOk() ? this->SetTriangles(raster) : status;
+  Status status = this->SetTriangles(raster);
   if (!status.IsOk())
   {
     *this = HeightField();

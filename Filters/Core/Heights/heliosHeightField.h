@@ -49,8 +49,8 @@ public:
    */
   Status Set(vtkImageData* raster);
 
-  /// The triangles of a raster; the errors are those of Set().
-  static Status CountTriangles(vtkImageData* raster, vtkIdType& count);
+  /// Releases the raster, which must then outlive this object.
+  void ReleaseRaster() { this->Raster = nullptr; }
 
   vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
 

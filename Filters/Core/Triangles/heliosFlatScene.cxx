@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFlatScene.h"
 
+#include "heliosHeightCache.h"
 #include "heliosHeightField.h"
 #include "heliosMemoryCheck.h"
 #include "heliosRasterMesh.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace names = vtkHeliosArrayNames;
@@ -45,12 +47,12 @@ Status MakeMeshes(vtkHeliosScene* scene, vtkHeliosScene* meshes)
     if (auto* raster = vtkImageData::SafeDownCast(prototype))
     {
       vtkNew<vtkPolyData> mesh;
-      HeightField field;
-      status = field.Set(raster);
-      const auto count = static_cast<double>(field.GetNumberOfTriangles());
+      std::shared_ptr<const HeightField> field;
+      status = GetHeightField(raster, field);
+      const auto count = static_cast<double>(field->GetNumberOfTriangles());
       status =
         status.IsOk() ? CheckMemory("triangles of a raster", count, BytesPerTriangle) : status;
-      status = status.IsOk() ? MakeRasterMesh(field.GetGrid(), mesh) : status;
+      status = status.IsOk() ? MakeRasterMesh(field->GetGrid(), mesh) : status;
       status = status.IsOk()
         ? status
         : Status::Error("prototype " + std::to_string(i) + ": " + status.Message());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPrototype.h"
 
+#include "heliosHeightCache.h"
+
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
@@ -12,10 +14,11 @@ namespace helios
 Status Prototype::Set(vtkDataSet* data)
 {
   *this = Prototype();
+  this->Data = data;
   if (auto* raster = vtkImageData::SafeDownCast(data))
   {
-    const Status status = this->Field.Set(raster);
-    this->Field.GetBounds(this->Bounds);
+    const Status status = GetHeightField(raster, this->Field);
+    this->Field->GetBounds(this->Bounds);
     return status;
   }
   const Status status = this->Mesh.Set(vtkPolyData::SafeDownCast(data));

@@ -10,12 +10,13 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
+#include <vtkDataSet.h>
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <algorithm>
 #include <cstddef>
-
-class vtkDataSet;
+#include <memory>
 
 namespace helios
 {
@@ -28,13 +29,13 @@ public:
   /// TriangleMesh and HeightField.
   Status Set(vtkDataSet* data);
 
-  bool IsRaster() const { return this->Field.GetNumberOfTriangles() > 0; }
-  const TriangleMesh& GetMesh() const { return this->Mesh; }    ///< unless it is a raster
-  const HeightField& GetHeights() const { return this->Field; } ///< if it is a raster
+  bool IsRaster() const { return this->Field != nullptr; }
+  const TriangleMesh& GetMesh() const { return this->Mesh; }     ///< unless it is a raster
+  const HeightField& GetHeights() const { return *this->Field; } ///< if it is a raster
 
   vtkIdType GetNumberOfTriangles() const
   {
-    return this->IsRaster() ? this->Field.GetNumberOfTriangles()
+    return this->IsRaster() ? this->Field->GetNumberOfTriangles()
                             : this->Mesh.GetNumberOfTriangles();
   }
 
@@ -42,7 +43,7 @@ public:
   {
     if (this->IsRaster())
     {
-      this->Field.GetCorners(triangle, corners);
+      this->Field->GetCorners(triangle, corners);
       return;
     }
     for (int corner = 0; corner < 3; ++corner)
@@ -57,12 +58,13 @@ public:
   /// Bytes held by this object in addition to its data.
   std::size_t GetMemorySize() const
   {
-    return this->Mesh.GetMemorySize() + this->Field.GetMemorySize();
+    return this->Mesh.GetMemorySize() + (this->IsRaster() ? this->Field->GetMemorySize() : 0);
   }
 
 private:
+  vtkSmartPointer<vtkDataSet> Data;
   TriangleMesh Mesh;
-  HeightField Field;
+  std::shared_ptr<const HeightField> Field; ///< null: a mesh
   double Bounds[6] = {};
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScene.h"
 
+#include "heliosHeightCache.h"
 #include "heliosHeightField.h"
 #include "heliosSimilarity.h"
 #include "heliosStatus.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <utility>
 
 vtkStandardNewMacro(vtkHeliosScene);
@@ -28,10 +30,10 @@ namespace
 /// The triangles of a prototype; none if it is not valid.
 vtkIdType CountTriangles(vtkDataSet* prototype)
 {
-  vtkIdType count = 0;
+  std::shared_ptr<const helios::HeightField> field;
   if (auto* raster = vtkImageData::SafeDownCast(prototype))
   {
-    return helios::HeightField::CountTriangles(raster, count).IsOk() ? count : 0;
+    return helios::GetHeightField(raster, field).IsOk() ? field->GetNumberOfTriangles() : 0;
   }
   auto* mesh = vtkPolyData::SafeDownCast(prototype);
   return mesh ? mesh->GetNumberOfPolys() : 0;
@@ -53,11 +55,11 @@ vtkBoundingBox GetBox(vtkDataSet* prototype)
 {
   double bounds[6];
   vtkMath::UninitializeBounds(bounds);
-  helios::HeightField field;
+  std::shared_ptr<const helios::HeightField> field;
   auto* raster = vtkImageData::SafeDownCast(prototype);
-  if (raster && field.Set(raster).IsOk())
+  if (raster && helios::GetHeightField(raster, field).IsOk())
   {
-    field.GetBounds(bounds);
+    field->GetBounds(bounds);
   }
   else if (prototype && !raster)
   {

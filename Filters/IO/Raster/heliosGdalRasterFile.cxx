@@ -36,10 +36,26 @@ std::string ToText(double value)
   return text;
 }
 
-void RegisterDriver()
+/// Rows are read once, in order: they need no cache of the default size, 5 % of the memory.
+void LimitCache()
+{
+  constexpr GIntBig size = 64 << 20;
+  if (!CPLGetConfigOption("GDAL_CACHEMAX", nullptr))
+  {
+    GDALSetCacheMax64(size);
+  }
+}
+
+void RegisterDrivers()
 {
   static std::once_flag once;
-  std::call_once(once, GDALRegister_GTiff);
+  const auto prepare = []
+  {
+    GDALRegister_GTiff();
+    GDALRegister_VRT();
+    LimitCache();
+  };
+  std::call_once(once, prepare);
 }
 
 // NaN: not set.
@@ -137,12 +153,12 @@ Status GdalRasterFile::OpenDataset(const GdalMessages& messages)
   {
     return status;
   }
-  static const char* const drivers[] = { "GTiff", nullptr };
+  static const char* const drivers[] = { "GTiff", "VRT", nullptr };
   this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr));
   if (!this->Dataset)
   {
-    return Status::Error("cannot be read as GeoTIFF: " + messages.Error +
+    return Status::Error("cannot be read as GeoTIFF or VRT: " + messages.Error +
       "; check the file (gdal_translate -of GTiff turns other formats into GeoTIFF)");
   }
   this->Columns = GDALGetRasterXSize(this->Dataset.get());
@@ -175,11 +191,12 @@ Status GdalRasterFile::FindBand(int number)
 }
 
 // A file cannot contain more blocks than index entries (four bytes each for offset and size), nor a
-// block larger than the compression ratio allows. GDAL would allocate it.
+// block larger than the compression ratio allows. GDAL would allocate it. A VRT has other files.
 Status GdalRasterFile::CheckSize() const
 {
   VSIStatBufL file;
-  if (VSIStatL(this->Path.c_str(), &file) != 0)
+  const std::string driver = GDALGetDriverShortName(GDALGetDatasetDriver(this->Dataset.get()));
+  if (driver != "GTiff" || VSIStatL(this->Path.c_str(), &file) != 0)
   {
     return {};
   }
@@ -386,7 +403,7 @@ Status GdalRasterFile::Open(const std::string& path, const RasterOptions& option
 {
   this->Path = path;
   GdalMessages messages;
-  RegisterDriver();
+  RegisterDrivers();
   Status status = this->OpenDataset(messages);
   if (status.IsOk())
     status = this->FindBand(options.Band);

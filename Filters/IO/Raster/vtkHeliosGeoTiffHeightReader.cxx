@@ -35,6 +35,7 @@ namespace
 using helios::RasterFile;
 
 constexpr double BytesPerPixel = 12.0; // when the first height that is not a float is read
+constexpr double BytesOfPyramid = 1.0; // a pixel, of HeightField, beside the heights
 
 /// Heights in a float array, or a double array from the first that is not a float.
 class HeightArray
@@ -237,6 +238,13 @@ bool vtkHeliosGeoTiffHeightReader::ReadHeights(RasterFile& file, vtkImageData* i
   const auto count = columns * static_cast<vtkIdType>(file.GetNumberOfRows());
   const bool fits =
     helios::CheckMemory("pixels with a height", static_cast<double>(count), BytesPerPixel).IsOk();
+  const helios::Status rest =
+    helios::CheckMemory("pixels of a raster", static_cast<double>(count), BytesOfPyramid);
+  if (!rest.IsOk())
+  {
+    return this->Fail(
+      file.GetPath() + ": " + rest.Message() + "; gdal_translate -srcwin cuts out a part");
+  }
   HeightArray heights(count, !fits);
   helios::Status allocated = heights.Allocate();
   const auto add = [&](const double* row)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPartPipelines.h"
 
+#include "heliosHeightCache.h"
 #include "heliosHeightField.h"
 #include "heliosMessages.h"
 #include "vtkHeliosGeoTiffHeightReader.h"
@@ -32,6 +33,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -265,9 +267,9 @@ bool PartPipelines::CheckRasters()
   bool areFine = true;
   for (const auto& [file, reader] : this->RasterReaders)
   {
-    vtkIdType count;
+    std::shared_ptr<const HeightField> field;
     auto* raster = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-    if (!HeightField::CountTriangles(raster, count).IsOk())
+    if (!GetHeightField(raster, field).IsOk())
     {
       this->NoRasters.insert(file);
       areFine = false;

@@ -75,7 +75,7 @@ std::vector<XmlElementRule> MakeFilterRules()
 
   { "filter:geotiffloader", "a raster of heights",
     {
-      Text("filepath", "any raster that GDAL reads; the first band is the height"),
+      Text("filepath", "a GeoTIFF, or a VRT of GeoTIFFs; the first band is the height"),
       Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
       Text("matfile", "an MTL file, the material of all cells").Default("the default material").File().At<Material, &MaterialData::File>(),
       Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosHeightField.h"
 
+#include "heliosHeightCache.h"
+
 #include "heliosTestRasters.h"
 
 #include <vtkIntArray.h>
@@ -262,4 +264,42 @@ TEST_CASE("HeightField: errors name the value and the remedy", "[HeightField]")
   CHECK_THAT(GetError(raster), Contains("not apart"));
   raster.Transform = { NaN, 1, 0, 0, 0, 1 };
   CHECK_THAT(GetError(raster), Contains("not apart"));
+}
+
+TEST_CASE("GetHeightField: made once, and again for other heights", "[HeightField]")
+{
+  HeightRaster raster(40, 30);
+  raster.AddHills(5.0, 1.0);
+  const auto image = raster.MakeImage<vtkFloatArray>();
+  std::shared_ptr<const helios::HeightField> first, second;
+  REQUIRE(helios::GetHeightField(image, first).IsOk());
+  vtkNew<vtkImageData> copy;
+  copy->ShallowCopy(image);
+  REQUIRE(helios::GetHeightField(copy, second).IsOk());
+  CHECK(first == second);
+
+  auto* heights = image->GetPointData()->GetArray(vtkHeliosArrayNames::Heights);
+  heights->SetComponent(7, 0, 99.0);
+  heights->Modified();
+  REQUIRE(helios::GetHeightField(image, second).IsOk());
+  CHECK(first != second);
+  double bounds[6];
+  second->GetBounds(bounds);
+  CHECK(bounds[5] == 99.0);
+
+  vtkNew<vtkImageData> moved;
+  moved->ShallowCopy(image);
+  vtkNew<vtkDoubleArray> transform;
+  transform->DeepCopy(image->GetFieldData()->GetArray(vtkHeliosArrayNames::GeoTransform));
+  transform->SetValue(0, 1234.0);
+  vtkNew<vtkFieldData> fields;
+  fields->AddArray(transform);
+  moved->SetFieldData(fields);
+  REQUIRE(helios::GetHeightField(moved, first).IsOk());
+  CHECK(first != second);
+  first->GetBounds(bounds);
+  CHECK(bounds[0] > 1200.0);
+
+  std::shared_ptr<const helios::HeightField> none;
+  CHECK_FALSE(helios::GetHeightField(nullptr, none).IsOk());
 }

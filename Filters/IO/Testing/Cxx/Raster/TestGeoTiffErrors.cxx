@@ -109,7 +109,7 @@ TEST_CASE("GeoTiffErrors: files of other kinds are errors", "[GeoTiffErrors]")
   for (const char* name : { "missing.tif", "text.tif", "empty.tif", "other.png" })
   {
     GeoTiffReading reading(folder / name);
-    CheckError(reading, folder / name + ": cannot be read as GeoTIFF: ");
+    CheckError(reading, folder / name + ": cannot be read as GeoTIFF or VRT: ");
     CHECK(reading.Log->HasError(cure));
   }
   GeoTiffReading inFolder(folder / "folder.tif");

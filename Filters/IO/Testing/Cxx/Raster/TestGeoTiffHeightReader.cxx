@@ -85,13 +85,13 @@ vtkIdType CountDifferences(const std::string& path)
   return differences;
 }
 
-/// Less memory than is used, and a folder for temporary files.
+/// Memory for no more than 3 MiB, and a folder for temporary files.
 class TinyMemory
 {
 public:
   explicit TinyMemory(const std::string& folder)
   {
-    vtkHeliosMemoryLimit::SetLimit(1.0);
+    vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() + 3.0);
     setenv("TMPDIR", folder.c_str(), 1);
   }
   ~TinyMemory()
@@ -239,11 +239,11 @@ TEST_CASE("GeoTiffHeightReader: heights beyond the memory are in a file", "[GeoT
   TempFolder folder;
   for (const bool areFloats : { true, false })
   {
-    TestRaster raster(400, 300);
+    TestRaster raster(1000, 700);
     raster.Type = GDT_Float64;
-    for (int row = 0; row < 300; ++row)
+    for (int row = 0; row < 700; ++row)
     {
-      for (int column = 0; column < 400; ++column)
+      for (int column = 0; column < 1000; ++column)
       {
         raster.At(column, row) = column * 0.25 + row + (!areFloats && row > 200 ? 1e-9 : 0.0);
       }
@@ -257,7 +257,7 @@ TEST_CASE("GeoTiffHeightReader: heights beyond the memory are in a file", "[GeoT
       error = GetError(folder / "a.tif");
     }
     CHECK_THAT(error,
-      Catch::Contains("a.tif: a temporary file of 0 MB in " + (folder / "none") +
+      Catch::Contains("a.tif: a temporary file of 2 MB in " + (folder / "none") +
         " cannot be made: No such file or directory; set TMPDIR to a folder with "
         "enough room"));
     {
@@ -284,6 +284,11 @@ TEST_CASE("GeoTiffHeightReader: errors name the file and the remedy", "[GeoTiffH
   TestRaster raster(400, 300);
   raster.Write(folder / "a.tif");
   CHECK_THAT(GetError(folder / "a.tif", 2), Contains("Band 2 is not in the file"));
+  vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() / 2.0);
+  const std::string error = GetError(folder / "a.tif");
+  vtkHeliosMemoryLimit::SetLimit(0.0);
+  CHECK_THAT(error, Contains("120000 pixels of a raster need about 0.12 MB of memory"));
+  CHECK_THAT(error, Contains("; gdal_translate -srcwin cuts out a part"));
   raster.At(7, 5) = HUGE_VAL;
   raster.Write(folder / "a.tif");
   CHECK_THAT(
