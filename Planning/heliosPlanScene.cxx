@@ -2,21 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlanScene.h"
 
+#include "heliosPlanGround.h"
 #include "heliosRayCasterBackends.h"
+#include "heliosSceneBounds.h"
+#include "heliosSceneCells.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
-#include "heliosTriangleMesh.h"
-#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScene.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <cmath>
-
-namespace names = vtkHeliosArrayNames;
+#include <string>
 
 namespace helios
 {
@@ -26,51 +23,46 @@ PlanScene::~PlanScene() = default;
 
 Status PlanScene::Set(vtkPolyData* scene)
 {
-  this->Part = scene;
-  this->Cells.clear();
-  if (scene->GetNumberOfCells() == 0)
+  this->Ground = nullptr;
+  if (scene->GetNumberOfCells() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     return Status::Error("The scene on port 0 is empty; connect what is to be scanned");
   }
-  TriangleMesh mesh;
-  const Status status = mesh.Set(scene);
-  if (!status.IsOk())
+  const std::string problem = "No rays can be cast onto the scene on port 0";
+  if (const Status status = this->FindBounds(scene); !status.IsOk())
   {
-    return Status::Error("No rays can be cast onto the scene on port 0: " + status.Message());
+    return Status::Error(problem + ": " + status.Message());
   }
-  this->Normals = scene->GetCellData()->GetArray(names::Normals);
-  if (this->Normals && this->Normals->GetNumberOfComponents() != 3)
-  {
-    this->Normals = nullptr;
-  }
-  mesh.GetBounds(this->Bounds);
   this->Caster = MakeDefaultRayCaster();
-  return this->Caster->Build(scene) ? Status()
-                                    : Status::Error("No rays can be cast onto the scene on port 0");
+  if (!this->Caster->Build(scene))
+  {
+    return Status::Error(problem);
+  }
+  this->Cells = std::make_unique<SceneCells>(scene, this->Caster->GetGeometry());
+  return {};
 }
 
-Status PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
+Status PlanScene::FindBounds(vtkPolyData* scene)
 {
-  vtkNew<vtkPolyData> part;
-  vtkNew<vtkCellArray> polys;
-  polys->Use32BitStorage();
-  std::vector<vtkIdType> cells;
-  for (vtkIdType cell = 0; cell < scene->GetPolys()->GetNumberOfCells(); ++cell)
+  SceneGeometry geometry;
+  const Status status = geometry.Set(scene);
+  if (status.IsOk())
   {
-    vtkIdType size;
-    const vtkIdType* corners;
-    scene->GetPolys()->GetCellAtId(cell, size, corners);
-    if (isTaken[static_cast<std::size_t>(cell)])
-    {
-      polys->InsertNextCell(size, corners);
-      cells.push_back(cell);
-    }
+    ComputeTightBounds(geometry, this->Bounds);
   }
-  part->SetPoints(scene->GetPoints());
-  part->SetPolys(polys);
-  const Status status = this->Set(part);
-  this->Cells = cells;
   return status;
+}
+
+Status PlanScene::Set(PlanGround& ground)
+{
+  const Status status = this->Set(ground.Extract());
+  this->Ground = &ground;
+  return status;
+}
+
+vtkIdType PlanScene::GetCell(vtkIdType hit) const
+{
+  return this->Ground ? this->Ground->GetCell(this->Caster->GetGeometry(), hit) : hit;
 }
 
 Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const
@@ -80,16 +72,8 @@ Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const
 
 Vec3 PlanScene::GetNormal(vtkIdType hit) const
 {
-  if (this->Normals)
-  {
-    Vec3 normal;
-    this->Normals->GetTuple(hit, normal.GetData());
-    if (normal.Norm() > 0.0 && std::isfinite(normal.Norm()))
-    {
-      return normal.Normalized();
-    }
-  }
-  return this->GetFaceNormal(hit);
+  Vec3 normal;
+  return this->Cells->GetNormal(hit, normal) ? normal : this->GetFaceNormal(hit);
 }
 
 double PlanScene::GetStep(double given) const

@@ -11,15 +11,16 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
-#include <string>
-#include <vector>
+#include <memory>
 
-class vtkDataArray;
 class vtkHeliosRayCaster;
 class vtkPolyData;
 
 namespace helios
 {
+
+class PlanGround;
+class SceneCells;
 
 class PlanScene
 {
@@ -27,11 +28,11 @@ public:
   PlanScene();
   ~PlanScene();
 
-  /// Takes all triangles of a scene.
+  /// Takes all triangles of a scene, which may have instances.
   Status Set(vtkPolyData* scene);
 
-  /// Takes some triangles of a scene.
-  Status Set(vtkPolyData* scene, const std::vector<bool>& isTaken);
+  /// Takes the ground of a scene, which must outlive this.
+  Status Set(PlanGround& ground);
 
   const vtkHeliosRayCaster& GetCaster() const { return *this->Caster; }
 
@@ -39,7 +40,7 @@ public:
   const double* GetBounds() const { return this->Bounds; }
 
   /// The cell of the scene hit, given the hit id of the caster.
-  vtkIdType GetCell(vtkIdType hit) const { return this->Cells.empty() ? hit : this->Cells[hit]; }
+  vtkIdType GetCell(vtkIdType hit) const;
 
   /// The unit normal of the triangle hit, from its corners by the right-hand rule.
   Vec3 GetFaceNormal(vtkIdType hit) const;
@@ -55,10 +56,11 @@ public:
   }
 
 private:
+  Status FindBounds(vtkPolyData* scene);
+
   vtkSmartPointer<vtkHeliosRayCaster> Caster;
-  vtkSmartPointer<vtkPolyData> Part; ///< the triangles taken
-  vtkDataArray* Normals = nullptr;
-  std::vector<vtkIdType> Cells;
+  std::unique_ptr<SceneCells> Cells;
+  const PlanGround* Ground = nullptr; ///< null: all triangles are taken
   double Bounds[6] = {};
 };
 

@@ -4,10 +4,11 @@
 
 #include "heliosAreas.h"
 #include "heliosGridLine.h"
-#include "heliosGround.h"
 #include "heliosMemory.h"
+#include "heliosPlanGround.h"
 #include "heliosPlanScene.h"
 #include "heliosSceneCrs.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
@@ -87,17 +88,19 @@ public:
   helios::Status Prepare(vtkPolyData* scene)
   {
     const int surface = this->Self->Surface;
-    if (surface != HIGHEST)
+    helios::Status status = surface != HIGHEST ? this->Ground.Set(scene) : helios::Status();
+    if (!status.IsOk())
     {
-      this->IsGround = helios::FindGroundCells(scene);
+      return helios::Status::Error(
+        "No rays can be cast onto the scene on port 0: " + status.Message());
     }
-    if (this->IsGround.empty() && (surface == GROUND || surface == OPEN_GROUND))
+    if (this->Ground.IsEmpty() && (surface == GROUND || surface == OPEN_GROUND))
     {
       return helios::Status::Error(
         "Candidates are to be on the ground, but no material of the scene is ground "
         "(Material.IsGround, helios_isGround); mark the ground, or use the highest surface");
     }
-    return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
+    return this->IsBelowOthers() ? this->Scene.Set(this->Ground) : this->Scene.Set(scene);
   }
 
   /// Builds the grid.
@@ -226,7 +229,7 @@ private:
   /// Whether surfaces may be above positions.
   bool IsBelowOthers() const
   {
-    return !this->IsGround.empty() && this->Self->Surface != OPEN_GROUND;
+    return !this->Ground.IsEmpty() && this->Self->Surface != OPEN_GROUND;
   }
 
   /// Position of the instrument.
@@ -272,6 +275,11 @@ private:
     }
   }
 
+  bool IsOnGround(vtkIdType cell) const
+  {
+    return this->Ground.Has(this->Scene.GetCaster().GetGeometry().Find(cell));
+  }
+
   void Classify(const double* origin, Place& place) const
   {
     if (place.Cell < 0)
@@ -283,7 +291,7 @@ private:
     place.Normal = place.Normal[2] < 0.0 ? -1.0 * place.Normal : place.Normal;
     const Vec3& n = place.Normal;
     place.Slope = vtkMath::DegreesFromRadians(std::atan2(std::hypot(n[0], n[1]), n[2]));
-    if (this->Self->Surface == OPEN_GROUND && !this->IsGround[place.Cell])
+    if (this->Self->Surface == OPEN_GROUND && !this->IsOnGround(place.Cell))
     {
       place.Fate = Place::NotGround;
     }
@@ -300,7 +308,7 @@ private:
   vtkHeliosScanPositionCandidates* Self;
   helios::Areas Exclusions;
   helios::PlanScene Scene;
-  std::vector<bool> IsGround; ///< of the scene's cells; empty: all are
+  helios::PlanGround Ground; ///< empty: all surfaces are
   helios::GridLine X{ 0.0, 0.0, 1.0 };
   helios::GridLine Y{ 0.0, 0.0, 1.0 };
   std::vector<Place> Places; ///< in rows of x

@@ -9,6 +9,7 @@
 #include "heliosVisibility.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
@@ -329,7 +330,7 @@ helios::Status vtkHeliosViewsheds::FindFault(
   {
     return Status::Error("RayCaster is not set; set one, e.g. a vtkHeliosBvhRayCaster");
   }
-  if (scene->GetNumberOfCells() == 0)
+  if (scene->GetNumberOfCells() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     return Status::Error("The scene on port 0 is empty; connect what hides test points");
   }

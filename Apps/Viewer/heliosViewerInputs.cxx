@@ -13,6 +13,7 @@
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
 #include "vtkHeliosPlannerReader.h"
+#include "vtkHeliosScene.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveyReader.h"
 
@@ -90,8 +91,10 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
   reader->SetDefaultPlatform(DefaultPlatform);
   reader->SetDefaultScanner(DefaultScanner);
   reader->KeepGridsOn();
+  reader->InstancesOn();
   reader->Update();
-  if (reader->GetOutput()->GetNumberOfPolys() == 0)
+  vtkPolyData* scene = reader->GetOutput();
+  if (scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     return Status::Error(
       errors.Get(fileName + ": has nothing to show; give a scene with triangles"));
@@ -101,7 +104,7 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
   {
     grids.emplace_back(reader->GetGrid(i));
   }
-  viewer.ShowScene(reader->GetOutput(), grids);
+  viewer.ShowScene(scene, grids);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneFlatten.h"
 
 #include "heliosFlatScene.h"
+#include "heliosSceneBounds.h"
 #include "heliosStatus.h"
 
 #include <vtkInformation.h>
@@ -26,4 +27,15 @@ int vtkHeliosSceneFlatten::RequestData(
   }
   vtkPolyData::GetData(outputVector)->ShallowCopy(mesh);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneFlatten::ComputeBounds(vtkPolyData* scene, double bounds[6])
+{
+  const helios::Status status = helios::GetSceneBounds(scene, bounds);
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+  }
+  return status.IsOk();
 }

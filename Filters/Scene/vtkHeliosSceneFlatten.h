@@ -27,6 +27,12 @@ public:
   static vtkHeliosSceneFlatten* New();
   vtkTypeMacro(vtkHeliosSceneFlatten, vtkPolyDataAlgorithm);
 
+  /**
+   * Computes the bounds of the mesh of a scene, x0 x1 y0 y1 z0 z1 [m], without making it. False
+   * after an error: instances with invalid values.
+   */
+  bool ComputeBounds(vtkPolyData* scene, double bounds[6]);
+
 protected:
   vtkHeliosSceneFlatten() = default;
   ~vtkHeliosSceneFlatten() override = default;

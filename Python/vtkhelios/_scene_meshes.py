@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes that stand in for a scene: without a part, or with fewer triangles."""
 
+import collections
 import importlib
 import re
 import time
@@ -13,7 +14,12 @@ from vtkmodules.vtkCommonCore import VTK_INT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._pipeline import PipelineError, update
-from .array_names import MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, NORMALS, PART_IDS, PART_NAME
+
+from .array_names import (
+    FIRST_CELL_IDS, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, NORMALS, PART_IDS, PART_NAME,
+    PROTOTYPE_IDS,
+)  # fmt: skip
+from .scene import has_instances
 
 
 class Group(typing.NamedTuple):
@@ -26,12 +32,9 @@ class Group(typing.NamedTuple):
 
 def find_groups(scene):
     """The groups of parts of a scene that have triangles, the largest first."""
-    ids = scene.GetCellData().GetArray(PART_IDS)
-    if ids is None:
-        return []
     names = scene.GetFieldData().GetAbstractArray(PART_NAME)
     members = {}
-    for index, count in zip(*np.unique(vtk_to_numpy(ids), return_counts=True)):
+    for index, count in sorted(_count_triangles(scene).items()):
         is_named = names is not None and index < names.GetNumberOfValues()
         name = names.GetValue(int(index)) if is_named else ""
         name = f"part {name or index}" if name.isdigit() or not name else name
@@ -43,6 +46,37 @@ def find_groups(scene):
         indices, counts = tuple(part[0] for part in parts), sum(part[1] for part in parts)
         groups.append(Group(name, indices, counts))
     return sorted(groups, key=lambda group: -group.triangles)
+
+
+def _count_triangles(scene):
+    """The triangles of every part that has some; empty: the scene has no parts."""
+    ids, counts = scene.GetCellData().GetArray(PART_IDS), collections.Counter()
+    if ids is not None:
+        own = np.unique(vtk_to_numpy(ids), return_counts=True)
+        counts.update(dict(zip(*(each.tolist() for each in own))))
+    if has_instances(scene):
+        sizes = [_size(scene, number) for number in range(scene.GetNumberOfPrototypes())]
+        for part, prototype in zip(
+            _instance_ids(scene, PART_IDS), _instance_ids(scene, PROTOTYPE_IDS)
+        ):
+            counts[int(part)] += sizes[int(prototype)]
+    return counts
+
+
+def _size(scene, number):
+    """The triangles of a prototype, a mesh or a raster: those of one instance."""
+    one, place = scene.NewInstance(), vtkPolyData()
+    _set_points(place, np.zeros((1, 3)))
+    _add(place, PROTOTYPE_IDS, np.zeros(1, np.int32), place.GetPointData())
+    one.AddPrototype(scene.GetPrototype(number))
+    one.SetInstances(place)
+    return one.GetNumberOfTriangles()
+
+
+def _instance_ids(scene, name):
+    """The ids of instances, 0 without the array."""
+    array = scene.GetInstances().GetPointData().GetArray(name)
+    return np.zeros(scene.GetNumberOfInstances(), int) if array is None else vtk_to_numpy(array)
 
 
 def has_spectra(scene):
@@ -59,7 +93,29 @@ def has_lobes(scene):
 
 def without_parts(scene, ids):
     """The scene without the triangles of some parts."""
-    return _select(scene, ~np.isin(_parts(scene), ids))
+    mesh = (
+        _select(scene, ~np.isin(_parts(scene), ids)) if scene.GetNumberOfPolys() else vtkPolyData()
+    )
+    return _with_instances(mesh, scene, ids) if has_instances(scene) else mesh
+
+
+def _with_instances(mesh, scene, without):
+    """A mesh with the instances of a scene, but for those of some parts."""
+    every, left = scene.GetInstances(), vtkPolyData()
+    mask = ~np.isin(_instance_ids(scene, PART_IDS), without)
+    _set_points(left, vtk_to_numpy(every.GetPoints().GetData())[mask])
+    data = every.GetPointData()
+    for index in range(data.GetNumberOfArrays()):
+        array = data.GetArray(index)  # None for strings
+        if array is not None and array.GetName() != FIRST_CELL_IDS:
+            _add(left, array.GetName(), vtk_to_numpy(array)[mask], left.GetPointData())
+    whole = scene.NewInstance()
+    whole.ShallowCopy(mesh)
+    whole.GetFieldData().ShallowCopy(scene.GetFieldData())
+    for number in range(scene.GetNumberOfPrototypes()):
+        whole.AddPrototype(scene.GetPrototype(number))
+    whole.SetInstances(left)
+    return whole
 
 
 class TooLong(Exception):
@@ -153,10 +209,10 @@ def _set_points(mesh, values):
     mesh.SetPoints(points)
 
 
-def _add(mesh, name, values):
+def _add(mesh, name, values, data=None):
     array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
     array.SetName(name)
-    mesh.GetCellData().AddArray(array)
+    (data or mesh.GetCellData()).AddArray(array)
 
 
 def _add_normals(mesh):

@@ -10,6 +10,7 @@ from . import _scene_meshes as meshes
 from . import tradeoff as kinds
 from ._accuracy import MEASURES, POSITION, Estimate, Sampler
 from .array_names import PART_IDS
+from .scene import count_triangles, flatten, has_instances
 from .tradeoff import Row, Tradeoff
 
 SUB_RAYS_OF_REFERENCE, BINS_PER_PULSE = 4096, 50
@@ -22,6 +23,7 @@ DISTANCES = (0.01, 0.05)  # of simplified meshes [m]
 PART_DISTANCE = 0.05  # of simplified parts: one of them
 MOST_TRIANGLES = 400_000  # of a mesh that is simplified
 LONGEST = 10.0  # processor time of that [s]
+MOST_COPIED = 20_000_000  # triangles that ray casters without instances copy
 MOST_GROUPS = 6  # of parts of the scene
 CLEAR = 3.0  # times the error of the reference
 PULSES_PER_BLOCK, COPIES_OF_BLOCK = 262144, 2  # of a run: vtkHeliosSurveyPlayer and its estimate
@@ -30,6 +32,7 @@ MEBIBYTE = 1024**2
 
 def make_tradeoff(survey, pulses=2000, parts=True, on_step=None, **options):
     """See Survey.tradeoff(); on_step is called with a name and the fraction done."""
+    options.setdefault("instances", True)
     return _Run(survey, pulses, parts, on_step, options).make()
 
 
@@ -90,6 +93,7 @@ class _Run:
         self._own = _plain(sampler.compare(half, reference))
         self._own[POSITION] = self._own["rangeP95_m"]
         ways = [self._measure_way(way, reference) for way in self._ways]
+        ways = [way for way in ways if way is not None]
         simplified = self._simplify()
         ways += [self._measure_mesh(*each, reference) for each in simplified.items()]
         parts = self._leave_out(simplified) if self._has_parts else []
@@ -115,14 +119,24 @@ class _Run:
         return cloud
 
     def _measure_way(self, way, reference):
+        """The row of a way; None if it would copy too many instances."""
         name, kind, choice = way
         self._step.begin(name)
+        if kind == kinds.RAY_CASTER and choice["ray_caster"] != "beam" and self._is_huge():
+            self._absent.append(
+                f"{name}: it copies instances, and the scene has {count_triangles(self._scene):,} "
+                f"triangles with them; at most {MOST_COPIED:,} are copied here"
+            )
+            return None
         if kind == kinds.BINS:
             choice = {**choice, "bin_size": round(choice["bin_size"] * self._bins, 6)}
             name = f"{choice['sub_rays']} sub-rays, bins {choice['bin_size']:.3g} ns"
         elif kind == kinds.DETECTOR:  # each measures the range in its own way
             reference = self._make_reference(**choice)
         return self._measure(name, kind, choice, reference)
+
+    def _is_huge(self):
+        return has_instances(self._scene) and count_triangles(self._scene) > MOST_COPIED
 
     def _measure(self, name, kind, options, reference, detail="", **more):
         """A way against the reference."""
@@ -144,7 +158,7 @@ class _Run:
 
     def _simplify(self):
         """The scene simplified within distances, and what was verified: by distance."""
-        count, made = self._scene.GetNumberOfPolys(), {}
+        count, made = count_triangles(self._scene), {}
         if not hasattr(_package(), "vtkHeliosMeshSimplify"):
             self._absent.append("simplified meshes: this build has no CGAL")
         elif count > MOST_TRIANGLES:
@@ -153,6 +167,7 @@ class _Run:
                 f"{MOST_TRIANGLES:,} are simplified here"
             )
         elif count > 0:
+            self._scene = flatten(self._scene)
             for distance in DISTANCES:
                 self._step.begin(f"simplifying the mesh within {1e3 * distance:g} mm")
                 mesh = meshes.simplify(self._scene, distance, LONGEST, self._step.tell)

@@ -6,16 +6,20 @@ Every pixel has the colour of the nearest test point; the positions are marked. 
 display, as vtkhelios.picture does.
 """
 
+import importlib
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
 
 from ._arrays import arrays
+from ._pipeline import MessageLog, conclude
 from . import picture
 from .array_names import BEST_INCIDENCE_ANGLE, COVERABLE, NORMAL, NUMBER_OF_SCANS
 from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, rendering
+from .scene import Scene, has_instances
 
 UNSEEN = (0.34, 0.05, 0.12)
 NOT_COVERABLE = (0.42, 0.43, 0.46)
@@ -87,18 +91,13 @@ class View:
     """A scene seen by a camera: the position of each pixel."""
 
     def __init__(self, scene, size, azimuth, elevation):
-        low, high = np.reshape(scene.GetBounds(), (3, 2)).T
+        is_traced = has_instances(scene)  # not drawn: there may be very many triangles
+        box = Scene(scene).bounds if is_traced else np.reshape(scene.GetBounds(), (3, 2)).T
+        low, high = box
         self.origin = (low + high) / 2  # the graphics card computes in float
-        mesh = vtkPolyData()
-        mesh.ShallowCopy(scene)
-        mesh.SetPoints(make_points(vtk_to_numpy(scene.GetPoints().GetData()) - self.origin))
-        mapper = rendering.vtkPolyDataMapper()
-        mapper.SetInputData(mesh)
-        mapper.ScalarVisibilityOff()
-        actor = rendering.vtkActor()
-        actor.SetMapper(mapper)
         renderer = rendering.vtkRenderer()
-        renderer.AddActor(actor)
+        if not is_traced:
+            renderer.AddActor(make_actor(scene, self.origin))
         corners = np.array([low, high]) - self.origin
         picture.place_camera(renderer, corners, azimuth, elevation, zoom=1.0)
         fill_view(renderer.GetActiveCamera(), corners, size[0] / size[1])
@@ -107,8 +106,22 @@ class View:
         renderer.ResetCameraClippingRange()
         self.window.Render()
         self.camera = renderer.GetActiveCamera()
-        self.distance = picture.grab_distances(self.window, renderer)
+        if is_traced:
+            self.distance = self.trace(scene)
+        else:
+            self.distance = picture.grab_distances(self.window, renderer)
         self.window.RemoveRenderer(renderer)
+
+    def trace(self, scene):
+        """The distances that grab_distances() returns, by rays."""
+        width, height = self.window.GetSize()
+        caster = importlib.import_module(__package__).vtkHeliosRayCasterFactory.Create("")
+        with MessageLog() as log:
+            log.watch(caster)
+            caster.Build(scene)
+        conclude(log)
+        eye = self.origin + self.camera.GetPosition()
+        return np.array([cast(caster, eye, row) for row in self.make_rays(width, height)])
 
     def find_nearest(self, points, normals):
         """The test point nearest to each pixel; -1 for the background.
@@ -126,14 +139,18 @@ class View:
     def unproject(self, towards):
         """The position of each pixel, moved towards the camera."""
         height, width = self.distance.shape
+        rays = self.make_rays(width, height)
+        length = np.linalg.norm(rays, axis=2, keepdims=True)
+        far = np.where(np.isfinite(self.distance), self.distance, 0.0)[..., None]
+        return np.array(self.camera.GetPosition()) + rays * (far - towards / length)
+
+    def make_rays(self, width, height):
+        """The directions of the pixels, of length 1 along the axis of the camera."""
         right, up, axis = camera_axes(self.camera)
         scale = 2.0 * np.tan(np.radians(self.camera.GetViewAngle()) / 2) / height
         x = (np.arange(width) + 0.5 - width / 2) * scale
         y = (np.arange(height) + 0.5 - height / 2) * scale
-        rays = axis + y[:, None, None] * up + x[None, :, None] * right
-        length = np.linalg.norm(rays, axis=2, keepdims=True)
-        far = np.where(np.isfinite(self.distance), self.distance, 0.0)[..., None]
-        return np.array(self.camera.GetPosition()) + rays * (far - towards / length)
+        return axis + y[:, None, None] * up + x[None, :, None] * right
 
     def draw(self, colours, nearest, marks):
         """The scene in the colours of the test points, and the marks."""
@@ -168,6 +185,27 @@ class View:
         )
         text.GetTextProperty().BoldOn()
         return text
+
+
+def make_actor(scene, origin):
+    """The triangles of a mesh, relative to an origin."""
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(scene)
+    mesh.SetPoints(make_points(vtk_to_numpy(scene.GetPoints().GetData()) - origin))
+    mapper = rendering.vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    mapper.ScalarVisibilityOff()
+    actor = rendering.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def cast(caster, eye, rays):
+    """The ranges of rays from a point, in units of their directions; infinite: no hit."""
+    ranges, cells = vtkDoubleArray(), vtkIdTypeArray()
+    origins = numpy_to_vtk(np.tile(eye, (len(rays), 1)))
+    caster.Intersect(origins, numpy_to_vtk(np.ascontiguousarray(rays)), ranges, cells)
+    return vtk_to_numpy(ranges).copy()
 
 
 def camera_axes(camera):

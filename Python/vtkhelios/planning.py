@@ -22,7 +22,7 @@ from ._plan_report import make_report
 from ._plan_settings import SettingError, check_settings, fill_document, fill_filters
 from ._watching import Progress
 from .cloud import Cloud
-from .scene import Scene
+from .scene import Scene, has_instances
 
 __all__ = ["Plan", "PlanTask", "plan"]
 
@@ -216,7 +216,7 @@ class Plan:
     seconds
         the time of every step [s].
     scene
-        the scene (vtkPolyData).
+        the scene (vtkPolyData; a vtkHeliosScene if parts with the same mesh are stored once).
     task
         the PlanTask, with all filters.
 
@@ -358,6 +358,7 @@ def _make_document(scene, assets):
     document = _class("vtkHeliosPlannerReader")()
     document.SetDefaultPlatform(PLATFORM)
     document.SetDefaultScanner(SCANNER)
+    document.InstancesOn()
     if isinstance(scene, (str, os.PathLike)):
         look_up(document, os.fspath(scene), assets)
         return os.fspath(scene), document
@@ -367,7 +368,7 @@ def _make_document(scene, assets):
 
 
 def _copy(polydata):
-    copy = vtkPolyData()
+    copy = polydata.NewInstance() if has_instances(polydata) else vtkPolyData()
     copy.ShallowCopy(polydata)
     return copy
 

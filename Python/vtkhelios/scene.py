@@ -32,7 +32,8 @@ class Scene:
 
     points
         the vertices [m], n x 3; or a vtkPolyData of triangles, used unchanged,
-        or an algorithm that makes one.
+        or an algorithm that makes one. A vtkHeliosScene keeps its instances: they have no points
+        and triangles of their own, but count and have a box.
     triangles
         three vertex indices each, m x 3; the scanner ignores their order.
     reflectance
@@ -47,6 +48,7 @@ class Scene:
             self.polydata = _data_of(points)
             if reflectance is None and ground is False:
                 return
+            _check_no_instances(self.polydata, "reflectance and ground")
             count = self.polydata.GetNumberOfCells()
         else:
             self.polydata = _make_mesh(points, triangles)
@@ -56,20 +58,29 @@ class Scene:
     @property
     def points(self):
         """The vertices [m], n x 3, without a copy; call modified() after changes in place."""
+        _check_no_instances(self.polydata, "points")
         return vtk_to_numpy(self.polydata.GetPoints().GetData())
 
     @property
     def triangles(self):
         """The indices of vertices, m x 3, without a copy."""
+        _check_no_instances(self.polydata, "triangles")
         return vtk_to_numpy(self.polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
     @property
     def bounds(self):
         """The box: (lowest x, y, z), (highest x, y, z) [m]."""
-        return self.points.min(axis=0), self.points.max(axis=0)
+        if not has_instances(self.polydata):
+            return self.points.min(axis=0), self.points.max(axis=0)
+        box, flattener = [0.0] * 6, _class("vtkHeliosSceneFlatten")()
+        with MessageLog() as log:
+            log.watch(flattener)
+            flattener.ComputeBounds(self.polydata, box)
+        conclude(log)
+        return np.array(box[::2]), np.array(box[1::2])
 
     def __len__(self):
-        return self.polydata.GetNumberOfCells()
+        return count_triangles(self.polydata)
 
     def __add__(self, other):
         """Merges both scenes."""
@@ -81,10 +92,13 @@ class Scene:
         return Scene(joined)
 
     def write(self, path):
-        """Writes an OBJ file and its materials, which read back as the same scene."""
+        """Writes an OBJ file and its materials, which read back as the same scene.
+
+        Instances are written as copies.
+        """
         writer = _class("vtkHeliosObjSceneWriter")()
         writer.SetFileName(to_vtk(path))
-        writer.SetInputDataObject(self.polydata)
+        writer.SetInputDataObject(flatten(self.polydata))
         with MessageLog() as log:
             log.watch(writer)
             succeeded = writer.Write()
@@ -102,6 +116,36 @@ class Scene:
         low, high = self.bounds
         box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
         return f"Scene({len(self):,} triangles, {box} m)"
+
+
+def has_instances(polydata):
+    """Whether a vtkPolyData is a vtkHeliosScene with instances."""
+    return bool(_class("vtkHeliosScene").HasInstances(polydata))
+
+
+def count_triangles(polydata):
+    """The triangles of a scene, those of instances counted as often as they stand."""
+    is_scene = has_instances(polydata)
+    return polydata.GetNumberOfTriangles() if is_scene else polydata.GetNumberOfCells()
+
+
+def flatten(polydata):
+    """A scene as one mesh, with copies of its instances; PipelineError if there are too many."""
+    if not has_instances(polydata):
+        return polydata
+    algorithm = _class("vtkHeliosSceneFlatten")()
+    algorithm.SetInputDataObject(polydata)
+    mesh = vtkPolyData()
+    mesh.ShallowCopy(update(algorithm))
+    return mesh
+
+
+def _check_no_instances(polydata, what):
+    if has_instances(polydata):
+        raise ValueError(
+            f"the scene has {polydata.GetNumberOfInstances():,} instances, and {what} are of one mesh; "
+            "make it of vtkHeliosSceneFlatten, or use its prototypes and instances"
+        )
 
 
 def _data_of(source):

@@ -6,7 +6,10 @@
 #include "heliosPlannerData.h"
 #include "heliosSceneBuilder.h"
 #include "heliosXmlPlanner.h"
+#include "vtkHeliosScene.h"
 
+#include <vtkDataObject.h>
+#include <vtkDemandDrivenPipeline.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -118,6 +121,26 @@ int vtkHeliosPlannerReader::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
+vtkTypeBool vtkHeliosPlannerReader::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputs, outputs);
+  }
+  vtkPolyData* given = vtkPolyData::GetData(inputs[0]);
+  const bool isScene = given ? vtkHeliosScene::SafeDownCast(given) != nullptr : this->Instances;
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (!output || isScene != (vtkHeliosScene::SafeDownCast(output) != nullptr))
+  {
+    const auto made = isScene ? vtkSmartPointer<vtkPolyData>(vtkSmartPointer<vtkHeliosScene>::New())
+                              : vtkSmartPointer<vtkPolyData>::New();
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosPlannerReader::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputVector)
 {
@@ -134,6 +157,7 @@ int vtkHeliosPlannerReader::RequestData(
   }
   helios::Messages log(this);
   helios::SceneBuilder builder(this->GetData().Survey.Scene, log);
+  builder.SetInstances(this->Instances);
   const auto onStep = [this](const std::string& step)
   {
     this->SetProgressText(step.c_str());
@@ -322,6 +346,7 @@ void vtkHeliosPlannerReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DefaultScanner: " << Text(this->DefaultScanner) << "\n"
      << indent << "UseScannerLimits: " << this->UseScannerLimits << "\n"
      << indent << "KeepGrids: " << this->KeepGrids << "\n"
+     << indent << "Instances: " << this->Instances << "\n"
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "PulseFrequency: " << this->PulseFrequency << "\n"
      << indent << "Kind: " << this->GetKind() << "\n"

@@ -188,6 +188,16 @@ public:
   vtkBooleanMacro(KeepGrids, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the output may be a vtkHeliosScene with instances, as in vtkHeliosSurveySource;
+   * the filters of vtkHeliosScanPlan take it. Default: off.
+   */
+  vtkSetMacro(Instances, bool);
+  vtkGetMacro(Instances, bool);
+  vtkBooleanMacro(Instances, bool);
+  ///@}
+
   /**
    * Get a grid, from 0, after Update(), as in vtkHeliosSurveySource. Null if out of range.
    */
@@ -198,6 +208,8 @@ protected:
   ~vtkHeliosPlannerReader() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -216,6 +228,7 @@ private:
   double Resolution = 0.0;
   double PulseFrequency = 0.0;
   bool KeepGrids = false;
+  bool Instances = false;
 
   const helios::PlannerData& GetData() const;
 };

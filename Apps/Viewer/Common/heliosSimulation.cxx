@@ -3,6 +3,7 @@
 #include "heliosSimulation.h"
 
 #include "heliosErrorText.h"
+#include "heliosSceneBounds.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurvey.h"
@@ -103,6 +104,7 @@ Simulation::Simulation(vtkHeliosSurvey* survey)
   , Target(-std::numeric_limits<double>::infinity())
 {
   this->Source->SetSurvey(survey);
+  this->Source->InstancesOn();
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +145,9 @@ std::string Simulation::GetMessage() const
 //------------------------------------------------------------------------------
 void Simulation::GetBounds(double bounds[6]) const
 {
-  vtkBoundingBox box(this->Scene->GetBounds());
+  double own[6];
+  static_cast<void>(GetSceneBounds(this->Scene, own)); // the source has checked the scene
+  vtkBoundingBox box(own);
   for (vtkImageData* grid : this->Grids)
   {
     box.AddBounds(grid->GetBounds());

@@ -8,11 +8,9 @@
 #include "heliosSceneView.h"
 #include "heliosStatus.h"
 #include "heliosViewer.h"
-#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkBoundingBox.h>
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
@@ -97,27 +95,8 @@ void EditTool::FindFiles()
 bool EditTool::FindMeshPart(int& part, double bounds[6]) const
 {
   SceneView* view = this->Owner.GetSceneView();
-  vtkPolyData* mesh = view ? view->GetScene() : nullptr;
-  vtkDataArray* parts =
-    mesh ? mesh->GetCellData()->GetArray(vtkHeliosArrayNames::PartIds) : nullptr;
-  vtkBoundingBox box;
   part = -1;
-  for (vtkIdType cell = 0; parts && !this->Part.empty() && cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    const int id = static_cast<int>(parts->GetComponent(cell, 0));
-    part = part < 0 && view->GetPartName(id) == this->Part ? id : part;
-    if (part >= 0 && id == part)
-    {
-      double b[6];
-      mesh->GetCellBounds(cell, b);
-      box.AddBounds(b);
-    }
-  }
-  if (box.IsValid())
-  {
-    box.GetBounds(bounds);
-  }
-  return part >= 0;
+  return view && !this->Part.empty() && view->FindPart(this->Part, part, bounds);
 }
 
 //------------------------------------------------------------------------------

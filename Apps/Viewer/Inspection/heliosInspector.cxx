@@ -329,7 +329,7 @@ void Inspector::ReceivePulse()
   {
     const std::vector<PulseEcho> known = std::move(this->Reading.Echoes);
     SceneView* scene = this->Owner.GetSceneView();
-    this->Reading = ReadPulse(record, this->Reading.Pulse, scene ? scene->GetScene() : nullptr);
+    this->Reading = ReadPulse(record, this->Reading.Pulse, scene);
     this->Reading.Echoes = this->Reading.Echoes.empty() ? known : this->Reading.Echoes;
     this->Problem = this->Reading.Problem;
   }

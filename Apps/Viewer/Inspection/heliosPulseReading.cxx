@@ -3,12 +3,12 @@
 #include "heliosPulseReading.h"
 
 #include "heliosConstants.h"
+#include "heliosSceneView.h"
 #include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosGaussianDecomposition.h"
 
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
@@ -81,18 +81,16 @@ void ReadOrigin(vtkPolyData* pulses, PulseReading& reading)
   }
 }
 
-void ReadSubRays(vtkPolyData* hits, vtkPolyData* scene, PulseReading& reading)
+void ReadSubRays(vtkPolyData* hits, const SceneView* scene, PulseReading& reading)
 {
-  vtkDataArray* parts = scene ? scene->GetCellData()->GetArray(names::PartIds) : nullptr;
   vtkPointData* data = hits->GetPointData();
   for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
   {
     if (IsOf(data, i, reading.Pulse))
     {
       const auto cell = static_cast<vtkIdType>(Get(data, names::CellIds, i, -1.0));
-      const bool isKnown = parts && cell >= 0 && cell < parts->GetNumberOfTuples();
       reading.SubRays.push_back({ Vec3(hits->GetPoint(i)), Get(data, names::Weight, i, 0.0),
-        isKnown ? static_cast<int>(parts->GetTuple1(cell)) : -1 });
+        scene ? scene->GetPart(cell) : -1 });
     }
   }
 }
@@ -168,7 +166,7 @@ double GetTwoWayTime(double range)
 }
 
 //------------------------------------------------------------------------------
-PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, vtkPolyData* scene)
+PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, const SceneView* scene)
 {
   PulseReading reading;
   reading.Pulse = pulse;

@@ -18,6 +18,8 @@ class vtkPolyData;
 namespace helios::viewer
 {
 
+class SceneView;
+
 /// An echo of the pulse; unknown values: NaN, ids -1, counts and classes 0.
 struct PulseEcho
 {
@@ -72,7 +74,7 @@ double GetTwoWayTime(double range);
  * Extracts a pulse from a record; its outputs may be null. The parts of sub-rays are those of the
  * scene's cells. Gaussians below 1 % of the largest sample are dropped.
  */
-PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, vtkPolyData* scene);
+PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, const SceneView* scene);
 
 } // namespace helios::viewer
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneLayer.h"
 
+#include "heliosDrawnMesh.h"
 #include "heliosSceneGeometry.h"
 #include "vtkHeliosRayCasterFactory.h"
 
@@ -12,9 +13,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
-#include <vtkQuadricClustering.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -25,6 +24,8 @@ namespace helios::viewer
 
 namespace
 {
+
+constexpr double Divisions = 160.0; // of coarse meshes along the longest side, at most
 
 /// Points in floats, relative to an origin.
 vtkSmartPointer<vtkPoints> MakeLocal(vtkPolyData* mesh, const Vec3& origin)
@@ -44,43 +45,6 @@ vtkSmartPointer<vtkPoints> MakeLocal(vtkPolyData* mesh, const Vec3& origin)
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetData(xyz);
   return points;
-}
-
-vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
-{
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SetFeatureAngle(40.0);
-  normals->ConsistencyOff(); // keeps the order of the cells
-  normals->Update();
-  return normals->GetOutput();
-}
-
-/// The triangles with corners merged in cubes so large that few triangles remain.
-vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh)
-{
-  double size[3];
-  vtkNew<vtkQuadricClustering> clustering;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    size[axis] = mesh->GetBounds()[2 * axis + 1] - mesh->GetBounds()[2 * axis];
-  }
-  const double longest = *std::max_element(size, size + 3);
-  clustering->SetInputData(mesh);
-  clustering->AutoAdjustNumberOfDivisionsOff();
-  clustering->CopyCellDataOn();
-  for (double divisions = 160.0;; divisions *= 0.7)
-  {
-    int counts[3];
-    std::transform(size, size + 3, counts,
-      [&](double side) { return std::max(2, static_cast<int>(divisions * side / longest)); });
-    clustering->SetNumberOfDivisions(counts);
-    clustering->Update();
-    if (clustering->GetOutput()->GetNumberOfCells() <= SceneLayer::MostWhileMoving)
-    {
-      return clustering->GetOutput();
-    }
-  }
 }
 
 } // namespace
@@ -210,7 +174,7 @@ void SceneLayer::ShowWhatIsDue()
     this->Drawn->GetNumberOfCells() > MostWhileMoving;
   if (isCoarse && !this->Coarse)
   {
-    this->Coarse = MakeCoarse(this->Drawn);
+    this->Coarse = MakeCoarse(this->Drawn, MostWhileMoving, Divisions);
     this->CoarseMapper->SetInputData(this->Coarse);
   }
   this->Actor->SetVisibility(this->Visible && !isCoarse);

@@ -3,12 +3,16 @@
 #include "heliosSceneView.h"
 
 #include "heliosMaterialColors.h"
+#include "heliosSceneBounds.h"
+#include "heliosSceneCells.h"
 #include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
 #include "heliosTurbidBoxes.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
@@ -78,6 +82,7 @@ SceneView::SceneView(vtkRenderer* renderer)
   : Renderer(renderer)
   , Resting(renderer, this->Look)
   , Moving(renderer, this->Look)
+  , Instances(renderer, this->Look)
 {
   this->Look->SetInterpolationToFlat();
   this->BoxMapper->SetScalarModeToUseCellData();
@@ -103,22 +108,28 @@ Status SceneView::SetScene(vtkPolyData* scene)
   this->Scene = nullptr;
   this->Resting.SetMesh(nullptr);
   this->Moving.SetMesh(nullptr);
+  this->Instances.SetScene(nullptr, this->Geometry);
   if (!scene)
   {
     return {};
   }
-  if (scene->GetNumberOfCells() == 0)
+  if (scene->GetNumberOfCells() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     return Status::Error("the scene has no triangles: it cannot be shown");
   }
-  const Status status = TriangleMesh().Set(scene);
+  const Status status = this->Geometry.Set(scene);
   if (!status.IsOk())
   {
     return Status::Error("the scene cannot be shown: " + status.Message());
   }
   this->Scene = scene;
+  this->Cells = std::make_unique<SceneCells>(scene, this->Geometry);
   this->Materials = GetMaterials(scene);
   this->Resting.SetMesh(scene);
+  if (vtkHeliosScene::HasInstances(scene))
+  {
+    this->Instances.SetScene(vtkHeliosScene::SafeDownCast(scene), this->Geometry);
+  }
   this->DrawMesh();
   this->SetVisible(true);
   return {};
@@ -130,7 +141,7 @@ void SceneView::SetMovingParts(const std::vector<int>& parts)
   std::vector<vtkIdType> cells[2]; // static, moving
   for (vtkIdType cell = 0; this->Scene && cell < this->Scene->GetNumberOfCells(); ++cell)
   {
-    const int part = this->GetCellId(names::PartIds, cell);
+    const int part = this->GetPart(cell);
     cells[std::count(parts.begin(), parts.end(), part) > 0 ? 1 : 0].push_back(cell);
   }
   const bool wasVisible = this->IsVisible();
@@ -191,6 +202,7 @@ void SceneView::SetInteracting(bool on)
   if (on != this->Interacting)
   {
     this->Interacting = on;
+    this->Instances.SetInteracting(on);
     this->Resting.SetInteracting(on); // moving ones are rebuilt in each frame
     this->BoxMapper->SetInputData(this->BoxSets[on ? 1 : 0]);
   }
@@ -201,37 +213,42 @@ void SceneView::DrawMesh()
 {
   this->Resting.Draw(this->Origin, this->Smooth);
   this->Moving.Draw(this->Origin, this->Smooth);
+  this->Instances.Draw(this->Origin, this->Smooth);
   this->ColorMesh();
 }
 
 //------------------------------------------------------------------------------
 void SceneView::ColorMesh()
 {
-  std::vector<Rgb> materialColors;
+  std::vector<Rgb> colors;
   for (std::size_t row = 0; row < this->Materials.size(); ++row)
   {
-    materialColors.push_back(GetMaterialColor(this->Materials[row], row));
+    colors.push_back(GetMaterialColor(this->Materials[row], row));
   }
-  vtkDataArray* parts =
-    this->Scene ? this->Scene->GetCellData()->GetArray(names::PartIds) : nullptr;
-  vtkDataArray* materials =
-    this->Scene ? this->Scene->GetCellData()->GetArray(names::MaterialIds) : nullptr;
-  const auto getColor = [&](vtkIdType cell)
+  const auto getColor = [&](vtkIdType triangle)
   {
-    const int part = parts ? static_cast<int>(parts->GetComponent(cell, 0)) : -1;
-    const auto row = static_cast<std::size_t>(materials ? materials->GetComponent(cell, 0) : 0.0);
-    if (part >= 0 && part == this->HighlightedPart)
-    {
-      return Rgb{ HighlightColor[0], HighlightColor[1], HighlightColor[2] };
-    }
-    if (this->ColorBy == Coloring::ByPart && part >= 0)
-    {
-      return GetDistinctColor(part);
-    }
-    return row < materialColors.size() ? materialColors[row] : Rgb{ 128, 128, 128 };
+    const vtkIdType cell = this->Geometry.GetCell(triangle);
+    return this->GetColor(colors, this->Cells->GetPart(cell), this->Cells->GetMaterial(cell));
   };
   this->Resting.Color(getColor);
   this->Moving.Color(getColor);
+  this->Instances.Color(
+    [&](int part, int material) { return this->GetColor(colors, part, material); });
+}
+
+//------------------------------------------------------------------------------
+Rgb SceneView::GetColor(const std::vector<Rgb>& materialColors, int part, int material) const
+{
+  if (part >= 0 && part == this->HighlightedPart)
+  {
+    return { HighlightColor[0], HighlightColor[1], HighlightColor[2] };
+  }
+  if (this->ColorBy == Coloring::ByPart && part >= 0)
+  {
+    return GetDistinctColor(part);
+  }
+  const auto row = static_cast<std::size_t>(std::max(0, material));
+  return row < materialColors.size() ? materialColors[row] : Rgb{ 128, 128, 128 };
 }
 
 //------------------------------------------------------------------------------
@@ -281,6 +298,7 @@ void SceneView::SetVisible(bool on)
 {
   this->Resting.SetVisible(on);
   this->Moving.SetVisible(on);
+  this->Instances.SetVisible(on);
   this->Boxes->SetVisibility(on && this->GetNumberOfBoxes() > 0);
 }
 
@@ -291,10 +309,10 @@ bool SceneView::IsVisible() const
 }
 
 //------------------------------------------------------------------------------
-int SceneView::GetCellId(const char* name, vtkIdType cell) const
+int SceneView::GetPart(vtkIdType cell) const
 {
-  vtkDataArray* ids = this->Scene->GetCellData()->GetArray(name);
-  return ids ? static_cast<int>(ids->GetComponent(cell, 0)) : -1;
+  const bool isCell = this->Scene && cell >= 0 && cell < this->Geometry.GetNumberOfTriangles();
+  return isCell ? this->Cells->GetPart(cell) : -1;
 }
 
 //------------------------------------------------------------------------------
@@ -317,9 +335,9 @@ std::optional<ScenePick> SceneView::Pick(double x, double y)
   const Vec3 normal = normals[isMoving ? 1 : 0];
   pick.Normal = normal.Dot(way) > 0.0 ? normal * -1.0 : normal;
   pick.Cell = hit.CellId;
-  pick.Part = this->GetCellId(names::PartIds, hit.CellId);
+  pick.Part = this->GetPart(hit.CellId);
   pick.PartName = pick.Part < 0 ? "" : this->GetPartName(pick.Part);
-  pick.Material = std::max(0, this->GetCellId(names::MaterialIds, hit.CellId));
+  pick.Material = std::max(0, this->Cells->GetMaterial(hit.CellId));
   const auto row = static_cast<std::size_t>(pick.Material);
   pick.MaterialName = row < this->Materials.size() ? this->Materials[row].Name : "";
   pick.IsGround = row < this->Materials.size() && this->Materials[row].IsGround;
@@ -333,8 +351,41 @@ bool SceneView::GetBounds(double bounds[6]) const
   {
     return false;
   }
-  this->Scene->GetPoints()->GetBounds(bounds);
-  return true;
+  return GetSceneBounds(this->Scene, bounds).IsOk();
+}
+
+//------------------------------------------------------------------------------
+bool SceneView::FindPart(const std::string& name, int& part, double bounds[6]) const
+{
+  vtkBoundingBox box;
+  const vtkIdType count = this->Scene ? this->Geometry.GetMesh().GetNumberOfTriangles() : 0;
+  const auto isNamed = [&](int id)
+  {
+    part = part < 0 && id >= 0 && this->GetPartName(id) == name ? id : part;
+    return part >= 0 && id == part;
+  };
+  part = -1;
+  for (vtkIdType triangle = 0; triangle < count; ++triangle)
+  {
+    const vtkIdType cell = this->Geometry.GetCell(triangle);
+    double corners[3][3];
+    if (isNamed(this->Cells->GetPart(cell)))
+    {
+      this->Geometry.GetCorners(cell, corners);
+      std::for_each(corners, corners + 3, [&box](double* corner) { box.AddPoint(corner); });
+    }
+  }
+  for (const SceneInstance& instance : this->Geometry.GetInstances())
+  {
+    double b[6];
+    if (isNamed(instance.Part))
+    {
+      ComputeTightBounds(this->Geometry, instance, b);
+      box.AddBounds(b);
+    }
+  }
+  part >= 0 ? box.GetBounds(bounds) : void();
+  return part >= 0;
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,10 @@
 #ifndef heliosSceneView_h
 #define heliosSceneView_h
 
+#include "heliosInstanceLayer.h"
 #include "heliosMaterialTable.h"
 #include "heliosPose.h"
+#include "heliosSceneGeometry.h"
 #include "heliosSceneLayer.h"
 #include "heliosStatus.h"
 
@@ -14,6 +16,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +27,11 @@ class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkRenderer;
+
+namespace helios
+{
+class SceneCells;
+}
 
 namespace helios::viewer
 {
@@ -42,7 +50,8 @@ struct ScenePick
 };
 
 /**
- * Triangles with the optional arrays MaterialIds, PartIds and the material columns, see DESIGN.
+ * Triangles with the optional arrays MaterialIds, PartIds and the material columns; those of a
+ * vtkHeliosScene with its instances.
  */
 class SceneView
 {
@@ -69,6 +78,7 @@ public:
   vtkPolyData* GetScene() const { return this->Scene; }
 
   /// Parts of the scene that are drawn and picked where Move() puts them; reset by the next scene.
+  /// Not of scenes with instances.
   void SetMovingParts(const std::vector<int>& parts);
 
   /// Their triangles in the current state; null: there are none.
@@ -93,6 +103,9 @@ public:
   void SetInteracting(bool on);
   bool IsCoarse() const { return this->Resting.IsCoarse(); }
 
+  /// The triangles of instances drawn in the last frame.
+  vtkIdType GetInstanceTrianglesDrawn() const { return this->Instances.GetNumberDrawn(); }
+
   /// Default: ByMaterial.
   void SetColoring(Coloring coloring);
 
@@ -115,6 +128,12 @@ public:
   /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
   bool GetBounds(double bounds[6]) const;
 
+  /// The part of a cell; -1: the scene has no parts, or no such cell.
+  int GetPart(vtkIdType cell) const;
+
+  /// Finds a part by its name, and its box [m]; false: there is none that has triangles.
+  bool FindPart(const std::string& name, int& part, double bounds[6]) const;
+
   /// The name of a part; its number if it has none.
   std::string GetPartName(int part) const;
 
@@ -124,10 +143,12 @@ private:
   void DrawMesh();
   void ColorMesh();
   void DrawBoxes();
-  int GetCellId(const char* name, vtkIdType cell) const;
+  Rgb GetColor(const std::vector<Rgb>& materialColors, int part, int material) const;
 
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkPolyData> Scene;
+  SceneGeometry Geometry;
+  std::unique_ptr<SceneCells> Cells;
   MaterialTable Materials;
   Vec3 Origin{ 0.0, 0.0, 0.0 };
   Coloring ColorBy = Coloring::ByMaterial;
@@ -136,6 +157,7 @@ private:
   vtkNew<vtkProperty> Look;
   SceneLayer Resting;
   SceneLayer Moving;
+  InstanceLayer Instances;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
   vtkSmartPointer<vtkPolyData> BoxSets[2]; // when still, while the camera moves
   bool Interacting = false;

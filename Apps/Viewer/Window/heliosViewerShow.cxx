@@ -7,6 +7,7 @@
 #include "heliosCloudView.h"
 #include "heliosHud.h"
 #include "heliosPlatformView.h"
+#include "heliosSceneBounds.h"
 #include "heliosSceneMover.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
@@ -65,12 +66,16 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
 //------------------------------------------------------------------------------
 void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
 {
-  vtkBoundingBox box(scene->GetBounds());
+  double bounds[6];
+  vtkBoundingBox box;
+  if (GetSceneBounds(scene, bounds).IsOk()) // else ShowMesh() has the error
+  {
+    box.SetBounds(bounds);
+  }
   for (vtkImageData* grid : grids)
   {
     box.AddBounds(grid->GetBounds());
   }
-  double bounds[6];
   box.GetBounds(bounds);
   this->Running.reset();
   this->Legs.clear();

@@ -11,6 +11,7 @@ from .._paths import to_vtk
 from .._pipeline import update
 from ..cloud import data_of
 from ..formats import FormatError
+from ..scene import flatten
 from ._blocks import DRAWS
 from ._ground import Ground, choose_cell, choose_tile, draw_tiles
 from ._inputs import Source, find_difference, is_path
@@ -118,7 +119,7 @@ def read_mesh(given):
     data = data_of(given)
     if not (hasattr(data, "IsA") and data.IsA("vtkPolyData")):
         raise TypeError(f"a mesh is a path, a Scene or a vtkPolyData, not {type(given).__name__}")
-    return _check_mesh(data, "the mesh")
+    return _check_mesh(flatten(data), "the mesh")
 
 
 def _read_file(path):

@@ -3,6 +3,7 @@
 #include "heliosSceneSurfaces.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosSceneCells.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
@@ -53,12 +54,6 @@ template <typename ArrayT>
 auto* GetValues(const vtkSmartPointer<ArrayT>& array)
 {
   return array ? array->GetPointer(0) : nullptr;
-}
-
-/// Not inlined: GCC 12 drops the conversions to float and back of a vector of doubles.
-__attribute__((noinline)) double RoundToFloat(double x)
-{
-  return static_cast<float>(x);
 }
 
 } // namespace

@@ -449,6 +449,7 @@ vtkSmartPointer<vtkPolyData> SceneEdit::Build(Messages& log) const
     return nullptr;
   }
   SceneBuilder builder(data, log);
+  builder.SetInstances(true);
   return builder.Build([](const std::string&) { return true; });
 }
 

@@ -218,7 +218,9 @@ bool SurveyLoader::SetMesh(RunSettings& settings)
   {
     this->TakenMesh = {};
     this->Mesh = input ? MakeTriangles(input) : nullptr;
-    if (input && (!this->Mesh || this->Mesh->GetNumberOfPolys() == 0))
+    const bool isEmpty = !this->Mesh ||
+      (this->Mesh->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(this->Mesh));
+    if (input && isEmpty)
     {
       this->Log.Error("the input mesh has no polygons; give one that stands in for the scene, such "
                       "as a simplified GetScene(), or disconnect the input");

@@ -110,6 +110,26 @@ TEST_CASE("SceneFlatten: a mesh stays as it is, errors have messages", "[SceneIn
   flatten->Update();
   CHECK(log->HasError("instance 0 of the scene has PrototypeIds 1, but there are 0"));
   CHECK(flatten->GetOutput()->GetNumberOfCells() == 0);
+  log->Errors.clear();
+  double bounds[6];
+  CHECK_FALSE(flatten->ComputeBounds(scene, bounds));
+  CHECK(log->HasError("instance 0 of the scene has PrototypeIds 1, but there are 0"));
+}
+
+TEST_CASE("SceneFlatten: bounds are those of the mesh, to the last bit", "[SceneInstances]")
+{
+  Composing composing;
+  composing.Composer->Update();
+  vtkNew<vtkHeliosSceneFlatten> flatten;
+  flatten->SetInputConnection(composing.Composer->GetOutputPort());
+  flatten->Update();
+  for (vtkPolyData* scene : { composing.Composer->GetOutput(), flatten->GetOutput() })
+  {
+    double own[6], truth[6];
+    REQUIRE(flatten->ComputeBounds(scene, own));
+    flatten->GetOutput()->GetBounds(truth);
+    CHECK(std::equal(own, own + 6, truth));
+  }
 }
 
 TEST_CASE("SceneComposer: without input 1 the output is a mesh again", "[SceneInstances]")

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Meshes as drawn: smooth, or with large triangles for small ones.
+
+#ifndef heliosDrawnMesh_h
+#define heliosDrawnMesh_h
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+class vtkPolyData;
+
+namespace helios::viewer
+{
+
+/// The triangles with normals that are smooth over edges below 40 degrees, in the same order.
+vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh);
+
+/// The triangles with corners merged in cubes so large that at most this many triangles remain;
+/// divisions: the first number of cubes along the longest side.
+vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType most, double divisions);
+
+} // namespace helios::viewer
+
+#endif

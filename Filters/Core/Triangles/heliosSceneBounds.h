@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The boxes of scenes with instances.
+
+#ifndef heliosSceneBounds_h
+#define heliosSceneBounds_h
+
+#include "heliosStatus.h"
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
+
+class vtkPolyData;
+
+namespace helios
+{
+
+class SceneGeometry;
+struct SceneInstance;
+
+/**
+ * The smallest and largest coordinates of all corners, x0 x1 y0 y1 z0 z1: to the last bit those of
+ * the mesh of copies. Only the corners of instances that may reach a side are computed.
+ */
+VTKHELIOSFILTERSCORE_EXPORT void ComputeTightBounds(
+  const SceneGeometry& geometry, double bounds[6]);
+
+/// The same for one instance of a geometry.
+VTKHELIOSFILTERSCORE_EXPORT void ComputeTightBounds(
+  const SceneGeometry& geometry, const SceneInstance& instance, double bounds[6]);
+
+/// The same for any scene; without instances, all points of the mesh. An empty box: none.
+VTKHELIOSFILTERSCORE_EXPORT Status GetSceneBounds(vtkPolyData* scene, double bounds[6]);
+
+} // namespace helios
+
+#endif
