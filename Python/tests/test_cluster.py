@@ -3,6 +3,7 @@
 """Surveys on the workers of Dask: the same arrays as in one process, one loaded scene per worker."""
 
 import asyncio
+import hashlib
 import json
 import os
 import pickle
@@ -113,7 +114,7 @@ def test_delayed_blocks_without_a_cluster_share_the_survey(fence):
 
 
 def compute(client, task, **options):
-    return client.submit(_tasks.compute_block, task, 0, 1000, pure=False, **options).result()
+    return client.submit(_tasks.compute_block, task, 0, 1000, pure=False, **options).result(120)
 
 
 def count_scenes(client):
@@ -354,36 +355,49 @@ def wait_until(condition):
     assert condition()
 
 
-def count_computed(client):
-    return sum(len(keys) for keys in client.processing().values())
+def find_computed(client):
+    """The keys of the tasks that workers compute."""
+    return [str(key) for keys in client.processing().values() for key in keys]
+
+
+def check_free(client, survey):
+    """All workers compute other tasks."""
+    task = _tasks.make_task(survey, {})
+    assert all(len(compute(client, task, workers=[name])) for name in client.nthreads())
 
 
 def test_cancelled_blocks_end(workers, fence, make_survey):
     survey = vtkhelios.read_survey(make_survey(**LONG))
     parts = workers.compute(survey.to_delayed(10**9))
-    wait_until(lambda: count_computed(workers) > 0)
+    wait_until(lambda: find_computed(workers))
     time.sleep(0.5)
     workers.cancel(parts)
-    wait_until(lambda: count_computed(workers) == 0)
-    assert len(next(fence.blocks(10_000, client=workers)))  # the workers are free again
+    wait_until(lambda: not find_computed(workers))
+    check_free(workers, fence)
 
 
 def test_an_interrupt_ends_the_blocks(workers, fence, make_survey):
     survey = vtkhelios.read_survey(make_survey(**LONG))
-    timer = threading.Timer(2.0, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
+
+    def interrupt():
+        wait_until(lambda: any("vtkhelios" in key for key in find_computed(workers)))
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt) as caught:
         next(survey.blocks(10**9, client=workers))
-    timer.join()
-    wait_until(lambda: count_computed(workers) == 0)
-    assert len(next(fence.blocks(10_000, client=workers)))
+    thread.join()
+    wait_until(lambda: not find_computed(workers))
+    assert caught.tb  # which holds all that the blocks hold
+    check_free(workers, fence)
 
 
 def test_closed_blocks_are_cancelled(workers, fence):
     blocks = fence.blocks(100, client=workers)
     next(blocks)
     blocks.close()
-    wait_until(lambda: count_computed(workers) == 0)
+    wait_until(lambda: not find_computed(workers))
 
 
 def test_warnings_reach_the_client(workers, fence, tmp_path):
@@ -428,12 +442,15 @@ def test_pickled_data_of_any_kind():
     attributes.SetActiveNormals("Normal")
     buffers = []
     kept = pickle.dumps(cloud, 5, buffer_callback=buffers.append)
-    again = pickle.loads(kept, buffers=[bytes(buffer) for buffer in buffers])  # read-only memory
+    sent = [bytes(buffer) for buffer in buffers]  # read-only memory
+    digests = [hashlib.sha256(part).digest() for part in sent]
+    again = pickle.loads(kept, buffers=sent)
     assert read_all(again.data) == read_all(cloud.data)
     assert again.data.GetPointData().GetNormals().GetName() == "Normal"
     assert again.data.GetNumberOfVerts() == 2 and again.data.GetCell(1).GetPointId(0) == 1
     again["Normal"][0] = 5
-    assert sys.getsizeof(cloud) >= sum(len(bytes(buffer)) for buffer in buffers)
+    assert [hashlib.sha256(part).digest() for part in sent] == digests
+    assert sys.getsizeof(cloud) >= sum(map(len, sent))
 
 
 def test_lines_are_pickled():
