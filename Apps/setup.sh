@@ -56,6 +56,7 @@ helios_make_venv() {
   helios_install_laspy
   helios_install_pyvista
   helios_install_formats
+  helios_install_dask
   helios_install_ruff
 }
 
@@ -84,6 +85,13 @@ helios_install_formats() {
     build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
       "$package" || echo "$package cannot be installed here: some formats of vtkhelios convert are missing" >&2
   done
+}
+
+# Surveys on the workers of Dask; needs no numpy. Without it their tests are skipped.
+helios_install_dask() {
+  build/venv/bin/python -c 'import dask, distributed' 2>/dev/null && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --timeout 10 --retries 1 \
+    dask distributed || echo "Dask cannot be installed here: its tests are skipped" >&2
 }
 
 # The linter of Testing/Integration/test_style.py; Debian has no package for it. Without it that

@@ -62,6 +62,14 @@ def test_stream_blocks():
     assert np.median(np.abs(whole[both] - 0.5 - raster[both])) < 0.01
 
 
+def test_dask_raster(tmp_path, capsys):
+    pytest.importorskip("distributed")
+    example = load("dask_raster")
+    raster, survey = example.main(tmp_path)
+    assert "10 blocks" in capsys.readouterr().out
+    assert np.array_equal(raster, example.make_raster(survey.run(seed=1)))
+
+
 @pytest.mark.parametrize("name", sorted(path.name for path in EXAMPLES.glob("*.ipynb")))
 def test_notebook(name):
     namespace = run_notebook(EXAMPLES / name)

@@ -32,6 +32,9 @@ class PipelineError(RuntimeError):
         super().__init__("\n".join(messages))
         self.messages = list(messages)
 
+    def __reduce__(self):
+        return PipelineError, (self.messages,), self.__dict__
+
 
 def clean_message(text):
     """The message of a VTK error event, without source locations and addresses."""
@@ -141,13 +144,13 @@ def update(algorithm, port=0, progress=None):
     return algorithm.GetOutputDataObject(port)
 
 
-def conclude(log, exceptions=(), stacklevel=3):
-    """Issues the logged warnings, and raises errors."""
+def conclude(log, exceptions=(), stacklevel=3, warn=None):
+    """Issues the logged warnings, by warnings.warn or another function, and raises errors."""
     for exception in exceptions:
         if not isinstance(exception, Exception):
             raise exception  # KeyboardInterrupt, SystemExit
     for message in dict.fromkeys(log.warnings):
-        warnings.warn(message, RuntimeWarning, stacklevel=stacklevel)
+        (warn or warnings.warn)(message, RuntimeWarning, stacklevel=stacklevel)
     if exceptions:
         told = [_as_text(exception) for exception in exceptions]
         roots = [error for error in log.root_errors() if not is_executive_message(error)]

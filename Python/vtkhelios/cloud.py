@@ -167,6 +167,21 @@ class Cloud:
 
         _write.write(self, os.fspath(path))
 
+    def __reduce__(self):
+        """For pickle: the arrays, without a copy where the protocol has buffers."""
+        from .cluster._transfer import pack
+
+        packed = [pack(data) for data in (self.data, self.waveforms)]
+        return _unpack, (*packed, self.pulses, self.sub_rays)
+
+    def __sizeof__(self):
+        """The memory of all arrays [bytes]."""
+        data = [item for item in (self.data, self.waveforms) if item is not None]
+        clouds = [item for item in (self.pulses, self.sub_rays) if item is not None]
+        return sum(1024 * item.GetActualMemorySize() for item in data) + sum(
+            cloud.__sizeof__() for cloud in clouds
+        )
+
     def __iter__(self):
         raise TypeError(
             "a cloud is not a sequence of points; use points, records or arrays by name"
@@ -190,6 +205,12 @@ class Cloud:
         ]
         head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"
         return f"<b>Cloud</b>, {len(self):,} points<table>{head}{''.join(rows)}</table>"
+
+
+def _unpack(data, waveforms, pulses, sub_rays):
+    from .cluster._transfer import unpack
+
+    return Cloud(unpack(data), unpack(waveforms), pulses, sub_rays)
 
 
 def data_of(item):

@@ -23,6 +23,7 @@ from ._properties import set_properties
 from ._watching import Progress
 from .cloud import Cloud, data_of
 from .scene import add_parts
+from .cluster._origin import Origin
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
@@ -72,6 +73,7 @@ def read_survey(path, assets=(), scene=None, trajectory=None):
     assets = [os.fspath(folder) for folder in assets]
     if problem := missing_folder(assets):
         raise FileNotFoundError(problem.replace("--assets", "assets:"))
+    origin = Origin(path, assets)
     reader = make_reader(os.fspath(path), assets)
     with MessageLog() as log:
         log.watch(reader)
@@ -79,7 +81,10 @@ def read_survey(path, assets=(), scene=None, trajectory=None):
     conclude(log)
     if not succeeded:
         raise PipelineError([f"{path}: cannot be read"])
-    return Survey(reader.GetSurvey(), os.fspath(path), scene, trajectory)
+    origin.set_survey(reader.GetSurvey())
+    survey = Survey(reader.GetSurvey(), os.fspath(path), scene, trajectory)
+    survey.origin = origin if scene is None and trajectory is None else None
+    return survey
 
 
 class Leg(typing.NamedTuple):
@@ -105,6 +110,8 @@ class Survey:
         self._flight = trajectory_data(trajectory)  # in place of files
         self._source = None
         self._lock = threading.RLock()
+        self.origin = None  # of a survey that is read from files only
+        self.warn = None  # in place of warnings.warn
 
     @property
     def name(self):
@@ -231,21 +238,29 @@ class Survey:
                 clouds.append(self._run_window(options, window, watched))
         return clouds[0] if len(clouds) == 1 else _join(clouds)
 
-    def blocks(self, pulses=1_000_000, progress=None, legs=None, **options):
+    def blocks(self, pulses=1_000_000, progress=None, legs=None, client=None, **options):
         """The echoes as Clouds of this many pulses each, one after the other: memory holds one.
 
-        Options are those of run(); the blocks in order are what it returns.
+        Options are those of run(); the blocks in order are what it returns. With a client
+        (distributed.Client), its workers compute them, in advance: see Docs/cluster.md.
         """
-        if pulses != int(pulses) or pulses < 1:
-            raise ValueError(f"pulses is {pulses!r}; give a whole number of 1 or more")
-        total = self._load(options).GetNumberOfPulses()
-        step = int(pulses)
+        from .cluster._blocks import check_pulses, iterate_blocks, split_windows
+
+        step = check_pulses(pulses)
+        if client is not None:
+            yield from iterate_blocks(self, client, step, progress, legs, options)
+            return
+        windows, total = self.pulse_windows(options, legs)
         with Progress(progress) as watched:
-            for first, last in self._windows(legs):
-                for begin in range(first, min(last, total), step):
-                    end = min(begin + step, last)
-                    watched.begin, watched.end = begin / total, min(1.0, end / total)
-                    yield self._run_window(options, (begin, end), watched)
+            for begin, end in split_windows(windows, step):
+                watched.begin, watched.end = begin / total, end / total
+                yield self._run_window(options, (begin, end), watched)
+
+    def to_delayed(self, pulses=1_000_000, legs=None, **options):
+        """The blocks of blocks() as a list of dask.delayed Clouds: see Docs/cluster.md."""
+        from .cluster._blocks import make_delayed
+
+        return make_delayed(self, pulses, legs, options)
 
     def run_to(self, folder, format="xyz", progress=None, **options):
         """Runs the survey and writes a folder with the survey's name below that folder; returns a
@@ -335,6 +350,11 @@ class Survey:
         if not (isinstance(leg, int) and 0 <= leg < count):
             raise ValueError(f"there is no leg {leg!r}; legs are 0 to {count - 1}")
 
+    def pulse_windows(self, options, legs=None):
+        """The ranges of pulse ids of legs, and the pulses of all legs; loads the scene."""
+        total = self._load(options).GetNumberOfPulses()
+        return [(first, min(last, total)) for first, last in self._windows(legs)], total
+
     def _windows(self, legs):
         """The ranges of pulse ids of legs; consecutive ones are merged."""
         if legs is None:
@@ -364,7 +384,7 @@ class Survey:
             log.watch(source)
             log.watch(source.GetExecutive())
             succeeded, _ = _native.run(source, what, [source], callback, SECONDS_BETWEEN_SIGNS)
-        conclude(log, stacklevel=5)
+        conclude(log, stacklevel=5, warn=self.warn)
         if not succeeded:
             raise PipelineError(["the survey cannot be run, for a reason that was not reported"])
 

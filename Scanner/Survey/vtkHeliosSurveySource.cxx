@@ -9,6 +9,8 @@
 #include "heliosPiecePile.h"
 #include "heliosPulseCount.h"
 #include "heliosReceiver.h"
+#include "heliosRunFingerprint.h"
+#include "heliosRunProgress.h"
 #include "heliosSurveyLoader.h"
 #include "vtkHeliosEchoComparison.h"
 #include "vtkHeliosRayCaster.h"
@@ -556,6 +558,35 @@ std::string vtkHeliosSurveySource::DescribeSampling()
 {
   return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->DescribeSampling()
                                               : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurveySource::GetFingerprint()
+{
+  helios::RunSettings settings;
+  return this->CheckOptions(settings)
+    ? helios::ToLine(helios::MakeFingerprint(this->GetLoader().GetSurvey(), settings))
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurveySource::CompareFingerprint(const std::string& other)
+{
+  Json::Value now;
+  Json::Value then;
+  if (!helios::FromText(this->GetFingerprint(), now))
+  {
+    return "the survey is not valid";
+  }
+  try
+  {
+    return helios::FromText(other, then) ? helios::CompareFingerprints(then, now)
+                                         : "the other fingerprint is not valid";
+  }
+  catch (const std::exception& error) // a member of another type
+  {
+    return std::string("the other fingerprint is not valid: ") + error.what();
+  }
 }
 
 //------------------------------------------------------------------------------

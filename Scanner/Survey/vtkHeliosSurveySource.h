@@ -188,6 +188,17 @@ public:
    */
   std::string DescribeSampling();
 
+  ///@{
+  /**
+   * Get the versions, the options, and the files that the survey names with their SHA-256, as JSON;
+   * reads these files, and does not load the scene. Empty after an error. Compare it with that of a
+   * source in another process: the differences as text, such as "plane.obj has changed or is new";
+   * empty if both have the same results.
+   */
+  std::string GetFingerprint();
+  std::string CompareFingerprint(const std::string& other);
+  ///@}
+
 #ifndef __VTK_WRAP__
   /**
    * Checks the options and sets those of the settings; LoadScene() loads the scene, unless that is

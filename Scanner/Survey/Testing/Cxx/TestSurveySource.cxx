@@ -272,6 +272,31 @@ TEST_CASE("SurveySource: unchanged scenes are not loaded again", "[SurveySource]
   CHECK(source.Filter->GetScene()->GetNumberOfPolys() == 1);
 }
 
+TEST_CASE("SurveySource: fingerprints tell changed files and options", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  Source source(reading);
+  const std::string before = source.Filter->GetFingerprint();
+  CHECK(source.Filter->GetScene() == nullptr); // not loaded
+  CHECK(before.find("sha256") != std::string::npos);
+  CHECK(source.Filter->CompareFingerprint(before).empty());
+  source.Filter->GetOptions()->SetSeed(7);
+  CHECK(source.Filter->CompareFingerprint(before).find("is 7") != std::string::npos);
+  source.Filter->GetOptions()->SetSeed(-1);
+  files.Write("plane.obj", "v -50 -50 1\nv 50 -50 1\nv 50 50 1\nf 1 2 3\n");
+  CHECK(source.Filter->CompareFingerprint(before).find("plane.obj has changed or is new") !=
+    std::string::npos);
+  CHECK(source.Filter->CompareFingerprint("{") == "the other fingerprint is not valid");
+  CHECK(source.Filter->CompareFingerprint(R"({"inputs": [7]})").find("is not valid: ") !=
+    std::string::npos);
+  CHECK(source.Log->Errors.empty());
+  source.Filter->GetOptions()->SetEpoch(3);
+  CHECK(source.Filter->GetFingerprint().empty());
+  CHECK(source.Log->HasError("Epoch is 3, but the survey has 1 epoch"));
+  CHECK(source.Filter->CompareFingerprint(before) == "the survey is not valid");
+}
+
 TEST_CASE("SurveySource: noise, seed and sampling are those requested", "[SurveySource]")
 {
   const Files files;

@@ -1,0 +1,157 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tasks: a block of a survey as text and numbers, and what a worker process computes of it."""
+
+import collections
+import contextlib
+import json
+import os
+import threading
+import weakref
+
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+from .._paths import from_vtk
+from .._pipeline import PipelineError
+from ..survey import check_options, read_survey
+
+MOST_SURVEYS = 2  # that a worker keeps loaded
+
+_here = weakref.WeakValueDictionary()  # by key: surveys of this process that tasks were made of
+_loaded = collections.OrderedDict()  # by key: surveys read for tasks, the last used at the end
+_lock = threading.Lock()
+
+
+def make_task(survey, options):
+    """A survey with its options as JSON: no data, only what it is read from."""
+    check_options(options)
+    origin = survey.origin
+    if origin is None:
+        raise ValueError(
+            "workers read a survey from files, and this one has a scene or a trajectory in memory; "
+            "write these to files, name them in a survey, and read it by read_survey()"
+        )
+    origin.check(survey.vtk)
+    _here[origin.key] = survey
+    task = {
+        "key": origin.key,
+        "path": origin.path,
+        "assets": origin.assets,
+        "folder": origin.folder,
+        "fingerprint": origin.get_fingerprint(survey),
+        "options": options,
+    }
+    return json.dumps(task, default=_make_plain)
+
+
+def _make_plain(value):
+    """A number of numpy as Python's; raises TypeError for data."""
+    if getattr(value, "ndim", None) == 0:
+        return value.item()
+    raise TypeError(
+        f"an option is of {type(value).__name__}, which tasks of a cluster cannot hold; give a "
+        "number or a text, or run the survey without a cluster"
+    )
+
+
+def find_windows(task, legs):
+    """The ranges of pulse ids of legs, and the number of pulses of all legs."""
+    with _naming_worker():
+        task = json.loads(task)
+        return _find_survey(task).pulse_windows(task["options"], legs)
+
+
+def compute_block(task, first, last):
+    """The Cloud of the pulses first to last - 1."""
+    with _naming_worker():
+        task = json.loads(task)
+        return _find_survey(task).run_window(task["options"], (first, last), _make_watch())
+
+
+def _find_survey(task):
+    """The survey of a task; read if this process does not have it."""
+    key = task["key"]
+    with _lock:
+        survey = _here.get(key) or _loaded.get(key)
+        if survey is None:
+            _set_threads()
+            survey = _loaded[key] = _read_survey(task)
+        if key in _loaded:
+            _loaded.move_to_end(key)
+        while len(_loaded) > MOST_SURVEYS:
+            _loaded.popitem(last=False)
+        return survey
+
+
+def _read_survey(task):
+    folder = task["folder"]  # may be of another computer
+    assets = [*task["assets"], os.path.dirname(task["path"])]
+    survey = read_survey(task["path"], assets + [folder] * os.path.isdir(folder))
+    survey.warn = _find_warn()
+    difference = from_vtk(survey.source().CompareFingerprint(task["fingerprint"]))
+    if difference:
+        raise PipelineError(
+            [
+                f"{task['path']}: not the survey of the client, since {difference}; give all workers "
+                "the same files and version, and read the survey again after a change"
+            ]
+        )
+    return survey
+
+
+def _get_worker():
+    """The worker of Dask that this thread computes for, or None."""
+    try:
+        from distributed import get_worker
+
+        return get_worker()
+    except (ImportError, ValueError):
+        return None
+
+
+def _set_threads():
+    """A worker in a process of its own computes a block with all its threads."""
+    worker = _get_worker()
+    if worker is not None and worker.nanny:
+        vtkSMPTools.Initialize(worker.state.nthreads)
+
+
+def _find_warn():
+    """A function that also warns the client; None: Python's."""
+    if _get_worker() is None:
+        return None
+    from distributed import warn
+
+    return warn
+
+
+def _make_watch():
+    """A value of progress= that ends a task that was cancelled."""
+    worker = _get_worker()
+    if worker is None:
+        return None
+    from distributed import Reschedule
+
+    key = worker.get_current_task()
+
+    def check(_share):
+        task = worker.state.tasks.get(key)
+        if task is None or task.state == "cancelled":
+            raise Reschedule  # a cancelled task is forgotten; one wanted again is computed again
+
+    return check
+
+
+@contextlib.contextmanager
+def _naming_worker():
+    """Adds the worker to errors: its files and its memory are its own."""
+    try:
+        yield
+    except (PipelineError, FileNotFoundError) as error:
+        worker = _get_worker()
+        if worker is None:
+            raise
+        text = f"{error} (on the worker {worker.address})"
+        raise (
+            PipelineError([text]) if isinstance(error, PipelineError) else type(error)(text)
+        ) from None
