@@ -22,8 +22,8 @@ from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclud
 from ._properties import set_properties
 from ._watching import Progress
 from .cloud import Cloud, data_of
-from .scene import add_parts
 from .cluster._origin import Origin
+from .scene import add_parts
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
