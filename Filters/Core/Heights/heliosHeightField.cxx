@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr std::int64_t MaximumCells = std::int64_t(1) << 30; // slots are 31-bit
-constexpr double MostRelief = 1e4;    // heights in units of the raster's width: boxes are floats
+constexpr double MostRelief = 1e4; // heights in units of the raster's width: boxes are floats
 
 /// The slots of a cell, a bit each.
 constexpr std::uint64_t UpperBit = 1;
