@@ -6,6 +6,7 @@
 #include "heliosMessages.h"
 #include "heliosSurveyEdit.h"
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosScene.h"
 #include "heliosSurveyXml.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurveySource.h"
@@ -221,5 +222,7 @@ TEST_CASE("SceneEdit: tables of parts are kept, with their files", "[SceneEdit]"
   CHECK(GetBounds(mesh, 4) == std::array<double, 6>{ 3.0, 5.0, 4.0, 5.0, 0.0, 3.0 });
   CHECK(GetBounds(mesh, 5) == std::array<double, 6>{ 7.0, 8.0, 8.0, 8.5, 0.0, 1.5 });
   CHECK(GetBounds(mesh, 6) == std::array<double, 6>{ -9.0, -7.0, 0.0, 1.0, 5.0, 8.0 });
-  CHECK(scene.Edit.Build(scene.Log)->GetNumberOfPolys() == mesh->GetNumberOfPolys());
+  const auto built = scene.Edit.Build(scene.Log); // with instances
+  REQUIRE(vtkHeliosScene::SafeDownCast(built));
+  CHECK(vtkHeliosScene::SafeDownCast(built)->GetNumberOfTriangles() == mesh->GetNumberOfPolys());
 }
