@@ -6,9 +6,9 @@
 #include "heliosMessages.h"
 #include "heliosSurveyEdit.h"
 #include "heliosSurveyFiles.h"
-#include "vtkHeliosScene.h"
 #include "heliosSurveyXml.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 #include "vtkHeliosSurveySource.h"
 
 #include <vtkBoundingBox.h>
