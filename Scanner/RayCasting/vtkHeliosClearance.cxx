@@ -3,9 +3,14 @@
 #include "vtkHeliosClearance.h"
 
 #include "heliosBvh.h"
+#include "heliosFlatScene.h"
+#include "heliosSceneGeometry.h"
+#include "heliosSceneTree.h"
 #include "heliosStatus.h"
+#include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
@@ -14,6 +19,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,15 +40,11 @@ constexpr double None = std::numeric_limits<double>::infinity();
 class Surroundings
 {
 public:
-  /// Builds from a scene.
-  helios::Status Build(vtkPolyData* scene)
+  /// Builds from a scene: for heights, without copies of instances; for distances, with them.
+  helios::Status Build(vtkPolyData* scene, bool forHeights)
   {
-    helios::Status status = this->Mesh.Set(scene);
-    if (status.IsOk())
-    {
-      this->Tree.Build(this->Mesh);
-    }
-    return status;
+    this->IsWhole = forHeights && vtkHeliosScene::HasInstances(scene);
+    return this->IsWhole ? this->BuildWhole(scene) : this->BuildMesh(scene);
   }
 
   /// The height above the surface below, along the segment from a to b.
@@ -73,8 +75,37 @@ public:
   }
 
 private:
+  helios::Status BuildWhole(vtkPolyData* scene)
+  {
+    helios::Status status = this->Whole.Set(scene);
+    if (status.IsOk())
+    {
+      helios::StopCheck never(nullptr);
+      this->SceneTree.Build(this->Whole, never);
+    }
+    return status;
+  }
+
+  helios::Status BuildMesh(vtkPolyData* scene)
+  {
+    vtkSmartPointer<vtkPolyData> flat;
+    helios::Status status = helios::GetFlatScene(scene, flat);
+    status = status.IsOk() ? this->Mesh.Set(flat) : status;
+    if (status.IsOk())
+    {
+      this->Tree.Build(this->Mesh);
+    }
+    return status;
+  }
+
   double Cast(const Vec3& from, double up) const
   {
+    if (this->IsWhole)
+    {
+      const vtkHeliosRay ray{ { from[0], from[1], from[2] }, { 0.0, 0.0, up } };
+      const vtkHeliosHit hit = this->SceneTree.AddOutliers(ray, this->SceneTree.Intersect(ray));
+      return hit.CellId < 0 ? None : hit.Range;
+    }
     helios::TestRay ray;
     const bool isSet = ray.Set({ { from[0], from[1], from[2] }, { 0.0, 0.0, up } });
     return isSet ? this->Tree.Intersect(ray).Range : None;
@@ -93,6 +124,9 @@ private:
 
   helios::TriangleMesh Mesh;
   helios::Bvh Tree;
+  bool IsWhole = false; ///< the scene has instances, which are in the following
+  helios::SceneGeometry Whole;
+  helios::SceneTree SceneTree;
 };
 
 /// "sample 3 at x 1, y 2, z 3 with 4 m"
@@ -148,13 +182,13 @@ int vtkHeliosClearance::RequestData(
 //------------------------------------------------------------------------------
 bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubleArray* clearances)
 {
-  if (scene->GetNumberOfCells() == 0)
+  if (scene->GetNumberOfCells() == 0 && !vtkHeliosScene::HasInstances(scene))
   {
     vtkErrorMacro(<< "The scene on port 1 is empty; connect the surfaces to keep clear of.");
     return false;
   }
   Surroundings surroundings;
-  const helios::Status status = surroundings.Build(scene);
+  const helios::Status status = surroundings.Build(scene, this->Direction == DOWN);
   if (!status.IsOk())
   {
     vtkErrorMacro(<< "The scene on port 1 is not valid: " << status.Message() << ".");

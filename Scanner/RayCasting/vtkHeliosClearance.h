@@ -24,8 +24,10 @@
  * @warning
  * Cubic trajectories (with Velocity) are treated as straight between samples.
  *
- * Errors: a scene that is empty or not of finite triangles; samples that are not
- * finite; abort.
+ * Instances and rasters of a vtkHeliosScene are copied for ALL_AROUND, not for DOWN.
+ *
+ * Errors: a scene that is empty or not of finite triangles, or too large for a copy;
+ * samples that are not finite; abort.
  *
  * @sa
  * vtkHeliosTerrainFollow vtkHeliosPlatform

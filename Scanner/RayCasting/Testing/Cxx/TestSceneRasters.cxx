@@ -12,6 +12,7 @@
 #include "heliosScenePlaces.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosClearance.h"
 #include "vtkHeliosGroundSnap.h"
 #include "vtkHeliosScene.h"
 
@@ -310,6 +311,50 @@ TEST_CASE("scene rasters: ground materials elsewhere count", "[sceneRasters]")
     snap->Update();
     CHECK(log->Errors == "");
     CHECK(snap->GetOutput()->GetPoint(0)[2] == 0.0);
+  }
+}
+
+TEST_CASE("scene rasters: clearances are those of a mesh", "[sceneRasters]")
+{
+  for (const Tilt& tilt : Tilts)
+  {
+    const auto scene = MakeScene(MakeRaster(helios::TestTransforms[3]), tilt);
+    const auto flat = Flatten(scene);
+    double b[6];
+    flat->GetBounds(b);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (int i = 0; i <= 40; ++i)
+    {
+      points->InsertNextPoint(
+        b[0] + (b[1] - b[0]) * i / 40, b[2] + (b[3] - b[2]) * (i % 7) / 6, b[5] - (i % 3));
+    }
+    vtkNew<vtkPolyData> path;
+    path->SetPoints(points);
+    for (const int direction : { vtkHeliosClearance::DOWN, vtkHeliosClearance::ALL_AROUND })
+    {
+      vtkNew<vtkHeliosClearance> clearance, truth;
+      for (vtkHeliosClearance* filter : { clearance.Get(), truth.Get() })
+      {
+        filter->SetInputDataObject(0, path);
+        filter->SetDirection(direction);
+      }
+      clearance->SetInputDataObject(1, scene);
+      truth->SetInputDataObject(1, flat);
+      clearance->Update();
+      truth->Update();
+      CHECK(truth->GetSmallestClearance() < 100.0);
+      auto* own = clearance->GetOutput()->GetPointData()->GetArray(names::Clearance);
+      auto* expected = truth->GetOutput()->GetPointData()->GetArray(names::Clearance);
+      REQUIRE(own);
+      vtkIdType differences = 0;
+      for (vtkIdType i = 0; i < 41; ++i)
+      {
+        differences +=
+          own->GetTuple1(i) < expected->GetTuple1(i) || own->GetTuple1(i) > expected->GetTuple1(i);
+      }
+      CHECK(differences == 0);
+    }
   }
 }
 
