@@ -6,6 +6,7 @@
 #include "heliosPlanningTest.h"
 #include "heliosPose.h"
 #include "heliosRandom.h"
+#include "heliosTestRasters.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScanPositionCandidates.h"
 #include "vtkHeliosScanPositionPlanner.h"
@@ -297,6 +298,30 @@ TEST_CASE("Plans: cell ids of the mesh follow those of instances before", "[Plan
   {
     CheckSame(FindCandidates(scene, surface), FindCandidates(copies, surface));
   }
+}
+
+TEST_CASE("Plans: a plan on a raster of heights is that on its mesh", "[PlanInstances]")
+{
+  const auto scene = MakePark(false);
+  helios::HeightRaster raster(40, 50, { -10.0, 0.6, 0.1, 16.0, 0.05, -0.7 });
+  raster.AddHills(1.5, 0.02);
+  raster.AddHoles();
+  scene->AddPrototype(raster.MakeImage<vtkFloatArray>());
+  vtkPolyData* instances = scene->GetInstances();
+  instances->GetPoints()->SetPoint(3, 0.5, -0.25, 0.125);
+  const auto set = [&](const char* name, vtkIdType component, double value)
+  { instances->GetPointData()->GetArray(name)->SetComponent(3, component, value); };
+  set(names::PrototypeIds, 0, 3);
+  set(names::Scale, 0, 1.25);
+  const int material = GENERATE(-1, Leaf, Path);
+  set(names::MaterialIds, 0, material);
+  const auto copies = MakeCopies(scene);
+  for (const int surface : { Candidates::HIGHEST, Candidates::GROUND, Candidates::OPEN_GROUND })
+  {
+    INFO(material << ", " << surface);
+    CheckSame(FindCandidates(scene, surface), FindCandidates(copies, surface));
+  }
+  CheckSame(MakePlan(scene), MakePlan(copies));
 }
 
 TEST_CASE("Plans: a plan of instances is that of copies", "[PlanInstances]")

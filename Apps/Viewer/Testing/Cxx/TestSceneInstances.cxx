@@ -3,6 +3,7 @@
 // Instances are drawn and picked as copies are.
 #include "heliosFlatScene.h"
 #include "heliosSceneView.h"
+#include "heliosTestRasters.h"
 #include "heliosViewerTest.h"
 #include "vtkHeliosScene.h"
 
@@ -317,6 +318,64 @@ TEST_CASE("SceneView: a scene of instances alone, parts and bounds")
   instances.On.Render();
   CHECK(instances.On.CountPixels(Black) == 200 * 200);
   CHECK(instances.View.GetPart(0) == -1);
+}
+
+namespace
+{
+
+/// A terrain of 0.1 m pixels as the only prototype, over two squares.
+vtkSmartPointer<vtkHeliosScene> MakeTerrain(int side)
+{
+  const double size = 16.0 / side;
+  HeightRaster raster(side, side, { -8.0, size, 0.0, 8.0, 0.0, -size });
+  raster.AddHills(1.0, 0.0);
+  auto scene = MakeScene(Far, 1);
+  vtkPolyData* instances = scene->GetInstances();
+  instances->GetPointData()->GetArray(names::PrototypeIds)->SetComponent(0, 0, 2);
+  instances->GetPointData()->GetArray(names::MaterialIds)->SetComponent(0, 0, 3);
+  scene->AddPrototype(raster.MakeImage<vtkFloatArray>());
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("SceneView: a raster of heights looks and is picked as its mesh")
+{
+  const bool isSmooth = GENERATE(false, true);
+  const auto scene = MakeTerrain(120);
+  Shown rasters(scene, true);
+  Shown copies(MakeCopies(scene), true);
+  for (Shown* shown : { &rasters, &copies })
+  {
+    shown->View.SetSmooth(isSmooth);
+    shown->On.Render();
+  }
+  SavePicture(rasters.On, isSmooth ? "raster_smooth" : "raster");
+  CHECK(CountDifferent(rasters.On, copies.On) < 100);
+  const auto pick = rasters.View.Pick(100, 100);
+  const auto truth = copies.View.Pick(100, 100);
+  REQUIRE(pick);
+  REQUIRE(truth);
+  CHECK(pick->Cell == truth->Cell);
+  CHECK(pick->Part == truth->Part);
+  CHECK(pick->Material == truth->Material);
+  CHECK((pick->Position - truth->Position).Norm() == 0.0);
+}
+
+TEST_CASE("SceneView: a large raster of heights is drawn with less detail")
+{
+  Shown shown(MakeTerrain(800), true); // 1.3 million triangles
+  shown.On.Render();
+  const Rgb before = shown.On.GetPixel(100, 100);
+  CHECK(shown.View.GetInstanceTrianglesDrawn() == 2 * 799 * 799);
+  const int seen = 200 * 200 - shown.On.CountPixels(Black);
+  shown.View.SetInteracting(true);
+  shown.On.Render();
+  SavePicture(shown.On, "raster_moving");
+  CHECK(shown.View.GetInstanceTrianglesDrawn() < 100000);
+  CHECK(shown.View.GetInstanceTrianglesDrawn() > 1000);
+  CHECK(std::abs(200 * 200 - shown.On.CountPixels(Black) - seen) < 0.03 * seen);
+  CHECK(std::abs(shown.On.GetPixel(100, 100)[0] - before[0]) < 30);
 }
 
 TEST_CASE("SceneView: very many triangles of instances are drawn with less detail")
