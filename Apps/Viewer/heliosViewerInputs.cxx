@@ -12,6 +12,7 @@
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
+#include "vtkHeliosDialect.h"
 #include "vtkHeliosPlannerReader.h"
 #include "vtkHeliosScene.h"
 #include "vtkHeliosSurvey.h"
@@ -190,7 +191,7 @@ Status ShowInputs(Viewer& viewer)
   }
   const std::string extension = GetExtension(inputs.front());
   const bool isXml = extension == ".xml";
-  const bool isScene = isXml || extension == ".obj" || extension == ".tif" || extension == ".tiff";
+  const bool isScene = isXml || vtkHeliosDialect::IsMesh(inputs.front());
   if (isScene && inputs.size() > 1)
   {
     return Status::Error(

@@ -359,9 +359,9 @@ def test_wrong_inputs(tmp_path):
         vtkhelios.compare(good, good, mesh=3)
     with pytest.raises(formats.FormatError, match="gone.obj: no such file; check the name of the"):
         vtkhelios.compare(good, good, mesh=tmp_path / "gone.obj")
-    (tmp_path / "a.stl").write_text("")
-    with pytest.raises(formats.FormatError, match="a.stl: is not a mesh of a known format"):
-        vtkhelios.compare(good, good, mesh=tmp_path / "a.stl")
+    (tmp_path / "a.dxf").write_text("")
+    with pytest.raises(formats.FormatError, match="a.dxf: is not a mesh of a known format"):
+        vtkhelios.compare(good, good, mesh=tmp_path / "a.dxf")
     with pytest.raises(formats.FormatError, match="the mesh: has no triangles"):
         vtkhelios.compare(good, good, mesh=good)
     with pytest.raises(formats.FormatError, match=r"point 0 is \(1e\+13, 0, 0\), expected numbers"):

@@ -26,6 +26,14 @@ from .cloud import data_of
 
 __all__ = ["Scene"]
 
+_READERS = {
+    "objloader": "vtkHeliosObjSceneReader",
+    "geotiffloader": "vtkHeliosGeoTiffSceneReader",
+    "plyloader": "vtkHeliosPLYSceneReader",
+    "stlloader": "vtkHeliosSTLSceneReader",
+    "cityjsonloader": "vtkHeliosCityJSONReader",
+}
+
 
 class Scene:
     """Triangles to scan: ``scene.polydata`` is a vtkPolyData with materials, ready for a pipeline.
@@ -106,6 +114,18 @@ class Scene:
         if not succeeded:
             raise OSError(f"{path} cannot be written; is its folder there?")
 
+    @classmethod
+    def read(cls, path, **properties):
+        """Reads a mesh: .obj, .tif, .ply, .stl or .json (CityJSON).
+
+        Properties are those of the reader of the file, such as vtkHeliosCityJSONReader:
+
+        >>> city = vtkhelios.Scene.read("delft.city.json", level_of_detail="2.2")
+        """
+        mesh = vtkPolyData()
+        mesh.ShallowCopy(update(make_reader(path, **properties)))
+        return cls(mesh)
+
     def modified(self):
         """Tells pipelines that vertices were changed in place."""
         self.polydata.GetPoints().Modified()
@@ -146,6 +166,17 @@ def _check_no_instances(polydata, what):
             f"the scene has {polydata.GetNumberOfInstances():,} instances, and {what} are of one mesh; "
             "make it of vtkHeliosSceneFlatten, or use its prototypes and instances"
         )
+
+
+def make_reader(path, **properties):
+    """The reader of a mesh, by the ending of its name; ValueError if it is none."""
+    dialect = _class("vtkHeliosDialect")
+    reader = _READERS.get(dialect.FindLoader(to_vtk(path)))
+    if reader is None:
+        raise ValueError(
+            f"{path}: is not a mesh of a known format; known: {dialect.GetMeshEndings()}"
+        )
+    return _class(reader)(file_name=to_vtk(path), **properties)
 
 
 def _data_of(source):

@@ -2,20 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosDialect.h"
 
+#include "heliosInputFile.h"
+#include "heliosStatus.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlSchema.h"
 
 #include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string>
 
 vtkStandardNewMacro(vtkHeliosDialect);
 
 namespace
 {
 
+constexpr std::size_t MostHeaderBytes = 65536; // that are searched for faces
+
 /// " <element name>" if it has no note.
 std::string Miss(const std::string& element, const std::string& name, const char* note)
 {
   return *note ? std::string() : " <" + element + (name.empty() ? "" : " " + name) + ">";
+}
+
+/// Whether the header of a PLY file has faces; files without are clouds.
+bool HasFaces(const std::string& fileName)
+{
+  std::string head(MostHeaderBytes, '\0');
+  std::ifstream file(
+    helios::CheckInputFile(fileName).IsOk() ? fileName : std::string(), std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  head.resize(std::min(head.find("\nend_header"), head.size()));
+  const std::string key = "\nelement face ";
+  const std::size_t found = head.find(key);
+  return found != std::string::npos &&
+    head.find_first_of("123456789", found + key.size()) < head.find('\n', found + 1);
 }
 
 } // namespace
@@ -30,6 +55,26 @@ std::string vtkHeliosDialect::GetSchema()
 std::string vtkHeliosDialect::GetTables()
 {
   return helios::MakeXmlTables();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosDialect::FindLoader(const std::string& fileName)
+{
+  const std::optional<helios::Loader> loader = helios::FindLoader(fileName);
+  return loader ? helios::GetLoaderName(*loader) : "";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosDialect::GetMeshEndings()
+{
+  return helios::GetMeshEndings();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosDialect::IsMesh(const std::string& fileName)
+{
+  const std::optional<helios::Loader> loader = helios::FindLoader(fileName);
+  return loader && (*loader != helios::Loader::Ply || HasFaces(fileName));
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,19 @@ public:
    */
   static std::string FindUndescribed();
 
+  /**
+   * Returns the loader of a mesh by the extension of its file, as in objloader for a.obj; empty if it
+   * is none. Returns all these extensions: ".obj, .tif, ...".
+   */
+  static std::string FindLoader(const std::string& fileName);
+  static std::string GetMeshEndings();
+
+  /**
+   * Returns whether a file is a mesh by its extension; a .ply is one if its header has faces, and else
+   * a cloud.
+   */
+  static bool IsMesh(const std::string& fileName);
+
 protected:
   vtkHeliosDialect() = default;
   ~vtkHeliosDialect() override = default;

@@ -170,8 +170,8 @@ public:
 
   ///@{
   /**
-   * Add a part of the scene from a file, by objloader, geotiffloader, xyzloader or detailedvoxels.
-   * Returns its index, or -1 after an error. Remove all parts.
+   * Add a part of the scene from a file, by a loader: objloader, geotiffloader, xyzloader,
+   * detailedvoxels, plyloader, stlloader or cityjsonloader. Returns its index, or -1 after an error. Remove all parts.
    */
   int AddPart(const std::string& loader, const std::string& file);
   void RemoveAllParts();

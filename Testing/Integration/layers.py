@@ -31,7 +31,7 @@ LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 HOMES = {
     r"embree3/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
-    r"json/": "ScannerSurvey",
+    r"json/": "FiltersIO ScannerSurvey",
     r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
     r"lzf": "FiltersIO",

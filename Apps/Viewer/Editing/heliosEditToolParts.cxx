@@ -8,6 +8,7 @@
 #include "heliosSceneView.h"
 #include "heliosStatus.h"
 #include "heliosViewer.h"
+#include "vtkHeliosDialect.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkBoundingBox.h>
@@ -28,6 +29,13 @@ namespace helios::viewer
 
 namespace
 {
+
+/// Whether a file may be added as a part: a model, neither terrain nor a city.
+bool CanAdd(const fs::path& path)
+{
+  const std::string loader = vtkHeliosDialect::FindLoader(path.string());
+  return loader == "objloader" || loader == "plyloader" || loader == "stlloader";
+}
 
 constexpr double StepShare = 0.01; // arrow key step, of the scene's size
 
@@ -65,7 +73,7 @@ bool EditTool::LoadScene()
 }
 
 //------------------------------------------------------------------------------
-/// OBJ files in the asset folders and in the folders of the scene's own files.
+/// Models in the asset folders and in the folders of the scene's own files.
 void EditTool::FindFiles()
 {
   std::set<std::string> folders(
@@ -80,7 +88,7 @@ void EditTool::FindFiles()
     std::error_code ignored;
     for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
     {
-      if (entry->path().extension() == ".obj")
+      if (CanAdd(entry->path()))
       {
         found.insert(fs::weakly_canonical(entry->path(), ignored).string());
       }
@@ -156,7 +164,7 @@ void EditTool::AddPart(const ScenePick& pick)
 {
   if (this->Files.empty())
   {
-    this->Owner.ShowMessage("no OBJ file was found next to the scene or in --assets");
+    this->Owner.ShowMessage("no OBJ, PLY or STL file was found next to the scene or in --assets");
     return;
   }
   vtkNew<vtkHeliosSurvey> owner;

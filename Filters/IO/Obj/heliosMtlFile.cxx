@@ -341,4 +341,34 @@ bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& re
   return true;
 }
 
+bool ReplaceMaterials(const std::string& path, MaterialTable& materials, TextReport& report)
+{
+  MaterialTable given;
+  MtlFile file(given, report);
+  if (!file.Read(path))
+  {
+    return false;
+  }
+  bool isUsed = false;
+  for (Material& material : materials)
+  {
+    const int row = file.Find(material.Name);
+    if (row >= 0)
+    {
+      Material other = given[static_cast<std::size_t>(row)];
+      const bool hasClass = other.Classification != 0;
+      other.Classification = hasClass ? other.Classification : material.Classification;
+      other.IsGround = hasClass ? other.IsGround : other.IsGround || material.IsGround;
+      material = other;
+      isUsed = true;
+    }
+  }
+  if (!isUsed && !materials.empty())
+  {
+    report.Warn(path + ": no material has the name of one of the scene, such as " +
+      Quote(materials.front().Name) + ", so none is used");
+  }
+  return true;
+}
+
 } // namespace helios

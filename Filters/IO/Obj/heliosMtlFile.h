@@ -92,6 +92,12 @@ double GetSpecularity(double diffuse, double specular);
  */
 bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& report);
 
+/**
+ * Replaces the materials of a table by those of the same name in an MTL file; a class of 0 keeps the
+ * class and ground of the table. False after an error, which is in the report.
+ */
+bool ReplaceMaterials(const std::string& path, MaterialTable& materials, TextReport& report);
+
 } // namespace helios
 
 #endif

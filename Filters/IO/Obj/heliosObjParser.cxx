@@ -105,12 +105,12 @@ bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
 
 bool ObjParser::ReadVertex(TextWords& words)
 {
-  if (this->Points.GetSize() / 3 >= this->MaximumNumberOfCorners)
+  if (this->Mesh.Points.GetSize() / 3 >= this->MaximumNumberOfCorners)
   {
     return this->Fail("more than " + std::to_string(this->MaximumNumberOfCorners) +
       " vertices; split the file into several scene parts");
   }
-  double* point = this->Points.Append(3);
+  double* point = this->Mesh.Points.Append(3);
   for (int i = 0; i < 3; ++i)
   {
     const TextWords::Number status = words.Next(point[i]);
@@ -264,7 +264,7 @@ bool ObjParser::CheckIndices()
 bool ObjParser::AddTriangles()
 {
   const vtkIdType count = static_cast<vtkIdType>(this->Face.size()) - 2;
-  if (this->Corners.GetSize() + 3 * count > this->MaximumNumberOfCorners)
+  if (this->Mesh.Corners.GetSize() + 3 * count > this->MaximumNumberOfCorners)
   {
     return this->Fail("more than " + std::to_string(this->MaximumNumberOfCorners / 3) +
       " triangles; split the file into several scene parts");
@@ -273,8 +273,8 @@ bool ObjParser::AddTriangles()
   {
     this->CurrentUse = this->AddUse({}, 0);
   }
-  vtkTypeInt32* corners = this->Corners.Append(3 * count);
-  int* useIds = this->UseIds.Append(count);
+  vtkTypeInt32* corners = this->Mesh.Corners.Append(3 * count);
+  int* useIds = this->Mesh.MaterialIds.Append(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     corners[3 * i] = this->Face[0];

@@ -5,16 +5,13 @@
 #ifndef heliosObjParser_h
 #define heliosObjParser_h
 
-#include "heliosGrowingArray.h"
+#include "heliosSceneMesh.h"
 #include "heliosTextFile.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
-#include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
-#include <vtkTypeInt32Array.h>
+#include <vtkType.h>
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -40,17 +37,15 @@ public:
   explicit ObjParser(TextReport& report);
 
   /// Maximum number of corners (and vertices) of 32-bit cells.
-  std::int64_t MaximumNumberOfCorners = std::numeric_limits<vtkTypeInt32>::max();
+  std::int64_t MaximumNumberOfCorners = MostCorners;
 
   /// Returns false after an error, which is in the report, and if OnBlock stopped reading.
   bool Read(const std::string& path);
 
   TextFile File;
-  GrowingArray<vtkDoubleArray> Points;     ///< x y z per vertex
-  GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices per triangle, from 0
-  GrowingArray<vtkIntArray> UseIds;        ///< index into Uses per triangle
-  std::vector<Statement> Uses;             ///< usemtl: unique names
-  std::vector<Statement> Libraries;        ///< mtllib: unique lines
+  SceneMesh Mesh;                   ///< with the index into Uses in place of MaterialIds
+  std::vector<Statement> Uses;      ///< usemtl: unique names
+  std::vector<Statement> Libraries; ///< mtllib: unique lines
 
 private:
   /// An element type that faces refer to by index.

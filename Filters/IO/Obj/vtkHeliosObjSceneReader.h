@@ -40,61 +40,25 @@
 #define vtkHeliosObjSceneReader_h
 
 #include "vtkHeliosFiltersIOModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkHeliosSceneReader.h"
 
-class VTKHELIOSFILTERSIO_EXPORT vtkHeliosObjSceneReader : public vtkPolyDataAlgorithm
+class VTKHELIOSFILTERSIO_EXPORT vtkHeliosObjSceneReader : public vtkHeliosSceneReader
 {
 public:
   static vtkHeliosObjSceneReader* New();
-  vtkTypeMacro(vtkHeliosObjSceneReader, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum UpAxisType
-  {
-    UP_AXIS_Y = 1,
-    UP_AXIS_Z = 2
-  };
-
-  ///@{
-  /**
-   * Set/Get the file to read. Default: none.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the up axis of the file. With y the scene points are (x, -z, y). Valid range:
-   * UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z.
-   */
-  vtkSetClampMacro(UpAxis, int, UP_AXIS_Y, UP_AXIS_Z);
-  vtkGetMacro(UpAxis, int);
-  void SetUpAxisToY() { this->SetUpAxis(UP_AXIS_Y); }
-  void SetUpAxisToZ() { this->SetUpAxis(UP_AXIS_Z); }
-  ///@}
-
-  /**
-   * Get the number of degenerate triangles dropped by the last read.
-   */
-  vtkGetMacro(NumberOfDroppedTriangles, vtkIdType);
+  vtkTypeMacro(vtkHeliosObjSceneReader, vtkHeliosSceneReader);
 
 protected:
-  vtkHeliosObjSceneReader();
-  ~vtkHeliosObjSceneReader() override;
+  vtkHeliosObjSceneReader() = default;
+  ~vtkHeliosObjSceneReader() override = default;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  const char* GetFormatName() const override { return "OBJ"; }
+  const char* GetFaceExample() const override { return "faces: f 1 2 3"; }
+  bool ReadScene(vtkPolyData* scene, helios::TextReport& report) override;
 
 private:
   vtkHeliosObjSceneReader(const vtkHeliosObjSceneReader&) = delete;
   void operator=(const vtkHeliosObjSceneReader&) = delete;
-
-  bool ReportBlock(double progress);
-
-  char* FileName = nullptr;
-  int UpAxis = UP_AXIS_Z;
-  vtkIdType NumberOfDroppedTriangles = 0;
 };
 
 #endif

@@ -66,7 +66,9 @@ def add_arguments(parser):
             name.lower(), metavar=name, help="a file, the folder of a run, or a folder of these"
         )
     parser.add_argument(
-        "--mesh", metavar="FILE", help="also measure distances to this mesh (.obj, .tif)"
+        "--mesh",
+        metavar="FILE",
+        help="also measure distances to this mesh (.obj, .tif, .ply, .stl, .json: CityJSON)",
     )
     parser.add_argument(
         "--cell",

@@ -8,6 +8,7 @@ import time
 
 from .. import formats
 from ..formats._run import RunReader, is_run
+from . import _meshes
 from ._conversion import Conversion
 from ._interrupt import Interrupt
 from ._messages import Messages
@@ -17,7 +18,7 @@ from ._report import readable
 from ._task import Interrupted, Task
 from ._parser import whole_number
 
-SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs"
+SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
 
 EPILOG = """\
 formats, by the end of a name, in and out:
@@ -35,6 +36,9 @@ other conversions use arrays; data that the output format cannot store is report
 converted in chunks: memory does not grow with the files, except for .vtp, for input of .pcd, and for
 .copc.laz (about 70 bytes per point).
 
+Meshes (.ply .stl .json: CityJSON, .tif) become OBJ, if the output ends in .obj: triangles, and materials
+in an .mtl beside it.
+
 The output is named .part until it is complete; Ctrl-C and errors remove it. See Docs/files.md.
 
 examples:
@@ -44,6 +48,7 @@ examples:
   vtkhelios convert a.las b.las both.copc.laz --merge
   vtkhelios convert a.las ground.ply --class 2 --returns last
   vtkhelios convert a.las internal.las --waveforms internal
+  vtkhelios convert delft.city.json delft.obj
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
 """
@@ -114,6 +119,8 @@ def add_arguments(parser):
 def run(arguments):
     with Messages(quiet=arguments.quiet) as messages:
         try:
+            if arguments.output.lower().endswith(".obj"):
+                return _meshes.convert(arguments, messages)
             conversions = plan(arguments)
             refuse(conversions, arguments.overwrite)
             return convert_all(conversions, arguments, messages)

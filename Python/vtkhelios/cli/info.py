@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios info: describes and checks a file of points, a run or a survey; lists the scanners."""
+"""vtkhelios info: describes and checks points, a run, a mesh or a survey; lists the scanners."""
 
 import json
 import pathlib
 
 from .. import formats
+from . import _meshes
 from ._inspect import Inspection, inspect_survey
 from ._interrupt import Interrupt
 from ._messages import Messages
@@ -15,13 +16,15 @@ from ._reading import add_assets_argument, missing_folder
 from ._scanners import list_scanners
 from ._task import Interrupted, Task
 
-SUMMARY = "describe and check a file of points, a run or a survey; list the scanners"
+SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"
 
 EPILOG = """\
 Points, in any format of vtkhelios convert, and the folder of a run: format, bounds, spacing,
 coordinate system, times, returns, classes, arrays; for LAS and LAZ also scale and offset, Extra Bytes,
 waveforms and header records. All points are read, in chunks, and checked: counts and bounding box of
 the header, return numbers, decreasing times, points that are not finite. Problems are warnings.
+
+Meshes (.obj, .tif, .stl, .json: CityJSON, .ply with faces): triangles, bounds, area, coordinate system, materials.
 
 Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
 
@@ -44,7 +47,10 @@ MOST = 12  # maximum listed legs
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument(
-        "path", metavar="FILE|RUN|SURVEY", nargs="?", help="points, a run, or a survey (.xml)"
+        "path",
+        metavar="FILE|RUN|SURVEY",
+        nargs="?",
+        help="points, a run, a mesh, or a survey (.xml)",
     )
     parser.add_argument(
         "--scanners",
@@ -69,6 +75,9 @@ def run(arguments):
             return 1
         if arguments.path.lower().endswith(".xml"):
             facts = inspect_survey(arguments.path, arguments.assets, messages)
+            return tell(facts, [], arguments, messages) if facts else 1
+        if _meshes.is_mesh(arguments.path):
+            facts = _meshes.inspect(arguments.path, messages)
             return tell(facts, [], arguments, messages) if facts else 1
         inspection = Inspection(arguments.path)
         task = Task("reading")
@@ -96,11 +105,17 @@ def tell(facts, warnings, arguments, messages):
     if arguments.json:
         print(json.dumps({**facts, "warnings": warnings}, indent=2))
         return 0
-    for line in survey_lines(facts) if "scanner" in facts else point_lines(facts):
+    for line in lines_of(facts):
         messages.info(line)
     for warning in warnings:
         messages.warning(warning)
     return 0
+
+
+def lines_of(facts):
+    if "triangles" in facts:
+        return _meshes.describe_lines(facts)
+    return survey_lines(facts) if "scanner" in facts else point_lines(facts)
 
 
 def point_lines(facts):

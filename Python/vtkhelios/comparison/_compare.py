@@ -6,12 +6,9 @@ import pathlib
 
 import numpy as np
 
-from .. import vtkHeliosFiltersIO
-from .._paths import to_vtk
-from .._pipeline import update
 from ..cloud import data_of
 from ..formats import FormatError
-from ..scene import flatten
+from ..scene import Scene, flatten
 from ._blocks import DRAWS
 from ._ground import Ground, choose_cell, choose_tile, draw_tiles
 from ._inputs import Source, find_difference, is_path
@@ -125,13 +122,10 @@ def read_mesh(given):
 def _read_file(path):
     if not path.is_file():
         raise FormatError(f"{path}: no such file; check the name of the mesh")
-    readers = {".obj": "vtkHeliosObjSceneReader", ".tif": "vtkHeliosGeoTiffSceneReader"}
-    name = readers.get(path.suffix.lower())
-    if not hasattr(vtkHeliosFiltersIO, name or "-"):
-        raise FormatError(f"{path}: is not a mesh of a known format; known: .obj, .tif (with GDAL)")
-    reader = getattr(vtkHeliosFiltersIO, name)()
-    reader.SetFileName(to_vtk(path))
-    return _check_mesh(update(reader), path)
+    try:
+        return _check_mesh(Scene.read(path).polydata, path)
+    except ValueError as error:
+        raise FormatError(str(error)) from error
 
 
 def _check_mesh(data, name):

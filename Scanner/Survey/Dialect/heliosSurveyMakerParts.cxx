@@ -19,7 +19,7 @@ namespace
 /// Whether an attribute names the files of a part: filepath or efilepath of its loader.
 bool NamesFiles(const PartData& part, const std::string& name)
 {
-  const std::string& loader = GetFilterTypes()[static_cast<std::size_t>(part.Type)];
+  const std::string& loader = GetLoaderName(part.Type);
   return name == loader + "/filepath" || name == loader + "/efilepath";
 }
 
@@ -34,13 +34,17 @@ bool StartsWith(const std::string& text, const std::string& start)
 int SurveyMaker::AddPart(const std::string& loader, const std::string& file)
 {
   Messages log(this->Owner);
-  const std::vector<std::string> loaders(GetFilterTypes().begin(), GetFilterTypes().begin() + 4);
   this->Elements.RemoveTableParts(this->Data.Scene.Parts);
   PartData part;
   part.Where = "part " + std::to_string(this->Data.Scene.Parts.size());
   part.Name = std::to_string(this->Data.Scene.Parts.size());
   XmlValueRule rule;
-  rule.Choices = "objloader geotiffloader xyzloader detailedvoxels";
+  std::string loaders;
+  for (const std::string& each : GetLoaders())
+  {
+    loaders += (loaders.empty() ? "" : " ") + each;
+  }
+  rule.Choices = loaders.c_str();
   int type = 0;
   if (ParseChoice({ "filter", loader, part.Where }, rule, log, type))
   {

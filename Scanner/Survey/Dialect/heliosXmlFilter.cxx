@@ -5,7 +5,9 @@
 #include "heliosMessages.h"
 #include "heliosXmlRules.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 
 namespace helios
@@ -14,20 +16,19 @@ namespace helios
 namespace
 {
 
+/// Loaders of files that are meshes, by the extension.
+constexpr struct
+{
+  const char* Ending;
+  Loader Type;
+} Endings[] = { { ".obj", Loader::Obj }, { ".tif", Loader::GeoTiff }, { ".tiff", Loader::GeoTiff },
+  { ".ply", Loader::Ply }, { ".stl", Loader::Stl }, { ".json", Loader::CityJson } };
+
 /// Resolves aliases of filter types.
 std::string FindType(const std::string& given)
 {
   const std::string type = ToLower(given);
   return type == "crstransform" || type == "transform" ? "crs" : type;
-}
-
-/// The type of a file by its extension; null: not a mesh.
-const char* FindLoader(const std::string& fileName)
-{
-  const std::string ending = ToLower(std::filesystem::path(fileName).extension().string());
-  return ending == ".obj"                   ? "objloader"
-    : ending == ".tif" || ending == ".tiff" ? "geotiffloader"
-                                            : nullptr;
 }
 
 } // namespace
@@ -118,14 +119,15 @@ bool XmlFilter::Read(const char* key, Vec3& target) const
 const std::vector<std::string>& GetFilterTypes()
 {
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
-    "detailedvoxels", "crs", "repair", "simplify", "rotate", "scale", "translate" };
+    "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "crs", "repair", "simplify",
+    "rotate", "scale", "translate" };
   return types;
 }
 
 //------------------------------------------------------------------------------
 std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
 {
-  const char* loader = FindLoader(fileName);
+  const std::optional<Loader> loader = FindLoader(fileName);
   if (!loader)
   {
     return {};
@@ -136,7 +138,7 @@ std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
   pugi::xml_node part = scene.append_child("part");
   part.append_attribute("id") = id.c_str();
   pugi::xml_node filter = part.append_child("filter");
-  filter.append_attribute("type") = loader;
+  filter.append_attribute("type") = GetLoaderName(*loader).c_str();
   pugi::xml_node param = filter.append_child("param");
   param.append_attribute("type") = "string";
   param.append_attribute("key") = "filepath";
@@ -144,6 +146,39 @@ std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetLoaders()
+{
+  const std::vector<std::string>& types = GetFilterTypes();
+  return { types.begin(), std::find(types.begin(), types.end(), "crs") };
+}
+
+//------------------------------------------------------------------------------
+const std::string& GetLoaderName(Loader type)
+{
+  return GetFilterTypes()[static_cast<std::size_t>(type)];
+}
+
+//------------------------------------------------------------------------------
+std::optional<Loader> FindLoader(const std::string& fileName)
+{
+  const std::string ending = ToLower(std::filesystem::path(fileName).extension().string());
+  const auto* found = std::find_if(std::begin(Endings), std::end(Endings),
+    [&ending](const auto& each) { return ending == each.Ending; });
+  return found == std::end(Endings) ? std::nullopt : std::optional(found->Type);
+}
+
+//------------------------------------------------------------------------------
+std::string GetMeshEndings()
+{
+  std::string all;
+  for (const auto& each : Endings)
+  {
+    all += (all.empty() ? "" : ", ") + std::string(each.Ending);
+  }
+  return all;
 }
 
 } // namespace helios

@@ -5,9 +5,12 @@
 #ifndef heliosXmlFilter_h
 #define heliosXmlFilter_h
 
+#include "heliosSurveyData.h"
 #include "heliosXmlElement.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,12 +62,24 @@ private:
   std::map<std::string, XmlElement> Parameters;
 };
 
-/// The supported filter types.
+/// The supported filter types; loaders come first, in the order of Loader.
 const std::vector<std::string>& GetFilterTypes();
 
 /// A <document> with a <scene> of one part, a mesh file; empty if the extension is not that of a
 /// mesh.
 std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
+
+/// The loaders of these.
+VTKHELIOSSCANNERSURVEY_EXPORT std::vector<std::string> GetLoaders();
+
+/// The name of a loader: "objloader".
+const std::string& GetLoaderName(Loader type);
+
+/// The loader of a mesh by the extension of its file; none: not a mesh.
+std::optional<Loader> FindLoader(const std::string& fileName);
+
+/// The extensions of meshes: ".obj, .tif, ...".
+std::string GetMeshEndings();
 
 } // namespace helios
 

@@ -41,7 +41,11 @@ private:
   void ReadFilters();
   void ReadSwaps();
   void ReadObjLoader(const XmlFilter& filter);
-  void ReadGeoTiffLoader(const XmlFilter& filter);
+  void ReadPlyLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Ply); }
+  void ReadStlLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Stl); }
+  void ReadCityLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::CityJson); }
+  void ReadGeoTiffLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::GeoTiff); }
+  void ReadMeshLoader(const XmlFilter& filter, Loader type);
   void ReadXyzLoader(const XmlFilter& filter);
   void ReadNormals(const XmlFilter& filter);
   void ReadVegetation(const XmlFilter& filter);
@@ -77,8 +81,8 @@ PartData PartReader::Read()
   if (!this->HasLoader)
   {
     this->Element.GetMessages().Error(this->Part.Where + ": <" + this->Element.GetTag() +
-      "> has no loader; add a <filter type=\"objloader\">, geotiffloader, xyzloader or "
-      "detailedvoxels");
+      "> has no loader; add a <filter type=\"objloader\"> or another one of " +
+      Enumerate(GetLoaders()));
   }
   this->CheckTurbid();
   this->ReadSwaps();
@@ -172,6 +176,9 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
     { "geotiffloader", &PartReader::ReadGeoTiffLoader },
     { "xyzloader", &PartReader::ReadXyzLoader },
     { "detailedvoxels", &PartReader::ReadVegetation },
+    { "plyloader", &PartReader::ReadPlyLoader },
+    { "stlloader", &PartReader::ReadStlLoader },
+    { "cityjsonloader", &PartReader::ReadCityLoader },
     { "crs", &PartReader::ReadCrs },
     { "repair", &PartReader::ReadRepair },
     { "simplify", &PartReader::ReadSimplify },
@@ -236,9 +243,10 @@ void PartReader::ReadObjLoader(const XmlFilter& filter)
 }
 
 //------------------------------------------------------------------------------
-void PartReader::ReadGeoTiffLoader(const XmlFilter& filter)
+/// A loader with a material file.
+void PartReader::ReadMeshLoader(const XmlFilter& filter, Loader type)
 {
-  if (this->StartLoader(filter, Loader::GeoTiff))
+  if (this->StartLoader(filter, type))
   {
     filter.ReadStored(this->Part);
     this->ReadMaterial(filter);

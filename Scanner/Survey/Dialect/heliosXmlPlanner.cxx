@@ -383,7 +383,8 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
   {
     log.Error(document->GetRoot().Where() +
       ": the file has nothing to plan; give one with a <surveyPlanner>, <survey> or <scene>, or a "
-      "mesh (.obj, .tif)");
+      "mesh (" +
+      GetMeshEndings() + ")");
   }
   return data;
 }

@@ -272,7 +272,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
   if (parts.empty() && tables.empty())
   {
     element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
-      " has no <part>; add one with an objloader, geotiffloader or xyzloader");
+      " has no <part>; add one with a loader: " + Enumerate(GetLoaders()));
   }
   CheckEpochs(scene, element.GetMessages());
   return scene;

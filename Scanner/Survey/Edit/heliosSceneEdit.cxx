@@ -7,15 +7,16 @@
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
 #include "heliosSceneBuilder.h"
+#include "heliosSceneReaders.h"
 #include "heliosStatus.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlPart.h"
 #include "heliosXmlScene.h"
 #include "heliosXmlText.h"
-#include "vtkHeliosObjSceneReader.h"
 
 #include <vtkPolyData.h>
+#include <vtkPolyDataAlgorithm.h>
 
 #include <algorithm>
 #include <charconv>
@@ -409,13 +410,15 @@ bool SceneEdit::RemovePart(int part)
 //------------------------------------------------------------------------------
 int SceneEdit::AddPart(const std::string& fileName, const Vec3& place, Messages& log)
 {
-  vtkNew<vtkHeliosObjSceneReader> reader;
-  log.Listen(static_cast<vtkAlgorithm*>(reader));
-  reader->SetFileName(fileName.c_str());
+  PartData data;
+  data.Type = FindLoader(fileName).value_or(Loader::Obj);
+  const auto reader = MakeSceneReader(data, fileName);
+  log.Listen(reader);
   reader->Update();
   if (reader->GetOutput()->GetNumberOfPoints() == 0)
   {
-    log.Error(fileName + ": has nothing to add to the scene; give an OBJ file with faces");
+    log.Error(
+      fileName + ": has nothing to add to the scene; give a file with faces: " + GetMeshEndings());
     return -1;
   }
   double b[6];
@@ -429,7 +432,7 @@ int SceneEdit::AddPart(const std::string& fileName, const Vec3& place, Messages&
   pugi::xml_node part = this->Inside->GetScene().append_child("part");
   part.append_attribute("id") = name.c_str();
   pugi::xml_node filter = part.append_child("filter");
-  filter.append_attribute("type") = "objloader";
+  filter.append_attribute("type") = GetLoaderName(data.Type).c_str();
   SetValue(GetParameter(filter, "filepath", "string"), this->Inside->Refer(fileName));
   SetOffset(part, place - Vec3(0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), b[4]));
   return this->GetNumberOfParts() - 1;

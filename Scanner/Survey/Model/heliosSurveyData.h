@@ -177,12 +177,16 @@ struct PlatformData
   NavigationErrorData Errors;
 };
 
+/// In the order of GetFilterTypes().
 enum class Loader
 {
   Obj,
   GeoTiff,
   Xyz,
-  Vegetation
+  Vegetation,
+  Ply,
+  Stl,
+  CityJson
 };
 
 /// How the points of a file become solid voxels.
@@ -243,6 +247,7 @@ struct PartData
   Loader Type = Loader::Obj;
   std::vector<std::string> Files;
   bool UpIsY = false;
+  std::string LevelOfDetail; ///< of CityJSON; empty: the highest of each object
   VoxelData Voxels;
   VegetationData Vegetation;
   MaterialData Material;

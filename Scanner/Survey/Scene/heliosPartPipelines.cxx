@@ -5,11 +5,10 @@
 #include "heliosHeightCache.h"
 #include "heliosHeightField.h"
 #include "heliosMessages.h"
+#include "heliosSceneReaders.h"
 #include "vtkHeliosGeoTiffHeightReader.h"
-#include "vtkHeliosGeoTiffSceneReader.h"
 #include "vtkHeliosMaterialReader.h"
 #include "vtkHeliosMeshRepair.h"
-#include "vtkHeliosObjSceneReader.h"
 #include "vtkHeliosPointVoxelizer.h"
 #include "vtkHeliosReproject.h"
 #include "vtkHeliosSceneClassify.h"
@@ -28,6 +27,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataAlgorithm.h>
 #include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
 
@@ -62,13 +62,6 @@ vtkSmartPointer<vtkHeliosXyzReader> MakePointReader(const PartData& part)
   reader->SetNormalXIndex(voxels.NormalIndex[0]);
   reader->SetNormalYIndex(voxels.NormalIndex[1]);
   reader->SetNormalZIndex(voxels.NormalIndex[2]);
-  return reader;
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeGeoTiffReader(const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkHeliosGeoTiffSceneReader>::New();
-  reader->SetFileName(file.c_str());
   return reader;
 }
 
@@ -140,19 +133,10 @@ void EraseIf(MapT& map, const TestT& test)
   }
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::string& file)
-{
-  auto reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
-  reader->SetFileName(file.c_str());
-  reader->SetUpAxis(
-    part.UpIsY ? vtkHeliosObjSceneReader::UP_AXIS_Y : vtkHeliosObjSceneReader::UP_AXIS_Z);
-  return reader;
-}
-
 /// What the triangles and materials of a mesh depend on before it is placed; empty for other parts.
 std::string GetMeshKey(const PartData& part)
 {
-  if (part.Type != Loader::Obj && part.Type != Loader::GeoTiff)
+  if (part.Type == Loader::Xyz || part.Type == Loader::Vegetation)
   {
     return {};
   }
@@ -161,7 +145,7 @@ std::string GetMeshKey(const PartData& part)
       << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange
       << ' ' << part.Classification;
   std::vector<std::string> texts = part.Files;
-  texts.insert(texts.end(), { part.Material.File, part.Material.Name });
+  texts.insert(texts.end(), { part.LevelOfDetail, part.Material.File, part.Material.Name });
   for (const CrsData& crs : part.Crs)
   {
     texts.insert(texts.end(), { crs.Source, crs.Target });
@@ -234,7 +218,8 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
   }
   const Filter mesh =
     part.Type == Loader::Xyz ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
-  return this->AddMeshCare(part, this->AddClass(part, this->AddMaterial(part.Material, mesh)));
+  return this->AddMeshCare(part,
+    this->AddClass(part, HasOwnMaterials(part) ? mesh : this->AddMaterial(part.Material, mesh)));
 }
 
 //------------------------------------------------------------------------------
@@ -439,10 +424,10 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   {
     return this->MakeCubes(part, file);
   }
-  Filter& reader = this->MeshReaders[{ file, part.UpIsY }];
+  Filter& reader = this->MeshReaders[MakeSceneReaderKey(part, file)];
   if (!reader)
   {
-    reader = part.Type == Loader::GeoTiff ? MakeGeoTiffReader(file) : MakeObjReader(part, file);
+    reader = MakeSceneReader(part, file);
     this->Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }

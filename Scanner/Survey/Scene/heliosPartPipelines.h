@@ -5,6 +5,7 @@
 #ifndef heliosPartPipelines_h
 #define heliosPartPipelines_h
 
+#include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
 
 #include <vtkSmartPointer.h>
@@ -109,8 +110,8 @@ private:
   const StepCallback* OnProgress = nullptr;
   bool IsStopped = false;
   std::chrono::steady_clock::time_point LastProgress{};
-  std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
-  std::vector<std::pair<std::string, Filter>> Readers;        // all, with the files they read
+  std::map<SceneReaderKey, Filter> MeshReaders;
+  std::vector<std::pair<std::string, Filter>> Readers; // all, with the files they read
 };
 
 } // namespace helios

@@ -121,6 +121,35 @@ std::vector<XmlElementRule> MakeFilterRules()
     },
     {} },
 
+  { "filter:plyloader", "a polygon file, text or binary",
+    {
+      Text("filepath", "the file"),
+      Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
+      Word("up", "~y z", "the axis that points up").Meaning(UpIsY).At<&PartData::UpIsY>(),
+      Text("matfile", "an MTL file, the material of all triangles").Default("the default material").File().At<Material, &MaterialData::File>(),
+      Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
+    },
+    {} },
+
+  { "filter:stlloader", "a stereolithography file, text or binary",
+    {
+      Text("filepath", "the file"),
+      Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
+      Word("up", "~y z", "the axis that points up").Meaning(UpIsY).At<&PartData::UpIsY>(),
+      Text("matfile", "an MTL file, the material of all triangles").Default("the default material").File().At<Material, &MaterialData::File>(),
+      Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
+    },
+    {} },
+
+  { "filter:cityjsonloader", "a city model, CityJSON 2.0 or 1.1",
+    {
+      Text("filepath", "the file"),
+      Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
+      Text("lod", "level of detail, such as 2.2").Default("the highest of each object").At<&PartData::LevelOfDetail>(),
+      Text("matfile", "an MTL file, whose materials replace those of the same name: RoofSurface, WallSurface, Road ...").Default("the default material").File().At<Material, &MaterialData::File>(),
+    },
+    {} },
+
   { "filter:crs", "reprojects the part before it is rotated; also crstransform, transform",
     {
       Text("source", "source coordinate system").Default("that of the file").At<&CrsData::Source>(),

@@ -4,7 +4,9 @@
 
 import pathlib
 
-from ..._paths import from_vtk, text_from_vtk
+import vtkhelios
+
+from ..._paths import from_vtk, text_from_vtk, to_vtk
 from ..._plan_files import survey_file
 from ..._run_files import PART
 from ..._survey_text import has_survey
@@ -96,4 +98,5 @@ def open_input(arguments, messages):
 
 def _is_survey(path):
     """Whether a file has, or may have, a <survey>: the reader reports what is wrong with it."""
-    return path.suffix.lower() not in (".obj", ".tif", ".tiff") and has_survey(path.read_bytes())
+    is_mesh = bool(vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path)))
+    return not is_mesh and has_survey(path.read_bytes())

@@ -3,6 +3,7 @@
 // Every attribute of every element of the dialect is made by a method, or on a list with a reason.
 #include "heliosEpochs.h"
 #include "heliosSurveyFiles.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlRules.h"
 
 #include <catch2/catch.hpp>
@@ -159,7 +160,7 @@ struct Bench
     this->Survey->AddPlatform("tripod");
     this->Survey->AddLeg();
     this->Survey->SetLegAttribute(0, "maxDuration_s", "1");
-    for (const char* loader : { "objloader", "geotiffloader", "xyzloader", "detailedvoxels" })
+    for (const std::string& loader : helios::GetLoaders())
     {
       this->Survey->AddPart(loader, "plane.obj");
     }
@@ -195,7 +196,8 @@ struct Bench
   {
     for (const auto& [kind, path] : paths)
     {
-      for (int part = 0; part < (kind == "part" ? 4 : 1); ++part)
+      const int parts = kind == "part" ? static_cast<int>(helios::GetLoaders().size()) : 1;
+      for (int part = 0; part < parts; ++part)
       {
         const std::string file = this->Folder / "plane.obj";
         if (this->Set(kind, path, value, part))

@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <utility>
 #include <vector>
 
 using namespace helios::test;
@@ -55,6 +56,35 @@ TEST_CASE("SurveyReader: a height raster and its material", "[SurveyReader]")
   CHECK(part.Files == std::vector<std::string>{ files / "height.tif" });
   CHECK(part.Material.File == files / "ground.mtl");
   CHECK(part.Material.Name == "grass");
+}
+
+TEST_CASE("SurveyReader: PLY and STL with a material, and y up", "[SurveyReader]")
+{
+  for (const auto& [loader, type] :
+    { std::make_pair("plyloader", helios::Loader::Ply), { "stlloader", helios::Loader::Stl } })
+  {
+    const Files files;
+    const Reading reading = ReadPart(files,
+      Filter(loader, { { "filepath", "points.xyz" }, { "up", "y" }, { "matfile", "ground.mtl" } }));
+    INFO(reading.Log->Errors);
+    REQUIRE(reading.Good);
+    const helios::PartData& part = reading.Data().Scene.Parts.at(0);
+    CHECK(part.Type == type);
+    CHECK(part.UpIsY);
+    CHECK(part.Files == std::vector<std::string>{ files / "points.xyz" });
+    CHECK(part.Material.File == files / "ground.mtl");
+  }
+}
+
+TEST_CASE("SurveyReader: a city model at a level of detail", "[SurveyReader]")
+{
+  const Files files;
+  const Reading reading =
+    ReadPart(files, Filter("cityjsonloader", { { "filepath", "points.xyz" }, { "lod", "2.2" } }));
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Data().Scene.Parts.at(0).Type == helios::Loader::CityJson);
+  CHECK(reading.Data().Scene.Parts.at(0).LevelOfDetail == "2.2");
 }
 
 TEST_CASE("SurveyReader: points as voxels", "[SurveyReader]")
@@ -139,6 +169,12 @@ TEST_CASE("SurveyReader: bad parts are errors", "[SurveyReader]")
   const std::vector<Wrong> cases = {
     { Filter("geotiffloader"), "scene.xml:2: filter geotiffloader has no filepath" },
     { Filter("xyzloader"), "scene.xml:2: filter xyzloader has no filepath" },
+    { Filter("plyloader"), "scene.xml:2: filter plyloader has no filepath" },
+    { Filter("stlloader", { { "filepath", "none.stl" } }), "none.stl" },
+    { Filter("cityjsonloader"), "scene.xml:2: filter cityjsonloader has no filepath" },
+    { "",
+      "<part> has no loader; add a <filter type=\"objloader\"> or another one of objloader, "
+      "geotiffloader, xyzloader, detailedvoxels, plyloader, stlloader and cityjsonloader" },
     { Points + Points, "a second loader in one <part>" },
     { Filter("xyzloader", { { "filepath", "points.xyz" }, { "voxelSize", "0" } }),
       "voxelSize=\"0\" is out of range" },

@@ -153,6 +153,50 @@ TEST_CASE(
   CHECK(scene->GetNumberOfPolys() == 4 + 3); // hill, house, repaired
 }
 
+TEST_CASE("SurveyInstances: parts of the same PLY, STL or CityJSON file", "[SurveyInstances]")
+{
+  const Files files;
+  files.Write("a.ply",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+    "3 0 1 2\n");
+  files.Write("a.stl",
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid a\n");
+  const std::string surface = "\"type\":\"MultiSurface\",\"boundaries\":[[[0,1,2]]]}";
+  files.Write("a.city.json",
+    "{\"type\":\"CityJSON\",\"version\":\"2.0\",\"transform\":{\"scale\":[1,1,1],"
+    "\"translate\":[0,0,0]},\"CityObjects\":{\"a\":{\"type\":\"Road\",\"geometry\":[{\"lod\":"
+    "\"1\"," +
+      surface + ",{\"lod\":\"2\"," + surface + "]}},\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}");
+  const auto add = [](const std::string& loader, const std::string& file, const std::string& more)
+  {
+    return "<part><filter type=\"" + loader + "\"><param key=\"filepath\" value=\"" + file +
+      "\"/>" + more + "</filter></part>\n";
+  };
+  std::string parts;
+  for (int i = 0; i < 2; ++i)
+  {
+    parts += add("plyloader", "a.ply", "") + add("stlloader", "a.stl", "") +
+      add("cityjsonloader", "a.city.json", "<param key=\"lod\" value=\"1\"/>");
+  }
+  parts += add("cityjsonloader", "a.city.json", "<param key=\"lod\" value=\"2\"/>");
+  files.Write("scene.xml", "<document><scene id=\"s\">" + parts + "</scene></document>");
+  const Reading reading(files, Tripod, Leg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(reading.Reader->GetSurvey());
+  source->InstancesOn();
+  REQUIRE(source->Load());
+  auto* scene = vtkHeliosScene::SafeDownCast(source->GetScene());
+  REQUIRE(scene);
+  CHECK(scene->GetNumberOfInstances() == 6);
+  CHECK(scene->GetNumberOfPrototypes() == 3);
+  CHECK(scene->GetNumberOfPolys() == 1); // the other level of detail
+}
+
 TEST_CASE("SurveyInstances: the digest of a scene has the instances", "[SurveyInstances]")
 {
   const Files files;

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The surfaces of a geometry of a city object as triangles.
+
+#ifndef heliosCityGeometry_h
+#define heliosCityGeometry_h
+
+#include "heliosCitySurfaces.h"
+#include "heliosPolygonTriangulator.h"
+#include "heliosSceneMesh.h"
+#include "heliosStatus.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Json
+{
+class Value;
+}
+
+namespace helios
+{
+
+class JsonFile;
+
+/// How the lists of a geometry type are nested: 0 surfaces, 1 shells, 2 solids; -1: no surfaces.
+int GetCityDepth(const Json::Value& geometry);
+
+/// Adds the surfaces of geometries to a mesh. Errors have file:line and the object.
+class CityGeometry
+{
+public:
+  CityGeometry(const JsonFile& file, SceneMesh& mesh);
+
+  /// The object that geometries belong to from here on.
+  void SetObject(const std::string& name, const std::string& type);
+
+  /// Adds a geometry; ids gives the point of each of its vertices.
+  Status Add(const Json::Value& geometry, const std::vector<vtkTypeInt32>& ids);
+
+  /// Surfaces whose rings cross, and the place of the first.
+  std::int64_t GetNumberOfCrossed() const { return this->NumberOfCrossed; }
+  const std::string& GetFirstCrossed() const { return this->FirstCrossed; }
+
+  /// An error at a value of the current object.
+  Status Fail(const Json::Value& value, const std::string& message) const;
+
+private:
+  Status AddLevel(const Json::Value& boundaries, const Json::Value& values, int depth);
+  Status AddSurface(const Json::Value& surface, const Json::Value& value);
+  Status ReadRing(const Json::Value& ring);
+  Status FindRow(const Json::Value& value, int& row);
+  void AddTriangles(int row);
+
+  const JsonFile& File;
+  SceneMesh& Mesh;
+  CityMaterials Materials;
+  std::string ObjectName;
+  std::string ObjectType;
+  const Json::Value* Surfaces = nullptr;          // semantics of the current geometry
+  const std::vector<vtkTypeInt32>* Ids = nullptr; // likewise
+  PolygonRings Rings;                             // of the current surface
+  PolygonTriangulator Triangulator;
+  std::int64_t NumberOfCrossed = 0;
+  std::string FirstCrossed;
+};
+
+} // namespace helios
+
+#endif

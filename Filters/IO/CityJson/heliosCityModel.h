@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A city model in a CityJSON file.
+
+#ifndef heliosCityModel_h
+#define heliosCityModel_h
+
+#include "heliosCityGeometry.h"
+#include "heliosCityTemplates.h"
+#include "heliosJsonFile.h"
+#include "heliosSceneMesh.h"
+#include "heliosStatus.h"
+#include "heliosTextFile.h"
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// Adds the surfaces of a file, at one level of detail, to an empty mesh.
+class CityModel
+{
+public:
+  CityModel(SceneMesh& mesh, TextReport& report);
+
+  /// As in the file, such as "2.2"; empty: the highest of each object.
+  std::string LevelOfDetail;
+
+  /// Called with the fraction of the objects; returning false stops reading.
+  std::function<bool(double)> OnBlock;
+
+  /// Returns false after an error, which is in the report.
+  bool Read(const std::string& path);
+
+  /// Of the metadata: "EPSG:7415"; empty: none.
+  const std::string& GetCrs() const { return this->Crs; }
+
+private:
+  Status ReadFile(const std::string& path);
+  Status CheckVersion();
+  Status ReadVertices();
+  Status ReadObjects();
+  Status AddObject(const std::string& name, const Json::Value& object);
+  Status AddGeometry(const Json::Value& geometry);
+  std::string FindLevel(const Json::Value& geometry) const;
+  std::string FindHighestLevel(const Json::Value& object) const;
+  std::string ChooseLevel(const Json::Value& object) const;
+  void ReadCrs();
+  Status CheckLevels();
+  void WarnOfSurfaces();
+
+  SceneMesh& Mesh;
+  TextReport& Report;
+  JsonFile File;
+  CityGeometry Geometry;
+  CityTemplates Templates;
+  std::string Crs;
+  std::vector<vtkTypeInt32> Ids;    // points of the vertices of the file
+  std::set<std::string> Levels;     // all in the file
+  std::int64_t NumberOfObjects = 0; // with surfaces
+  std::int64_t NumberOfUsed = 0;    // at the level of detail
+};
+
+} // namespace helios
+
+#endif

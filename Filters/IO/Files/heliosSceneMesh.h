@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangles of a scene file while it is read.
+
+#ifndef heliosSceneMesh_h
+#define heliosSceneMesh_h
+
+#include "heliosGrowingArray.h"
+#include "heliosMaterialTable.h"
+#include "heliosTextFile.h"
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkTypeInt32Array.h>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * Extent of a scene [m] beyond which a vertex is an outlier: half the circumference of the Earth is
+ * 2e7, and no projected or geocentric scene is wider than half of that.
+ */
+constexpr double LargestExtent = 1e7;
+
+/// Maximum number of corners (and vertices) of 32-bit cells.
+constexpr std::int64_t MostCorners = std::numeric_limits<vtkTypeInt32>::max();
+
+/// Vertices, triangles and materials; after reading, call the functions in their order.
+class VTKHELIOSFILTERSIO_EXPORT SceneMesh
+{
+public:
+  GrowingArray<vtkDoubleArray> Points;     ///< x y z per vertex
+  GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices per triangle, from 0
+  GrowingArray<vtkIntArray> MaterialIds;   ///< row of Materials per triangle
+  MaterialTable Materials;
+
+  void AddPoint(double x, double y, double z);
+  void AddTriangle(vtkTypeInt32 a, vtkTypeInt32 b, vtkTypeInt32 c, int material);
+  vtkIdType GetNumberOfPoints() const { return this->Points.GetSize() / 3; }
+  vtkIdType GetNumberOfTriangles() const { return this->MaterialIds.GetSize(); }
+
+  /**
+   * Drops degenerate triangles: those whose normal is within the rounding error of their
+   * coordinates. Warns with their number.
+   */
+  void DropFlatTriangles(const std::string& path, TextReport& report);
+
+  /// Warns about a vertex far from the others; its place in the file, if known, starts the message.
+  void CheckExtent(const std::string& path, TextReport& report,
+    const std::function<std::string(vtkIdType)>& findPlace = {});
+
+  /// Drops vertices that no triangle uses.
+  void DropUnusedPoints();
+
+  /// Converts y up to z up.
+  void TurnUp();
+
+  /// Moves the arrays to a scene.
+  void MoveTo(vtkPolyData* scene);
+
+  vtkIdType GetNumberOfDroppedTriangles() const { return this->DroppedTriangles; }
+
+private:
+  std::vector<unsigned char> IsUsed; // per vertex
+  vtkIdType DroppedTriangles = 0;
+};
+
+} // namespace helios
+
+#endif

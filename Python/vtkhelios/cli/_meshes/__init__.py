@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes as input of vtkhelios info and vtkhelios convert."""
+
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import vtkhelios
+
+from ..._paths import text_from_vtk, to_vtk
+
+from ...array_names import (
+    CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
+    MATERIAL_REFLECTANCE,
+)  # fmt: skip
+from ...formats import FormatError
+from ...scene import make_reader
+
+KINDS = {
+    "objloader": "OBJ", "geotiffloader": "GeoTIFF", "plyloader": "PLY", "stlloader": "STL",
+    "cityjsonloader": "CityJSON",
+}  # fmt: skip
+
+
+def is_mesh(path):
+    """Whether a file is a mesh: PLY files without faces are clouds."""
+    return vtkhelios.vtkHeliosDialect.IsMesh(to_vtk(path))
+
+
+def read(path, messages):
+    """The triangles of a file, or None after an error."""
+    reader = make_reader(path)
+    messages.watch(reader)
+    reader.Update()
+    mesh = reader.GetOutput()
+    if mesh.GetPoints() is not None:
+        return mesh
+    messages.error_unless_told(f"{path}: cannot be read")
+    return None
+
+
+def inspect(path, messages):
+    """Facts about a mesh, or None after an error."""
+    mesh = read(path, messages)
+    if mesh is None:
+        return None
+    kind = KINDS[vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path))]
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    areas = compute_areas(mesh, points)
+    facts = {
+        "file": str(path),
+        "format": f"mesh ({kind})",
+        "triangles": len(areas),
+        "vertices": len(points),
+    }
+    if len(points):
+        low, high = points.min(axis=0), points.max(axis=0)
+        facts["bounds"] = {"minimum": low.tolist(), "maximum": high.tolist()}
+    facts["crs"] = find_crs(mesh)
+    facts["area_m2"] = float(areas.sum())
+    facts["materials"] = list(describe_materials(mesh, areas))
+    return facts
+
+
+def find_crs(mesh):
+    array = mesh.GetFieldData().GetAbstractArray(CRS)
+    return text_from_vtk(array.GetValue(0)) if array and array.GetNumberOfValues() else None
+
+
+def compute_areas(mesh, points):
+    corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (points[corners[:, i]] for i in range(3))
+    return 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+
+
+def describe_materials(mesh, areas):
+    """Of each material that a triangle has."""
+    columns = mesh.GetFieldData()
+    names = columns.GetAbstractArray(MATERIAL_NAME)
+    values = {
+        key: vtk_to_numpy(columns.GetArray(name))
+        for key, name in (
+            ("reflectance", MATERIAL_REFLECTANCE),
+            ("class", MATERIAL_CLASSIFICATION),
+            ("ground", MATERIAL_IS_GROUND),
+        )
+    }
+    ids = vtk_to_numpy(mesh.GetCellData().GetArray(MATERIAL_IDS))
+    counts = np.bincount(ids, minlength=names.GetNumberOfValues())
+    sums = np.bincount(ids, areas, minlength=names.GetNumberOfValues())
+    for row in np.flatnonzero(counts):
+        yield {
+            "name": text_from_vtk(names.GetValue(int(row))),
+            "triangles": int(counts[row]),
+            "area_m2": float(sums[row]),
+            "reflectance": _none_if_nan(values["reflectance"][row]),
+            "class": int(values["class"][row]),
+            "ground": bool(values["ground"][row]),
+        }
+
+
+def describe_lines(facts):
+    """The facts as text."""
+    yield f"format     {facts['format']}"
+    yield f"triangles  {facts['triangles']:,}, with {facts['vertices']:,} vertices"
+    if "bounds" in facts:
+        for axis, low, high in zip("xyz", *facts["bounds"].values()):
+            yield f"{axis:10} {low:.4f} to {high:.4f} m"
+    yield f"crs        {facts['crs'] or 'not known'}"
+    yield f"area       {facts['area_m2']:,.6g} m²"
+    for each in facts["materials"]:
+        reflectance = each["reflectance"]
+        yield (
+            f"material   {each['name']}: {each['triangles']:,} triangles, {each['area_m2']:,.6g} m², "
+            + ("" if reflectance is None else f"reflectance {reflectance:g}, ")
+            + f"class {each['class']}"
+            + (", ground" if each["ground"] else "")
+        )
+
+
+def _none_if_nan(value):
+    """Of materials without a reflectance of their own."""
+    return None if np.isnan(value) else float(value)
+
+
+def convert(arguments, messages):
+    """Writes a mesh as OBJ; 0, or 1 after an error."""
+    path = check_arguments(arguments)
+    mesh = read(path, messages)
+    if mesh is None:
+        return 1
+    if crs := find_crs(mesh):
+        messages.warning(f"{path}: its coordinate system {crs} is dropped: OBJ has none")
+    writer = vtkhelios.vtkHeliosObjSceneWriter(file_name=to_vtk(arguments.output))
+    writer.SetInputDataObject(mesh)
+    messages.watch(writer)
+    if not writer.Write():
+        messages.error_unless_told(f"{arguments.output}: cannot be written")
+        return 1
+    messages.info(f"output   {arguments.output}: {mesh.GetNumberOfPolys():,} triangles")
+    return 0
+
+
+def check_arguments(arguments):
+    """The mesh to convert; FormatError if there is none, or an option is one of points."""
+    output = pathlib.Path(arguments.output)
+    for path in arguments.inputs:
+        if not pathlib.Path(path).exists():
+            raise FormatError(f"{path}: no such file or folder; check its name")
+    if len(arguments.inputs) != 1 or not is_mesh(arguments.inputs[0]):
+        known = vtkhelios.vtkHeliosDialect.GetMeshEndings()
+        raise FormatError(f"{output}: OBJ is written of one mesh ({known}); give one as input")
+    path = arguments.inputs[0]
+    for option, value, default in (
+        ("--format", arguments.format, None), ("--merge", arguments.merge, False),
+        ("--crs", arguments.crs, None), ("--returns", arguments.returns, "all"),
+        ("--class", arguments.classes, None), ("--every", arguments.every, 1),
+        ("--skip-invalid", arguments.skip_invalid, False),
+        ("--waveforms", arguments.waveforms, None),
+    ):  # fmt: skip
+        if value != default:
+            raise FormatError(f"{path}: {option} is for points, and this is a mesh; leave it out")
+    for written in (output, output.with_suffix(".mtl")):
+        if written.exists() and written.resolve() == pathlib.Path(path).resolve():
+            raise FormatError(f"{written}: is also an input; give another name")
+        if written.exists() and not arguments.overwrite:
+            raise FormatError(f"{written}: already exists; give --overwrite to replace it")
+    return path

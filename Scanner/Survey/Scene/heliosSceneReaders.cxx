@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneReaders.h"
+
+#include "vtkHeliosCityJSONReader.h"
+#include "vtkHeliosGeoTiffSceneReader.h"
+#include "vtkHeliosObjSceneReader.h"
+#include "vtkHeliosPLYSceneReader.h"
+#include "vtkHeliosSTLSceneReader.h"
+
+namespace helios
+{
+
+namespace
+{
+
+const char* GetTextOrNull(const std::string& text)
+{
+  return text.empty() ? nullptr : text.c_str();
+}
+
+vtkSmartPointer<vtkPolyDataAlgorithm> MakeGeoTiffReader(const std::string& file)
+{
+  auto reader = vtkSmartPointer<vtkHeliosGeoTiffSceneReader>::New();
+  reader->SetFileName(file.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkHeliosSceneReader> MakeCityReader(const PartData& part)
+{
+  auto reader = vtkSmartPointer<vtkHeliosCityJSONReader>::New();
+  reader->SetLevelOfDetail(GetTextOrNull(part.LevelOfDetail));
+  reader->SetMaterialFileName(GetTextOrNull(part.Material.File));
+  return reader;
+}
+
+vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part)
+{
+  switch (part.Type)
+  {
+    case Loader::Ply:
+      return vtkSmartPointer<vtkHeliosPLYSceneReader>::New();
+    case Loader::Stl:
+      return vtkSmartPointer<vtkHeliosSTLSceneReader>::New();
+    case Loader::CityJson:
+      return MakeCityReader(part);
+    default:
+      return vtkSmartPointer<vtkHeliosObjSceneReader>::New();
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file)
+{
+  return { part.Type, file, part.UpIsY, part.LevelOfDetail,
+    HasOwnMaterials(part) ? part.Material.File : std::string() };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(const PartData& part, const std::string& file)
+{
+  if (part.Type == Loader::GeoTiff)
+  {
+    return MakeGeoTiffReader(file);
+  }
+  const vtkSmartPointer<vtkHeliosSceneReader> reader = MakeMeshReader(part);
+  reader->SetFileName(file.c_str());
+  reader->SetUpAxis(part.UpIsY ? vtkHeliosSceneReader::UP_AXIS_Y : vtkHeliosSceneReader::UP_AXIS_Z);
+  return reader;
+}
+
+//------------------------------------------------------------------------------
+bool HasOwnMaterials(const PartData& part)
+{
+  return part.Type == Loader::CityJson;
+}
+
+} // namespace helios

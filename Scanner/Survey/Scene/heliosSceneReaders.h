@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The readers of scene parts that are meshes.
+
+#ifndef heliosSceneReaders_h
+#define heliosSceneReaders_h
+
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <tuple>
+
+class vtkPolyDataAlgorithm;
+
+namespace helios
+{
+
+/// What a reader depends on: parts with equal ones share it.
+using SceneReaderKey = std::tuple<Loader, std::string, bool, std::string, std::string>;
+SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file);
+
+/// The reader of a file of a part; its loader is one of meshes.
+vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
+  const PartData& part, const std::string& file);
+
+/// Whether the file of a part has materials of its own, which the material file replaces by name.
+bool HasOwnMaterials(const PartData& part);
+
+} // namespace helios
+
+#endif
