@@ -6812,8 +6812,9 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     """
     instances: bool
     """Set/Get whether meshes that several parts of the survey have are
-    stored once, and rasters of heights stay rasters: the scene is
-    then a vtkHeliosScene, unless parts move. Default: off.
+    stored once, and rasters of heights stay rasters, but not those
+    of parts that move: the scene is then a vtkHeliosScene. Default:
+    off.
     """
     @property
     def m_time(self) -> int:

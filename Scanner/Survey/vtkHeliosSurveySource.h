@@ -126,7 +126,8 @@ public:
   ///@{
   /**
    * Set/Get whether meshes that several parts of the survey have are stored once, and rasters of
-   * heights stay rasters: the scene is then a vtkHeliosScene, unless parts move. Default: off.
+   * heights stay rasters, but not those of parts that move: the scene is then a vtkHeliosScene.
+   * Default: off.
    */
   vtkSetMacro(Instances, bool);
   vtkGetMacro(Instances, bool);

@@ -49,6 +49,18 @@ vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
   return kept;
 }
 
+/// Whether parts move in any epoch: the mesh that is drawn is then split into layers.
+bool HasMovingParts(const SceneData& scene)
+{
+  const auto moves = [](const PartData& part)
+  {
+    return part.Motion.IsMoving() ||
+      std::any_of(part.Swaps.begin(), part.Swaps.end(),
+        [](const SwapData& swap) { return swap.Part.Motion.IsMoving(); });
+  };
+  return std::any_of(scene.Parts.begin(), scene.Parts.end(), moves);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -104,7 +116,7 @@ Simulation::Simulation(vtkHeliosSurvey* survey)
   , Target(-std::numeric_limits<double>::infinity())
 {
   this->Source->SetSurvey(survey);
-  this->Source->InstancesOn();
+  this->Source->SetInstances(!HasMovingParts(survey->GetData().Scene));
 }
 
 //------------------------------------------------------------------------------

@@ -3,15 +3,19 @@
 #include "heliosMovingRayCaster.h"
 
 #include "heliosConeProbe.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -53,15 +57,6 @@ vtkSmartPointer<vtkPoints> MakePoints(const TriangleMesh& mesh, bool copy)
   return points;
 }
 
-void Name(const std::vector<vtkIdType>& cells, vtkHeliosHit* hits, vtkIdType count)
-{
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    vtkIdType& cell = hits[i].CellId;
-    cell = cell >= 0 ? cells[static_cast<std::size_t>(cell)] : cell;
-  }
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -82,6 +77,30 @@ void MovingRayCaster::SetUp(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType MovingRayCaster::Share::GetCell(vtkIdType cell, const SceneGeometry& whole) const
+{
+  const SceneGeometry& own = this->Caster->GetGeometry();
+  const SceneGeometry::Cell at = own.Find(cell);
+  if (!at.Instance)
+  {
+    return whole.GetCell(this->Cells[static_cast<std::size_t>(at.Triangle)]);
+  }
+  const auto instance = at.Instance - own.GetInstances().data();
+  return whole.GetInstances()[static_cast<std::size_t>(instance)].FirstCell + at.Triangle;
+}
+
+//------------------------------------------------------------------------------
+/// Names the cells of hits as in the whole scene.
+void MovingRayCaster::NameCells(const Share& share, vtkHeliosHit* hits, vtkIdType count) const
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    vtkIdType& cell = hits[i].CellId;
+    cell = cell >= 0 ? share.GetCell(cell, this->GetGeometry()) : cell;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
 {
   if (mesh.GetNumberOfTriangles() == 0)
@@ -92,11 +111,56 @@ bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
   {
     this->MakeShares(mesh);
   }
+  return this->BuildShares(mesh);
+}
+
+//------------------------------------------------------------------------------
+bool MovingRayCaster::BuildInstances(const SceneGeometry& scene)
+{
+  if (!this->Moving.Scene)
+  {
+    this->MakeShares(scene.GetMesh());
+    this->AddInstances(scene);
+  }
+  return this->BuildShares(scene.GetMesh());
+}
+
+//------------------------------------------------------------------------------
+/// Adds all instances to the static triangles; their cells have the order of the scene.
+void MovingRayCaster::AddInstances(const SceneGeometry& scene)
+{
+  auto* whole = vtkHeliosScene::SafeDownCast(scene.GetScene());
+  auto resting = vtkSmartPointer<vtkHeliosScene>::New();
+  resting->ShallowCopy(this->Resting.Scene);
+  for (int i = 0; i < whole->GetNumberOfPrototypes(); ++i)
+  {
+    resting->AddPrototype(whole->GetPrototype(i));
+  }
+  const std::vector<vtkIdType>& cells = this->Resting.Cells;
+  vtkNew<vtkIdTypeArray> first;
+  first->SetName(vtkHeliosArrayNames::FirstCellIds);
+  for (const SceneInstance& instance : scene.GetInstances())
+  {
+    const vtkIdType before =
+      std::lower_bound(cells.begin(), cells.end(), instance.CellsBefore) - cells.begin();
+    first->InsertNextValue(instance.FirstCell - instance.CellsBefore + before);
+  }
+  vtkNew<vtkPolyData> instances;
+  instances->ShallowCopy(whole->GetInstances());
+  instances->GetPointData()->AddArray(first);
+  resting->SetInstances(instances);
+  this->Resting.Scene = resting;
+  this->Resting.HasInstances = true;
+}
+
+//------------------------------------------------------------------------------
+bool MovingRayCaster::BuildShares(const TriangleMesh& mesh)
+{
   for (const Share* share : { &this->Resting, &this->Moving })
   {
     share->Caster->SetShouldStop(this->GetStopCheck().GetShouldStop());
   }
-  const bool hasResting = !this->Resting.Cells.empty();
+  const bool hasResting = !this->Resting.IsEmpty();
   if ((hasResting && !this->Resting.Caster->Build(this->Resting.Scene)) || !this->BuildMoving(mesh))
   {
     vtkErrorMacro(<< "Build: the ray caster \"" << this->GetName()
@@ -157,18 +221,18 @@ void MovingRayCaster::IntersectBeams(
   const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
 {
   const vtkIdType count = raysPerBeam * beams;
-  if (this->Resting.Cells.empty())
+  if (this->Resting.IsEmpty())
   {
     this->Moving.Caster->IntersectBeams(rays, hits, raysPerBeam, beams);
-    Name(this->Moving.Cells, hits, count);
+    this->NameCells(this->Moving, hits, count);
     return;
   }
   this->Resting.Caster->IntersectBeams(rays, hits, raysPerBeam, beams);
-  Name(this->Resting.Cells, hits, count);
+  this->NameCells(this->Resting, hits, count);
   static thread_local std::vector<vtkHeliosHit> others;
   others.resize(static_cast<std::size_t>(count));
   this->Moving.Caster->IntersectBeams(rays, others.data(), raysPerBeam, beams);
-  Name(this->Moving.Cells, others.data(), count);
+  this->NameCells(this->Moving, others.data(), count);
   this->SelectNearer(others.data(), hits, count);
 }
 
@@ -178,8 +242,8 @@ class MovingRayCaster::PairProbe : public ConeProbe
 {
 public:
   explicit PairProbe(const MovingRayCaster& caster)
-    : Resting(caster.Resting)
-    , Moving(caster.Moving)
+    : Resting(caster.Resting, caster.GetGeometry())
+    , Moving(caster.Moving, caster.GetGeometry())
   {
   }
 
@@ -246,24 +310,26 @@ public:
 private:
   struct Part
   {
-    const std::vector<vtkIdType>& Cells;
+    const Share& Own;
+    const SceneGeometry& Whole;
     const ConeProbe* Cones;
 
-    explicit Part(const Share& share)
-      : Cells(share.Cells)
-      , Cones(share.Cells.empty() ? nullptr : share.Caster->GetConeProbe())
+    Part(const Share& share, const SceneGeometry& whole)
+      : Own(share)
+      , Whole(whole)
+      , Cones(share.IsEmpty() ? nullptr : share.Caster->GetConeProbe())
     {
     }
-    bool IsComplete() const { return this->Cells.empty() || this->Cones; }
+    bool IsComplete() const { return this->Own.IsEmpty() || this->Cones; }
 
     /// The id of a cell in the whole scene.
-    vtkIdType GetCell(vtkIdType cell) const { return this->Cells[static_cast<std::size_t>(cell)]; }
+    vtkIdType GetCell(vtkIdType cell) const { return this->Own.GetCell(cell, this->Whole); }
 
     /// Probes its triangles; the result names cells of the whole scene.
     vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
       const PlaneLimits& limits, ConeLayer* layer) const
     {
-      if (this->Cells.empty())
+      if (this->Own.IsEmpty())
       {
         if (layer)
         {
@@ -305,7 +371,7 @@ void MovingRayCaster::Occluded(
 {
   std::vector<unsigned char> others(static_cast<std::size_t>(count));
   this->Moving.Caster->Occluded(rays, occluded, count);
-  if (!this->Resting.Cells.empty())
+  if (!this->Resting.IsEmpty())
   {
     this->Resting.Caster->Occluded(rays, others.data(), count);
   }

@@ -20,7 +20,8 @@ namespace helios
 
 /**
  * Two casters of one kind, for static and for moving triangles. Hits are bit-identical to those of
- * one caster for all. A cone that hits both is Mixed.
+ * one caster for all. A cone that hits both is Mixed. Instances are static, and are not copied if
+ * that kind does not copy them.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingRayCaster : public vtkHeliosRayCaster
 {
@@ -46,20 +47,30 @@ protected:
   ~MovingRayCaster() override = default;
 
   bool BuildAccelerator(const TriangleMesh& mesh) override;
+  bool BuildInstances(const SceneGeometry& scene) override;
   std::unique_ptr<ConeProbe> MakeConeProbe() override;
 
 private:
   class PairProbe;
 
-  /// A subset of the triangles, with their cell ids in the scene.
+  /// A subset of the triangles, with their numbers in the mesh of the scene.
   struct Share
   {
     vtkSmartPointer<vtkHeliosRayCaster> Caster;
     vtkSmartPointer<vtkPolyData> Scene;
     std::vector<vtkIdType> Cells;
+    bool HasInstances = false; ///< those of the scene
+
+    bool IsEmpty() const { return this->Cells.empty() && !this->HasInstances; }
+
+    /// The id of its cell in the whole scene.
+    vtkIdType GetCell(vtkIdType cell, const SceneGeometry& whole) const;
   };
   void MakeShares(const TriangleMesh& mesh);
+  void AddInstances(const SceneGeometry& scene);
+  bool BuildShares(const TriangleMesh& mesh);
   bool BuildMoving(const TriangleMesh& mesh);
+  void NameCells(const Share& share, vtkHeliosHit* hits, vtkIdType count) const;
   void SelectNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
 
   vtkSmartPointer<vtkHeliosRayCaster> Kind;

@@ -84,7 +84,10 @@ MovingScene::MovingScene(const SceneData& scene, vtkPolyData* mesh, Messages& lo
   if (this->IsMoving())
   {
     log.Listen(this->Filter);
-    this->Filter->SetInputData(mesh);
+    vtkNew<vtkPolyData> own; // without instances, which do not move
+    own->ShallowCopy(mesh);
+    this->Mesh = mesh;
+    this->Filter->SetInputData(own);
   }
 }
 
@@ -125,7 +128,8 @@ vtkIdType MovingScene::MoveTo(const PulseClock& clock, vtkIdType pulse)
 vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
 {
   vtkPolyData* moved = this->Filter->GetOutput();
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  const auto mesh = vtkSmartPointer<vtkPolyData>::Take(
+    vtkPolyData::SafeDownCast(scene->NewInstance())); // may have instances
   mesh->ShallowCopy(scene);
   mesh->SetPoints(moved->GetPoints());
   if (vtkDataArray* normals = moved->GetCellData()->GetNormals())
@@ -139,7 +143,7 @@ vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
 vtkSmartPointer<vtkHeliosRayCaster> MovingScene::MakeRayCaster(vtkHeliosRayCaster* kind) const
 {
   auto caster = vtkSmartPointer<MovingRayCaster>::New();
-  caster->SetUp(kind, vtkPolyData::SafeDownCast(this->Filter->GetInput()), this->GetParts());
+  caster->SetUp(kind, this->Mesh, this->GetParts());
   return caster;
 }
 

@@ -73,6 +73,7 @@ private:
   };
 
   std::vector<Part> Parts;
+  vtkSmartPointer<vtkPolyData> Mesh; ///< with its instances
   vtkNew<vtkHeliosSceneMotion> Filter;
 };
 

@@ -226,8 +226,9 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
 bool PartPipelines::IsRaster(const PartData& part) const
 {
   return this->IsSharing && part.Type == Loader::GeoTiff && part.Files.size() == 1 &&
-    part.Crs.empty() && part.Classification < 0 && !part.Repair && part.SimplifyDistance <= 0.0 &&
-    !part.OnGround && this->NoRasters.count(part.Files.front()) == 0;
+    part.Crs.empty() && part.Classification < 0 && !part.Motion.IsMoving() && !part.Repair &&
+    part.SimplifyDistance <= 0.0 && !part.OnGround &&
+    this->NoRasters.count(part.Files.front()) == 0;
 }
 
 //------------------------------------------------------------------------------

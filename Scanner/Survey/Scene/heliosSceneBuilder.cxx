@@ -132,15 +132,8 @@ void SceneBuilder::MakeParts(int epoch)
 {
   this->Parts.clear();
   std::vector<const PartData*> all;
-  bool areStill = true;
-  for (const PartData& part : this->Scene.Parts)
-  {
-    const PartData* data = FindPart(part, epoch);
-    areStill = areStill && !(data && data->Motion.IsMoving());
-  }
-  const bool areShared = this->MakesInstances && areStill;
-  std::map<const vtkAlgorithm*, int> uses;
-  this->Pipelines.SetSharing(areShared);
+  std::map<const vtkAlgorithm*, int> uses; // as instances
+  this->Pipelines.SetSharing(this->MakesInstances);
   for (const PartData& part : this->Scene.Parts)
   {
     if (const PartData* data = FindPart(part, epoch))
@@ -148,15 +141,15 @@ void SceneBuilder::MakeParts(int epoch)
       all.push_back(data);
       vtkAlgorithm* source = this->Pipelines.GetSource(*data);
       this->Parts.push_back({ data, &part.Name, source, data->Translation, nullptr });
-      uses[source] += areShared ? 1 : 0;
+      uses[source] += this->MakesInstances && !data->Motion.IsMoving() ? 1 : 0;
     }
   }
   this->Pipelines.RemoveOthers(all);
   this->Lowest.Clear();
   for (Part& part : this->Parts)
   {
-    const bool isInstance =
-      !part.Data->IsTurbid() && (this->Pipelines.IsRaster(*part.Data) || uses.at(part.Source) > 1);
+    const bool isInstance = !part.Data->IsTurbid() && !part.Data->Motion.IsMoving() &&
+      (this->Pipelines.IsRaster(*part.Data) || uses.at(part.Source) > 1);
     part.Place = isInstance ? nullptr : this->Pipelines.Make(*part.Data);
   }
 }

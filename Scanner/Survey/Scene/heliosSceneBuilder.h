@@ -35,7 +35,8 @@ public:
   ~SceneBuilder();
 
   /// Sets whether meshes of several parts become instances of a vtkHeliosScene, and rasters of
-  /// heights its rasters; not in epochs with moving parts. Default: false.
+  /// heights its rasters; but not those of parts that move. Default:
+  /// false.
   void SetInstances(bool areMade) { this->MakesInstances = areMade; }
 
   /// All parts of an epoch as one scene, with parts on the ground placed there; null after an error,

@@ -8,6 +8,7 @@
 #include "heliosXmlValue.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace helios
 {

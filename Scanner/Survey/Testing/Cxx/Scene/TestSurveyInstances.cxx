@@ -102,7 +102,7 @@ TEST_CASE("SurveyInstances: files are those of copies", "[SurveyInstances]")
   }
 }
 
-TEST_CASE("SurveyInstances: they are resumed, and not where parts move", "[SurveyInstances]")
+TEST_CASE("SurveyInstances: they are resumed", "[SurveyInstances]")
 {
   const Files files;
   WriteScene(files);
@@ -112,16 +112,44 @@ TEST_CASE("SurveyInstances: they are resumed, and not where parts move", "[Surve
   REQUIRE(playing.Player->Run());
   playing.Player->SetResume(true);
   CHECK(playing.Player->Run()); // complete: the scene has the same digest
+}
+
+TEST_CASE("SurveyInstances: parts that move are none, and the others are", "[SurveyInstances]")
+{
+  const std::string motion =
+    "<dmotion id=\"all\" loop=\"0\"><motion type=\"translation\" vec=\"0.01;0;0\"/></dmotion>";
+  const Files files;
   WriteScene(files,
-    MakePart("car", "house.obj",
-      "<dmotion id=\"all\" loop=\"0\"><motion type=\"translation\" vec=\"0.1;0;0\"/></dmotion>"));
-  const Reading moving(files, Tripod, Leg);
-  INFO(moving.Log->Errors);
-  REQUIRE(moving.Good);
-  Playing other(files, moving);
-  other.Player->SetOverwrite(true);
-  CHECK(other.Player->Run());
-  CHECK_FALSE(vtkHeliosScene::SafeDownCast(other.Player->GetSource()->GetScene()));
+    MakePart("car", "house.obj", motion) +
+      MakePart("t5", "tree.obj", MakePlace(3, 8, 20, 1, true) + motion));
+  files.Replace("scene.xml", "<scene id=\"s\"", "<scene id=\"s\" dynTimeStep=\"0.05\"");
+  const Reading reading(files, Tripod, Leg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  std::string points[2];
+  for (const bool areInstances : { false, true })
+  {
+    Playing playing(files, reading);
+    playing.Player->SetOverwrite(true);
+    playing.Player->GetSource()->SetInstances(areInstances);
+    playing.Player->GetOptions()->SetNumberOfSubRays(19);
+    REQUIRE(playing.Player->Run());
+    auto* scene = vtkHeliosScene::SafeDownCast(playing.Player->GetSource()->GetScene());
+    REQUIRE((scene != nullptr) == areInstances);
+    if (scene)
+    {
+      CHECK(scene->GetNumberOfInstances() == 5);
+      CHECK(scene->GetNumberOfPolys() == 2 + 2 + 2 + 3); // hill, house, car, t5
+    }
+    points[areInstances] = ReadText(files / "out/test/leg000_points.xyz");
+  }
+  CHECK(points[0].size() > 100000);
+  CHECK((points[0] == points[1]));
+  for (const char* part : { " t0 ", " t1 ", " t5 ", " car ", " house " })
+  {
+    INFO(part);
+    CHECK(points[1].find(part) != std::string::npos);
+  }
 }
 
 TEST_CASE(
