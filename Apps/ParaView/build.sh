@@ -1,0 +1,114 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds the ParaView plugin in a Debian 12 of its own, since python3-paraview cannot be installed
+# beside python3-vtk9, and tries it there with pvpython and two ranks of pvbatch. Run as root, after
+# Apps/demo.sh or Testing/run.sh. Continues where an earlier call ended.
+#
+#   Apps/ParaView/build.sh [ROOT [MIRROR]]
+#
+# ROOT: the folder of that Debian, about 5 GB; default build/paraview. MIRROR: of Debian packages;
+# default: the first one of this system. The plugin is then ROOT/work/build/lib/.../vtkHelios.so.
+
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+root=$(realpath -m "${1:-$here/build/paraview}")
+mirror=${2:-}
+
+# What paraview-dev does not depend on although its CMake files look for it, and our own libraries.
+packages=(
+  paraview-dev python3-paraview mpi-default-dev g++ cmake ninja-build ccache pkgconf
+  qtbase5-dev qttools5-dev qtdeclarative5-dev libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev
+  libdouble-conversion-dev libutfcpp-dev libeigen3-dev libboost-dev libprotobuf-dev protobuf-compiler
+  libhdf5-dev libnetcdf-dev libcgns-dev libxml2-dev libexpat1-dev nlohmann-json3-dev libfmt-dev
+  libgl2ps-dev libglew-dev libxt-dev libfreetype-dev libjpeg-dev libpng-dev libtiff-dev libogg-dev
+  libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev liblz4-dev liblzma-dev
+  libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev libgdal-dev
+  libgeographiclib-dev libproj-dev liblzf-dev
+  python3-dev python3-numpy python3-mpi4py xvfb xauth libgl1-mesa-dri
+)
+
+say() { printf '\n== %s\n' "$*"; }
+
+find_mirror() {
+  local files=(/etc/apt/sources.list /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list)
+  sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb +(\[[^]]*\] +)?([^ ]+).*/\2/p' "${files[@]}" 2>/dev/null |
+    grep -m1 '/debian/*$' || echo "no Debian mirror in /etc/apt; give one as the second argument" >&2
+}
+
+make_root() {
+  if [ ! -x "$root/usr/bin/apt-get" ]; then
+    command -v debootstrap >/dev/null || { echo "install it first: apt-get install debootstrap" >&2; return 1; }
+    [ -n "$mirror" ] || mirror=$(find_mirror)
+    say "Debian 12 in $root, from $mirror"
+    debootstrap --variant=minbase bookworm "$root" "$mirror"
+  fi
+  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  mkdir -p "$root/work/source" "$root/work/build" "$root/work/trial"
+  mount --bind "$here" "$root/work/source"
+  mount -t proc proc "$root/proc"
+  mount --bind /dev "$root/dev"
+}
+
+# enter COMMAND...: in that Debian.
+enter() {
+  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    CCACHE_DIR=/work/ccache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    chroot "$root" "$@"
+}
+
+install_packages() {
+  enter dpkg -s "${packages[@]}" >/dev/null 2>&1 && return
+  say "packages"
+  enter apt-get update -q
+  enter apt-get install -y -q --no-install-recommends "${packages[@]}"
+}
+
+build_plugin() {
+  say "building"
+  enter cmake -G Ninja -S /work/source/Apps/ParaView -B /work/build >"$root/work/configure.log" 2>&1 ||
+    { cat "$root/work/configure.log" >&2; return 1; }
+  enter cmake --build /work/build
+}
+
+# A survey of the tests, and its echoes by the vtkhelios of this clone.
+make_trial() {
+  local trial=$root/work/trial
+  "$here/build/venv/bin/python" - "$here/Python/tests" "$trial" <<'PYTHON'
+import pathlib
+import sys
+
+sys.path.insert(0, sys.argv[1])
+import _small_run
+
+_small_run.write_survey(pathlib.Path(sys.argv[2]))
+PYTHON
+  "$here/build/bin/vtkhelios" run "$trial/survey.xml" --seed 5 --output "$trial/output" --overwrite --quiet
+  cat "$trial"/output/fence/leg*_points.xyz >"$trial/points.xyz"
+}
+
+try_plugin() {
+  local plugin
+  plugin=$(cd "$root" && find work/build -name vtkHelios.so | head -1)
+  # ParaView opens a window and closes it first, after which the server would reset.
+  local server=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
+  local trial=(/work/source/Apps/ParaView/try_plugin.py "/$plugin" /work/trial)
+  make_trial
+  say "pvpython"
+  enter "${server[@]}" pvpython "${trial[@]}"
+  say "pvbatch, two ranks"
+  enter "${server[@]}" mpiexec -n 2 --oversubscribe pvbatch "${trial[@]}"
+  say "the plugin: $root/$plugin"
+}
+
+if [ "$(id -u)" -ne 0 ]; then
+  echo "run as root: it installs a Debian in a folder" >&2
+  exit 1
+fi
+if [ -z "${HELIOS_OWN_MOUNTS:-}" ]; then # mounts that end with this script
+  HELIOS_OWN_MOUNTS=1 exec unshare --mount "${BASH_SOURCE[0]}" "$root" "$mirror"
+fi
+make_root
+install_packages
+build_plugin
+try_plugin
