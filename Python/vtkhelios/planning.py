@@ -34,8 +34,8 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
 
     scene
         a Scene, a vtkPolyData of triangles, or an algorithm that makes one; a file: a planner,
-        survey or scene (HELIOS XML), or a mesh (.obj, .tif, .ply, .stl, .json); or a vtkHeliosPlannerReader. A
-        setting that is not given, or None, is that of the file.
+        survey or scene (HELIOS XML), or a mesh (.obj, .tif, .ply, .stl, .gltf, .glb, .json); or a
+        vtkHeliosPlannerReader. A setting that is not given, or None, is that of the file.
     assets
         folders to search for scenes, scanners and platforms that a file names.
     name

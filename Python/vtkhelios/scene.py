@@ -32,6 +32,7 @@ _READERS = {
     "plyloader": "vtkHeliosPLYSceneReader",
     "stlloader": "vtkHeliosSTLSceneReader",
     "cityjsonloader": "vtkHeliosCityJSONReader",
+    "gltfloader": "vtkHeliosGLTFSceneReader",
 }
 
 
@@ -116,7 +117,7 @@ class Scene:
 
     @classmethod
     def read(cls, path, **properties):
-        """Reads a mesh: .obj, .tif, .ply, .stl or .json (CityJSON).
+        """Reads a mesh: .obj, .tif, .ply, .stl, .gltf, .glb or .json (CityJSON).
 
         Properties are those of the reader of the file, such as vtkHeliosCityJSONReader:
 

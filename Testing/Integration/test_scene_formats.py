@@ -64,6 +64,32 @@ def make_city():
     return json.dumps(city).encode()
 
 
+def make_gltf():
+    """Binary; y is up, so a point is (x, z, -y)."""
+    points = b"".join(struct.pack("<3f", x, z, -y) for x, y, z in POINTS)
+    data = points + b"".join(struct.pack("<3H", *face) for face in FACES)
+    data += bytes(-len(data) % 4)
+    primitive = {"attributes": {"POSITION": 0}, "indices": 1, "material": 0}
+    document = {
+        "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "materials": [{"name": "GenericCityObject"}], "meshes": [{"primitives": [primitive]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(POINTS), "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5123, "count": 3 * len(FACES), "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": len(points)},
+            {"buffer": 0, "byteOffset": len(points), "byteLength": 6 * len(FACES)},
+        ],
+        "buffers": [{"byteLength": len(data)}],
+    }  # fmt: skip
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+    chunks += struct.pack("<II", len(data), 0x004E4942) + data
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
 def scan(folder, loader, name, data):
     """The echoes of a survey of a mesh."""
     (folder / name).write_bytes(data)
@@ -84,6 +110,7 @@ def scan(folder, loader, name, data):
         ("ply", "big.ply", lambda: make_ply("big")),
         ("stl", "a.stl", make_stl),
         ("cityjson", "a.city.json", make_city),
+        ("gltf", "a.glb", make_gltf),
     ],
 )
 def test_echoes_are_those_of_the_obj(tmp_path, loader, name, make):

@@ -34,7 +34,8 @@ namespace
 bool CanAdd(const fs::path& path)
 {
   const std::string loader = vtkHeliosDialect::FindLoader(path.string());
-  return loader == "objloader" || loader == "plyloader" || loader == "stlloader";
+  return loader == "objloader" || loader == "plyloader" || loader == "stlloader" ||
+    loader == "gltfloader";
 }
 
 constexpr double StepShare = 0.01; // arrow key step, of the scene's size
@@ -164,7 +165,8 @@ void EditTool::AddPart(const ScenePick& pick)
 {
   if (this->Files.empty())
   {
-    this->Owner.ShowMessage("no OBJ, PLY or STL file was found next to the scene or in --assets");
+    this->Owner.ShowMessage(
+      "no OBJ, PLY, STL or glTF file was found next to the scene or in --assets");
     return;
   }
   vtkNew<vtkHeliosSurvey> owner;

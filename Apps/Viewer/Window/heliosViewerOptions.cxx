@@ -24,7 +24,7 @@ const char* const Epilog = R"(what can be shown:
   a survey (XML)          runs while its cloud grows; nothing is written
   a run                   its folder, with run_summary.json: replayed
   clouds                  .xyz .las .vtp .pvtp .ply, one or several
-  a scene                 XML, .obj, .tif, .stl, .json (CityJSON), .ply with faces
+  a scene                 XML, .obj, .tif, .stl, .gltf, .glb, .json (CityJSON), .ply with faces
 
 keys and mouse: press h in the window.
 

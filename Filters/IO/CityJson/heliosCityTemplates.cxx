@@ -3,6 +3,7 @@
 #include "heliosCityTemplates.h"
 
 #include "heliosJsonFile.h"
+#include "heliosMemoryCheck.h"
 
 #include <json/json.h>
 
@@ -15,6 +16,8 @@ namespace helios
 
 namespace
 {
+
+constexpr std::int64_t InstancesPerCheck = 256;
 
 const Json::Value& GetTemplates(const JsonFile& file, const char* name)
 {
@@ -75,7 +78,8 @@ Status CityTemplates::Add(const Json::Value& instance, const std::vector<vtkType
       "boundaries of a GeometryInstance are not the index of one vertex; correct them");
   }
   const Shape* shape = nullptr;
-  Status status = this->ReadShape(instance, shape);
+  Status status = this->CheckSize(instance);
+  status = status.IsOk() ? this->ReadShape(instance, shape) : status;
   if (!status.IsOk())
   {
     return status;
@@ -86,6 +90,19 @@ Status CityTemplates::Add(const Json::Value& instance, const std::vector<vtkType
     point);
   status = this->AddVertices(instance, *shape, matrix, point);
   return status.IsOk() ? this->Geometry.Add(this->Find(instance), this->Ids) : status;
+}
+
+//------------------------------------------------------------------------------
+/// A small file may have many copies of a large template.
+Status CityTemplates::CheckSize(const Json::Value& instance)
+{
+  if (++this->NumberOfInstances % InstancesPerCheck != 0)
+  {
+    return {};
+  }
+  const Status status = CheckMemory("triangles of templates",
+    static_cast<double>(this->Mesh.GetNumberOfTriangles()), BytesPerTriangle);
+  return status.IsOk() ? status : this->Geometry.Fail(instance, status.Message());
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,7 @@ private:
   };
 
   std::int64_t FindIndex(const Json::Value& instance) const;
+  Status CheckSize(const Json::Value& instance);
   Status ReadShape(const Json::Value& instance, const Shape*& shape);
   Status AddVertices(
     const Json::Value& instance, const Shape& shape, const double* matrix, const double* place);
@@ -50,7 +51,8 @@ private:
   SceneMesh& Mesh;
   CityGeometry& Geometry;
   std::map<std::int64_t, Shape> Shapes; // by the index of the template
-  std::vector<vtkTypeInt32> Ids;        // points of the template's vertices in the current instance
+  std::int64_t NumberOfInstances = 0;
+  std::vector<vtkTypeInt32> Ids; // points of the template's vertices in the current instance
 };
 
 } // namespace helios

@@ -18,6 +18,7 @@
  *
  * @sa
  * vtkHeliosObjSceneReader vtkHeliosPLYSceneReader vtkHeliosSTLSceneReader vtkHeliosCityJSONReader
+ * vtkHeliosGLTFSceneReader
  */
 
 #ifndef vtkHeliosSceneReader_h
@@ -58,7 +59,7 @@ public:
   ///@{
   /**
    * Set/Get the up axis of the file. With y the scene points are (x, -z, y). Valid range:
-   * UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z.
+   * UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z, of glTF UP_AXIS_Y.
    */
   vtkSetClampMacro(UpAxis, int, UP_AXIS_Y, UP_AXIS_Z);
   vtkGetMacro(UpAxis, int);

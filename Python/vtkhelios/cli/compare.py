@@ -68,7 +68,7 @@ def add_arguments(parser):
     parser.add_argument(
         "--mesh",
         metavar="FILE",
-        help="also measure distances to this mesh (.obj, .tif, .ply, .stl, .json: CityJSON)",
+        help="also measure distances to this mesh (.obj, .tif, .ply, .stl, .gltf, .glb, CityJSON)",
     )
     parser.add_argument(
         "--cell",

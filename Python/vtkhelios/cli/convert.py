@@ -36,8 +36,8 @@ other conversions use arrays; data that the output format cannot store is report
 converted in chunks: memory does not grow with the files, except for .vtp, for input of .pcd, and for
 .copc.laz (about 70 bytes per point).
 
-Meshes (.ply .stl .json: CityJSON, .tif) become OBJ, if the output ends in .obj: triangles, and materials
-in an .mtl beside it.
+Meshes (.ply .stl .gltf .glb .json: CityJSON, .tif) become OBJ, if the output ends in .obj: triangles,
+and materials in an .mtl beside it.
 
 The output is named .part until it is complete; Ctrl-C and errors remove it. See Docs/files.md.
 

@@ -24,7 +24,8 @@ coordinate system, times, returns, classes, arrays; for LAS and LAZ also scale a
 waveforms and header records. All points are read, in chunks, and checked: counts and bounding box of
 the header, return numbers, decreasing times, points that are not finite. Problems are warnings.
 
-Meshes (.obj, .tif, .stl, .json: CityJSON, .ply with faces): triangles, bounds, area, coordinate system, materials.
+Meshes (.obj, .tif, .stl, .gltf, .glb, .json: CityJSON, .ply with faces): triangles, bounds,
+area, coordinate system, materials.
 
 Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
 

@@ -31,9 +31,9 @@ SUMMARY = "find scan positions for a scene, and write the survey that scans from
 
 EPILOG = """\
 input: a file in HELIOS XML with a <surveyPlanner>, else with a <survey> (its scene, tripod,
-scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif, .ply, .stl, .json: CityJSON).
-The default platform and scanner for scenes and meshes are a tripod and a VZ-400 class scanner; see
---platform and --scanner. Options override the file.
+scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif, .ply, .stl, .gltf, .glb,
+.json: CityJSON). The default platform and scanner for scenes and meshes are a tripod and a VZ-400
+class scanner; see --platform and --scanner. Options override the file.
 
 how it plans:
   1 candidates: places on a grid (--grid) where a tripod can be set up: not too steep (--max-slope),

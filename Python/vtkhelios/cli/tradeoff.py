@@ -33,8 +33,8 @@ from ._parser import whole_number
 SUMMARY = "measure accuracy against time on a survey, and what its scene requires of the model"
 
 EPILOG = """\
-input: a survey; or a scene (HELIOS XML) or a mesh (.obj, .tif, .ply, .stl, .json: CityJSON), which is
-scanned from the positions that vtkhelios plan finds with the same options.
+input: a survey; or a scene (HELIOS XML) or a mesh (.obj, .tif, .ply, .stl, .gltf, .glb, .json: CityJSON),
+which is scanned from the positions that vtkhelios plan finds with the same options.
 
 what it does: draws pulses from all legs of the survey, computes them with 4096 sub-rays in fine
 bins (the reference, whose own error is its difference from half as many), and then with
@@ -122,7 +122,7 @@ def add_arguments(parser):
     parser.add_argument(
         "survey",
         metavar="FILE",
-        help="a survey or scene (HELIOS XML), or a mesh (.obj, .tif, .ply, .stl, CityJSON)",
+        help="a survey or scene (HELIOS XML), or a mesh (.obj, .tif, .ply, .stl, glTF, CityJSON)",
     )
     add_assets_argument(parser)
     parser.add_argument(

@@ -22,7 +22,8 @@ constexpr struct
   const char* Ending;
   Loader Type;
 } Endings[] = { { ".obj", Loader::Obj }, { ".tif", Loader::GeoTiff }, { ".tiff", Loader::GeoTiff },
-  { ".ply", Loader::Ply }, { ".stl", Loader::Stl }, { ".json", Loader::CityJson } };
+  { ".ply", Loader::Ply }, { ".stl", Loader::Stl }, { ".json", Loader::CityJson },
+  { ".gltf", Loader::Gltf }, { ".glb", Loader::Gltf } };
 
 /// Resolves aliases of filter types.
 std::string FindType(const std::string& given)
@@ -119,8 +120,8 @@ bool XmlFilter::Read(const char* key, Vec3& target) const
 const std::vector<std::string>& GetFilterTypes()
 {
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
-    "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "crs", "repair", "simplify",
-    "rotate", "scale", "translate" };
+    "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "gltfloader", "crs", "repair",
+    "simplify", "rotate", "scale", "translate" };
   return types;
 }
 

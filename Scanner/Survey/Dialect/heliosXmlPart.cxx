@@ -44,6 +44,7 @@ private:
   void ReadPlyLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Ply); }
   void ReadStlLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Stl); }
   void ReadCityLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::CityJson); }
+  void ReadGltfLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Gltf); }
   void ReadGeoTiffLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::GeoTiff); }
   void ReadMeshLoader(const XmlFilter& filter, Loader type);
   void ReadXyzLoader(const XmlFilter& filter);
@@ -179,6 +180,7 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
     { "plyloader", &PartReader::ReadPlyLoader },
     { "stlloader", &PartReader::ReadStlLoader },
     { "cityjsonloader", &PartReader::ReadCityLoader },
+    { "gltfloader", &PartReader::ReadGltfLoader },
     { "crs", &PartReader::ReadCrs },
     { "repair", &PartReader::ReadRepair },
     { "simplify", &PartReader::ReadSimplify },

@@ -186,7 +186,8 @@ enum class Loader
   Vegetation,
   Ply,
   Stl,
-  CityJson
+  CityJson,
+  Gltf
 };
 
 /// How the points of a file become solid voxels.

@@ -3,6 +3,7 @@
 #include "heliosSceneReaders.h"
 
 #include "vtkHeliosCityJSONReader.h"
+#include "vtkHeliosGLTFSceneReader.h"
 #include "vtkHeliosGeoTiffSceneReader.h"
 #include "vtkHeliosObjSceneReader.h"
 #include "vtkHeliosPLYSceneReader.h"
@@ -34,6 +35,13 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeCityReader(const PartData& part)
   return reader;
 }
 
+vtkSmartPointer<vtkHeliosSceneReader> MakeGltfReader(const PartData& part)
+{
+  auto reader = vtkSmartPointer<vtkHeliosGLTFSceneReader>::New();
+  reader->SetMaterialFileName(GetTextOrNull(part.Material.File));
+  return reader;
+}
+
 vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part)
 {
   switch (part.Type)
@@ -44,6 +52,8 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part)
       return vtkSmartPointer<vtkHeliosSTLSceneReader>::New();
     case Loader::CityJson:
       return MakeCityReader(part);
+    case Loader::Gltf:
+      return MakeGltfReader(part);
     default:
       return vtkSmartPointer<vtkHeliosObjSceneReader>::New();
   }
@@ -67,14 +77,15 @@ vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(const PartData& part, cons
   }
   const vtkSmartPointer<vtkHeliosSceneReader> reader = MakeMeshReader(part);
   reader->SetFileName(file.c_str());
-  reader->SetUpAxis(part.UpIsY ? vtkHeliosSceneReader::UP_AXIS_Y : vtkHeliosSceneReader::UP_AXIS_Z);
+  const bool isUpY = part.UpIsY || part.Type == Loader::Gltf;
+  reader->SetUpAxis(isUpY ? vtkHeliosSceneReader::UP_AXIS_Y : vtkHeliosSceneReader::UP_AXIS_Z);
   return reader;
 }
 
 //------------------------------------------------------------------------------
 bool HasOwnMaterials(const PartData& part)
 {
-  return part.Type == Loader::CityJson;
+  return part.Type == Loader::CityJson || part.Type == Loader::Gltf;
 }
 
 } // namespace helios

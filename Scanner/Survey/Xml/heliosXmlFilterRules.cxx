@@ -150,6 +150,14 @@ std::vector<XmlElementRule> MakeFilterRules()
     },
     {} },
 
+  { "filter:gltfloader", "a glTF 2.0 document, .gltf or .glb; its y axis points up",
+    {
+      Text("filepath", "the file"),
+      Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
+      Text("matfile", "an MTL file, whose materials replace those of the same name").Default("none").File().At<Material, &MaterialData::File>(),
+    },
+    {} },
+
   { "filter:crs", "reprojects the part before it is rotated; also crstransform, transform",
     {
       Text("source", "source coordinate system").Default("that of the file").At<&CrsData::Source>(),

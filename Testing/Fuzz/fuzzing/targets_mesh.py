@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes as scenes: PLY, STL and CityJSON."""
+"""Meshes as scenes: PLY, STL, CityJSON and glTF."""
 
+import base64
 import json
 import struct
 
@@ -132,5 +133,71 @@ def make_city():
     }  # fmt: skip
 
 
+class Gltf(Mesh):
+    """glTF as a scene."""
+
+    name = "gltf"
+    kind = "text"
+    reader = "vtkHeliosGLTFSceneReader"
+
+    def make_seeds(self, folder):
+        return [Seed("tent.gltf", json.dumps(make_gltf(), indent=1).encode())]
+
+
+class Glb(Mesh):
+    """glTF in its container as a scene."""
+
+    name = "glb"
+    kind = "binary"
+    reader = "vtkHeliosGLTFSceneReader"
+
+    def make_seeds(self, folder):
+        document = make_gltf()
+        data = base64.b64decode(document["buffers"][0].pop("uri").split(",")[1])
+        text = json.dumps(document).encode()
+        text += b" " * (-len(text) % 4)
+        chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+        chunks += struct.pack("<II", len(data), 0x004E4942) + data
+        return [Seed("tent.glb", b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks)]
+
+
+def make_gltf():
+    """Two nodes of a tent, one with instances, the other sparse and without indices."""
+    points = b"".join(struct.pack("<3f", *corner) for corner in CORNERS)
+    indices = b"".join(struct.pack("<3H", *face[:3]) for face in FACES[:4])
+    places = struct.pack("<6f", 10, 0, 0, 20, 0, 5)
+    row, value = b"\1\0\0\0", struct.pack("<3f", 9, 0, 0)
+    views, data = [], b""
+    for part in (points, indices, places, row, value):
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part)})
+        data += part
+    vectors = {"componentType": 5126, "type": "VEC3"}
+    sparse = {
+        "count": 1, "indices": {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 4},
+    }  # fmt: skip
+    instancing = {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}
+    uri = f"data:application/octet-stream;base64,{base64.b64encode(data).decode()}"
+    return {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [
+            {"mesh": 0, "rotation": [0, 0.6, 0, 0.8], "extensions": instancing, "children": [1]},
+            {"mesh": 1, "matrix": [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1]},
+        ],
+        "meshes": [
+            {"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]},
+            {"primitives": [{"attributes": {"POSITION": 3}, "mode": 5}]},
+        ],
+        "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0.1, 0.5, 0.2, 1]}}],
+        "accessors": [
+            {**vectors, "bufferView": 0, "count": len(CORNERS)},
+            {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"},
+            {**vectors, "bufferView": 2, "count": 2},
+            {**vectors, "bufferView": 0, "count": len(CORNERS), "sparse": sparse},
+        ],
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(data), "uri": uri}],
+    }  # fmt: skip
+
+
 def make_targets():
-    return [Ply(), Stl(), CityJson()]
+    return [Ply(), Stl(), CityJson(), Gltf(), Glb()]

@@ -20,7 +20,7 @@ from ...scene import make_reader
 
 KINDS = {
     "objloader": "OBJ", "geotiffloader": "GeoTIFF", "plyloader": "PLY", "stlloader": "STL",
-    "cityjsonloader": "CityJSON",
+    "cityjsonloader": "CityJSON", "gltfloader": "glTF",
 }  # fmt: skip
 
 

@@ -4,9 +4,11 @@
 #include "vtkHeliosSurveyReader.h"
 
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosDialect.h"
 
 #include <catch2/catch.hpp>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -85,6 +87,17 @@ TEST_CASE("SurveyReader: a city model at a level of detail", "[SurveyReader]")
   REQUIRE(reading.Good);
   CHECK(reading.Data().Scene.Parts.at(0).Type == helios::Loader::CityJson);
   CHECK(reading.Data().Scene.Parts.at(0).LevelOfDetail == "2.2");
+}
+
+TEST_CASE("SurveyReader: a glTF document with materials", "[SurveyReader]")
+{
+  const Files files;
+  const Reading reading = ReadPart(
+    files, Filter("gltfloader", { { "filepath", "points.xyz" }, { "matfile", "ground.mtl" } }));
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Data().Scene.Parts.at(0).Type == helios::Loader::Gltf);
+  CHECK(reading.Data().Scene.Parts.at(0).Material.File == files / "ground.mtl");
 }
 
 TEST_CASE("SurveyReader: points as voxels", "[SurveyReader]")
@@ -174,7 +187,8 @@ TEST_CASE("SurveyReader: bad parts are errors", "[SurveyReader]")
     { Filter("cityjsonloader"), "scene.xml:2: filter cityjsonloader has no filepath" },
     { "",
       "<part> has no loader; add a <filter type=\"objloader\"> or another one of objloader, "
-      "geotiffloader, xyzloader, detailedvoxels, plyloader, stlloader and cityjsonloader" },
+      "geotiffloader, xyzloader, detailedvoxels, plyloader, stlloader, cityjsonloader and "
+      "gltfloader" },
     { Points + Points, "a second loader in one <part>" },
     { Filter("xyzloader", { { "filepath", "points.xyz" }, { "voxelSize", "0" } }),
       "voxelSize=\"0\" is out of range" },
@@ -218,4 +232,36 @@ TEST_CASE("SurveyReader: unused parameters of parts are reported", "[SurveyReade
   CHECK(reading.Log->HasWarning("randomMaterials=\"3\" is not used without a matfile"));
   CHECK(reading.Log->HasWarning(
     "parameter \"voxelsize\" of filter xyzloader is unknown; did you mean voxelSize?"));
+}
+
+TEST_CASE("SurveyReader: meshes by the endings of their files", "[SurveyReader]")
+{
+  CHECK(vtkHeliosDialect::FindLoader("a/b.OBJ") == "objloader");
+  CHECK(vtkHeliosDialect::FindLoader("delft.city.json") == "cityjsonloader");
+  CHECK(vtkHeliosDialect::FindLoader("a.glb") == "gltfloader");
+  CHECK(vtkHeliosDialect::FindLoader("a.dxf").empty());
+  CHECK(vtkHeliosDialect::FindLoader("obj").empty());
+  CHECK(vtkHeliosDialect::GetMeshEndings() == ".obj, .tif, .tiff, .ply, .stl, .json, .gltf, .glb");
+  CHECK(vtkHeliosDialect::IsMesh("none.stl"));
+}
+
+TEST_CASE("SurveyReader: PLY files with faces are meshes, others clouds", "[SurveyReader]")
+{
+  const Files files;
+  const std::string start = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
+  const struct
+  {
+    std::string Text;
+    bool IsMesh;
+  } cases[] = { { start + "element face 12\nend_header\n", true },
+    { start + "element face 0\r\nproperty list uchar int vertex_indices\nend_header\n", false },
+    { start + "end_header\nelement face 3\n", false }, { start + "element face ", false },
+    { "", false } };
+  for (const auto& each : cases)
+  {
+    files.Write("a.ply", each.Text);
+    INFO(each.Text);
+    CHECK(vtkHeliosDialect::IsMesh(files / "a.ply") == each.IsMesh);
+  }
+  CHECK_FALSE(vtkHeliosDialect::IsMesh(files / "none.ply"));
 }

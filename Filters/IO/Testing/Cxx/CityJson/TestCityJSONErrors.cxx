@@ -130,6 +130,28 @@ TEST_CASE("CityJSONErrors: memory is checked before it is needed", "[CityJSONErr
   CHECK(reading.Log->HasError("bytes of the file need about"));
 }
 
+TEST_CASE("CityJSONErrors: many copies of a template need memory", "[CityJSONErrors]")
+{
+  std::string surfaces = "[[0,1,2]]";
+  std::string instances;
+  const std::string instance = "{\"type\":\"GeometryInstance\",\"template\":0,\"boundaries\":[0],"
+                               "\"transformationMatrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}";
+  for (int i = 0; i < 1000; ++i)
+  {
+    surfaces += ",[[0,1,2]]";
+    instances += (i == 0 ? "" : ",") + (i < 256 ? instance : std::string("{}"));
+  }
+  Reading reading("a.json",
+    MakeFile(MakeObject("tree", "CityFurniture", instances),
+      "\"geometry-templates\":{\"templates\":[" +
+        MakeGeometry("MultiSurface", "2", "[" + surfaces + "]") +
+        "],\"vertices-templates\":[[0,0,0],[1,0,0],[0,1,0]]},\n"));
+  vtkHeliosMemoryLimit::SetLimit(10.0 + vtkHeliosMemoryLimit::GetUsed());
+  CHECK_FALSE(reading.Read());
+  vtkHeliosMemoryLimit::SetLimit(0.0);
+  CHECK(reading.Log->HasError(":5: object \"tree\": 255255 triangles of templates need about"));
+}
+
 TEST_CASE("CityJSONErrors: reading can be aborted", "[CityJSONErrors]")
 {
   std::string objects;

@@ -181,7 +181,7 @@ TEST_CASE(
   CHECK(scene->GetNumberOfPolys() == 4 + 3); // hill, house, repaired
 }
 
-TEST_CASE("SurveyInstances: parts of the same PLY, STL or CityJSON file", "[SurveyInstances]")
+TEST_CASE("SurveyInstances: parts of the same PLY, STL, CityJSON or glTF file", "[SurveyInstances]")
 {
   const Files files;
   files.Write("a.ply",
@@ -198,6 +198,11 @@ TEST_CASE("SurveyInstances: parts of the same PLY, STL or CityJSON file", "[Surv
     "\"translate\":[0,0,0]},\"CityObjects\":{\"a\":{\"type\":\"Road\",\"geometry\":[{\"lod\":"
     "\"1\"," +
       surface + ",{\"lod\":\"2\"," + surface + "]}},\"vertices\":[[0,0,0],[1,0,0],[0,1,0]]}");
+  files.Write("a.gltf",
+    "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{"
+    "\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5121,"
+    "\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":9}],\"buffers\":"
+    "[{\"byteLength\":9,\"uri\":\"data:;base64,AAAAAQAAAAEA\"}]}");
   const auto add = [](const std::string& loader, const std::string& file, const std::string& more)
   {
     return "<part><filter type=\"" + loader + "\"><param key=\"filepath\" value=\"" + file +
@@ -207,6 +212,7 @@ TEST_CASE("SurveyInstances: parts of the same PLY, STL or CityJSON file", "[Surv
   for (int i = 0; i < 2; ++i)
   {
     parts += add("plyloader", "a.ply", "") + add("stlloader", "a.stl", "") +
+      add("gltfloader", "a.gltf", "") +
       add("cityjsonloader", "a.city.json", "<param key=\"lod\" value=\"1\"/>");
   }
   parts += add("cityjsonloader", "a.city.json", "<param key=\"lod\" value=\"2\"/>");
@@ -220,8 +226,8 @@ TEST_CASE("SurveyInstances: parts of the same PLY, STL or CityJSON file", "[Surv
   REQUIRE(source->Load());
   auto* scene = vtkHeliosScene::SafeDownCast(source->GetScene());
   REQUIRE(scene);
-  CHECK(scene->GetNumberOfInstances() == 6);
-  CHECK(scene->GetNumberOfPrototypes() == 3);
+  CHECK(scene->GetNumberOfInstances() == 8);
+  CHECK(scene->GetNumberOfPrototypes() == 4);
   CHECK(scene->GetNumberOfPolys() == 1); // the other level of detail
 }
 

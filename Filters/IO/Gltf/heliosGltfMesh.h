@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The triangles of a mesh of a glTF document.
+
+#ifndef heliosGltfMesh_h
+#define heliosGltfMesh_h
+
+#include "heliosStatus.h"
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace Json
+{
+class Value;
+}
+
+namespace helios
+{
+
+class GltfDocument;
+
+/// In the coordinates of the mesh.
+struct GltfMesh
+{
+  std::vector<double> Points;        // x y z of each vertex
+  std::vector<vtkTypeInt32> Corners; // three vertices of each triangle
+  std::vector<int> Materials;        // of each triangle, by index of the document; -1: none
+};
+
+/// Reads the primitives of a mesh that are triangles, strips or fans; points and lines are skipped.
+Status ReadGltfMesh(GltfDocument& document, std::int64_t index, GltfMesh& mesh);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The meshes of a glTF document at their places.
+
+#ifndef heliosGltfModel_h
+#define heliosGltfModel_h
+
+#include "heliosGltfDocument.h"
+#include "heliosGltfMesh.h"
+#include "heliosGltfNodes.h"
+#include "heliosSceneMesh.h"
+#include "heliosStatus.h"
+#include "heliosTextFile.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// Adds the triangles of a document to an empty mesh, in the document's coordinates.
+class GltfModel
+{
+public:
+  GltfModel(SceneMesh& mesh, TextReport& report)
+    : Mesh(mesh)
+    , Report(report)
+  {
+  }
+
+  /// Called with the fraction of the placements; returning false stops reading.
+  std::function<bool(double)> OnBlock;
+
+  /// Returns false after an error, which is in the report.
+  bool Read(const std::string& path);
+
+private:
+  Status ReadFile(const std::string& path);
+  Status ReadMaterials();
+  Status ReadMeshes();
+  Status CheckSize() const;
+  Status AddMeshes();
+  Status AddMesh(const GltfPlacement& placement);
+  int FindRow(int material);
+  void WarnOfMotion();
+
+  SceneMesh& Mesh;
+  TextReport& Report;
+  GltfDocument Document;
+  std::vector<GltfPlacement> Placements;
+  std::map<std::int64_t, GltfMesh> Meshes; // that are placed
+  int DefaultRow = -1;                     // of triangles without material; -1: none yet
+};
+
+} // namespace helios
+
+#endif

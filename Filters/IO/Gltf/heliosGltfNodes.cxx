@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosGltfNodes.h"
+
+#include "heliosGltfAccessor.h"
+
+#include <json/json.h>
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr const char* Instancing = "EXT_mesh_gpu_instancing";
+
+bool IsRotation(const double* q)
+{
+  return std::isfinite(2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]));
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Status GltfNodes::Find(std::vector<GltfPlacement>& placements)
+{
+  this->Placements = &placements;
+  this->IsVisited.assign(static_cast<std::size_t>(this->Document.GetCount("nodes")), false);
+  std::vector<Visit> visits;
+  Status status = this->FindRoots(visits);
+  while (status.IsOk() && !visits.empty())
+  {
+    const Visit visit = visits.back();
+    visits.pop_back();
+    status = this->AddNode(visit, visits);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+Status GltfNodes::FindRoots(std::vector<Visit>& visits) const
+{
+  if (this->Document.GetCount("scenes") > 0)
+  {
+    const Json::Value& given = GetMember(this->Document.GetRoot(), "scene");
+    std::int64_t scene = 0;
+    const Status status =
+      given.isNull() ? Status() : this->Document.FindIndex("scenes", given, "scene", scene);
+    return status.IsOk()
+      ? this->AddNodes(GetMember(this->Document.GetElement("scenes", scene), "nodes"),
+          ElementPath("scenes", scene) + ".nodes", {}, visits)
+      : status;
+  }
+  this->AddParentless(visits);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void GltfNodes::AddParentless(std::vector<Visit>& visits) const
+{
+  const std::int64_t count = this->Document.GetCount("nodes");
+  std::vector<bool> isChild(static_cast<std::size_t>(count), false);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const Json::Value& children = GetMember(this->Document.GetElement("nodes", i), "children");
+    for (Json::ArrayIndex k = 0; children.isArray() && k < children.size(); ++k)
+    {
+      if (const std::int64_t child = ReadIndex(children[k], count); child >= 0)
+      {
+        isChild[static_cast<std::size_t>(child)] = true;
+      }
+    }
+  }
+  for (std::int64_t i = count; i-- > 0;)
+  {
+    if (!isChild[static_cast<std::size_t>(i)])
+    {
+      visits.emplace_back(i, GltfTransform());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// In reverse order: the last one is visited first.
+Status GltfNodes::AddNodes(const Json::Value& list, const std::string& where,
+  const GltfTransform& parent, std::vector<Visit>& visits) const
+{
+  for (Json::ArrayIndex i = list.isArray() ? list.size() : 0; i-- > 0;)
+  {
+    std::int64_t node = 0;
+    const Status status =
+      this->Document.FindIndex("nodes", list[i], ElementPath(where.c_str(), i), node);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    visits.emplace_back(node, parent);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
+{
+  const std::int64_t index = visit.first;
+  const std::string where = ElementPath("nodes", index);
+  if (this->IsVisited[static_cast<std::size_t>(index)])
+  {
+    return this->Document.Fail(where,
+      "is reached twice, and a node has one parent at most; copy it, or remove one reference");
+  }
+  this->IsVisited[static_cast<std::size_t>(index)] = true;
+  const Json::Value& node = this->Document.GetElement("nodes", index);
+  GltfTransform local;
+  Status status = this->ReadPlace(node, where, local);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  GltfPlacement placement{ 0, index, visit.second * local };
+  if (!placement.Place.IsFinite())
+  {
+    return this->Document.Fail(where, "is moved to infinity; correct its matrix, or its parents'");
+  }
+  const Json::Value& mesh = GetMember(node, "mesh");
+  const Json::Value& instances =
+    GetMember(GetMember(GetMember(node, "extensions"), Instancing), "attributes");
+  if (!mesh.isNull())
+  {
+    status = this->Document.FindIndex("meshes", mesh, where + ".mesh", placement.Mesh);
+    if (status.IsOk() && instances.isObject())
+    {
+      status = this->AddInstances(
+        instances, where + ".extensions." + Instancing + ".attributes", placement);
+    }
+    else if (status.IsOk())
+    {
+      this->Placements->push_back(placement);
+    }
+  }
+  return status.IsOk()
+    ? this->AddNodes(GetMember(node, "children"), where + ".children", placement.Place, visits)
+    : status;
+}
+
+//------------------------------------------------------------------------------
+/// A matrix, or translation, rotation and scale.
+Status GltfNodes::ReadPlace(
+  const Json::Value& node, const std::string& where, GltfTransform& place) const
+{
+  double matrix[16];
+  double t[3] = { 0, 0, 0 };
+  double q[4] = { 0, 0, 0, 1 };
+  double s[3] = { 1, 1, 1 };
+  const struct
+  {
+    const char* Name;
+    double* Values;
+    std::size_t Count;
+  } members[] = { { "matrix", matrix, 16 }, { "translation", t, 3 }, { "rotation", q, 4 },
+    { "scale", s, 3 } };
+  for (const auto& member : members)
+  {
+    const Json::Value& value = GetMember(node, member.Name);
+    if (!value.isNull() && !ReadNumbers(value, member.Values, member.Count))
+    {
+      return this->Document.Fail(where + '.' + member.Name,
+        "is " + Describe(value) + ", not " + std::to_string(member.Count) + " numbers; correct it");
+    }
+  }
+  if (!IsRotation(q))
+  {
+    return this->Document.Fail(where + ".rotation", "has no length; give a unit quaternion");
+  }
+  place = GetMember(node, "matrix").isNull() ? GltfTransform::FromParts(t, q, s)
+                                             : GltfTransform::FromColumns(matrix);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+Status GltfNodes::AddInstances(
+  const Json::Value& attributes, const std::string& where, const GltfPlacement& node)
+{
+  std::int64_t count = -1;
+  std::vector<double> t;
+  std::vector<double> q;
+  std::vector<double> s;
+  Status status = this->ReadAttribute(attributes, "TRANSLATION", "VEC3", where, t, count);
+  status =
+    status.IsOk() ? this->ReadAttribute(attributes, "ROTATION", "VEC4", where, q, count) : status;
+  status =
+    status.IsOk() ? this->ReadAttribute(attributes, "SCALE", "VEC3", where, s, count) : status;
+  const double zero[3] = { 0, 0, 0 };
+  const double one[3] = { 1, 1, 1 };
+  const double none[4] = { 0, 0, 0, 1 };
+  for (std::size_t i = 0; status.IsOk() && static_cast<std::int64_t>(i) < count; ++i)
+  {
+    const double* rotation = q.empty() ? none : q.data() + 4 * i;
+    GltfPlacement placement = node;
+    placement.Place = node.Place *
+      GltfTransform::FromParts(
+        t.empty() ? zero : t.data() + 3 * i, rotation, s.empty() ? one : s.data() + 3 * i);
+    if (!IsRotation(rotation) || !placement.Place.IsFinite())
+    {
+      return this->Document.Fail(where,
+        "instance " + std::to_string(i) +
+          " has no length of rotation, or is not finite; correct it");
+    }
+    this->Placements->push_back(placement);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+/// An attribute that may be missing; all have the same count.
+Status GltfNodes::ReadAttribute(const Json::Value& attributes, const char* name, const char* type,
+  const std::string& where, std::vector<double>& values, std::int64_t& count)
+{
+  const Json::Value& accessor = GetMember(attributes, name);
+  if (accessor.isNull())
+  {
+    return {};
+  }
+  GltfNumbers numbers;
+  const std::string path = where + '.' + name;
+  const Status status = ReadAccessor(this->Document, accessor, path, type, numbers);
+  if (status.IsOk() && count >= 0 && numbers.GetCount() != count)
+  {
+    return this->Document.Fail(path,
+      "has " + std::to_string(numbers.GetCount()) + " elements, and others have " +
+        std::to_string(count) + "; write the file again");
+  }
+  count = numbers.GetCount();
+  values = std::move(numbers.Values);
+  return status;
+}
+
+} // namespace helios

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosGLTFSceneReader
+ * @brief   read a glTF 2.0 document as a scene
+ *
+ * JSON (.gltf) with buffers in it or beside it, and binary containers (.glb). Output 0 is that of
+ * vtkHeliosSceneReader:
+ * - points: the vertices of all meshes of the default scene, moved by their nodes in double
+ *   precision, and by EXT_mesh_gpu_instancing. glTF is y up, and UpAxis is UP_AXIS_Y by default;
+ * - triangles, strips and fans, with indices or without. Points and lines are skipped;
+ * - one material for each of the document, with its name. A baseColorFactor without a texture gives
+ *   the reflectance, as luminance 0.2126 R + 0.7152 G + 0.0722 B: a colour of the visible, and so
+ *   only a start for the wavelength of a laser. Others have the default reflectance.
+ *
+ * Positions may be integers (KHR_mesh_quantization), accessors sparse. Nodes that share a mesh are
+ * copies. Skins, animations and morph targets are not applied.
+ *
+ * Errors, without output: text that is not JSON, another version, an extension that is required and
+ * not read (compression), an index out of range, bytes that do not fit into their buffer, a vertex or
+ * node that is not finite, a node with two parents. Messages name the file and the JSON path of the
+ * value: "a.glb: meshes[0].primitives[1].indices: ...". Warning: skins.
+ *
+ * @sa
+ * vtkHeliosSceneReader vtkHeliosMaterialReader
+ */
+
+#ifndef vtkHeliosGLTFSceneReader_h
+#define vtkHeliosGLTFSceneReader_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkHeliosSceneReader.h"
+
+class VTKHELIOSFILTERSIO_EXPORT vtkHeliosGLTFSceneReader : public vtkHeliosSceneReader
+{
+public:
+  static vtkHeliosGLTFSceneReader* New();
+  vtkTypeMacro(vtkHeliosGLTFSceneReader, vtkHeliosSceneReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get an MTL file: materials with the name of one of the document replace it. Default: none.
+   */
+  vtkSetFilePathMacro(MaterialFileName);
+  vtkGetFilePathMacro(MaterialFileName);
+  ///@}
+
+protected:
+  vtkHeliosGLTFSceneReader();
+  ~vtkHeliosGLTFSceneReader() override;
+
+  const char* GetFormatName() const override { return "glTF"; }
+  const char* GetFaceExample() const override { return "meshes of triangles"; }
+  bool ReadScene(vtkPolyData* scene, helios::TextReport& report) override;
+
+private:
+  vtkHeliosGLTFSceneReader(const vtkHeliosGLTFSceneReader&) = delete;
+  void operator=(const vtkHeliosGLTFSceneReader&) = delete;
+
+  char* MaterialFileName = nullptr;
+};
+
+#endif
