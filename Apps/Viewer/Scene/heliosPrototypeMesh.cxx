@@ -15,6 +15,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -27,6 +28,7 @@ namespace
 
 constexpr vtkIdType TriangleRatio = 6; // of the triangles of a level and of the next
 constexpr vtkIdType RasterRatio = 4;
+constexpr double MostDivisions = 128.0; // of coarse levels: a cube takes 80 bytes
 
 /// Some triangles of a mesh, with the points that they use, as floats relative to a centre.
 vtkSmartPointer<vtkPolyData> MakeLocal(
@@ -150,7 +152,7 @@ vtkSmartPointer<vtkPolyData> PrototypeTriangles::MakeLevel(int level)
   vtkSmartPointer<vtkPolyData> finer = isAll ? this->MakeAll() : nullptr;
   finer = isAll ? finer.Get() : this->GetLevel(level - 1);
   const vtkIdType most = this->GetCount(level);
-  return MakeCoarse(finer, most, std::sqrt(static_cast<double>(most)));
+  return MakeCoarse(finer, most, std::min(MostDivisions, std::sqrt(static_cast<double>(most))));
 }
 
 //------------------------------------------------------------------------------
