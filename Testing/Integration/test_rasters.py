@@ -271,13 +271,13 @@ def test_a_missing_raster_has_a_message(folder, capsys):
 
 
 def test_epochs_with_and_without_moving_parts(folder):
-    """Where a part moves, the raster is a mesh; in the next epoch it is a raster."""
+    """Where another part moves, the raster is one, too."""
     motion = '<dmotion id="all" loop="0"><motion type="translation" vec="0.1;0;0"/></dmotion>'
     car = OBJ.format("tree.obj") + move(EAST + 6, NORTH, 111) + motion
     moving = part("car", car, '<swap force_null="true"/>')
     survey = write_survey(folder, part("terrain") + moving, scene='dynTimeStep="0.1"')
-    for epoch, prototypes in enumerate(([], ["vtkImageData"])):
-        assert find_prototypes(load(survey, epoch=epoch)) == prototypes
+    for epoch in range(2):
+        assert find_prototypes(load(survey, epoch=epoch)) == ["vtkImageData"]
     files = run(survey)
     assert files == run(survey, "--no-instances")
     assert len(files) > 3
