@@ -11,6 +11,7 @@
 #include "heliosStatus.h"
 #include "vtkHeliosFiltersCoreModule.h" // For export macro
 
+#include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -19,7 +20,6 @@
 #include <vector>
 
 class vtkDataArray;
-class vtkImageData;
 
 namespace helios
 {
