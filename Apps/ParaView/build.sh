@@ -8,7 +8,7 @@
 #   Apps/ParaView/build.sh [ROOT [MIRROR]]
 #
 # ROOT: the folder of that Debian, about 5 GB; default build/paraview. MIRROR: of Debian packages;
-# default: the first one of this system. The plugin is then ROOT/work/build/lib/.../vtkHelios.so.
+# default: the first one of this system. The plugin is then ROOT/vtkhelios/build/lib/.../vtkHelios.so.
 
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -44,8 +44,8 @@ make_root() {
     debootstrap --variant=minbase bookworm "$root" "$mirror"
   fi
   cp /etc/resolv.conf "$root/etc/resolv.conf"
-  mkdir -p "$root/work/source" "$root/work/build" "$root/work/trial"
-  mount --bind "$here" "$root/work/source"
+  mkdir -p "$root/vtkhelios/source" "$root/vtkhelios/build" "$root/vtkhelios/trial"
+  mount --bind "$here" "$root/vtkhelios/source"
   mount -t proc proc "$root/proc"
   mount --bind /dev "$root/dev"
 }
@@ -53,7 +53,7 @@ make_root() {
 # enter COMMAND...: in that Debian.
 enter() {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    CCACHE_DIR=/work/ccache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    CCACHE_DIR=/vtkhelios/ccache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     chroot "$root" "$@"
 }
 
@@ -66,14 +66,14 @@ install_packages() {
 
 build_plugin() {
   say "building"
-  enter cmake -G Ninja -S /work/source/Apps/ParaView -B /work/build >"$root/work/configure.log" 2>&1 ||
-    { cat "$root/work/configure.log" >&2; return 1; }
-  enter cmake --build /work/build
+  enter cmake -G Ninja -S /vtkhelios/source/Apps/ParaView -B /vtkhelios/build >"$root/vtkhelios/configure.log" 2>&1 ||
+    { cat "$root/vtkhelios/configure.log" >&2; return 1; }
+  enter cmake --build /vtkhelios/build
 }
 
 # A survey of the tests, and its echoes by the vtkhelios of this clone.
 make_trial() {
-  local trial=$root/work/trial
+  local trial=$root/vtkhelios/trial
   "$here/build/venv/bin/python" - "$here/Python/tests" "$trial" <<'PYTHON'
 import pathlib
 import sys
@@ -89,10 +89,10 @@ PYTHON
 
 try_plugin() {
   local plugin
-  plugin=$(cd "$root" && find work/build -name vtkHelios.so | head -1)
+  plugin=$(cd "$root" && find vtkhelios/build -name vtkHelios.so | head -1)
   # ParaView opens a window and closes it first, after which the server would reset.
   local server=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
-  local trial=(/work/source/Apps/ParaView/try_plugin.py "/$plugin" /work/trial)
+  local trial=(/vtkhelios/source/Apps/ParaView/try_plugin.py "/$plugin" /vtkhelios/trial)
   make_trial
   say "pvpython"
   enter "${server[@]}" pvpython "${trial[@]}"

@@ -131,7 +131,7 @@ public:
   /// The part of a cell; -1: the scene has no parts, or no such cell.
   int GetPart(vtkIdType cell) const;
 
-  /// Finds a part by its name, and its box [m]; false: there is none that has triangles.
+  /// Finds a part by its name, and its box [m]; false if no part of that name has triangles.
   bool FindPart(const std::string& name, int& part, double bounds[6]) const;
 
   /// The name of a part; its number if it has none.

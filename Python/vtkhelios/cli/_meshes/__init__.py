@@ -144,7 +144,7 @@ def convert(arguments, messages):
 
 
 def check_arguments(arguments):
-    """The mesh to convert; FormatError if there is none, or an option is one of points."""
+    """The mesh to convert; FormatError without one, or with an option for points."""
     output = pathlib.Path(arguments.output)
     for path in arguments.inputs:
         if not pathlib.Path(path).exists():
