@@ -207,14 +207,20 @@ TEST_CASE("SurveyPartTable: what rows leave out is random", "[SurveyPartTable]")
   const auto parts = ReadParts(files, rows, MakeTable(shares, ranges));
   REQUIRE(parts.size() == 1 + Count);
   int oaks = 0;
+  int turnedOaks = 0;
+  int largeAhead = 0;
   double turned = 0.0;
   double scale = 0.0;
   double lowest = 2.0;
   double highest = 0.0;
   for (int i = 1; i <= Count; ++i)
   {
-    oaks += parts[i].Files.front() == files / "oak.obj";
-    turned += Rotate(parts[i].Rotation, { 1, 0, 0 })[1] > 0.0;
+    const bool isOak = parts[i].Files.front() == files / "oak.obj";
+    const bool isTurned = Rotate(parts[i].Rotation, { 1, 0, 0 })[1] > 0.0;
+    oaks += isOak;
+    turned += isTurned;
+    turnedOaks += isOak && isTurned;
+    largeAhead += parts[i].Scale > 1.0 && Rotate(parts[i].Rotation, { 1, 0, 0 })[0] > 0.0;
     scale += parts[i].Scale;
     lowest = std::min(lowest, parts[i].Scale);
     highest = std::max(highest, parts[i].Scale);
@@ -222,6 +228,8 @@ TEST_CASE("SurveyPartTable: what rows leave out is random", "[SurveyPartTable]")
   // Five standard deviations of the binomial and of the uniform distribution.
   CHECK(std::abs(oaks - 0.75 * Count) < 5.0 * std::sqrt(0.75 * 0.25 * Count));
   CHECK(std::abs(turned - 0.5 * Count) < 5.0 * std::sqrt(0.25 * Count));
+  CHECK(std::abs(turnedOaks - 0.375 * Count) < 5.0 * std::sqrt(0.375 * 0.625 * Count));
+  CHECK(std::abs(largeAhead - 0.25 * Count) < 5.0 * std::sqrt(0.25 * 0.75 * Count));
   CHECK(std::abs(scale / Count - 1.0) < 5.0 * 0.4 / std::sqrt(12.0 * Count));
   CHECK((lowest >= 0.8 && lowest < 0.801));
   CHECK((highest <= 1.2 && highest > 1.199));
