@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosInstanceParts.h"
 
+#include "heliosHeightCache.h"
+#include "heliosHeightField.h"
+#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkCellArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -12,6 +17,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <sstream>
 
@@ -45,6 +51,33 @@ vtkSmartPointer<ArrayT> MakeIds(const char* name)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+Status Connection::Set(vtkDataSet* data)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(data);
+  if (auto* raster = vtkImageData::SafeDownCast(data))
+  {
+    std::shared_ptr<const HeightField> field;
+    const Status status = GetHeightField(raster, field);
+    this->Triangles = field->GetNumberOfTriangles();
+    this->Data = raster;
+    return status.IsOk() ? status : Status::Error(": " + status.Message());
+  }
+  if (const Status status = CheckNoInstances(mesh); !status.IsOk())
+  {
+    return Status::Error(": " + status.Message());
+  }
+  if (!mesh || mesh->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  this->Data = mesh;
+  this->Triangles = mesh->GetNumberOfPolys();
+  return mesh->GetNumberOfCells() == this->Triangles && mesh->GetPolys()->IsHomogeneous() == 3
+    ? Status()
+    : Status::Error(" has cells that are not triangles; pass it through vtkTriangleFilter first");
+}
 
 //------------------------------------------------------------------------------
 vtkPolyData* Connection::GetMesh() const

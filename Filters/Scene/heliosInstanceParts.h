@@ -26,6 +26,9 @@ struct Connection
   vtkDataSet* Data = nullptr; ///< null: without triangles
   vtkIdType Triangles = 0;
 
+  /// Sets a mesh or a raster. Errors: cells that are not triangles, instances, invalid rasters.
+  Status Set(vtkDataSet* data);
+
   vtkPolyData* GetMesh() const; ///< null: a raster, or without triangles
   bool IsRaster() const { return this->Data && !this->GetMesh(); }
 };

@@ -3,14 +3,12 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosCoordinateSystem.h"
-#include "heliosHeightCache.h"
-#include "heliosHeightField.h"
 #include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
+#include "heliosPartMaterials.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
 #include "heliosStatus.h"
-#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 
@@ -32,7 +30,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <numeric>
 
 vtkStandardNewMacro(vtkHeliosSceneComposer);
@@ -43,88 +40,6 @@ using helios::PartList;
 
 namespace
 {
-
-/// Maps materials to rows of a table; adds those the table does not have yet.
-std::vector<int> Merge(const helios::MaterialTable& materials, helios::MaterialTable& table)
-{
-  std::vector<int> rows;
-  for (const helios::Material& material : materials)
-  {
-    const auto known = std::find(table.begin(), table.end(), material);
-    rows.push_back(static_cast<int>(known - table.begin()));
-    if (known == table.end())
-    {
-      table.push_back(material);
-    }
-  }
-  return rows;
-}
-
-/// Writes the rows of a part's triangles; returns the first triangle without a row, or -1.
-vtkIdType MapMaterialIds(vtkPolyData* part, const std::vector<int>& rows, int* to)
-{
-  vtkDataArray* ids = part->GetCellData()->GetArray(names::MaterialIds);
-  auto* ints = vtkIntArray::FastDownCast(ids);
-  if (ids && ids->GetNumberOfTuples() < part->GetNumberOfPolys())
-  {
-    return ids->GetNumberOfTuples();
-  }
-  for (vtkIdType i = 0; i < part->GetNumberOfPolys(); ++i)
-  {
-    const double id = ints ? ints->GetValue(i) : ids ? ids->GetComponent(i, 0) : 0.0;
-    if (!(id >= 0.0 && id < static_cast<double>(rows.size())))
-    {
-      return i;
-    }
-    to[i] = rows[static_cast<std::size_t>(id)];
-  }
-  return -1;
-}
-
-/// The material ids of a single part, if they need no change.
-vtkIntArray* GetSingleMaterialIds(const PartList& parts)
-{
-  vtkPolyData* single = helios::GetSinglePart(parts);
-  auto* ids = vtkIntArray::SafeDownCast(
-    single ? single->GetCellData()->GetArray(names::MaterialIds) : nullptr);
-  helios::MaterialTable table;
-  if (!ids || ids->GetNumberOfTuples() != single->GetNumberOfPolys())
-  {
-    return nullptr;
-  }
-  const std::size_t rows = Merge(helios::GetMaterials(single), table).size();
-  const int* range = ids->GetValueRange();
-  const bool isRight = table.size() == rows && range[0] >= 0 && range[1] < static_cast<int>(rows);
-  return isRight ? ids : nullptr;
-}
-
-/// Sets a connection; returns an error for data that are no triangles.
-helios::Status SetPart(vtkDataSet* data, helios::Connection& part)
-{
-  auto* mesh = vtkPolyData::SafeDownCast(data);
-  if (auto* raster = vtkImageData::SafeDownCast(data))
-  {
-    std::shared_ptr<const helios::HeightField> field;
-    const helios::Status status = helios::GetHeightField(raster, field);
-    part.Triangles = field->GetNumberOfTriangles();
-    part.Data = raster;
-    return status.IsOk() ? status : helios::Status::Error(": " + status.Message());
-  }
-  if (const helios::Status status = helios::CheckNoInstances(mesh); !status.IsOk())
-  {
-    return helios::Status::Error(": " + status.Message());
-  }
-  if (!mesh || mesh->GetNumberOfCells() == 0)
-  {
-    return {};
-  }
-  part.Data = mesh;
-  part.Triangles = mesh->GetNumberOfPolys();
-  return mesh->GetNumberOfCells() == part.Triangles && mesh->GetPolys()->IsHomogeneous() == 3
-    ? helios::Status()
-    : helios::Status::Error(
-        " has cells that are not triangles; pass it through vtkTriangleFilter first");
-}
 
 /// Returns an error if two CRS texts are not equivalent.
 helios::Status CompareCRS(const std::string& own, const std::string& before)
@@ -362,7 +277,8 @@ bool vtkHeliosSceneComposer::MapMaterials(const ConnectionList& parts,
     {
       continue;
     }
-    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i].Data), table);
+    const std::vector<int> rows =
+      helios::MergeMaterials(helios::GetMaterials(parts[i].Data), table);
     firstRows[i] = rows.front();
     vtkPolyData* mesh = parts[i].GetMesh();
     if (!mesh)
@@ -372,7 +288,7 @@ bool vtkHeliosSceneComposer::MapMaterials(const ConnectionList& parts,
     ids[i] = vtkSmartPointer<vtkIntArray>::New();
     ids[i]->SetName(names::MaterialIds);
     ids[i]->SetNumberOfValues(mesh->GetNumberOfPolys());
-    const vtkIdType bad = MapMaterialIds(mesh, rows, ids[i]->GetPointer(0));
+    const vtkIdType bad = helios::MapMaterialIds(mesh, rows, ids[i]->GetPointer(0));
     if (bad >= 0)
     {
       this->ReportMaterial(static_cast<int>(i), bad, rows.size());
@@ -390,7 +306,7 @@ bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, ConnectionL
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
     helios::Connection part;
-    if (const helios::Status status = SetPart(vtkDataSet::GetData(inputs, i), part); !status.IsOk())
+    if (const helios::Status status = part.Set(vtkDataSet::GetData(inputs, i)); !status.IsOk())
     {
       vtkErrorMacro(<< this->DescribePart(i) << status.Message());
       return false;
@@ -434,7 +350,7 @@ std::string vtkHeliosSceneComposer::DescribePart(int part) const
 bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const ConnectionList& connections)
 {
   const PartList parts = helios::GetMeshes(connections);
-  if (vtkIntArray* single = GetSingleMaterialIds(parts))
+  if (vtkIntArray* single = helios::GetSingleMaterialIds(parts))
   {
     helios::SetMaterials(scene, helios::GetMaterials(helios::GetSinglePart(parts)));
     scene->GetCellData()->AddArray(single);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosGdalDrivers.h"
 #include "heliosGdalExport.h"
 #include "heliosGdalMessages.h"
 #include "heliosInputFile.h"
@@ -11,12 +12,10 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal.h>
-#include <gdal_frmts.h>
 #include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <sstream>
 
 namespace helios
@@ -34,28 +33,6 @@ std::string ToText(double value)
   char text[32];
   std::snprintf(text, sizeof(text), "%.10g", std::isnan(value) ? std::abs(value) : value);
   return text;
-}
-
-/// Rows are read once, in order: they need no cache of the default size, 5 % of the memory.
-void LimitCache()
-{
-  constexpr GIntBig size = 64 << 20;
-  if (!CPLGetConfigOption("GDAL_CACHEMAX", nullptr))
-  {
-    GDALSetCacheMax64(size);
-  }
-}
-
-void RegisterDrivers()
-{
-  static std::once_flag once;
-  const auto prepare = []
-  {
-    GDALRegister_GTiff();
-    GDALRegister_VRT();
-    LimitCache();
-  };
-  std::call_once(once, prepare);
 }
 
 // NaN: not set.
@@ -403,7 +380,7 @@ Status GdalRasterFile::Open(const std::string& path, const RasterOptions& option
 {
   this->Path = path;
   GdalMessages messages;
-  RegisterDrivers();
+  RegisterGdalDrivers();
   Status status = this->OpenDataset(messages);
   if (status.IsOk())
     status = this->FindBand(options.Band);
