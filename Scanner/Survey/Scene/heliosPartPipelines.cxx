@@ -4,6 +4,7 @@
 
 #include "heliosHeightCache.h"
 #include "heliosHeightField.h"
+#include "heliosMeshKey.h"
 #include "heliosMessages.h"
 #include "heliosSceneReaders.h"
 #include "vtkHeliosGeoTiffHeightReader.h"
@@ -35,7 +36,6 @@
 #include <iterator>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #if VTK_MODULE_ENABLE_vtkHelios_FiltersSimplify
 #include "vtkHeliosMeshSimplify.h"
@@ -131,30 +131,6 @@ void EraseIf(MapT& map, const TestT& test)
   {
     entry = test(*entry) ? map.erase(entry) : std::next(entry);
   }
-}
-
-/// What the triangles and materials of a mesh depend on before it is placed; empty for other parts.
-std::string GetMeshKey(const PartData& part)
-{
-  if (part.Type == Loader::Xyz || part.Type == Loader::Vegetation)
-  {
-    return {};
-  }
-  std::ostringstream key;
-  key << std::hexfloat << static_cast<int>(part.Type) << part.UpIsY << part.Repair << ' '
-      << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange
-      << ' ' << part.Classification;
-  std::vector<std::string> texts = part.Files;
-  texts.insert(texts.end(), { part.LevelOfDetail, part.Material.File, part.Material.Name });
-  for (const CrsData& crs : part.Crs)
-  {
-    texts.insert(texts.end(), { crs.Source, crs.Target });
-  }
-  for (const std::string& text : texts)
-  {
-    key << '\0' << text;
-  }
-  return key.str();
 }
 
 } // namespace

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMeshKey.h"
+
+#include "heliosSurveyData.h"
+
+#include <ios>
+#include <sstream>
+#include <vector>
+
+namespace helios
+{
+
+std::string GetMeshKey(const PartData& part)
+{
+  if (part.Type == Loader::Xyz || part.Type == Loader::Vegetation)
+  {
+    return {};
+  }
+  std::ostringstream key;
+  key << std::hexfloat << static_cast<int>(part.Type) << part.UpIsY << part.Repair << ' '
+      << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange
+      << ' ' << part.Classification;
+  std::vector<std::string> texts = part.Files;
+  texts.insert(texts.end(), { part.LevelOfDetail, part.Material.File, part.Material.Name });
+  for (const CrsData& crs : part.Crs)
+  {
+    texts.insert(texts.end(), { crs.Source, crs.Target });
+  }
+  for (const std::string& text : texts)
+  {
+    key << '\0' << text;
+  }
+  return key.str();
+}
+
+} // namespace helios
