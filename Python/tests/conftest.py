@@ -5,12 +5,16 @@
 import os
 import pathlib
 import runpy
+import signal
 import subprocess
 import sys
 
 import pytest
 
 import vtkhelios
+
+# A shell ignores Ctrl-C in what it runs in the background, and so do all programs started there.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 PACKAGE_DIR = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
 
