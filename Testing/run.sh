@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds vtkHelios and runs every test; first sets up what is missing (Debian 12).
 #
-#   Testing/run.sh              the release build, the build without optional libraries, all tests
+#   Testing/run.sh              the release build, the build without optional libraries, the tests
 #   Testing/run.sh --asan       also the C++ tests under address and undefined-behaviour sanitizers
 #   Testing/run.sh --fuzz [N]   also N damaged files (100,000) for all readers
+#   Testing/run.sh --slow       also tests marked as slow: pip install, which builds everything again
 #   Testing/run.sh --tidy       also clang-tidy over all sources, by .clang-tidy
 #
 # Ends with the summaries of ctest and pytest; the exit code is not 0 if a test failed.
@@ -13,9 +14,10 @@
 # shellcheck source=../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"
 
-usage() { sed -n 's/^# \{0,1\}//; 5,10p' Testing/run.sh; }
+usage() { sed -n 's/^# \{0,1\}//; 5,11p' Testing/run.sh; }
 asan=false
 fuzz=0
+slow=false
 tidy=false
 while [ $# -gt 0 ]; do
   case $1 in
@@ -24,6 +26,7 @@ while [ $# -gt 0 ]; do
       fuzz=100000
       [[ ${2:-} =~ ^[0-9]+$ ]] && fuzz=$2 && shift
       ;;
+    --slow) slow=true ;;
     --tidy)
       tidy=true
       helios_packages+=(clang-tidy-14)
@@ -37,9 +40,9 @@ done
 helios_setup
 failed=()
 
-run_ctest() { # BUILD-FOLDER
+run_ctest() { # BUILD-FOLDER [ARGUMENT...]
   helios_say "ctest: $1"
-  ctest --test-dir "$1" --output-on-failure --no-tests=error -j2 || failed+=("ctest in $1")
+  ctest --test-dir "$@" --output-on-failure --no-tests=error -j2 || failed+=("ctest in $1")
 }
 
 run_tidy() { # FILE-EXPRESSION [ARGUMENT...]
@@ -60,7 +63,7 @@ fi
 
 helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF
 helios_build minimal
-run_ctest build/minimal
+run_ctest build/minimal --label-exclude ScannerSurvey # long, and the same without the libraries
 if $asan; then
   helios_configure asan
   helios_build asan
@@ -72,7 +75,9 @@ helios_build release
 run_ctest build
 
 helios_say "pytest"
-build/venv/bin/python -m pytest || failed+=(pytest)
+kinds=(-m "not slow")
+$slow && kinds=()
+build/venv/bin/python -m pytest "${kinds[@]}" || failed+=(pytest)
 
 if [ "$fuzz" -gt 0 ]; then
   helios_say "fuzz: $fuzz damaged files"
