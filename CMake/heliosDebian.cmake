@@ -15,7 +15,7 @@ file(READ "${CMAKE_SOURCE_DIR}/LICENSE" license)
 string(STRIP "${license}" license)
 string(REPLACE "\n\n" "\n.\n" license "${license}")
 string(REPLACE "\n" "\n " license " ${license}")
-configure_file("${vtkhelios_debian_dir}/copyright.in" "${CMAKE_BINARY_DIR}/debian/copyright" @ONLY)
+configure_file("${vtkhelios_debian_dir}/copyright.template" "${CMAKE_BINARY_DIR}/debian/copyright" @ONLY)
 foreach(package IN ITEMS vtkhelios python3-vtkhelios libvtkhelios0.2 libvtkhelios-dev)
   install(FILES "${CMAKE_BINARY_DIR}/debian/copyright"
     DESTINATION share/doc/${package} COMPONENT copyright-${package} EXCLUDE_FROM_ALL)
