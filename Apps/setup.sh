@@ -56,6 +56,7 @@ helios_make_venv() {
   helios_install_laspy
   helios_install_pyvista
   helios_install_formats
+  helios_install_exchange
   helios_install_dask
   helios_install_ruff
 }
@@ -85,6 +86,15 @@ helios_install_formats() {
     build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
       "$package" || echo "$package cannot be installed here: some formats of vtkhelios convert are missing" >&2
   done
+}
+
+# Other libraries that clouds and meshes are exchanged with. Without them their tests are skipped;
+# those of Open3D also run if it is installed (pip install --no-deps open3d), which takes 1.4 GB.
+helios_install_exchange() {
+  build/venv/bin/python -c 'import pandas, trimesh, meshio' 2>/dev/null && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+    'pandas==2.2.3' 'python-dateutil<3' 'pytz' 'tzdata' 'six' 'trimesh==4.12.2' 'meshio==5.3.5' ||
+    echo "pandas, trimesh and meshio cannot be installed here: their tests are skipped" >&2
 }
 
 # Surveys on the workers of Dask; needs no numpy. Without it their tests are skipped.

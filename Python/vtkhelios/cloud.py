@@ -158,6 +158,38 @@ class Cloud:
         shown.SetVerts(_make_vertices(len(self)))
         return Cloud(shown, self.waveforms, self.pulses, self.sub_rays)
 
+    def to_pandas(self):
+        """A pandas.DataFrame: x, y, z, and a column per array, which share the memory of the cloud.
+
+        Arrays of three components are three columns: DirectionX, DirectionY, DirectionZ;
+        Orientation has W, X, Y, Z. ``attrs`` has the units by column, and the field arrays, such as
+        CRS. ImportError without pandas.
+        """
+        from .exchange._clouds import to_pandas
+
+        return to_pandas(self)
+
+    def to_pyvista(self):
+        """A pyvista.PolyData with a vertex per point, all arrays and field arrays.
+
+        Points and arrays of numbers share the memory of the cloud; field arrays of texts are copies.
+        PyVista may have another VTK than vtkHelios. ImportError without PyVista.
+        """
+        from .exchange._clouds import to_pyvista
+
+        return to_pyvista(self)
+
+    def to_open3d(self):
+        """An open3d.t.geometry.PointCloud with positions (float64) and all arrays, n x components.
+
+        Tensors share the memory of the cloud. Normals and RGB have Open3D's names, normals and
+        colors; field arrays have no place. ``.to_legacy()`` makes an open3d.geometry.PointCloud.
+        ImportError without Open3D.
+        """
+        from .exchange._clouds import to_open3d
+
+        return to_open3d(self)
+
     def write(self, path):
         """Writes a file; its ending selects the format: .xyz (text), .las, .vtp (ParaView).
 

@@ -40,21 +40,27 @@ class Scene:
     """Triangles to scan: ``scene.polydata`` is a vtkPolyData with materials, ready for a pipeline.
 
     points
-        the vertices [m], n x 3; or a vtkPolyData of triangles, used unchanged,
-        or an algorithm that makes one. A vtkHeliosScene keeps its instances: they have no points
-        and triangles of their own, but count and have a box.
+        the vertices [m], n x 3; or a vtkPolyData of triangles, used unchanged, or an algorithm that
+        makes one. A vtkHeliosScene keeps its instances: they have no points and triangles of their
+        own, but count and have a box.
+        Or a mesh of another library: pyvista.PolyData or MultiBlock, trimesh.Trimesh or Scene,
+        a TriangleMesh of Open3D, meshio.Mesh, a vtkPolyData of another VTK, or any object with
+        points (or vertices) and faces (or triangles). Polygons are triangulated; arrays,
+        colours (RGB), MaterialIds with their names, and PartIds of several meshes are kept; double
+        points are shared.
     triangles
         three vertex indices each, m x 3; the scanner ignores their order.
     reflectance
-        [0, 1], one value, or one per triangle. Default: 0.5.
+        [0, 1], one value, or one per triangle (of a mesh of polygons: per polygon). Default: 0.5.
     ground
         whether tripods may be placed on the triangles: a boolean, or one
-        per triangle. Without any ground everything is ground.
+        per triangle (polygon). Without any ground everything is ground.
     """
 
     def __init__(self, points, triangles=None, reflectance=None, ground=False):
+        faces = None
         if triangles is None:
-            self.polydata = _data_of(points)
+            self.polydata, faces = _read_mesh(points)
             if reflectance is None and ground is False:
                 return
             _check_no_instances(self.polydata, "reflectance and ground")
@@ -62,7 +68,7 @@ class Scene:
         else:
             self.polydata = _make_mesh(points, triangles)
             count = len(triangles)
-        _add_materials(self.polydata, count, reflectance, ground)
+        _add_materials(self.polydata, count, reflectance, ground, faces)
 
     @property
     def points(self):
@@ -114,6 +120,15 @@ class Scene:
         conclude(log)
         if not succeeded:
             raise OSError(f"{path} cannot be written; is its folder there?")
+
+    def to_pyvista(self):
+        """The triangles as a pyvista.PolyData with their cell and field arrays; instances are copies.
+
+        It shares vertices and arrays where PyVista can, also if PyVista has another VTK.
+        """
+        from .exchange._clouds import scene_to_pyvista
+
+        return scene_to_pyvista(flatten(self.polydata))
 
     @classmethod
     def read(cls, path, **properties):
@@ -180,16 +195,27 @@ def make_reader(path, **properties):
     return _class(reader)(file_name=to_vtk(path), **properties)
 
 
-def _data_of(source):
+def _read_mesh(source):
+    """A source as (vtkPolyData of triangles, polygon of each triangle or None: they are the same)."""
+    from .exchange._polydata import read_polydata, triangulate
+
     data = data_of(source)
     if hasattr(data, "GetOutputPort"):
         data = update(data)
-    if not (hasattr(data, "IsA") and data.IsA("vtkPolyData")):
+    if isinstance(data, vtkPolyData):
+        return (
+            (data, None)
+            if has_instances(data) or not data.GetNumberOfPolys()
+            else triangulate(data)
+        )
+    made = read_polydata(data)
+    if made is None:
         kind = type(source).__name__
         raise TypeError(
-            f"a Scene is made of points and triangles, or of a vtkPolyData, not of {kind}"
+            "a Scene is made of points and triangles, of a vtkPolyData, or of a mesh with points and "
+            f"faces, not of {kind}"
         )
-    return data
+    return made
 
 
 def _make_mesh(points, triangles):
@@ -220,13 +246,14 @@ def _make_mesh(points, triangles):
     return mesh
 
 
-def _add_materials(mesh, count, reflectance, ground):
-    """Adds a material for every distinct pair of reflectance and ground."""
-    reflectance = _for_each("reflectance", 0.5 if reflectance is None else reflectance, count)
+def _add_materials(mesh, count, reflectance, ground, faces=None):
+    """Adds a material for every distinct pair of reflectance and ground; faces: see _for_each()."""
+    reflectance = 0.5 if reflectance is None else reflectance
+    reflectance = _for_each("reflectance", reflectance, count, faces)
     if reflectance.size and not (reflectance.min() >= 0 and reflectance.max() <= 1):
         worst = reflectance[~((reflectance >= 0) & (reflectance <= 1))][0]
         raise ValueError(f"reflectance is {worst:g}; its valid range is [0, 1]")
-    ground = _for_each("ground", ground, count)
+    ground = _for_each("ground", ground, count, faces)
     pairs, ids = np.unique(np.stack([reflectance, ground]), axis=1, return_inverse=True)
     names, spectra = vtkStringArray(), vtkStringArray()
     for index in range(pairs.shape[1]):
@@ -250,15 +277,17 @@ def _add_materials(mesh, count, reflectance, ground):
     mesh.GetCellData().AddArray(material_ids)
 
 
-def _for_each(name, values, count):
+def _for_each(name, values, count, faces=None):
+    """A value for each of count triangles; values are one, or one for each of the faces that they are of."""
     values = np.asarray(values, dtype=np.float64)
     if values.ndim == 0:
         return np.full(count, values)
-    if values.shape != (count,):
+    wanted = count if faces is None else int(faces.max(initial=-1)) + 1
+    if values.shape != (wanted,):
         raise ValueError(
-            f"{name} has the shape {values.shape}; give one number, or {count} of them"
+            f"{name} has the shape {values.shape}; give one number, or {wanted} of them"
         )
-    return values
+    return values if faces is None else values[faces]
 
 
 def add_parts(survey, table, models, seed, yaw, scale):

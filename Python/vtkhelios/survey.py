@@ -23,7 +23,7 @@ from ._properties import set_properties
 from ._watching import Progress
 from .cloud import Cloud, data_of
 from .cluster._origin import Origin
-from .scene import add_parts
+from .scene import Scene, add_parts
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
@@ -418,14 +418,17 @@ class Survey:
 
 
 def _scene_data(scene):
-    """What a Scene has, or a data object or algorithm as it is; None: none."""
+    """What a Scene has, or a data object or algorithm as it is; of other meshes their Scene; None: none."""
     data = getattr(scene, "polydata", scene)
     if data is None or isinstance(data, (vtkDataObject, vtkAlgorithm)):
         return data
-    raise TypeError(
-        f"scene is of {type(scene).__name__}; give a Scene, a VTK data set with a surface, or an "
-        "algorithm that makes one"
-    )
+    try:
+        return Scene(data).polydata
+    except TypeError:
+        raise TypeError(
+            f"scene is of {type(scene).__name__}; give a Scene, a VTK data set with a surface, an "
+            "algorithm that makes one, or a mesh with points and faces"
+        ) from None
 
 
 def trajectory_data(trajectory):
