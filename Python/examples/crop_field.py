@@ -148,7 +148,7 @@ def draw_pictures(folder, scene, cloud, scanner):
     from vtkhelios import picture
 
     if not picture.can_render():
-        print("no pictures without an X display: run it under xvfb-run -a", file=sys.stderr)
+        print(f"no pictures: {picture.NO_DISPLAY}", file=sys.stderr)
         return
     title = "Maize beside one scan position"
     draw_scene(scene, folder / "scene.png", f"{title}: the scene", azimuth=205.0, elevation=14.0)

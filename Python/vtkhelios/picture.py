@@ -3,16 +3,17 @@
 """A picture of point clouds: python -m vtkhelios.picture CLOUD... --output PICTURE.png
 
 Points are coloured by their class (ground, vegetation, buildings ...) if the cloud has classes,
-else by height, slightly brighter for strong echoes, and shaded by their shape. It needs an X
-display; without one:
-
-xvfb-run -a -s "-screen 0 1280x1024x24" python3 -m vtkhelios.picture CLOUD... --output PICTURE.png
+else by height, slightly brighter for strong echoes, and shaded by their shape. Without an X display
+it starts a virtual one, Xvfb.
 """
 
 import argparse
 import ctypes
 import errno
+import os
 import pathlib
+import shutil
+import subprocess
 import sys
 
 import numpy as np
@@ -36,6 +37,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws at all
 
 OVERSAMPLING = 2  # supersampling factor in width and height, then averaged
 
+SCREEN = ("-screen", "0", "1280x1024x24")  # of a virtual display
 BACKGROUND_TOP, BACKGROUND_BOTTOM = (0.16, 0.20, 0.26), (0.05, 0.06, 0.08)
 TEXT = (0.86, 0.88, 0.90)
 MARK = (1.0, 0.80, 0.20)
@@ -67,14 +69,41 @@ HEIGHTS = np.array(
 )
 
 
+NO_DISPLAY = "no X display, and no Xvfb for a virtual one: apt-get install xvfb"
+
+
 def can_render():
-    """Whether there is an X display. VTK exits if it finds none."""
+    """Whether there is an X display, or a virtual one can be started. VTK exits if it finds none."""
+    return _connect() or (_start_display() and _connect())
+
+
+def _start_display():
+    """Starts Xvfb for this process and its children; it ends with the last of them."""
+    program = shutil.which("Xvfb")
+    if program is None:
+        return False
+    read, write = os.pipe()
+    with open(read) as numbers:
+        subprocess.Popen(
+            [program, "-displayfd", str(write), *SCREEN, "-terminate", "-nolisten", "tcp"],
+            pass_fds=[write], start_new_session=True,
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        os.close(write)
+        number = numbers.readline().strip()  # empty if it ends
+    if number:
+        os.environ["DISPLAY"] = f":{number}"
+    return bool(number)
+
+
+def _connect():
+    """Connects to the X display, for as long as the process lasts."""
     try:
         x11 = ctypes.CDLL("libX11.so.6")
     except OSError:
         return False
     x11.XOpenDisplay.restype = ctypes.c_void_p
-    # Never closed: an Xvfb that loses its last client restarts, and drops new clients meanwhile.
+    # Never closed: an Xvfb that loses its last client restarts or ends.
     return bool(x11.XOpenDisplay(None))
 
 
@@ -222,7 +251,7 @@ def save_mesh_picture(
 
 def check_display():
     if not can_render():
-        raise RuntimeError("no X display: run it under xvfb-run")
+        raise RuntimeError(NO_DISPLAY)
 
 
 def draw_picture(actor, points, classes, marks, output, title, size, look):

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture of a plan: the scene by its number of scans, and by their best incidence angle.
 
-Every pixel has the colour of the nearest test point; the positions are marked. It needs an X
-display, as vtkhelios.picture does.
+Every pixel has the colour of the nearest test point; the positions are marked. Without an
+X display a virtual one is started, as by vtkhelios.picture.
 """
 
 import importlib
@@ -49,7 +49,7 @@ def save_picture(
     Raises RuntimeError without a display.
     """
     if not picture.can_render():
-        raise RuntimeError("no X display: run it under xvfb-run -a")
+        raise RuntimeError(picture.NO_DISPLAY)
     points = arrays(test_points)
     marks = arrays(positions)["points"]
     view = View(scene, (size[0] // 2, size[1]), azimuth, elevation)

@@ -292,7 +292,7 @@ class Plan:
 
         They are in a folder with the plan's name below the given one. A scene in memory is written,
         too: scene.obj. overwrite replaces an earlier plan, else it is a FileExistsError. picture
-        adds plan.png; it needs an X display.
+        adds plan.png; it needs an X display, or Xvfb.
         """
         folder = pathlib.Path(folder) / self.name
         more = [_plan_files.SCENE] if self.task.has_scene_in_memory() else []

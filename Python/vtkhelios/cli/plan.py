@@ -60,8 +60,8 @@ what it writes, below OUTPUT/<name>/:
                      from this one only), MeanIncidenceAngle [deg]
   candidates.vtp     all candidates, with the same arrays and Selected
   test_points.vtp    Coverable, NumberOfScans (that see it), BestIncidenceAngle [deg]
-  plan.png           the test points by number of scans and by best incidence (needs an X display:
-                     xvfb-run -a vtkhelios plan ... makes one)
+  plan.png           the test points by number of scans and by best incidence (without an X
+                     display it needs Xvfb)
   plan_summary.json  settings, bounds, positions, timings; --json prints it
   check/             the simulated survey, with --check
 
