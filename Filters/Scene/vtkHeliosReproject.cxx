@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosReproject.h"
 
+#include "heliosCoordinateSystem.h"
 #include "heliosReprojection.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
@@ -176,6 +177,20 @@ helios::Status vtkHeliosReproject::Transform(
     output->Initialize();
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosReproject::DescribeCRS(const char* text)
+{
+  helios::CoordinateSystem system;
+  return text && system.Set(text).IsOk() ? system.GetName() : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosReproject::IsGeographicCRS(const char* text)
+{
+  helios::CoordinateSystem system;
+  return text && system.Set(text).IsOk() && system.IsGeographic();
 }
 
 //------------------------------------------------------------------------------

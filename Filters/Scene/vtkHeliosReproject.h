@@ -75,6 +75,18 @@ public:
   vtkGetStringMacro(TargetCRS);
   ///@}
 
+  /**
+   * Code and name of a coordinate system, "EPSG:32632 (WGS 84 / UTM zone 32N)", whatever its form;
+   * empty if it is not known to PROJ.
+   */
+  static std::string DescribeCRS(const char* text);
+
+  /**
+   * Whether x and y in a coordinate system are longitude and latitude [deg]; false if it is not
+   * known to PROJ.
+   */
+  static bool IsGeographicCRS(const char* text);
+
 protected:
   vtkHeliosReproject() = default;
   ~vtkHeliosReproject() override;

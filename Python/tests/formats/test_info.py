@@ -101,7 +101,29 @@ def test_as_text(small_runs, capsys):
     out = capsys.readouterr().out
     assert "spacing    about" in out and "EchoWidth [ns] (float64)" in out
     assert "returns    1: " in out and "legs       0: " in out
-    assert "leg 1      (-8, 3, 2) m, 100000 pulses/s, 100 lines/s" in out
+    assert "leg 1      (-8.000, 3.000, 2.000) m, 100000 pulses/s, 100 lines/s" in out
+
+
+def test_coordinates_and_their_system(small_runs, tmp_path, capsys):
+    """To the millimetre, also of coordinates with seven digits, and of degrees."""
+    assert cli.main(["info", str(small_runs["las"])]) == 0
+    assert "crs        EPSG:25832 (ETRS89 / UTM zone 32N)" in capsys.readouterr().out
+    for crs, points, expected in (
+        ("EPSG:32632", [[478123.4567, 5471966.7891, 110.2344]],
+         ["x          478123.457 to 478123.457 m", "y          5471966.789 to 5471966.789 m",
+          "z          110.234 to 110.234 m", "crs        EPSG:32632 (WGS 84 / UTM zone 32N)"]),
+        ("EPSG:4326", [[8.123456789, 49.5, 110.2344]],
+         ["x          8.12345679 to 8.12345679 deg", "y          49.50000000 to 49.50000000 deg",
+          "z          110.234 to 110.234 m", "crs        EPSG:4326 (WGS 84)"]),
+        ("a local   grid", [[1, 2, 3]], ["x          1.000 to 1.000 m", "crs        a local grid"]),
+    ):  # fmt: skip
+        header = formats.Header()
+        header.crs = crs
+        with formats.open_writer(tmp_path / "a.vtp", header) as writer:
+            writer.write({"points": np.array(points, float)})
+        assert cli.main(["info", str(tmp_path / "a.vtp")]) == 0
+        lines = capsys.readouterr().out.splitlines()
+        assert [line for line in expected if line not in lines] == []
 
 
 # Errors

@@ -7,11 +7,11 @@ import pathlib
 
 from .. import formats
 from . import _meshes
+from ._meshes import describe_crs
 from ._inspect import Inspection, inspect_survey
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
-from ._raster import FARTHEST
 from ._reading import add_assets_argument, missing_folder
 from ._scanners import list_scanners
 from ._task import Interrupted, Task
@@ -124,12 +124,10 @@ def point_lines(facts):
     yield f"format     {facts['format']}"
     yield f"points     {facts['points']:,}"
     if "bounds" in facts:
-        for axis, low, high in zip("xyz", *facts["bounds"].values()):
-            yield f"{axis:10} {_metres(low)} to {_metres(high)} m"
+        yield from _meshes.bounds_lines(facts)
         if facts["spacing_m"] is not None:
             yield f"spacing    about {facts['spacing_m']:.3g} m, in plan view"
-    crs = facts["crs"]
-    yield f"crs        {'not known' if not crs else ' '.join(crs.split())[:100]}"
+    yield f"crs        {describe_crs(facts['crs'])}"
     if "gpsTime_s" in facts:
         first, last = facts["gpsTime_s"].values()
         epoch = f", since {facts['gpsEpoch_s']:.0f} s of GPS time" if "gpsEpoch_s" in facts else ""
@@ -150,10 +148,6 @@ def point_lines(facts):
         yield f"extra      {extra['name']} ({extra['type']}): {extra['description'] or 'no description'}"
     for record in facts.get("headerRecords", []):
         yield f"record     {record['user']} {record['id']}: {record['description']}"
-
-
-def _metres(value):
-    return f"{value:.4f}" if abs(value) <= FARTHEST else f"{value:g}"
 
 
 def leg_lines(legs):
@@ -186,7 +180,7 @@ def survey_lines(facts):
         state = "" if leg["active"] else ", not active"
         ground = " above ground" if leg["onGround"] else ""
         yield (
-            f"leg {leg['leg']:<6} ({x:g}, {y:g}, {z:g}) m{ground}, "
+            f"leg {leg['leg']:<6} ({x:.3f}, {y:.3f}, {z:.3f}) m{ground}, "
             f"{leg['pulseFrequency_Hz']:g} pulses/s, {leg['scanFrequency_Hz']:g} lines/s{state}"
         )
     if len(facts["legs"]) > MOST:

@@ -17,6 +17,7 @@ from ...array_names import (
 )  # fmt: skip
 from ...formats import FormatError
 from ...scene import make_reader
+from .._raster import FARTHEST
 
 KINDS = {
     "objloader": "OBJ", "geotiffloader": "GeoTIFF", "plyloader": "PLY", "stlloader": "STL",
@@ -69,6 +70,27 @@ def find_crs(mesh):
     return text_from_vtk(array.GetValue(0)) if array and array.GetNumberOfValues() else None
 
 
+def bounds_lines(facts):
+    """Bounds to the millimetre, of longitude and latitude to 1e-8 degrees."""
+    crs = facts["crs"]
+    is_geographic = crs and vtkhelios.vtkHeliosReproject.IsGeographicCRS(to_vtk(crs))
+    for axis, low, high in zip("xyz", *facts["bounds"].values()):
+        digits, unit = (8, "deg") if is_geographic and axis != "z" else (3, "m")
+        yield f"{axis:10} {_fixed(low, digits)} to {_fixed(high, digits)} {unit}"
+
+
+def _fixed(value, digits):
+    return f"{value:.{digits}f}" if abs(value) <= FARTHEST else f"{value:g}"
+
+
+def describe_crs(crs):
+    """Code and name of a coordinate system; of one that PROJ does not know, the begin of its text."""
+    if not crs:
+        return "not known"
+    known = text_from_vtk(vtkhelios.vtkHeliosReproject.DescribeCRS(to_vtk(crs)))
+    return known or " ".join(crs.split())[:100]
+
+
 def compute_areas(mesh, points):
     corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     a, b, c = (points[corners[:, i]] for i in range(3))
@@ -106,9 +128,8 @@ def describe_lines(facts):
     yield f"format     {facts['format']}"
     yield f"triangles  {facts['triangles']:,}, with {facts['vertices']:,} vertices"
     if "bounds" in facts:
-        for axis, low, high in zip("xyz", *facts["bounds"].values()):
-            yield f"{axis:10} {low:.4f} to {high:.4f} m"
-    yield f"crs        {facts['crs'] or 'not known'}"
+        yield from bounds_lines(facts)
+    yield f"crs        {describe_crs(facts['crs'])}"
     yield f"area       {facts['area_m2']:,.6g} m²"
     for each in facts["materials"]:
         reflectance = each["reflectance"]
