@@ -21,6 +21,9 @@ _ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
 _EXECUTIVE = re.compile(
     r"returned failure for request|No update piece number has been set|Failure when calling method"
 )
+# What similar messages differ by: "scanner vlp16, channel 3", "scene.xml:12: part oak_07".
+_MEMBER = re.compile(r"\b(channel|part) (\"[^\"]*\"|[^\s,:;()]+)")
+_LINE = re.compile(r"^([^\s:]+):\d+: ")
 # The strategies of an algorithm report their own errors.
 _STRATEGIES = ("RayCaster", "BeamDeflector", "BeamSampler", "EchoDetector")
 
@@ -45,6 +48,51 @@ def clean_message(text):
 def is_executive_message(message):
     """Whether a message only repeats that a filter has failed."""
     return bool(_EXECUTIVE.search(message))
+
+
+class SimilarMessages:
+    """Messages that differ only by a channel or part, and its line, as one with their count."""
+
+    def __init__(self, text):
+        self._first = text
+        self._texts = {text}
+        self._key = self._make_key(text)
+
+    @staticmethod
+    def _make_key(text):
+        """The text without channels, parts and line; None if it names neither channel nor part."""
+        without, count = _MEMBER.subn(r"\1", text)
+        return _LINE.sub(r"\1: ", without) if count else None
+
+    @property
+    def can_grow(self):
+        """Whether other texts can be similar, and not only the same."""
+        return self._key is not None
+
+    def __contains__(self, text):
+        return text in self._texts
+
+    def add(self, text):
+        """Whether a text is one of these messages, which counts it."""
+        is_similar = text in self._texts or (self._key and self._make_key(text) == self._key)
+        if is_similar:
+            self._texts.add(text)
+        return bool(is_similar)
+
+    def __str__(self):
+        more = len(self._texts) - 1
+        if not more:
+            return self._first
+        return f"{self._first} (and {more} more {_MEMBER.search(self._first)[1]}{'s'[: more != 1]})"
+
+    @classmethod
+    def merge(cls, texts):
+        """The texts, each once, those that are similar as one."""
+        found = []
+        for text in texts:
+            if not any(each.add(text) for each in found):
+                found.append(cls(text))
+        return [str(each) for each in found]
 
 
 def observe_messages(vtk_object, on_error, on_warning):
@@ -98,9 +146,9 @@ class MessageLog:
                 self.watch(held)
 
     def root_errors(self):
-        """The errors without repeats by an executive, each once."""
+        """The errors without repeats by an executive, each once, similar ones as one."""
         roots = [error for error in self.errors if not is_executive_message(error)]
-        return list(dict.fromkeys(roots or self.errors))
+        return SimilarMessages.merge(roots or self.errors)
 
     def __enter__(self):
         return self
@@ -149,7 +197,7 @@ def conclude(log, exceptions=(), stacklevel=3, warn=None):
     for exception in exceptions:
         if not isinstance(exception, Exception):
             raise exception  # KeyboardInterrupt, SystemExit
-    for message in dict.fromkeys(log.warnings):
+    for message in SimilarMessages.merge(log.warnings):
         (warn or warnings.warn)(message, RuntimeWarning, stacklevel=stacklevel)
     if exceptions:
         told = [_as_text(exception) for exception in exceptions]

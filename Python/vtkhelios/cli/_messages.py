@@ -6,7 +6,12 @@ import sys
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
-from .._pipeline import is_executive_message, observe_messages, remove_observers
+from .._pipeline import (
+    SimilarMessages,
+    is_executive_message,
+    observe_messages,
+    remove_observers,
+)
 from ._streams import visible
 
 
@@ -15,18 +20,33 @@ def say_error(text):
     print(f"error: {visible(text)}", file=sys.stderr, flush=True)
 
 
-class Messages:
-    """Prints VTK's errors and warnings as one line each, immediately.
+class _Latest:
+    """The latest messages of the watched objects."""
 
-    Observes the watched objects and VTK's output window, which gets unobserved messages.
+    def __init__(self, severity, message):
+        self.severity = severity
+        self.messages = SimilarMessages(message)
+        self.is_printed = False
+
+    def accept(self, message):
+        """Whether a message needs no line of its own."""
+        return message in self.messages or (not self.is_printed and self.messages.add(message))
+
+
+class Messages:
+    """Prints VTK's errors and warnings as one line each.
+
+    Observes the watched objects and VTK's output window, which gets unobserved messages. Messages
+    that differ only by a channel or part are one line with their count; it is printed with the
+    next output, or by flush().
     """
 
     def __init__(self, quiet=False, results=True):
         self.quiet = quiet
         self.results = results and not quiet  # whether info() prints
-        self.errors = 0
+        self._errors = 0
         self.write_error = lambda text: print(text, file=sys.stderr, flush=True)
-        self._last = None
+        self._last = None  # _Latest messages, which may not be printed yet
         self._observers = []
         self._display_mode = None
 
@@ -39,28 +59,48 @@ class Messages:
         return self
 
     def __exit__(self, *_):
+        self.flush()
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
         vtkOutputWindow.GetInstance().SetDisplayMode(self._display_mode)
         remove_observers(self._observers)
 
     def watch(self, vtk_object):
         self._observers += observe_messages(
-            vtk_object, self._passer_on(self.error), self._passer_on(self.warning)
+            vtk_object, self._holder_of("error"), self._holder_of("warning")
         )
 
-    def _passer_on(self, say):
-        """A function that prints a message once."""
+    def _holder_of(self, severity):
+        """A function that prints a message, or holds it back while similar ones may follow."""
 
-        def pass_on(message):
+        def hold(message):
+            last = self._last
             repeats = is_executive_message(message) and self.errors
-            if not repeats and (say, message) != self._last:
-                self._last = say, message
-                say(message)
+            is_same = last and last.severity == severity and last.accept(message)
+            if not repeats and not is_same:
+                self.flush()
+                self._last = _Latest(severity, message)
+                if not self._last.messages.can_grow:
+                    self.flush()
 
-        return pass_on
+        return hold
+
+    @property
+    def errors(self):
+        """The number of errors, with those that are held back."""
+        return self._errors + (self._is_holding() and self._last.severity == "error")
+
+    def _is_holding(self):
+        return self._last is not None and not self._last.is_printed
+
+    def flush(self):
+        """Prints the messages that are held back."""
+        if self._is_holding():
+            self._last.is_printed = True
+            getattr(self, self._last.severity)(str(self._last.messages))
 
     def error(self, text):
-        self.errors += 1
+        self.flush()
+        self._errors += 1
         self.write_error(visible(f"error: {text}"))
 
     def error_unless_told(self, text):
@@ -69,9 +109,11 @@ class Messages:
             self.error(text)
 
     def warning(self, text):
+        self.flush()
         if not self.quiet:
             self.write_error(visible(f"warning: {text}"))
 
     def info(self, text):
+        self.flush()
         if self.results:
             print(visible(text), flush=True)

@@ -12,7 +12,8 @@ from ._figures import CLASSES
 from ._page_template import PAGE, STYLE
 from ._progress import duration
 from ._raster import Histogram, is_near
-from ._report import describe_paths, readable
+from ._report import counted, describe_paths, readable
+from ._settings import describe_options
 
 MOST_ECHOES = 6  # larger counts share one bar
 OUTER = 0.003  # fraction of points at either end excluded from histograms
@@ -181,8 +182,8 @@ def _settings(summary):
         ("pulses", describe_paths(summary["totals"])),
         ("ray caster", summary["rayCaster"]),
         ("time", f"{timings['load_s']:.2f} s to load, {timings['run_s']:.2f} s to run, "
-                 f"{timings['threads']} threads"),
-        ("options", ", ".join(f"{k}: {v}" for k, v in options.items())),
+                 f"{counted(timings['threads'], 'thread')}"),
+        *describe_options(options),
         ("scene (SHA-256 of its triangles)", {"code": summary["scene"]}),
     ]  # fmt: skip
 

@@ -53,8 +53,9 @@ class Progress:
 
     seconds_between = SECONDS_BETWEEN_LINES
 
-    def __init__(self, player):
+    def __init__(self, player, messages):
         self._player = player
+        self._messages = messages
         self._indices = Pace()  # for the remaining time
         self._fired = Pace()  # shown: some pulse indices emit no pulse
         self._next = time.monotonic() + self.seconds_between
@@ -71,6 +72,7 @@ class Progress:
         now = time.monotonic()
         done = self._player.GetCount("pulses")
         if done > 0:
+            self._messages.flush()  # of loading
             self._indices.add(now, done)
             self._fired.add(now, self._player.GetCount("pulsesFired"))
         if now >= self._next:
@@ -129,11 +131,7 @@ class RichBar(Progress):
     """
 
     seconds_between = SECONDS_BETWEEN_BARS
-
-    def __init__(self, player, messages):
-        super().__init__(player)
-        self._messages = messages
-        self._bar = None
+    _bar = None
 
     def _start(self):
         from rich import progress
@@ -171,8 +169,8 @@ class RichBar(Progress):
 def make_progress(player, messages, quiet=False):
     """The progress display for standard error."""
     if quiet:
-        return Progress(player)
+        return Progress(player, messages)
     if not sys.stderr.isatty():
-        return Lines(player)
+        return Lines(player, messages)
     has_rich = importlib.util.find_spec("rich")
-    return RichBar(player, messages) if has_rich else PlainBar(player)
+    return (RichBar if has_rich else PlainBar)(player, messages)

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import re
 
+from .._pipeline import SimilarMessages
 from ._messages import Messages, say_error
 from ._reading import add_assets_argument, make_reader, missing_folder
 from ._streams import visible
@@ -64,8 +65,11 @@ class Collector(Messages):
         self.path = path
         self.findings = []
 
+    def _holder_of(self, severity):
+        return getattr(self, severity)
+
     def error(self, text):
-        self.errors += 1
+        self._errors += 1
         self.add("error", text)
 
     def warning(self, text):
@@ -91,7 +95,21 @@ def check(path, assets):
         if not reader.Check():
             messages.error_unless_told("cannot be read")
     files = list(dict.fromkeys([shown, *(found.file for found in messages.findings)]))
-    return sorted(messages.findings, key=lambda found: (files.index(found.file), found.line or 0))
+    findings = merge_similar(messages.findings)
+    return sorted(findings, key=lambda found: (files.index(found.file), found.line or 0))
+
+
+def merge_similar(findings):
+    """The findings; those of a line that differ only by a channel or part as one with their count."""
+    places = {}
+    for found in findings:
+        place = (found.file, found.line, found.severity)
+        places.setdefault(place, []).append(found.message)
+    return [
+        Finding(*place, text)
+        for place, messages in places.items()
+        for text in SimilarMessages.merge(messages)
+    ]
 
 
 def count(number, word):
