@@ -188,7 +188,7 @@ def test_list_of_a_folder_with_a_damaged_file(tmp_path, capsys):
 
 def test_errors_of_the_list(tmp_path, capsys):
     assert main(["info", "--scanners", "riegl nothing"]) == 1
-    assert '--scanners "riegl nothing": no scanner has all these words' in capsys.readouterr().err
+    assert '"riegl nothing": no scanner has all these words' in capsys.readouterr().err
     assert main(["info", "--scanners", "x", "--assets", str(tmp_path / "none")]) == 1
     assert "none: no such folder" in capsys.readouterr().err
     assert main(["info"]) == 2

@@ -13,8 +13,8 @@ from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument, missing_folder
-from ._scanners import list_scanners
 from ._task import Interrupted, Task
+from .list import list_entries
 
 SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"
 
@@ -29,14 +29,12 @@ area, coordinate system, materials.
 
 Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
 
---scanners lists the catalogue, and the scanners in the folders of --assets: with words, those that have
-all of them in their id, name, maker, use (terrestrial, mobile, unmanned, airborne) or optics.
+--scanners WORDS is vtkhelios list scanners WORDS.
 
 examples:
   vtkhelios info leg000_points.laz
   vtkhelios info output/village --json
   vtkhelios info survey.xml --assets my_scenes
-  vtkhelios info --scanners
   vtkhelios info --scanners "riegl terrestrial"
 
 exit codes: 0 done (with warnings or without), 1 failed, 2 wrong usage, 130 interrupted.
@@ -70,7 +68,9 @@ def run(arguments):
             messages.error("give a file, a run or a survey, or --scanners for the catalogue")
             return 2
         if arguments.scanners is not None:
-            return run_scanners(arguments, messages)
+            return list_entries(
+                "scanners", arguments.scanners, arguments.assets, arguments.json, messages
+            )
         if not pathlib.Path(arguments.path).exists():
             messages.error(f"{arguments.path}: no such file or folder; check its name")
             return 1
@@ -93,13 +93,6 @@ def run(arguments):
                 messages.error(str(error))
                 return 1
         return tell(inspection.facts, inspection.warnings, arguments, messages)
-
-
-def run_scanners(arguments, messages):
-    if problem := missing_folder(arguments.assets):
-        messages.error(problem)
-        return 1
-    return list_scanners(arguments, messages)
 
 
 def tell(facts, warnings, arguments, messages):

@@ -1,10 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The list of vtkhelios info --scanners."""
+"""The list of vtkhelios list scanners."""
 
-import json
-
-from ..catalogue import find_scanners
+from ...catalogue import find_scanners as find  # noqa: F401  of this list
 
 COLUMNS = ("scanner", "name", "kind", "kHz", "field", "mrad", "source")
 LEGEND = (
@@ -14,25 +12,12 @@ LEGEND = (
 )
 
 
-def list_scanners(arguments, messages):
-    """Prints the scanners of the catalogue; returns the exit code."""
-    text = arguments.scanners
-    found = find_scanners(text, arguments.assets, messages.warning)
-    if not found:
-        messages.error(
-            f'--scanners "{text}": no scanner has all these words in its id, name, maker, use or optics; '
-            "vtkhelios info --scanners lists all"
-        )
-        return 1
-    if arguments.json:
-        print(json.dumps({"scanners": [facts_of(each) for each in found]}, indent=2))
-        return 0
-    rows = [COLUMNS, *map(row_of, found)]
-    widths = [max(len(row[k]) for row in rows) for k in range(len(COLUMNS))]
-    for row in rows:
-        messages.info("  ".join(map(str.ljust, row, widths)).rstrip())
-    messages.info(f"{len(found)} scanners. {LEGEND}")
-    return 0
+def explain_none(text):
+    """The error if nothing is found."""
+    return (
+        f'"{text}": no scanner has all these words in its id, name, maker, use or optics; '
+        "vtkhelios list scanners lists all"
+    )
 
 
 def row_of(scanner):

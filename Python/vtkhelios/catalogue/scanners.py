@@ -1,18 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The catalogue of scanners: what each is, and where its numbers come from.
-
->>> for each in vtkhelios.catalogue.find_scanners("riegl terrestrial"):
-...     print(each.reference, each.pulse_frequencies[-1])
-"""
+"""Scanners: what each is, and where its numbers come from."""
 
 import functools
-import importlib
 import pathlib
 import typing
-import xml.etree.ElementTree as ElementTree
 
-__all__ = ["KINDS", "USES", "CatalogueError", "Scanner", "Source", "find_scanners", "read_file"]
+from ._files import CatalogueError, has_words, read_folders, read_root, shipped_assets
 
 KINDS = {
     "checked": "read in the public copy that is named",
@@ -24,10 +18,6 @@ USES = ("terrestrial", "mobile", "unmanned", "airborne")
 TEXTS = ("id", "name", "maker", "use", "optics", "spin", "visModel", "scanPattern")
 LISTS = ("pulseFreqs_Hz", "facetPitches_deg", "facetRolls_deg")
 SCANNERS = "scanners.xml"
-
-
-class CatalogueError(ValueError):
-    """A file of scanners that cannot be read: file, place and cure."""
 
 
 class Source(typing.NamedTuple):
@@ -100,28 +90,14 @@ def find_scanners(text="", assets=(), warn=None):
         called with the message of each file that cannot be read, which is then left out. Default:
         raise CatalogueError.
     """
-    words = text.lower().split()
-    shipped = importlib.import_module(__package__).data_directory() / "Assets"
-    found = []
-    for folder in dict.fromkeys([*map(pathlib.Path, assets), shipped]):
-        for path in [*sorted(folder.glob("*.xml")), *sorted(folder.glob("*/*.xml"))]:
-            try:
-                found += read_file(path, path.relative_to(folder).as_posix())
-            except CatalogueError as error:
-                if warn is None:
-                    raise
-                warn(str(error))
-    return [each for each in found if all(word in _searched(each) for word in words)]
+    found = read_folders(read_file, [*assets, shipped_assets()], warn)
+    return [each for each in found if has_words(text, _searched(each))]
 
 
 def read_file(path, name=None):
     """The scanners of a file, whose references begin with name. Raises CatalogueError."""
-    try:
-        root = ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, OSError, ValueError) as error:
-        raise CatalogueError(f"{path}: is not readable XML: {error}; correct it") from None
     name = name or pathlib.Path(path).name
-    return [_read_scanner(element, path, name) for element in root.iter("scanner")]
+    return [_read_scanner(element, path, name) for element in read_root(path).iter("scanner")]
 
 
 @functools.cache
@@ -133,7 +109,7 @@ def find_file(scanner):
 
 def _searched(scanner):
     words = (scanner.reference, scanner.name, scanner.maker, scanner.use, scanner.optics)
-    return " ".join(words).lower()
+    return " ".join(words)
 
 
 def _read_scanner(element, path, name):

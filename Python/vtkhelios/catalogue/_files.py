@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The XML files of folders."""
+
+import importlib
+import pathlib
+import xml.etree.ElementTree as ElementTree
+
+
+class CatalogueError(ValueError):
+    """A file of the catalogue that cannot be read: file, place and cure."""
+
+
+def shipped_assets():
+    """The folder of the scanners and platforms that are part of vtkHelios."""
+    return importlib.import_module("vtkhelios").data_directory() / "Assets"
+
+
+def read_folders(read_file, folders, warn=None):
+    """What read_file(path, name) returns of the XML files of folders and of their subfolders.
+
+    name is the path in its folder. warn is called with the message of each file that cannot be read;
+    without it, CatalogueError is raised.
+    """
+    found = []
+    for folder in dict.fromkeys(map(pathlib.Path, folders)):
+        for path in [*sorted(folder.glob("*.xml")), *sorted(folder.glob("*/*.xml"))]:
+            try:
+                found += read_file(path, path.relative_to(folder).as_posix())
+            except CatalogueError as error:
+                if warn is None:
+                    raise
+                warn(str(error))
+    return found
+
+
+def read_root(path):
+    """The root element of an XML file. Raises CatalogueError."""
+    try:
+        return ElementTree.parse(path).getroot()
+    except (ElementTree.ParseError, OSError, ValueError) as error:
+        raise CatalogueError(f"{path}: is not readable XML: {error}; correct it") from None
+
+
+def has_words(words, text):
+    """Whether all words occur in a text, in upper or lower case."""
+    return all(word in text.lower() for word in words.lower().split())

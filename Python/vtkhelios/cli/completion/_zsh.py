@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The script for zsh."""
+
+from ._describe import FILE, FLAG, FOLDER, NUMBER, WORDS
+
+_SCRIPT = """\
+#compdef vtkhelios
+# Completion of vtkhelios in zsh, made by: vtkhelios completion zsh
+_vtkhelios() {{
+  local -a commands
+  commands=(
+{commands}
+  )
+  if (( CURRENT == 2 )); then
+    _describe -t commands command commands
+    return
+  fi
+  local command=$words[2]
+  shift words
+  (( CURRENT-- ))
+  case $command in
+{cases}
+  esac
+}}
+if [[ $funcstack[1] == _vtkhelios ]]; then
+  _vtkhelios "$@"
+else
+  compdef _vtkhelios vtkhelios
+fi
+"""
+
+
+def write_script(commands):
+    """The script, as text."""
+    return _SCRIPT.format(
+        commands="\n".join(f"    {_quote(_describe(each))}" for each in commands),
+        cases="\n".join(map(_case, commands)),
+    )
+
+
+def _describe(command):
+    return f"{command.name}:{command.help}"
+
+
+def _case(command):
+    """What _arguments completes of a command."""
+    lines = [f"    {command.name})", "      _arguments -S \\"]
+    specs = [spec for option in command.options for spec in _option_specs(option)]
+    specs += [_place(number, value) for number, value in enumerate(command.arguments, 1)]
+    if command.arguments:
+        specs.append(f"*{_place('', command.arguments[-1])}")
+    lines += [f"        {_quote(spec)} \\" for spec in specs]
+    return "\n".join([*lines, "        && return", "      ;;"])
+
+
+def _option_specs(option):
+    others = "" if option.repeats or len(option.names) == 1 else f"({' '.join(option.names)})"
+    star = "*" if option.repeats else ""
+    for name in option.names:
+        value = f":{_escape(option.value.metavar)}:{_action(option.value)}"
+        yield (
+            f"{star}{others}{name}[{_escape(option.help)}]"
+            f"{'' if option.value.kind == FLAG else value}"
+        )
+
+
+def _place(number, value):
+    return f"{number}:{_escape(value.metavar)}:{_action(value)}"
+
+
+def _action(value):
+    return {
+        FILE: "_files",
+        FOLDER: "_files -/",
+        NUMBER: " ",
+        WORDS: f"({' '.join(value.words)})",
+    }[value.kind]
+
+
+def _escape(text):
+    """A text without a meaning for _arguments."""
+    return "".join(f"\\{c}" if c in "[]:\\" else c for c in text)
+
+
+def _quote(text):
+    """A text in single quotes."""
+    return "'" + text.replace("'", "'\\''") + "'"
