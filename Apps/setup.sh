@@ -18,7 +18,7 @@ helios_packages=(
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   python3-jinja2
   # to test
-  catch2 cloudcompare python3-pytest python3-gdal python3-lxml clang-format-14 black codespell
+  catch2 cloudcompare zsh fish python3-pytest python3-gdal python3-lxml clang-format-14 black codespell
   # pictures without a display
   xvfb xauth libgl1-mesa-dri xdotool
 )

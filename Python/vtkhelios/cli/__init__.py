@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line. A subcommand is one module of this package.
 
-To add one: a module, named as the subcommand (no leading underscore), with
+To add one: a module or a package, named as the subcommand (no leading underscore; a trailing one if
+it is the name of a function of Python: list_), with
 
 SUMMARY                 one line for ``vtkhelios --help``
 add_arguments(parser)   its arguments; also parser.description and parser.epilog
@@ -31,6 +32,7 @@ DESCRIPTION = (
 
 EPILOG = """\
 examples:
+  vtkhelios new yard --kind tls                     make a small scene and its survey, to start from
   vtkhelios run survey.xml                          run a survey; files go to ./output
   vtkhelios run survey.xml --assets my_scenes       also search my_scenes for scenes and scanners
   vtkhelios run --help                              all options and outputs of a run
@@ -44,6 +46,8 @@ examples:
   vtkhelios instrument os1.json -o os1.xml          a scanner from the metadata of an Ouster sensor
   vtkhelios info village.laz                        contents of a file, a run or a survey
   vtkhelios report output/village                   a report page of a run: maps, histograms, timings
+  vtkhelios list scanners riegl                     what a survey may name
+  vtkhelios help run                                describe a command
   vtkhelios compare real.laz output/village         two clouds: noise, spacing, returns, shift, heights
   vtkhelios fit real.laz --output fitted            the instrument and the flight of a cloud, as a survey
 
@@ -51,15 +55,22 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 1
 """
 
 
+def module_names():
+    """The modules of the subcommands: a dict from the name of each subcommand to that of its module."""
+    found = [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
+    return {name.rstrip("_"): name for name in found}
+
+
 def command_names():
     """The names of the subcommands, sorted."""
-    return [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
+    return sorted(module_names())
 
 
 def commands(names=None):
     """The subcommands, all or those of given names: a dict from name to module."""
-    names = command_names() if names is None else names
-    return {name: importlib.import_module(f"{__name__}.{name}") for name in names}
+    modules = module_names()
+    names = sorted(modules) if names is None else names
+    return {name: importlib.import_module(f"{__name__}.{modules[name]}") for name in names}
 
 
 def make_parser(names=None):

@@ -14,7 +14,7 @@ from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument, missing_folder
 from ._task import Interrupted, Task
-from .list import list_entries
+from .list_ import list_entries
 
 SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"
 

@@ -10,6 +10,7 @@ of the kind, always the same bytes. To add a kind: its line in KINDS, a folder o
 survey.xml, scene.xml and README.md, and a module with ``write_geometry(folder)``.
 """
 
+import errno
 import importlib
 import os
 import pathlib
@@ -45,7 +46,10 @@ def write_example(kind, folder):
     folder = pathlib.Path(os.path.abspath(folder))
     if os.path.lexists(folder):
         raise FileExistsError(f"{folder}: exists and is kept; give another name, or remove it")
-    folder.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise NotADirectoryError(errno.ENOTDIR, "is not a folder", error.filename) from None
     with tempfile.TemporaryDirectory(prefix=".vtkhelios", dir=folder.parent) as scratch:
         unfinished = pathlib.Path(scratch, "example")
         unfinished.mkdir()

@@ -58,11 +58,8 @@ def _option_specs(option):
     others = "" if option.repeats or len(option.names) == 1 else f"({' '.join(option.names)})"
     star = "*" if option.repeats else ""
     for name in option.names:
-        value = f":{_escape(option.value.metavar)}:{_action(option.value)}"
-        yield (
-            f"{star}{others}{name}[{_escape(option.help)}]"
-            f"{'' if option.value.kind == FLAG else value}"
-        )
+        value = "" if option.value.kind == FLAG else _place("", option.value)
+        yield f"{star}{others}{name}[{_escape(option.help)}]{value}"
 
 
 def _place(number, value):

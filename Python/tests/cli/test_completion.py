@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios completion: the shells themselves complete command lines."""
+
+import shutil
+import subprocess
+
+import pytest
+
+from vtkhelios import cli
+from vtkhelios.cli.completion import SHELLS
+from vtkhelios.cli.completion._describe import describe_commands
+
+BASH = """\
+source ./script
+complete_line() {
+  COMP_WORDS=("$@")
+  COMP_CWORD=$(($# - 1))
+  _vtkhelios
+  printf '%s\\n' "${COMPREPLY[@]}"
+}
+complete_line "$@"
+"""
+
+@pytest.fixture(scope="module")
+def commands():
+    return {command.name: command for command in describe_commands()}
+
+
+@pytest.fixture
+def scripts(tmp_path, commands, monkeypatch):
+    """A folder with a file and a folder, and the script of a shell."""
+    (tmp_path / "a survey.xml").write_text("")
+    (tmp_path / "assets").mkdir()
+    monkeypatch.chdir(tmp_path)
+
+    def write(shell):
+        if not shutil.which(shell):
+            pytest.skip(f"{shell} is not installed")
+        (tmp_path / "script").write_text(SHELLS[shell](list(commands.values())))
+
+    return write
+
+
+def test_all_commands_are_described(commands):
+    assert list(commands) == cli.command_names()
+    options = {name for option in commands["run"].options for name in option.names}
+    assert {"--format", "--assets", "--help", "-h"} <= options
+    assert "--play" not in options  # a former name, not shown
+    kinds = {option.names[-1]: option.value for option in commands["run"].options}
+    assert kinds["--format"].words == ("xyz", "las", "vtp")
+    assert kinds["--assets"].kind == kinds["--output"].kind == "folder"
+    assert kinds["--seed"].kind == "number"
+    assert kinds["--quiet"].kind == "flag"
+    assert commands["run"].arguments[0].kind == "file"
+    assert commands["completion"].arguments[0].words == ("bash", "zsh", "fish")
+
+
+@pytest.mark.parametrize(
+    "line, expected",
+    [
+        ("ru", {"run"}),
+        ("run --form", {"--format"}),
+        ("run --format ", {"xyz", "las", "vtp"}),
+        ("run --format = l", {"las"}),
+        ("run --assets a", {"assets"}),
+        ("run a", {"a survey.xml", "assets"}),
+        ("run --seed a", {""}),
+        ("convert x --format l", {"las", "laz"}),
+        ("help vali", {"validate"}),
+        ("list s", {"scanners", "scenes"}),
+        ("new x --kind f", {"forest"}),
+    ],
+)
+def test_bash(line, expected, scripts):
+    scripts("bash")
+    words = ["vtkhelios", *line.split(" ")]
+    done = subprocess.run(
+        ["bash", "-c", BASH, "test", *words], capture_output=True, text=True, check=True
+    )
+    assert set(done.stdout.splitlines()) == expected, done.stderr
+
+
+@pytest.mark.parametrize(
+    "line, expected",
+    [
+        ("ru", {"run"}),
+        ("run --form", {"--format"}),
+        ("run --format ", {"las", "vtp", "xyz"}),
+        ("run --assets a", {"assets/"}),
+        ("run a", {"a survey.xml", "assets/"}),
+        ("help vali", {"validate"}),
+        ("list s", {"scanners", "scenes"}),
+    ],
+)
+def test_fish(line, expected, scripts):
+    scripts("fish")
+    done = subprocess.run(
+        ["fish", "--private", "-c", f"source ./script; complete -C 'vtkhelios {line}'"],
+        capture_output=True,
+        text=True,
+    )
+    assert {row.split("\t")[0] for row in done.stdout.splitlines()} == expected, done.stderr
+
+
+def test_zsh_reads_the_script(scripts):
+    scripts("zsh")
+    done = subprocess.run(
+        ["zsh", "-f", "-c", "autoload -Uz compinit; compinit -u -D; source ./script; whence -w _vtkhelios"],
+        capture_output=True,
+        text=True,
+    )
+    assert done.stdout == "_vtkhelios: function\n" and done.stderr == ""
+
+
+def test_an_unknown_shell_names_the_known(capsys):
+    with pytest.raises(SystemExit) as end:
+        cli.main(["completion", "tcsh"])
+    assert end.value.code == 2
+    assert "known: bash, zsh, fish" in capsys.readouterr().err

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Attributes of pyhelios objects as attributes of a survey (Docs/dialect.md), in their units."""
+
+import math
+import typing
+
+from ..._pipeline import MessageLog, PipelineError, conclude
+from ._errors import not_covered
+
+
+class Setting(typing.NamedTuple):
+    """An attribute of the dialect, and how its text is converted."""
+
+    attribute: str
+    default: object  # its type is that of the value; None: a number, NaN if it is not given
+    unit: float = 1.0  # of pyhelios, in that of the dialect
+
+
+DEGREES = 180.0 / math.pi  # of a radian
+
+
+def name_all(rows):
+    """A dictionary by all names of rows (names of version 1 and 2.1, separated by blanks; Setting)."""
+    return {name: setting for names, setting in rows for name in names.split()}
+
+
+class Settings:
+    """Attributes by SETTINGS of a class, read and set by _read(name) and _write(name, text)."""
+
+    SETTINGS = {}
+
+    def __getattr__(self, name):
+        setting = self.SETTINGS.get(name)
+        if setting is None:
+            raise not_covered(type(self).__name__.lstrip("_"), name)
+        return parse(setting, self._read(setting.attribute))
+
+    def __setattr__(self, name, value):
+        setting = self.SETTINGS.get(name)
+        if setting is None and not name.startswith("_"):
+            raise not_covered(type(self).__name__.lstrip("_"), name)
+        if setting is None:
+            object.__setattr__(self, name, value)
+        else:
+            self._write(setting.attribute, format_value(setting, value))
+
+
+def parse(setting, text):
+    """The value of a text of the dialect; the default if it is empty."""
+    default = setting.default
+    if not text:
+        return math.nan if default is None else default
+    if isinstance(default, bool):
+        return text.strip().lower() in ("true", "1")
+    if isinstance(default, str):
+        return text
+    number = float(text) / setting.unit
+    return round(number) if isinstance(default, int) else number
+
+
+def format_value(setting, value):
+    """The text of a value in the dialect."""
+    if isinstance(setting.default, bool):
+        return "true" if value else "false"
+    if isinstance(setting.default, str):
+        return str(value)
+    return repr(float(value) * setting.unit)
+
+
+def change(survey, method, *arguments):
+    """Calls a method of a vtkHeliosSurvey that returns whether it succeeded; raises PipelineError."""
+    with MessageLog() as log:
+        log.watch(survey)
+        succeeded = getattr(survey, method)(*arguments)
+    conclude(log)
+    if succeeded is False:
+        raise PipelineError([f"{method}{arguments}: is not valid"])
+    return succeeded
