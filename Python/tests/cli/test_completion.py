@@ -22,6 +22,7 @@ complete_line() {
 complete_line "$@"
 """
 
+
 @pytest.fixture(scope="module")
 def commands():
     return {command.name: command for command in describe_commands()}
@@ -106,7 +107,12 @@ def test_fish(line, expected, scripts):
 def test_zsh_reads_the_script(scripts):
     scripts("zsh")
     done = subprocess.run(
-        ["zsh", "-f", "-c", "autoload -Uz compinit; compinit -u -D; source ./script; whence -w _vtkhelios"],
+        [
+            "zsh",
+            "-f",
+            "-c",
+            "autoload -Uz compinit; compinit -u -D; source ./script; whence -w _vtkhelios",
+        ],
         capture_output=True,
         text=True,
     )

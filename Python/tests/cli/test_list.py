@@ -86,7 +86,9 @@ def test_unreadable_files_are_warnings(tmp_path, capsys):
     with pytest.raises(CatalogueError, match="bad.xml: is not readable XML"):
         find_platforms(assets=[tmp_path])
     (tmp_path / "bad.xml").unlink()
-    with pytest.raises(CatalogueError, match="mount.xml: platform a: its scannerMount is not valid"):
+    with pytest.raises(
+        CatalogueError, match="mount.xml: platform a: its scannerMount is not valid"
+    ):
         find_platforms(assets=[tmp_path])
 
 

@@ -149,7 +149,8 @@ def test_echoes_of_water_are_near_nadir(examples):
     water = cloud["ClassificationIds"] == 9
     angles = np.abs(cloud["ScanAngle"])
     assert water.sum() > 100
-    assert angles[water].max() < 15.0 < 24.0 < angles.max()
+    assert np.quantile(angles[water], 0.95) < 5.0  # the rest are of beams that also meet the bank
+    assert angles.max() > 24.0
     assert cloud.points[water, 2] == pytest.approx(river.WATER, abs=0.1)
 
 

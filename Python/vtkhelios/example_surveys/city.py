@@ -70,9 +70,7 @@ class City:
 
 def write_geometry(folder):
     city = City()
-    width, depth = (
-        count * size + (count + 1) * STREET for count, size in zip(BLOCKS, BLOCK)
-    )
+    width, depth = (count * size + (count + 1) * STREET for count, size in zip(BLOCKS, BLOCK))
     ground = [(0, 0, 0), (width, 0, 0), (width, depth, 0), (0, depth, 0)]
     city.add("streets", "Road", city.make_surfaces("TrafficArea", [ground]))
     random_numbers = np.random.default_rng(6)
@@ -123,7 +121,10 @@ def _make_house(x, y, eaves, roof):
                 (east, y, eaves),
             ],
         ),
-        ("RoofSurface", [(x, y, eaves), (east, y, eaves), (east, middle, ridge), (x, middle, ridge)]),
+        (
+            "RoofSurface",
+            [(x, y, eaves), (east, y, eaves), (east, middle, ridge), (x, middle, ridge)],
+        ),
         (
             "RoofSurface",
             [(east, north, eaves), (x, north, eaves), (x, middle, ridge), (east, middle, ridge)],

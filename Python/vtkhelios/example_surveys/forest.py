@@ -51,9 +51,7 @@ def _write_undergrowth(path):
     lines = [
         "VOXEL SPACE",
         "#min_corner: {} {} {}".format(*CORNER),
-        "#max_corner: {} {} {}".format(
-            *(low + VOXEL * cells for low, cells in zip(CORNER, CELLS))
-        ),
+        "#max_corner: {} {} {}".format(*(low + VOXEL * cells for low, cells in zip(CORNER, CELLS))),
         "#split: {} {} {}".format(*CELLS),
         f"#res: {VOXEL} #max_pad: {density.max():.3f}",
         "i j k PadBVTotal",

@@ -72,12 +72,12 @@ def _add_house(houses, material, x, width, side, floors):
     houses.add_box("glass", (x, 0.0, 0.0), (0.5, low, 0.5), (width - 0.5, high, top - 0.5))
     for left, right, bottom, upper in _find_walls(width, floors, top):
         front = sorted((side * FRONT, near))
-        houses.add_box(
-            material, (x, 0.0, 0.0), (left, front[0], bottom), (right, front[1], upper)
-        )
+        houses.add_box(material, (x, 0.0, 0.0), (left, front[0], bottom), (right, front[1], upper))
     middle, ridge = (near + far) / 2, top + 3.5
     near = side * (FRONT - 0.4)
-    points = [(x + a, b, c) for a in (0.0, width) for b, c in ((near, top), (middle, ridge), (far, top))]
+    points = [
+        (x + a, b, c) for a in (0.0, width) for b, c in ((near, top), (middle, ridge), (far, top))
+    ]
     houses.add("tiles", points, [(0, 3, 4, 1), (1, 4, 5, 2), (0, 1, 2), (3, 5, 4)])
 
 

@@ -22,7 +22,9 @@ def write_script(commands):
     lines = []
     for command in commands:
         about = _quote(command.help)
-        lines.append(f"complete -c vtkhelios -n __vtkhelios_no_command -a {command.name} -d {about}")
+        lines.append(
+            f"complete -c vtkhelios -n __vtkhelios_no_command -a {command.name} -d {about}"
+        )
     for command in commands:
         start = f"complete -c vtkhelios -n '__vtkhelios_command {command.name}'"
         if command.arguments:

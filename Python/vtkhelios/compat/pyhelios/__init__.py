@@ -34,6 +34,16 @@ default_rand_generator_seed = setDefaultRandomnessGeneratorSeed
 
 __version__ = _core.vtkHeliosVersion.GetVersion()
 
+__all__ = [
+    "PYHELIOS_SIMULATION_BUILD_CONDITION_VARIABLE", "Measurement", "NotCoveredError", "Output",
+    "PyHeliosToolsException", "Simulation", "SimulationBuild", "SimulationBuilder", "Trajectory",
+    "cartesianToSpherical", "default_rand_generator_seed", "getVersion", "loggingDefault",
+    "loggingQuiet", "loggingSilent", "loggingTime", "loggingVerbose", "loggingVerbose2",
+    "logging_default", "logging_quiet", "logging_silent", "logging_time", "logging_verbose",
+    "logging_verbose2", "outputToList", "outputToNumpy", "setDefaultRandomnessGeneratorSeed",
+    "sphericalToCartesian",
+]  # fmt: skip
+
 
 def getVersion():
     """The version of vtkHelios, as a text."""

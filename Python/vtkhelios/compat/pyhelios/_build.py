@@ -3,6 +3,7 @@
 """SimulationBuilder, and the SimulationBuild that it makes."""
 
 import datetime
+import math
 import threading
 import time
 
@@ -127,7 +128,7 @@ class SimulationBuilder:
 def _check(name, kind, value):
     """The value of a setter; raises PyHeliosToolsException if it is not valid."""
     valid = isinstance(value, bool) == (kind is bool) and isinstance(value, (int, float))
-    if not valid or value != int(value) or value < 0:
+    if not valid or not (0 <= value < math.inf and value == int(value)):
         expected = "True or False" if kind is bool else "a whole number, 0 or more"
         raise PyHeliosToolsException(f"{name}({value!r}): expected {expected}")
     return kind(value)

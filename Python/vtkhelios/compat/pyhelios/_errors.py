@@ -32,7 +32,9 @@ INSTEAD = {
     "survey": "use vtkhelios.read_survey and vtkhelios.make_survey",
     "util": "use vtkhelios.Scene, vtkhelios.make_survey and vtkhelios new",
 }
-_DEFAULT = "Docs/from-helios.md lists what is covered; vtkhelios.read_survey() has the whole library"
+_DEFAULT = (
+    "Docs/from-helios.md lists what is covered; vtkhelios.read_survey() has the whole library"
+)
 
 
 def not_covered(owner, name):

@@ -20,7 +20,9 @@ def write_files(survey, output, kind, **options):
 
     kind is xyz, las or laz: LAZ files beside those of LAS. The folder appears when it is complete.
     """
-    if kind == "laz" and not (importlib.util.find_spec("laspy") and importlib.util.find_spec("lazrs")):
+    if kind == "laz" and not (
+        importlib.util.find_spec("laspy") and importlib.util.find_spec("lazrs")
+    ):
         raise PyHeliosToolsException(
             "setZipOutput(True): LAZ files need laspy and lazrs: pip install laspy lazrs"
         )

@@ -247,7 +247,10 @@ def outputToNumpy(output):
     columns += [measured[name][:, None] for name in rest]
     columns += [_find_numbers(measured)[:, None]]
     columns += [measured[name][:, None] for name in ("classification", "gps_time")]
-    path = [traced["position"], *(traced[name][:, None] for name in ("gps_time", "roll", "pitch", "yaw"))]
+    path = [
+        traced["position"],
+        *(traced[name][:, None] for name in ("gps_time", "roll", "pitch", "yaw")),
+    ]
     return np.hstack(columns).astype(np.float64), np.hstack(path).astype(np.float64)
 
 

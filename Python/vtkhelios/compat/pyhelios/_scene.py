@@ -9,6 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..._paths import text_from_vtk
+
 from ...array_names import (
     MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME, MATERIAL_REFLECTANCE,
     MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY, PART_IDS,
@@ -17,10 +18,11 @@ from ._errors import not_covered
 from ._output import Vector
 
 PERCENT = 100.0  # reflectances are fractions here
+DEFAULT = 0.5  # reflectance of a material without one
 
 
 class Material(typing.NamedTuple):
-    """A material; reflectance is in percent."""
+    """A material; reflectance is in percent, NaN if the spectrum gives it."""
 
     name: str
     isGround: bool
@@ -128,14 +130,17 @@ class SceneView:
         def read(name):
             return fields.GetAbstractArray(name).GetValue(index)
 
+        reflectance, spectrum = read(MATERIAL_REFLECTANCE), read(MATERIAL_SPECTRUM)
+        if np.isnan(reflectance) and not spectrum:
+            reflectance = DEFAULT
         return Material(
             read(MATERIAL_NAME),
             bool(read(MATERIAL_IS_GROUND)),
-            PERCENT * read(MATERIAL_REFLECTANCE),
+            PERCENT * reflectance,
             read(MATERIAL_SPECULARITY),
             read(MATERIAL_SPECULAR_EXPONENT),
             read(MATERIAL_CLASSIFICATION),
-            read(MATERIAL_SPECTRUM),
+            spectrum,
         )
 
     def getShift(self):

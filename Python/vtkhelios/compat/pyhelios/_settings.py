@@ -65,7 +65,8 @@ def format_value(setting, value):
         return "true" if value else "false"
     if isinstance(setting.default, str):
         return str(value)
-    return repr(float(value) * setting.unit)
+    number = float(value) * setting.unit
+    return str(round(number)) if isinstance(setting.default, int) else repr(number)
 
 
 def change(survey, method, *arguments):

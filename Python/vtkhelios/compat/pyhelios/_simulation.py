@@ -5,8 +5,8 @@
 import os
 import pathlib
 import re
-import threading
 import time
+import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
@@ -142,7 +142,10 @@ class Simulation:
         """Reads the survey; rebuildScene and calcEchowidth have no effect: widths always are output."""
         self._check_options(fullWaveNoise)
         path, assets, _ = self._paths
-        survey = read_survey(path, [folder for folder in assets if pathlib.Path(folder).is_dir()])
+        with warnings.catch_warnings(record=True) as found:
+            survey = read_survey(path, [each for each in assets if pathlib.Path(each).is_dir()])
+        for each in found:
+            say_warning(each.message)
         survey.warn = say_warning
         if _seed:
             change(survey.vtk, "SetSurveyAttribute", "seed", _seed)
@@ -215,7 +218,7 @@ class Simulation:
 
     def setCallback(self, callback):
         """A function of an Output with the measurements since the last call, or None."""
-        self._state.callback = getattr(callback, "__call__", callback)
+        self._state.callback = callback
 
     def clearCallback(self):
         self._state.callback = None
@@ -276,7 +279,9 @@ class Simulation:
                 if self.finalOutput:
                     blocks.append(block)
         files = self._write(state) if self.exportToFile else []
-        say_step(f"simulation of {time.perf_counter() - begin:.3f} s, files: {', '.join(files) or 'none'}")
+        say_step(
+            f"simulation of {time.perf_counter() - begin:.3f} s, files: {', '.join(files) or 'none'}"
+        )
         return make_output(blocks, paths if self.finalOutput else [], files, True)
 
     def _write(self, state):

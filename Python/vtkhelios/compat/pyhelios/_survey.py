@@ -70,7 +70,10 @@ class ScannerSettings(Settings):
                 "trajectoryTimeInterval trajectory_time_interval",
                 Setting("trajectoryTimeInterval_s", 0.0),
             ),
-            ("verticalResolution vertical_resolution", Setting("verticalResolution_deg", 0.0, DEGREES)),
+            (
+                "verticalResolution vertical_resolution",
+                Setting("verticalResolution_deg", 0.0, DEGREES),
+            ),
             (
                 "horizontalResolution horizontal_resolution",
                 Setting("horizontalResolution_deg", 0.0, DEGREES),
