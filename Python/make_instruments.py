@@ -17,7 +17,7 @@ HEAD = """\
 # The catalogue of scanners
 
 Made by `Python/make_instruments.py` from `Data/Assets`; do not edit. A survey names a scanner by file and id, as in
-`scanner="instruments/riegl.xml#riegl_vz400i"`; `vtkhelios.scan()` needs the id only. `vtkhelios info --scanners WORDS`
+`scanner="instruments/riegl.xml#riegl_vz400i"`; `vtkhelios.scan()` needs the id only. `vtkhelios list scanners WORDS`
 lists them. [Data/Assets](../Data/Assets/README.md) tells how to add one, and what each attribute means.
 
 Each number is followed by the kind of its source:

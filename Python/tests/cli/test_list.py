@@ -107,6 +107,6 @@ def test_help_is_that_of_the_command(capsys):
 
 def test_help_of_an_unknown_command_names_the_nearest(capsys):
     with pytest.raises(SystemExit) as end:
-        cli.main(["help", "convrt"])
+        cli.main(["help", "converted"])
     assert end.value.code == 2
     assert "did you mean convert?" in capsys.readouterr().err
