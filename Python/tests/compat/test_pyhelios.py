@@ -413,9 +413,14 @@ def test_names_that_are_not_covered(builder):
     for owner, name in owners:
         with pytest.raises(pyhelios.NotCoveredError, match=f"{name}.frobnicate is not covered"):
             owner.frobnicate
-    for owner in (simulation, simulation.getScanner(), leg.getScannerSettings()):
+    for owner in (simulation, simulation.getScanner(), leg.getScannerSettings(), leg, scene):
         with pytest.raises(pyhelios.NotCoveredError, match="frobnicate is not covered"):
             owner.frobnicate = 1
+    leg.serialId = 0
+    with pytest.raises(
+        pyhelios.NotCoveredError, match="serialId cannot be set to 3: .* the leg, 0"
+    ):
+        leg.serialId = 3
     with pytest.raises(pyhelios.NotCoveredError, match="set dynStep of <scene>"):
         simulation.dynSceneStep
     output = run(builder)

@@ -42,3 +42,20 @@ def not_covered(owner, name):
     return NotCoveredError(
         f"{owner}.{name} is not covered by vtkhelios.compat.pyhelios: {INSTEAD.get(name, _DEFAULT)}"
     )
+
+
+class Closed:
+    """An object with the attributes of its class only: any other raises NotCoveredError."""
+
+    OWNER = None  # its name in pyhelios; None: that of the class
+
+    def _refuse(self, name):
+        return not_covered(self.OWNER or type(self).__name__, name)
+
+    def __getattr__(self, name):
+        raise self._refuse(name)
+
+    def __setattr__(self, name, value):
+        if not name.startswith("_") and not isinstance(getattr(type(self), name, None), property):
+            raise self._refuse(name)
+        object.__setattr__(self, name, value)

@@ -14,7 +14,7 @@ from ...array_names import (
     MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME, MATERIAL_REFLECTANCE,
     MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY, PART_IDS,
 )  # fmt: skip
-from ._errors import not_covered
+from ._errors import Closed
 from ._output import Vector
 
 PERCENT = 100.0  # reflectances are fractions here
@@ -63,7 +63,7 @@ class Box(typing.NamedTuple):
         return Vertex(self.high)
 
 
-class ScenePart:
+class ScenePart(Closed):
     """A part of the scene, by its index."""
 
     def __init__(self, survey, index):
@@ -76,11 +76,8 @@ class ScenePart:
     def getId(self):
         return self.id
 
-    def __getattr__(self, name):
-        raise not_covered("ScenePart", name)
 
-
-class Primitive:
+class Primitive(Closed):
     """A triangle of the scene, by its index; it cannot be changed."""
 
     def __init__(self, scene, index):
@@ -101,12 +98,11 @@ class Primitive:
     def getScenePart(self):
         return self._scene.getScenePart(self._scene.cell_value(PART_IDS, self._index))
 
-    def __getattr__(self, name):
-        raise not_covered("Primitive", name)
 
-
-class SceneView:
+class SceneView(Closed):
     """The scene as it is loaded; coordinates are those of the survey, the shift is 0."""
+
+    OWNER = "Scene"
 
     def __init__(self, survey):
         self._survey = survey  # vtkhelios.Survey
@@ -176,6 +172,3 @@ class SceneView:
         return Primitive(self, index)
 
     primitive = getPrimitive
-
-    def __getattr__(self, name):
-        raise not_covered("Scene", name)

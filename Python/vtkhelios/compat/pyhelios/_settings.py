@@ -6,7 +6,7 @@ import math
 import typing
 
 from ..._pipeline import MessageLog, PipelineError, conclude
-from ._errors import not_covered
+from ._errors import Closed
 
 
 class Setting(typing.NamedTuple):
@@ -25,7 +25,7 @@ def name_all(rows):
     return {name: setting for names, setting in rows for name in names.split()}
 
 
-class Settings:
+class Settings(Closed):
     """Attributes by SETTINGS of a class, read and set by _read(name) and _write(name, text)."""
 
     SETTINGS = {}
@@ -33,15 +33,13 @@ class Settings:
     def __getattr__(self, name):
         setting = self.SETTINGS.get(name)
         if setting is None:
-            raise not_covered(type(self).__name__.lstrip("_"), name)
+            raise self._refuse(name)
         return parse(setting, self._read(setting.attribute))
 
     def __setattr__(self, name, value):
         setting = self.SETTINGS.get(name)
-        if setting is None and not name.startswith("_"):
-            raise not_covered(type(self).__name__.lstrip("_"), name)
         if setting is None:
-            object.__setattr__(self, name, value)
+            super().__setattr__(name, value)
         else:
             self._write(setting.attribute, format_value(setting, value))
 

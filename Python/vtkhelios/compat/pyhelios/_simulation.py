@@ -95,7 +95,7 @@ class Simulation:
 
     def __getattr__(self, name):
         camel = _to_camel(name)
-        if camel not in self._options:
+        if name.startswith("_") or camel not in self._options:
             raise not_covered("Simulation", name)
         return self._options[camel]
 

@@ -6,7 +6,7 @@ import itertools
 import math
 
 from ..._paths import text_from_vtk, to_vtk
-from ._errors import not_covered
+from ._errors import Closed, NotCoveredError
 from ._output import Vector
 from ._settings import DEGREES, Setting, Settings, change, name_all
 
@@ -97,19 +97,19 @@ class ScanningStrip:
         self.stripId = stripId
 
 
-class Leg:
+class Leg(Closed):
     """A leg, by its index."""
 
     def __init__(self, survey, index):
-        self._survey, self.serialId = survey, index
+        self._survey, self._index = survey, index
 
     def _read(self, attribute):
         if attribute == "pulseFreq_hz":
-            return str(self._survey.GetLegPulseFrequency(self.serialId))  # or that of the scanner
-        return text_from_vtk(self._survey.GetLegAttribute(self.serialId, attribute))
+            return str(self._survey.GetLegPulseFrequency(self._index))  # or that of the scanner
+        return text_from_vtk(self._survey.GetLegAttribute(self._index, attribute))
 
     def _write(self, attribute, text):
-        change(self._survey, "SetLegAttribute", self.serialId, attribute, to_vtk(text))
+        change(self._survey, "SetLegAttribute", self._index, attribute, to_vtk(text))
 
     def getScannerSettings(self):
         return ScannerSettings(self)
@@ -121,8 +121,17 @@ class Leg:
     platform_settings = property(getPlatformSettings)
 
     @property
-    def serial_id(self):
-        return self.serialId
+    def serialId(self):
+        return self._index
+
+    @serialId.setter
+    def serialId(self, index):
+        if index != self._index:
+            raise NotCoveredError(
+                f"Leg.serialId cannot be set to {index}: it is the place of the leg, {self._index}"
+            )
+
+    serial_id = serialId
 
     @property
     def strip(self):
@@ -137,12 +146,11 @@ class Leg:
 
     belongs_to_strip = isContainedInAStrip
 
-    def __getattr__(self, name):
-        raise not_covered("Leg", name)
 
-
-class SurveyView:
+class SurveyView(Closed):
     """The survey: its name, and the length of its legs."""
+
+    OWNER = "Survey"
 
     def __init__(self, survey):
         self._survey, self._length = survey, 0.0
@@ -172,9 +180,6 @@ class SurveyView:
         self._length = sum(itertools.starmap(math.dist, itertools.pairwise(places)))
 
     calculate_length = calculateLength
-
-    def __getattr__(self, name):
-        raise not_covered("Survey", name)
 
 
 class Detector(Settings):
