@@ -17,9 +17,9 @@ import vtkhelios
 from vtkhelios import _native, cli
 from vtkhelios._paths import from_vtk, to_vtk
 from vtkhelios._pipeline import MessageLog, report_error
-from vtkhelios.cli import detect
 from vtkhelios.cli._messages import Messages
 from vtkhelios.cli._streams import visible
+from vtkhelios.formats import _waveforms
 
 ODD = os.fsdecode(b"odd\xff\xfe")  # a file name that is not UTF-8
 BAD = b"\xff\xfe"
@@ -161,7 +161,7 @@ def test_detect_loses_no_waveforms(make_survey, tmp_path, monkeypatch, capsys):
     lines = good.splitlines(keepends=True)
     at = sum(map(len, lines[: len(lines) * 3 // 4])) + 4  # in a number of the second half
     path.write_bytes(good[:at] + BAD + good[at + 2 :])
-    monkeypatch.setattr(detect, "PIECE_SIZE", len(good) // 2)
+    monkeypatch.setattr(_waveforms, "PIECE_SIZE", len(good) // 2)
     arguments = ["detect", str(path), "-o", str(tmp_path / "e.xyz"), "--pulse-length", "4"]
     assert cli.main(arguments) == 1
     error = capsys.readouterr().err

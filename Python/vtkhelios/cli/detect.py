@@ -10,7 +10,6 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 import vtkhelios
 
@@ -18,6 +17,7 @@ from .. import formats
 from .._paths import to_vtk
 from .._run_files import PART
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
+from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
 from .run import detectors
 from ._parser import number, whole_number
@@ -45,8 +45,6 @@ examples:
 
 exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
 """
-
-PIECE_SIZE = 64_000_000  # bytes of text in memory at a time
 
 
 def return_selections():
@@ -164,7 +162,7 @@ def run(arguments):
     with Messages(quiet=arguments.quiet) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         try:
-            reader = make_reader(arguments)
+            reader = make_waveform_reader(arguments.waveforms, arguments.one_way)
         except formats.FormatError as error:
             messages.error(str(error))
             return 1
@@ -181,47 +179,6 @@ def run(arguments):
             if messages.errors or not writer.Write(complete(detection.GetOutput())):
                 return give_up(arguments, writer)
         return conclude(arguments, writer, messages)
-
-
-def is_xml(path):
-    return any(suffix in (".pvtt", ".vtt") for suffix in pathlib.Path(path).suffixes)
-
-
-def is_las(path):
-    return pathlib.Path(path).suffix.lower() == ".las"
-
-
-def make_reader(arguments):
-    """The reader of the waveforms, which are its last output."""
-    if pathlib.Path(arguments.waveforms).suffix.lower() == ".pls":
-        reader = vtkTrivialProducer()
-        reader.SetOutput(formats.read_pulsewaves(arguments.waveforms).returning)
-        return reader
-    if is_las(arguments.waveforms):
-        formats.check_waveforms(arguments.waveforms)
-        reader = vtkhelios.vtkHeliosLASReader()
-        reader.ReadWaveformsOn()
-    elif is_xml(arguments.waveforms):
-        reader = vtkhelios.vtkHeliosWaveformXMLReader()
-    else:
-        reader = vtkhelios.vtkHeliosWaveformTextReader()
-        reader.SetOneWayTimes(arguments.one_way)
-    reader.SetFileName(to_vtk(arguments.waveforms))
-    return reader
-
-
-def count_pieces(reader, path):
-    """Number of pieces in which waveforms are read, so that memory does not grow with the file.
-
-    The points of a pulse in LAS need not be neighbours, but refer to one waveform: one piece.
-    """
-    if is_las(path) or reader.IsA("vtkTrivialProducer"):
-        return 1
-    reader.UpdateInformation()
-    if reader.IsA("vtkHeliosWaveformXMLReader"):
-        return max(1, reader.GetNumberOfPieces())
-    size = pathlib.Path(path).stat().st_size if pathlib.Path(path).is_file() else 0
-    return 1 + size // PIECE_SIZE
 
 
 def make_detection(arguments, reader):

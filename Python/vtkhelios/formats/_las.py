@@ -34,12 +34,17 @@ def _head(path):
 def check_waveforms(path):
     """Raises FormatError unless a LAS file has waveforms that vtkHeliosLASReader can read."""
     check_file(path)
-    _, words, has_waveforms = _head(path)
-    if not has_waveforms:
+    _, words, has_packets = _head(path)
+    if not has_packets:
         raise FormatError(
             f"{path}: is LAS {words}, which has no waveforms; give a file of point format 4, 5, 9 "
             "or 10"
         )
+
+
+def has_waveforms(path):
+    """Whether the point format of a LAS file has waveforms."""
+    return _head(path)[2]
 
 
 class LasReader(Reader):
