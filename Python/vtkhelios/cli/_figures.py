@@ -12,12 +12,6 @@ from ..formats import FormatError
 from ..formats._base import rows_of
 from ._raster import FARTHEST, Histogram, Raster, is_near, tally
 
-# ASPRS classes used by scenes.
-CLASSES = {
-    0: "never classified", 1: "unclassified", 2: "ground", 3: "low vegetation",
-    4: "medium vegetation", 5: "high vegetation", 6: "building", 7: "low noise", 9: "water",
-    10: "rail", 11: "road", 13: "wire, guard", 14: "wire, conductor", 15: "tower", 17: "bridge",
-}  # fmt: skip
 HISTOGRAMS = {  # key: finest bin
     "range": 0.01,
     "incidence": 0.5,
