@@ -104,6 +104,13 @@ helios_install_dask() {
     dask distributed || echo "Dask cannot be installed here: its tests are skipped" >&2
 }
 
+# Notebooks, for Testing/run.sh --browser. Without them their test is skipped.
+helios_install_notebooks() {
+  build/venv/bin/python -c 'import nbclient, ipykernel' 2>/dev/null && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --timeout 10 --retries 1 \
+    'nbclient==0.10.2' 'ipykernel==6.29.5' || echo "nbclient cannot be installed here: its test is skipped" >&2
+}
+
 # The linter of Testing/Integration/test_style.py; Debian has no package for it. Without it that
 # test is skipped. Newer versions have other rules.
 helios_install_ruff() {

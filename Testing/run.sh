@@ -8,17 +8,19 @@
 #   Testing/run.sh --fuzz [N]   also N damaged files (100,000) for all readers
 #   Testing/run.sh --slow       also tests marked as slow: pip install, which builds everything again
 #   Testing/run.sh --tidy       also clang-tidy over all sources, by .clang-tidy
+#   Testing/run.sh --browser    also pages in headless Chromium (installs 0.4 GB), and notebooks
 #
 # Ends with the summaries of ctest and pytest; the exit code is not 0 if a test failed.
 
 # shellcheck source=../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"
 
-usage() { sed -n 's/^# \{0,1\}//; 5,11p' Testing/run.sh; }
+usage() { sed -n 's/^# \{0,1\}//; 5,12p' Testing/run.sh; }
 asan=false
 fuzz=0
 slow=false
 tidy=false
+browser=false
 while [ $# -gt 0 ]; do
   case $1 in
     --asan) asan=true ;;
@@ -31,6 +33,10 @@ while [ $# -gt 0 ]; do
       tidy=true
       helios_packages+=(clang-tidy-14)
       ;;
+    --browser)
+      browser=true
+      helios_packages+=(chromium)
+      ;;
     -h | --help) usage && exit ;;
     *) echo "unknown option $1" >&2 && usage >&2 && exit 2 ;;
   esac
@@ -38,6 +44,7 @@ while [ $# -gt 0 ]; do
 done
 
 helios_setup
+if $browser; then helios_install_notebooks; fi
 failed=()
 
 run_ctest() { # BUILD-FOLDER [ARGUMENT...]

@@ -22,8 +22,10 @@ def test_first_scene(command_line, tmp_path):
     ]
     assert any(abs(z) < 0.1 for x, y, z in points), "no echo from the ground"
     assert any(abs(y - 10) < 0.1 and z > 1 for x, y, z in points), "no echo from the wall"
-    commands = re.findall(r"^build/bin/vtkhelios ((?:run|plan|convert|report) .*)$", README, re.M)
-    assert len(commands) == 5
+    commands = re.findall(
+        r"^build/bin/vtkhelios ((?:run|plan|convert|report|view .* --html) .*)$", README, re.M
+    )
+    assert len(commands) == 6
     for command in commands[1:]:
         if ".laz" in command and importlib.util.find_spec("lazrs") is None:
             continue

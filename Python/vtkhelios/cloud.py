@@ -199,6 +199,25 @@ class Cloud:
 
         _write.write(self, os.fspath(path))
 
+    def show(self, points=200_000, color_by=None, arrays=None, height=600, title="cloud"):
+        """The cloud as a page: in a notebook it is shown, ``.write("cloud.html")`` writes a file.
+
+        points
+            the most points of the page, a sample of all; the file of a notebook holds it.
+        color_by
+            the array of the first view: "Height", or a name. Default: the classes if there are
+            several, else the height.
+        arrays
+            the names of the arrays that the page has; None: all.
+        height
+            of the frame in the notebook [pixels].
+
+        Raises FormatError (a ValueError) without points, and KeyError for an unknown array.
+        """
+        from . import webcloud
+
+        return webcloud.show(self, points, color_by, arrays, height, title)
+
     def __reduce__(self):
         """For pickle: the arrays, without a copy where the protocol has buffers."""
         from .cluster._transfer import pack

@@ -7,8 +7,8 @@ import base64
 import vtkhelios
 
 from ..array_names import AMPLITUDE, RANGE
+from ..formats._classes import CLASSES
 from . import _charts
-from ._figures import CLASSES
 from ._page_template import PAGE, STYLE
 from ._progress import duration
 from ._raster import Histogram, is_near
@@ -40,14 +40,15 @@ def load_template(page=PAGE):
     return environment.from_string(page)
 
 
-def write_page(summary, figures, reader):
-    """The text of the page."""
+def write_page(summary, figures, reader, cloud=None):
+    """The text of the page; cloud is the link to the page of the cloud, None: there is none."""
     histograms, missing = _histograms(figures)
     return load_template().render(
         style=STYLE,
         summary=summary,
         version=vtkhelios.__version__,
         tiles=_tiles(summary, figures),
+        cloud=cloud,
         maps=_maps(figures, reader),
         histograms=histograms,
         missing=missing,

@@ -67,6 +67,8 @@ PAGE = (
 <div class="tile"><b>{{ value }}</b><span>{{ name }}</span></div>
 {%- endfor -%}
 </div>
+{%- if cloud %}<p><a href="{{ cloud.href }}">The point cloud</a>: {{ cloud.points }} points, {{ cloud.size }}, \
+a file beside this one.</p>{% endif %}
 <h2>Plan view</h2>
 {{ charts(maps) }}<p class="note">Coverage is the fraction of non-empty cells among all cells \
 between the first and the last non-empty cell of their row and of their column.</p>

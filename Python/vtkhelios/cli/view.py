@@ -57,6 +57,10 @@ def explain_missing():
 
 
 def start(arguments):
+    if "--html" in {word.split("=")[0] for word in arguments}:
+        from . import _web
+
+        return _web.start(arguments)
     viewer = find_viewer()
     if viewer is None:
         say_error(explain_missing())

@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a page shows of a run, a file of points, or a cloud."""
+
+import os
+import pathlib
+
+from .._arrays import arrays
+from ..formats._base import FormatError, Header, rows_of
+from ..formats._run import RunReader
+from ..formats._waveforms import find_waveforms, waveform_tables
+from ._columns import make_columns
+from ._page import make_page
+from ._sample import LIMIT, Sample
+
+
+class Contents:
+    """A sample of points with what is common to them. Add chunks, then call make_page()."""
+
+    def __init__(self, title, limit=LIMIT, names=None):
+        self.title = os.fsencode(title).decode("utf-8", "replace")
+        self.sample = Sample(limit, names)
+        self.header = Header()
+        self.tables = ()
+
+    @classmethod
+    def of_cloud(cls, cloud, title="cloud", limit=LIMIT, names=None):
+        """Of a Cloud and its waveforms."""
+        contents = cls(title, limit, names)
+        contents.header = Header(cloud.data.GetFieldData())
+        contents.sample.add({"points": cloud.points, **arrays(cloud.data)})
+        if cloud.waveforms is not None:
+            contents.tables = [arrays(cloud.waveforms)]
+        return contents
+
+    @classmethod
+    def of_reader(cls, reader, limit=LIMIT, names=None):
+        """Of a reader of vtkhelios.formats: pass its chunks to add()."""
+        contents = cls(pathlib.Path(reader.path).name, limit, names)
+        contents.header = reader.header
+        contents.tables = _tables(reader)
+        return contents
+
+    def add(self, chunk):
+        """Adds the points of a chunk of a reader; returns their number."""
+        self.sample.add(chunk)
+        return rows_of(chunk)
+
+    def column_names(self):
+        """The names of the arrays that the page shows, besides Height."""
+        return [column.name for column in make_columns(self.sample.columns())]
+
+    def make_page(self, colour_by=None):
+        """The HTML text; FormatError without points, KeyError without that array."""
+        columns = self.sample.columns()
+        if len(columns["points"]) == 0:
+            raise FormatError(f"{self.title}: has no points; give a cloud with points")
+        return make_page(
+            columns, self.title, total=self.sample.count, crs=self.header.crs,
+            part_names=self.header.part_names, tables=self.tables, colour_by=colour_by,
+        )  # fmt: skip
+
+
+def _tables(reader):
+    """Yields the waveforms of a run or of a file, when they are used."""
+    is_run = isinstance(reader, RunReader)
+    paths = [reader.folder / name for name in reader.files] if is_run else [reader.path]
+    for path in dict.fromkeys(filter(None, map(find_waveforms, paths))):
+        yield from waveform_tables(reader, path)
