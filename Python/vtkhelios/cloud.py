@@ -206,7 +206,7 @@ class Cloud:
             the most points of the page, a sample of all; the file of a notebook holds it.
         color_by
             the array of the first view: "Height", or a name. Default: the classes if there are
-            several, else the height.
+            several, else the colours, else the height.
         arrays
             the names of the arrays that the page has; None: all.
         height

@@ -37,6 +37,7 @@ examples:
   vtkhelios view leg000_points.xyz --color-by amplitude
   vtkhelios view survey.xml --offscreen --record out.ogv --seconds 10 --camera follow
   vtkhelios view survey.xml --offscreen --still cloud.png --size 3840x2160
+  vtkhelios view yard.las --html yard.html                 a web page; its options: --html --help
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage
 )";

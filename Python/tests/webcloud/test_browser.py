@@ -265,6 +265,22 @@ def test_waveform_of_the_picked_echo(page):
     assert page.state["picked"]["values"]["PulseIds"] in (pulses[98], pulses[89])
 
 
+def test_cloud_of_one_point(page):
+    page.open({"points": np.array([[431_000.123, 5_473_000.456, 7.0]]), "LegIds": np.array([4])})
+    page.browser.click(*page.pixel_of((0, 0)))
+    page.browser.wait(f"{STATE}.picked")
+    assert page.state["picked"]["coordinates"] == [431_000.123, 5_473_000.456, 7.0]
+    assert page.state["picked"]["values"] == {"LegIds": 4}
+
+
+def test_first_view_leaves_out_outliers(page):
+    """Unless they are near; the whole cloud is between the near and the far plane."""
+    points = np.concatenate([grid(100), [[50, 50, 5000], [50, 50, -5000]]])
+    page.open({"points": points})
+    assert 0.85 * HEIGHT < page.pixel_of((0, 0))[1] - page.pixel_of((0, 99))[1] <= HEIGHT
+    assert page.state["target"][2] == pytest.approx(5000)
+
+
 def test_distance_of_two_points(page):
     points = grid(40)
     points[:, 2] = 0.25 * points[:, 0]
@@ -276,6 +292,27 @@ def test_distance_of_two_points(page):
     assert page.text("#distance") == "5.09902 m (horizontal 5 m, vertical 1 m)"
     page.browser.key("Escape")
     assert page.browser.evaluate("document.getElementById('distance').hidden")
+
+
+def test_touch(page):
+    """One finger rotates, two pan and zoom."""
+    page.open({"points": grid(100)})
+    before = page.state
+
+    def touch(kind, *places):
+        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
+        page.browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+
+    touch("touchStart", (500, 300))
+    touch("touchMove", (550, 300))
+    touch("touchEnd")
+    page.settle()
+    assert page.state["distance"] == before["distance"] and page.state["picked"] is None
+    touch("touchStart", (500, 300), (600, 300))
+    touch("touchMove", (450, 300), (650, 300))
+    touch("touchEnd")
+    page.settle()
+    assert page.state["distance"] == pytest.approx(before["distance"] / 2, rel=0.02)
 
 
 def test_scale_bar(page):

@@ -50,6 +50,19 @@ def test_sample_and_arrays(cloud):
     ]
 
 
+def test_points_that_are_not_finite_are_left_out(cloud):
+    cloud.points[3] = np.nan
+    assert PageReader(cloud.show().text).meta["shown"] == 499
+
+
+def test_first_view(cloud):
+    """The classes if there are several, else the colours, else the height."""
+    views = []
+    for names in (None, ["RGB", "Range"], ["Range"]):
+        views.append(PageReader(cloud.show(arrays=names).text).meta["colourBy"])
+    assert views == ["ClassificationIds", "RGB", "Height"]
+
+
 def test_waveforms_of_a_survey(make_survey):
     cloud = vtkhelios.read_survey(make_survey(stop=5)).run(waveforms=True)
     assert PageReader(cloud.show(points=50).text).meta["waveforms"]["count"] == 50

@@ -7,6 +7,7 @@ import shutil
 
 import numpy as np
 import pytest
+from _real_data import real_file
 from webcloud._page_reader import PageReader
 
 from vtkhelios import cli, formats
@@ -73,6 +74,33 @@ def test_page_of_a_survey(make_survey, view_html):
     assert page.meta["waveforms"] is None
 
 
+def test_waveforms_of_an_instrument(view_html):
+    """Points refer to them by their time."""
+    path = real_file("waveform/100429_152240_2535pt_UTM.las")
+    _, page, _, _ = view_html(path)
+    waves = page.meta["waveforms"]
+    values = page.cloud()[1]
+    assert waves["count"] == waves["of"] > 2300 and (values["PulseIds"] >= 0).all()
+    echoes = echoes_of(path)
+    row = int(np.flatnonzero(values["GpsTime"] == np.round(echoes["GpsTime"][0], 7))[0])
+    assert values["PulseIds"][row] == 0 and values["Intensity"][row] == echoes["Intensity"][0]
+
+
+def test_cloud_of_an_instrument(view_html):
+    """LAZ in centimetres, at projected coordinates: exact."""
+    pytest.importorskip("lazrs")
+    path = real_file("als/autzen_trim.laz")
+    _, page, _, _ = view_html(path, "--arrays", "GpsTime,ReturnNumber,Intensity")
+    points, values = page.cloud()
+    echoes = echoes_of(path)
+    order = np.lexsort(
+        (echoes["ReturnNumber"], np.round(echoes["GpsTime"], 7), echoes["points"][:, 0])
+    )
+    back = np.lexsort((values["ReturnNumber"], values["GpsTime"], points[:, 0]))
+    assert np.array_equal(points[back], np.round(echoes["points"][order], 4))
+    assert np.array_equal(values["Intensity"][back], echoes["Intensity"][order])
+
+
 def test_first_view_shows_the_classes_if_there_are_several(tmp_path, view_html):
     arrays = {
         "points": np.random.default_rng(1).normal(size=(50, 3)),
@@ -132,6 +160,12 @@ def test_names_that_are_not_utf8(small_runs, view_html, tmp_path):
     odd = tmp_path / "odd\udcff.xyz"
     shutil.copy(next(small_runs["xyz"].glob("leg000_points.xyz")), odd)
     assert view_html(odd)[1].meta["title"] == "odd�.xyz"
+
+
+def test_help(capsys):
+    with pytest.raises(SystemExit) as end:
+        cli.main(["view", "--html", "--help"])
+    assert end.value.code == 0 and "--color-by ARRAY" in capsys.readouterr().out
 
 
 def test_viewer_is_started_without_html(monkeypatch):

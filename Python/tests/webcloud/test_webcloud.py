@@ -142,7 +142,15 @@ def test_arrays_that_some_chunks_lack_are_dropped():
 
 @pytest.mark.parametrize(
     "extent, step",
-    [(0.0, 1e-4), (0.005, 1e-8), (5.0, 1e-5), (1000.0, 1e-4), (3e5, 1e-3), (1e12, 1e3)],
+    [
+        (0.0, 1e-4),
+        (1e-300, 1e-9),
+        (0.005, 1e-8),
+        (5.0, 1e-5),
+        (1000.0, 1e-4),
+        (3e5, 1e-3),
+        (1e12, 1e3),
+    ],
 )
 def test_step_of_positions(extent, step):
     assert position_step(np.array([[0.0, 0, 0], [extent, 0, 0]])) == step

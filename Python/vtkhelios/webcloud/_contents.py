@@ -5,8 +5,10 @@
 import os
 import pathlib
 
+import numpy as np
+
 from .._arrays import arrays
-from ..formats._base import FormatError, Header, rows_of
+from ..formats._base import FormatError, Header, rows_of, select
 from ..formats._run import RunReader
 from ..formats._waveforms import find_waveforms, waveform_tables
 from ._columns import make_columns
@@ -25,10 +27,12 @@ class Contents:
 
     @classmethod
     def of_cloud(cls, cloud, title="cloud", limit=LIMIT, names=None):
-        """Of a Cloud and its waveforms."""
+        """Of a Cloud and its waveforms; points that are not finite are left out."""
         contents = cls(title, limit, names)
         contents.header = Header(cloud.data.GetFieldData())
-        contents.sample.add({"points": cloud.points, **arrays(cloud.data)})
+        chunk = {"points": cloud.points, **arrays(cloud.data)}
+        finite = np.isfinite(cloud.points).all(axis=1)
+        contents.sample.add(chunk if finite.all() else select(chunk, finite))
         if cloud.waveforms is not None:
             contents.tables = [arrays(cloud.waveforms)]
         return contents

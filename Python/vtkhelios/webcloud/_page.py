@@ -16,9 +16,10 @@ from ._columns import make_columns, make_scale
 from ._octree import build
 from ._pack import Store, pack_columns
 from ._quantise import position_step, quantise_points
-from ._waveforms import WaveformSample
+from ._waveforms import WaveformSample, link_pulses
 
 FOLDER = pathlib.Path(__file__).parent / "page"
+OUTLIERS = 0.003  # fraction of points at either end of an axis that the first view may leave out
 PREFIX = "vtkhelios/"  # of the scripts' names on the page
 LICENCE = """\
 The page is made by vtkHelios {version}: Copyright (c) The vtkHelios authors, BSD-3-Clause.
@@ -39,9 +40,11 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
     crs, part_names
         the coordinate system, for display, and the names of the scene parts, by PartIds
     tables
-        waveforms: dicts of the columns and Samples of vtkTables, by PulseIds
+        waveforms: dicts of the columns and Samples of vtkTables; points refer to them by PulseIds,
+        else by WaveformIds, else by GpsTime
     colour_by
-        the array of the first view (default: the classes if there are several, else Height)
+        the array of the first view (default: the classes if there are several, else the colours, else
+        Height)
 
     Positions are exact to half a step of 0.1 mm (less for clouds below 10 m, more for those beyond
     200 km). Raises ValueError for a cloud without points, and KeyError for an unknown colour_by.
@@ -49,10 +52,13 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
     points = arrays["points"]
     if len(points) == 0:
         raise ValueError("the cloud has no points")
+    pulses, tables = link_pulses(arrays, tables)
+    if pulses is not None:
+        arrays = {**arrays, PULSE_IDS: pulses}
     columns = make_columns(arrays, part_names)
     store = Store()
     meta = _pack_points(points, columns, store)
-    waves = _pack_waveforms(arrays, tables, store)
+    waves = _pack_waveforms(pulses, tables, store)
     meta |= {
         "title": title, "crs": _short(crs), "total": len(points) if total is None else total,
         "shown": len(points), "columns": [column.describe() for column in columns],
@@ -78,18 +84,28 @@ def _pack_points(points, columns, store):
         for column in columns:
             store.add(pack_columns([column.codes.values[node.rows]]))
     limits, extremes, _ = make_scale(points[:, 2])
-    high = (steps.max(axis=0) * step).tolist()
     return {
-        "step": step, "corner": corner, "bits": bits, "box": {"low": [0.0, 0.0, 0.0], "high": high},
+        "step": step, "corner": corner, "bits": bits, "box": _box(steps * step, 0.0),
+        "mainBox": _box(steps * step, OUTLIERS),
         "nodes": [[node.level, *node.place, len(node.rows)] for node in nodes],
         "heights": {"limits": limits, "extremes": extremes},
     }  # fmt: skip
 
 
-def _pack_waveforms(arrays, tables, store):
-    if PULSE_IDS not in arrays:
+def _box(points, outliers):
+    """The box of points [m], without a fraction of outliers at each end unless they are near."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    inner = np.quantile(points, [outliers, 1 - outliers], axis=0)
+    margin = 0.2 * (inner[1] - inner[0])
+    low, high = np.maximum(low, inner[0] - margin), np.minimum(high, inner[1] + margin)
+    return {"low": low.tolist(), "high": high.tolist()}
+
+
+def _pack_waveforms(pulses, tables, store):
+    """Adds the waveforms of the pulses to the store; returns their description, None without any."""
+    if pulses is None:
         return None
-    sample = WaveformSample(arrays[PULSE_IDS])
+    sample = WaveformSample(pulses)
     for table in tables:
         sample.add(table)
     return sample.pack(store)
@@ -103,7 +119,9 @@ def _first(columns, colour_by):
             raise KeyError(f"no array {colour_by}; the cloud has: {', '.join(names)}")
         return colour_by
     classes = next((each for each in columns if each.name == CLASSIFICATION_IDS), None)
-    return CLASSIFICATION_IDS if classes and len(classes.categories) > 1 else "Height"
+    if classes and len(classes.categories) > 1:
+        return CLASSIFICATION_IDS
+    return next((column.name for column in columns if column.role == "colour"), "Height")
 
 
 def _short(crs):

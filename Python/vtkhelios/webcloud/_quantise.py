@@ -7,6 +7,7 @@ import dataclasses
 import numpy as np
 
 POSITION_STEP = 1e-4  # [m]
+FINEST_STEP = 1e-9  # [m]
 MOST_STEPS = 2**31  # along an axis
 STEPS = {"m": 1e-4, "s": 1e-7, "deg": 1e-4, "ns": 1e-4, "dB": 1e-3}  # of float arrays, by unit
 MOST_CODES = 2**52  # exact in JavaScript
@@ -39,7 +40,7 @@ def position_step(points):
     step = POSITION_STEP
     while extent / step > MOST_STEPS or largest / step > MOST_CODES:
         step *= 10
-    while 0 < extent / step < 1e5 and 10 * largest / step < MOST_CODES:
+    while 0 < extent / step < 1e5 and 10 * largest / step < MOST_CODES and step > 2 * FINEST_STEP:
         step /= 10
     return float(f"{step:.0e}")
 

@@ -4,7 +4,9 @@
 
 import numpy as np
 
-from ..array_names import BIN_SIZE, COUNT, OFFSET, PULSE_IDS, SAMPLES, START_TIME
+from ..array_names import (
+    BIN_SIZE, COUNT, GPS_TIME, OFFSET, PULSE_IDS, SAMPLES, START_TIME, WAVEFORM_IDS,
+)  # fmt: skip
 from ._pack import pack_columns
 from ._sample import hashes
 
@@ -12,6 +14,26 @@ MOST_SAMPLES = 6_000_000  # of a page, about 1 byte each
 GROUP = 64  # waveforms decoded together
 FULL = 4095  # code of the largest sample of a waveform
 TIME_STEP = 1e-4  # of start and bin size [ns]
+
+
+def link_pulses(arrays, tables):
+    """The PulseIds of points in tables of waveforms: their own, else by WaveformIds or GpsTime.
+
+    Returns them, None if there is no such array, and the tables.
+    """
+    for name in (PULSE_IDS, WAVEFORM_IDS):
+        if name in arrays:
+            return arrays[name], tables
+    tables = list(tables)  # LAS of an instrument is one table
+    if GPS_TIME not in arrays or not tables:
+        return None, tables
+    times = np.concatenate([table[GPS_TIME] for table in tables])
+    pulses = np.concatenate([table[PULSE_IDS] for table in tables])
+    times, first = np.unique(times, return_index=True)
+    place = np.searchsorted(times, arrays[GPS_TIME]).clip(0, max(0, len(times) - 1))
+    if len(times) == 0:
+        return None, tables
+    return np.where(times[place] == arrays[GPS_TIME], pulses[first][place], -1), tables
 
 
 class WaveformSample:

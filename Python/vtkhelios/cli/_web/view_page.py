@@ -49,7 +49,7 @@ def make_parser():
         help="the most points of the page; 1,000,000 take about 20 MB (default: %(default)s)",
     )  # fmt: skip
     parser.add_argument("--color-by", metavar="ARRAY", help="the array of the first view (default: the "
-                        "classes if there are several, else the height)")  # fmt: skip
+                        "classes if there are several, else the colours, else the height)")  # fmt: skip
     parser.add_argument("--arrays", metavar="A,B", help="only these arrays (default: all)")
     parser.add_argument(
         "--waveforms", action="store_true", help="of a survey: also compute waveforms"
@@ -62,6 +62,8 @@ def make_parser():
 
 def start(words):
     """Writes the page; returns the exit code."""
+    if {"-h", "--help"} & set(words):  # also without FILE
+        words = ["--help"]
     arguments = make_parser().parse_args(words)
     with Messages(quiet=arguments.quiet) as messages:
         try:

@@ -9,10 +9,11 @@ m4.setDefaultType(Float64Array);
 export const FIELD = (45 * Math.PI) / 180; // vertical, at 800 pixels
 
 export class Camera {
-  constructor(box) {
-    this.box = box; // { low, high }
+  /** Of the box of all points, and of the box that the first view shows: { low, high }. */
+  constructor(box, mainBox) {
+    this.mainBox = mainBox;
     this.centre = box.low.map((low, a) => (low + box.high[a]) / 2);
-    this.radius = Math.max(1e-6, 0.5 * Math.hypot(...box.low.map((low, a) => box.high[a] - low)));
+    this.radius = Math.max(0.05, 0.5 * Math.hypot(...box.low.map((low, a) => box.high[a] - low)));
     this.isParallel = false;
     this.aspect = 1;
     this.setView(0.35 * Math.PI, (35 * Math.PI) / 180);
@@ -25,11 +26,11 @@ export class Camera {
     this.elevation = depression;
   }
 
-  /** Places the camera so that the box fills the frame. */
+  /** Places the camera so that the main box fills the frame. */
   fit() {
-    this.target = [...this.centre];
+    const { low, high } = this.mainBox;
+    this.target = low.map((value, a) => (value + high[a]) / 2);
     this.distance = this.radius;
-    const { low, high } = this.box;
     for (let i = 0; i < 12; i++) { // the size of the box in the frame, until it is 1
       this.update();
       let extent = 0;
@@ -41,6 +42,7 @@ export class Camera {
       }
       this.distance *= Math.max(0.3, Math.min(3, extent / 0.92));
     }
+    this.distance = Math.max(this.distance, 0.002 * this.radius);
     this.update();
   }
 
