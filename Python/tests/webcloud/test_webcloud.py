@@ -11,6 +11,7 @@ from webcloud._page_reader import PageReader
 from vtkhelios import webcloud
 from vtkhelios.webcloud._columns import make_columns, make_scale
 from vtkhelios.webcloud._octree import DEEPEST, GRID, LEAF, build
+from vtkhelios.webcloud._outline import find_outline
 from vtkhelios.webcloud._quantise import position_step, quantise
 from vtkhelios.webcloud._sample import Sample, hashes
 from vtkhelios.webcloud._waveforms import WaveformSample
@@ -210,6 +211,17 @@ def test_scale_leaves_out_the_ends():
     limits, extremes, is_logarithmic = make_scale(values)
     assert limits == pytest.approx((2, 98)) and extremes == (0, 100) and not is_logarithmic
     assert make_scale(np.array([np.nan])) == ((0.0, 1.0), (0.0, 1.0), False)
+
+
+def test_outline_of_a_cloud():
+    """It has the corners of a box, on its surface only, and no outliers."""
+    points = np.random.default_rng(5).uniform(0, 10, (50_000, 3))
+    points[:8] = [[x, y, z] for x in (0, 10) for y in (0, 10) for z in (0, 10)]
+    points[8] = [5, 5, 900]
+    outline = find_outline(points)
+    assert set(map(tuple, points[:8])) <= set(map(tuple, outline)) and len(outline) < 256
+    assert [5, 5, 900] not in outline
+    assert find_outline(points[8:9]) == [[5, 5, 900]]
 
 
 # Waveforms

@@ -12,7 +12,7 @@ import vtkhelios
 from .._built_with import HAS_VIEWER
 from ._messages import say_error
 
-SUMMARY = "view a survey while it runs, replay a run, view clouds and scenes"
+SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web pages (--html)"
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = "-screen 0 1280x1024x24 -noreset"

@@ -14,12 +14,12 @@ from ..array_names import CLASSIFICATION_IDS, PULSE_IDS
 from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._columns import make_columns, make_scale
 from ._octree import build
+from ._outline import find_outline
 from ._pack import Store, pack_columns
 from ._quantise import position_step, quantise_points
 from ._waveforms import WaveformSample, link_pulses
 
 FOLDER = pathlib.Path(__file__).parent / "page"
-OUTLIERS = 0.003  # fraction of points at either end of an axis that the first view may leave out
 PREFIX = "vtkhelios/"  # of the scripts' names on the page
 LICENCE = """\
 The page is made by vtkHelios {version}: Copyright (c) The vtkHelios authors, BSD-3-Clause.
@@ -84,21 +84,13 @@ def _pack_points(points, columns, store):
         for column in columns:
             store.add(pack_columns([column.codes.values[node.rows]]))
     limits, extremes, _ = make_scale(points[:, 2])
+    offsets = steps * step
     return {
-        "step": step, "corner": corner, "bits": bits, "box": _box(steps * step, 0.0),
-        "mainBox": _box(steps * step, OUTLIERS),
+        "step": step, "corner": corner, "bits": bits, "outline": find_outline(offsets),
+        "box": {"low": offsets.min(axis=0).tolist(), "high": offsets.max(axis=0).tolist()},
         "nodes": [[node.level, *node.place, len(node.rows)] for node in nodes],
         "heights": {"limits": limits, "extremes": extremes},
     }  # fmt: skip
-
-
-def _box(points, outliers):
-    """The box of points [m], without a fraction of outliers at each end unless they are near."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    inner = np.quantile(points, [outliers, 1 - outliers], axis=0)
-    margin = 0.2 * (inner[1] - inner[0])
-    low, high = np.maximum(low, inner[0] - margin), np.minimum(high, inner[1] + margin)
-    return {"low": low.tolist(), "high": high.tolist()}
 
 
 def _pack_waveforms(pulses, tables, store):

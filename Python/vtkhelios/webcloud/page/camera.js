@@ -6,12 +6,14 @@ import { m4 } from "./twgl.js";
 
 m4.setDefaultType(Float64Array);
 
-export const FIELD = (45 * Math.PI) / 180; // vertical, at 800 pixels
+export const FIELD = (45 * Math.PI) / 180; // vertical
+const FILLED = 0.94; // of the frame by the first view
+const FITTING = 24; // steps
 
 export class Camera {
-  /** Of the box of all points, and of the box that the first view shows: { low, high }. */
-  constructor(box, mainBox) {
-    this.mainBox = mainBox;
+  /** Of the box { low, high } of all points, and of points that the first view shows. */
+  constructor(box, outline) {
+    this.outline = outline;
     this.centre = box.low.map((low, a) => (low + box.high[a]) / 2);
     this.radius = Math.max(0.05, 0.5 * Math.hypot(...box.low.map((low, a) => box.high[a] - low)));
     this.isParallel = false;
@@ -26,24 +28,31 @@ export class Camera {
     this.elevation = depression;
   }
 
-  /** Places the camera so that the main box fills the frame. */
+  /** Places the camera so that the outline fills the frame. */
   fit() {
-    const { low, high } = this.mainBox;
-    this.target = low.map((value, a) => (value + high[a]) / 2);
-    this.distance = this.radius;
-    for (let i = 0; i < 12; i++) { // the size of the box in the frame, until it is 1
+    const middle = (values) => (Math.min(...values) + Math.max(...values)) / 2;
+    this.target = [0, 1, 2].map((a) => middle(this.outline.map((point) => point[a])));
+    this.distance = 4 * this.radius;
+    for (let i = 0; i < FITTING; i++) {
       this.update();
-      let extent = 0;
-      const corners = [...Array(8).keys()].map((n) => [0, 1, 2].map((a) => ((n >> a) & 1 ? high : low)[a]));
-      for (const corner of corners) {
-        const [x, y, , w] = this.clip(corner);
-        if (w <= 0) extent = Math.max(extent, 2);
-        else extent = Math.max(extent, Math.abs(x / w), Math.abs(y / w));
-      }
-      this.distance *= Math.max(0.3, Math.min(3, extent / 0.92));
+      this.fitOnce();
     }
-    this.distance = Math.max(this.distance, 0.002 * this.radius);
     this.update();
+  }
+
+  /** Moves the outline to the middle of the frame, and scales it towards its size. */
+  fitOnce() {
+    const places = this.outline.map((point) => this.clip(point)).map(([x, y, , w]) => [x / w, y / w]);
+    const [[left, right], [bottom, top]] = [0, 1].map((a) => {
+      const values = places.map((place) => place[a]);
+      return [Math.min(...values), Math.max(...values)];
+    });
+    const half = this.distance * Math.tan(FIELD / 2);
+    const { right: toRight, up } = this.axes();
+    const [dx, dy] = [(half * this.aspect * (left + right)) / 2, (half * (bottom + top)) / 2];
+    this.target = this.target.map((value, a) => value + dx * toRight[a] + dy * up[a]);
+    const scale = Math.max(right - left, top - bottom) / (2 * FILLED);
+    this.distance = Math.max(this.distance * Math.min(1.5, Math.max(0.5, scale)), 0.002 * this.radius);
   }
 
   /** Homogeneous clip coordinates of a point. */

@@ -24,7 +24,7 @@ class App {
     this.cloud = new Cloud(meta, store);
     this.waves = meta.waveforms && new Waves(meta.waveforms, store);
     this.canvas = byId("cloud");
-    this.camera = new Camera(meta.box, meta.mainBox);
+    this.camera = new Camera(meta.box, meta.outline);
     this.renderer = new Renderer(this.canvas);
     this.view = new View(this.cloud, this.renderer, this.camera, this.canvas);
     this.view.onFrame = () => this.drawOverlay();
