@@ -12,7 +12,7 @@ from ._inspect import Inspection, inspect_survey
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
-from ._reading import add_assets_argument, missing_folder
+from ._reading import add_assets_argument
 from ._task import Interrupted, Task
 from .list_ import list_entries
 
