@@ -5,9 +5,7 @@
 #ifndef heliosGdalDrivers_h
 #define heliosGdalDrivers_h
 
-#include <cpl_conv.h>
-#include <gdal.h>
-#include <gdal_frmts.h>
+#include "heliosGdal.h"
 
 #include <mutex>
 

@@ -5,7 +5,7 @@
 #ifndef heliosGdalMessages_h
 #define heliosGdalMessages_h
 
-#include <cpl_error.h>
+#include "heliosGdal.h"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosGdal.h"
 #include "heliosGdalDrivers.h"
 #include "heliosGdalExport.h"
 #include "heliosGdalMessages.h"
@@ -7,12 +8,6 @@
 #include "heliosRasterFile.h"
 #include "heliosRasterUnits.h"
 #include "heliosStatus.h"
-
-#include <cpl_conv.h>
-#include <cpl_string.h>
-#include <cpl_vsi.h>
-#include <gdal.h>
-#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cmath>

@@ -16,6 +16,7 @@ Status MakeRasterFile(std::unique_ptr<RasterFile>& file)
 
 Status MakeRasterFile(const std::string& library, std::unique_ptr<RasterFile>& file)
 {
+  using Load = const char* (*)();
   using Make = RasterFile* (*)();
   void* loaded = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL); // again: the same
   const auto make =
@@ -24,6 +25,12 @@ Status MakeRasterFile(const std::string& library, std::unique_ptr<RasterFile>& f
   {
     return Status::Error(std::string("rasters cannot be read: ") + ::dlerror() +
       "; install GDAL (Debian: apt-get install libgdal32), and vtkHelios with all its libraries");
+  }
+  // Only in builds that are not linked to GDAL.
+  const auto load = reinterpret_cast<Load>(::dlsym(loaded, "heliosLoadGdal"));
+  if (const char* reason = load ? load() : nullptr)
+  {
+    return Status::Error(std::string("rasters cannot be read: ") + reason);
   }
   file.reset(make());
   return {};

@@ -3,9 +3,7 @@
 #include "heliosRasterUnits.h"
 
 #include "heliosCoordinateSystem.h"
-
-#include <cpl_conv.h>
-#include <ogr_srs_api.h>
+#include "heliosGdal.h"
 
 #include <algorithm>
 #include <cctype>

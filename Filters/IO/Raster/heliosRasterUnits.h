@@ -5,9 +5,8 @@
 #ifndef heliosRasterUnits_h
 #define heliosRasterUnits_h
 
+#include "heliosGdal.h"
 #include "heliosGdalExport.h"
-
-#include <ogr_srs_api.h>
 
 #include <string>
 
