@@ -14,6 +14,7 @@ import sys
 
 import pytest
 
+from vtkhelios import _vtk
 from vtkhelios._built_with import VTK_LIBRARY, VTK_VERSION
 
 PYPI = pathlib.Path(__file__).resolve().parents[2] / "build/other-vtk"
@@ -108,3 +109,27 @@ def test_standard_import_of_the_same_vtk():
     assert (
         do("import vtkhelios, vtk; vtk.vtkObject(), vtkhelios.vtkHeliosScanner()").returncode == 0
     )
+
+
+def test_other_name_of_the_modules():
+    """vtkhelios.vtkmodules names the modules themselves, so that classes are the same."""
+    import vtkmodules.util.numpy_support as stock
+    from vtkmodules.vtkCommonCore import vtkPoints as Stock
+
+    import vtkhelios.vtkmodules.util.numpy_support as other
+    from vtkhelios.vtkmodules import vtkCommonDataModel
+    from vtkhelios.vtkmodules.vtkCommonCore import vtkPoints
+
+    assert other is stock and stock.__spec__.name == "vtkmodules.util.numpy_support"
+    assert vtkPoints is Stock
+    assert vtkCommonDataModel is sys.modules["vtkmodules.vtkCommonDataModel"]
+    with pytest.raises(ModuleNotFoundError, match=r"vtkhelios\.vtkmodules\.vtkNothing"):
+        import vtkhelios.vtkmodules.vtkNothing  # noqa: F401
+
+
+def test_a_vtk_of_its_own_works_beside_others(monkeypatch):
+    monkeypatch.setattr(_vtk, "_find_folder", lambda: None)
+    with pytest.raises(ImportError):
+        _vtk.check_vtk()
+    monkeypatch.setattr(_vtk, "VTK_PACKAGE", "vtkhelios.vtkmodules")
+    _vtk.check_vtk()

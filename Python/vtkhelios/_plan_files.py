@@ -114,8 +114,14 @@ def _refer(reference, folder):
 
 
 def picture_file(plan, folder):
-    """Draws the picture; returns its path. Raises RuntimeError without a display."""
-    from .plan_picture import save_picture
+    """Draws the picture; returns its path. Raises RuntimeError without a display, or in a wheel."""
+    try:
+        from .plan_picture import save_picture
+    except ImportError as error:
+        raise RuntimeError(
+            f"the VTK of the wheel does not draw ({error}): open the .vtp files of the plan with PyVista, "
+            "or plan with an installation on Debian"
+        ) from error
 
     path = folder / "plan.png"
     save_picture(plan.scene, plan.outputs[1], plan.outputs[2], path, title=plan.name)

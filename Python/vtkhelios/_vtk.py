@@ -3,7 +3,8 @@
 """Checks that Python finds the VTK that vtkHelios was built with.
 
 Two VTKs in one process cause a segmentation fault. The files that Python would load are checked
-before any of them, or of ours, is loaded.
+before any of them, or of ours, is loaded. A wheel has a VTK of its own, whose libraries, symbols and
+Python modules (vtkhelios.vtkmodules) have other names: it works beside another VTK.
 """
 
 import importlib.machinery
@@ -12,7 +13,7 @@ import pathlib
 import re
 import sys
 
-from ._built_with import VTK_LIBRARY, VTK_SONAME, VTK_VERSION
+from ._built_with import VTK_LIBRARY, VTK_PACKAGE, VTK_SONAME, VTK_VERSION
 
 _CURE = (
     f"Remove it ({sys.executable} -m pip uninstall vtk), or use vtkHelios in an environment without "
@@ -22,6 +23,8 @@ _CURE = (
 
 def check_vtk():
     """Raises ImportError if vtkmodules are missing, or belong to another VTK."""
+    if VTK_PACKAGE != "vtkmodules":
+        return  # a VTK of our own
     folder = _find_folder()
     if folder is None:
         raise ImportError(

@@ -61,6 +61,14 @@ def test_disabled_in_the_installation(explain):
     )
 
 
+def test_wheel(explain, monkeypatch):
+    monkeypatch.setattr(view, "VTK_PACKAGE", "vtkhelios.vtkmodules")
+    assert explain(False, False) == (
+        "error: the wheel has no vtkhelios-viewer, which needs X11 and OpenGL; show clouds with PyVista "
+        "(vtkhelios.Cloud.to_pyvista), or build vtkHelios from its sources: Docs/install.md\n"
+    )
+
+
 def test_flag_equals_that_of_the_build():
     cache = pathlib.Path(vtkhelios.__file__).absolute().parents[4] / "CMakeCache.txt"
     if not cache.is_file():

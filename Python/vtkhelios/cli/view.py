@@ -9,7 +9,7 @@ import sys
 
 import vtkhelios
 
-from .._built_with import HAS_VIEWER
+from .._built_with import HAS_VIEWER, VTK_PACKAGE
 from ._messages import say_error
 
 SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web pages (--html)"
@@ -40,6 +40,11 @@ def command(viewer, arguments, environment):
 
 def explain_missing():
     """Why there is no viewer, and the remedy."""
+    if VTK_PACKAGE != "vtkmodules":
+        return (
+            f"the wheel has no {PROGRAM}, which needs X11 and OpenGL; show clouds with PyVista "
+            "(vtkhelios.Cloud.to_pyvista), or build vtkHelios from its sources: Docs/install.md"
+        )
     tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # of a build
     build = f"cmake --build {tree} --target {PROGRAM}"
     if not (tree / "CMakeCache.txt").is_file():
