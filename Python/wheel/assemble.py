@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Adds to a wheel of vtkHelios what it otherwise finds on Debian: the Python modules of VTK and the
+database of PROJ. build.sh runs it.
+
+The modules of VTK become the package vtkhelios.vtkmodules, and the package vtkhelios imports them by
+that name. The libraries are added by auditwheel.
+"""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+# Python files of VTK that work without its modules for drawing.
+UTILITIES = (
+    "__init__", "keys", "misc", "numpy_support", "vtkAlgorithm", "vtkConstants", "vtkVariant",
+)  # fmt: skip
+
+_IMPORT = re.compile(r"\b(from|import) vtkmodules\b")
+
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("wheel", type=pathlib.Path, help="changed in place")
+    parser.add_argument("--vtk", type=pathlib.Path, required=True, help="where VTK is installed")
+    parser.add_argument("--vtk-source", type=pathlib.Path, required=True)
+    parser.add_argument("--proj", type=pathlib.Path, required=True, help="where PROJ is installed")
+    return parser.parse_args()
+
+
+def add_vtk_modules(package, vtk, source):
+    """vtkhelios/vtkmodules: the wrapped modules, and the Python files of VTK."""
+    folder = package / "vtkmodules"
+    (package / "vtkmodules.py").unlink()  # the same names for the VTK of a system
+    shutil.copytree(vtk / "lib/python3/dist-packages/vtkhelios/vtkmodules", folder,
+                    ignore=lambda _, names: [name for name in names if not name.endswith(".so")])  # fmt: skip
+    (folder / "util").mkdir()
+    for name in UTILITIES:
+        shutil.copy(source / f"Wrapping/Python/vtkmodules/util/{name}.py", folder / "util")
+    version = re.search(r"VTK_VERSION = \"(.*)\"", (package / "_built_with.py").read_text())[1]
+    (folder / "__init__.py").write_text(
+        f'"""The VTK of vtkHelios: vtkmodules under another name."""\n\n__version__ = "{version}"\n'
+    )
+
+
+def add_proj_data(package, proj):
+    """vtkhelios/share/proj: where PROJ searches, from its library in vtkhelios/lib."""
+    folder = package / "share/proj"
+    folder.mkdir(parents=True)
+    for name in ("proj.db", "proj.ini"):
+        shutil.copy(proj / "share/proj" / name, folder)
+
+
+def rename_imports(package):
+    """vtkmodules is vtkhelios.vtkmodules in all Python files and stubs."""
+    for path in [*package.rglob("*.py"), *package.rglob("*.pyi")]:
+        text = path.read_text(encoding="utf-8")
+        path.write_text(_IMPORT.sub(r"\1 vtkhelios.vtkmodules", text), encoding="utf-8")
+
+
+def wheel_tool(*arguments):
+    subprocess.run([sys.executable, "-m", "wheel", *map(str, arguments)], check=True)
+
+
+def main():
+    given = parse()
+    with tempfile.TemporaryDirectory() as scratch:
+        wheel_tool("unpack", given.wheel, "--dest", scratch)
+        tree = next(pathlib.Path(scratch).iterdir())
+        package = tree / "vtkhelios"
+        add_vtk_modules(package, given.vtk, given.vtk_source)
+        add_proj_data(package, given.proj)
+        rename_imports(package)
+        given.wheel.unlink()
+        wheel_tool("pack", tree, "--dest-dir", given.wheel.parent)
+
+
+if __name__ == "__main__":
+    main()
