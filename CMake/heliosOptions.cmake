@@ -3,6 +3,7 @@
 # Build options and output directories.
 
 option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
+option(VTKHELIOS_WRAP_VTK "Wrap the classes of VTK, too, as vtkhelios.vtkmodules: for wheels" OFF)
 option(VTKHELIOS_BUILD_VIEWER "Build the viewer" ON)
 option(VTKHELIOS_BUILD_TESTING "Build the tests" ON)
 option(VTKHELIOS_BUILD_BENCHMARKS "Build the benchmarks (they need Embree, CGAL and tinyobjloader)" OFF)
@@ -57,6 +58,9 @@ if(VTKHELIOS_ENABLE_MPI)
 endif()
 if(VTKHELIOS_WRAP_PYTHON)
   list(APPEND vtkhelios_vtk_components FiltersPython WrappingPythonCore Python)
+  if(VTKHELIOS_WRAP_VTK)
+    list(APPEND vtkhelios_vtk_components CommonMisc FiltersSources)
+  endif()
 endif()
 
 # Rendering components of the viewer; not part of the package for other projects.

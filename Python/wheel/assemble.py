@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 
+VTK_MODULES = pathlib.Path("/usr/lib/python3/dist-packages/vtkmodules")
 # Python files of VTK that work without its modules for drawing.
 UTILITIES = (
     "__init__", "keys", "misc", "numpy_support", "vtkAlgorithm", "vtkConstants", "vtkVariant",
@@ -27,21 +28,17 @@ _IMPORT = re.compile(r"\b(from|import) vtkmodules\b")
 def parse():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("wheel", type=pathlib.Path, help="changed in place")
-    parser.add_argument("--vtk", type=pathlib.Path, required=True, help="where VTK is installed")
-    parser.add_argument("--vtk-source", type=pathlib.Path, required=True)
     parser.add_argument("--proj", type=pathlib.Path, required=True, help="where PROJ is installed")
     return parser.parse_args()
 
 
-def add_vtk_modules(package, vtk, source):
-    """vtkhelios/vtkmodules: the wrapped modules, and the Python files of VTK."""
+def add_vtk_modules(package):
+    """Adds the Python files of VTK to vtkhelios/vtkmodules, which has its wrapped modules."""
     folder = package / "vtkmodules"
     (package / "vtkmodules.py").unlink()  # the same names for the VTK of a system
-    shutil.copytree(vtk / "lib/python3/dist-packages/vtkhelios/vtkmodules", folder,
-                    ignore=lambda _, names: [name for name in names if not name.endswith(".so")])  # fmt: skip
     (folder / "util").mkdir()
     for name in UTILITIES:
-        shutil.copy(source / f"Wrapping/Python/vtkmodules/util/{name}.py", folder / "util")
+        shutil.copy(VTK_MODULES / f"util/{name}.py", folder / "util")
     version = re.search(r"VTK_VERSION = \"(.*)\"", (package / "_built_with.py").read_text())[1]
     (folder / "__init__.py").write_text(
         f'"""The VTK of vtkHelios: vtkmodules under another name."""\n\n__version__ = "{version}"\n'
@@ -73,7 +70,7 @@ def main():
         wheel_tool("unpack", given.wheel, "--dest", scratch)
         tree = next(pathlib.Path(scratch).iterdir())
         package = tree / "vtkhelios"
-        add_vtk_modules(package, given.vtk, given.vtk_source)
+        add_vtk_modules(package)
         add_proj_data(package, given.proj)
         rename_imports(package)
         given.wheel.unlink()
