@@ -9,7 +9,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../Apps/setup.sh"
 
 jobs=${HELIOS_JOBS:-$(nproc)}
 work=$PWD/build/wheel
-build=${HELIOS_WHEEL_BUILD:-$work/vtkhelios}
 python=$work/venv/bin/python
 
 # What the wheel is built with. Only the headers of GDAL: the wheel loads one, and brings none.
@@ -58,7 +57,7 @@ build_package() {
   helios_say "building vtkHelios"
   rm -rf "$work/plain"
   CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip wheel -q --disable-pip-version-check \
-    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$build" \
+    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios" \
     -C cmake.args="-GNinja;-C$PWD/Python/wheel/vtkhelios.cmake" \
     -C cmake.define.PROJ_DIR="$work/proj-private/lib/cmake/proj" .
 }
