@@ -27,6 +27,8 @@ helios_add_depends(vtkhelios_wrapped_vtk VTK::CommonCore VTK::CommonDataModel VT
   VTK::CommonMisc VTK::FiltersCore VTK::FiltersPython VTK::FiltersSources VTK::IOXML)
 foreach(module IN LISTS vtkhelios_wrapped_vtk)
   set_property(TARGET ${module} PROPERTY INTERFACE_vtk_module_python_package) # was vtkmodules
+  set_property(TARGET ${module} PROPERTY INCLUDE_DIRECTORIES # for vtkWrapPython
+    "$<TARGET_PROPERTY:${module},INTERFACE_INCLUDE_DIRECTORIES>")
 endforeach()
 vtk_module_wrap_python(
   MODULES             ${vtkhelios_wrapped_vtk}

@@ -22,6 +22,8 @@ UTILITIES = (
     "__init__", "keys", "misc", "numpy_support", "vtkAlgorithm", "vtkConstants", "vtkVariant",
 )  # fmt: skip
 
+DRAWING = ("picture.py",)  # with the VTK of PyPI, which draws, if it is installed
+
 _IMPORT = re.compile(r"\b(from|import) vtkmodules\b")
 
 
@@ -35,12 +37,11 @@ def parse():
 def add_vtk_modules(package):
     """Adds the Python files of VTK to vtkhelios/vtkmodules, which has its wrapped modules."""
     folder = package / "vtkmodules"
-    (package / "vtkmodules.py").unlink()  # the same names for the VTK of a system
     (folder / "util").mkdir()
     for name in UTILITIES:
         shutil.copy(VTK_MODULES / f"util/{name}.py", folder / "util")
     version = re.search(r"VTK_VERSION = \"(.*)\"", (package / "_built_with.py").read_text())[1]
-    (folder / "__init__.py").write_text(
+    (folder / "__init__.py").write_text(  # was another name for the VTK of a system
         f'"""The VTK of vtkHelios: vtkmodules under another name."""\n\n__version__ = "{version}"\n'
     )
 
@@ -54,8 +55,10 @@ def add_proj_data(package, proj):
 
 
 def rename_imports(package):
-    """vtkmodules is vtkhelios.vtkmodules in all Python files and stubs."""
+    """vtkmodules is vtkhelios.vtkmodules in all Python files and stubs but those of DRAWING."""
     for path in [*package.rglob("*.py"), *package.rglob("*.pyi")]:
+        if path.name in DRAWING:
+            continue
         text = path.read_text(encoding="utf-8")
         path.write_text(_IMPORT.sub(r"\1 vtkhelios.vtkmodules", text), encoding="utf-8")
 

@@ -4,8 +4,8 @@
 
 >>> from vtkhelios.vtkmodules.vtkCommonDataModel import vtkPolyData
 
-Here these are the modules of vtkmodules, the VTK of the system. In a wheel, which has a VTK of its
-own, a package takes the place of this file (Python/wheel).
+Here these are the modules of vtkmodules, the VTK of the system. A wheel has a VTK of its own in this
+package (Python/wheel).
 """
 
 import importlib
@@ -13,7 +13,7 @@ import importlib.abc
 import importlib.util
 import sys
 
-__path__ = []  # a package without files: its modules come from _Finder
+__path__ = []  # has no files: its modules come from _Finder
 
 
 class _Finder(importlib.abc.MetaPathFinder):
@@ -39,7 +39,7 @@ class _Loader(importlib.abc.Loader):
 
 def _in_vtk(name):
     """vtkhelios.vtkmodules.NAME as vtkmodules.NAME."""
-    return name.removeprefix(f"{__package__}.")
+    return name.removeprefix(f"{__package__.rpartition('.')[0]}.")
 
 
 sys.meta_path.insert(0, _Finder())  # before the finder of the files of VTK, which makes copies
