@@ -14,6 +14,8 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 root=$(realpath -m "${1:-$here/build/paraview}")
 mirror=${2:-}
+# shellcheck source=../debian_root.sh
+source "$here/Apps/debian_root.sh"
 
 # What paraview-dev does not depend on although its CMake files look for it, and our own libraries.
 packages=(
@@ -30,31 +32,15 @@ packages=(
 
 say() { printf '\n== %s\n' "$*"; }
 
-find_mirror() {
-  local files=(/etc/apt/sources.list /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list)
-  sed -nE 's/^URIs: *([^ ]+).*/\1/p; s/^deb +(\[[^]]*\] +)?([^ ]+).*/\2/p' "${files[@]}" 2>/dev/null |
-    grep -m1 '/debian/*$' || echo "no Debian mirror in /etc/apt; give one as the second argument" >&2
-}
-
 make_root() {
-  if [ ! -x "$root/usr/bin/apt-get" ]; then
-    command -v debootstrap >/dev/null || { echo "install it first: apt-get install debootstrap" >&2; return 1; }
-    [ -n "$mirror" ] || mirror=$(find_mirror)
-    say "Debian 12 in $root, from $mirror"
-    debootstrap --variant=minbase bookworm "$root" "$mirror"
-  fi
-  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  helios_make_root bookworm "$root" "$mirror"
   mkdir -p "$root/vtkhelios/source" "$root/vtkhelios/build" "$root/vtkhelios/trial"
   mount --bind "$here" "$root/vtkhelios/source"
-  mount -t proc proc "$root/proc"
-  mount --bind /dev "$root/dev"
 }
 
 # enter COMMAND...: in that Debian.
 enter() {
-  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    CCACHE_DIR=/vtkhelios/ccache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
-    chroot "$root" "$@"
+  helios_enter env CCACHE_DIR=/vtkhelios/ccache OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$@"
 }
 
 install_packages() {
@@ -101,13 +87,7 @@ try_plugin() {
   say "the plugin: $root/$plugin"
 }
 
-if [ "$(id -u)" -ne 0 ]; then
-  echo "run as root: it installs a Debian in a folder" >&2
-  exit 1
-fi
-if [ -z "${HELIOS_OWN_MOUNTS:-}" ]; then # mounts that end with this script
-  HELIOS_OWN_MOUNTS=1 exec unshare --mount "${BASH_SOURCE[0]}" "$root" "$mirror"
-fi
+helios_own_mounts "${BASH_SOURCE[0]}" "$root" "$mirror"
 make_root
 install_packages
 build_plugin
