@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Sets up and builds what is missing (Debian 12), generates a village, scans it from a tripod and
+# Sets up and builds what is missing (Debian 12 or 13), generates a village, scans it from a tripod and
 # from the air, draws a picture of the point clouds, and builds the viewer. Output: build/demo.
 
 # shellcheck source=setup.sh
@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 helios_setup
 export CCACHE_DISABLE=1 # a first build has no cache hits, and filling it takes time
-helios_configure release
+helios_configure release "$(helios_warnings OFF)"
 helios_build release vtkhelios_core # sufficient for the clouds
 
 demo=build/demo

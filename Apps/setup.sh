@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by demo.sh and Testing/run.sh: all packages to build this checkout on a fresh Debian 12,
-# and the build. Fast if nothing is to be done.
+# Sourced by demo.sh and Testing/run.sh: all packages to build this checkout on a fresh Debian 12
+# or 13, and the build. Fast if nothing is to be done.
 
 set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
+cd -P "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # All packages to build, run and test vtkHelios; Docs/install.md refers to this list.
 helios_packages=(
@@ -18,10 +18,28 @@ helios_packages=(
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   python3-jinja2
   # to test
-  catch2 cloudcompare zsh fish python3-pytest python3-gdal python3-lxml clang-format-14 black codespell
+  catch2 cloudcompare zsh fish python3-pytest python3-gdal python3-lxml black codespell
   # pictures without a display
   xvfb xauth libgl1-mesa-dri xdotool
 )
+
+# What differs by the release of Debian. A PyVista contemporary with its VTK, for the test of its
+# interoperability; newer ones install their own vtk.
+helios_release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+case $helios_release in
+  bookworm) # 12: VTK 9.1
+    helios_packages+=(clang-format-14)
+    helios_pyvista=('pyvista==0.36.1' 'scooby<1' 'appdirs<2')
+    ;;
+  trixie) # 13: VTK 9.3
+    helios_pyvista=('pyvista==0.44.2' 'scooby<1' 'pooch<2' 'platformdirs<5')
+    ;;
+  *)
+    echo "this system is not Debian 12 or 13 (bookworm, trixie) but ${helios_release:-without a name}:" \
+      "its packages may have other names" >&2
+    helios_pyvista=()
+    ;;
+esac
 
 helios_say() { printf '\n== %s\n' "$*"; }
 
@@ -69,12 +87,11 @@ helios_install_laspy() {
     'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be installed here: LAS and LAZ files cannot be read" >&2
 }
 
-# A PyVista contemporary with VTK 9.1, for the test of its interoperability; newer ones install
-# their own vtk.
 helios_install_pyvista() {
+  [ ${#helios_pyvista[@]} -gt 0 ] || return 0
   build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be installed here: its test is skipped" >&2
+    "${helios_pyvista[@]}" || echo "PyVista cannot be installed here: its test is skipped" >&2
 }
 
 # COPC and E57 files, LAZ with waveforms of several channels, and a reader of PLY files in tests.
@@ -117,6 +134,14 @@ helios_install_ruff() {
   [ -x build/venv/bin/ruff ] && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'ruff==0.17.6' || echo "ruff cannot be installed here: Python code is not linted" >&2
+}
+
+# helios_warnings ON|OFF: the argument of CMake that makes warnings errors in build/, or not. A build
+# that is there already keeps what it has, since a change compiles everything again.
+helios_warnings() {
+  local kept
+  kept=$(sed -n 's/^VTKHELIOS_WARNINGS_AS_ERRORS:BOOL=//p' build/CMakeCache.txt 2>/dev/null || true)
+  echo "-DVTKHELIOS_WARNINGS_AS_ERRORS=${kept:-$1}"
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

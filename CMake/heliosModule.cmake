@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Build rules for all modules and test programs of vtkHelios.
 
-set(vtkhelios_warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+set(vtkhelios_warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+if(VTKHELIOS_WARNINGS_AS_ERRORS)
+  list(APPEND vtkhelios_warnings -Werror)
+endif()
 
 # helios_get_folders(<output> <file>...)
 # The subfolders that some of the files are in.
@@ -76,14 +79,14 @@ function(helios_add_test_program module folder)
   list(TRANSFORM arg_LINK REPLACE "^([^:]+)$" "vtkHelios::\\1")
   target_link_libraries(${program} PRIVATE heliosTesting vtkHelios::${module} ${arg_LINK})
   helios_precompile(${program} heliosTestHeaders)
-  # NoTests: a title with ; or an unbalanced [ would be registered wrongly and run nothing.
-  catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "~[mutation]" EXTRA_ARGS --warn NoTests
+  # STRICT: a title with ; or an unbalanced [ would be registered wrongly and run nothing.
+  catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "~[mutation]" EXTRA_ARGS ${HeliosCatch2_STRICT}
     PROPERTIES LABELS ${module} TIMEOUT 300)
   set(mutation_tests ${sources})
   list(FILTER mutation_tests INCLUDE REGEX "Mutations?[.]cxx$")
   if(mutation_tests)
     catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "[mutation]" TEST_LIST ${program}_MUTATIONS
-      EXTRA_ARGS --warn NoTests
+      EXTRA_ARGS ${HeliosCatch2_STRICT}
       PROPERTIES LABELS "${module};mutation" TIMEOUT 3000 ENVIRONMENT "HELIOS_MUTATIONS=${VTKHELIOS_MUTATIONS}")
   endif()
 endfunction()

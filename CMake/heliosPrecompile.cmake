@@ -26,7 +26,7 @@ function(helios_add_precompiled target)
   add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cxx")
   target_compile_options(${target} PRIVATE ${vtkhelios_precompile_options} ${arg_OPTIONS})
   # Include directories only: compile definitions differ, and no header here uses them.
-  foreach(library IN ITEMS VTK::CommonCore Catch2::Catch2 Python3::Module)
+  foreach(library IN ITEMS VTK::CommonCore HeliosCatch2::HeliosCatch2 Python3::Module)
     target_include_directories(${target} SYSTEM PRIVATE
       $<$<TARGET_EXISTS:${library}>:$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>>)
   endforeach()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds vtkHelios and runs every test; first sets up what is missing (Debian 12).
+# Builds vtkHelios and runs every test; first sets up what is missing (Debian 12 or 13).
 #
 #   Testing/run.sh              the release build, the build without optional libraries, the tests
 #   Testing/run.sh --asan       also the C++ tests under address and undefined-behaviour sanitizers
@@ -68,7 +68,7 @@ if $tidy; then
   run_tidy '.*/Testing/' -checks="$unchecked"
 fi
 
-helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF
+helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF "$(helios_warnings ON)"
 helios_build minimal
 run_ctest build/minimal --label-exclude ScannerSurvey # long, and the same without the libraries
 if $asan; then
@@ -77,7 +77,7 @@ if $asan; then
   ASAN_OPTIONS=detect_leaks=0 run_ctest build/asan
 fi
 
-helios_configure release
+helios_configure release "$(helios_warnings ON)"
 helios_build release
 run_ctest build
 

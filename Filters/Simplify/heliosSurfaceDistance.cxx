@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSurfaceDistance.h"
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -179,7 +179,7 @@ class SurfaceDistance::Tree
   };
 
   /// CGAL's own nearest point is inaccurate on slivers in double precision.
-  struct Traits : public CGAL::AABB_traits<Kernel, Primitive>
+  struct Traits : public CGAL::AABB_traits_3<Kernel, Primitive>
   {
     struct Closest_point
     {

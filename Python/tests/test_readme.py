@@ -1,20 +1,30 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands in README.md for new users work."""
+"""The commands in README.md for new users work. Testing/Install/readme.sh reads and runs them all."""
 
 import importlib.util
 import pathlib
-import re
+import shlex
+import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-README = (ROOT / "README.md").read_text()
+READER = ROOT / "Testing/Install/readme.sh"
+
+
+def read_readme(*arguments):
+    done = subprocess.run([READER, *arguments], capture_output=True, text=True, check=True)
+    return done.stdout.splitlines()
 
 
 def test_first_scene(command_line, tmp_path):
-    for name in ("my_yard.obj", "my_scene.xml", "my_survey.xml"):
-        text = re.search(rf"`{name}`:\n\n```\w+\n(.*?)```", README, re.S).group(1)
-        (tmp_path / name).write_text(text)
-    done = command_line("run", "my_survey.xml", cwd=tmp_path)
+    read_readme("--files", tmp_path)
+    commands = [
+        shlex.split(command)[1:]
+        for command in read_readme("--commands")
+        if command.split()[1:2] and command.split()[1] in ("run", "plan", "convert", "report")
+    ]
+    assert [command[0] for command in commands] == ["run", "run", "plan", "convert", "report"]
+    done = command_line(*commands[0], cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     points = [
         [float(word) for word in line.split()[:3]]
@@ -22,18 +32,27 @@ def test_first_scene(command_line, tmp_path):
     ]
     assert any(abs(z) < 0.1 for x, y, z in points), "no echo from the ground"
     assert any(abs(y - 10) < 0.1 and z > 1 for x, y, z in points), "no echo from the wall"
-    commands = re.findall(
-        r"^build/bin/vtkhelios ((?:run|plan|convert|report|view .* --html) .*)$", README, re.M
-    )
-    assert len(commands) == 6
     for command in commands[1:]:
-        if ".laz" in command and importlib.util.find_spec("lazrs") is None:
+        if "yard.laz" in command and importlib.util.find_spec("lazrs") is None:
             continue
-        display = ["--no-picture"] if command.startswith("plan") else []
-        done = command_line(*command.split(), *display, cwd=tmp_path)
+        display = ["--no-picture"] if command[0] == "plan" else []
+        done = command_line(*command, *display, cwd=tmp_path)
         assert done.returncode == 0, done.stderr
 
 
+def test_all_commands_are_read():
+    commands = read_readme("--commands")
+    assert commands[0] == "./Apps/demo.sh"
+    others = [command.split()[:1] for command in commands[1:]]
+    assert others == [["build/bin/vtkhelios"]] * len(others)
+
+
 def test_scripts_are_executable():
-    for name in ("Apps/demo.sh", "Testing/run.sh", ".ci/run"):
+    for name in (
+        "Apps/demo.sh",
+        "Testing/run.sh",
+        "Testing/Install/clean_root.sh",
+        "Testing/Install/readme.sh",
+        ".ci/run",
+    ):
         assert (ROOT / name).stat().st_mode & 0o111, name

@@ -8,15 +8,14 @@
 #ifndef heliosBareCasters_h
 #define heliosBareCasters_h
 
+#include "heliosEmbree.h"
 #include "heliosPose.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRayCaster.h"
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include <embree3/rtcore.h>
 
 #include <vtkGenericCell.h>
 #include <vtkNew.h>
@@ -118,8 +117,8 @@ public:
   {
     const unsigned int saved = _mm_getcsr();
     _mm_setcsr(saved | 0x8040);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+    EmbreeContext context;
+    InitContext(context);
     for (std::size_t i = first; i < last; ++i)
     {
       const vtkHeliosRay& ray = rays[i];
@@ -136,7 +135,7 @@ public:
       rayHit.ray.mask = -1;
       rayHit.ray.flags = 0;
       rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      rtcIntersect1(this->Scene, &context, &rayHit);
+      TraceRay(rtcIntersect1, this->Scene, context, rayHit);
       hits[i] = rayHit.hit.geomID == RTC_INVALID_GEOMETRY_ID
         ? vtkHeliosHit{ Inf, -1 }
         : vtkHeliosHit{ this->IsRefined ? Refine(this->Mesh, ray, rayHit.hit.primID)
@@ -232,7 +231,7 @@ public:
 
 private:
   const TriangleMesh& Mesh;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, IndexPrimitive>> Tree;
+  CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, IndexPrimitive>> Tree;
 };
 
 /// vtkOBBTree queried with segments clipped to the scene's box, in scene coordinates or centred;

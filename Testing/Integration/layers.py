@@ -29,7 +29,7 @@ LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 # The home of each library (CGAL's GPL parts are in two optional modules); only sources (.cxx)
 # include its headers.
 HOMES = {
-    r"embree3/": "ScannerRayCastingEmbree",
+    r"embree[34]/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
     r"json/": "FiltersIO ScannerSurvey",
     r"re2/": "ScannerSurvey",

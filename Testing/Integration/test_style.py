@@ -53,6 +53,8 @@ def test_clang_format():
 
 def test_black():
     code, text = run("black", "--check", "--quiet", *tracked(".py"))
+    if "does not match the running version" in text:
+        pytest.skip("black is not the version of pyproject.toml")
     assert code == 0, f"run black on:\n{text}"
 
 

@@ -223,7 +223,7 @@ void WaveformChart::AddSamples(const PulseReading& reading)
     powers.push_back(sample / this->Unit);
   }
   vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeTable(reading.Ranges, powers), "waveform");
-  plot->SetColor(0.35, 0.85, 1.0);
+  plot->SetColor(89, 217, 255, 255);
   plot->SetWidth(2.0F);
   this->NumberOfSamples = static_cast<vtkIdType>(powers.size());
 }
@@ -235,7 +235,7 @@ void WaveformChart::AddGaussians(const PulseReading& reading)
   {
     vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(gaussian, this->Unit),
       this->NumberOfGaussians == 0 ? "fitted Gaussians" : "");
-    plot->SetColor(1.0, 0.45, 0.55);
+    plot->SetColor(255, 115, 140, 255);
     plot->SetWidth(1.5F);
     plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
     ++this->NumberOfGaussians;
@@ -256,7 +256,7 @@ void WaveformChart::AddPulse(const PulseReading& reading)
   char label[64];
   std::snprintf(label, sizeof(label), "emitted pulse, %.3g ns", reading.PulseLength);
   vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(sent, this->Unit), label);
-  plot->SetColor(0.6, 0.63, 0.68);
+  plot->SetColor(153, 161, 173, 255);
   plot->SetWidth(1.0F);
 }
 

@@ -24,7 +24,7 @@ Status MakeRasterFile(const std::string& library, std::unique_ptr<RasterFile>& f
   if (!make)
   {
     return Status::Error(std::string("rasters cannot be read: ") + ::dlerror() +
-      "; install GDAL (Debian: apt-get install libgdal32), and vtkHelios with all its libraries");
+      "; install GDAL (Debian: apt-get install gdal-bin), and vtkHelios with all its libraries");
   }
   // Only in builds that are not linked to GDAL.
   const auto load = reinterpret_cast<Load>(::dlsym(loaded, "heliosLoadGdal"));

@@ -6,7 +6,7 @@
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
-#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -54,8 +54,8 @@ struct IndexPrimitive
   Id Triangle;
 };
 
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, IndexPrimitive>>;
-using Node = CGAL::AABB_node<CGAL::AABB_traits<Kernel, IndexPrimitive>>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, IndexPrimitive>>;
+using Node = CGAL::AABB_node<CGAL::AABB_traits_3<Kernel, IndexPrimitive>>;
 
 /// The range at which a ray enters the box of a node; NoHit for a miss or beyond its maximum range.
 double GetEntry(const TestRay& ray, const Node& node)

@@ -343,7 +343,7 @@ void EmbreeTree::OnOccluded(const RTCOccludedFunctionNArguments* args)
 // The context's default is INCOHERENT; COHERENT loses hits with tiny direction components.
 void EmbreeTree::TraceFirst(Trace& trace, int alive) const
 {
-  rtcInitIntersectContext(&trace.Context);
+  InitContext(trace.Context);
   const int* valid = trace.Rays.Valid;
   void* floats = trace.Rays.Floats;
   if (alive == 1)
@@ -351,43 +351,43 @@ void EmbreeTree::TraceFirst(Trace& trace, int alive) const
     RTCRayHit alone;
     alone.ray = GetAlone(trace.Rays);
     alone.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(this->Scene, &trace.Context, &alone);
+    TraceRay(rtcIntersect1, this->Scene, trace.Context, alone);
   }
   else if (alive > 0 && this->Width == 4)
   {
-    rtcIntersect4(valid, this->Scene, &trace.Context, static_cast<RTCRayHit4*>(floats));
+    TracePacket(rtcIntersect4, valid, this->Scene, trace.Context, floats);
   }
   else if (alive > 0 && this->Width == 8)
   {
-    rtcIntersect8(valid, this->Scene, &trace.Context, static_cast<RTCRayHit8*>(floats));
+    TracePacket(rtcIntersect8, valid, this->Scene, trace.Context, floats);
   }
   else if (alive > 0)
   {
-    rtcIntersect16(valid, this->Scene, &trace.Context, static_cast<RTCRayHit16*>(floats));
+    TracePacket(rtcIntersect16, valid, this->Scene, trace.Context, floats);
   }
 }
 
 void EmbreeTree::TraceAny(Trace& trace, int alive) const
 {
-  rtcInitIntersectContext(&trace.Context);
+  InitContext(trace.Context);
   const int* valid = trace.Rays.Valid;
   void* floats = trace.Rays.Floats;
   if (alive == 1)
   {
     RTCRay alone = GetAlone(trace.Rays);
-    rtcOccluded1(this->Scene, &trace.Context, &alone);
+    TraceRay(rtcOccluded1, this->Scene, trace.Context, alone);
   }
   else if (alive > 0 && this->Width == 4)
   {
-    rtcOccluded4(valid, this->Scene, &trace.Context, static_cast<RTCRay4*>(floats));
+    TracePacket(rtcOccluded4, valid, this->Scene, trace.Context, floats);
   }
   else if (alive > 0 && this->Width == 8)
   {
-    rtcOccluded8(valid, this->Scene, &trace.Context, static_cast<RTCRay8*>(floats));
+    TracePacket(rtcOccluded8, valid, this->Scene, trace.Context, floats);
   }
   else if (alive > 0)
   {
-    rtcOccluded16(valid, this->Scene, &trace.Context, static_cast<RTCRay16*>(floats));
+    TracePacket(rtcOccluded16, valid, this->Scene, trace.Context, floats);
   }
 }
 

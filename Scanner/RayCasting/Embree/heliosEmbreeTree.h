@@ -6,10 +6,9 @@
 #define heliosEmbreeTree_h
 
 #include "heliosBvh.h"
+#include "heliosEmbree.h"
 #include "heliosEmbreePacket.h"
 #include "heliosStatus.h"
-
-#include <embree3/rtcore.h>
 
 #include <atomic>
 #include <cstddef>
@@ -43,7 +42,7 @@ private:
   /// A packet of rays, with the callback arguments of Embree.
   struct Trace
   {
-    RTCIntersectContext Context; // first: callbacks receive its address
+    EmbreeContext Context; // first: callbacks receive its address
     Packet Rays;
   };
 

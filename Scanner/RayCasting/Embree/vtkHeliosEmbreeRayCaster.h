@@ -4,7 +4,7 @@
  * @class   vtkHeliosEmbreeRayCaster
  * @brief   the ray caster for single rays: Embree traversal, double-precision triangles
  *
- * Embree 3 user geometry: it traverses padded float boxes in a frame local to
+ * Embree 3 or 4, user geometry: it traverses padded float boxes in a frame local to
  * the scene, with the ray's origin advanced to the scene in double; every
  * candidate triangle is tested in double on the scene's own points. Rays are
  * traced in packets of 16, 8 or 4, as the machine supports.

@@ -21,7 +21,7 @@
 #include <array>
 #include <cmath>
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using namespace helios;
 using namespace helios::test;
 

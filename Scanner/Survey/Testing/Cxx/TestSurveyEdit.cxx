@@ -19,7 +19,7 @@
 #include <cmath>
 #include <cstring>
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 using namespace helios;
 using namespace helios::test;
 
