@@ -77,7 +77,7 @@ struct Packet
   int Width = 0;
   RayQuad Quads[MaximumWidth / QuadWidth];
   alignas(64) int Valid[MaximumWidth];         ///< -1: this ray is to be traced
-  alignas(64) float Floats[20 * MaximumWidth]; ///< a RTCRayHit4, 8 or 16; a ray's id is its lane
+  alignas(64) float Floats[21 * MaximumWidth]; ///< a RTCRayHit4, 8 or 16; a ray's id is its lane
 
   float* GetField(RayField field) { return this->Floats + static_cast<int>(field) * this->Width; }
 

@@ -25,7 +25,7 @@ namespace helios
 namespace
 {
 
-static_assert(sizeof(RTCRayHit16) == sizeof(Packet::Floats), "room for the largest packet");
+static_assert(sizeof(RTCRayHit16) <= sizeof(Packet::Floats), "room for the largest packet");
 static_assert(offsetof(RTCRay16, tfar) == 64 * static_cast<int>(RayField::Far), "the same order");
 static_assert(offsetof(RTCRay, id) == 4 * static_cast<int>(RayField::Id), "the same order");
 
