@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the scripts that need a clean Debian: ParaView/build.sh, Testing/Install/clean_root.sh
-# and readme.sh. Makes one in a folder with debootstrap, and runs commands there. As root.
+# and packages.sh. Makes one in a folder with debootstrap, and runs commands there. As root.
 
 # helios_own_mounts SCRIPT [ARGUMENT...]: restarts the script so that its mounts end with it.
 helios_own_mounts() {
