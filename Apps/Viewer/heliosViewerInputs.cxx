@@ -7,7 +7,9 @@
 #include "heliosErrorText.h"
 #include "heliosInputFile.h"
 #include "heliosInspector.h"
+#include "heliosMeasureTool.h"
 #include "heliosPlanView.h"
+#include "heliosSectionTool.h"
 #include "heliosSimulation.h"
 #include "heliosStatus.h"
 #include "heliosViewer.h"
@@ -208,7 +210,9 @@ Status ShowInputs(Viewer& viewer)
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
   std::vector<std::unique_ptr<ViewerTool>> tools;
-  tools.push_back(std::make_unique<EditTool>(viewer)); // first: takes clicks while it is on
+  tools.push_back(std::make_unique<EditTool>(viewer));    // first: takes clicks while it is on
+  tools.push_back(std::make_unique<MeasureTool>(viewer)); // these two also, before the inspector
+  tools.push_back(std::make_unique<SectionTool>(viewer));
   tools.push_back(std::make_unique<Inspector>(viewer));
   tools.push_back(std::make_unique<PlanTool>(viewer));
   return tools;

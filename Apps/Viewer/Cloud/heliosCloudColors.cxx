@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloudColors.h"
 
-#include <vtkLookupTable.h>
+#include "heliosTicks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr std::size_t MaximumLegend = 16;
+constexpr int MostTicks = 6;
 
 // 1, 2, 3, 4, 5 and more returns
 constexpr Rgb ReturnColors[] = { { 128, 128, 128 }, { 222, 184, 98 }, { 88, 172, 110 },
@@ -23,11 +24,6 @@ constexpr Rgb ReturnColors[] = { { 128, 128, 128 }, { 222, 184, 98 }, { 88, 172,
 Rgb GetReturnColor(double number)
 {
   return ReturnColors[static_cast<int>(std::min(std::max(number, 0.0), 5.0))];
-}
-
-void SetTableColor(vtkLookupTable* table, vtkIdType i, const Rgb& color)
-{
-  table->SetTableValue(i, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0, 1.0);
 }
 
 } // namespace
@@ -47,6 +43,20 @@ bool CloudColors::IsCategory() const
     default:
       return false;
   }
+}
+
+//------------------------------------------------------------------------------
+/// The position of a value on the ramp; outside [0, 1] beyond its ends.
+double CloudColors::GetShare(double value) const
+{
+  double low = this->Low, high = this->High;
+  if (this->IsLogarithmic())
+  {
+    value = std::log(value);
+    low = std::log(low);
+    high = std::log(high);
+  }
+  return high > low ? (value - low) / (high - low) : 0.5;
 }
 
 //------------------------------------------------------------------------------
@@ -72,16 +82,8 @@ Rgb CloudColors::Map(double value) const
   {
     return value < 0.0 ? Unknown : GetDistinctColor(static_cast<std::int64_t>(value));
   }
-  double low = this->Low, high = this->High;
-  if (this->IsLogarithmic())
-  {
-    value = std::log(value);
-    low = std::log(low);
-    high = std::log(high);
-  }
-  const double share = high > low ? (value - low) / (high - low) : 0.5;
-  const double clamped = std::min(std::max(share, 0.0), 1.0); // of NaN: 0
-  return GetRamp()[static_cast<std::size_t>(std::min(255.0, 256.0 * clamped))];
+  const double clamped = std::min(std::max(this->GetShare(value), 0.0), 1.0); // of NaN: 0
+  return this->Colors[static_cast<std::size_t>(std::min(255.0, 256.0 * clamped))];
 }
 
 //------------------------------------------------------------------------------
@@ -130,14 +132,14 @@ bool CloudColors::FitRange(std::vector<double> values)
 }
 
 //------------------------------------------------------------------------------
-std::string CloudColors::GetTitle(const Cloud& cloud) const
+std::string CloudColors::GetName(const Cloud& cloud) const
 {
   switch (this->By)
   {
     case ColorBy::Height:
-      return "Height [m]";
+      return "Height";
     case ColorBy::Amplitude:
-      return cloud.HasRawAmplitudes() ? "Intensity" : "Amplitude [W]";
+      return cloud.HasRawAmplitudes() ? "Intensity" : "Amplitude";
     case ColorBy::ReturnNumber:
       return "Return";
     case ColorBy::NumberOfReturns:
@@ -145,7 +147,7 @@ std::string CloudColors::GetTitle(const Cloud& cloud) const
     case ColorBy::Class:
       return "Class";
     case ColorBy::Time:
-      return "GPS time [s]";
+      return "GPS time";
     case ColorBy::Part:
       return "Part";
     case ColorBy::Material:
@@ -153,13 +155,32 @@ std::string CloudColors::GetTitle(const Cloud& cloud) const
     case ColorBy::Leg:
       return "Leg";
     case ColorBy::Incidence:
-      return "Incidence [deg]";
+      return "Incidence";
     case ColorBy::Range:
-      return "Range [m]";
+      return "Range";
     case ColorBy::One:
       break;
   }
   return "";
+}
+
+//------------------------------------------------------------------------------
+std::string CloudColors::GetUnit(const Cloud& cloud) const
+{
+  switch (this->By)
+  {
+    case ColorBy::Height:
+    case ColorBy::Range:
+      return "m";
+    case ColorBy::Time:
+      return "s";
+    case ColorBy::Incidence:
+      return "\xC2\xB0"; // degrees
+    case ColorBy::Amplitude:
+      return cloud.HasRawAmplitudes() ? "" : "W";
+    default:
+      return "";
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -174,22 +195,39 @@ std::string CloudColors::GetLabel(int category) const
 }
 
 //------------------------------------------------------------------------------
-void CloudColors::FillTable(vtkLookupTable* table, const std::vector<double>& values) const
+Legend CloudColors::MakeLegend(const Cloud& cloud, const std::vector<double>& values) const
 {
-  table->ResetAnnotations();
-  table->SetIndexedLookup(this->IsCategory());
-  table->SetScale(VTK_SCALE_LINEAR);
-  if (!this->IsCategory())
+  Legend legend;
+  legend.Title = this->GetName(cloud);
+  legend.IsCategory = this->IsCategory();
+  if (this->By != ColorBy::One)
   {
-    table->SetNumberOfTableValues(256);
-    table->SetRange(this->Low, this->High > this->Low ? this->High : this->Low * 1.001 + 1e-9);
-    table->SetScale(this->IsLogarithmic() && this->Low > 0.0 ? VTK_SCALE_LOG10 : VTK_SCALE_LINEAR);
-    for (vtkIdType i = 0; i < 256; ++i)
-    {
-      SetTableColor(table, i, GetRamp()[static_cast<std::size_t>(i)]);
-    }
-    return;
+    legend.IsCategory ? this->AddCategories(values, legend) : this->AddTicks(cloud, legend);
   }
+  return legend;
+}
+
+//------------------------------------------------------------------------------
+void CloudColors::AddTicks(const Cloud& cloud, Legend& legend) const
+{
+  const std::string unit = this->GetUnit(cloud);
+  const Ticks ticks = this->IsLogarithmic() ? MakeLogTicks(this->Low, this->High, MostTicks, unit)
+                                            : MakeTicks(this->Low, this->High, MostTicks, unit);
+  legend.Title += ticks.Unit.empty() ? "" : " [" + ticks.Unit + "]";
+  legend.Colors.assign(this->Colors.begin(), this->Colors.end());
+  for (const Tick& tick : ticks.List)
+  {
+    legend.Marks.push_back({ this->GetShare(tick.Value), tick.Text });
+  }
+  if (ticks.List.empty())
+  {
+    legend.Marks.push_back({ 0.5, DescribeValue(this->Low, this->IsLogarithmic() ? unit : "") });
+  }
+}
+
+//------------------------------------------------------------------------------
+void CloudColors::AddCategories(const std::vector<double>& values, Legend& legend) const
+{
   const bool isCount = this->By == ColorBy::ReturnNumber || this->By == ColorBy::NumberOfReturns;
   std::set<int> categories;
   for (const double value : values)
@@ -200,13 +238,10 @@ void CloudColors::FillTable(vtkLookupTable* table, const std::vector<double>& va
   {
     categories.erase(std::prev(categories.end()));
   }
-  table->SetNumberOfTableValues(
-    static_cast<vtkIdType>(std::max<std::size_t>(1, categories.size())));
-  vtkIdType row = 0;
   for (const int category : categories)
   {
-    table->SetAnnotation(vtkVariant(category), this->GetLabel(category));
-    SetTableColor(table, row++, this->Map(category));
+    legend.Marks.push_back({ static_cast<double>(legend.Colors.size()), this->GetLabel(category) });
+    legend.Colors.push_back(this->Map(category));
   }
 }
 

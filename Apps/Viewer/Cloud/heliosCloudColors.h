@@ -7,11 +7,10 @@
 
 #include "heliosCloud.h"
 #include "heliosColorMaps.h"
+#include "heliosLegend.h"
 
+#include <string>
 #include <vector>
-
-class vtkLookupTable;
-class vtkUnsignedCharArray;
 
 namespace helios::viewer
 {
@@ -41,6 +40,7 @@ public:
   Rgb One = { 200, 205, 210 };
   double Low = 0.0;
   double High = 1.0;
+  Ramp Colors = MakeRamp(RampPart()); ///< of quantities
 
   /// For unknown values.
   static constexpr Rgb Unknown = { 128, 128, 128 };
@@ -58,13 +58,17 @@ public:
   /// The ends that exclude 2 % of the values on either side, NaN ignored; false: no values.
   bool FitRange(std::vector<double> values);
 
-  /// "Height [m]" ...
-  std::string GetTitle(const Cloud& cloud) const;
+  /// "Height", "Amplitude" ...
+  std::string GetName(const Cloud& cloud) const;
 
-  /// Fills a table with the same colours; categories get the names of those among values.
-  void FillTable(vtkLookupTable* table, const std::vector<double>& values) const;
+  /// The legend; of categories: those among values.
+  Legend MakeLegend(const Cloud& cloud, const std::vector<double>& values) const;
 
 private:
+  std::string GetUnit(const Cloud& cloud) const;
+  void AddTicks(const Cloud& cloud, Legend& legend) const;
+  void AddCategories(const std::vector<double>& values, Legend& legend) const;
+  double GetShare(double value) const;
   std::string GetLabel(int category) const;
 };
 

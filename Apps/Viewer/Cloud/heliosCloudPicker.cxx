@@ -112,7 +112,7 @@ struct VisibleSearch
 
   void Scan(const CloudChunk& chunk, std::vector<std::uint64_t>& closest) const
   {
-    const bool isWhole = !this->Window.HasBox && !(chunk.LastTime > this->Window.TimeLimit);
+    const bool isWhole = !this->Window.IsClipped() && !(chunk.LastTime > this->Window.TimeLimit);
     const float* xyz = chunk.GetXyz();
     for (vtkIdType i = 0; i < chunk.GetSize(); ++i, xyz += 3)
     {
@@ -138,6 +138,20 @@ struct VisibleSearch
   }
 };
 
+/// Whether a box x0 x1 y0 y1 z0 z1 lies on one side of a slab.
+bool IsOutsideSlab(const Slab& slab, const double bounds[6])
+{
+  double low = 0.0, high = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double a = slab.Normal[axis] * bounds[2 * axis];
+    const double b = slab.Normal[axis] * bounds[2 * axis + 1];
+    low += std::min(a, b);
+    high += std::max(a, b);
+  }
+  return high < slab.Low || low > slab.High;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -155,7 +169,7 @@ bool CloudWindow::IsOutside(const CloudChunk& chunk) const
       return true;
     }
   }
-  return false;
+  return this->HasSlab && IsOutsideSlab(this->Section, chunk.Bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +188,7 @@ bool CloudWindow::Contains(const CloudChunk& chunk, vtkIdType i) const
       return false;
     }
   }
-  return true;
+  return !this->HasSlab || this->Section.Contains(Vec3(p[0], p[1], p[2]));
 }
 
 //------------------------------------------------------------------------------

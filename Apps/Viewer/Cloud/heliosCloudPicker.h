@@ -6,6 +6,7 @@
 #define heliosCloudPicker_h
 
 #include "heliosCloud.h"
+#include "heliosSlab.h"
 
 #include <cstdint>
 #include <limits>
@@ -18,12 +19,17 @@ namespace helios::viewer
 
 class PixelMap;
 
-/// The visible part of a cloud: up to a time, and inside a box.
+/// The visible part of a cloud: up to a time, inside a box and a slab.
 struct CloudWindow
 {
   double TimeLimit = std::numeric_limits<double>::infinity(); ///< [s]
   bool HasBox = false;
   double Box[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; ///< x0 x1 y0 y1 z0 z1 [m], less the origin
+
+  bool HasSlab = false;
+  Slab Section; ///< less the origin
+
+  bool IsClipped() const { return this->HasBox || this->HasSlab; }
 
   /// Whether no point of a chunk is visible, judging by its bounds.
   bool IsOutside(const CloudChunk& chunk) const;

@@ -6,45 +6,15 @@
 #include "heliosPointActor.h"
 
 #include <vtkCommand.h>
-#include <vtkLookupTable.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace helios::viewer
 {
-
-namespace
-{
-
-void SetUpBar(vtkScalarBarActor* bar)
-{
-  bar->UnconstrainedFontSizeOn();
-  bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%.4g");
-  bar->SetVerticalTitleSeparation(10);
-  bar->SetMaximumNumberOfColors(256);
-  bar->SetWidth(0.08);
-  bar->SetHeight(0.45);
-  bar->SetPosition(0.90, 0.09);
-  bar->DrawNanAnnotationOff();
-  for (vtkTextProperty* text :
-    { bar->GetTitleTextProperty(), bar->GetLabelTextProperty(), bar->GetAnnotationTextProperty() })
-  {
-    text->SetFontSize(14);
-    text->BoldOff();
-    text->ItalicOff();
-    text->ShadowOff();
-    text->SetColor(0.88, 0.90, 0.92);
-  }
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 CloudView::CloudView(const Cloud& cloud, vtkRenderer* renderer)
@@ -53,10 +23,6 @@ CloudView::CloudView(const Cloud& cloud, vtkRenderer* renderer)
   , Sample(std::make_unique<PointActor>(renderer))
 {
   this->Sample->SetPointSize(this->PointSize);
-  SetUpBar(this->Bar);
-  this->Bar->SetLookupTable(this->Table);
-  this->Bar->VisibilityOff();
-  renderer->AddActor2D(this->Bar);
   renderer->AddViewProp(this->Room);
   this->Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &CloudView::ShowVisible);
   this->Update();
@@ -67,7 +33,6 @@ CloudView::~CloudView()
 {
   this->Renderer->RemoveObserver(this->Observer);
   this->Renderer->RemoveViewProp(this->Room);
-  this->Renderer->RemoveActor2D(this->Bar);
   this->SetEyeDomeLighting(false);
 }
 
@@ -95,7 +60,7 @@ void CloudView::Update()
     {
       this->Recolor();
     }
-    this->UpdateBar();
+    this->UpdateLegend();
   }
   this->Refresh();
 }
@@ -134,15 +99,13 @@ bool CloudView::FitRange()
 }
 
 //------------------------------------------------------------------------------
-void CloudView::UpdateBar()
+void CloudView::UpdateLegend()
 {
-  const bool isCategory = this->Colors.IsCategory();
-  this->Colors.FillTable(this->Table, isCategory ? this->GetSampleValues() : std::vector<double>());
-  this->Bar->SetTitle(this->Colors.GetTitle(this->Points).c_str());
-  this->Bar->SetDrawTickLabels(!isCategory);
-  this->Bar->SetDrawAnnotations(isCategory);
-  this->Bar->SetVisibility(this->BarVisible && this->Visible && this->Colors.By != ColorBy::One &&
-    this->Points.GetNumberOfPoints() > 0);
+  const bool isShown = this->Visible && this->Points.GetNumberOfPoints() > 0;
+  this->Scale = isShown
+    ? this->Colors.MakeLegend(
+        this->Points, this->Colors.IsCategory() ? this->GetSampleValues() : std::vector<double>())
+    : Legend();
 }
 
 //------------------------------------------------------------------------------
@@ -192,7 +155,7 @@ bool CloudView::SetRange(double low, double high)
   this->Colors.Low = low;
   this->Colors.High = high;
   this->Recolor();
-  this->UpdateBar();
+  this->UpdateLegend();
   this->Refresh();
   return true;
 }
@@ -203,7 +166,7 @@ void CloudView::SetAutomaticRange()
   this->AutomaticRange = true;
   this->Colors.FitRange(this->GetSampleValues());
   this->Recolor();
-  this->UpdateBar();
+  this->UpdateLegend();
   this->Refresh();
 }
 
@@ -249,9 +212,22 @@ void CloudView::SetClipping(bool on)
 }
 
 //------------------------------------------------------------------------------
+void CloudView::SetSection(const std::optional<Slab>& slab)
+{
+  this->Section = slab;
+  this->SetUpPlanes();
+}
+
+//------------------------------------------------------------------------------
 void CloudView::SetUpPlanes()
 {
   this->Planes->RemoveAllItems();
+  this->Window.HasSlab = this->Section.has_value();
+  if (this->Section)
+  {
+    this->Window.Section = this->Section->RelativeTo(this->Points.GetOrigin());
+    this->Window.Section.AddPlanes(this->Planes);
+  }
   for (int i = 0; i < 6; ++i)
   {
     this->Window.Box[i] = this->Box[i] - this->Points.GetOrigin()[i / 2];
@@ -261,11 +237,11 @@ void CloudView::SetUpPlanes()
     normal[i / 2] = i % 2 == 0 ? 1.0 : -1.0;
     plane->SetOrigin(origin.GetData());
     plane->SetNormal(normal.GetData());
-    this->Planes->AddItem(plane);
+    this->Window.HasBox ? this->Planes->AddItem(plane) : void();
   }
   for (const auto& actor : this->Chunks)
   {
-    actor->SetPlanes(this->Window.HasBox ? this->Planes.Get() : nullptr);
+    actor->SetPlanes(this->Window.IsClipped() ? this->Planes.Get() : nullptr);
   }
   this->Refresh();
 }
@@ -293,15 +269,17 @@ void CloudView::SetVisible(bool on)
 {
   this->Visible = on;
   this->Sample->SetVisible(false);
-  this->UpdateBar();
+  this->UpdateLegend();
   this->Refresh();
 }
 
 //------------------------------------------------------------------------------
-void CloudView::SetScalarBarVisible(bool on)
+void CloudView::SetRampPart(const RampPart& part)
 {
-  this->BarVisible = on;
-  this->UpdateBar();
+  this->Colors.Colors = MakeRamp(part);
+  this->Recolor();
+  this->UpdateLegend();
+  this->Refresh();
 }
 
 //------------------------------------------------------------------------------

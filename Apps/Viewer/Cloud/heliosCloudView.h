@@ -16,10 +16,8 @@
 #include <optional>
 #include <vector>
 
-class vtkLookupTable;
 class vtkPlaneCollection;
 class vtkRenderer;
-class vtkScalarBarActor;
 
 namespace helios::viewer
 {
@@ -92,6 +90,10 @@ public:
   bool GetClipping() const { return this->Window.HasBox; }
   ///@}
 
+  /// Draws only the points in a slab [m], in world coordinates; none: all. Default: none.
+  void SetSection(const std::optional<Slab>& slab);
+  const std::optional<Slab>& GetSection() const { return this->Section; }
+
   /// Points later than this [s] are not drawn. Default: infinity.
   void SetTimeLimit(double time);
   double GetTimeLimit() const { return this->Window.TimeLimit; }
@@ -108,9 +110,11 @@ public:
   void ReportFrame(double seconds);
   void SetVisible(bool on);
 
-  /// The legend; hidden with a single colour or after SetScalarBarVisible(false).
-  vtkScalarBarActor* GetScalarBar() const { return this->Bar; }
-  void SetScalarBarVisible(bool on);
+  /// The legend of the colours; without colours if there are no points, or one colour only.
+  const Legend& GetLegend() const { return this->Scale; }
+
+  /// The part of the colour map for quantities. Default: all.
+  void SetRampPart(const RampPart& part);
 
   /// The echo drawn at a window pixel, or within a radius [pixels] of it.
   std::optional<Echo> Pick(double x, double y, double radius) const;
@@ -126,7 +130,7 @@ private:
   void UpdateSample();
   bool FitRange();
   std::vector<double> GetSampleValues() const;
-  void UpdateBar();
+  void UpdateLegend();
   void Recolor();
   void Refresh();
   void Colorize();
@@ -144,6 +148,7 @@ private:
   CloudColors Colors;
   CloudWindow Window;
   double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }; // world
+  std::optional<Slab> Section;                         // world
   bool AutomaticRange = true;
   bool EyeDomeLighting = false;
   bool Interacting = false;
@@ -155,7 +160,6 @@ private:
   std::unique_ptr<PixelMap> VisibleFrom;
   unsigned long Observer = 0;
   bool Visible = true;
-  bool BarVisible = true;
   double PointSize = 2.0;
   std::vector<std::unique_ptr<PointActor>> Chunks;
   std::unique_ptr<PointActor> Sample;
@@ -166,8 +170,7 @@ private:
   vtkIdType FittedTo = 0;
   vtkNew<BoundsProp> Room;
   vtkNew<vtkPlaneCollection> Planes;
-  vtkNew<vtkScalarBarActor> Bar;
-  vtkNew<vtkLookupTable> Table;
+  Legend Scale;
 };
 
 } // namespace helios::viewer

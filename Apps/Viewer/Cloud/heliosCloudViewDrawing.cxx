@@ -69,7 +69,7 @@ void CloudView::Refresh()
     PointActor& actor = *this->Chunks.back();
     actor.Rgba.reserve(static_cast<std::size_t>(4 * CloudChunk::Capacity));
     actor.SetPointSize(this->PointSize);
-    actor.SetPlanes(this->Window.HasBox ? this->Planes.Get() : nullptr);
+    actor.SetPlanes(this->Window.IsClipped() ? this->Planes.Get() : nullptr);
   }
   if (!this->IsWhole())
   {

@@ -47,32 +47,36 @@ const ClassColor* FindClass(int number)
   return found == end ? nullptr : found;
 }
 
-std::array<Rgb, 256> MakeRamp()
+// Viridis of S. van der Walt and N. Smith (matplotlib, CC0): every 15th of its 256 colours.
+constexpr double Viridis[18][3] = { { 68, 1, 84 }, { 72, 23, 105 }, { 71, 42, 122 },
+  { 67, 61, 132 }, { 61, 78, 138 }, { 53, 94, 141 }, { 46, 109, 142 }, { 41, 123, 142 },
+  { 35, 137, 142 }, { 31, 151, 139 }, { 33, 165, 133 }, { 46, 179, 124 }, { 70, 192, 111 },
+  { 101, 203, 94 }, { 137, 213, 72 }, { 176, 221, 47 }, { 216, 226, 25 }, { 253, 231, 37 } };
+
+/// The colour at a share of viridis.
+Rgb GetViridis(double share)
 {
-  // Height in Python/vtkhelios/picture.py.
-  constexpr double nodes[6][3] = { { 92, 128, 199 }, { 64, 173, 179 }, { 107, 191, 112 },
-    { 242, 217, 102 }, { 237, 128, 64 }, { 191, 56, 56 } };
-  std::array<Rgb, 256> ramp;
-  for (int i = 0; i < 256; ++i)
+  const double at = 17.0 * share;
+  const int node = std::min(16, static_cast<int>(at));
+  Rgb color;
+  for (std::size_t c = 0; c < 3; ++c)
   {
-    const double at = 5.0 * i / 255.0;
-    const int node = std::min(4, static_cast<int>(at));
-    for (int c = 0; c < 3; ++c)
-    {
-      const double value = nodes[node][c] + (at - node) * (nodes[node + 1][c] - nodes[node][c]);
-      ramp[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)] =
-        static_cast<std::uint8_t>(std::lround(value));
-    }
+    const double value = Viridis[node][c] + (at - node) * (Viridis[node + 1][c] - Viridis[node][c]);
+    color[c] = static_cast<std::uint8_t>(std::lround(value));
   }
-  return ramp;
+  return color;
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-const std::array<Rgb, 256>& GetRamp()
+Ramp MakeRamp(const RampPart& part)
 {
-  static const std::array<Rgb, 256> ramp = MakeRamp();
+  Ramp ramp;
+  for (std::size_t i = 0; i < ramp.size(); ++i)
+  {
+    ramp[i] = GetViridis(part.First + (part.Last - part.First) * static_cast<double>(i) / 255.0);
+  }
   return ramp;
 }
 

@@ -14,8 +14,19 @@ namespace helios::viewer
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// 256 colours from low to high, uniform in brightness: light blue over green to red.
-const std::array<Rgb, 256>& GetRamp();
+/// A part of the colour map, in [0, 1].
+struct RampPart
+{
+  double First = 0.0;
+  double Last = 1.0;
+};
+
+/// Colours from low to high.
+using Ramp = std::array<Rgb, 256>;
+
+/// A part of viridis: perceptually uniform, its lightness increases, so it is safe for colour
+/// vision deficiency.
+Ramp MakeRamp(const RampPart& part);
 
 /// The colour of category n: 12 muted colours, repeated.
 Rgb GetDistinctColor(std::int64_t n);

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosEditPanel.h"
 
+#include "heliosPainter.h"
+#include "heliosSlider.h"
+#include "heliosTheme.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkCoordinate.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkSliderWidget.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <json/json.h>
 
@@ -26,26 +25,12 @@ namespace helios::viewer
 namespace
 {
 
-// Fractions of the window's width and height, from the lower left.
-constexpr double Left = 0.015;
-constexpr double Right = 0.2;
-constexpr double HeadingTop = 0.88;
-constexpr double FirstSlider = 0.66;
-constexpr double SliderStep = 0.058;
-constexpr double LabelAbove = 0.014;
-constexpr double Margin = 0.02; // clickable margin around a slider
+constexpr int TrackLength = 16; // of a slider, in text heights
 
-void SetUpText(vtkTextActor* actor, double y, bool isTop)
+/// The height of a slider with its label [pixels].
+int GetRowHeight(int textSize)
 {
-  vtkTextProperty* letters = actor->GetTextProperty();
-  letters->SetFontFamilyToCourier();
-  letters->SetColor(0.95, 0.96, 0.98);
-  letters->SetShadow(1);
-  isTop ? letters->SetVerticalJustificationToTop() : letters->SetVerticalJustificationToBottom();
-  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  actor->GetPositionCoordinate()->SetValue(Left, y);
-  actor->SetInput("");
-  actor->PickableOff();
+  return GetLineHeight(textSize) + textSize;
 }
 
 /// "scan angle  30 deg"; thousands of hertz are shortened.
@@ -63,15 +48,13 @@ std::string MakeLabel(const EditRange& range, double value)
 class EditPanel::Slider
 {
 public:
-  Slider(EditPanel& panel, const EditRange& range, double y)
+  Slider(EditPanel& panel, const EditRange& range)
     : Panel(panel)
     , Range(range)
-    , Y(y)
   {
-    this->SetUpBar();
-    SetUpText(this->Label, y + LabelAbove, false);
-    this->Label->SetVisibility(panel.IsVisible);
-    panel.Renderer->AddActor2D(this->Label);
+    SetUpSlider(this->Bar);
+    this->Bar->SetMinimumValue(range.Low);
+    this->Bar->SetMaximumValue(std::max(range.High, range.Low + 1e-9));
     if (panel.Interactor)
     {
       this->SetUpWidget();
@@ -80,7 +63,6 @@ public:
 
   ~Slider()
   {
-    this->Panel.Renderer->RemoveActor2D(this->Label);
     this->Widget->RemoveObserver(this->Observer);
     this->Widget->SetInteractor(nullptr);
   }
@@ -89,23 +71,25 @@ public:
   void operator=(const Slider&) = delete;
 
   const EditRange& GetRange() const { return this->Range; }
-  double GetY() const { return this->Y; }
+  const Rect& GetTrack() const { return this->Track; }
   double GetValue() const { return this->Value; }
-  void SetLetterSize(int size) { this->Label->GetTextProperty()->SetFontSize(size); }
+  std::string GetLabel() const { return MakeLabel(this->Range, this->Value); }
 
-  void SetVisible(bool visible)
+  /// In a rectangle [pixels]; an empty one hides it.
+  void Place(const Rect& track, const Theme& theme)
   {
-    this->Label->SetVisibility(visible);
-    if (this->Panel.Interactor)
+    this->Track = track;
+    PlaceSlider(this->Bar, track, theme);
+    const int isShown = track.IsEmpty() ? 0 : 1;
+    if (this->Panel.Interactor && this->Widget->GetEnabled() != isShown)
     {
-      this->Widget->SetEnabled(visible);
+      this->Widget->SetEnabled(isShown);
     }
   }
 
   void Show(double value)
   {
     this->Value = value;
-    this->Label->SetInput(MakeLabel(this->Range, value).c_str());
     if (!this->IsHeld)
     {
       this->Bar->SetValue(value);
@@ -113,24 +97,6 @@ public:
   }
 
 private:
-  void SetUpBar()
-  {
-    this->Bar->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    this->Bar->GetPoint1Coordinate()->SetValue(Left, this->Y);
-    this->Bar->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    this->Bar->GetPoint2Coordinate()->SetValue(Right, this->Y);
-    this->Bar->SetMinimumValue(this->Range.Low);
-    this->Bar->SetMaximumValue(std::max(this->Range.High, this->Range.Low + 1e-9));
-    this->Bar->SetTubeWidth(0.005);
-    this->Bar->SetSliderLength(0.012);
-    this->Bar->SetSliderWidth(0.02);
-    this->Bar->SetEndCapLength(0.0);
-    this->Bar->ShowSliderLabelOff();
-    this->Bar->GetTubeProperty()->SetColor(0.45, 0.5, 0.58);
-    this->Bar->GetSliderProperty()->SetColor(0.35, 0.75, 0.95);
-    this->Bar->GetSelectedProperty()->SetColor(0.7, 0.9, 1.0);
-  }
-
   void SetUpWidget()
   {
     this->Widget->SetInteractor(this->Panel.Interactor);
@@ -142,7 +108,6 @@ private:
       { static_cast<Slider*>(self)->Move(event == vtkCommand::InteractionEvent); });
     this->Widget->AddObserver(vtkCommand::InteractionEvent, this->Observer);
     this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this->Observer);
-    this->Widget->SetEnabled(this->Panel.IsVisible);
   }
 
   void Move(bool isHeld)
@@ -153,33 +118,23 @@ private:
 
   EditPanel& Panel;
   EditRange Range;
-  double Y;
+  Rect Track;
   double Value = 0.0;
   bool IsHeld = false; ///< by the user
-  vtkNew<vtkTextActor> Label;
   vtkNew<vtkSliderRepresentation2D> Bar;
   vtkNew<vtkSliderWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
 };
 
 //------------------------------------------------------------------------------
-EditPanel::EditPanel(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, Change onChange)
-  : Renderer(renderer)
-  , Interactor(interactor)
+EditPanel::EditPanel(vtkRenderWindowInteractor* interactor, Change onChange)
+  : Interactor(interactor)
   , OnChange(std::move(onChange))
 {
-  SetUpText(this->Heading, HeadingTop, true);
-  this->Heading->GetTextProperty()->SetColor(0.6, 0.87, 1.0);
-  this->Heading->VisibilityOff();
-  renderer->AddActor2D(this->Heading);
 }
 
 //------------------------------------------------------------------------------
-EditPanel::~EditPanel()
-{
-  this->Sliders.clear();
-  this->Renderer->RemoveActor2D(this->Heading);
-}
+EditPanel::~EditPanel() = default;
 
 //------------------------------------------------------------------------------
 void EditPanel::SetRanges(const std::vector<EditRange>& ranges)
@@ -187,9 +142,7 @@ void EditPanel::SetRanges(const std::vector<EditRange>& ranges)
   this->Sliders.clear();
   for (const EditRange& range : ranges)
   {
-    const double y = FirstSlider - SliderStep * static_cast<double>(this->Sliders.size());
-    this->Sliders.push_back(std::make_unique<Slider>(*this, range, y));
-    this->Sliders.back()->SetLetterSize(std::max(8, this->LetterSize));
+    this->Sliders.push_back(std::make_unique<Slider>(*this, range));
   }
 }
 
@@ -206,49 +159,72 @@ void EditPanel::ShowValues(const SurveyEdit& edit)
 //------------------------------------------------------------------------------
 void EditPanel::SetHeading(const std::string& text)
 {
-  this->Heading->SetInput(text.c_str());
+  this->Heading.SetText(text);
 }
 
 //------------------------------------------------------------------------------
 void EditPanel::SetVisible(bool visible)
 {
   this->IsVisible = visible;
-  this->Heading->SetVisibility(visible);
+}
+
+//------------------------------------------------------------------------------
+PanelSize EditPanel::GetSize(int textSize) const
+{
+  if (!this->IsVisible)
+  {
+    return {};
+  }
+  const PanelSize heading = this->Heading.GetSize(textSize);
+  const auto rows = static_cast<int>(this->Sliders.size());
+  const int margin = rows > 0 ? GetTextMargin(textSize) : 0;
+  return { std::max(heading.Width, TrackLength * textSize),
+    heading.Height + rows * GetRowHeight(textSize) + margin };
+}
+
+//------------------------------------------------------------------------------
+void EditPanel::Paint(Painter& painter, const Rect& rect) const
+{
+  painter.DrawPanel(rect);
+  const int size = painter.GetTextSize();
+  const Rect inside = rect.Shrunk(GetTextMargin(size));
+  const int step = painter.GetLineHeight();
+  int y = inside.Top() - step / 2;
+  bool isFirst = true;
+  for (const std::string& line : SplitLines(this->Heading.GetText()))
+  {
+    painter.DrawText(inside.X, y, Shorten(line, size, inside.Width),
+      isFirst ? painter.GetTheme().Heading : painter.GetTheme().Ink);
+    y -= step;
+    isFirst = false;
+  }
   for (const auto& slider : this->Sliders)
   {
-    slider->SetVisible(visible);
+    const Rect& track = slider->GetTrack();
+    if (!track.IsEmpty())
+    {
+      painter.DrawText(inside.X, track.Top() + step / 2,
+        Shorten(slider->GetLabel(), size, inside.Width), painter.GetTheme().Ink);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void EditPanel::Resize(int width, int height)
+void EditPanel::Place(const Rect& rect, const Theme& theme, int textSize)
 {
-  const int size = std::clamp(std::min(width / 85, height / 54), 8, 24);
-  if (size == this->LetterSize)
-  {
-    return;
-  }
-  this->LetterSize = size;
-  this->Heading->GetTextProperty()->SetFontSize(size);
+  const Rect inside = rect.Shrunk(GetTextMargin(textSize));
+  int top = rect.Top() - this->Heading.GetSize(textSize).Height;
   for (const auto& slider : this->Sliders)
   {
-    slider->SetLetterSize(size);
+    const int y = top - GetRowHeight(textSize);
+    const bool isInside = !rect.IsEmpty() && this->IsVisible && y >= rect.Y;
+    slider->Place(isInside ? Rect{ inside.X, y, inside.Width, textSize } : Rect(), theme);
+    top = y;
   }
 }
 
 //------------------------------------------------------------------------------
-bool EditPanel::Contains(double x, double y) const
-{
-  if (!this->IsVisible || this->Sliders.empty())
-  {
-    return false;
-  }
-  return x <= Right + Margin && y >= this->Sliders.back()->GetY() - Margin &&
-    y <= FirstSlider + 2.0 * Margin;
-}
-
-//------------------------------------------------------------------------------
-Json::Value EditPanel::Describe() const
+Json::Value EditPanel::Describe(const int window[2]) const
 {
   Json::Value all(Json::objectValue);
   for (const auto& slider : this->Sliders)
@@ -257,9 +233,10 @@ Json::Value EditPanel::Describe() const
     one["value"] = slider->GetValue();
     one["min"] = slider->GetRange().Low;
     one["max"] = slider->GetRange().High;
-    one["x0"] = Left;
-    one["x1"] = Right;
-    one["y"] = slider->GetY();
+    const Rect& track = slider->GetTrack();
+    one["x0"] = static_cast<double>(track.X) / window[0];
+    one["x1"] = static_cast<double>(track.Right()) / window[0];
+    one["y"] = (track.Y + 0.5 * track.Height) / window[1];
   }
   return all;
 }

@@ -5,9 +5,9 @@
 #ifndef heliosEditPanel_h
 #define heliosEditPanel_h
 
+#include "heliosPanel.h"
 #include "heliosSurveyEdit.h"
-
-#include <vtkNew.h>
+#include "heliosTextPanel.h"
 
 #include <json/forwards.h>
 
@@ -17,23 +17,21 @@
 #include <vector>
 
 class vtkRenderWindowInteractor;
-class vtkRenderer;
-class vtkTextActor;
 
 namespace helios::viewer
 {
 
-class EditPanel
+struct Theme;
+
+class EditPanel : public Panel
 {
 public:
   /// A slider was moved; isOver: and released.
   using Change = std::function<void(const std::string& name, double value, bool isOver)>;
 
   /// Without an interactor only text is shown.
-  EditPanel(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, Change onChange);
-  ~EditPanel();
-  EditPanel(const EditPanel&) = delete;
-  void operator=(const EditPanel&) = delete;
+  EditPanel(vtkRenderWindowInteractor* interactor, Change onChange);
+  ~EditPanel() override;
 
   /// Replaces the sliders. Not allowed in onChange.
   void SetRanges(const std::vector<EditRange>& ranges);
@@ -44,24 +42,22 @@ public:
   void SetHeading(const std::string& text);
   void SetVisible(bool visible);
 
-  /// Fits the font size to the window [pixels].
-  void Resize(int width, int height);
+  PanelSize GetSize(int textSize) const override;
+  void Paint(Painter& painter, const Rect& rect) const override;
 
-  /// Whether a window position, in fractions of its size, belongs to the sliders.
-  bool Contains(double x, double y) const;
+  /// Places the sliders in the rectangle of the panel [pixels]; those that do not fit are hidden.
+  void Place(const Rect& rect, const Theme& theme, int textSize);
 
-  /// Values and positions of the sliders.
-  Json::Value Describe() const;
+  /// Values and positions of the sliders, for a window size [pixels].
+  Json::Value Describe(const int window[2]) const;
 
 private:
   class Slider;
 
-  vtkRenderer* Renderer;
   vtkRenderWindowInteractor* Interactor;
   Change OnChange;
-  vtkNew<vtkTextActor> Heading;
+  TextPanel Heading;
   std::vector<std::unique_ptr<Slider>> Sliders;
-  int LetterSize = 0; ///< [points]; 0: not set yet
   bool IsVisible = false;
 };
 

@@ -3,6 +3,7 @@
 #include "heliosEditTool.h"
 
 #include "heliosErrorText.h"
+#include "heliosHud.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosStatus.h"
@@ -60,17 +61,25 @@ EditTool::EditTool(Viewer& viewer)
 }
 
 //------------------------------------------------------------------------------
-EditTool::~EditTool() = default;
+EditTool::~EditTool()
+{
+  this->Owner.GetHud().SetEditor(nullptr);
+}
 
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> EditTool::GetKeys() const
 {
-  return { { "d", "on, off; then click the scan position" },
-    { "Shift-click, a", "add a scan position or waypoint; A: flight lines, two corners" },
-    { "Tab, g", "next platform, next instrument" }, { "Delete, z", "remove the last, undo" },
-    { "Return, s", "scan, save the survey" },
-    { "M", "scene parts: click selects, Shift-click moves it there" },
-    { "arrows < > * /", "move, rotate, scale the part; g: next file, a: add it" } };
+  return { { "d", "on, off; then click the scan position", "d" },
+    { "Shift-click, a", "add a scan position or waypoint", "" },
+    { "A", "flight lines: click two corners", "A" }, { "Tab", "next platform", "Tab" },
+    { "g", "next instrument; next file of a part", "g" }, { "Delete", "remove the last", "Delete" },
+    { "z", "undo", "z" }, { "Return", "scan", "Return" }, { "s", "save the survey", "s" },
+    { "M", "scene parts: click selects, Shift-click moves it there", "M" },
+    { "a", "add a part at the mouse position", "" }, { "Left", "move the part west", "Left" },
+    { "Right", "move the part east", "Right" }, { "Up", "move the part north", "Up" },
+    { "Down", "move the part south", "Down" }, { "<", "rotate the part left", "less" },
+    { ">", "rotate the part right", "greater" }, { "*", "enlarge the part", "asterisk" },
+    { "/", "reduce the part", "slash" } };
 }
 
 //------------------------------------------------------------------------------
@@ -161,10 +170,10 @@ bool EditTool::Toggle()
   this->IsOn = !this->IsOn;
   if (!this->Panel)
   {
-    this->Panel =
-      std::make_unique<EditPanel>(this->Owner.GetRenderer(), this->Owner.GetInteractor(),
-        [this](const std::string& name, double value, bool isOver)
-        { this->ChangeSetting(name, value, isOver); });
+    this->Panel = std::make_unique<EditPanel>(this->Owner.GetInteractor(),
+      [this](const std::string& name, double value, bool isOver)
+      { this->ChangeSetting(name, value, isOver); });
+    this->Owner.GetHud().SetEditor(this->Panel.get());
   }
   this->SetMode(Mode::Scanner);
   this->HasChanges ? this->ShowGhost() : void();
@@ -180,14 +189,8 @@ bool EditTool::OnClick(int x, int y)
   {
     return false;
   }
-  const int* size = this->Owner.GetWindow()->GetSize();
-  const double shareX = static_cast<double>(x) / std::max(1, size[0]);
-  const double shareY = static_cast<double>(y) / std::max(1, size[1]);
-  if (!this->Panel->Contains(shareX, shareY))
-  {
-    vtkRenderWindowInteractor* keys = this->Owner.GetInteractor();
-    this->ClickAt(x, y, keys && (keys->GetShiftKey() != 0 || keys->GetControlKey() != 0));
-  }
+  vtkRenderWindowInteractor* keys = this->Owner.GetInteractor();
+  this->ClickAt(x, y, keys && (keys->GetShiftKey() != 0 || keys->GetControlKey() != 0));
   return true;
 }
 
@@ -429,6 +432,7 @@ void EditTool::OnNewSurvey()
   if (this->Panel)
   {
     this->Panel->SetVisible(false);
+    this->PlacePanel();
   }
 }
 

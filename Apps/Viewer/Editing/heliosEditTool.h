@@ -80,6 +80,7 @@ private:
   bool FindMeshPart(int& part, double bounds[6]) const;
   void FindFiles();
   void ShowPanel();
+  void PlacePanel();
   void ShowGhost();
   void PlaceGhost();
   std::string MakeHeading() const;

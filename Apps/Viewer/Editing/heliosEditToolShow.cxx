@@ -4,6 +4,7 @@
 #include "heliosEditTool.h"
 
 #include "heliosErrorText.h"
+#include "heliosHud.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
@@ -203,11 +204,11 @@ std::string EditTool::MakeHeading() const
   {
     const std::string file =
       this->Files.empty() ? "none found" : fs::path(this->Files[this->File]).filename().string();
-    return "SCENE  (M: back to the scanner)\npart: " +
+    return "Scene parts (M: back to the scanner)\npart: " +
       (this->Part.empty() ? "click on one" : this->Part) + "\nto add (a), next (g): " + file +
       "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
   }
-  std::string text = "DIRECT CONTROL\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
+  std::string text = "Direct control\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
     this->Edit.ScannerModel.Name + " (g)\n";
   text += this->Edit.IsMoving() ? "waypoints: " : "positions: ";
   text += std::to_string(this->Edit.Legs.size());
@@ -252,14 +253,20 @@ void EditTool::PlaceGhost()
 }
 
 //------------------------------------------------------------------------------
+void EditTool::PlacePanel()
+{
+  Hud& hud = this->Owner.GetHud();
+  this->Panel->Place(hud.GetRect(PanelId::Editor), hud.GetTheme(), hud.GetTextSize());
+}
+
+//------------------------------------------------------------------------------
 bool EditTool::OnFrame()
 {
+  this->Panel ? this->PlacePanel() : void();
   if (!this->IsOn)
   {
     return false;
   }
-  const int* size = this->Owner.GetWindow()->GetSize();
-  this->Panel->Resize(size[0], size[1]);
   SceneView* view = this->Owner.GetSceneView();
   if (view && !this->Part.empty() && view->GetHighlightedPart() < 0)
   {
@@ -299,7 +306,8 @@ void EditTool::Describe(Json::Value& state) const
     one["active"] = data.Active;
     editor["legs"].append(one);
   }
-  editor["sliders"] = this->Panel ? this->Panel->Describe() : Json::Value(Json::objectValue);
+  const int* size = this->Owner.GetWindow()->GetSize();
+  editor["sliders"] = this->Panel ? this->Panel->Describe(size) : Json::Value(Json::objectValue);
   editor["part"] = this->Part;
   for (int i = 0; i < this->Scene.GetNumberOfParts(); ++i)
   {

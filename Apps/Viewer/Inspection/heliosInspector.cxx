@@ -86,10 +86,11 @@ Inspector::~Inspector() = default;
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> Inspector::GetKeys() const
 {
-  return { { "click", "the pulse of an echo: waveform, sub-rays" },
-    { "i", "the pulse of the echo in the middle; close" }, { "n, N", "next, previous echo" },
-    { "Up, Down", "next, previous pulse" }, { "u", "waveforms of the scan line" },
-    { "Escape", "close the inspector" } };
+  return { { "click", "the pulse of an echo: waveform, sub-rays", "" },
+    { "i", "the pulse of the echo in the middle; close", "i" }, { "n", "next echo", "n" },
+    { "N", "previous echo", "N" }, { "Up", "next pulse", "Up" },
+    { "Down", "previous pulse", "Down" }, { "u", "waveforms of the scan line", "u" },
+    { "Escape", "close the inspector", "Escape" } };
 }
 
 //------------------------------------------------------------------------------
@@ -303,8 +304,7 @@ void Inspector::ShowLine()
 //------------------------------------------------------------------------------
 bool Inspector::OnFrame()
 {
-  const int* size = this->Owner.GetWindow()->GetSize();
-  bool isNew = this->Chart.Resize(size[0], size[1]) && this->Chart.IsVisible();
+  bool isNew = this->PlaceChart();
   if (IsReady(this->Record))
   {
     this->ReceivePulse();
@@ -315,7 +315,6 @@ bool Inspector::OnFrame()
     this->ReceiveLine();
     isNew = true;
   }
-  this->Chart.SetCovered(this->Owner.GetHud().IsHelpVisible());
   this->View.Update();
   return isNew;
 }
@@ -381,10 +380,20 @@ void Inspector::Show()
   this->View.SetOrigin(this->Owner.GetOrigin());
   this->View.SetMark(echo.Position);
   this->View.SetBeams(this->Reading);
-  const int* size = this->Owner.GetWindow()->GetSize();
-  this->Chart.Resize(size[0], size[1]);
+  this->PlaceChart();
   this->Chart.Show(this->Reading, echo.ReturnNumber, this->DescribeEcho());
   this->Owner.Redraw();
+}
+
+//------------------------------------------------------------------------------
+/// True: the chart is drawn elsewhere than before, or in other colours.
+bool Inspector::PlaceChart()
+{
+  Hud& hud = this->Owner.GetHud();
+  const int* size = this->Owner.GetWindow()->GetSize();
+  hud.SetSize(PanelId::Chart,
+    this->Chart.IsVisible() ? PanelSize{ size[0] / 2, 46 * size[1] / 100 } : PanelSize());
+  return this->Chart.Place(hud.GetRect(PanelId::Chart), hud.GetTheme(), hud.GetTextSize());
 }
 
 //------------------------------------------------------------------------------

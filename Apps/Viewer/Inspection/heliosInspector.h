@@ -44,6 +44,7 @@ public:
 
   /// Shows the pulse of a cloud row.
   void Inspect(vtkIdType row);
+  bool PlaceChart();
   void Close();
 
   /// Whether a result is pending.

@@ -8,6 +8,7 @@
 #include "heliosFormat.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
+#include "heliosTicks.h"
 #include "heliosViewer.h"
 
 #include <json/json.h>
@@ -47,7 +48,7 @@ std::string Inspector::DescribeEcho() const
   text += std::isnan(echo.Range) ? "" : Say("%.3f m, ", echo.Range);
   text += isRaw                  ? Say("intensity %.0f", echo.Amplitude)
     : std::isnan(echo.Amplitude) ? ""
-                                 : DescribePower(echo.Amplitude);
+                                 : DescribeValue(echo.Amplitude, "W");
   text += Say(", %.2f ns wide", width) + Say(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
   text += "\n" + this->DescribeSurface(echo);
   if (this->Record.valid())

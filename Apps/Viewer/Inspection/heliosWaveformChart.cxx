@@ -3,6 +3,9 @@
 #include "heliosWaveformChart.h"
 
 #include "heliosConstants.h"
+#include "heliosPainter.h"
+#include "heliosTheme.h"
+#include "heliosTicks.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -18,6 +21,7 @@
 #include <vtkPlot.h>
 #include <vtkPlotPoints.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
@@ -35,29 +39,7 @@ namespace
 
 constexpr int CurvePoints = 121; // of a Gaussian
 constexpr double CurveSigmas = 4.0;
-const double Ink[3] = { 0.86, 0.88, 0.91 };
-
-/// The unit in which a power is 1 to 999, and its name.
-std::pair<double, const char*> FindUnit(double watts)
-{
-  static const std::pair<double, const char*> units[] = { { 1.0, "W" }, { 1e-3, "mW" },
-    { 1e-6, "\xC2\xB5W" }, { 1e-9, "nW" }, { 1e-12, "pW" }, { 1e-15, "fW" } };
-  for (const auto& unit : units)
-  {
-    if (std::abs(watts) >= unit.first)
-    {
-      return unit;
-    }
-  }
-  return units[5];
-}
-
-void SetInk(vtkTextProperty* letters, int size)
-{
-  letters->SetColor(Ink[0], Ink[1], Ink[2]);
-  letters->SetFontSize(size);
-  letters->BoldOff();
-}
+constexpr int ChartMargin = 6; // [pixels]
 
 vtkSmartPointer<vtkTable> MakeTable(const std::vector<double>& x, const std::vector<double>& y)
 {
@@ -84,25 +66,26 @@ vtkPlot* Add(vtkChartXY* chart, int type, vtkTable* table, const char* label)
   return plot;
 }
 
-vtkSmartPointer<vtkTable> MakeCurve(const PulseGaussian& gaussian, double unit)
+vtkSmartPointer<vtkTable> MakeCurve(const PulseGaussian& gaussian)
 {
   std::vector<double> x, y;
   for (int i = 0; i < CurvePoints; ++i)
   {
     const double s = CurveSigmas * (2.0 * i / (CurvePoints - 1) - 1.0);
     x.push_back(gaussian.Range + s * gaussian.Sigma);
-    y.push_back(gaussian.Power * std::exp(-0.5 * s * s) / unit);
+    y.push_back(gaussian.Power * std::exp(-0.5 * s * s));
   }
   return MakeTable(x, y);
 }
 
-void SetUpAxis(vtkAxis* axis, bool hasGrid)
+void SetPen(vtkPen* pen, const Rgb& color)
 {
-  axis->SetBehavior(vtkAxis::FIXED);
-  axis->SetVisible(true);
-  axis->SetGridVisible(hasGrid);
-  axis->GetGridPen()->SetColorF(0.28, 0.31, 0.36);
-  axis->GetPen()->SetColorF(Ink[0], Ink[1], Ink[2]);
+  pen->SetColor(color[0], color[1], color[2], 255);
+}
+
+void SetColor(vtkPlot* plot, const Rgb& color, unsigned char opacity = 255)
+{
+  plot->SetColor(color[0], color[1], color[2], opacity);
 }
 
 } // namespace
@@ -114,16 +97,14 @@ public:
   static ChartPanel* New();
   vtkTypeMacro(ChartPanel, vtkContextItem);
 
-  bool Paint(vtkContext2D* painter) override
+  bool Paint(vtkContext2D* context) override
   {
-    painter->GetBrush()->SetColor(14, 17, 23, 225);
-    painter->GetPen()->SetColor(90, 98, 112, 255);
-    painter->GetPen()->SetWidth(1.0F);
-    painter->DrawRect(this->Place[0], this->Place[1], this->Place[2], this->Place[3]);
+    Painter(context, *this->Colors, 0).DrawPanel(this->Place);
     return true;
   }
 
-  float Place[4] = { 0.0F, 0.0F, 1.0F, 1.0F }; // x y width height [pixels]
+  Rect Place;
+  const Theme* Colors = nullptr;
 };
 vtkStandardNewMacro(ChartPanel);
 
@@ -131,16 +112,18 @@ vtkStandardNewMacro(ChartPanel);
 WaveformChart::WaveformChart(vtkRenderer* renderer)
   : Renderer(renderer)
   , Panel(vtkSmartPointer<ChartPanel>::New())
+  , Colors(&FindTheme(""))
 {
+  this->Panel->Colors = this->Colors;
   this->Chart->SetAutoSize(false);
   this->Chart->SetShowLegend(true);
-  this->Chart->GetLegend()->GetBrush()->SetColor(14, 17, 23, 200);
-  this->Chart->GetLegend()->GetPen()->SetColor(90, 98, 112, 255);
-  SetUpAxis(this->Chart->GetAxis(vtkAxis::BOTTOM), true);
-  SetUpAxis(this->Chart->GetAxis(vtkAxis::LEFT), true);
-  SetUpAxis(this->Chart->GetAxis(vtkAxis::TOP), false);
-  this->Chart->GetAxis(vtkAxis::BOTTOM)->SetTitle("range [m]");
-  this->Chart->GetAxis(vtkAxis::TOP)->SetTitle("two-way time [ns]");
+  for (const int side : { vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::TOP })
+  {
+    vtkAxis* axis = this->Chart->GetAxis(side);
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetVisible(true);
+    axis->SetGridVisible(side != vtkAxis::TOP);
+  }
   this->Actor->GetScene()->AddItem(this->Panel);
   this->Actor->GetScene()->AddItem(this->Chart);
   this->Actor->PickableOff();
@@ -175,7 +158,7 @@ void WaveformChart::Show(const PulseReading& reading, int returnNumber, const st
     this->AddTimes();
   }
   this->IsShown = true;
-  this->SetCovered(this->IsCovered);
+  this->Actor->SetVisibility(!this->Rectangle.IsEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -192,15 +175,31 @@ void WaveformChart::SetRanges(const PulseReading& reading)
     last = std::isnan(echo.Range) ? last : std::max(last, echo.Range);
   }
   const double margin = std::max(0.02 * (last - first), 1e-3);
-  const auto unit = FindUnit(high);
-  this->Unit = unit.first;
-  this->UnitName = unit.second;
   this->Chart->GetAxis(vtkAxis::BOTTOM)->SetRange(first - margin, last + margin);
   this->Chart->GetAxis(vtkAxis::TOP)
     ->SetRange(GetTwoWayTime(first - margin), GetTwoWayTime(last + margin));
-  vtkAxis* power = this->Chart->GetAxis(vtkAxis::LEFT);
-  power->SetTitle("power [" + this->UnitName + "]");
-  power->SetRange(std::min(0.0, low) / unit.first, 1.15 * high / unit.first);
+  this->Chart->GetAxis(vtkAxis::LEFT)->SetRange(std::min(0.0, low), 1.15 * high);
+  this->SetUpAxis(vtkAxis::BOTTOM, "range", "m", 7);
+  this->SetUpAxis(vtkAxis::TOP, "two-way time", "ns", 7);
+  this->SetUpAxis(vtkAxis::LEFT, "power", "W", 6);
+}
+
+//------------------------------------------------------------------------------
+/// Ticks at round values, and a title with their unit.
+void WaveformChart::SetUpAxis(
+  int axis, const std::string& quantity, const std::string& unit, int most)
+{
+  vtkAxis* drawn = this->Chart->GetAxis(axis);
+  const Ticks ticks = MakeTicks(drawn->GetMinimum(), drawn->GetMaximum(), most, unit);
+  vtkNew<vtkDoubleArray> values;
+  vtkNew<vtkStringArray> texts;
+  for (const Tick& tick : ticks.List)
+  {
+    values->InsertNextValue(tick.Value);
+    texts->InsertNextValue(tick.Text);
+  }
+  drawn->SetCustomTickPositions(values, texts);
+  drawn->SetTitle(quantity + " [" + ticks.Unit + "]");
 }
 
 //------------------------------------------------------------------------------
@@ -217,13 +216,9 @@ void WaveformChart::AddTimes()
 //------------------------------------------------------------------------------
 void WaveformChart::AddSamples(const PulseReading& reading)
 {
-  std::vector<double> powers;
-  for (const double sample : reading.Samples)
-  {
-    powers.push_back(sample / this->Unit);
-  }
+  const std::vector<double> powers(reading.Samples.begin(), reading.Samples.end());
   vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeTable(reading.Ranges, powers), "waveform");
-  plot->SetColor(89, 217, 255, 255);
+  SetColor(plot, this->Colors->Waveform);
   plot->SetWidth(2.0F);
   this->NumberOfSamples = static_cast<vtkIdType>(powers.size());
 }
@@ -233,9 +228,9 @@ void WaveformChart::AddGaussians(const PulseReading& reading)
 {
   for (const PulseGaussian& gaussian : reading.Gaussians)
   {
-    vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(gaussian, this->Unit),
+    vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(gaussian),
       this->NumberOfGaussians == 0 ? "fitted Gaussians" : "");
-    plot->SetColor(255, 115, 140, 255);
+    SetColor(plot, this->Colors->Fit);
     plot->SetWidth(1.5F);
     plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
     ++this->NumberOfGaussians;
@@ -255,8 +250,8 @@ void WaveformChart::AddPulse(const PulseReading& reading)
   sent.Sigma = 0.5 * SpeedOfLight * reading.PulseLength / FwhmPerSigma;
   char label[64];
   std::snprintf(label, sizeof(label), "emitted pulse, %.3g ns", reading.PulseLength);
-  vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(sent, this->Unit), label);
-  plot->SetColor(153, 161, 173, 255);
+  vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(sent), label);
+  SetColor(plot, this->Colors->FaintInk);
   plot->SetWidth(1.0F);
 }
 
@@ -271,7 +266,7 @@ void WaveformChart::AddEchoes(const PulseReading& reading, int returnNumber)
       if ((i == 0 || echo.ReturnNumber == returnNumber) && !std::isnan(echo.Range))
       {
         x[i].push_back(echo.Range);
-        y[i].push_back(std::isnan(echo.Amplitude) ? 0.0 : echo.Amplitude / this->Unit);
+        y[i].push_back(std::isnan(echo.Amplitude) ? 0.0 : echo.Amplitude);
       }
     }
   }
@@ -285,7 +280,7 @@ void WaveformChart::AddEchoes(const PulseReading& reading, int returnNumber)
       auto* points = vtkPlotPoints::SafeDownCast(plot);
       points->SetMarkerStyle(i == 0 ? vtkPlotPoints::DIAMOND : vtkPlotPoints::CIRCLE);
       points->SetMarkerSize(i == 0 ? 10.0F : 20.0F);
-      i == 0 ? plot->SetColor(255, 216, 64, 255) : plot->SetColor(255, 216, 64, 90);
+      SetColor(plot, this->Colors->Mark, i == 0 ? 255 : 90);
     }
   }
 }
@@ -296,66 +291,61 @@ void WaveformChart::Hide()
   this->Chart->ClearPlots();
   this->NumberOfSamples = this->NumberOfEchoes = this->NumberOfGaussians = 0;
   this->IsShown = false;
-  this->SetCovered(this->IsCovered);
+  this->Actor->VisibilityOff();
 }
 
 //------------------------------------------------------------------------------
-void WaveformChart::SetCovered(bool covered)
+bool WaveformChart::Place(const Rect& rect, const Theme& theme, int textSize)
 {
-  this->IsCovered = covered;
-  this->Actor->SetVisibility(this->IsShown && !covered);
-}
-
-//------------------------------------------------------------------------------
-bool WaveformChart::Resize(int width, int height)
-{
-  if (width == this->Size[0] && height == this->Size[1])
+  if (rect == this->Rectangle && &theme == this->Colors && textSize == this->TextSize)
   {
     return false;
   }
-  this->Size[0] = width;
-  this->Size[1] = height;
-  float* place = this->Panel->Place;
-  place[0] = std::floor(0.012F * static_cast<float>(width));
-  place[1] = std::floor(0.13F * static_cast<float>(height));
-  place[2] = std::floor(0.5F * static_cast<float>(width));
-  place[3] = std::floor(0.46F * static_cast<float>(height));
-  this->Chart->SetSize(
-    vtkRectf(place[0] + 4.0F, place[1] + 4.0F, place[2] - 12.0F, place[3] - 12.0F));
-  const int size = std::clamp(std::min(width / 95, height / 60), 8, 24);
-  SetInk(this->Chart->GetTitleProperties(), size + 1);
-  SetInk(this->Chart->GetLegend()->GetLabelProperties(), size);
-  this->Chart->GetLegend()->SetLabelSize(size);
-  for (const int axis : { vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::TOP, vtkAxis::RIGHT })
+  this->Rectangle = rect;
+  this->Colors = &theme;
+  this->TextSize = textSize;
+  this->Panel->Place = rect;
+  this->Panel->Colors = &theme;
+  const Rect inside = rect.Shrunk(ChartMargin);
+  this->Chart->SetSize(vtkRectf(static_cast<float>(inside.X), static_cast<float>(inside.Y),
+    static_cast<float>(inside.Width), static_cast<float>(inside.Height)));
+  this->SetColors();
+  this->Actor->SetVisibility(this->IsShown && !rect.IsEmpty());
+  return this->IsShown;
+}
+
+//------------------------------------------------------------------------------
+/// Of all but the curves, which keep those they were added with.
+void WaveformChart::SetColors()
+{
+  const Theme& theme = *this->Colors;
+  const int size = std::max(8, 9 * this->TextSize / 10);
+  vtkChartLegend* legend = this->Chart->GetLegend();
+  legend->GetBrush()->SetColor(theme.Panel[0], theme.Panel[1], theme.Panel[2], theme.Opacity);
+  SetPen(legend->GetPen(), theme.Border);
+  legend->SetLabelSize(size);
+  SetUpText(legend->GetLabelProperties(), theme.Ink, size);
+  SetUpText(this->Chart->GetTitleProperties(), theme.Ink, size);
+  for (const int side : { vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::TOP, vtkAxis::RIGHT })
   {
-    SetInk(this->Chart->GetAxis(axis)->GetLabelProperties(), size);
-    SetInk(this->Chart->GetAxis(axis)->GetTitleProperties(), size);
+    vtkAxis* axis = this->Chart->GetAxis(side);
+    SetUpText(axis->GetLabelProperties(), theme.Ink, size);
+    SetUpText(axis->GetTitleProperties(), theme.Ink, size);
+    SetPen(axis->GetGridPen(), theme.Border);
+    SetPen(axis->GetPen(), theme.Ink);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
 bool WaveformChart::Contains(int x, int y) const
 {
-  const float* place = this->Panel->Place;
-  const float dx = static_cast<float>(x) - place[0];
-  const float dy = static_cast<float>(y) - place[1];
-  return this->IsVisible() && dx >= 0.0F && dy >= 0.0F && dx < place[2] && dy < place[3];
+  return this->IsVisible() && this->Rectangle.Contains(x, y);
 }
 
 //------------------------------------------------------------------------------
 std::string WaveformChart::GetTitle() const
 {
   return this->Chart->GetTitle();
-}
-
-//------------------------------------------------------------------------------
-std::string DescribePower(double watts)
-{
-  const auto unit = FindUnit(watts);
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.3g %s", watts / unit.first, unit.second);
-  return text;
 }
 
 } // namespace helios::viewer

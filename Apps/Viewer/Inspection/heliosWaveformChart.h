@@ -6,6 +6,7 @@
 #define heliosWaveformChart_h
 
 #include "heliosPulseReading.h"
+#include "heliosRect.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -23,8 +24,9 @@ namespace helios::viewer
 {
 
 class ChartPanel;
+struct Theme;
 
-/// In the lower left of the window: range [m] below, two-way time [ns] above, power to the left.
+/// Range [m] below, two-way time [ns] above, power to the left.
 class WaveformChart
 {
 public:
@@ -42,11 +44,8 @@ public:
   void Hide();
   bool IsVisible() const { return this->IsShown; }
 
-  /// True: covered by something else, and not drawn.
-  void SetCovered(bool covered);
-
-  /// Fits the chart to the window's size [pixels]; true: the size has changed.
-  bool Resize(int width, int height);
+  /// Places the chart in a rectangle [pixels]; an empty one hides it. True: something has changed.
+  bool Place(const Rect& rect, const Theme& theme, int textSize);
 
   /// Whether a window pixel belongs to the chart.
   bool Contains(int x, int y) const;
@@ -67,23 +66,21 @@ private:
   void AddPulse(const PulseReading& reading);
   void AddEchoes(const PulseReading& reading, int returnNumber);
   void AddTimes();
+  void SetUpAxis(int axis, const std::string& quantity, const std::string& unit, int most);
+  void SetColors();
 
   vtkRenderer* Renderer;
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkChartXY> Chart;
   vtkSmartPointer<ChartPanel> Panel;
   bool IsShown = false;
-  bool IsCovered = false;
-  int Size[2] = { 0, 0 };
-  double Unit = 1.0; // of the axis [W]
-  std::string UnitName;
+  Rect Rectangle;
+  const Theme* Colors = nullptr;
+  int TextSize = 0;
   vtkIdType NumberOfSamples = 0;
   vtkIdType NumberOfEchoes = 0;
   vtkIdType NumberOfGaussians = 0;
 };
-
-/// A power [W] in a suitable unit: "12.3 nW".
-std::string DescribePower(double watts);
 
 } // namespace helios::viewer
 

@@ -320,7 +320,7 @@ PlanTool::~PlanTool() = default;
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> PlanTool::GetKeys() const
 {
-  return { { "j", "scan positions and their coverage" } };
+  return { { "j", "scan positions and their coverage", "j" } };
 }
 
 //------------------------------------------------------------------------------

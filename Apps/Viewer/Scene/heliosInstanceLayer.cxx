@@ -14,6 +14,7 @@
 #include <vtkGlyph3DMapper.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -280,6 +281,12 @@ void InstanceLayer::Color(const std::function<Rgb(int part, int material)>& getC
     std::copy(color.begin(), color.end(), colors->GetPointer(3 * static_cast<vtkIdType>(i)));
   }
   this->Places->GetPointData()->SetScalars(colors);
+}
+
+//------------------------------------------------------------------------------
+void InstanceLayer::SetClippingPlanes(vtkPlaneCollection* planes)
+{
+  this->Mapper->SetClippingPlanes(planes);
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,7 @@
 class vtkActor;
 class vtkDataSet;
 class vtkGlyph3DMapper;
+class vtkPlaneCollection;
 class vtkHeliosScene;
 class vtkIntArray;
 class vtkPolyData;
@@ -62,6 +63,9 @@ public:
 
   /// Colours the instances by their part and material.
   void Color(const std::function<Rgb(int part, int material)>& getColor);
+
+  /// Draws only what is inside of planes; null: all.
+  void SetClippingPlanes(vtkPlaneCollection* planes);
 
   void SetVisible(bool on);
 

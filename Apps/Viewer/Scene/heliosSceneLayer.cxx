@@ -10,6 +10,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -179,6 +180,13 @@ void SceneLayer::ShowWhatIsDue()
   }
   this->Actor->SetVisibility(this->Visible && !isCoarse);
   this->CoarseActor->SetVisibility(isCoarse);
+}
+
+//------------------------------------------------------------------------------
+void SceneLayer::SetClippingPlanes(vtkPlaneCollection* planes)
+{
+  this->Mapper->SetClippingPlanes(planes);
+  this->CoarseMapper->SetClippingPlanes(planes);
 }
 
 //------------------------------------------------------------------------------

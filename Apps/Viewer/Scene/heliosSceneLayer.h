@@ -18,6 +18,7 @@
 
 class vtkActor;
 class vtkPolyData;
+class vtkPlaneCollection;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkRenderer;
@@ -62,6 +63,9 @@ public:
   /// Larger meshes are drawn coarsely while the camera moves. Default: off.
   void SetInteracting(bool on);
   bool IsCoarse() const;
+
+  /// Draws only what is inside of planes; null: all.
+  void SetClippingPlanes(vtkPlaneCollection* planes);
 
   /// Ray intersection: the cell id in the scene, -1: none; and the normal.
   vtkHeliosHit Pick(const vtkHeliosRay& ray, Vec3& normal);

@@ -267,6 +267,18 @@ void SceneView::SetColoring(Coloring coloring)
 }
 
 //------------------------------------------------------------------------------
+void SceneView::SetSection(const std::optional<Slab>& slab)
+{
+  this->Planes->RemoveAllItems();
+  slab ? slab->RelativeTo(this->Origin).AddPlanes(this->Planes) : void();
+  vtkPlaneCollection* planes = slab ? this->Planes.Get() : nullptr;
+  this->Resting.SetClippingPlanes(planes);
+  this->Moving.SetClippingPlanes(planes);
+  this->Instances.SetClippingPlanes(planes);
+  this->BoxMapper->SetClippingPlanes(planes);
+}
+
+//------------------------------------------------------------------------------
 void SceneView::SetHighlightedPart(int part)
 {
   this->HighlightedPart = part;

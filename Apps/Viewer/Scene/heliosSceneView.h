@@ -10,6 +10,7 @@
 #include "heliosPose.h"
 #include "heliosSceneGeometry.h"
 #include "heliosSceneLayer.h"
+#include "heliosSlab.h"
 #include "heliosStatus.h"
 
 #include <vtkNew.h>
@@ -118,6 +119,9 @@ public:
   void SetVisible(bool on);
   bool IsVisible() const;
 
+  /// Draws only what is in a slab [m], in world coordinates; none: all. Picking ignores it.
+  void SetSection(const std::optional<Slab>& slab);
+
   /// Highlights a part in yellow; -1: none (default).
   void SetHighlightedPart(int part);
   int GetHighlightedPart() const { return this->HighlightedPart; }
@@ -163,6 +167,7 @@ private:
   bool Interacting = false;
   vtkNew<vtkActor> Boxes;
   vtkNew<vtkPolyDataMapper> BoxMapper;
+  vtkNew<vtkPlaneCollection> Planes;
 };
 
 } // namespace helios::viewer

@@ -23,6 +23,7 @@ namespace
 
 constexpr double ViewAngle = 45.0;        // [deg]
 constexpr double ScannerViewAngle = 75.0; // [deg]
+constexpr double FilledShare = 0.94;      // of the free part of the window, by the first view
 constexpr double DegreesPerSecond = 6.0;  // of the orbit
 constexpr double NearestFollow = 20.0;    // [m], from the platform
 constexpr double TurnSeconds = 0.4;       // for the scanner view to turn
@@ -100,6 +101,111 @@ double CameraRig::GetSize() const
 }
 
 //------------------------------------------------------------------------------
+void CameraRig::SetMargins(double bottom, double top)
+{
+  this->Margins[0] = bottom;
+  this->Margins[1] = top;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Vec3> CameraRig::GetFramedPoints() const
+{
+  if (!this->Points.empty())
+  {
+    return this->Points;
+  }
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners.emplace_back(
+      this->Bounds[i & 1], this->Bounds[2 + ((i >> 1) & 1)], this->Bounds[4 + ((i >> 2) & 1)]);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+/// The part of the picture that points shall fill, in units of half its height.
+struct CameraRig::Frustum
+{
+  Vec3 Right, Up, Forward;
+  double Low[2], High[2]; ///< across, up
+
+  /// The ends of x - slope * depth over all points, for low and high slopes.
+  static void FindEnds(const std::vector<Vec3>& points, const Vec3& across, const Vec3& forward,
+    double lowSlope, double highSlope, double& least, double& most)
+  {
+    least = HUGE_VAL;
+    most = -HUGE_VAL;
+    for (const Vec3& p : points)
+    {
+      least = std::min(least, p.Dot(across) - lowSlope * p.Dot(forward));
+      most = std::max(most, p.Dot(across) - highSlope * p.Dot(forward));
+    }
+  }
+
+  /**
+   * The closest eye that has all points in the part, for the tangent of half the view angle: with
+   * e the eye, a point is inside if low <= (x - e_x) / (z - e_z) <= high, which is linear in e.
+   */
+  Vec3 FindEye(const std::vector<Vec3>& points, double tangent) const
+  {
+    const Vec3 axes[2] = { this->Right, this->Up };
+    double least[2], most[2];
+    double depth = HUGE_VAL;
+    for (int i = 0; i < 2; ++i)
+    {
+      const double low = tangent * this->Low[i], high = tangent * this->High[i];
+      FindEnds(points, axes[i], this->Forward, low, high, least[i], most[i]);
+      depth = std::min(depth, (least[i] - most[i]) / (high - low));
+    }
+    Vec3 eye = depth * this->Forward;
+    for (int i = 0; i < 2; ++i)
+    {
+      const double low = least[i] + tangent * this->Low[i] * depth;
+      const double high = most[i] + tangent * this->High[i] * depth;
+      eye = eye + 0.5 * (low + high) * axes[i];
+    }
+    return eye;
+  }
+
+  /// Half the height of a parallel view of all points [m]; moves the centre across.
+  double FindScale(const std::vector<Vec3>& points, Vec3& center) const
+  {
+    const Vec3 axes[2] = { this->Right, this->Up };
+    double least[2], most[2];
+    double scale = 0.0;
+    for (int i = 0; i < 2; ++i)
+    {
+      FindEnds(points, axes[i], this->Forward, 0.0, 0.0, least[i], most[i]);
+      scale = std::max(scale, (most[i] - least[i]) / (this->High[i] - this->Low[i]));
+    }
+    for (int i = 0; i < 2; ++i)
+    {
+      const double middle =
+        0.5 * (least[i] + most[i]) - 0.5 * scale * (this->Low[i] + this->High[i]);
+      center = center + (middle - center.Dot(axes[i])) * axes[i];
+    }
+    return scale;
+  }
+};
+
+//------------------------------------------------------------------------------
+CameraRig::Frustum CameraRig::MakeFrustum(const Vec3& direction, const Vec3& up) const
+{
+  Frustum frustum;
+  frustum.Forward = direction;
+  frustum.Right = Unit(direction.Cross(up));
+  frustum.Up = frustum.Right.Cross(direction);
+  const double aspect = this->Renderer->GetTiledAspectRatio();
+  frustum.Low[0] = -FilledShare * aspect;
+  frustum.High[0] = FilledShare * aspect;
+  const double bottom = -1.0 + 2.0 * this->Margins[0], top = 1.0 - 2.0 * this->Margins[1];
+  frustum.Low[1] = 0.5 * (bottom + top) - 0.5 * FilledShare * (top - bottom);
+  frustum.High[1] = 0.5 * (bottom + top) + 0.5 * FilledShare * (top - bottom);
+  return frustum;
+}
+
+//------------------------------------------------------------------------------
 void CameraRig::SetMode(CameraMode mode)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -133,29 +239,43 @@ void CameraRig::Reset()
     return;
   }
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const double distance = this->GetSize() / std::sin(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
-  const Vec3 center = this->GetCenter();
-  const Vec3 eye = center + 0.85 * distance * Unit(FromSouthWest);
+  const Vec3 direction = -1.0 * Unit(FromSouthWest);
+  Frustum frustum = this->MakeFrustum(direction, Vec3(0.0, 0.0, 1.0));
+  const double tangent = std::tan(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
+  const Vec3 eye = frustum.FindEye(this->GetFramedPoints(), tangent);
+  const double distance = std::max(1e-3, (this->GetCenter() - eye).Dot(direction));
+  const Vec3 focal = eye + distance * direction;
+  camera->ParallelProjectionOff(); // as a section leaves it
   camera->SetViewUp(0.0, 0.0, 1.0);
-  camera->SetFocalPoint(center.GetData());
+  camera->SetFocalPoint(focal.GetData());
   camera->SetPosition(eye.GetData());
   this->IsFollowing = false;
+}
+
+//------------------------------------------------------------------------------
+void CameraRig::SetSideView(const Vec3& center, const Vec3& direction, double halfWidth)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const Vec3 eye = center - 3.0 * this->GetSize() * direction;
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(center.GetData());
+  camera->SetPosition(eye.GetData());
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetParallelScale(std::max(1e-3, halfWidth / this->Renderer->GetTiledAspectRatio()));
 }
 
 //------------------------------------------------------------------------------
 void CameraRig::SetParallelView(const Vec3& direction, const Vec3& up)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  const Vec3 center = this->GetCenter();
+  Vec3 center = this->GetCenter();
+  Frustum frustum = this->MakeFrustum(direction, up);
+  const double scale = frustum.FindScale(this->GetFramedPoints(), center);
   const Vec3 eye = center - 3.0 * this->GetSize() * direction;
   camera->SetFocalPoint(center.GetData());
   camera->SetPosition(eye.GetData());
   camera->SetViewUp(up.GetData());
-  const double* b = this->Bounds;
-  const double width = b[1] - b[0];
-  const double height = up[1] > 0.5 ? b[3] - b[2] : b[5] - b[4];
-  const double aspect = this->Renderer->GetTiledAspectRatio();
-  camera->SetParallelScale(0.55 * std::max({ height, width / aspect, 1e-3 }));
+  camera->SetParallelScale(std::max(scale, 1e-3));
 }
 
 //------------------------------------------------------------------------------

@@ -53,8 +53,18 @@ public:
   /// Bounds of scene and cloud to be viewed.
   void SetBounds(const double bounds[6]);
 
+  /// The points to be framed; none: the corners of the bounds.
+  void SetPoints(const std::vector<Vec3>& points) { this->Points = points; }
+
+  /// The parts of the window's height that panels cover at its bottom and top.
+  void SetMargins(double bottom, double top);
+
   /// Frames everything from the south-west and above.
   void Reset();
+
+  /// Views a point horizontally, in parallel projection: the view direction, and half the width of
+  /// the view [m].
+  void SetSideView(const Vec3& center, const Vec3& direction, double halfWidth);
 
   /// Moving target: the platform, and the mean of the points just measured.
   struct Subject
@@ -75,6 +85,9 @@ private:
   void Follow(const Subject& subject);
   void ViewFromScanner(double seconds, const Subject& subject);
   void SetParallelView(const Vec3& direction, const Vec3& up);
+  struct Frustum;
+  Frustum MakeFrustum(const Vec3& direction, const Vec3& up) const;
+  std::vector<Vec3> GetFramedPoints() const;
   void TurnRound(double seconds);
   void FollowScript();
   Vec3 GetCenter() const;
@@ -84,6 +97,8 @@ private:
   vtkNew<vtkCameraInterpolator> Script;
   CameraMode Mode = CameraMode::Free;
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  std::vector<Vec3> Points;
+  double Margins[2] = { 0.0, 0.0 };
   bool IsFollowing = false;
   Vec3 LastPosition{ 0.0, 0.0, 0.0 };
   Vec3 ViewDirection{ 0.0, 0.0, 0.0 };

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTimeBar.h"
 
+#include "heliosSlider.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkCoordinate.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkSliderWidget.h>
-#include <vtkTextProperty.h>
 
 #include <utility>
 
@@ -20,22 +19,7 @@ namespace helios::viewer
 TimeBar::TimeBar(vtkRenderWindowInteractor* interactor, std::function<void(double)> onSeek)
   : OnSeek(std::move(onSeek))
 {
-  this->Bar->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  this->Bar->GetPoint1Coordinate()->SetValue(Left, Height);
-  this->Bar->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-  this->Bar->GetPoint2Coordinate()->SetValue(Right, Height);
-  this->Bar->SetTubeWidth(0.005);
-  this->Bar->SetSliderLength(0.012);
-  this->Bar->SetSliderWidth(0.02);
-  this->Bar->SetEndCapLength(0.0);
-  this->Bar->SetLabelFormat("%.2f s");
-  this->Bar->SetLabelHeight(0.018);
-  this->Bar->GetTubeProperty()->SetColor(0.45, 0.5, 0.58);
-  this->Bar->GetSliderProperty()->SetColor(0.95, 0.75, 0.2);
-  this->Bar->GetSelectedProperty()->SetColor(1.0, 0.9, 0.5);
-  this->Bar->GetLabelProperty()->SetShadow(1);
-  this->Bar->GetLabelProperty()->BoldOff();
-  this->Bar->GetLabelProperty()->ItalicOff();
+  SetUpSlider(this->Bar);
   this->Widget->SetInteractor(interactor);
   this->Widget->SetRepresentation(this->Bar);
   this->Widget->SetAnimationModeToJump();
@@ -71,15 +55,15 @@ void TimeBar::SetTime(double time)
 }
 
 //------------------------------------------------------------------------------
-void TimeBar::SetVisible(bool visible)
+void TimeBar::Place(const Rect& track, const Theme& theme)
 {
-  this->Widget->SetEnabled(visible);
-}
-
-//------------------------------------------------------------------------------
-bool TimeBar::IsVisible() const
-{
-  return this->Widget->GetEnabled() != 0;
+  this->Track = track;
+  PlaceSlider(this->Bar, track, theme);
+  const int isVisible = track.IsEmpty() ? 0 : 1;
+  if (this->Widget->GetEnabled() != isVisible)
+  {
+    this->Widget->SetEnabled(isVisible);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,8 @@
 #ifndef heliosTimeBar_h
 #define heliosTimeBar_h
 
+#include "heliosRect.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkSliderRepresentation2D.h>
@@ -17,6 +19,8 @@ class vtkRenderWindowInteractor;
 namespace helios::viewer
 {
 
+struct Theme;
+
 class TimeBar
 {
 public:
@@ -26,13 +30,10 @@ public:
 
   void SetSpan(double start, double end);
   void SetTime(double time);
-  void SetVisible(bool visible);
-  bool IsVisible() const;
 
-  /// Ends of the bar, as fractions of the window's width, and its height from below.
-  static constexpr double Left = 0.04;
-  static constexpr double Right = 0.96;
-  static constexpr double Height = 0.035;
+  /// Places the bar in a rectangle [pixels]; an empty one hides it.
+  void Place(const Rect& track, const Theme& theme);
+  const Rect& GetTrack() const { return this->Track; }
 
 private:
   void Seek(bool isHeld);
@@ -41,6 +42,7 @@ private:
   vtkNew<vtkSliderWidget> Widget;
   vtkNew<vtkCallbackCommand> Observer;
   std::function<void(double)> OnSeek;
+  Rect Track;
   bool IsHeld = false; ///< by the user
 };
 

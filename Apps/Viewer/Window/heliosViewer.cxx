@@ -13,6 +13,7 @@
 #include "heliosSimulation.h"
 #include "heliosStatus.h"
 #include "heliosSurveyData.h"
+#include "heliosTheme.h"
 #include "heliosTimeBar.h"
 #include "heliosViewerInputs.h"
 #include "heliosViewerKeys.h"
@@ -96,8 +97,6 @@ void Viewer::SetUpWindow()
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetOffScreenRendering(this->Options.Offscreen);
-  this->Renderer->SetBackground(0.09, 0.1, 0.13);
-  this->Renderer->SetBackground2(0.2, 0.23, 0.28);
   this->Renderer->GradientBackgroundOn();
   if (!this->Options.Offscreen)
   {
@@ -114,7 +113,8 @@ void Viewer::SetUpView()
   this->Words = std::make_unique<Hud>(this->Renderer);
   this->Words->Resize(this->Options.Width, this->Options.Height);
   this->Words->SetVisible(this->Options.Words);
-  this->PointsView->SetScalarBarVisible(this->Options.Words);
+  this->Words->SetInteractive(!this->Options.Offscreen);
+  this->SetTheme(this->Options.Theme);
   this->PointsView->SetPointSize(this->Options.PointSize);
   this->PointsView->SetEyeDomeLighting(this->Options.EyeDome);
   for (const auto& coloring : GetColorings())
@@ -133,6 +133,7 @@ void Viewer::SetUpView()
         this->Clock.Seek(time);
         this->Redraw();
       });
+    this->Words->SetOnPlay([this] { this->Keys->Press("space", false); });
   }
   this->Tools = MakeTools(*this);
   this->SetUpKeys();
@@ -184,6 +185,17 @@ void Viewer::SetCameraMode(CameraMode mode)
 }
 
 //------------------------------------------------------------------------------
+void Viewer::SetTheme(const std::string& name)
+{
+  const Theme& theme = FindTheme(name);
+  this->Renderer->SetBackground(Shade(theme.Background[0]).Rgb);
+  this->Renderer->SetBackground2(Shade(theme.Background[1]).Rgb);
+  this->Words->SetTheme(theme);
+  this->PointsView->SetRampPart(theme.Ramp);
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
 int Viewer::RunInteractively()
 {
   this->Draw();
@@ -207,6 +219,7 @@ void Viewer::OnTimer()
   this->LastFrame = now;
   this->HandleClick();
   this->Frame(seconds);
+  this->UpdateCursor(now);
   const bool isSketched = this->Budget.IsBusy(now) || this->IsComputing();
   if (isSketched != this->IsSketched)
   {
@@ -255,6 +268,7 @@ void Viewer::Frame(double seconds)
     this->IsDirty = tool->OnFrame() || this->IsDirty;
   }
   this->WriteWords();
+  this->PlacePanels();
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +338,7 @@ void Viewer::Draw()
 {
   const double start = this->Now();
   this->AddReceivedPoints();
+  this->PlacePanels();
   this->Mesh ? this->Mesh->SetInteracting(this->PointsView->IsInteracting()) : void();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();

@@ -89,6 +89,12 @@ public:
   /// Shows the cloud and its trajectories, relative to the cloud's origin.
   void ShowCloud(const std::vector<SimulatedLeg>& legs);
 
+  /// Sets the colours, by the name of a theme.
+  void SetTheme(const std::string& name);
+
+  /// Shows all data.
+  void ResetCamera();
+
   /// Sets the camera mode and its interaction style.
   void SetCameraMode(CameraMode mode);
 
@@ -107,10 +113,10 @@ private:
   void SetUpEvents();
   void SetUpView();
   void SetUpKeys();
-  void Begin(const double bounds[6], bool keepCamera);
+  void Begin(const double bounds[6], vtkPolyData* scene, bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
   void ShowTrajectories();
-  void ShowBox(const double bounds[6], bool hasData);
+  void ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene);
   void SetSpan(double start, double end);
   int RunInteractively();
   int RunScripted();
@@ -121,6 +127,9 @@ private:
   void PlacePlatform(double seconds);
   void WriteWords();
   void CountRates();
+  bool IsFinished() const;
+  void PlacePanels();
+  void UpdateCursor(double now);
   std::string DescribeTime() const;
   std::string DescribeCloud() const;
   std::string DescribeLegs() const;
@@ -134,6 +143,7 @@ private:
   static void OnEvent(vtkObject*, unsigned long event, void* self, void*);
   void OnKey();
   static void OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*);
+  bool OnPress();
   void OnRelease();
   void HandleClick();
   void OnTimer();
@@ -175,6 +185,9 @@ private:
   bool IsDragging = false;
   int ExitCode = 0;
   int PressedAt[2] = { 0, 0 };
+  bool IsPressOnPanel = false;
+  double MovedAt = 0.0;  // last motion of the mouse
+  bool HasMoved = false; // since the coordinates were shown
   bool HasClick = false; // not yet passed to the tools
   int ClickAt[2] = { 0, 0 };
   int ClickKeys[2] = { 0, 0 }; // shift, control

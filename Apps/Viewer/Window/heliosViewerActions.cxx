@@ -9,7 +9,7 @@
 #include "heliosPlatformView.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
-#include "heliosTimeBar.h"
+#include "heliosTheme.h"
 #include "heliosViewerKeys.h"
 
 #include <algorithm>
@@ -104,12 +104,7 @@ void AddCameras(Viewer& viewer, ViewerKeys& keys)
   add("", "t", "from above, north up", CameraMode::Top);
   add("", "x", "from the side, looking north", CameraMode::Side);
   add("", "o", "orbit", CameraMode::Orbit);
-  keys.Add({ "", { "r" }, "r", "show all",
-    [&viewer]
-    {
-      viewer.GetCamera().Reset();
-      viewer.Redraw();
-    } });
+  keys.Add({ "", { "r" }, "r", "show all", [&viewer] { viewer.ResetCamera(); } });
 }
 
 void AddLook(Viewer& viewer, ViewerKeys& keys)
@@ -137,19 +132,24 @@ void AddLook(Viewer& viewer, ViewerKeys& keys)
       PlatformView* platform = viewer.GetPlatformView();
       platform ? platform->SetFanVisible(!platform->IsFanVisible()) : void();
     } });
-  keys.Add({ "", { "w" }, "w", "text and time bar",
+  keys.Add({ "", { "w" }, "w", "menus, text and time bar",
     [&viewer]
     {
       const bool isVisible = !viewer.GetHud().IsVisible();
       viewer.GetHud().SetVisible(isVisible);
-      viewer.GetCloudView().SetScalarBarVisible(isVisible);
-      viewer.GetTimeBar() ? viewer.GetTimeBar()->SetVisible(isVisible) : void();
+      viewer.Redraw();
+    } });
+  keys.Add({ "", { "L" }, "L", "light, dark colours",
+    [&viewer]
+    {
+      const bool isDark = viewer.GetHud().GetTheme().Name == "dark";
+      viewer.SetTheme(isDark ? "light" : "dark");
     } });
 }
 
 void AddFiles(Viewer& viewer, ViewerKeys& keys)
 {
-  keys.Add({ "Files", { "p" }, "p", "save a picture, vtkhelios.png",
+  keys.Add({ "File", { "p" }, "p", "save a picture, vtkhelios.png",
     [&viewer] { viewer.SaveStill("vtkhelios.png"); } });
   keys.Add({ "", { "R" }, "R", "start, stop recording vtkhelios.ogv",
     [&viewer] { viewer.ToggleRecording(); } });
@@ -172,7 +172,7 @@ void Viewer::SetUpKeys()
   AddCameras(*this, *this->Keys);
   AddLook(*this, *this->Keys);
   AddFiles(*this, *this->Keys);
-  this->Words->SetHelp(this->Keys->GetHelp());
+  this->Words->SetMenus(this->Keys->GetMenus());
 }
 
 } // namespace helios::viewer

@@ -4,7 +4,6 @@
 #include "heliosViewer.h"
 
 #include "heliosHud.h"
-#include "heliosTimeBar.h"
 #include "heliosViewerKeys.h"
 #include "heliosViewerTool.h"
 
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 
 namespace helios::viewer
 {
@@ -71,8 +71,12 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
       viewer->OnKey();
       break;
     case vtkCommand::LeftButtonPressEvent:
-      viewer->Interactor->GetEventPosition(viewer->PressedAt[0], viewer->PressedAt[1]);
-      viewer->IsDragging = true;
+      viewer->IsDragging = !viewer->OnPress();
+      viewer->Observer->SetAbortFlag(!viewer->IsDragging); // not for VTK's style
+      break;
+    case vtkCommand::MouseMoveEvent:
+      viewer->MovedAt = viewer->Now();
+      viewer->HasMoved = true;
       break;
     case vtkCommand::MiddleButtonPressEvent:
     case vtkCommand::RightButtonPressEvent:
@@ -93,10 +97,23 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
 void Viewer::OnKey()
 {
   const char* key = this->Interactor->GetKeySym();
-  if (key)
+  const bool isClosing = key && std::string(key) == "Escape" && this->Words->CloseMenu();
+  if (key && !isClosing)
   {
     this->Keys->Press(key, this->Interactor->GetControlKey() != 0);
   }
+}
+
+//------------------------------------------------------------------------------
+/// A press of the left button; true: a panel has handled it.
+bool Viewer::OnPress()
+{
+  this->Interactor->GetEventPosition(this->PressedAt[0], this->PressedAt[1]);
+  PanelId id = PanelId::Status;
+  this->IsPressOnPanel = this->Words->GetLayout().Find(this->PressedAt[0], this->PressedAt[1], id);
+  const bool isHandled = this->Words->OnPress(this->PressedAt[0], this->PressedAt[1]);
+  this->IsPressOnPanel = this->IsPressOnPanel || isHandled;
+  return isHandled;
 }
 
 //------------------------------------------------------------------------------
@@ -120,9 +137,7 @@ void Viewer::OnRelease()
   this->Interactor->GetEventPosition(at[0], at[1]);
   const int moved =
     std::max(std::abs(at[0] - this->PressedAt[0]), std::abs(at[1] - this->PressedAt[1]));
-  const bool isOnBar = this->Bar && this->Bar->IsVisible() &&
-    at[1] < 2.0 * TimeBar::Height * this->Window->GetSize()[1];
-  this->HasClick = moved <= ClickPixels && !isOnBar;
+  this->HasClick = moved <= ClickPixels && !this->IsPressOnPanel;
   std::copy_n(at, 2, this->ClickAt);
   this->ClickKeys[0] = this->Interactor->GetShiftKey();
   this->ClickKeys[1] = this->Interactor->GetControlKey();

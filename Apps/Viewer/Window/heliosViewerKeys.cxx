@@ -9,29 +9,6 @@
 namespace helios::viewer
 {
 
-namespace
-{
-
-constexpr std::size_t KeyWidth = 16;
-
-/// The lines as a column of equal lengths: they are centred as one block.
-std::string JoinColumns(const std::vector<std::string>& lines)
-{
-  std::size_t width = 0;
-  for (const std::string& line : lines)
-  {
-    width = std::max(width, line.size() + 1);
-  }
-  std::string text;
-  for (const std::string& line : lines)
-  {
-    text += line + std::string(width - line.size(), ' ') + "\n";
-  }
-  return text;
-}
-
-} // namespace
-
 //------------------------------------------------------------------------------
 bool ViewerKeys::Press(const std::string& key, bool control)
 {
@@ -54,31 +31,32 @@ bool ViewerKeys::Press(const std::string& key, bool control)
 }
 
 //------------------------------------------------------------------------------
-std::string ViewerKeys::GetHelp() const
+std::vector<Menu> ViewerKeys::GetMenus()
 {
-  std::vector<std::string> lines;
-  const auto add = [&lines](const std::string& key, const std::string& what)
-  {
-    const std::size_t gap = key.size() < KeyWidth ? KeyWidth - key.size() : 1;
-    lines.push_back("   " + key + std::string(gap, ' ') + what);
-  };
+  std::vector<Menu> menus;
   for (const Action& action : this->Actions)
   {
     if (!action.Heading.empty())
     {
-      lines.push_back(" " + action.Heading);
+      menus.push_back({ action.Heading, {} });
     }
-    add(action.Shown, action.What);
+    menus.back().Items.push_back({ action.What, action.Shown, action.Do });
   }
   for (const auto& tool : this->Tools)
   {
-    lines.push_back(" " + tool->GetName());
+    Menu menu{ tool->GetName(), {} };
     for (const KeyHelp& key : tool->GetKeys())
     {
-      add(key.first, key.second);
+      MenuItem item{ key.What, key.Shown, nullptr };
+      if (!key.Press.empty())
+      {
+        item.Do = [this, press = key.Press] { this->Press(press, false); };
+      }
+      menu.Items.push_back(item);
     }
+    menus.push_back(menu);
   }
-  return JoinColumns(lines);
+  return menus;
 }
 
 } // namespace helios::viewer

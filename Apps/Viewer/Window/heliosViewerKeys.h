@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A table of keys and their actions, also the source of the help.
+// A table of keys and their actions, also the source of the menus and the help.
 
 #ifndef heliosViewerKeys_h
 #define heliosViewerKeys_h
+
+#include "heliosMenu.h"
 
 #include <functional>
 #include <memory>
@@ -37,8 +39,8 @@ public:
   /// Runs the action of a key, as named by X; tools come first. False: no action.
   bool Press(const std::string& key, bool control);
 
-  /// All keys, one per line.
-  std::string GetHelp() const;
+  /// All actions, by heading and by tool.
+  std::vector<Menu> GetMenus();
 
 private:
   const std::vector<std::unique_ptr<ViewerTool>>& Tools;

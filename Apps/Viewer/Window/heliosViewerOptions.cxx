@@ -5,6 +5,7 @@
 #include "heliosCameraRig.h"
 #include "heliosColorNames.h"
 #include "heliosStatus.h"
+#include "heliosTheme.h"
 #include "vtkHeliosMemoryLimit.h"
 #include "vtkHeliosVersion.h"
 
@@ -23,7 +24,7 @@ namespace
 const char* const Epilog = R"(what can be shown:
   a survey (XML)          runs while its cloud grows; nothing is written
   a run                   its folder, with run_summary.json: replayed
-  clouds                  .xyz .las .vtp .pvtp .ply, one or several
+  clouds                  .xyz .las .laz .copc.laz .vtp .pvtp .ply .pcd .e57, one or several
   a scene                 XML, .obj, .tif, .stl, .gltf, .glb, .json (CityJSON), .ply with faces
 
 keys and mouse: press h in the window.
@@ -94,9 +95,11 @@ void AddLook(CLI::App& app, ViewerOptions& options, std::string& size)
     ->option_text("P");
   app.add_option("--size", size, "size of the window or the picture [pixels] (default: 1280x800)")
     ->option_text("WxH");
+  app.add_option("--theme", options.Theme, "dark or light colours (default: dark)")
+    ->check(CLI::IsMember(GetThemeNames()));
   app.add_flag("!--no-eye-dome", options.EyeDome, "without eye-dome lighting (depth shading)");
   app.add_flag("!--no-fan", options.Fan, "without the latest beams");
-  app.add_flag("!--no-words", options.Words, "without text over the picture");
+  app.add_flag("!--no-words", options.Words, "without text, legend and scale bar over the picture");
 }
 
 void AddOutputs(CLI::App& app, ViewerOptions& options)

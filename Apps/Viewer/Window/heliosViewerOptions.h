@@ -29,7 +29,8 @@ struct ViewerOptions
   double PointSize = 2.0;
   bool EyeDome = true;
   bool Fan = true;
-  bool Words = true;    ///< over the picture
+  bool Words = true; ///< over the picture
+  std::string Theme = "dark";
   std::string Record;   ///< video or frames
   double Seconds = 0.0; ///< of the recording; 0: 10, or until stopped
   double FramesPerSecond = 25.0;

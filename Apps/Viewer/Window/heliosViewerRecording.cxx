@@ -5,6 +5,7 @@
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
+#include "heliosHud.h"
 #include "heliosSimulation.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ int Viewer::RunScripted()
     this->Frame(0.0);
     this->AddReceivedPoints();
     this->PointsView->SetAutomaticRange(); // of the full cloud
-    this->Draw();
+    this->WriteWords();                    // the legend
     this->SaveStill(this->Options.Still);
   }
   return this->ExitCode;
@@ -107,7 +108,10 @@ void Viewer::AddVideoFrame(double now)
 //------------------------------------------------------------------------------
 void Viewer::SaveStill(const std::string& fileName)
 {
+  this->Words->SetStill(true);
+  this->Draw();
   const Status status = WriteStill(this->Window, fileName);
+  this->Words->SetStill(false);
   if (status.IsOk())
   {
     this->ShowMessage("saved " + fileName);

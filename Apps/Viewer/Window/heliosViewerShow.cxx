@@ -14,6 +14,7 @@
 #include "heliosTimeBar.h"
 #include "heliosViewerTool.h"
 #include "vtkHeliosRunOptions.h"
+#include "vtkHeliosScene.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -23,12 +24,64 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <vector>
 
 namespace helios::viewer
 {
 
 namespace
 {
+
+constexpr std::size_t FramedPoints = 20000; // that the first view is fitted to
+constexpr double FarTrajectory = 2.0;       // times the data's diagonal: not framed
+
+/// Every nth point of a scene [m].
+std::vector<Vec3> SamplePoints(vtkPolyData* scene)
+{
+  std::vector<Vec3> points;
+  const vtkIdType count = vtkHeliosScene::HasInstances(scene) ? 0 : scene->GetNumberOfPoints();
+  const vtkIdType step = 1 + count / static_cast<vtkIdType>(FramedPoints);
+  for (vtkIdType i = 0; i < count; i += step)
+  {
+    points.emplace_back(scene->GetPoint(i));
+  }
+  return points;
+}
+
+/// Leaves out points far from the middle 98 % along an axis.
+void DropOutliers(std::vector<Vec3>& points)
+{
+  constexpr double share = 0.01, margin = 0.1;
+  for (int axis = 0; axis < 3 && points.size() > 100; ++axis)
+  {
+    std::vector<double> values;
+    for (const Vec3& point : points)
+    {
+      values.push_back(point[axis]);
+    }
+    std::sort(values.begin(), values.end());
+    const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size()));
+    const double low = values[rank], high = values[values.size() - 1 - rank];
+    const double room = margin * (high - low);
+    points.erase(std::remove_if(points.begin(), points.end(),
+                   [=](const Vec3& p) { return p[axis] < low - room || p[axis] > high + room; }),
+      points.end());
+  }
+}
+
+/// Every nth point of a cloud [m], without outliers.
+std::vector<Vec3> SamplePoints(const Cloud& cloud)
+{
+  std::vector<Vec3> points;
+  const vtkIdType count = cloud.GetNumberOfPoints();
+  const vtkIdType step = 1 + count / static_cast<vtkIdType>(FramedPoints);
+  for (vtkIdType i = 0; i < count; i += step)
+  {
+    points.push_back(cloud.GetEcho(i).Position);
+  }
+  DropOutliers(points);
+  return points;
+}
 
 /// The centre of a box, in whole metres.
 Vec3 FindOrigin(const double bounds[6])
@@ -79,7 +132,7 @@ void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtk
   box.GetBounds(bounds);
   this->Running.reset();
   this->Legs.clear();
-  this->Begin(bounds, false);
+  this->Begin(bounds, scene, false);
   this->ShowMesh(scene);
   this->Mesh->SetGrids(grids);
   this->PointsView->SetEyeDomeLighting(false); // meant for points: leaves would be mostly edges
@@ -96,16 +149,29 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   this->Origin = this->Points->GetOrigin();
   this->Camera.SetOrigin(this->Origin);
   const bool hasPoints = this->Points->GetBounds(bounds);
-  this->ShowBox(bounds, hasPoints);
+  this->ShowBox(bounds, hasPoints, nullptr);
   this->PointsView->Update();
   this->ShowTrajectories();
   this->SetCameraMode(this->Camera.GetMode());
-  this->Camera.Reset();
+  this->ResetCamera();
   if (this->Points->GetTimeRange(times))
   {
     this->SetSpan(times[0], times[1]);
     this->Clock.Seek(this->Options.StartTime >= 0.0 ? this->Options.StartTime : times[1]);
   }
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+/// All data in the middle of the part of the window between the panels.
+void Viewer::ResetCamera()
+{
+  this->PlacePanels();
+  const int* size = this->Window->GetSize();
+  const Rect& view = this->Words->GetLayout().GetView();
+  this->Camera.SetMargins(static_cast<double>(view.Y) / std::max(1, size[1]),
+    static_cast<double>(size[1] - view.Top()) / std::max(1, size[1]));
+  this->Camera.Reset();
   this->Redraw();
 }
 
@@ -123,7 +189,7 @@ void Viewer::ShowMesh(vtkPolyData* scene)
 
 //------------------------------------------------------------------------------
 /// Clears the view; the origin is at the centre of a box [m].
-void Viewer::Begin(const double bounds[6], bool keepCamera)
+void Viewer::Begin(const double bounds[6], vtkPolyData* scene, bool keepCamera)
 {
   const bool hasData = std::isfinite(bounds[0]) && bounds[0] <= bounds[1];
   const Vec3 before = this->Origin;
@@ -138,35 +204,49 @@ void Viewer::Begin(const double bounds[6], bool keepCamera)
   this->Points->SetOrigin(this->Origin);
   this->PointsView->Update();
   this->Camera.SetOrigin(this->Origin);
-  this->ShowBox(bounds, hasData);
+  this->ShowBox(bounds, hasData, scene);
   if (!keepCamera || before != this->Origin)
   {
     this->SetCameraMode(this->Camera.GetMode());
-    this->Camera.Reset();
+    this->ResetCamera();
   }
 }
 
 //------------------------------------------------------------------------------
-/// Frames a box [m], if any, and all trajectories.
-void Viewer::ShowBox(const double bounds[6], bool hasData)
+/// Frames a box [m], if any, with the scene or the cloud in it, and trajectories that are near.
+void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
 {
   vtkBoundingBox box;
   hasData ? box.SetBounds(bounds) : void();
+  vtkBoundingBox all = box;
+  std::vector<Vec3> points = scene ? SamplePoints(scene) : SamplePoints(*this->Points);
+  const std::size_t count = points.size();
   for (const SimulatedLeg& leg : this->Legs)
   {
     for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
     {
-      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
+      all.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
+      points.push_back(pose.Position);
     }
   }
+  if (box.IsValid() && all.GetDiagonalLength() > FarTrajectory * box.GetDiagonalLength())
+  {
+    all = box; // the data would be small
+    points.resize(count);
+  }
   double whole[6];
-  box.GetBounds(whole);
+  all.GetBounds(whole);
   double local[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-  for (int i = 0; box.IsValid() && i < 6; ++i)
+  for (int i = 0; all.IsValid() && i < 6; ++i)
   {
     local[i] = whole[i] - this->Origin[i / 2];
   }
+  for (Vec3& point : points)
+  {
+    point = point - this->Origin;
+  }
   this->Camera.SetBounds(local);
+  this->Camera.SetPoints(count > 0 ? points : std::vector<Vec3>());
 }
 
 //------------------------------------------------------------------------------
@@ -189,7 +269,7 @@ void Viewer::FinishLoading()
   double bounds[6];
   this->Running->GetBounds(bounds);
   this->Legs = this->Running->GetLegs();
-  this->Begin(bounds, this->KeepsCamera);
+  this->Begin(bounds, this->Running->GetScene(), this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
   this->Mesh->SetGrids(this->Running->GetGrids());
   if (this->Mesh->GetScene())
@@ -223,7 +303,6 @@ void Viewer::SetSpan(double start, double end)
   if (this->Bar)
   {
     this->Bar->SetSpan(start, end);
-    this->Bar->SetVisible(this->Words->IsVisible());
   }
   this->Redraw();
 }

@@ -13,7 +13,6 @@
 #include "heliosRecorder.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
-#include "heliosTimeBar.h"
 #include "heliosViewerTool.h"
 
 #include <vtkCamera.h>
@@ -83,9 +82,11 @@ Json::Value ViewerState::DescribeTime() const
   value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
   value["pulsesPerSecond"] = this->PulsesPerSecond;
   Json::Value bar(Json::arrayValue); // fraction of window width, height from below
-  bar.append(TimeBar::Left);
-  bar.append(TimeBar::Right);
-  bar.append(TimeBar::Height);
+  const int* size = this->Window->GetSize();
+  const Rect track = this->Words.GetTimeTrack();
+  bar.append(static_cast<double>(track.X) / size[0]);
+  bar.append(static_cast<double>(track.Right()) / size[0]);
+  bar.append((track.Y + 0.5 * track.Height) / size[1]);
   value["bar"] = bar;
   return value;
 }
@@ -108,6 +109,54 @@ Json::Value ViewerState::DescribeCloud() const
 }
 
 //------------------------------------------------------------------------------
+/// The panels' rectangles: x and y of the lower left corner, width, height [pixels].
+Json::Value ViewerState::DescribePanels() const
+{
+  Json::Value panels(Json::objectValue);
+  for (std::size_t i = 0; i < NumberOfPanels; ++i)
+  {
+    const auto id = static_cast<PanelId>(i);
+    const Rect& rect = this->Words.GetRect(id);
+    for (const int value : { rect.X, rect.Y, rect.Width, rect.Height })
+    {
+      rect.IsEmpty() ? void() : void(panels[GetPanelName(id)].append(value));
+    }
+  }
+  return panels;
+}
+
+//------------------------------------------------------------------------------
+/// The texts of the legend and of the panels; the menus with their items.
+void ViewerState::DescribeTexts(Json::Value& state) const
+{
+  const Legend& legend = this->Words.GetLegend();
+  state["legend"]["title"] = legend.Title;
+  state["legend"]["marks"] = Json::Value(Json::arrayValue);
+  for (const Legend::Mark& mark : legend.Marks)
+  {
+    state["legend"]["marks"].append(mark.Text);
+  }
+  state["theme"] = this->Words.GetTheme().Name;
+  state["scaleBar"] = this->Words.GetScaleBar().GetLabel();
+  state["cursor"] = this->Words.GetCursor();
+  state["textSize"] = this->Words.GetTextSize();
+  state["openMenu"] = this->Words.GetMenuBar().GetOpen();
+  state["menus"] = Json::Value(Json::arrayValue);
+  for (const Menu& menu : this->Words.GetMenus())
+  {
+    Json::Value one;
+    one["title"] = menu.Title;
+    one["x"] = this->Words.GetMenuBar().GetTitlePosition(
+      static_cast<int>(state["menus"].size()), this->Words.GetTextSize());
+    for (const MenuItem& item : menu.Items)
+    {
+      one["items"].append(item.Text);
+    }
+    state["menus"].append(one);
+  }
+}
+
+//------------------------------------------------------------------------------
 Json::Value ViewerState::Describe() const
 {
   Json::Value state;
@@ -125,6 +174,8 @@ Json::Value ViewerState::Describe() const
     this->Platform && this->Platform->IsFanVisible() ? this->Platform->GetNumberOfBeams() : 0);
   state["help"] = this->Words.IsHelpVisible();
   state["words"] = this->Words.GetText();
+  state["panels"] = this->DescribePanels();
+  this->DescribeTexts(state);
   state["message"] = this->Message;
   state["recording"] = this->Video.IsOpen();
   for (const auto& tool : this->Tools)

@@ -62,6 +62,8 @@ private:
   Json::Value DescribeCamera() const;
   Json::Value DescribeTime() const;
   Json::Value DescribeCloud() const;
+  Json::Value DescribePanels() const;
+  void DescribeTexts(Json::Value& state) const;
 };
 
 } // namespace helios::viewer

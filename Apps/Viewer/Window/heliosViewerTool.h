@@ -8,14 +8,18 @@
 #include <json/forwards.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace helios::viewer
 {
 
-/// A key and its action, a line of the help.
-using KeyHelp = std::pair<std::string, std::string>;
+/// A key and its action: a line of the help, and of the tool's menu.
+struct KeyHelp
+{
+  std::string Shown;
+  std::string What;
+  std::string Press; ///< the key that the menu presses, as X names it; empty: mouse only
+};
 
 /// The viewer calls its tools in order, until one handles the event.
 class ViewerTool

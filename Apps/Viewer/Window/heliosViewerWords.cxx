@@ -3,11 +3,15 @@
 // Text over the picture.
 #include "heliosViewer.h"
 
+#include "heliosCloudView.h"
 #include "heliosFormat.h"
 #include "heliosHud.h"
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
 #include "heliosViewerTool.h"
+
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +24,11 @@ namespace
 {
 
 constexpr double RateSeconds = 0.5;  // averaging time of a rate
+constexpr double RestSeconds = 0.12; // of the mouse, until its coordinates are shown
 constexpr std::size_t MostLegs = 14; // listed
 
 /// "1.23 M".
-std::string Shorten(double number)
+std::string ShortenNumber(double number)
 {
   if (number >= 1e6)
   {
@@ -60,12 +65,34 @@ void Viewer::WriteWords()
     status += line.empty() ? "" : line + "\n";
   }
   this->Words->SetStatus(status);
+  this->Words->SetLegend(this->PointsView->GetLegend());
   this->Words->SetLegs(this->DescribeLegs());
   this->Words->SetMessage(this->Message);
   if (this->Bar)
   {
     this->Bar->SetTime(this->Clock.GetTime());
   }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PlacePanels()
+{
+  this->Words->SetPlaying(this->Clock.IsPlaying() && !this->IsFinished());
+  this->Words->SetTimeBar(this->Bar && this->Clock.GetEnd() > this->Clock.GetStart());
+  this->Words->Place();
+  if (this->Bar)
+  {
+    this->Bar->Place(this->Words->GetTimeTrack(), this->Words->GetTheme());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether all is computed and shown.
+bool Viewer::IsFinished() const
+{
+  const bool isComputed =
+    !this->Running || this->Running->GetPhase() == Simulation::Phase::Finished;
+  return isComputed && this->Clock.GetTime() >= this->Clock.GetEnd();
 }
 
 //------------------------------------------------------------------------------
@@ -97,9 +124,13 @@ std::string Viewer::DescribeTime() const
   {
     return {};
   }
+  if (this->IsFinished())
+  {
+    return Format("finished, %.3f s\n", this->Clock.GetEnd());
+  }
   const char* doing = this->Clock.IsPlaying() ? "playing" : "paused";
-  std::string text = Format("%.3f of %.3f s   %s, %s\n", this->Clock.GetTime(),
-    this->Clock.GetEnd(), doing, DescribeSpeed(this->Clock.GetSpeed()).c_str());
+  std::string text = Format("%.3f of %.3f s, %s, %s\n", this->Clock.GetTime(), this->Clock.GetEnd(),
+    doing, DescribeSpeed(this->Clock.GetSpeed()).c_str());
   const bool isBehind = this->Running && this->Clock.IsPlaying() &&
     std::isfinite(this->Clock.GetSpeed()) &&
     this->Clock.GetTime() + 0.5 * this->Clock.GetSpeed() < this->Clock.GetEnd() &&
@@ -113,17 +144,21 @@ std::string Viewer::DescribeCloud() const
 {
   const auto points = static_cast<double>(this->Points->GetNumberOfPoints());
   std::string text;
+  const bool isComputing = this->Running && this->Running->GetPhase() == Simulation::Phase::Running;
   if (this->Running && !this->IsLoading)
   {
-    text += Format("%s of %s pulses, %s/s\n",
-      Shorten(static_cast<double>(this->Running->GetCollectedPulses())).c_str(),
-      Shorten(static_cast<double>(this->Running->GetNumberOfPulses())).c_str(),
-      Shorten(this->PulsesPerSecond).c_str());
+    const std::string pulses =
+      ShortenNumber(static_cast<double>(this->Running->GetCollectedPulses()));
+    text += isComputing
+      ? Format("%s of %s pulses, %s/s\n", pulses.c_str(),
+          ShortenNumber(static_cast<double>(this->Running->GetNumberOfPulses())).c_str(),
+          ShortenNumber(this->PulsesPerSecond).c_str())
+      : pulses + " pulses\n";
   }
   if (points > 0.0)
   {
-    text += Shorten(points) + " points";
-    text += this->Running ? ", " + Shorten(this->PointsPerSecond) + "/s\n" : "\n";
+    text += ShortenNumber(points) + " points";
+    text += isComputing ? ", " + ShortenNumber(this->PointsPerSecond) + "/s\n" : "\n";
   }
   return text;
 }
@@ -148,6 +183,29 @@ std::string Viewer::DescribeLegs() const
       legs[i].StartTime, legs[i].EndTime);
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+/// Shows the coordinates of the surface or point below the mouse once it rests.
+void Viewer::UpdateCursor(double now)
+{
+  if (!this->HasMoved || this->IsDragging || now - this->MovedAt < RestSeconds)
+  {
+    return;
+  }
+  this->HasMoved = false;
+  int at[2];
+  this->Interactor->GetEventPosition(at[0], at[1]);
+  PanelId panel = PanelId::Status;
+  const double depth = this->Renderer->GetZ(at[0], at[1]); // 1: nothing is there
+  const bool isHit = depth < 1.0 && !this->Words->GetLayout().Find(at[0], at[1], panel);
+  this->Renderer->SetDisplayPoint(at[0], at[1], depth);
+  this->Renderer->DisplayToWorld();
+  const double* p = this->Renderer->GetWorldPoint();
+  const Vec3 world = Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]) + this->Origin;
+  this->Words->SetCursor(
+    isHit ? Format("E %.2f  N %.2f  z %.2f m", world[0], world[1], world[2]) : std::string());
+  this->Redraw();
 }
 
 } // namespace helios::viewer

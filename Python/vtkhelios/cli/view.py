@@ -1,11 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios view: starts the viewer, a program of its own."""
+"""vtkhelios view: starts the viewer, a program of its own.
+
+The viewer reads text, LAS, PLY and VTK files itself. Clouds of other formats are converted to LAS
+files in a temporary folder first, and the folder is removed after the viewer has ended.
+"""
 
 import os
 import pathlib
 import shutil
+import subprocess
 import sys
+import tempfile
 
 import vtkhelios
 
@@ -16,6 +22,7 @@ SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web 
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = "-screen 0 1280x1024x24 -noreset"
+CONVERTED = (".laz", ".pcd", ".e57")  # .copc.laz is one of them
 
 
 def find_viewer():
@@ -61,6 +68,36 @@ def explain_missing():
     )
 
 
+def needs_conversion(argument):
+    """Whether an argument is a cloud that the viewer does not read itself."""
+    return argument.lower().endswith(CONVERTED) and os.path.isfile(argument)
+
+
+def convert_inputs(arguments, folder):
+    """The arguments with converted clouds, or None after an error, which is printed."""
+    from . import run_command
+
+    converted = []
+    for number, argument in enumerate(arguments):
+        if needs_conversion(argument):
+            output = pathlib.Path(folder) / f"{number}" / f"{pathlib.Path(argument).stem}.las"
+            output.parent.mkdir()
+            if run_command(["convert", argument, str(output), "--skip-invalid", "--quiet"]) != 0:
+                return None
+            argument = str(output)
+        converted.append(argument)
+    return converted
+
+
+def view_converted(viewer, arguments):
+    """Runs the viewer on converted clouds; returns its exit code."""
+    with tempfile.TemporaryDirectory(prefix="vtkhelios-view-") as folder:
+        converted = convert_inputs(arguments, folder)
+        if converted is None:
+            return 1
+        return subprocess.run(command(viewer, converted, os.environ)).returncode
+
+
 def start(arguments):
     if "--html" in {word.split("=")[0] for word in arguments}:
         from . import _web
@@ -70,6 +107,8 @@ def start(arguments):
     if viewer is None:
         say_error(explain_missing())
         return 1
+    if any(map(needs_conversion, arguments)):
+        return view_converted(viewer, arguments)
     full = command(viewer, arguments, os.environ)
     sys.stdout.flush()
     os.execv(full[0], full)

@@ -9,14 +9,18 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <unistd.h>
+#include <vector>
 
 using helios::Vec3;
 using helios::viewer::CameraMode;
 using helios::viewer::CameraRig;
+using helios::viewer::GetCameraModeName;
 
 namespace
 {
@@ -79,6 +83,57 @@ TEST_CASE("CameraRig: top and side views show the whole cloud", "[Viewer]")
   CHECK(camera->GetViewUp()[2] == 1.0);
   rig.Camera.SetMode(CameraMode::Free);
   CHECK_FALSE(camera->GetParallelProjection());
+}
+
+namespace
+{
+
+/// The box of points in the window, x0 x1 y0 y1 in fractions of its size.
+std::vector<double> FindPicture(vtkRenderer* renderer, const std::vector<Vec3>& points)
+{
+  std::vector<double> box{ 1e9, -1e9, 1e9, -1e9 };
+  for (const Vec3& p : points)
+  {
+    renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
+    renderer->WorldToDisplay();
+    const double x = renderer->GetDisplayPoint()[0] / renderer->GetSize()[0];
+    const double y = renderer->GetDisplayPoint()[1] / renderer->GetSize()[1];
+    box = { std::min(box[0], x), std::max(box[1], x), std::min(box[2], y), std::max(box[3], y) };
+  }
+  return box;
+}
+
+} // namespace
+
+TEST_CASE("CameraRig: the first view fills the part of the window between the panels", "[Viewer]")
+{
+  Rig rig;
+  const std::vector<std::vector<Vec3>> clouds = {
+    { { -50, -20, 0 }, { 50, -20, 0 }, { 50, 20, 30 }, { -50, 20, 5 } }, // wide
+    { { 0, 0, 0 }, { 2, 0, 90 }, { 0, 3, 45 } },                         // high
+    { { 1000, 1000, 0 }, { 1001, 1003, 0.5 } }                           // far from the centre
+  };
+  const double bottom = 0.05, top = 0.1;
+  rig.Camera.SetMargins(bottom, top);
+  for (const auto& points : clouds)
+  {
+    rig.Camera.SetPoints(points);
+    for (const CameraMode mode : { CameraMode::Free, CameraMode::Top, CameraMode::Side })
+    {
+      rig.Camera.SetMode(mode);
+      rig.Camera.Reset();
+      const auto box = FindPicture(rig.Renderer, points);
+      CAPTURE(points.size(), GetCameraModeName(mode), box[0], box[1], box[2], box[3]);
+      const double width = box[1] - box[0], height = (box[3] - box[2]) / (1.0 - bottom - top);
+      CHECK(std::max(width, height) == Approx(0.94).margin(0.01));
+      CHECK(box[0] >= 0.0);
+      CHECK(box[1] <= 1.0);
+      CHECK(box[2] >= bottom);
+      CHECK(box[3] <= 1.0 - top);
+      CHECK(0.5 * (box[0] + box[1]) == Approx(0.5).margin(0.01));
+      CHECK(0.5 * (box[2] + box[3]) == Approx(0.5 * (bottom + 1.0 - top)).margin(0.01));
+    }
+  }
 }
 
 TEST_CASE("CameraRig: follow mode keeps the view angle that the user set", "[Viewer]")

@@ -5,12 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include <vtkScalarBarActor.h>
-#include <vtkScalarsToColors.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 using namespace helios;
 using namespace helios::viewer;
@@ -41,7 +37,6 @@ TEST_CASE("CloudView: points are drawn at their pixels, with their size and colo
   cloud.SetOrigin({ 0, 0, 0 });
   cloud.Append(MakeFour());
   CloudView view(cloud, stage.Renderer);
-  view.SetScalarBarVisible(false);
   view.SetColorBy(ColorBy::One);
   view.SetColor({ 250, 120, 10 });
   view.SetPointSize(4.0);
@@ -88,9 +83,9 @@ TEST_CASE("CloudView: colours follow the values")
   AddColumn(echoes, names::IncidenceAngle, { 0, 30, 60, 90 });
   cloud.Append(echoes);
   CloudView view(cloud, stage.Renderer);
-  view.SetScalarBarVisible(false);
   view.SetPointSize(4.0);
-  const std::vector<Rgb> thirds = { GetRamp()[0], GetRamp()[85], GetRamp()[170], GetRamp()[255] };
+  const Ramp ramp = MakeRamp(RampPart());
+  const std::vector<Rgb> thirds = { ramp[0], ramp[85], ramp[170], ramp[255] };
 
   SECTION("height")
   {
@@ -190,7 +185,7 @@ TEST_CASE("CloudView: the automatic range excludes 2 % at either end and follows
   CHECK(view.GetHigh() > 1000.0);
 }
 
-TEST_CASE("CloudView: the scalar bar has the title, range and colours of the map")
+TEST_CASE("CloudView: the legend has the title, ticks and colours of the map")
 {
   Stage stage;
   Cloud cloud;
@@ -199,25 +194,27 @@ TEST_CASE("CloudView: the scalar bar has the title, range and colours of the map
   AddColumn(echoes, names::Intensity, { 1, 2, 3, 4 });
   cloud.Append(echoes);
   CloudView view(cloud, stage.Renderer);
-  vtkScalarBarActor* bar = view.GetScalarBar();
-  CHECK(std::strcmp(bar->GetTitle(), "Height [m]") == 0);
+  CHECK(view.GetLegend().Title == "Height [m]");
   view.SetRange(0.0, 3.0);
-  vtkScalarsToColors* table = bar->GetLookupTable();
-  CHECK(table->GetRange()[1] == 3.0);
-  double color[3];
-  table->GetColor(3.0, color);
-  CHECK(std::lround(255.0 * color[0]) == GetRamp()[255][0]);
+  const Legend& legend = view.GetLegend();
+  REQUIRE(legend.Marks.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    CHECK(legend.Marks[i].Text == std::to_string(i));
+    CHECK(legend.Marks[i].Position == Approx(static_cast<double>(i) / 3.0));
+  }
+  CHECK(legend.Colors.back() == MakeRamp(RampPart())[255]);
+  view.SetRampPart({ 0.0, 0.5 });
+  CHECK(view.GetLegend().Colors.back() == MakeRamp({ 0.0, 0.5 })[255]);
   view.SetColorBy(ColorBy::Amplitude);
-  CHECK(std::strcmp(bar->GetTitle(), "Intensity") == 0);
+  CHECK(view.GetLegend().Title == "Intensity");
   view.SetColorBy(ColorBy::Class);
-  CHECK(std::strcmp(bar->GetTitle(), "Class") == 0);
-  CHECK(table->GetNumberOfAnnotatedValues() == 3);
-  CHECK(table->GetAnnotation(0) == "ground");
-  CHECK(bar->GetVisibility() == 1);
-  stage.Render(); // a text legend does not fail
-  CHECK(stage.CountPixels(Black) < 199 * 200);
+  CHECK(view.GetLegend().Title == "Class");
+  REQUIRE(view.GetLegend().Marks.size() == 3);
+  CHECK(view.GetLegend().Marks[0].Text == "ground");
+  CHECK(view.GetLegend().Colors[0] == GetClassColor(2));
   view.SetColorBy(ColorBy::One);
-  CHECK(bar->GetVisibility() == 0);
+  CHECK(view.GetLegend().Colors.empty());
 }
 
 TEST_CASE("CloudView: the clip box hides exactly the points outside")
@@ -362,4 +359,39 @@ TEST_CASE("CloudView: eye-dome lighting darkens depth edges only")
   view.SetEyeDomeLighting(false);
   stage.Render();
   CHECK(stage.GetColorAt(0, 4.1) == Rgb{ 200, 205, 210 });
+}
+
+TEST_CASE("CloudView: eye-dome lighting leaves sparse points visible")
+{
+  std::vector<Vec3> places; // scattered in a cube, as leaves are
+  for (int i = 0; i < 1000; ++i)
+  {
+    places.emplace_back(18.0 * std::fmod(i * 0.7548776662466927, 1.0) - 9.0,
+      18.0 * std::fmod(i * 0.5698402909980532, 1.0) - 9.0,
+      18.0 * std::fmod(i * 0.3802775690976141, 1.0));
+  }
+  Stage stage;
+  Cloud cloud;
+  cloud.SetOrigin({ 0, 0, 0 });
+  cloud.Append(MakeEchoes(places));
+  CloudView view(cloud, stage.Renderer);
+  view.SetColorBy(ColorBy::One);
+  stage.Renderer->ResetCameraClippingRange();
+  view.SetEyeDomeLighting(true);
+  stage.Render();
+  int darkest = 255, count = 0;
+  double sum = 0.0;
+  for (int i = 0; i < 200 * 200; ++i)
+  {
+    const int red = stage.GetPixel(i % 200, i / 200)[0];
+    if (red > 0)
+    {
+      darkest = std::min(darkest, red);
+      sum += red;
+      ++count;
+    }
+  }
+  CHECK(count > 2500);
+  CHECK(darkest >= 88);           // 0.45 of 200, less rounding
+  CHECK(sum / count > 0.7 * 200); // most are shaded little
 }

@@ -47,7 +47,6 @@ TEST_CASE("CloudView: an even sample is drawn during motion, everything at rest"
   cloud.SetOrigin({ 0, 0, 0 });
   cloud.Append(MakeField(900000));
   CloudView view(cloud, stage.Renderer);
-  view.SetScalarBarVisible(false);
   view.SetColorBy(ColorBy::One);
   view.SetPointSize(1.0);
   CHECK(view.GetNumberOfDrawnPoints() == 900000);
@@ -87,7 +86,6 @@ TEST_CASE("CloudView: of a large cloud the visible points are drawn, with the sa
   }
   cloud.Append(field);
   CloudView view(cloud, stage.Renderer);
-  view.SetScalarBarVisible(false);
   view.SetPointSize(GENERATE(1.0, 3.0));
   stage.Renderer->GetActiveCamera()->Elevation(20.0);
   stage.Renderer->ResetCameraClippingRange();

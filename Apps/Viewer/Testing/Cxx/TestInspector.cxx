@@ -368,12 +368,3 @@ TEST_CASE("Inspector: a missing waveform is reported with the reason")
   const std::string wanted = hasPulses ? "or run it\nwith --waveforms" : "have no pulse numbers";
   CHECK(inspector.GetChart().GetTitle().find(wanted) != std::string::npos);
 }
-
-TEST_CASE("Inspector: powers are shown in a suitable unit")
-{
-  CHECK(DescribePower(2.5) == "2.5 W");
-  CHECK(DescribePower(1.234e-8) == "12.3 nW");
-  CHECK(DescribePower(5e-7) == "500 nW");
-  CHECK(DescribePower(2e-6) == "2 \xC2\xB5W");
-  CHECK(DescribePower(0.0) == "0 fW");
-}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Clicked points, joined by lines, in front of everything.
+
+#ifndef heliosMarkLine_h
+#define heliosMarkLine_h
+
+#include "heliosColorMaps.h"
+#include "heliosPose.h"
+
+#include <vtkNew.h>
+
+#include <optional>
+#include <vector>
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace helios::viewer
+{
+
+class Viewer;
+
+class MarkLine
+{
+public:
+  /// The renderer must outlive the line.
+  explicit MarkLine(vtkRenderer* renderer);
+  ~MarkLine();
+  MarkLine(const MarkLine&) = delete;
+  void operator=(const MarkLine&) = delete;
+
+  /// Points in renderer coordinates [m]; none: nothing is drawn.
+  void SetPoints(const std::vector<Vec3>& points, const Rgb& color);
+
+private:
+  vtkRenderer* Renderer;
+  vtkNew<vtkPolyData> Data;
+  vtkNew<vtkActor2D> Actor;
+};
+
+/// The point of the cloud or of the scene at a window pixel, in world coordinates [m].
+std::optional<Vec3> PickPosition(Viewer& viewer, int x, int y);
+
+} // namespace helios::viewer
+
+#endif

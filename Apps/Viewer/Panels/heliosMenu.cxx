@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMenu.h"
+
+#include "heliosPainter.h"
+#include "heliosTextPanel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios::viewer
+{
+
+//------------------------------------------------------------------------------
+int MenuBar::GetTitlePosition(int menu, int textSize) const
+{
+  int x = 0;
+  for (int i = 0; i < menu; ++i)
+  {
+    x += MeasureText(this->Menus[static_cast<std::size_t>(i)].Title, textSize) + 2 * textSize;
+  }
+  return x;
+}
+
+//------------------------------------------------------------------------------
+int MenuBar::FindMenu(int x, int textSize) const
+{
+  const auto count = static_cast<int>(this->Menus.size());
+  for (int i = 0; i < count; ++i)
+  {
+    if (x >= this->GetTitlePosition(i, textSize) && x < this->GetTitlePosition(i + 1, textSize))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+PanelSize MenuBar::GetSize(int textSize) const
+{
+  return this->IsVisible && !this->Menus.empty()
+    ? PanelSize{ 1, GetLineHeight(textSize) + textSize / 2 }
+    : PanelSize{};
+}
+
+//------------------------------------------------------------------------------
+void MenuBar::Paint(Painter& painter, const Rect& rect) const
+{
+  const Theme& theme = painter.GetTheme();
+  const int size = painter.GetTextSize();
+  painter.Fill(rect, theme.Panel);
+  painter.DrawLine(rect.X, rect.Y, rect.Right(), rect.Y, theme.Border);
+  for (std::size_t i = 0; i < this->Menus.size(); ++i)
+  {
+    const int x = rect.X + this->GetTitlePosition(static_cast<int>(i), size) + size;
+    painter.DrawText(x, rect.Y + rect.Height / 2, this->Menus[i].Title,
+      static_cast<int>(i) == this->Open ? theme.Heading : theme.Ink);
+  }
+}
+
+//------------------------------------------------------------------------------
+const MenuItem* MenuList::FindItem(int fromTop, int textSize) const
+{
+  const int row = (fromTop - GetTextMargin(textSize)) / GetLineHeight(textSize);
+  const bool isInside = this->Content && fromTop >= GetTextMargin(textSize) &&
+    row < static_cast<int>(this->Content->Items.size());
+  return isInside ? &this->Content->Items[static_cast<std::size_t>(row)] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+PanelSize MenuList::GetSize(int textSize) const
+{
+  if (!this->Content)
+  {
+    return {};
+  }
+  int texts = 0, keys = 0;
+  for (const MenuItem& item : this->Content->Items)
+  {
+    texts = std::max(texts, MeasureText(item.Text, textSize));
+    keys = std::max(keys, MeasureText(item.Key, textSize));
+  }
+  const int margin = 2 * GetTextMargin(textSize);
+  return { texts + keys + 4 * textSize,
+    static_cast<int>(this->Content->Items.size()) * GetLineHeight(textSize) + margin };
+}
+
+//------------------------------------------------------------------------------
+void MenuList::Paint(Painter& painter, const Rect& rect) const
+{
+  const Theme& theme = painter.GetTheme();
+  const int size = painter.GetTextSize();
+  painter.Fill(rect, theme.Panel);
+  painter.DrawPanel(rect);
+  int y = rect.Top() - GetTextMargin(size) - painter.GetLineHeight() / 2;
+  for (const MenuItem& item : this->Content->Items)
+  {
+    painter.DrawText(rect.X + size, y, item.Text, item.Do ? theme.Ink : theme.FaintInk);
+    painter.DrawText(rect.Right() - size, y, item.Key, theme.FaintInk, Painter::Align::Right);
+    y -= painter.GetLineHeight();
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Columns of at most a number of lines; a heading stays with its first key.
+std::vector<std::vector<HelpPage::Line>> HelpPage::MakeColumns(int lines) const
+{
+  std::vector<std::vector<Line>> columns(1);
+  const auto most = static_cast<std::size_t>(std::max(3, lines));
+  for (const Menu& menu : this->Menus)
+  {
+    bool isFirst = true;
+    for (const MenuItem& item : menu.Items)
+    {
+      if (columns.back().size() + (isFirst ? 3 : 1) > most)
+      {
+        columns.emplace_back();
+      }
+      if (isFirst)
+      {
+        if (!columns.back().empty())
+        {
+          columns.back().push_back({ "", "", false });
+        }
+        columns.back().push_back({ "", menu.Title, true });
+      }
+      columns.back().push_back({ item.Key, item.Text, false });
+      isFirst = false;
+    }
+  }
+  return columns;
+}
+
+//------------------------------------------------------------------------------
+/// The width of a column, and of its keys [pixels].
+int HelpPage::MeasureColumn(const std::vector<Line>& column, int textSize, int& keys)
+{
+  int texts = 0;
+  keys = 0;
+  for (const Line& line : column)
+  {
+    keys = std::max(keys, MeasureText(line.Key, textSize));
+    texts = std::max(texts, MeasureText(line.Text, textSize));
+  }
+  keys += textSize;
+  return keys + texts;
+}
+
+//------------------------------------------------------------------------------
+bool HelpPage::Fits(const Rect& rect, int textSize) const
+{
+  const int lines = (rect.Height - 2 * textSize) / GetLineHeight(textSize);
+  int width = 2 * textSize;
+  int keys = 0;
+  for (const auto& column : this->MakeColumns(lines))
+  {
+    width += MeasureColumn(column, textSize, keys) + 2 * textSize;
+  }
+  return lines >= 3 && width - 2 * textSize <= rect.Width;
+}
+
+//------------------------------------------------------------------------------
+int HelpPage::FindTextSize(const Rect& rect, int textSize) const
+{
+  constexpr int least = 6;
+  while (textSize > least && !this->Fits(rect, textSize))
+  {
+    --textSize;
+  }
+  return textSize;
+}
+
+//------------------------------------------------------------------------------
+PanelSize HelpPage::GetSize(int) const
+{
+  return this->IsVisible ? PanelSize{ 1, 1 } : PanelSize{}; // all there is
+}
+
+//------------------------------------------------------------------------------
+void HelpPage::Paint(Painter& painter, const Rect& rect) const
+{
+  const Theme& theme = painter.GetTheme();
+  const int size = this->FindTextSize(rect, painter.GetTextSize());
+  Painter letters = painter.WithTextSize(size);
+  painter.DrawPanel(rect);
+  const int step = GetLineHeight(size);
+  int x = rect.X + size;
+  for (const auto& column : this->MakeColumns((rect.Height - 2 * size) / step))
+  {
+    int keys = 0;
+    const int width = MeasureColumn(column, size, keys);
+    int y = rect.Top() - size - step / 2;
+    for (const Line& line : column)
+    {
+      letters.DrawText(x, y, line.Key, theme.FaintInk);
+      letters.DrawText(
+        x + (line.IsHeading ? 0 : keys), y, line.Text, line.IsHeading ? theme.Heading : theme.Ink);
+      y -= step;
+    }
+    x += width + 2 * size;
+  }
+}
+
+} // namespace helios::viewer

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A bar of a round length, and the directions of the axes.
+
+#ifndef heliosScaleBar_h
+#define heliosScaleBar_h
+
+#include "heliosPanel.h"
+
+#include <string>
+
+class vtkRenderer;
+
+namespace helios::viewer
+{
+
+/// In perspective the length is that at the distance of the focal point, as its label says.
+class ScaleBar : public Panel
+{
+public:
+  explicit ScaleBar(vtkRenderer* renderer)
+    : Renderer(renderer)
+  {
+  }
+
+  void SetVisible(bool visible) { this->IsVisible = visible; }
+
+  /// The length that a pixel shows [m].
+  double GetMetresPerPixel() const;
+
+  /// The length of the bar [m], at most a fifth of the window's width.
+  double GetLength() const;
+  std::string GetLabel() const;
+
+  PanelSize GetSize(int textSize) const override;
+  void Paint(Painter& painter, const Rect& rect) const override;
+
+private:
+  int GetPixels() const;
+
+  vtkRenderer* Renderer;
+  bool IsVisible = false;
+};
+
+/// The directions of east (x), north (y) and up (z).
+class AxesPanel : public Panel
+{
+public:
+  explicit AxesPanel(vtkRenderer* renderer)
+    : Renderer(renderer)
+  {
+  }
+
+  void SetVisible(bool visible) { this->IsVisible = visible; }
+
+  /// The direction of an axis on the screen: right, up, towards the viewer.
+  void GetDirection(int axis, double direction[3]) const;
+
+  PanelSize GetSize(int textSize) const override;
+  void Paint(Painter& painter, const Rect& rect) const override;
+
+private:
+  vtkRenderer* Renderer;
+  bool IsVisible = false;
+};
+
+} // namespace helios::viewer
+
+#endif
