@@ -53,9 +53,11 @@ def check_places(state):
     """Panels are in the window, and none covers another."""
     width, height = state["window"]
     for x, y, w, h in state["panels"].values():
-        assert 0 <= x and 0 <= y and x + w <= width and y + h <= height
+        assert x >= 0 and y >= 0 and x + w <= width and y + h <= height
     for (one, a), (other, b) in itertools.combinations(state["panels"].items(), 2):
-        apart = a[0] + a[2] <= b[0] or b[0] + b[2] <= a[0] or a[1] + a[3] <= b[1] or b[1] + b[3] <= a[1]
+        apart = (
+            a[0] + a[2] <= b[0] or b[0] + b[2] <= a[0] or a[1] + a[3] <= b[1] or b[1] + b[3] <= a[1]
+        )
         assert apart, (one, a, other, b)
 
 
@@ -174,7 +176,9 @@ def test_the_coordinates_below_the_mouse(window):
     window.move(window.project(place))
     state = window.wait(lambda s: s["cursor"])
     found = re.fullmatch(r"E (-?[\d.]+)  N (-?[\d.]+)  z (-?[\d.]+) m", state["cursor"])
-    off = np.subtract(window.project([float(value) for value in found.groups()]), window.project(place))
+    off = np.subtract(
+        window.project([float(value) for value in found.groups()]), window.project(place)
+    )
     assert np.abs(off).max() <= 2  # pixels
     window.move((5, HEIGHT / 2))  # the sky
 
