@@ -156,6 +156,22 @@ def test_errors(small_runs, view_html, tmp_path, make_survey, capsys):
     assert not list(tmp_path.glob("*.part"))
 
 
+def test_arrays_that_some_legs_lack(small_runs, view_html, tmp_path):
+    run = tmp_path / "run"
+    shutil.copytree(small_runs["vtp"], run)
+    path = run / "leg001_points_0000.vtp"
+    with formats.open_reader(path) as reader:
+        chunks = list(reader.chunks())
+    path.unlink()
+    with formats.open_writer(path) as writer:
+        for chunk in chunks:
+            writer.write({name: values for name, values in chunk.items() if name != "EchoWidth"})
+    code, page, _, err = view_html(run)
+    assert code == 0 and f"{run}: EchoWidth: not in all of its files; left out" in err
+    names = [column["name"] for column in page.meta["columns"]]
+    assert "EchoWidth" not in names and "Range" in names
+
+
 def test_names_that_are_not_utf8(small_runs, view_html, tmp_path):
     odd = tmp_path / "odd\udcff.xyz"
     shutil.copy(next(small_runs["xyz"].glob("leg000_points.xyz")), odd)

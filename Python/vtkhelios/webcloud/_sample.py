@@ -27,7 +27,7 @@ class Sample:
         self.limit = limit
         self.names = None if names is None else {"points", *names}
         self.count = 0  # points seen
-        self.dropped = set()  # arrays that some chunks do not have
+        self._dropped = set()
         self._parts = []  # columns of chosen points, each with its "index"
         self._kept = 0
         self._highest = np.uint64(2**64 - 1)  # hash of a point that may be chosen
@@ -51,6 +51,12 @@ class Sample:
         self._shrink()
         return dict(self._parts[0]) if self._parts else {"points": np.empty((0, 3))}
 
+    @property
+    def dropped(self):
+        """The names of the arrays that some chunks do not have, and the sample therefore not."""
+        self._shrink()
+        return self._dropped
+
     def _wants(self, name):
         return self.names is None or name in self.names
 
@@ -59,7 +65,7 @@ class Sample:
         if not self._parts:
             return
         names = set.intersection(*(set(part) for part in self._parts))
-        self.dropped |= set.union(*(set(part) for part in self._parts)) - names
+        self._dropped |= set.union(*(set(part) for part in self._parts)) - names
         names = [name for name in self._parts[0] if name in names]
         joined = {name: np.concatenate([part[name] for part in self._parts]) for name in names}
         if self._kept > self.limit:

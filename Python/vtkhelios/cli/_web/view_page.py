@@ -128,6 +128,10 @@ def _read_points(arguments, names, messages):
                 task.advance(contents.add(chunk))
     for note in reader.notes:
         messages.warning(note)
+    if dropped := contents.sample.dropped:
+        messages.warning(
+            f"{arguments.input}: {', '.join(sorted(dropped))}: not in all of its files; left out"
+        )
     return contents
 
 

@@ -32,7 +32,7 @@ class App {
     this.picked = null;
     this.measured = []; // points [m] from the cloud's corner
     this.isMeasuring = false;
-    this.connect(meta);
+    this.connect();
     this.start(meta);
   }
 
