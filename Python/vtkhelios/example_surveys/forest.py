@@ -10,9 +10,9 @@ from ._tables import scatter, write_table
 SIDE = 70.0
 POSITIONS = ((0.0, 0.0), (14.0, 9.0), (-12.0, 11.0))  # of the scanner
 MODELS = {
-    "spruce_1": ("Conifer", 21, 18.0, 2500),
-    "spruce_2": ("Conifer", 22, 15.0, 2500),
-    "beech": ("Broadleaf", 23, 16.0, 2500),
+    "spruce_1": ("Conifer", 21, 18.0, 1200),
+    "spruce_2": ("Conifer", 22, 15.0, 1200),
+    "beech": ("Broadleaf", 23, 16.0, 1200),
 }
 VOXEL = 0.5  # [m]
 CORNER = (-16.0, -18.0, -3.0)  # of the grid
