@@ -15,8 +15,8 @@ MODELS = {
     "beech": ("Broadleaf", 23, 16.0, 1200),
 }
 VOXEL = 0.5  # [m]
-CORNER = (-16.0, -18.0, -3.0)  # of the grid
-CELLS = (40, 32, 16)
+CORNER = (-31.0, -29.0, -5.0)  # of the grid
+CELLS = (40, 32, 14)
 
 
 def write_geometry(folder):
