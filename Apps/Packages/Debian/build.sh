@@ -32,6 +32,15 @@ make_manual() { # FOLDER NAME SUMMARY COMMAND
   rm "$program"
 }
 
+# Completions, where Debian's bash, zsh and fish look for them.
+make_completions() { # FOLDER
+  local bash=$1/bash-completion/completions zsh=$1/zsh/vendor-completions fish=$1/fish/vendor_completions.d
+  mkdir -p "$bash" "$zsh" "$fish"
+  build/bin/vtkhelios completion bash >"$bash/vtkhelios"
+  build/bin/vtkhelios completion zsh >"$zsh/_vtkhelios"
+  build/bin/vtkhelios completion fish >"$fish/vtkhelios.fish"
+}
+
 helios_setup
 helios_configure release
 helios_build release
@@ -39,6 +48,8 @@ helios_say "manual pages"
 names=$(build/venv/bin/python -c 'from vtkhelios import cli; print(*cli.command_names())')
 # shellcheck disable=SC2086 # words
 make_manuals build/debian/share/man/man1 $names
+helios_say "completions"
+make_completions build/debian/share
 helios_say "packages"
 rm -f build/debian/*.deb
 cpack --config build/CPackConfig.cmake -B build/debian | grep -v '^CPack.*: - '

@@ -59,7 +59,8 @@ def _option_specs(option):
     star = "*" if option.repeats else ""
     for name in option.names:
         value = "" if option.value.kind == FLAG else _place("", option.value)
-        yield f"{star}{others}{name}[{_escape(option.help)}]{value}"
+        equals = "=" if value and name.startswith("--") else ""  # --name VALUE or --name=VALUE
+        yield f"{star}{others}{name}{equals}[{_escape(option.help)}]{value}"
 
 
 def _place(number, value):
