@@ -432,7 +432,7 @@ void EditTool::OnNewSurvey()
   if (this->Panel)
   {
     this->Panel->SetVisible(false);
-    this->PlacePanel();
+    this->Place();
   }
 }
 

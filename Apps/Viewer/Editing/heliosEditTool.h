@@ -32,6 +32,7 @@ public:
   std::vector<KeyHelp> GetKeys() const override;
   bool OnKey(const std::string& key, bool control) override;
   bool OnClick(int x, int y) override;
+  void Place() override;
   bool OnFrame() override;
   void OnNewSurvey() override;
   void Describe(Json::Value& state) const override;
@@ -80,7 +81,6 @@ private:
   bool FindMeshPart(int& part, double bounds[6]) const;
   void FindFiles();
   void ShowPanel();
-  void PlacePanel();
   void ShowGhost();
   void PlaceGhost();
   std::string MakeHeading() const;

@@ -253,16 +253,19 @@ void EditTool::PlaceGhost()
 }
 
 //------------------------------------------------------------------------------
-void EditTool::PlacePanel()
+void EditTool::Place()
 {
-  Hud& hud = this->Owner.GetHud();
+  if (!this->Panel)
+  {
+    return;
+  }
+  const Hud& hud = this->Owner.GetHud();
   this->Panel->Place(hud.GetRect(PanelId::Editor), hud.GetTheme(), hud.GetTextSize());
 }
 
 //------------------------------------------------------------------------------
 bool EditTool::OnFrame()
 {
-  this->Panel ? this->PlacePanel() : void();
   if (!this->IsOn)
   {
     return false;

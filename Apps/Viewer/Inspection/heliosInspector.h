@@ -37,6 +37,7 @@ public:
   std::vector<KeyHelp> GetKeys() const override;
   bool OnKey(const std::string& key, bool control) override;
   bool OnClick(int x, int y) override;
+  void Place() override { this->PlaceChart(); }
   bool OnFrame() override;
   void OnNewSurvey() override;
   std::string GetStatus() const override;

@@ -198,6 +198,7 @@ void Viewer::SetTheme(const std::string& name)
 //------------------------------------------------------------------------------
 int Viewer::RunInteractively()
 {
+  this->WriteWords();
   this->Draw();
   this->Interactor->CreateRepeatingTimer(TimerMilliseconds);
   this->LastFrame = this->Now();

@@ -48,10 +48,10 @@ std::vector<Vec3> SamplePoints(vtkPolyData* scene)
   return points;
 }
 
-/// Leaves out points far from the middle 98 % along an axis.
+/// Leaves out points far from the middle 99 % along an axis.
 void DropOutliers(std::vector<Vec3>& points)
 {
-  constexpr double share = 0.01, margin = 0.1;
+  constexpr double share = 0.005, margin = 0.2;
   for (int axis = 0; axis < 3 && points.size() > 100; ++axis)
   {
     std::vector<double> values;

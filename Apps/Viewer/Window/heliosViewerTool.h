@@ -40,6 +40,9 @@ public:
   /// Before every frame; true: a redraw is needed.
   virtual bool OnFrame() { return false; }
 
+  /// After the panels of the window have been placed: places what is drawn in them.
+  virtual void Place() {}
+
   /// Another survey is shown: discard the data of the last one.
   virtual void OnNewSurvey() {}
 

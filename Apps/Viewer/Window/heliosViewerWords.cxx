@@ -84,6 +84,10 @@ void Viewer::PlacePanels()
   {
     this->Bar->Place(this->Words->GetTimeTrack(), this->Words->GetTheme());
   }
+  for (const auto& tool : this->Tools)
+  {
+    tool->Place();
+  }
 }
 
 //------------------------------------------------------------------------------

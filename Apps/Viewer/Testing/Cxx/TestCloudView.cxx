@@ -377,6 +377,7 @@ TEST_CASE("CloudView: eye-dome lighting leaves sparse points visible")
   CloudView view(cloud, stage.Renderer);
   view.SetColorBy(ColorBy::One);
   stage.Renderer->ResetCameraClippingRange();
+  stage.Render();
   view.SetEyeDomeLighting(true);
   stage.Render();
   int darkest = 255, count = 0;
