@@ -27,7 +27,7 @@ def test_first_scene(command_line, tmp_path):
     commands = [
         shlex.split(command)[1:]
         for command in read_readme("--commands")
-        if re.search("my_|yard|stand", command) and needs_no_display(command)
+        if re.search("my_|yard|street", command) and needs_no_display(command)
     ]
     kinds = [command[0] for command in commands]
     assert kinds == ["new", "run", "run", "run", "view", "plan", "convert", "report"]

@@ -59,8 +59,9 @@ def expect_full(done, file):
 def test_report(small_disk, small_runs):
     disk, call = small_disk
     page = disk / "report.html"
-    done = call("40k", "report", small_runs["las"], "--output", page, "--quiet")
-    expect_full(done, page)
+    command = ["report", small_runs["las"], "--output", page, "--quiet"]
+    expect_full(call("40k", *command), disk / "report_cloud.html")
+    expect_full(call("40k", *command, "--cloud-points", 0), page)
 
 
 def test_schema(small_disk):

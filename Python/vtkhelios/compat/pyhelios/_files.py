@@ -8,10 +8,10 @@ import os
 import pathlib
 import tempfile
 
+from ..._run_files import POINTS, kind_of
 from ._errors import PyHeliosToolsException
 
 FORMAT = "%Y-%m-%d_%H-%M-%S"
-POINTS = {"xyz": "*_points*.xyz", "las": "*_points*.las", "laz": "*_points*.laz"}
 CHUNK = 1_000_000  # points
 
 
@@ -31,11 +31,17 @@ def write_files(survey, output, kind, **options):
     with tempfile.TemporaryDirectory(prefix=".unfinished", dir=parent) as scratch:
         report = survey.run_to(scratch, format="xyz" if kind == "xyz" else "las", **options)
         if kind == "laz":
-            for path in sorted(report["folder"].glob(POINTS["las"])):
+            for path in _find_points(report["folder"]):
                 _compress(path)
         folder = _find_free(parent)
         os.rename(report["folder"], folder)
-    return [str(path) for path in sorted(folder.glob(POINTS[kind]))]
+    paths = _find_points(folder)
+    return [str(path.with_suffix(".laz") if kind == "laz" else path) for path in paths]
+
+
+def _find_points(folder):
+    """The files of points that a run wrote."""
+    return sorted(path for path in folder.iterdir() if kind_of(path) == POINTS)
 
 
 def _find_free(parent):

@@ -3,7 +3,7 @@
 """The picture of a cloud's page in Docs/viewer.md: a run in headless Chromium, with a picked echo.
 
     vtkhelios run Data/Surveys/village_uls.xml --assets build/demo/scene --format vtp --waveforms
-    build/venv/bin/python Python/examples/figure_web_cloud.py output/village_uls PICTURE.jpg 880 395
+    build/venv/bin/python Python/tests/webcloud/figure_web_cloud.py output/village_uls PICTURE.jpg 880 395
 
 Writes the page of the run to a temporary folder, picks the echo at pixel 880, 395, or the nearest with
 a waveform, and writes the window of 1280 x 800 pixels as JPEG. Needs chromium.
@@ -16,7 +16,7 @@ import tempfile
 
 from vtkhelios import cli
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from webcloud._browser import Browser  # noqa: E402  of the tests
 
 READY = "window.vtkhelios?.state().isComplete && !vtkhelios.state().isMoving"
