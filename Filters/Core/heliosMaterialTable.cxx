@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace helios
@@ -45,7 +46,60 @@ std::string Text(vtkFieldData* fields, const char* name, vtkIdType row)
   return column && row < column->GetNumberOfValues() ? std::string(column->GetValue(row)) : "";
 }
 
+/// The columns of optics, and the numbers in them.
+struct OpticsColumn
+{
+  const char* Name;
+  double MaterialOptics::*Value;
+};
+constexpr OpticsColumn OpticsColumns[] = {
+  { names::MaterialMirrorReflectance, &MaterialOptics::MirrorReflectance },
+  { names::MaterialRefractiveIndex, &MaterialOptics::RefractiveIndex },
+  { names::MaterialThickness, &MaterialOptics::Thickness },
+  { names::MaterialAttenuation, &MaterialOptics::Attenuation },
+};
+
+MaterialOptics GetOptics(vtkFieldData* fields, vtkIdType row)
+{
+  MaterialOptics optics;
+  optics.Kind = static_cast<OpticsKind>(Number(fields, names::MaterialOptics, row, 0));
+  for (const OpticsColumn& column : OpticsColumns)
+  {
+    optics.*column.Value = Number(fields, column.Name, row, optics.*column.Value);
+  }
+  return optics;
+}
+
+void SetOptics(vtkFieldData* fields, const MaterialTable& materials)
+{
+  const bool hasOptics = std::any_of(materials.begin(), materials.end(),
+    [](const Material& m) { return m.Optics.Kind != OpticsKind::Opaque; });
+  fields->RemoveArray(names::MaterialOptics);
+  for (const OpticsColumn& column : OpticsColumns)
+  {
+    fields->RemoveArray(column.Name);
+  }
+  if (!hasOptics)
+  {
+    return;
+  }
+  AddColumn<vtkIntArray>(fields, names::MaterialOptics, materials,
+    [](const Material& m) { return static_cast<int>(m.Optics.Kind); });
+  for (const OpticsColumn& column : OpticsColumns)
+  {
+    AddColumn<vtkDoubleArray>(fields, column.Name, materials,
+      [&column](const Material& m) { return m.Optics.*column.Value; });
+  }
+}
+
 } // namespace
+
+bool MaterialOptics::operator==(const MaterialOptics& other) const
+{
+  return this->Kind == other.Kind && this->MirrorReflectance == other.MirrorReflectance &&
+    this->RefractiveIndex == other.RefractiveIndex && this->Thickness == other.Thickness &&
+    this->Attenuation == other.Attenuation;
+}
 
 bool Material::operator==(const Material& other) const
 {
@@ -54,7 +108,7 @@ bool Material::operator==(const Material& other) const
   return sameReflectance && this->Name == other.Name && this->Specularity == other.Specularity &&
     this->SpecularExponent == other.SpecularExponent &&
     this->Classification == other.Classification && this->IsGround == other.IsGround &&
-    this->Spectrum == other.Spectrum;
+    this->Spectrum == other.Spectrum && this->Optics == other.Optics;
 }
 
 MaterialTable GetMaterials(vtkDataObject* scene)
@@ -78,6 +132,7 @@ MaterialTable GetMaterials(vtkDataObject* scene)
     m.Classification = static_cast<int>(Number(fields, names::MaterialClassification, row, 0));
     m.IsGround = Number(fields, names::MaterialIsGround, row, 0) != 0;
     m.Spectrum = Text(fields, names::MaterialSpectrum, row);
+    m.Optics = GetOptics(fields, row);
   }
   return materials;
 }
@@ -99,6 +154,7 @@ void SetMaterials(vtkDataObject* scene, const MaterialTable& materials)
     fields, names::MaterialIsGround, materials, [](M m) { return m.IsGround ? 1 : 0; });
   AddColumn<vtkStringArray>(
     fields, names::MaterialSpectrum, materials, [](M m) { return m.Spectrum; });
+  SetOptics(fields, materials);
 }
 
 } // namespace helios

@@ -19,6 +19,26 @@ namespace helios
 /// Reflectance of a surface without reflectance and spectrum.
 constexpr double DefaultReflectance = 0.5;
 
+/// What a surface does with the light that it does not scatter.
+enum class OpticsKind
+{
+  Opaque, ///< absorbs it
+  Mirror, ///< reflects a share of it
+  Pane,   ///< a plate with two faces: reflects and transmits; the surface is the first face met
+  Volume  ///< the boundary of a transparent body or of water: reflects and refracts
+};
+
+struct MaterialOptics
+{
+  OpticsKind Kind = OpticsKind::Opaque;
+  double MirrorReflectance = 1.0; ///< [0..1]
+  double RefractiveIndex = 1.5;   ///< of panes and volumes, [1..4]
+  double Thickness = 0.004;       ///< of panes [m]
+  double Attenuation = 0.0;       ///< within panes and volumes [1/m]
+
+  bool operator==(const MaterialOptics& other) const;
+};
+
 struct VTKHELIOSFILTERSCORE_EXPORT Material
 {
   std::string Name = "default";
@@ -28,6 +48,7 @@ struct VTKHELIOSFILTERSCORE_EXPORT Material
   int Classification = 0;
   bool IsGround = false;
   std::string Spectrum; ///< name of a spectrum; empty: none
+  MaterialOptics Optics;
 
   bool operator==(const Material& other) const;
 };
@@ -37,7 +58,7 @@ using MaterialTable = std::vector<Material>;
 /// The material columns of a scene's field data; a scene without them has one default material.
 VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkDataObject* scene);
 
-/// Replaces the material columns of a scene.
+/// Replaces the material columns of a scene; those of optics are only there if a material has any.
 VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkDataObject* scene, const MaterialTable& materials);
 
 } // namespace helios

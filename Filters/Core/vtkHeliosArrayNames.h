@@ -47,6 +47,12 @@ inline constexpr const char* MaterialSpecularExponent = "Material.SpecularExpone
 inline constexpr const char* MaterialClassification = "Material.Classification";
 inline constexpr const char* MaterialIsGround = "Material.IsGround";
 inline constexpr const char* MaterialSpectrum = "Material.Spectrum";
+// Of mirrors and glass; columns that only scenes with them have.
+inline constexpr const char* MaterialOptics = "Material.Optics"; // 1 mirror, 2 pane, 3 volume
+inline constexpr const char* MaterialMirrorReflectance = "Material.MirrorReflectance"; // [0..1]
+inline constexpr const char* MaterialRefractiveIndex = "Material.RefractiveIndex";
+inline constexpr const char* MaterialThickness = "Material.Thickness";     // of panes [m]
+inline constexpr const char* MaterialAttenuation = "Material.Attenuation"; // inside [1/m]
 ///@}
 
 ///@{

@@ -65,6 +65,7 @@ std::vector<Vec3> GetDirections(const std::vector<SubRay>& subRays)
 BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
   : Model(model)
   , Response(response)
+  , Paths(model, response)
   , Layers(GetDirections(model.LayerSubRays))
   , Surfaces(model.Footprints,
       [&model](vtkIdType a, vtkIdType b) { return model.Surfaces.AreAlike(a, b); })
@@ -255,8 +256,8 @@ bool BeamTracer::CastLevel(const Pulse& pulse, int level, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Collect(
-  std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts)
+void BeamTracer::Collect(const Pulse& pulse, std::vector<SubReturn>& returns,
+  std::vector<CastSubRay>& cast, ScanCounts& counts)
 {
   const std::size_t count = this->SubRays->size();
   const SubRay* subRays = this->SubRays->data();
@@ -280,11 +281,42 @@ void BeamTracer::Collect(
     }
   }
   returns.resize(static_cast<std::size_t>(to - returns.data()));
+  if (this->Model.Surfaces.HasOptics())
+  {
+    this->CollectPaths(pulse, returns);
+  }
   cast.clear();
   for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
   {
     cast.push_back({ Vec3(this->Rays[k].Direction), subRays[k].Weight });
   }
+}
+
+//------------------------------------------------------------------------------
+/// Appends what sub-rays meet behind mirrors and glass; these return nothing themselves if clean.
+void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& returns)
+{
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  returns.erase(std::remove_if(returns.begin(), returns.end(),
+                  [&](const SubReturn& r) { return r.Power == 0.0 && surfaces.GetOptics(r.CellId); }),
+    returns.end());
+  this->Paths.StartPulse(pulse.Origin);
+  for (std::size_t k = 0; k < this->SubRays->size(); ++k)
+  {
+    const double weight = (*this->SubRays)[k].Weight;
+    if (weight > 0.0 && surfaces.GetOptics(this->Hits[k].CellId))
+    {
+      this->Paths.Follow(this->Rays[k], this->Hits[k], weight, static_cast<int>(k), returns);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::HasOptics() const
+{
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  return surfaces.HasOptics() &&
+    this->Surfaces.AnyCell([&](vtkIdType cell) { return surfaces.GetOptics(cell) != nullptr; });
 }
 
 } // namespace helios

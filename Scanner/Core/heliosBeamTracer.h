@@ -7,6 +7,7 @@
 
 #include "heliosFootprint.h"
 #include "heliosLayerSampler.h"
+#include "heliosPathTracer.h"
 #include "heliosPulse.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
@@ -41,6 +42,9 @@ public:
   /// Collects the surfaces in the beam of a pulse; false if they can only be met by rays.
   bool CollectSurfaces(const Pulse& pulse);
 
+  /// Whether a mirror or glass is among those collected last.
+  bool HasOptics() const;
+
   /// Whether those collected last can be sampled.
   bool CanSampleSurfaces() const { return this->Surfaces.IsFlat(); }
 
@@ -64,8 +68,12 @@ public:
   /// Accepts the sub-rays cast last for a pulse as they are.
   void Select(std::size_t slot);
 
-  /// Replaces returns, and their sub-rays if requested, by the accepted ones.
-  void Collect(std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts);
+  /// Replaces the returns of a pulse, and their sub-rays if requested, by the accepted ones.
+  void Collect(const Pulse& pulse, std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast,
+    ScanCounts& counts);
+
+  /// The paths of those collected last behind mirrors and glass.
+  const PathTracer& GetPaths() const { return this->Paths; }
 
 private:
   /// The same sub-rays of consecutive pulses, such as a group (heliosScanRun.h), and their hits.
@@ -81,9 +89,11 @@ private:
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Select(const RayBatch& batch, std::size_t slot);
   void SelectParts(const Pulse& pulse);
+  void CollectPaths(const Pulse& pulse, std::vector<SubReturn>& returns);
 
   const ScanModel& Model;
   SurfaceResponse& Response;
+  PathTracer Paths;
   LayerSampler Layers;
   Footprint Surfaces;
   std::vector<FootprintPart> Parts;

@@ -96,7 +96,7 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 void PulseKernel::RunFixed(std::size_t slot)
 {
   this->Tracer.Select(slot);
-  this->RunReturns();
+  this->RunReturns(this->Pulses[slot]);
 }
 
 //------------------------------------------------------------------------------
@@ -121,10 +121,30 @@ PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 }
 
 //------------------------------------------------------------------------------
+/// Whether a mirror or glass is the plane, or in the surface, that fills a beam.
+bool PulseKernel::IsOnOptics(const Cone& cone) const
+{
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  bool isOn = surfaces.HasOptics() && surfaces.GetOptics(cone.Hit.CellId);
+  for (int i = 0; surfaces.HasOptics() && cone.HasLayer && !isOn && i < this->Layer.Size; ++i)
+  {
+    isOn = surfaces.GetOptics(this->Layer.Pieces[i].Cell);
+  }
+  return isOn;
+}
+
+//------------------------------------------------------------------------------
 void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
   const Cone cone = this->ProbeCone(pulse);
+  const auto castLevel = [&](int level)
+  { return this->Tracer.CastLevel(pulse, level, this->Counts); };
+  if (this->IsOnOptics(cone))
+  {
+    this->Refine(pulse, castLevel);
+    return;
+  }
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
   {
     this->RunOnPlane(pulse, cone.Hit, cone.Plane);
@@ -132,39 +152,38 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   if (cone.HasLayer && this->Tracer.SampleLayer(pulse, this->Layer, this->Counts))
   {
-    this->RunReturns();
+    this->RunReturns(pulse);
     return;
   }
   if (cone.MeetsMedium)
   {
     this->Tracer.CastAll(pulse, this->Counts);
-    this->RunReturns();
+    this->RunReturns(pulse);
     return;
   }
-  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse))
+  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse) || this->Tracer.HasOptics())
   {
-    this->Refine([&](int level) { return this->Tracer.CastLevel(pulse, level, this->Counts); });
+    this->Refine(pulse, castLevel);
     return;
   }
   if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MostSurfaces &&
     this->Tracer.DivideSurfaces(pulse, this->Counts))
   {
-    this->RunReturns();
+    this->RunReturns(pulse);
     return;
   }
   const bool isFlat = this->Tracer.CanSampleSurfaces();
-  this->Refine(
+  this->Refine(pulse,
     [&](int level)
     {
-      return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts)
-                    : this->Tracer.CastLevel(pulse, level, this->Counts);
+      return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts) : castLevel(level);
     });
 }
 
 //------------------------------------------------------------------------------
 /// The echoes of a beam that is sampled, at levels from 0 until two successive ones agree.
 template <typename SampleT>
-void PulseKernel::Refine(SampleT sample)
+void PulseKernel::Refine(const Pulse& pulse, SampleT sample)
 {
   ++this->Counts.PulsesSampled;
   this->Returns.clear();
@@ -174,7 +193,7 @@ void PulseKernel::Refine(SampleT sample)
   {
     std::swap(this->Echoes, this->Coarser);
     this->Echoes.clear();
-    this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
+    this->Tracer.Collect(pulse, this->Returns, this->SubRays, this->Counts);
     isBinned = this->FindEchoes();
     isResolved = level > 0 && this->AreNear(this->Echoes, this->Coarser) &&
       this->AreNear(this->Coarser, this->Echoes);
@@ -204,9 +223,9 @@ bool PulseKernel::AreNear(const std::vector<Echo>& echoes, const std::vector<Ech
 
 //------------------------------------------------------------------------------
 /// The echoes of the sub-rays that were selected.
-void PulseKernel::RunReturns()
+void PulseKernel::RunReturns(const Pulse& pulse)
 {
-  this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
+  this->Tracer.Collect(pulse, this->Returns, this->SubRays, this->Counts);
   this->CountPath(this->FindEchoes());
 }
 

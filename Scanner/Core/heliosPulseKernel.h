@@ -50,14 +50,15 @@ private:
   Cone ProbeCone(const Pulse& pulse);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
+  bool IsOnOptics(const Cone& cone) const;
   void RunFixed(std::size_t slot);
   void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane);
   void FinishPlane(const PlaneEcho& echo);
   template <typename SampleT>
-  void Refine(SampleT sample);
+  void Refine(const Pulse& pulse, SampleT sample);
   bool AreNear(const std::vector<Echo>& echoes, const std::vector<Echo>& others) const;
-  void RunReturns();
+  void RunReturns(const Pulse& pulse);
   void CountPath(bool isBinned);
   bool FindEchoes();
   template <typename SourceT>

@@ -110,7 +110,10 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
   if (this->Model.WantsTruth)
   {
     const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
-    result.Truths.push_back({ pulse.Origin + echo.Range * pulse.GetDirection(), normal });
+    const bool isOnPath = !isDark && echo.Nearest->Path >= 0;
+    const Vec3 point = isOnPath ? this->Tracer.GetPaths().GetEnd(echo.Nearest->Path).Point
+                                : pulse.Origin + echo.Range * pulse.GetDirection();
+    result.Truths.push_back({ point, normal });
   }
 }
 

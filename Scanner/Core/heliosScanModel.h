@@ -65,6 +65,13 @@ struct RangeGate
   }
 };
 
+/// Limits of paths behind mirrors and glass.
+struct PathLimits
+{
+  int MostEvents = 8;       // reflections and refractions
+  double LeastShare = 1e-4; // of the energy of a sub-ray, out and back
+};
+
 struct ScanModel
 {
   PulseSource Source;
@@ -72,6 +79,7 @@ struct ScanModel
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
   const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
   SceneSurfaces Surfaces;
+  PathLimits Optics; // of scenes whose surfaces have any
   TurbidMedium Medium;
   ReceiverSettings Receiver;
 

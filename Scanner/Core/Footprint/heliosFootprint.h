@@ -70,6 +70,18 @@ public:
   /// The number of surfaces: flat polygons.
   std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
 
+  /// Whether a predicate holds for the cell of any surface.
+  template <typename PredicateT>
+  bool AnyCell(PredicateT holds) const
+  {
+    bool any = false;
+    for (std::size_t i = 0; !any && i < this->GetNumberOfFaces(); ++i)
+    {
+      any = holds(this->Surfaces.GetFace(i).Cell);
+    }
+    return any;
+  }
+
   /// The exact visible parts. False if these are too many for this method.
   bool Divide(std::vector<FootprintPart>& parts);
 

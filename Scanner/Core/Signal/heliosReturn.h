@@ -30,6 +30,7 @@ struct SubReturn
   double CosIncidence;
   vtkIdType CellId;
   int SubRay;
+  int Path = -1; // behind mirrors and glass: of PathTracer::GetEnd()
 };
 
 /// An echo at its range, and the nearest sub-ray.

@@ -50,6 +50,35 @@ vtkSmartPointer<ArrayT> FindArray(
   return array;
 }
 
+/// What is wrong with optics, and the cure; empty: nothing.
+std::string FindFault(const MaterialOptics& optics)
+{
+  const auto is = [](double value, double least, double most)
+  { return value >= least && value <= most; };
+  const int kind = static_cast<int>(optics.Kind);
+  if (kind < 0 || kind > static_cast<int>(OpticsKind::Volume))
+  {
+    return "has optics " + std::to_string(kind) + "; give 0 opaque, 1 mirror, 2 pane or 3 volume";
+  }
+  if (!is(optics.MirrorReflectance, 0.0, 1.0))
+  {
+    return "has mirror reflectance " + std::to_string(optics.MirrorReflectance) +
+      "; give it within [0, 1]";
+  }
+  if (!is(optics.RefractiveIndex, 1.0, 4.0))
+  {
+    return "has refractive index " + std::to_string(optics.RefractiveIndex) +
+      "; give it within [1, 4]";
+  }
+  if (!is(optics.Thickness, 0.0, 10.0) || !is(optics.Attenuation, 0.0, 1e6))
+  {
+    return "has thickness " + std::to_string(optics.Thickness) + " m and attenuation " +
+      std::to_string(optics.Attenuation) +
+      " 1/m; give the first within [0, 10] and the second within [0, 1e6]";
+  }
+  return "";
+}
+
 template <typename ArrayT>
 auto* GetValues(const vtkSmartPointer<ArrayT>& array)
 {
@@ -86,6 +115,7 @@ Status SceneSurfaces::Set(vtkPolyData* scene, const SceneGeometry* geometry)
   this->Grids.clear();
   this->Reflections.clear();
   this->Classifications.clear();
+  this->Optics.clear();
   const Status material = this->AddMaterials(scene, what);
   status = status.IsOk() ? material : status;
   const int count = static_cast<int>(this->Reflections.size());
@@ -254,9 +284,12 @@ Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
 {
   const std::size_t first = this->Reflections.size();
   const auto isShare = [](double x) { return x >= 0.0 && x <= 1.0; };
-  for (const Material& m : GetMaterials(data))
+  const MaterialTable materials = GetMaterials(data);
+  for (const Material& m : materials)
   {
-    const double rho = std::isnan(m.Reflectance) ? DefaultReflectance : m.Reflectance;
+    const bool isOpaque = m.Optics.Kind == OpticsKind::Opaque;
+    const double unset = isOpaque ? DefaultReflectance : 0.0; // mirrors and glass are clean
+    const double rho = std::isnan(m.Reflectance) ? unset : m.Reflectance;
     const double exponent = m.SpecularExponent;
     if (!isShare(rho) || !isShare(m.Specularity) || !(exponent >= 0.0 && exponent <= 1e6))
     {
@@ -265,10 +298,33 @@ Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
         std::to_string(m.Specularity) + " and specular exponent " + std::to_string(exponent) +
         "; give the first two within [0, 1] and the last within [0, 1e6]");
     }
+    const std::string fault = FindFault(m.Optics);
+    if (!fault.empty())
+    {
+      return Status::Error("material " + std::to_string(this->Reflections.size() - first) + " of " +
+        what + ", " + m.Name + ", " + fault);
+    }
     this->Reflections.push_back({ rho, m.Specularity, exponent });
     this->Classifications.push_back(m.Classification);
   }
+  this->AddOptics(materials);
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// Of the materials added last; a row for every material once one of them has optics.
+void SceneSurfaces::AddOptics(const MaterialTable& materials)
+{
+  const bool hasOptics = std::any_of(materials.begin(), materials.end(),
+    [](const Material& m) { return m.Optics.Kind != OpticsKind::Opaque; });
+  if (this->HasOptics() || hasOptics)
+  {
+    this->Optics.resize(this->Reflections.size() - materials.size());
+    for (const Material& m : materials)
+    {
+      this->Optics.push_back(m.Optics);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

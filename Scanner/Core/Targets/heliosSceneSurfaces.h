@@ -5,6 +5,7 @@
 #ifndef heliosSceneSurfaces_h
 #define heliosSceneSurfaces_h
 
+#include "heliosMaterialTable.h"
 #include "heliosPose.h"
 #include "heliosRadiometry.h"
 #include "heliosStatus.h"
@@ -77,6 +78,20 @@ public:
     return this->Classifications[static_cast<std::size_t>(material)];
   }
 
+  /// Whether any surface reflects like a mirror or transmits light.
+  bool HasOptics() const { return !this->Optics.empty(); }
+
+  /// The optics of a cell; null if it is opaque.
+  const MaterialOptics* GetOptics(vtkIdType cell) const
+  {
+    if (this->Optics.empty() || cell < 0 || this->IsTurbid(cell))
+    {
+      return nullptr;
+    }
+    const auto& optics = this->Optics[static_cast<std::size_t>(this->GetMaterialId(cell))];
+    return optics.Kind == OpticsKind::Opaque ? nullptr : &optics;
+  }
+
   /// Sets the unit normal of a cell from the scene; unchanged if the scene has none.
   void GetNormal(vtkIdType cell, Vec3& normal) const
   {
@@ -133,6 +148,7 @@ private:
   vtkSmartPointer<vtkStringArray> MakePartNames() const;
   int CountParts() const;
   Status AddMaterials(vtkDataObject* data, const std::string& what);
+  void AddOptics(const MaterialTable& materials);
   Status CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
   Status AddInstances(vtkPolyData* scene);
   int FindMaterialId(vtkIdType cell) const;
@@ -149,6 +165,7 @@ private:
   vtkIdType NumberOfCells = 0;                // of triangles and voxels
   std::vector<SurfaceReflection> Reflections; // of the materials
   std::vector<int> Classifications;
+  std::vector<MaterialOptics> Optics; // of the materials; empty: all are opaque
 };
 
 } // namespace helios

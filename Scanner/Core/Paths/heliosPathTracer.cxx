@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPathTracer.h"
+
+#include "heliosFresnel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace helios
+{
+namespace
+{
+
+constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+Vec3 GetPoint(const vtkHeliosRay& ray, double range)
+{
+  return Vec3(ray.Origin) + range * Vec3(ray.Direction);
+}
+
+double GetLargest(const Vec3& v)
+{
+  return std::max({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void PathTracer::StartPulse(const Vec3& receiver)
+{
+  this->Ends.clear();
+  this->Receiver = receiver;
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Follow(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay,
+  std::vector<SubReturn>& returns)
+{
+  this->Weight = weight;
+  this->SubRay = subRay;
+  this->Returns = &returns;
+  const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), 1.0, hit.Range, hit.Range, 1.0, 0.0,
+    nullptr, 0, hit.CellId };
+  this->Waiting.clear();
+  this->Split(start, this->Meet(start, hit));
+  while (!this->Waiting.empty())
+  {
+    const Path next = this->Waiting.back();
+    this->Waiting.pop_back();
+    this->Trace(next);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Trace(const Path& start)
+{
+  vtkHeliosHit hit;
+  this->Model.Caster->Intersect(&start.Ray, &hit, 1);
+  this->Receive(start, hit.Range);
+  if (hit.CellId < 0)
+  {
+    return;
+  }
+  Path path = start;
+  this->Advance(path, hit.Range);
+  const Meeting at = this->Meet(path, hit);
+  this->Scatter(path, at);
+  if (at.Optics)
+  {
+    this->Split(path, at);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Advance(Path& path, double length) const
+{
+  path.Spread.Advance(length);
+  path.Optical += path.Index * length;
+  path.InAir += path.Medium ? 0.0 : length;
+  path.Share *= path.Attenuation > 0.0 ? std::exp(-path.Attenuation * length) : 1.0;
+}
+
+//------------------------------------------------------------------------------
+PathTracer::Meeting PathTracer::Meet(const Path& path, const vtkHeliosHit& hit)
+{
+  const Vec3 direction(path.Ray.Direction);
+  const Vec3& plane = this->Response.GetPlaneNormal(hit.CellId);
+  const double cosine = plane.Dot(direction);
+  const Vec3 point = GetPoint(path.Ray, hit.Range);
+  return { point, cosine > 0.0 ? -1.0 * plane : plane, direction, std::min(1.0, std::abs(cosine)),
+    GetLargest(point) + hit.Range, hit.CellId, this->Model.Surfaces.GetOptics(hit.CellId) };
+}
+
+//------------------------------------------------------------------------------
+/// The light that a surface scatters back along a path.
+void PathTracer::Scatter(const Path& path, const Meeting& at)
+{
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  const SurfaceReflection& surface = surfaces.GetReflection(surfaces.GetMaterialId(at.Cell));
+  const double cosine = std::abs(this->Response.GetNormal(at.Cell).Dot(at.Direction));
+  // n^2 of the medium: the aperture is seen under a smaller solid angle from within it.
+  const double area = path.Spread.GetArea() * path.Index * path.Index;
+  const double power = this->Model.Power *
+    this->Model.Equation.GetGain(std::sqrt(area), this->Model.Equation.GetTransmission(path.InAir)) *
+    GetBackscatter(surface, cosine) * path.Share * path.Share;
+  this->AddReturn(path, path.Optical, power, cosine, at.Cell, at.Point);
+}
+
+//------------------------------------------------------------------------------
+/// The light of a path that comes back to the receiver before a range.
+void PathTracer::Receive(const Path& path, double range)
+{
+  const Vec3 toReceiver = this->Receiver - Vec3(path.Ray.Origin);
+  const Vec3 direction(path.Ray.Direction);
+  const double length = toReceiver.Dot(direction);
+  const double radius = 0.5 * this->Model.Equation.ReceiverDiameter;
+  if (path.Medium || !(length > 0.0 && length < range) ||
+    (toReceiver - length * direction).SquaredNorm() > radius * radius)
+  {
+    return;
+  }
+  const double half = 0.5 * (path.InAir + length);
+  const double power = this->Model.Power * this->Model.Equation.OpticalEfficiency *
+    this->Model.Equation.GetTransmission(half) * path.Share;
+  this->AddReturn(path, 0.5 * (path.Optical + length), power, 1.0, path.LastCell, this->Receiver);
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::AddReturn(const Path& path, double range, double power, double cosine,
+  vtkIdType cell, const Vec3& end)
+{
+  if (power > 0.0 && !this->Model.Gate.IsOutsideGate(cell, range))
+  {
+    this->Returns->push_back({ range, this->Weight * power, cosine, cell, this->SubRay,
+      static_cast<int>(this->Ends.size()) });
+    this->Ends.push_back({ end, path.Events });
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Split(const Path& path, const Meeting& at)
+{
+  if (path.Events >= this->Model.Optics.MostEvents)
+  {
+    return;
+  }
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  const double left = // after what the surface scatters
+    1.0 - surfaces.GetReflection(surfaces.GetMaterialId(at.Cell)).Reflectance;
+  const MaterialOptics& optics = *at.Optics;
+  if (optics.Kind == OpticsKind::Mirror)
+  {
+    this->Reflect(path, at, left * optics.MirrorReflectance);
+  }
+  else if (optics.Kind == OpticsKind::Pane)
+  {
+    const double within =
+      optics.Thickness / GetRefractedCosine(at.Cosine, 1.0, optics.RefractiveIndex);
+    const PaneShares shares = GetPaneShares(
+      at.Cosine, optics.RefractiveIndex, std::exp(-optics.Attenuation * within));
+    this->PassPane(path, at, left * shares.Transmitted);
+    this->Reflect(path, at, left * shares.Reflected);
+  }
+  else
+  {
+    const double beyond = path.Medium == at.Optics ? 1.0 : optics.RefractiveIndex;
+    const double reflected = GetFresnelReflectance(at.Cosine, path.Index, beyond).GetMean();
+    this->Refract(path, at, left * (1.0 - reflected));
+    this->Reflect(path, at, left * reflected);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Reflect(const Path& path, const Meeting& at, double share)
+{
+  Path reflected = path;
+  reflected.Spread.Reflect(at.Normal);
+  this->Continue(reflected, at, at.Point, GetMirrored(at.Direction, at.Normal), share);
+}
+
+//------------------------------------------------------------------------------
+/// Through both faces: shifted, and later than in air.
+void PathTracer::PassPane(const Path& path, const Meeting& at, double share)
+{
+  const MaterialOptics& pane = *at.Optics;
+  const double index = pane.RefractiveIndex;
+  const double refracted = GetRefractedCosine(at.Cosine, 1.0, index);
+  const Vec3 within = GetRefracted(at.Direction, at.Normal, 1.0, index, refracted);
+  const double length = pane.Thickness / refracted;
+  Path passed = path;
+  passed.Spread.Refract(at.Direction, at.Normal, at.Cosine, refracted, index);
+  passed.Spread.Advance(length);
+  passed.Spread.Refract(within, at.Normal, refracted, at.Cosine, 1.0 / index);
+  passed.Optical += index * length;
+  this->Continue(passed, at, at.Point + length * within, at.Direction, share);
+}
+
+//------------------------------------------------------------------------------
+/// Into a volume, or out of it.
+void PathTracer::Refract(const Path& path, const Meeting& at, double share)
+{
+  const bool leaves = path.Medium == at.Optics;
+  Path passed = path;
+  passed.Index = leaves ? 1.0 : at.Optics->RefractiveIndex;
+  passed.Attenuation = leaves ? 0.0 : at.Optics->Attenuation;
+  passed.Medium = leaves ? nullptr : at.Optics;
+  const double refracted = GetRefractedCosine(at.Cosine, path.Index, passed.Index);
+  if (refracted > 0.0)
+  {
+    passed.Spread.Refract(
+      at.Direction, at.Normal, at.Cosine, refracted, passed.Index / path.Index);
+    this->Continue(passed, at, at.Point,
+      GetRefracted(at.Direction, at.Normal, path.Index, passed.Index, refracted), share);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Queues a path from a point of the surface that it met, unless too little of it is left.
+void PathTracer::Continue(
+  Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share)
+{
+  path.Share *= share;
+  if (!(path.Share * path.Share >= this->Model.Optics.LeastShare))
+  {
+    return;
+  }
+  // Past the rounding errors of the point, so that it does not hit the same surface again.
+  const double step = Rounding * at.Reach / std::max(at.Cosine, 1e-6);
+  const Vec3 origin = from + step * direction;
+  std::copy_n(origin.GetData(), 3, path.Ray.Origin);
+  std::copy_n(direction.GetData(), 3, path.Ray.Direction);
+  path.LastCell = at.Cell;
+  ++path.Events;
+  this->Advance(path, step);
+  this->Waiting.push_back(path);
+}
+
+} // namespace helios

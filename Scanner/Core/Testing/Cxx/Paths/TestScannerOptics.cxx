@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Echoes by mirrors, panes and water against closed forms.
+#include "heliosFresnel.h"
+#include "heliosMaterialTable.h"
+#include "heliosRadiometry.h"
+#include "heliosScannerBench.h"
+
+#include <vtkCellData.h>
+#include <vtkIntArray.h>
+#include <vtkMath.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace helios::testing;
+using helios::Material;
+using helios::OpticsKind;
+using helios::Vec3;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+Material MakeMaterial(OpticsKind kind)
+{
+  Material material;
+  material.Optics.Kind = kind;
+  return material;
+}
+
+/// Rectangles, the first ones of a material, the others of the default one.
+vtkSmartPointer<vtkPolyData> MakeOpticalScene(
+  const std::vector<Rectangle>& optical, const Material& material,
+  const std::vector<Rectangle>& opaque)
+{
+  std::vector<Rectangle> all = optical;
+  all.insert(all.end(), opaque.begin(), opaque.end());
+  const auto scene = MakeScene(all);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  for (std::size_t i = 0; i < 2 * all.size(); ++i)
+  {
+    ids->InsertNextValue(i < 2 * optical.size() ? 1 : 0);
+  }
+  scene->GetCellData()->AddArray(ids);
+  helios::SetMaterials(scene, { Material(), material });
+  return scene;
+}
+
+/// One ray a pulse, along y, without noise.
+struct RayBench : Bench
+{
+  explicit RayBench(vtkPolyData* scene)
+    : Bench(scene)
+  {
+    this->Scanner->GetBeamSampler()->SetBeamDivergence(0.0);
+    this->Scanner->SetDuration(1e-5);
+    this->Scanner->SetRangeAccuracy(0.0);
+    this->Scanner->SetGenerateTruth(true);
+  }
+
+  /// The amplitude of a surface of reflectance 0.5 that fills the beam.
+  double GetAmplitude(double range, double cosine = 1.0) const
+  {
+    const helios::LidarEquation equation{ this->Scanner->GetReceiverDiameter(),
+      this->Scanner->GetOpticalEfficiency(),
+      helios::AtmosphericExtinction(
+        this->Scanner->GetAtmosphericVisibility(), this->Scanner->GetWavelength()) };
+    return this->Scanner->GetAveragePower() * equation(range, 0.5, cosine);
+  }
+};
+
+Vec3 GetTruth(vtkPolyData* cloud, vtkIdType row)
+{
+  return Vec3(cloud->GetPointData()->GetArray(names::TruePoint)->GetTuple3(row));
+}
+
+/// A square across a direction, about a centre.
+Rectangle Across(const Vec3& centre, const Vec3& normal, double half)
+{
+  Vec3 a = normal.Cross(std::abs(normal[2]) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
+  a.Normalize();
+  Vec3 b = normal.Cross(a);
+  b.Normalize();
+  return { centre - half * a - half * b, 2.0 * half * a, 2.0 * half * b };
+}
+
+} // namespace
+
+TEST_CASE("ScannerOptics: a mirror shows what is before it as a ghost behind it")
+{
+  // A mirror at 45 degrees, 10 m away, and a wall 5 m beside it.
+  const double angle = GENERATE(45.0, 30.0, 60.0);
+  const double a = vtkMath::RadiansFromDegrees(angle); // from the mirror's normal
+  const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
+  const Vec3 reflected(std::sin(2.0 * a), -std::cos(2.0 * a), 0.0);
+  Material mirror = MakeMaterial(OpticsKind::Mirror);
+  mirror.Optics.MirrorReflectance = 0.9;
+  const Vec3 end = Vec3(0.0, 10.0, 0.0) + 5.0 * reflected;
+  RayBench bench(MakeOpticalScene({ Across({ 0, 10, 0 }, normal, 1.0) }, mirror,
+    { Across(end, reflected, 1.0) }));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 1);
+  CHECK(Value(cloud, names::Range, 0) == Approx(15.0).margin(15.0 * Rounding));
+  CHECK(cloud->GetPoint(0)[1] == Approx(15.0).margin(15.0 * Rounding));
+  CHECK(Value(cloud, names::Amplitude, 0) == Approx(0.81 * bench.GetAmplitude(15.0)).epsilon(1e-9));
+  CHECK((GetTruth(cloud, 0) - end).Norm() < 20.0 * Rounding);
+  CHECK(Value(cloud, names::MaterialIds, 0) == 0);
+}
+
+TEST_CASE("ScannerOptics: a mirror across the beam sends it back to the receiver")
+{
+  RayBench bench(
+    MakeOpticalScene({ Wall(20.0, 1.0) }, MakeMaterial(OpticsKind::Mirror), {}));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 1);
+  CHECK(Value(cloud, names::Range, 0) == Approx(20.0).margin(20.0 * Rounding));
+  // all of the light, whatever the distance
+  const double expected = bench.Scanner->GetAveragePower() *
+    bench.Scanner->GetOpticalEfficiency() *
+    std::exp(-2.0 * 20.0 *
+      helios::AtmosphericExtinction(
+        bench.Scanner->GetAtmosphericVisibility(), bench.Scanner->GetWavelength()));
+  CHECK(Value(cloud, names::Amplitude, 0) == Approx(expected).epsilon(1e-9));
+}
+
+TEST_CASE("ScannerOptics: two mirrors at 90 degrees send the beam back")
+{
+  const double c = std::sqrt(0.5);
+  // The edge is 30 m away; the beam meets both beside it, and comes back 2 * 0.01 m aside.
+  const Vec3 edge(0.01, 30.0, 0.0);
+  RayBench bench(MakeOpticalScene(
+    { { edge - Vec3(0, 0, 1), { -c, -c, 0 }, { 0, 0, 2 } },
+      { edge - Vec3(0, 0, 1), { c, -c, 0 }, { 0, 0, 2 } } },
+    MakeMaterial(OpticsKind::Mirror), {}));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 1);
+  CHECK(Value(cloud, names::Range, 0) == Approx(30.0).margin(30.0 * Rounding));
+}
+
+TEST_CASE("ScannerOptics: a wall behind a pane is shifted, later and fainter")
+{
+  const double degrees = GENERATE(0.0, 20.0, 50.0, 75.0);
+  const double a = vtkMath::RadiansFromDegrees(degrees);
+  Material glass = MakeMaterial(OpticsKind::Pane);
+  glass.Optics.Thickness = 0.01;
+  RayBench bench(MakeOpticalScene(
+    { Across({ 0, 10, 0 }, { std::sin(a), -std::cos(a), 0.0 }, 20.0) }, glass, { Wall(30.0, 10.0) }));
+  vtkPolyData* cloud = bench.Run();
+  const vtkIdType last = degrees == 0.0 ? 1 : 0; // after the glint of the pane
+  REQUIRE(cloud->GetNumberOfPoints() == last + 1);
+  const double n = glass.Optics.RefractiveIndex;
+  const double within = std::asin(std::sin(a) / n);
+  const double length = 0.01 / std::cos(within);
+  const double advance = length * std::cos(a - within); // along the beam
+  const double range = 30.0 - advance + n * length;
+  CHECK(Value(cloud, names::Range, last) == Approx(range).margin(60.0 * Rounding / std::cos(a)));
+  const double shift = length * std::sin(a - within);
+  CHECK(std::abs(GetTruth(cloud, last)[0]) == Approx(shift).margin(60.0 * Rounding / std::cos(a)));
+  const double through = helios::GetPaneShares(std::cos(a), n, 1.0).Transmitted;
+  CHECK(Value(cloud, names::Amplitude, last) ==
+    Approx(through * through * bench.GetAmplitude(30.0)).epsilon(2e-3)); // 4 mm of 30 m
+}
+
+TEST_CASE("ScannerOptics: the floor of a pool is displaced as Snell's law says")
+{
+  const double degrees = GENERATE(0.0, 10.0, 45.0, 80.0);
+  const double a = vtkMath::RadiansFromDegrees(degrees);
+  // The surface of the water is at 10 m along the beam, the floor 2 m below it.
+  const double n = 1.33;
+  Material water = MakeMaterial(OpticsKind::Volume);
+  water.Optics.RefractiveIndex = n;
+  const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
+  const Vec3 surface(0.0, 10.0, 0.0);
+  RayBench bench(MakeOpticalScene(
+    { Across(surface, normal, 50.0) }, water, { Across(surface - 2.0 * normal, normal, 50.0) }));
+  vtkPolyData* cloud = bench.Run();
+  const vtkIdType last = degrees == 0.0 ? 1 : 0; // after the glint of the water
+  REQUIRE(cloud->GetNumberOfPoints() == last + 1);
+  const double within = std::asin(std::sin(a) / n);
+  const double length = 2.0 / std::cos(within);
+  const double margin = 40.0 * Rounding / std::cos(a);
+  CHECK(Value(cloud, names::Range, last) == Approx(10.0 + n * length).margin(margin));
+  // aside of the beam by l sin(a - b)
+  CHECK(std::abs(GetTruth(cloud, last)[0]) == Approx(length * std::sin(a - within)).margin(margin));
+  if (degrees == 0.0)
+  {
+    const double face = 1.0 - std::pow((n - 1.0) / (n + 1.0), 2);
+    const double extinct = bench.GetAmplitude(10.0) * 100.0; // of 10 m of air only
+    CHECK(Value(cloud, names::Amplitude, last) ==
+      Approx(face * face * extinct / std::pow(n * 10.0 + 2.0, 2)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("ScannerOptics: a closed body of glass is a pane without its inner reflections")
+{
+  Material glass = MakeMaterial(OpticsKind::Volume);
+  glass.Optics.Attenuation = 5.0;
+  RayBench bench(
+    MakeOpticalScene({ Wall(10.0, 1.0), Wall(10.02, 1.0) }, glass, { Wall(30.0, 10.0) }));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() >= 1);
+  const vtkIdType last = cloud->GetNumberOfPoints() - 1;
+  CHECK(Value(cloud, names::Range, last) == Approx(30.0 + 0.5 * 0.02).margin(60.0 * Rounding));
+  const double face = 0.96;
+  CHECK(Value(cloud, names::Amplitude, last) ==
+    Approx(std::pow(face * face * std::exp(-5.0 * 0.02), 2) * bench.GetAmplitude(30.0))
+      .epsilon(2e-3));
+}
+
+TEST_CASE("ScannerOptics: a dusty pane has an echo of its own")
+{
+  Material glass = MakeMaterial(OpticsKind::Pane);
+  glass.Reflectance = 0.1;
+  RayBench bench(MakeOpticalScene({ Wall(10.0, 1.0) }, glass, { Wall(30.0, 10.0) }));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 2);
+  CHECK(Value(cloud, names::Range, 0) == Approx(10.0).margin(1e-9));
+  CHECK(Value(cloud, names::Range, 1) == Approx(30.002).margin(1e-6));
+  CHECK(Value(cloud, names::MaterialIds, 1) == 0);
+}
+
+TEST_CASE("ScannerOptics: adaptive and fixed beams agree half on a pane, half beside it")
+{
+  Material glass = MakeMaterial(OpticsKind::Mirror);
+  glass.Optics.MirrorReflectance = 0.5;
+  const double c = std::sqrt(0.5);
+  const auto scene = MakeOpticalScene(
+    { { { 0.0, 10.0, -1.0 }, { c, c, 0.0 }, { 0, 0, 2 } } }, glass,
+    { Wall(30.0, 10.0), Across({ 8.0, 10.0, 0.0 }, { 1, 0, 0 }, 5.0) });
+  const auto run = [&scene](bool isAdaptive)
+  {
+    auto bench = std::make_unique<Bench>(scene);
+    bench->Scanner->SetDuration(1e-5);
+    bench->Scanner->SetRangeAccuracy(0.0);
+    bench->Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+    bench->Scanner->GetBeamSampler()->SetPatternToVogel();
+    bench->Scanner->GetBeamSampler()->SetNumberOfSubRays(20000);
+    if (isAdaptive)
+    {
+      bench->Scanner->SetSamplingToTolerance();
+    }
+    bench->Run();
+    return bench;
+  };
+  const auto fixed = run(false);
+  const auto adaptive = run(true);
+  vtkPolyData* a = fixed->Scanner->GetOutput();
+  vtkPolyData* b = adaptive->Scanner->GetOutput();
+  REQUIRE(a->GetNumberOfPoints() == 2);
+  REQUIRE(b->GetNumberOfPoints() == 2);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    CHECK(Value(b, names::Range, i) == Approx(Value(a, names::Range, i)).margin(1e-3));
+    CHECK(Value(b, names::Amplitude, i) == Approx(Value(a, names::Amplitude, i)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("ScannerOptics: invalid materials are errors")
+{
+  Material material = MakeMaterial(OpticsKind::Pane);
+  std::string fault;
+  SECTION("index")
+  {
+    material.Optics.RefractiveIndex = 0.5;
+    fault = "has refractive index 0.500000; give it within [1, 4]";
+  }
+  SECTION("mirror")
+  {
+    material.Optics.MirrorReflectance = 1.5;
+    fault = "has mirror reflectance 1.500000; give it within [0, 1]";
+  }
+  SECTION("thickness")
+  {
+    material.Optics.Thickness = -1.0;
+    fault = "has thickness -1.000000 m and attenuation 0.000000 1/m; give the first within [0, 10]";
+  }
+  SECTION("kind")
+  {
+    material.Optics.Kind = static_cast<OpticsKind>(7);
+    fault = "has optics 7; give 0 opaque, 1 mirror, 2 pane or 3 volume";
+  }
+  RayBench bench(MakeOpticalScene({ Wall(10.0) }, material, {}));
+  bench.Run();
+  CHECK(bench.Log->HasError("material 1 of the scene, default, " + fault));
+}
