@@ -28,7 +28,7 @@ enum class OpticsKind
   Volume  ///< the boundary of a transparent body or of water: reflects and refracts
 };
 
-struct MaterialOptics
+struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
 {
   OpticsKind Kind = OpticsKind::Opaque;
   double MirrorReflectance = 1.0; ///< [0..1]

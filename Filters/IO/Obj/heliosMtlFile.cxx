@@ -18,8 +18,7 @@ namespace
 // Keys of other programs that a scanner does not need.
 bool IsIgnored(std::string_view key)
 {
-  static constexpr std::array<std::string_view, 24> keys = { "illum", "d", "Tr", "Tf", "Ke", "Ni",
-    "sharpness", "bump", "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr",
+  static constexpr std::array<std::string_view, 21> keys = { "Tr", "Tf", "Ke", "sharpness", "bump", "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr",
     "aniso", "anisor", "Km", "helios_useVertexColors", "helios_castShadows",
     "helios_receiveShadows" };
   return key.substr(0, 4) == "map_" || std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -101,7 +100,10 @@ bool MtlFile::Read(const std::string& path)
   {
     return this->Report.Fail(file.GetError());
   }
-  this->Finish(path);
+  if (!this->Finish(path))
+  {
+    return false;
+  }
   this->Warn(this->Percent);
   this->Warn(this->Unknown);
   return true;
@@ -118,6 +120,11 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
   if (key == "newmtl")
   {
     return this->Start(file, words.NextTitle());
+  }
+  if (MtlOptics::Has(key) && (this->Started || !MtlOptics::IsOwn(key)))
+  {
+    this->Optics.Read(file, key, words);
+    return true;
   }
   if (!this->Started)
   {
@@ -253,21 +260,30 @@ bool MtlFile::Start(TextFile& file, std::string_view name)
   {
     return this->Report.Fail(file.GetPlace() + "newmtl has no name; give the material one");
   }
-  this->Finish(file.GetPath());
+  if (!this->Finish(file.GetPath()))
+  {
+    return false;
+  }
   this->Started = true;
   this->StartLine = file.GetLine();
   this->Current = Material();
   this->Current.Name = name;
   this->CurrentColors = Colors();
+  this->Optics.Start();
   return true;
 }
 
-// Adds the current material to the table.
-void MtlFile::Finish(const std::string& path)
+// Adds the current material to the table; false after an error.
+bool MtlFile::Finish(const std::string& path)
 {
   if (!this->Started)
   {
-    return;
+    return true;
+  }
+  if (!this->Optics.Finish(
+        this->CurrentColors.Specular / 3.0, this->Current.Optics, this->Report))
+  {
+    return false;
   }
   this->Current.Specularity =
     GetSpecularity(this->CurrentColors.Diffuse, this->CurrentColors.Specular);
@@ -286,6 +302,7 @@ void MtlFile::Finish(const std::string& path)
       " was defined differently before; this definition is used");
     this->Materials[place->second] = this->Current;
   }
+  return true;
 }
 
 int MtlFile::Find(std::string_view name) const
@@ -337,6 +354,7 @@ bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& re
     }
     text += "helios_classification " + std::to_string(m.Classification) + '\n';
     text += std::string("helios_isGround ") + (m.IsGround ? "true" : "false") + '\n';
+    text += FormatMtlOptics(m.Optics);
   }
   return true;
 }

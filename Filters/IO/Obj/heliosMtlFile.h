@@ -6,6 +6,7 @@
 #define heliosMtlFile_h
 
 #include "heliosMaterialTable.h"
+#include "heliosMtlOptics.h"
 #include "heliosTextFile.h"
 
 #include <cstdint>
@@ -19,7 +20,7 @@ namespace helios
 
 /**
  * Reads MTL files one by one into one table. Keys: newmtl, Kd, Ks, Ns, helios_reflectance,
- * helios_isGround, helios_classification and helios_spectra; Ka is checked. The specularity of
+ * helios_isGround, helios_classification, helios_spectra and those of MtlOptics; Ka is checked. The specularity of
  * every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the first one. A
  * reflectance above 1 is read as percent, up to 100, with a warning.
  */
@@ -56,7 +57,7 @@ private:
   bool ReadIsGround(TextFile& file, TextWords& words);
   bool ReadSpectrum(TextFile& file, TextWords& words);
   bool Start(TextFile& file, std::string_view name);
-  void Finish(const std::string& path);
+  bool Finish(const std::string& path);
   void CountUnknown(TextFile& file, std::string_view key);
 
   MaterialTable& Materials;
@@ -69,6 +70,7 @@ private:
   std::int64_t StartLine = 0;
   Material Current;
   Colors CurrentColors;
+  MtlOptics Optics;
 
   /// Lines of one kind; the first is reported with their count.
   struct Note
