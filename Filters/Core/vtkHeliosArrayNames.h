@@ -120,6 +120,7 @@ inline constexpr const char* CellIds = "CellIds";               // cells of the 
 inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from the normal
 inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1: not stored
 inline constexpr const char* TruePoint = "TruePoint";           // [m], without noise
+inline constexpr const char* SpecularEvents = "SpecularEvents"; // mirrors and glass on the way
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray in the pulse
 ///@}

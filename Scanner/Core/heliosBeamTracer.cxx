@@ -297,8 +297,9 @@ void BeamTracer::Collect(const Pulse& pulse, std::vector<SubReturn>& returns,
 void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& returns)
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
-  returns.erase(std::remove_if(returns.begin(), returns.end(),
-                  [&](const SubReturn& r) { return r.Power == 0.0 && surfaces.GetOptics(r.CellId); }),
+  returns.erase(
+    std::remove_if(returns.begin(), returns.end(),
+      [&](const SubReturn& r) { return r.Power == 0.0 && surfaces.GetOptics(r.CellId); }),
     returns.end());
   this->Paths.StartPulse(pulse.Origin);
   for (std::size_t k = 0; k < this->SubRays->size(); ++k)

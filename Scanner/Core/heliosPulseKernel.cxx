@@ -174,8 +174,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   const bool isFlat = this->Tracer.CanSampleSurfaces();
   this->Refine(pulse,
-    [&](int level)
-    {
+    [&](int level) {
       return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts) : castLevel(level);
     });
 }

@@ -110,10 +110,11 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
   if (this->Model.WantsTruth)
   {
     const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
-    const bool isOnPath = !isDark && echo.Nearest->Path >= 0;
-    const Vec3 point = isOnPath ? this->Tracer.GetPaths().GetEnd(echo.Nearest->Path).Point
-                                : pulse.Origin + echo.Range * pulse.GetDirection();
-    result.Truths.push_back({ point, normal });
+    const PathEnd straight{ pulse.Origin + echo.Range * pulse.GetDirection(), 0 };
+    const PathEnd& end = isDark || echo.Nearest->Path < 0
+      ? straight
+      : this->Tracer.GetPaths().GetEnd(echo.Nearest->Path);
+    result.Truths.push_back({ end.Point, normal, end.Events });
   }
 }
 

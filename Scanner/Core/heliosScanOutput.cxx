@@ -252,6 +252,17 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
+/// How many mirrors and panes were on the way.
+void FillSpecularEvents(
+  const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Truths, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  int* events = columns.Add<vtkIntArray>(names::SpecularEvents);
+  ForEachRecord(chunks, &ChunkResult::Truths, offsets,
+    [=](const TruthRecord& t, vtkIdType row) { events[row] = t.SpecularEvents; });
+}
+
 /// The flags of scan lines.
 void FillScanFlags(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
@@ -411,6 +422,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsTruth)
   {
     FillTruths(chunks, this->Echoes);
+  }
+  if (this->Model.WantsTruth && this->Model.Surfaces.HasOptics())
+  {
+    FillSpecularEvents(chunks, echoes, this->Echoes);
   }
   if (this->Model.WantsWaveforms)
   {

@@ -41,6 +41,7 @@ struct TruthRecord
 {
   Vec3 Point;
   Vec3 Normal;
+  int SpecularEvents; ///< of its path, behind mirrors and glass
 };
 
 struct PulseRecord

@@ -106,6 +106,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
      << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
      << indent << "MaximumNumberOfSubRays: " << this->MaximumNumberOfSubRays << "\n"
+     << indent << "MaximumSpecularEvents: " << this->MaximumSpecularEvents << "\n"
+     << indent << "LeastSpecularShare: " << this->LeastSpecularShare << "\n"
      << indent << "HeadRotateStart: " << this->HeadRotateStart << " deg\n"
      << indent << "HeadRotateStop: " << this->HeadRotateStop << " deg\n"
      << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
@@ -439,6 +441,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeExtinction() };
   m.Background = this->ComputeBackground();
   m.Gate = { this->RangeMin, this->RangeMax };
+  m.Optics = { this->MaximumSpecularEvents, this->LeastSpecularShare };
   m.Noise = { this->RangeAccuracy, this->RangeAccuracyPerMeter, this->RangeAccuracyAtThreshold,
     this->EchoDetector->GetDetectionThreshold() };
   m.ReturnSelection = this->ReturnSelection;

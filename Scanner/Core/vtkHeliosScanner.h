@@ -16,7 +16,7 @@
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags;
+ * GenerateTruth, and SpecularEvents if surfaces have optics; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags;
  * ColumnIds with GenerateColumns; RelativeAmplitude and Reflectance with
  * GenerateDecibels. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
@@ -193,6 +193,18 @@ public:
 
   ///@{
   /**
+   * Set/Get the limits of paths behind mirrors and glass (the optics of materials): the most
+   * reflections and refractions, and the least share of the energy of a sub-ray that is followed,
+   * out and back. Valid range: [0, 64] and [0, 1]. Default: 8 and 1e-4.
+   */
+  vtkSetClampMacro(MaximumSpecularEvents, int, 0, 64);
+  vtkGetMacro(MaximumSpecularEvents, int);
+  vtkSetClampMacro(LeastSpecularShare, double, 0.0, 1.0);
+  vtkGetMacro(LeastSpecularShare, double);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the mount of the scanner on its platform: position [m] and attitude
    * (unit quaternion w, x, y, z) in the body frame. Default: at the origin, not
    * rotated.
@@ -364,7 +376,8 @@ public:
   ///@{
   /**
    * Set/Get whether the echoes have TruePoint, the point hit, without any
-   * instrument error, and Normal, of the surface there. Default: off.
+   * instrument error, and Normal, of the surface there; in scenes with mirrors or glass also
+   * SpecularEvents, how many of them were on the way. Default: off.
    */
   vtkSetMacro(GenerateTruth, bool);
   vtkGetMacro(GenerateTruth, bool);
@@ -505,6 +518,8 @@ private:
   double RangeTolerance;
   double EnergyTolerance;
   int MaximumNumberOfSubRays;
+  int MaximumSpecularEvents = 8;
+  double LeastSpecularShare = 1e-4;
   double MountPosition[3] = { 0.0, 0.0, 0.0 };
   double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double BeamOrigin[3] = { 0.0, 0.0, 0.0 };

@@ -68,10 +68,8 @@ bool MtlOptics::Finish(double specular, MaterialOptics& optics, TextReport& repo
   }
   return this->SetKind(kind->second, specular, optics, report) &&
     std::all_of(NumberKeys.begin(), NumberKeys.end(),
-      [&](const NumberKey& number)
-      {
-        return this->SetNumber(
-          number.Key, number.Least, number.Most, optics.*number.Value, report);
+      [&](const NumberKey& number) {
+        return this->SetNumber(number.Key, number.Least, number.Most, optics.*number.Value, report);
       });
 }
 

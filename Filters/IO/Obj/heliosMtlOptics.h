@@ -49,7 +49,8 @@ private:
   bool SetKind(const Line& line, double specular, MaterialOptics& optics, TextReport& report) const;
   bool SetStandardKind(
     const Line& line, double specular, MaterialOptics& optics, TextReport& report) const;
-  bool SetNumber(const char* key, double least, double most, double& value, TextReport& report) const;
+  bool SetNumber(
+    const char* key, double least, double most, double& value, TextReport& report) const;
 
   std::map<std::string, Line, std::less<>> Lines; // by their key
 };

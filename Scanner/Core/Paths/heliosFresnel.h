@@ -62,7 +62,8 @@ inline PaneShares GetPaneShares(double cosine, double n, double crossing)
   const auto transmit = [crossing](double r)
   {
     const double within = r * crossing;
-    return within < 1.0 ? (1.0 - r) * (1.0 - r) * crossing / ((1.0 - within) * (1.0 + within)) : 0.0;
+    return within < 1.0 ? (1.0 - r) * (1.0 - r) * crossing / ((1.0 - within) * (1.0 + within))
+                        : 0.0;
   };
   const PolarisedShares through{ transmit(face.S), transmit(face.P) };
   const PolarisedShares back{ face.S * (1.0 + crossing * through.S),

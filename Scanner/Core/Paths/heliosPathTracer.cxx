@@ -41,8 +41,8 @@ void PathTracer::Follow(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double
   this->Weight = weight;
   this->SubRay = subRay;
   this->Returns = &returns;
-  const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), 1.0, hit.Range, hit.Range, 1.0, 0.0,
-    nullptr, 0, hit.CellId };
+  const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), 1.0, hit.Range, hit.Range, 1.0,
+    0.0, nullptr, 0, hit.CellId };
   this->Waiting.clear();
   this->Split(start, this->Meet(start, hit));
   while (!this->Waiting.empty())
@@ -103,7 +103,8 @@ void PathTracer::Scatter(const Path& path, const Meeting& at)
   // n^2 of the medium: the aperture is seen under a smaller solid angle from within it.
   const double area = path.Spread.GetArea() * path.Index * path.Index;
   const double power = this->Model.Power *
-    this->Model.Equation.GetGain(std::sqrt(area), this->Model.Equation.GetTransmission(path.InAir)) *
+    this->Model.Equation.GetGain(
+      std::sqrt(area), this->Model.Equation.GetTransmission(path.InAir)) *
     GetBackscatter(surface, cosine) * path.Share * path.Share;
   this->AddReturn(path, path.Optical, power, cosine, at.Cell, at.Point);
 }
@@ -128,8 +129,8 @@ void PathTracer::Receive(const Path& path, double range)
 }
 
 //------------------------------------------------------------------------------
-void PathTracer::AddReturn(const Path& path, double range, double power, double cosine,
-  vtkIdType cell, const Vec3& end)
+void PathTracer::AddReturn(
+  const Path& path, double range, double power, double cosine, vtkIdType cell, const Vec3& end)
 {
   if (power > 0.0 && !this->Model.Gate.IsOutsideGate(cell, range))
   {
@@ -158,8 +159,8 @@ void PathTracer::Split(const Path& path, const Meeting& at)
   {
     const double within =
       optics.Thickness / GetRefractedCosine(at.Cosine, 1.0, optics.RefractiveIndex);
-    const PaneShares shares = GetPaneShares(
-      at.Cosine, optics.RefractiveIndex, std::exp(-optics.Attenuation * within));
+    const PaneShares shares =
+      GetPaneShares(at.Cosine, optics.RefractiveIndex, std::exp(-optics.Attenuation * within));
     this->PassPane(path, at, left * shares.Transmitted);
     this->Reflect(path, at, left * shares.Reflected);
   }
@@ -209,8 +210,7 @@ void PathTracer::Refract(const Path& path, const Meeting& at, double share)
   const double refracted = GetRefractedCosine(at.Cosine, path.Index, passed.Index);
   if (refracted > 0.0)
   {
-    passed.Spread.Refract(
-      at.Direction, at.Normal, at.Cosine, refracted, passed.Index / path.Index);
+    passed.Spread.Refract(at.Direction, at.Normal, at.Cosine, refracted, passed.Index / path.Index);
     this->Continue(passed, at, at.Point,
       GetRefracted(at.Direction, at.Normal, path.Index, passed.Index, refracted), share);
   }

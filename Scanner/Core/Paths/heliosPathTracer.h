@@ -89,9 +89,10 @@ private:
   void Reflect(const Path& path, const Meeting& at, double share);
   void PassPane(const Path& path, const Meeting& at, double share);
   void Refract(const Path& path, const Meeting& at, double share);
-  void Continue(Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share);
-  void AddReturn(const Path& path, double range, double power, double cosine, vtkIdType cell,
-    const Vec3& end);
+  void Continue(
+    Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share);
+  void AddReturn(
+    const Path& path, double range, double power, double cosine, vtkIdType cell, const Vec3& end);
 
   const ScanModel& Model;
   SurfaceResponse& Response;

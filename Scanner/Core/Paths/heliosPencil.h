@@ -73,8 +73,7 @@ private:
     constexpr double least = 1e-9;
     if (!(side.Norm() > least))
     {
-      const Vec3 other =
-        std::abs(direction[0]) < 0.7 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+      const Vec3 other = std::abs(direction[0]) < 0.7 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
       side = other.Cross(direction);
     }
     side.Normalize();

@@ -94,7 +94,8 @@ TEST_CASE("MtlOptics: the writer's file has the same optics", "[MtlOptics]")
 TEST_CASE("MtlOptics: errors", "[MtlOptics]")
 {
   CheckError("helios_optics glas\n",
-    ":2: helios_optics \"glas\" is unknown; give mirror, pane, volume, or illum for what illum and d "
+    ":2: helios_optics \"glas\" is unknown; give mirror, pane, volume, or illum for what illum and "
+    "d "
     "mean");
   CheckError("helios_optics illum\n",
     ":2: helios_optics is illum, but the material has no illum and no d below 1; add one, or name "

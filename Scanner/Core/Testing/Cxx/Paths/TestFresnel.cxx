@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 
 using namespace helios;
 
@@ -108,4 +109,25 @@ TEST_CASE("Fresnel: directions obey the laws of reflection and refraction")
   CHECK(within[0] == Approx(std::sin(a) / 1.33).margin(Tiny));
   CHECK(within[1] == 0.0);
   CHECK(within.Norm() == Approx(1.0).margin(Tiny));
+}
+
+TEST_CASE("Fresnel: no energy is gained")
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  double largest = 0.0;
+  double smallest = 1.0;
+  for (int i = 0; i < 1000000; ++i)
+  {
+    const double cosine = std::pow(unit(random), 3); // many near grazing
+    const double n = 1.0 + 3.0 * unit(random);
+    const bool isInside = unit(random) < 0.5;
+    const double reflected =
+      GetFresnelReflectance(cosine, isInside ? n : 1.0, isInside ? 1.0 : n).GetMean();
+    const PaneShares pane = GetPaneShares(cosine, n, unit(random));
+    largest = std::max({ largest, reflected, pane.Reflected + pane.Transmitted });
+    smallest = std::min({ smallest, reflected, pane.Reflected, pane.Transmitted });
+  }
+  CHECK(largest <= 1.0 + Tiny);
+  CHECK(smallest >= 0.0);
 }

@@ -54,7 +54,8 @@ State Pass(State s, const Face& face)
 }
 
 /// Where a ray along a direction ends on a plane across the central ray's end.
-Vec3 GetEnd(const Vec3& direction, const std::vector<Face>& faces, const Vec3& at, const Vec3& along)
+Vec3 GetEnd(
+  const Vec3& direction, const std::vector<Face>& faces, const Vec3& at, const Vec3& along)
 {
   State s{ { 0, 0, 0 }, direction };
   for (const Face& face : faces)

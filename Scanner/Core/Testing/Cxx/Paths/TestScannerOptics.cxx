@@ -14,6 +14,8 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <vector>
 
 using namespace helios::testing;
 using helios::Material;
@@ -34,9 +36,8 @@ Material MakeMaterial(OpticsKind kind)
 }
 
 /// Rectangles, the first ones of a material, the others of the default one.
-vtkSmartPointer<vtkPolyData> MakeOpticalScene(
-  const std::vector<Rectangle>& optical, const Material& material,
-  const std::vector<Rectangle>& opaque)
+vtkSmartPointer<vtkPolyData> MakeOpticalScene(const std::vector<Rectangle>& optical,
+  const Material& material, const std::vector<Rectangle>& opaque)
 {
   std::vector<Rectangle> all = optical;
   all.insert(all.end(), opaque.begin(), opaque.end());
@@ -102,8 +103,8 @@ TEST_CASE("ScannerOptics: a mirror shows what is before it as a ghost behind it"
   Material mirror = MakeMaterial(OpticsKind::Mirror);
   mirror.Optics.MirrorReflectance = 0.9;
   const Vec3 end = Vec3(0.0, 10.0, 0.0) + 5.0 * reflected;
-  RayBench bench(MakeOpticalScene({ Across({ 0, 10, 0 }, normal, 1.0) }, mirror,
-    { Across(end, reflected, 1.0) }));
+  RayBench bench(MakeOpticalScene(
+    { Across({ 0, 10, 0 }, normal, 1.0) }, mirror, { Across(end, reflected, 1.0) }));
   vtkPolyData* cloud = bench.Run();
   REQUIRE(cloud->GetNumberOfPoints() == 1);
   CHECK(Value(cloud, names::Range, 0) == Approx(15.0).margin(15.0 * Rounding));
@@ -111,18 +112,56 @@ TEST_CASE("ScannerOptics: a mirror shows what is before it as a ghost behind it"
   CHECK(Value(cloud, names::Amplitude, 0) == Approx(0.81 * bench.GetAmplitude(15.0)).epsilon(1e-9));
   CHECK((GetTruth(cloud, 0) - end).Norm() < 20.0 * Rounding);
   CHECK(Value(cloud, names::MaterialIds, 0) == 0);
+  CHECK(Value(cloud, names::SpecularEvents, 0) == 1);
+}
+
+TEST_CASE("ScannerOptics: paths end at the limits of the scanner")
+{
+  // A zigzag of five mirrors, and a wall at its end.
+  const double a = vtkMath::RadiansFromDegrees(45.0);
+  Material mirror = MakeMaterial(OpticsKind::Mirror);
+  mirror.Optics.MirrorReflectance = 0.9;
+  const Vec3 at(0.0, 10.0, 0.0);
+  const Vec3 turn(std::sin(a / 2), -std::cos(a / 2), 0.0);
+  Vec3 direction = helios::GetMirrored({ 0, 1, 0 }, turn);
+  std::vector<Rectangle> mirrors = { Across(at, turn, 0.5) };
+  Vec3 place = at;
+  for (int i = 0; i < 4; ++i)
+  {
+    place = place + 3.0 * direction;
+    const Vec3 normal = i % 2 == 0 ? -1.0 * turn : turn;
+    mirrors.push_back(Across(place, normal, 0.5));
+    direction = helios::GetMirrored(direction, normal);
+  }
+  const auto scene =
+    MakeOpticalScene(mirrors, mirror, { Across(place + 3.0 * direction, direction, 1.0) });
+  const auto count = [&scene](int events, double share)
+  {
+    RayBench bench(scene);
+    bench.Scanner->SetMaximumSpecularEvents(events);
+    bench.Scanner->SetLeastSpecularShare(share);
+    return bench.Run()->GetNumberOfPoints();
+  };
+  CHECK(count(5, 1e-4) == 1);
+  CHECK(count(4, 1e-4) == 0);
+  CHECK(count(5, 0.99 * std::pow(0.9, 10)) == 1);
+  CHECK(count(5, 1.01 * std::pow(0.9, 10)) == 0);
+}
+
+TEST_CASE("ScannerOptics: scenes without optics have no column of events")
+{
+  RayBench bench(MakeScene({ Wall(10.0) }));
+  CHECK_FALSE(bench.Run()->GetPointData()->HasArray(names::SpecularEvents));
 }
 
 TEST_CASE("ScannerOptics: a mirror across the beam sends it back to the receiver")
 {
-  RayBench bench(
-    MakeOpticalScene({ Wall(20.0, 1.0) }, MakeMaterial(OpticsKind::Mirror), {}));
+  RayBench bench(MakeOpticalScene({ Wall(20.0, 1.0) }, MakeMaterial(OpticsKind::Mirror), {}));
   vtkPolyData* cloud = bench.Run();
   REQUIRE(cloud->GetNumberOfPoints() == 1);
   CHECK(Value(cloud, names::Range, 0) == Approx(20.0).margin(20.0 * Rounding));
   // all of the light, whatever the distance
-  const double expected = bench.Scanner->GetAveragePower() *
-    bench.Scanner->GetOpticalEfficiency() *
+  const double expected = bench.Scanner->GetAveragePower() * bench.Scanner->GetOpticalEfficiency() *
     std::exp(-2.0 * 20.0 *
       helios::AtmosphericExtinction(
         bench.Scanner->GetAtmosphericVisibility(), bench.Scanner->GetWavelength()));
@@ -134,9 +173,8 @@ TEST_CASE("ScannerOptics: two mirrors at 90 degrees send the beam back")
   const double c = std::sqrt(0.5);
   // The edge is 30 m away; the beam meets both beside it, and comes back 2 * 0.01 m aside.
   const Vec3 edge(0.01, 30.0, 0.0);
-  RayBench bench(MakeOpticalScene(
-    { { edge - Vec3(0, 0, 1), { -c, -c, 0 }, { 0, 0, 2 } },
-      { edge - Vec3(0, 0, 1), { c, -c, 0 }, { 0, 0, 2 } } },
+  RayBench bench(MakeOpticalScene({ { edge - Vec3(0, 0, 1), { -c, -c, 0 }, { 0, 0, 2 } },
+                                    { edge - Vec3(0, 0, 1), { c, -c, 0 }, { 0, 0, 2 } } },
     MakeMaterial(OpticsKind::Mirror), {}));
   vtkPolyData* cloud = bench.Run();
   REQUIRE(cloud->GetNumberOfPoints() == 1);
@@ -149,8 +187,9 @@ TEST_CASE("ScannerOptics: a wall behind a pane is shifted, later and fainter")
   const double a = vtkMath::RadiansFromDegrees(degrees);
   Material glass = MakeMaterial(OpticsKind::Pane);
   glass.Optics.Thickness = 0.01;
-  RayBench bench(MakeOpticalScene(
-    { Across({ 0, 10, 0 }, { std::sin(a), -std::cos(a), 0.0 }, 20.0) }, glass, { Wall(30.0, 10.0) }));
+  RayBench bench(
+    MakeOpticalScene({ Across({ 0, 10, 0 }, { std::sin(a), -std::cos(a), 0.0 }, 20.0) }, glass,
+      { Wall(30.0, 10.0) }));
   vtkPolyData* cloud = bench.Run();
   const vtkIdType last = degrees == 0.0 ? 1 : 0; // after the glint of the pane
   REQUIRE(cloud->GetNumberOfPoints() == last + 1);
@@ -230,9 +269,8 @@ TEST_CASE("ScannerOptics: adaptive and fixed beams agree half on a pane, half be
   Material glass = MakeMaterial(OpticsKind::Mirror);
   glass.Optics.MirrorReflectance = 0.5;
   const double c = std::sqrt(0.5);
-  const auto scene = MakeOpticalScene(
-    { { { 0.0, 10.0, -1.0 }, { c, c, 0.0 }, { 0, 0, 2 } } }, glass,
-    { Wall(30.0, 10.0), Across({ 8.0, 10.0, 0.0 }, { 1, 0, 0 }, 5.0) });
+  const auto scene = MakeOpticalScene({ { { 0.0, 10.0, -1.0 }, { c, c, 0.0 }, { 0, 0, 2 } } },
+    glass, { Wall(30.0, 10.0), Across({ 8.0, 10.0, 0.0 }, { 1, 0, 0 }, 5.0) });
   const auto run = [&scene](bool isAdaptive)
   {
     auto bench = std::make_unique<Bench>(scene);
