@@ -30,6 +30,12 @@ MATERIAL_SPECULAR_EXPONENT = "Material.SpecularExponent"
 MATERIAL_CLASSIFICATION = "Material.Classification"
 MATERIAL_IS_GROUND = "Material.IsGround"
 MATERIAL_SPECTRUM = "Material.Spectrum"
+# Of mirrors and glass; columns that only scenes with them have.
+MATERIAL_OPTICS = "Material.Optics"  # 1 mirror, 2 pane, 3 volume
+MATERIAL_MIRROR_REFLECTANCE = "Material.MirrorReflectance"  # [0..1]
+MATERIAL_REFRACTIVE_INDEX = "Material.RefractiveIndex"
+MATERIAL_THICKNESS = "Material.Thickness"  # of panes [m]
+MATERIAL_ATTENUATION = "Material.Attenuation"  # inside [1/m]
 
 # Scene: field data. CRS is a WKT string or "EPSG:n".
 CRS = "CRS"
@@ -85,6 +91,7 @@ CELL_IDS = "CellIds"  # cells of the scene
 INCIDENCE_ANGLE = "IncidenceAngle"  # [deg], from the normal
 WAVEFORM_IDS = "WaveformIds"  # pulse id, -1: not stored
 TRUE_POINT = "TruePoint"  # [m], without noise
+SPECULAR_EVENTS = "SpecularEvents"  # mirrors and glass on the way
 NORMAL = "Normal"
 WEIGHT = "Weight"  # energy fraction of a sub-ray in the pulse
 

@@ -18,9 +18,9 @@ namespace
 // Keys of other programs that a scanner does not need.
 bool IsIgnored(std::string_view key)
 {
-  static constexpr std::array<std::string_view, 21> keys = { "Tr", "Tf", "Ke", "sharpness", "bump", "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr",
-    "aniso", "anisor", "Km", "helios_useVertexColors", "helios_castShadows",
-    "helios_receiveShadows" };
+  static constexpr std::array<std::string_view, 21> keys = { "Tr", "Tf", "Ke", "sharpness", "bump",
+    "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr", "aniso", "anisor", "Km",
+    "helios_useVertexColors", "helios_castShadows", "helios_receiveShadows" };
   return key.substr(0, 4) == "map_" || std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
@@ -280,8 +280,7 @@ bool MtlFile::Finish(const std::string& path)
   {
     return true;
   }
-  if (!this->Optics.Finish(
-        this->CurrentColors.Specular / 3.0, this->Current.Optics, this->Report))
+  if (!this->Optics.Finish(this->CurrentColors.Specular / 3.0, this->Current.Optics, this->Report))
   {
     return false;
   }
