@@ -211,9 +211,15 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     rings->SetNumberOfRings(model.Plan.LayerRings);
     model.LayerSubRays = GetSubRays(rings);
   }
-  for (int count = model.Plan.FewestSubRays; count <= model.Plan.MostSubRays; count *= 4)
+  const int fewest = model.Plan.FewestSubRays;
+  for (int count = fewest; count <= model.Plan.MostSubRays; count *= 4)
   {
     model.RayLevels.push_back(MakeLazily(sampler, count));
+  }
+  if (model.Surfaces.HasOptics()) // mostly plain surfaces behind them
+  {
+    model.FewSubRays = MakeSpiral(CopyBeam(sampler), fewest / 4);
+    SortInSpace(model.FewSubRays);
   }
   FinishBeam(model);
 }

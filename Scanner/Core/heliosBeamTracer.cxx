@@ -256,6 +256,17 @@ bool BeamTracer::CastLevel(const Pulse& pulse, int level, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
+bool BeamTracer::CastOpticsLevel(const Pulse& pulse, int level, ScanCounts& counts)
+{
+  if (level > 0)
+  {
+    return this->CastLevel(pulse, level - 1, counts);
+  }
+  this->CastMore(this->Model.FewSubRays, pulse, counts);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void BeamTracer::Collect(const Pulse& pulse, std::vector<SubReturn>& returns,
   std::vector<CastSubRay>& cast, ScanCounts& counts)
 {
@@ -307,9 +318,10 @@ void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& return
     const double weight = (*this->SubRays)[k].Weight;
     if (weight > 0.0 && surfaces.GetOptics(this->Hits[k].CellId))
     {
-      this->Paths.Follow(this->Rays[k], this->Hits[k], weight, static_cast<int>(k), returns);
+      this->Paths.Add(this->Rays[k], this->Hits[k], weight, static_cast<int>(k));
     }
   }
+  this->Paths.Follow(returns);
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,9 @@ public:
   /// Casts the sub-rays of a level of the plan; false if there is no such level.
   bool CastLevel(const Pulse& pulse, int level, ScanCounts& counts);
 
+  /// The same of a beam on mirrors or glass; its first level has few sub-rays.
+  bool CastOpticsLevel(const Pulse& pulse, int level, ScanCounts& counts);
+
   /// Casts all sub-rays of a pulse among leaves.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
 

@@ -31,33 +31,67 @@ double GetLargest(const Vec3& v)
 void PathTracer::StartPulse(const Vec3& receiver)
 {
   this->Ends.clear();
+  this->Waiting.clear();
   this->Receiver = receiver;
 }
 
 //------------------------------------------------------------------------------
-void PathTracer::Follow(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay,
-  std::vector<SubReturn>& returns)
+void PathTracer::Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay)
 {
-  this->Weight = weight;
-  this->SubRay = subRay;
+  const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), weight, subRay, 1.0, hit.Range,
+    hit.Range, 1.0, 0.0, nullptr, 0, 0u, hit.CellId };
+  this->Split(start, this->GetMeeting(start, hit));
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::Follow(std::vector<SubReturn>& returns)
+{
   this->Returns = &returns;
-  const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), 1.0, hit.Range, hit.Range, 1.0,
-    0.0, nullptr, 0, hit.CellId };
-  this->Waiting.clear();
-  this->Split(start, this->Meet(start, hit));
   while (!this->Waiting.empty())
   {
-    const Path next = this->Waiting.back();
-    this->Waiting.pop_back();
-    this->Trace(next);
+    this->TraceGeneration();
   }
 }
 
 //------------------------------------------------------------------------------
-void PathTracer::Trace(const Path& start)
+/// All paths after as many events; those that took the same turns are neighbours.
+void PathTracer::TraceGeneration()
 {
-  vtkHeliosHit hit;
-  this->Model.Caster->Intersect(&start.Ray, &hit, 1);
+  std::swap(this->Current, this->Waiting);
+  this->Waiting.clear();
+  std::stable_sort(this->Current.begin(), this->Current.end(),
+    [](const Path& a, const Path& b) { return a.Turns < b.Turns; });
+  for (std::size_t first = 0, next = 0; first < this->Current.size(); first = next)
+  {
+    const auto differs = [&](const Path& path) { return path.Turns != this->Current[first].Turns; };
+    next = static_cast<std::size_t>(
+      std::find_if(
+        this->Current.begin() + static_cast<std::ptrdiff_t>(first), this->Current.end(), differs) -
+      this->Current.begin());
+    this->TraceBranch(&this->Current[first], next - first);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Paths that took the same turns, as one beam.
+void PathTracer::TraceBranch(const Path* first, std::size_t count)
+{
+  this->Rays.resize(count);
+  this->Hits.resize(count);
+  std::transform(
+    first, first + count, this->Rays.begin(), [](const Path& path) { return path.Ray; });
+  this->Model.Caster->IntersectBeams(
+    this->Rays.data(), this->Hits.data(), static_cast<int>(count), 1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->Meet(first[i], this->Hits[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What a path meets, the receiver or a surface.
+void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
+{
   this->Receive(start, hit.Range);
   if (hit.CellId < 0)
   {
@@ -65,7 +99,7 @@ void PathTracer::Trace(const Path& start)
   }
   Path path = start;
   this->Advance(path, hit.Range);
-  const Meeting at = this->Meet(path, hit);
+  const Meeting at = this->GetMeeting(path, hit);
   this->Scatter(path, at);
   if (at.Optics)
   {
@@ -83,7 +117,7 @@ void PathTracer::Advance(Path& path, double length) const
 }
 
 //------------------------------------------------------------------------------
-PathTracer::Meeting PathTracer::Meet(const Path& path, const vtkHeliosHit& hit)
+PathTracer::Meeting PathTracer::GetMeeting(const Path& path, const vtkHeliosHit& hit)
 {
   const Vec3 direction(path.Ray.Direction);
   const Vec3& plane = this->Response.GetPlaneNormal(hit.CellId);
@@ -134,7 +168,7 @@ void PathTracer::AddReturn(
 {
   if (power > 0.0 && !this->Model.Gate.IsOutsideGate(cell, range))
   {
-    this->Returns->push_back({ range, this->Weight * power, cosine, cell, this->SubRay,
+    this->Returns->push_back({ range, path.Weight * power, cosine, cell, path.SubRay,
       static_cast<int>(this->Ends.size()) });
     this->Ends.push_back({ end, path.Events });
   }
@@ -178,7 +212,7 @@ void PathTracer::Reflect(const Path& path, const Meeting& at, double share)
 {
   Path reflected = path;
   reflected.Spread.Reflect(at.Normal);
-  this->Continue(reflected, at, at.Point, GetMirrored(at.Direction, at.Normal), share);
+  this->Continue(reflected, at, at.Point, GetMirrored(at.Direction, at.Normal), share, true);
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +229,7 @@ void PathTracer::PassPane(const Path& path, const Meeting& at, double share)
   passed.Spread.Advance(length);
   passed.Spread.Refract(within, at.Normal, refracted, at.Cosine, 1.0 / index);
   passed.Optical += index * length;
-  this->Continue(passed, at, at.Point + length * within, at.Direction, share);
+  this->Continue(passed, at, at.Point + length * within, at.Direction, share, false);
 }
 
 //------------------------------------------------------------------------------
@@ -212,14 +246,14 @@ void PathTracer::Refract(const Path& path, const Meeting& at, double share)
   {
     passed.Spread.Refract(at.Direction, at.Normal, at.Cosine, refracted, passed.Index / path.Index);
     this->Continue(passed, at, at.Point,
-      GetRefracted(at.Direction, at.Normal, path.Index, passed.Index, refracted), share);
+      GetRefracted(at.Direction, at.Normal, path.Index, passed.Index, refracted), share, false);
   }
 }
 
 //------------------------------------------------------------------------------
 /// Queues a path from a point of the surface that it met, unless too little of it is left.
-void PathTracer::Continue(
-  Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share)
+void PathTracer::Continue(Path path, const Meeting& at, const Vec3& from, const Vec3& direction,
+  double share, bool isReflected)
 {
   path.Share *= share;
   if (!(path.Share * path.Share >= this->Model.Optics.LeastShare))
@@ -232,6 +266,7 @@ void PathTracer::Continue(
   std::copy_n(origin.GetData(), 3, path.Ray.Origin);
   std::copy_n(direction.GetData(), 3, path.Ray.Direction);
   path.LastCell = at.Cell;
+  path.Turns = path.Turns << 1 | (isReflected ? 1u : 0u); // of the last 32: for the order only
   ++path.Events;
   this->Advance(path, step);
   this->Waiting.push_back(path);

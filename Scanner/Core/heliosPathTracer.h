@@ -41,13 +41,14 @@ public:
   {
   }
 
-  /// Forgets the ends of the previous pulse.
+  /// Forgets the paths of the previous pulse.
   void StartPulse(const Vec3& receiver);
 
-  /// Appends the returns of a sub-ray of a weight whose first hit is a mirror or glass, without that
-  /// of the hit itself.
-  void Follow(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay,
-    std::vector<SubReturn>& returns);
+  /// Adds a sub-ray of a weight whose first hit is a mirror or glass.
+  void Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay);
+
+  /// Follows those that were added, and appends their returns, without those of the first hits.
+  void Follow(std::vector<SubReturn>& returns);
 
   /// Of SubReturn::Path.
   const PathEnd& GetEnd(int path) const { return this->Ends[static_cast<std::size_t>(path)]; }
@@ -58,14 +59,17 @@ private:
   {
     vtkHeliosRay Ray;
     Pencil Spread;
-    double Share;   // of the energy of the sub-ray, one way
+    double Weight; // of the sub-ray
+    int SubRay;
+    double Share;   // of its energy, one way
     double Optical; // length, from the start [m]
     double InAir;   // of that [m]
     double Index;   // of the medium
     double Attenuation;
     const MaterialOptics* Medium; // null: air
     int Events;
-    vtkIdType LastCell = -1; // of the last event
+    unsigned Turns;     // a bit for each event, the last one lowest: 1 reflected, 0 transmitted
+    vtkIdType LastCell; // of the last event
   };
 
   /// A surface that a path meets.
@@ -80,17 +84,19 @@ private:
     const MaterialOptics* Optics;
   };
 
-  void Trace(const Path& start);
+  void TraceGeneration();
+  void TraceBranch(const Path* first, std::size_t count);
+  void Meet(const Path& start, const vtkHeliosHit& hit);
   void Advance(Path& path, double length) const;
-  Meeting Meet(const Path& path, const vtkHeliosHit& hit);
+  Meeting GetMeeting(const Path& path, const vtkHeliosHit& hit);
   void Scatter(const Path& path, const Meeting& at);
   void Receive(const Path& path, double range);
   void Split(const Path& path, const Meeting& at);
   void Reflect(const Path& path, const Meeting& at, double share);
   void PassPane(const Path& path, const Meeting& at, double share);
   void Refract(const Path& path, const Meeting& at, double share);
-  void Continue(
-    Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share);
+  void Continue(Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share,
+    bool isReflected);
   void AddReturn(
     const Path& path, double range, double power, double cosine, vtkIdType cell, const Vec3& end);
 
@@ -99,10 +105,10 @@ private:
   std::vector<PathEnd> Ends;
   Vec3 Receiver{ 0.0, 0.0, 0.0 };
 
-  // Of the current sub-ray.
-  std::vector<Path> Waiting;
-  double Weight = 0.0;
-  int SubRay = 0;
+  std::vector<Path> Waiting; // of the next generation
+  std::vector<Path> Current;
+  std::vector<vtkHeliosRay> Rays;
+  std::vector<vtkHeliosHit> Hits;
   std::vector<SubReturn>* Returns = nullptr;
 };
 

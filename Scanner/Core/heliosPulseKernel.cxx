@@ -138,11 +138,9 @@ void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
   const Cone cone = this->ProbeCone(pulse);
-  const auto castLevel = [&](int level)
-  { return this->Tracer.CastLevel(pulse, level, this->Counts); };
   if (this->IsOnOptics(cone))
   {
-    this->Refine(pulse, castLevel);
+    this->RunOnOptics(pulse);
     return;
   }
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
@@ -161,9 +159,16 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunReturns(pulse);
     return;
   }
-  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse) || this->Tracer.HasOptics())
+  const auto castLevel = [&](int level)
+  { return this->Tracer.CastLevel(pulse, level, this->Counts); };
+  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse))
   {
     this->Refine(pulse, castLevel);
+    return;
+  }
+  if (this->Tracer.HasOptics())
+  {
+    this->RunOnOptics(pulse);
     return;
   }
   if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MostSurfaces &&
@@ -177,6 +182,14 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     [&](int level) {
       return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts) : castLevel(level);
     });
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of a beam that may meet a mirror or glass.
+void PulseKernel::RunOnOptics(const Pulse& pulse)
+{
+  this->Refine(
+    pulse, [&](int level) { return this->Tracer.CastOpticsLevel(pulse, level, this->Counts); });
 }
 
 //------------------------------------------------------------------------------

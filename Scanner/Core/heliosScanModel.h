@@ -89,7 +89,8 @@ struct ScanModel
   SamplingPlan Plan;                                   // of adaptive sampling
   std::vector<SubRay> LayerSubRays;                    // of it: of beams that one surface fills
   std::vector<std::unique_ptr<LazySubRays>> RayLevels; // of it: of beams with too many surfaces
-  FootprintSettings Footprints;                        // of adaptive sampling
+  std::vector<SubRay> FewSubRays; // before those levels: of beams on mirrors and glass
+  FootprintSettings Footprints;   // of adaptive sampling
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together, along the major axis
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
