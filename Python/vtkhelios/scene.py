@@ -19,8 +19,10 @@ from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude, update
 
 from .array_names import (
-    MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
-    MATERIAL_REFLECTANCE, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
+    MATERIAL_ATTENUATION, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND,
+    MATERIAL_MIRROR_REFLECTANCE, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFLECTANCE,
+    MATERIAL_REFRACTIVE_INDEX, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
+    MATERIAL_THICKNESS,
 )  # fmt: skip
 from .cloud import data_of
 
@@ -33,6 +35,14 @@ _READERS = {
     "stlloader": "vtkHeliosSTLSceneReader",
     "cityjsonloader": "vtkHeliosCityJSONReader",
     "gltfloader": "vtkHeliosGLTFSceneReader",
+}
+
+_OPTICS = {"mirror": 1, "pane": 2, "volume": 3}
+_OPTICS_NUMBERS = {  # column, lowest and highest value
+    "mirror_reflectance": (MATERIAL_MIRROR_REFLECTANCE, 0, 1),
+    "refractive_index": (MATERIAL_REFRACTIVE_INDEX, 1, 4),
+    "thickness": (MATERIAL_THICKNESS, 0, 10),
+    "attenuation": (MATERIAL_ATTENUATION, 0, 1e6),
 }
 
 
@@ -55,20 +65,29 @@ class Scene:
     ground
         whether tripods may be placed on the triangles: a boolean, or one
         per triangle (polygon). Without any ground everything is ground.
+    optics
+        what the triangles do with the light that they do not scatter: "mirror", "pane" or "volume"
+        (Docs/materials.md), or a dictionary with that as kind and its numbers, {"kind": "pane",
+        "refractive_index": 1.52, "thickness": 0.006}; also mirror_reflectance and attenuation.
+        Default: None, nothing; the default reflectance of others is 0.
     """
 
-    def __init__(self, points, triangles=None, reflectance=None, ground=False):
+    def __init__(self, points, triangles=None, reflectance=None, ground=False, optics=None):
         faces = None
         if triangles is None:
             self.polydata, faces = _read_mesh(points)
-            if reflectance is None and ground is False:
+            if reflectance is None and ground is False and optics is None:
                 return
-            _check_no_instances(self.polydata, "reflectance and ground")
+            _check_no_instances(self.polydata, "reflectance, ground and optics")
             count = self.polydata.GetNumberOfCells()
         else:
             self.polydata = _make_mesh(points, triangles)
             count = len(triangles)
+        if reflectance is None:
+            reflectance = 0.5 if optics is None else 0.0
         _add_materials(self.polydata, count, reflectance, ground, faces)
+        if optics is not None:
+            _add_optics(self.polydata, optics)
 
     @property
     def points(self):
@@ -248,7 +267,6 @@ def _make_mesh(points, triangles):
 
 def _add_materials(mesh, count, reflectance, ground, faces=None):
     """Adds a material for every distinct pair of reflectance and ground; faces: see _for_each()."""
-    reflectance = 0.5 if reflectance is None else reflectance
     reflectance = _for_each("reflectance", reflectance, count, faces)
     if reflectance.size and not (reflectance.min() >= 0 and reflectance.max() <= 1):
         worst = reflectance[~((reflectance >= 0) & (reflectance <= 1))][0]
@@ -275,6 +293,29 @@ def _add_materials(mesh, count, reflectance, ground, faces=None):
     material_ids = numpy_to_vtk(ids.reshape(-1).astype(np.int32), deep=1)
     material_ids.SetName(MATERIAL_IDS)
     mesh.GetCellData().AddArray(material_ids)
+
+
+def _add_optics(mesh, optics):
+    """Gives all materials of a mesh the same optics."""
+    given = {"kind": optics} if isinstance(optics, str) else dict(optics)
+    kind = given.pop("kind", None)
+    if kind not in _OPTICS:
+        raise ValueError(f"optics is {kind!r}; give one of: {', '.join(_OPTICS)}")
+    if unknown := set(given) - set(_OPTICS_NUMBERS):
+        known = ", ".join(_OPTICS_NUMBERS)
+        raise ValueError(f"optics has {sorted(unknown)[0]!r}; known: kind, {known}")
+    fields = mesh.GetFieldData()
+    count = fields.GetAbstractArray(MATERIAL_NAME).GetNumberOfValues()
+    columns = {MATERIAL_OPTICS: np.full(count, _OPTICS[kind], np.int32)}
+    for name, number in given.items():
+        column, low, high = _OPTICS_NUMBERS[name]
+        if not low <= number <= high:
+            raise ValueError(f"{name} is {number!r}; its valid range is [{low:g}, {high:g}]")
+        columns[column] = np.full(count, float(number))
+    for name, values in columns.items():
+        column = numpy_to_vtk(values, deep=1)
+        column.SetName(name)
+        fields.AddArray(column)
 
 
 def _for_each(name, values, count, faces=None):
