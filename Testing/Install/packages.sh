@@ -51,7 +51,7 @@ cat >survey.xml <<'XML'
   headRotateStop_deg="30"/></leg></survey></document>
 XML
 vtkhelios run survey.xml --quiet
-test "$(wc -l <output/plane/leg000_points.xyz)" -gt 10000
+test "$(wc -l <output/plane/leg000_points.xyz)" -gt 5000
 python3 -c 'import vtkhelios; print(len(vtkhelios.read_survey("survey.xml").run()), "echoes")'
 xvfb-run -a vtkhelios view output/plane --offscreen --still picture.png
 test -s picture.png
