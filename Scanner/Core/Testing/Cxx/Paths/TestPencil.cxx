@@ -80,6 +80,8 @@ TEST_CASE("Pencil: its area is that between nearby rays")
     { { { 0, 10, 0 }, tilted, 1.5 }, { { 1, 14, 2 }, { 0, 1, 0 }, 1.0 } },
     { { { 0, 10, 0 }, tilted, 1.5 }, { { 0, 16, 0 }, { 0, 1, 0 }, 0.0 },
       { { 0, 11, 0 }, other, 1.0 } },
+    { { { 0, 10, 0 }, tilted, 1.5 }, { { 0, 14, 0 }, other, 1.2 },
+      { { 0, 18, 0 }, { 0, 1, 0 }, 0.0 }, { { 0, 11, 0 }, tilted, 1.0 } },
   };
   const std::vector<Face>& faces = GENERATE_COPY(from_range(scenes));
   Vec3 axis(0.1, 1.0, 0.2);

@@ -299,6 +299,19 @@ TEST_CASE("ScannerOptics: adaptive and fixed beams agree half on a pane, half be
   }
 }
 
+TEST_CASE("ScannerOptics: an adaptive beam that a pane fills meets the wall behind it")
+{
+  Bench bench(
+    MakeOpticalScene({ Wall(10.0, 5.0) }, MakeMaterial(OpticsKind::Pane), { Wall(30.0, 10.0) }));
+  bench.Scanner->SetDuration(1e-5);
+  bench.Scanner->SetRangeAccuracy(0.0);
+  bench.Scanner->SetSamplingToTolerance();
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 2); // the pane sends light to the receiver, too
+  CHECK(Value(cloud, names::Range, 0) == Approx(10.0).margin(1e-3));
+  CHECK(Value(cloud, names::Range, 1) == Approx(30.002).margin(1e-3));
+}
+
 TEST_CASE("ScannerOptics: invalid materials are errors")
 {
   Material material = MakeMaterial(OpticsKind::Pane);
