@@ -121,7 +121,7 @@ bool BeamTracer::DivideSurfaces(const Pulse& pulse, ScanCounts& counts)
     return false;
   }
   counts.SubRays += static_cast<vtkIdType>(this->Parts.size());
-  this->SelectParts(pulse);
+  this->SelectParts(pulse.Origin);
   return true;
 }
 
@@ -141,13 +141,13 @@ bool BeamTracer::SampleSurfaces(const Pulse& pulse, int level, ScanCounts& count
   }
   this->Surfaces.Sample(level == 0 ? 2 : 1, this->Parts);
   counts.SubRays += static_cast<vtkIdType>(across) * across;
-  this->SelectParts(pulse);
+  this->SelectParts(pulse.Origin);
   return true;
 }
 
 //------------------------------------------------------------------------------
-/// Accepts the parts as sub-rays of a pulse.
-void BeamTracer::SelectParts(const Pulse& pulse)
+/// Accepts the parts as sub-rays from an origin.
+void BeamTracer::SelectParts(const Vec3& origin)
 {
   const std::size_t count = this->Parts.size();
   this->PartRays.resize(count);
@@ -160,7 +160,7 @@ void BeamTracer::SelectParts(const Pulse& pulse)
     const FootprintPart& part = this->Parts[i];
     this->PartRays[i].Weight = part.Energy;
     vtkHeliosRay& ray = batch.Rays[i];
-    std::copy_n(pulse.Origin.GetData(), 3, ray.Origin);
+    std::copy_n(origin.GetData(), 3, ray.Origin);
     std::copy_n(part.Direction, 3, ray.Direction);
     batch.Hits[i] = { part.Range, part.Cell };
   }
@@ -322,6 +322,90 @@ void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& return
     }
   }
   this->Paths.Follow(returns);
+}
+
+//------------------------------------------------------------------------------
+/// The optics of a layer of one plane, if it is clean; else null.
+const MaterialOptics* BeamTracer::GetFlatOptics(const ConeLayer& layer) const
+{
+  constexpr double tiny = 1e-9;
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  const ConeLayer::Piece& first = layer.Pieces[0];
+  const MaterialOptics* optics = layer.Size > 0 ? surfaces.GetOptics(first.Cell) : nullptr;
+  if (!optics || surfaces.GetReflection(surfaces.GetMaterialId(first.Cell)).Reflectance > 0.0)
+  {
+    return nullptr;
+  }
+  const auto isSame = [&](const ConeLayer::Piece& piece)
+  {
+    return surfaces.GetOptics(piece.Cell) == optics &&
+      std::equal(piece.Inverse, piece.Inverse + 3, first.Inverse,
+        [&](double a, double b) { return std::abs(a - b) <= tiny * std::abs(first.Inverse[2]); });
+  };
+  return std::all_of(layer.Pieces, layer.Pieces + layer.Size, isSame) ? optics : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::PassLayer(
+  const Pulse& pulse, const ConeLayer& layer, std::vector<SubReturn>& returns, ScanCounts& counts)
+{
+  returns.clear();
+  const MaterialOptics* optics = this->GetFlatOptics(layer);
+  if (!optics || this->Model.WantsSubRays || !this->Model.Medium.IsEmpty() ||
+    this->Model.Optics.MostEvents < 1)
+  {
+    return false;
+  }
+  const Vec3 axis = pulse.GetDirection();
+  const Vec3& plane = this->Response.GetPlaneNormal(layer.Pieces[0].Cell);
+  const BeamOnPlane beam{ pulse.Origin, axis, pulse.GetMinorAxis(),
+    1.0 / layer.Pieces[0].Inverse[2], plane.Dot(axis) > 0.0 ? -1.0 * plane : plane,
+    this->Model.ConeTangent };
+  this->Paths.StartPulse(pulse.Origin);
+  return PassFlatOptics(beam, *optics, 0.5 * this->Model.Equation.ReceiverDiameter, this->Passed) &&
+    std::all_of(this->Passed.begin(), this->Passed.end(),
+      [&](const PassedBeam& passed)
+      { return this->CollectBeyond(passed, *optics, returns, counts); });
+}
+
+//------------------------------------------------------------------------------
+/// Appends the returns of a beam behind a mirror or pane; false if they have to be sampled.
+bool BeamTracer::CollectBeyond(const PassedBeam& beam, const MaterialOptics& optics,
+  std::vector<SubReturn>& returns, ScanCounts& counts)
+{
+  const Vec3 normal(beam.Beyond.Normal);
+  const auto getShare = [&](const Vec3& direction)
+  {
+    const double share = GetShare(optics, std::abs(normal.Dot(direction)), beam.IsReflected);
+    return share * share;
+  };
+  if (getShare(beam.Axis) < this->Model.Optics.LeastShare)
+  {
+    return true;
+  }
+  if (!this->Surfaces.Collect(*this->Model.Cones, beam.Origin.GetData(), beam.Axis.GetData(),
+        beam.Minor.GetData(), &beam.Beyond) ||
+    !this->Surfaces.AreEdgesStraight() || this->HasOptics() ||
+    this->GetNumberOfSurfaces() > this->Model.Plan.MostSurfaces ||
+    !this->Surfaces.Divide(this->Parts))
+  {
+    return false;
+  }
+  counts.SubRays += static_cast<vtkIdType>(this->Parts.size());
+  this->SelectParts(beam.Origin);
+  for (std::size_t k = 0; k < this->Parts.size(); ++k)
+  {
+    const FootprintPart& part = this->Parts[k];
+    const double range = part.Range + beam.Excess;
+    const double power = getShare(Vec3(part.Direction)) * part.Energy * this->Returned.Powers[k];
+    if (power > 0.0 && !this->Model.Gate.IsOutsideGate(part.Cell, range))
+    {
+      const Vec3 end = beam.Origin + part.Range * Vec3(part.Direction);
+      returns.push_back(
+        { range, power, this->Returned.Cosines[k], part.Cell, 0, this->Paths.AddEnd({ end, 1 }) });
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosBeamTracer_h
 #define heliosBeamTracer_h
 
+#include "heliosFlatOptics.h"
 #include "heliosFootprint.h"
 #include "heliosLayerSampler.h"
 #include "heliosPathTracer.h"
@@ -41,6 +42,11 @@ public:
 
   /// Collects the surfaces in the beam of a pulse; false if they can only be met by rays.
   bool CollectSurfaces(const Pulse& pulse);
+
+  /// Replaces returns by those behind a flat mirror or pane that fills the beam of a pulse as a layer;
+  /// false if they have to be found by sampling.
+  bool PassLayer(const Pulse& pulse, const ConeLayer& layer, std::vector<SubReturn>& returns,
+    ScanCounts& counts);
 
   /// Whether a mirror or glass is among those collected last.
   bool HasOptics() const;
@@ -91,7 +97,10 @@ private:
   void Meet(const Pulse* pulses, std::size_t count, RayBatch& batch);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Select(const RayBatch& batch, std::size_t slot);
-  void SelectParts(const Pulse& pulse);
+  void SelectParts(const Vec3& origin);
+  const MaterialOptics* GetFlatOptics(const ConeLayer& layer) const;
+  bool CollectBeyond(const PassedBeam& beam, const MaterialOptics& optics,
+    std::vector<SubReturn>& returns, ScanCounts& counts);
   void CollectPaths(const Pulse& pulse, std::vector<SubReturn>& returns);
 
   const ScanModel& Model;
@@ -101,6 +110,7 @@ private:
   Footprint Surfaces;
   std::vector<FootprintPart> Parts;
   std::vector<SubRay> PartRays;
+  std::vector<PassedBeam> Passed;
   RayBatch First; // of all pulses
   RayBatch More;  // of one pulse
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPathTracer.h"
 
+#include "heliosFlatOptics.h"
 #include "heliosFresnel.h"
 
 #include <algorithm>
@@ -185,18 +186,13 @@ void PathTracer::Split(const Path& path, const Meeting& at)
   const double left = // after what the surface scatters
     1.0 - surfaces.GetReflection(surfaces.GetMaterialId(at.Cell)).Reflectance;
   const MaterialOptics& optics = *at.Optics;
-  if (optics.Kind == OpticsKind::Mirror)
+  if (optics.Kind != OpticsKind::Volume)
   {
-    this->Reflect(path, at, left * optics.MirrorReflectance);
-  }
-  else if (optics.Kind == OpticsKind::Pane)
-  {
-    const double within =
-      optics.Thickness / GetRefractedCosine(at.Cosine, 1.0, optics.RefractiveIndex);
-    const PaneShares shares =
-      GetPaneShares(at.Cosine, optics.RefractiveIndex, std::exp(-optics.Attenuation * within));
-    this->PassPane(path, at, left * shares.Transmitted);
-    this->Reflect(path, at, left * shares.Reflected);
+    if (optics.Kind == OpticsKind::Pane)
+    {
+      this->PassPane(path, at, left * GetShare(optics, at.Cosine, false));
+    }
+    this->Reflect(path, at, left * GetShare(optics, at.Cosine, true));
   }
   else
   {

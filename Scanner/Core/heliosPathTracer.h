@@ -50,6 +50,13 @@ public:
   /// Follows those that were added, and appends their returns, without those of the first hits.
   void Follow(std::vector<SubReturn>& returns);
 
+  /// Adds the end of a path that was found otherwise; returns its number.
+  int AddEnd(const PathEnd& end)
+  {
+    this->Ends.push_back(end);
+    return static_cast<int>(this->Ends.size()) - 1;
+  }
+
   /// Of SubReturn::Path.
   const PathEnd& GetEnd(int path) const { return this->Ends[static_cast<std::size_t>(path)]; }
 

@@ -140,7 +140,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   const Cone cone = this->ProbeCone(pulse);
   if (this->IsOnOptics(cone))
   {
-    this->RunOnOptics(pulse);
+    this->RunOnOptics(pulse, cone.HasLayer);
     return;
   }
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
@@ -168,7 +168,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   if (this->Tracer.HasOptics())
   {
-    this->RunOnOptics(pulse);
+    this->RunOnOptics(pulse, false);
     return;
   }
   if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MostSurfaces &&
@@ -186,8 +186,14 @@ void PulseKernel::RunAdaptive(std::size_t slot)
 
 //------------------------------------------------------------------------------
 /// The echoes of a beam that may meet a mirror or glass.
-void PulseKernel::RunOnOptics(const Pulse& pulse)
+void PulseKernel::RunOnOptics(const Pulse& pulse, bool hasLayer)
 {
+  if (hasLayer && this->Tracer.PassLayer(pulse, this->Layer, this->Returns, this->Counts))
+  {
+    this->SubRays.clear();
+    this->CountPath(this->FindEchoes());
+    return;
+  }
   this->Refine(
     pulse, [&](int level) { return this->Tracer.CastOpticsLevel(pulse, level, this->Counts); });
 }

@@ -51,7 +51,7 @@ private:
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
   bool IsOnOptics(const Cone& cone) const;
-  void RunOnOptics(const Pulse& pulse);
+  void RunOnOptics(const Pulse& pulse, bool hasLayer);
   void RunFixed(std::size_t slot);
   void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane);

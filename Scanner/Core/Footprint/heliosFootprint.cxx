@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFootprint.h"
 
+#include "heliosSpacePolygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -55,17 +57,22 @@ Footprint::Footprint(const FootprintSettings& settings, FacetMaker::AreAlike are
 }
 
 //------------------------------------------------------------------------------
-bool Footprint::Collect(
-  const ConeProbe& probe, const double origin[3], const double axis[3], const double minor[3])
+bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const double axis[3],
+  const double minor[3], const BeyondPlane* beyond)
 {
   const double apexOffset = this->Settings.ApexOffset;
   const double apex[3] = { origin[0] - apexOffset * axis[0], origin[1] - apexOffset * axis[1],
     origin[2] - apexOffset * axis[2] };
-  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), apexOffset, MostTriangles, this->View))
+  const double nearest = apexOffset + (beyond ? beyond->Nearest : 0.0);
+  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), nearest, MostTriangles, this->View))
   {
     return false;
   }
   this->Maker.Make(this->View, this->Facets);
+  if (beyond && !this->ClipFacets(*beyond, apex))
+  {
+    return false;
+  }
   if (!this->Ellipse.IsCircle())
   {
     this->StretchFacets(minor);
@@ -73,6 +80,36 @@ bool Footprint::Collect(
   this->Surfaces.Project(this->Facets, this->Projection);
   this->AllStrips.clear();
   this->SetTiles();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Keeps the parts of facets beyond a plane; false if one has too many corners.
+bool Footprint::ClipFacets(const BeyondPlane& beyond, const double apex[3])
+{
+  constexpr double margin = 1e-6; // [m]: what lies in the plane is not beyond it
+  double n[3];
+  vtkMath::Multiply3x3(this->View.Frame, beyond.Normal, n);
+  const double limit = beyond.Constant - vtkMath::Dot(beyond.Normal, apex) + margin;
+  std::size_t kept = 0;
+  for (Facet& facet : this->Facets)
+  {
+    SpacePolygon whole;
+    whole.Size = facet.Size;
+    std::copy_n(&facet.Corners[0][0], 3 * facet.Size, &whole.Corners[0][0]);
+    const SpacePolygon part = Clip(whole, n[0], n[1], n[2], limit);
+    if (part.Size > Facet::Capacity)
+    {
+      return false;
+    }
+    if (part.Size >= 3)
+    {
+      facet.Size = part.Size;
+      std::copy_n(&part.Corners[0][0], 3 * part.Size, &facet.Corners[0][0]);
+      this->Facets[kept++] = facet;
+    }
+  }
+  this->Facets.resize(kept);
   return true;
 }
 

@@ -40,6 +40,14 @@ struct FootprintSettings
   double Ratio = 1.0;                            ///< of the minor axis to the major one
 };
 
+/// What lies beyond a plane: n . p > c, in the world.
+struct BeyondPlane
+{
+  double Nearest; ///< depth of the plane in the beam [m]
+  double Normal[3];
+  double Constant;
+};
+
 /**
  * Divides the visible surfaces of a beam into parts whose ranges spread over no more than a depth.
  * The energy and the centroid of each are exact. A part is two returns, at its mean range -+
@@ -54,10 +62,10 @@ public:
   /**
    * Collects the surfaces in a beam from an origin along a unit axis, for the methods below. False
    * if these are more than MostTriangles triangles, or if the beam is too wide. minor is a unit
-   * vector along the minor axis of an elliptical beam.
+   * vector along the minor axis of an elliptical beam. With a plane, only what lies beyond it.
    */
   bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3],
-    const double minor[3] = nullptr);
+    const double minor[3] = nullptr, const BeyondPlane* beyond = nullptr);
 
   /// Whether the edges in the beam are straight: not near a waist. Otherwise the surfaces can be
   /// neither divided nor sampled.
@@ -118,6 +126,7 @@ private:
   {
     std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
   };
+  bool ClipFacets(const BeyondPlane& beyond, const double apex[3]);
   void StretchFacets(const double minor[3]);
   void SetTiles();
   void AddTiles(

@@ -312,6 +312,59 @@ TEST_CASE("ScannerOptics: an adaptive beam that a pane fills meets the wall behi
   CHECK(Value(cloud, names::Range, 1) == Approx(30.002).margin(1e-3));
 }
 
+TEST_CASE("ScannerOptics: beams behind a flat mirror or pane need no sub-rays")
+{
+  const auto kind = GENERATE(OpticsKind::Mirror, OpticsKind::Pane);
+  const double degrees = GENERATE(20.0, 45.0, 70.0, 85.0);
+  const double a = vtkMath::RadiansFromDegrees(degrees);
+  const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
+  const Vec3 reflected(std::sin(2.0 * a), -std::cos(2.0 * a), 0.0);
+  const Vec3 aside = Vec3(0.0, 0.0, 1.0).Cross(reflected);
+  const Vec3 point(0.0, 10.0, 0.0);
+  Material material = MakeMaterial(kind);
+  material.Optics.MirrorReflectance = 0.8;
+  material.Optics.Thickness = 0.02;
+  // Half a wall 0.5 m before another, behind the pane and beside it; and one behind the plane,
+  // which a mirror hides, and which is in no reflected beam.
+  const Vec3 up(0.0, 0.0, 4.0);
+  std::vector<Rectangle> walls = { { { 0.001, 30.0, -2.0 }, { 4.0, 0.0, 0.0 }, up },
+    Wall(30.5, 4.0), { point + 12.0 * reflected - Vec3(0.0, 0.0, 2.0), 4.0 * aside, up },
+    Across(point + 12.5 * reflected, reflected, 4.0) };
+  if (kind == OpticsKind::Mirror)
+  {
+    walls.push_back(Across(point - 0.05 * normal, normal, 3.0));
+  }
+  const auto scene = MakeOpticalScene({ Across(point, normal, 3.0) }, material, walls);
+  const auto run = [&scene](bool isAdaptive)
+  {
+    auto bench = std::make_unique<Bench>(scene);
+    bench->Scanner->SetDuration(1e-5);
+    bench->Scanner->SetRangeAccuracy(0.0);
+    bench->Scanner->SetGenerateTruth(true);
+    bench->Scanner->SetBinSize(0.01);
+    bench->Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+    bench->Scanner->GetBeamSampler()->SetPatternToVogel();
+    bench->Scanner->GetBeamSampler()->SetNumberOfSubRays(20000);
+    bench->Scanner->SetSampling(isAdaptive ? vtkHeliosScanner::TOLERANCE : vtkHeliosScanner::FIXED);
+    bench->Run();
+    return bench;
+  };
+  const auto fixed = run(false);
+  const auto adaptive = run(true);
+  CHECK(adaptive->Scanner->GetCount("pulsesSampled") == 0);
+  vtkPolyData* a0 = fixed->Scanner->GetOutput();
+  vtkPolyData* b0 = adaptive->Scanner->GetOutput();
+  REQUIRE(a0->GetNumberOfPoints() >= 1);
+  REQUIRE(b0->GetNumberOfPoints() == a0->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < a0->GetNumberOfPoints(); ++i)
+  {
+    CHECK(Value(b0, names::Range, i) == Approx(Value(a0, names::Range, i)).margin(1e-3));
+    CHECK(Value(b0, names::Amplitude, i) == Approx(Value(a0, names::Amplitude, i)).epsilon(0.01));
+    CHECK(Value(b0, names::SpecularEvents, i) == 1);
+    CHECK((GetTruth(b0, i) - GetTruth(a0, i)).Norm() < 0.05);
+  }
+}
+
 TEST_CASE("ScannerOptics: invalid materials are errors")
 {
   Material material = MakeMaterial(OpticsKind::Pane);
