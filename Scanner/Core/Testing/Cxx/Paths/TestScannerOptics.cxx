@@ -365,6 +365,46 @@ TEST_CASE("ScannerOptics: beams behind a flat mirror or pane need no sub-rays")
   }
 }
 
+TEST_CASE("ScannerOptics: a pane reflects what Fresnel's equations say, to rays and to beams")
+{
+  const bool isBeam = GENERATE(false, true);
+  const double a = vtkMath::RadiansFromDegrees(60.0);
+  const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
+  const Vec3 reflected(std::sin(2.0 * a), -std::cos(2.0 * a), 0.0);
+  const Vec3 end = Vec3(0.0, 10.0, 0.0) + 5.0 * reflected;
+  RayBench bench(MakeOpticalScene({ Across({ 0, 10, 0 }, normal, 1.0) },
+    MakeMaterial(OpticsKind::Pane), { Across(end, reflected, 1.0) }));
+  if (isBeam)
+  {
+    bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+    bench.Scanner->SetSamplingToTolerance();
+  }
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 1);
+  CHECK(bench.Scanner->GetCount("pulsesSampled") == 0);
+  const double share = helios::GetPaneShares(std::cos(a), 1.5, 1.0).Reflected;
+  CHECK(Value(cloud, names::Range, 0) == Approx(15.0).margin(1e-4));
+  CHECK(Value(cloud, names::Amplitude, 0) ==
+    Approx(share * share * bench.GetAmplitude(15.0)).epsilon(1e-3));
+}
+
+TEST_CASE("ScannerOptics: a beam through two panes is sampled")
+{
+  const double a = vtkMath::RadiansFromDegrees(30.0);
+  const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
+  RayBench bench(
+    MakeOpticalScene({ Across({ 0, 10, 0 }, normal, 1.0), Across({ 0, 12, 0 }, normal, 1.0) },
+      MakeMaterial(OpticsKind::Pane), { Wall(30.0, 2.0) }));
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+  bench.Scanner->SetSamplingToTolerance();
+  vtkPolyData* cloud = bench.Run();
+  CHECK(bench.Scanner->GetCount("pulsesSampled") == 1);
+  REQUIRE(cloud->GetNumberOfPoints() >= 1);
+  const double through = helios::GetPaneShares(std::cos(a), 1.5, 1.0).Transmitted;
+  CHECK(Value(cloud, names::Amplitude, 0) ==
+    Approx(std::pow(through, 4) * bench.GetAmplitude(30.0)).epsilon(2e-3));
+}
+
 TEST_CASE("ScannerOptics: invalid materials are errors")
 {
   Material material = MakeMaterial(OpticsKind::Pane);
