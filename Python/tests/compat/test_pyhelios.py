@@ -432,6 +432,16 @@ def test_names_that_are_not_covered(builder):
         output.measurements[10**9]
 
 
+def test_changes_that_are_not_valid(builder):
+    simulation = builder.build()
+    with pytest.raises(vtkhelios.PipelineError, match="leg 0: pulseFreq_hz.*out of range"):
+        simulation.sim.getLeg(0).getScannerSettings().pulseFreq = -5
+    settings = simulation.sim.getLeg(0).getScannerSettings()
+    settings.headRotateStart, settings.headRotateStop = 2.0, 1.0
+    with pytest.raises(vtkhelios.PipelineError, match="headRotateSt"):
+        simulation.start()
+
+
 def test_errors_of_the_survey_have_their_place(tmp_path):
     (tmp_path / "bad.xml").write_text("<document>\n<survey scne='x'/>\n</document>")
     with pytest.raises(vtkhelios.PipelineError, match=r"bad.xml:2"):

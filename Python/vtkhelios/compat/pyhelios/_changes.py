@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes of a loaded survey."""
 
+from ..._pipeline import MessageLog, conclude
 from ._errors import PyHeliosToolsException
 from ._settings import change
 
@@ -45,3 +46,11 @@ def remove_noise(survey):
             if any(given):
                 for name, value in _ZERO.items():
                     change(survey, "SetPlatformAttribute", platform, f"{noise}/{name}", value)
+
+
+def check_survey(survey):
+    """Checks a survey that may have been changed; raises PipelineError with its errors."""
+    with MessageLog() as log:
+        log.watch(survey)
+        survey.Check()
+    conclude(log, warn=lambda *_, **__: None)  # warnings were printed when it was read

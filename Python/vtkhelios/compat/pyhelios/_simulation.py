@@ -13,9 +13,9 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ...array_names import GPS_TIME
 from ...cluster._blocks import split_windows
 from ...survey import read_survey
-from ._changes import find_part, move_part, remove_noise, rotate_part, scale_part
+from ._changes import check_survey, find_part, move_part, remove_noise, rotate_part, scale_part
 from ._coordinates import find_rotations
-from ._errors import PyHeliosToolsException, not_covered
+from ._errors import not_covered
 from ._files import write_files
 from ._logging import say_step, say_warning
 from ._output import make_output
@@ -227,8 +227,7 @@ class Simulation:
 
     def start(self):
         """Starts the thread."""
-        if not self._state.vtk.Check():
-            raise PyHeliosToolsException("the survey is not valid")
+        check_survey(self._state.vtk)
         vtkSMPTools.Initialize(int(self.numThreads))
         self._state.start(self._run)
 
