@@ -68,7 +68,7 @@ run_command() { # COMMAND
 # The time at which the first point cloud was complete.
 print_first_cloud() {
   local first
-  first=$(find -L "$clone/build/demo" . -maxdepth 3 -name '*_points.xyz' -newermt "@$start" -printf '%T@\n' | sort -n | head -1)
+  first=$(find build/demo/ output -name '*_points.xyz' -newermt "@$start" -printf '%T@\n' 2>/dev/null | sort -n | head -1 || true)
   [ -z "$first" ] || echo "first point cloud: $(helios_minutes $((${first%.*} - start))) after the clone began"
 }
 
