@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages of Apps/Packages/Debian/build.sh in a clean Debian, and uses them there: the
-# manual, a survey, its cloud in Python, a picture of the viewer, a project with the headers. Root.
+# manual, the survey of README.md, its cloud in Python, a picture of the viewer, a project with the headers. Root.
 #
 #   Testing/Install/packages.sh [FOLDER [RELEASE [MIRROR]]]
 #
@@ -26,6 +26,7 @@ trial=$helios_root/root/trial
 rm -rf "$trial"
 mkdir -p "$trial"
 cp "${packages[@]}" "$trial"
+Testing/Install/readme.sh --files "$trial"
 cp -r Testing/Install/main.cxx Testing/Install/own* Testing/Install/CMakeLists.txt "$trial"
 
 helios_enter sh -c 'apt-get update -q && apt-get install -y -q --no-install-recommends man-db \
@@ -38,22 +39,10 @@ cd /root/trial
 vtkhelios --version
 man vtkhelios-run | grep -q -- --resume
 desktop-file-validate /usr/share/applications/vtkhelios.desktop
-printf 'v -20 -20 0\nv 20 -20 0\nv 20 20 0\nv -20 20 0\nf 1 2 3 4\n' >plane.obj
-cat >scene.xml <<'XML'
-<document><scene id="plane"><part><filter type="objloader">
-<param type="string" key="filepath" value="plane.obj"/></filter></part></scene></document>
-XML
-cat >survey.xml <<'XML'
-<document><survey name="plane" scene="scene.xml#plane" platform="platforms.xml#tripod"
-  scanner="scanners.xml#vz400_class_tls"><leg><platformSettings x="0" y="0" z="2"/>
-  <scannerSettings active="true" pulseFreq_hz="100000" scanFreq_hz="100" verticalAngleMin_deg="-40"
-  verticalAngleMax_deg="60" headRotatePerSec_deg="60" headRotateStart_deg="0"
-  headRotateStop_deg="30"/></leg></survey></document>
-XML
-vtkhelios run survey.xml --quiet
-test "$(wc -l <output/plane/leg000_points.xyz)" -gt 5000
-python3 -c 'import vtkhelios; print(len(vtkhelios.read_survey("survey.xml").run()), "echoes")'
-xvfb-run -a vtkhelios view output/plane --offscreen --still picture.png
+vtkhelios run my_survey.xml --quiet
+test "$(wc -l <output/yard/leg000_points.xyz)" -gt 10000
+python3 -c 'import vtkhelios; print(len(vtkhelios.read_survey("my_survey.xml").run()), "echoes")'
+xvfb-run -a vtkhelios view output/yard --offscreen --still picture.png
 test -s picture.png
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build build >/dev/null
