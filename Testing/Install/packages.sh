@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages of Apps/Packages/Debian/build.sh in a clean Debian, and uses them there: the
-# manual, the survey of README.md, its cloud in Python, a picture of the viewer, a project with the headers. Root.
+# manual, the survey of README.md, its cloud in Python, a picture of the viewer, a project with the
+# headers. Root.
 #
 #   Testing/Install/packages.sh [FOLDER [RELEASE [MIRROR]]]
 #
@@ -15,7 +16,7 @@ cd -P "$(dirname "${BASH_SOURCE[0]}")/../.."
 source Apps/debian_root.sh
 
 case ${1:-} in
-  -h | --help) sed -n 's/^# \{0,1\}//; 4,10p' Testing/Install/packages.sh && exit ;;
+  -h | --help) sed -n 's/^# \{0,1\}//; 4,11p' Testing/Install/packages.sh && exit ;;
 esac
 packages=(build/debian/*.deb)
 [ -e "${packages[0]}" ] || { echo "run Apps/Packages/Debian/build.sh first" >&2; exit 1; }
