@@ -60,6 +60,7 @@ run_window() { # COMMAND
 
 run_command() { # COMMAND
   case $1 in
+    *--html*) bash -c "$1" ;;
     */vtkhelios\ view\ *) run_window "$1" ;;
     *) bash -c "$1" ;;
   esac
