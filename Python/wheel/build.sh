@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes dist/vtkhelios-*-manylinux_2_36_x86_64.whl on a clean Debian 12: a wheel with a VTK of its
+# Makes dist/vtkhelios-*-manylinux_2_35_x86_64.whl on a clean Debian 12: a wheel with a VTK of its
 # own, which works beside PyPI's vtk. README.md describes it. It builds below build/wheel.
 
 # shellcheck source=../../Apps/setup.sh
@@ -68,7 +68,7 @@ bundle() {
   rm -rf "$work/bundled"
   "$python" Python/wheel/assemble.py "$work"/plain/vtkhelios-*.whl --proj "$work/proj-private"
   LD_LIBRARY_PATH=$work/proj-private/lib PATH=$work/venv/bin:$PATH \
-    "$python" -m auditwheel repair --plat manylinux_2_36_x86_64 --lib-sdir /lib --strip \
+    "$python" -m auditwheel repair --plat manylinux_2_35_x86_64 --lib-sdir /lib --strip \
     --wheel-dir "$work/bundled" "$work"/plain/vtkhelios-*.whl
   "$python" Python/wheel/finish.py "$work"/bundled/vtkhelios-*.whl --proj-source "$work/proj" --to dist
   ls -l dist/vtkhelios-*.whl

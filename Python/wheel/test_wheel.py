@@ -36,7 +36,7 @@ def run(*command, check=True, **options):
 
 @pytest.fixture(scope="session")
 def wheel():
-    wheels = sorted((ROOT / "dist").glob("vtkhelios-*-cp311-cp311-manylinux_2_36_x86_64.whl"))
+    wheels = sorted((ROOT / "dist").glob("vtkhelios-*-cp311-cp311-manylinux_*.whl"))
     assert wheels, "dist has no wheel: make it with Python/wheel/build.sh"
     return wheels[-1]
 
@@ -108,7 +108,7 @@ def test_auditwheel_accepts_the_tag(wheel):
     """It links to nothing outside of the wheel but the libraries that every Linux has."""
     tool = ROOT / "build/wheel/venv/bin/auditwheel"
     shown = " ".join(run(tool, "show", wheel).stdout.split())
-    assert 'is consistent with the following platform tag: "manylinux_2_36_x86_64"' in shown
+    assert 'is consistent with the following platform tag: "manylinux_2_35_x86_64"' in shown
 
 
 def test_no_symbol_is_shared_with_another_vtk(wheel, tmp_path):
