@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 
-# SPDX license of the libraries of a source package of Debian; scripts and tests have others.
+# License (SPDX) of the libraries of a source package of Debian; scripts and tests have others.
 LICENSES = {
     "double-conversion": "BSD-3-Clause",
     "eigen3": "MPL-2.0",
@@ -20,15 +20,15 @@ LICENSES = {
     "openssl": "Apache-2.0",
     "proj": "MIT",
     "pugixml": "MIT",
-    "random123": "BSD-3-Clause",
+    "librandom123": "BSD-3-Clause",
     "re2": "BSD-3-Clause",
-    "sqlite3": "blessing",
+    "sqlite3": "public domain",
     "vtk9": "BSD-3-Clause",
-    "xz-utils": "0BSD",
+    "xz-utils": "public domain",
 }
 HEADERS = ("libeigen3-dev", "librandom123-dev")  # compiled in
 
-_HASH = re.compile(r"-[0-9a-f]{8}(?=\.so)")  # by auditwheel
+_HASH = re.compile(r"-[0-9a-f]{8}(?=\.)")  # by auditwheel
 
 
 def query(*arguments):
