@@ -25,7 +25,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int TrackLength = 16; // of a slider, in text heights
+constexpr int PanelWidth = 16; // in text heights: narrow, since it covers the scene
 
 /// The height of a slider with its label [pixels].
 int GetRowHeight(int textSize)
@@ -178,8 +178,7 @@ PanelSize EditPanel::GetSize(int textSize) const
   const PanelSize heading = this->Heading.GetSize(textSize);
   const auto rows = static_cast<int>(this->Sliders.size());
   const int margin = rows > 0 ? GetTextMargin(textSize) : 0;
-  return { std::max(heading.Width, TrackLength * textSize),
-    heading.Height + rows * GetRowHeight(textSize) + margin };
+  return { PanelWidth * textSize, heading.Height + rows * GetRowHeight(textSize) + margin };
 }
 
 //------------------------------------------------------------------------------

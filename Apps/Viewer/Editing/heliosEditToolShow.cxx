@@ -208,8 +208,8 @@ std::string EditTool::MakeHeading() const
       (this->Part.empty() ? "click on one" : this->Part) + "\nto add (a), next (g): " + file +
       "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
   }
-  std::string text = "Direct control\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
-    this->Edit.ScannerModel.Name + " (g)\n";
+  std::string text = "Direct control\nTab: " + this->Edit.PlatformModel.Name +
+    "\ng: " + this->Edit.ScannerModel.Name + "\n";
   text += this->Edit.IsMoving() ? "waypoints: " : "positions: ";
   text += std::to_string(this->Edit.Legs.size());
   text += this->Edit.HasArea ? ", flight lines\n" : "\n";
