@@ -190,7 +190,7 @@ def test_flight_lines_over_a_rectangle(take, command_line, tmp_path):
     hands.edit(lambda e: e["mode"] == "area")
     hands.click((-15, -15, 0))
     hands.wait(lambda s: "opposite" in s["message"])
-    hands.click((10, 15, 0))
+    hands.click((18, -2, 0))  # nothing hides it
     editor = hands.edit(lambda e: e["mode"] == "scanner" and len(e["legs"]) >= 2)
     assert [leg["active"] for leg in editor["legs"]] == [True, False] * (len(editor["legs"]) // 2)
     height = editor["sliders"]["height"]["value"]
@@ -227,13 +227,13 @@ def test_parts_of_the_scene(take, command_line, tmp_path):
         before = hands.state()["editor"]["file"]
         hands.key("g")
         hands.edit(lambda e, b=before: e["file"] != b)
-    hands.key("a", (-12, -12, 0))
+    hands.key("a", (-13, -12, 0))  # beside the tripod
     hands.edit(lambda e: e["parts"] == ["ground", "house", "house_2"])
     hands.key("s")
     hands.edit(lambda e: e["saved"])
     assert get_offset(tmp_path / "made_scene.xml", "house") == pytest.approx([4.5, 2, 0])
     assert get_offset(tmp_path / "made_scene.xml", "house_2")[:2] == pytest.approx(
-        [-16, -15], abs=0.5
+        [-17, -15], abs=0.5
     )
     assert 'scene="made_scene.xml#yard"' in (tmp_path / "made.xml").read_text()
     hands.key("Return")
