@@ -105,13 +105,14 @@ helios_install_formats() {
   done
 }
 
-# Other libraries that clouds and meshes are exchanged with. Without them their tests are skipped;
+# Other libraries that clouds and meshes are exchanged with, and those of vtkhelios export --mcap. Without them their tests are skipped;
 # those of Open3D also run if it is installed (pip install --no-deps open3d), which takes 1.4 GB.
 helios_install_exchange() {
-  build/venv/bin/python -c 'import pandas, trimesh, meshio' 2>/dev/null && return
+  build/venv/bin/python -c 'import pandas, trimesh, meshio, mcap, rosbags' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'pandas==2.2.3' 'python-dateutil<3' 'pytz' 'tzdata' 'six' 'trimesh==4.12.2' 'meshio==5.3.5' ||
-    echo "pandas, trimesh and meshio cannot be installed here: their tests are skipped" >&2
+    'pandas==2.2.3' 'python-dateutil<3' 'pytz' 'tzdata' 'six' 'trimesh==4.12.2' 'meshio==5.3.5' \
+    'mcap==1.6.0' 'rosbags==0.11.9' 'lz4' 'ruamel.yaml' 'typing-extensions' 'zstandard' ||
+    echo "pandas, trimesh, meshio, mcap and rosbags cannot be installed here: their tests are skipped" >&2
 }
 
 # Surveys on the workers of Dask; needs no numpy. Without it their tests are skipped.

@@ -44,6 +44,7 @@ examples:
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    re-run echo detection on stored waveforms
   vtkhelios convert output/village village.laz      points to LAS, LAZ, COPC, E57, PLY, PCD, VTK, text
   vtkhelios instrument os1.json -o os1.xml          a scanner from the metadata of an Ouster sensor
+  vtkhelios export output/street kitti --kitti      a run as KITTI, SemanticKITTI, S3DIS or MCAP
   vtkhelios info village.laz                        contents of a file, a run or a survey
   vtkhelios report output/village                   a report page of a run: maps, histograms, timings
   vtkhelios list scanners riegl                     what a survey may name

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""MCAP with messages of ROS 2, for SLAM: scans.mcap.
+
+/points   sensor_msgs/PointCloud2 in the frame lidar: x y z [m], intensity [0, 1], t [s] after the
+          stamp, ring (channel), range [m], return_number
+/misses   the same message of pulses without an echo, of runs with pulses: dx dy dz (unit vector),
+          t, ring
+/tf       tf2_msgs/TFMessage: the frame lidar in map, at each scan; map begins at the first scan's
+          position in whole metres
+
+A stamp is GpsTime, so GpsEpoch seconds are added by whoever needs wall-clock time.
+"""
+
+import numpy as np
+
+from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
+from ..exchange import load
+from ._labels import find_intensities
+
+POINTS = np.dtype([
+    ("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("intensity", "<f4"), ("t", "<f4"), ("range", "<f4"),
+    ("ring", "<u2"), ("return_number", "u1"), ("unused", "u1"),
+])  # fmt: skip
+MISSES = np.dtype([
+    ("dx", "<f4"), ("dy", "<f4"), ("dz", "<f4"), ("t", "<f4"), ("ring", "<u2"), ("unused", "<u2"),
+])  # fmt: skip
+_KINDS = {"f4": 7, "u2": 4, "u1": 2}  # of PointField
+CLOUD, TRANSFORM = "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage"
+
+
+class McapWriter:
+    """Writes scans.mcap to a folder (a Path); needs mcap and rosbags."""
+
+    def __init__(self, folder, labels, fields):
+        self._mcap = load("mcap.writer", "mcap rosbags")
+        typesys = load("rosbags.typesys", "mcap rosbags")
+        self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
+        self.path = folder / "scans.mcap"
+        self.channels, self.origin = {}, None
+
+    def write(self, scans):
+        """Writes all scans; returns their number and that of points."""
+        number, count = -1, 0
+        with open(self.path, "wb") as file:
+            self.writer = self._mcap.Writer(file, compression=self._mcap.CompressionType.NONE)
+            self.writer.start(profile="ros2", library="vtkhelios")
+            for number, scan in enumerate(scans):
+                self._write_transform(scan, number)
+                self._write_cloud("/points", scan.start, make_points(scan), number)
+                if scan.misses is not None:
+                    self._write_cloud("/misses", scan.start, make_misses(scan), number)
+                count += len(scan.arrays["points"])
+            self.writer.finish()
+        return number + 1, count
+
+    def _send(self, topic, kind, message, start, number):
+        if topic not in self.channels:
+            text, _ = self.store.generate_msgdef(kind, ros_version=2)
+            schema = self.writer.register_schema(kind, "ros2msg", text.encode())
+            self.channels[topic] = self.writer.register_channel(topic, "cdr", schema)
+        data = bytes(self.store.serialize_cdr(message, kind))
+        time = round(1e9 * start)
+        self.writer.add_message(self.channels[topic], time, data, time, number)
+
+    def _header(self, frame, start):
+        kinds, nanoseconds = self.store.types, round(1e9 * start)
+        stamp = kinds["builtin_interfaces/msg/Time"](*divmod(nanoseconds, 10**9))
+        return kinds["std_msgs/msg/Header"](stamp, frame)
+
+    def _write_cloud(self, topic, start, rows, number):
+        field = self.store.types["sensor_msgs/msg/PointField"]
+        fields = [
+            field(name, offset, _KINDS[kind.str[1:]], 1)
+            for name, (kind, offset, *_) in rows.dtype.fields.items()
+            if name != "unused"
+        ]
+        size = rows.dtype.itemsize
+        message = self.store.types[CLOUD](
+            self._header("lidar", start), 1, len(rows), fields, False, size, size * len(rows),
+            rows.view(np.uint8).reshape(-1), True,
+        )  # fmt: skip
+        self._send(topic, CLOUD, message, start, number)
+
+    def _write_transform(self, scan, number):
+        if self.origin is None:
+            self.origin = np.floor(scan.pose[:3, 3])
+        kinds = self.store.types
+        x, y, z = (float(value) for value in scan.pose[:3, 3] - self.origin)
+        turn = kinds["geometry_msgs/msg/Quaternion"](*_quaternion(scan.pose[:3, :3]))
+        transform = kinds["geometry_msgs/msg/Transform"](
+            kinds["geometry_msgs/msg/Vector3"](x, y, z), turn
+        )
+        stamped = kinds["geometry_msgs/msg/TransformStamped"](
+            self._header("map", scan.start), "lidar", transform
+        )
+        self._send("/tf", TRANSFORM, kinds[TRANSFORM]([stamped]), scan.start, number)
+
+
+def make_points(scan):
+    """The rows of a PointCloud2."""
+    arrays = scan.arrays
+    rows = np.zeros(len(arrays["points"]), POINTS)
+    rows["x"], rows["y"], rows["z"] = scan.points.T
+    rows["intensity"] = find_intensities(arrays)
+    rows["t"] = arrays[GPS_TIME] - scan.start
+    rows["range"] = arrays.get(RANGE, np.linalg.norm(scan.points, axis=1))
+    rows["ring"] = arrays.get(CHANNEL_IDS, 0)
+    rows["return_number"] = arrays.get(RETURN_NUMBER, 1)
+    return rows
+
+
+def make_misses(scan):
+    """The rows of pulses without an echo."""
+    rows = np.zeros(len(scan.misses[GPS_TIME]), MISSES)
+    rows["dx"], rows["dy"], rows["dz"] = scan.directions.T
+    rows["t"] = scan.misses[GPS_TIME] - scan.start
+    rows["ring"] = scan.misses.get(CHANNEL_IDS, 0)
+    return rows
+
+
+def _quaternion(matrix):
+    """x, y, z, w of a rotation matrix: the eigenvector of Bar-Itzhack (2000), which is always stable."""
+    (a, b, c), (d, e, f), (g, h, i) = matrix
+    k = np.array([
+        [a - e - i, d + b, g + c, h - f], [d + b, e - a - i, h + f, c - g],
+        [g + c, h + f, i - a - e, d - b], [h - f, c - g, d - b, a + e + i],
+    ]) / 3.0  # fmt: skip
+    vector = np.linalg.eigh(k)[1][:, -1]
+    return [float(value) for value in (vector if vector[3] >= 0 else -vector)]
