@@ -51,7 +51,23 @@ def validate(tmp_path, capsys, monkeypatch):
 def test_valid_survey(command_line, make_survey):
     done = command_line("validate", make_survey())
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == "1 file: 0 errors, 0 warnings\n"
+    assert done.stdout == "1 file: 0 errors, 0 warnings; geometry was not read (--deep reads it)\n"
+
+
+def test_deep(command_line, make_survey):
+    """A mesh with an error is found with --deep only, at the line of its part and its own."""
+    survey = make_survey()
+    done = command_line("validate", survey, "--deep")
+    assert (done.returncode, done.stdout) == (0, "1 file: 0 errors, 0 warnings\n")
+    mesh = survey.with_name("plane.obj")
+    mesh.write_text(mesh.read_text().replace("f 1 3 4", "f 1 3 9"))
+    assert command_line("validate", survey).returncode == 0
+    done = command_line("validate", survey, "--deep")
+    first, last = done.stdout.splitlines()
+    assert done.returncode == 1 and last == "1 file: 1 error, 0 warnings"
+    assert "plane.obj:6: error: " in first or "plane.obj:6: " in first, first
+    scene = survey.with_name("scene.xml")
+    assert command_line("validate", scene, "--deep").returncode == 0  # a scene alone is not loaded
 
 
 def test_all_errors_are_reported_at_once(validate):
@@ -154,7 +170,10 @@ def test_strict(validate):
     text = '<document><platform id="p" type="static" whels="4"/></document>'
     assert validate(text)[0] == 0
     code, lines = validate(text, "--strict")
-    assert code == 1 and lines[-1] == "1 file: 0 errors, 1 warning"
+    assert (
+        code == 1
+        and lines[-1] == "1 file: 0 errors, 1 warning; geometry was not read (--deep reads it)"
+    )
 
 
 def test_assets_are_looked_up(validate, tmp_path):

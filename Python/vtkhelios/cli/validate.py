@@ -4,9 +4,11 @@
 
 import dataclasses
 import json
+import pathlib
 import re
 
 from .._pipeline import SimilarMessages
+from ..vtkHeliosScannerSurvey import vtkHeliosSurveySource
 from ._messages import Messages, say_error
 from ._reading import add_assets_argument, make_reader, missing_folder
 from ._streams import visible
@@ -16,7 +18,8 @@ SUMMARY = "list all errors in surveys, scenes, scanners or platforms (XML)"
 EPILOG = """\
 what it checks: every element and attribute, its type, unit and range; misspelt names; that all
 references exist: scanners, platforms, scenes, files of geometry and materials; that the scanner
-supports the settings of a leg. Geometry is not read. Everything in a file is checked, whether a
+supports the settings of a leg. Files of geometry are not read, unless --deep loads the scene of a
+survey, as a run does. Everything in a file is checked, whether a
 survey uses it or not, and so is everything that a survey refers to.
 
 An error stops a run; a warning is about a difference between a run and what the file may mean, such
@@ -26,6 +29,7 @@ what it prints: file:line: error: the problem, the value, and the remedy; one li
 
 examples:
   vtkhelios validate survey.xml --assets my_scenes
+  vtkhelios validate survey.xml --deep        also read its meshes, rasters and clouds
   vtkhelios validate *.xml --strict           warnings count as errors
   vtkhelios validate survey.xml --json        a list of {file, line, severity, message}
 
@@ -53,6 +57,9 @@ def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("files", metavar="FILE", nargs="+", help="a file in HELIOS XML")
     add_assets_argument(parser)
+    parser.add_argument(
+        "--deep", action="store_true", help="also load the scene of a survey, with all its files"
+    )
     parser.add_argument("--strict", action="store_true", help="warnings count as errors")
     parser.add_argument("--json", action="store_true", help="print a list of JSON objects")
 
@@ -86,17 +93,33 @@ class Collector(Messages):
             self.findings.append(finding)
 
 
-def check(path, assets):
-    """The errors of a file and the files it refers to, in the order of files and lines."""
+def check(path, assets, deep=False):
+    """The errors of a file and the files it refers to, in the order of files and lines.
+
+    deep: also of the files of geometry, if there is no other error.
+    """
     shown = visible(path)
     with Collector(shown) as messages:
         reader = make_reader(path, assets)
         messages.watch(reader)
         if not reader.Check():
             messages.error_unless_told("cannot be read")
+        elif deep and not messages.errors:
+            load_scene(reader, messages)
     files = list(dict.fromkeys([shown, *(found.file for found in messages.findings)]))
     findings = merge_similar(messages.findings)
     return sorted(findings, key=lambda found: (files.index(found.file), found.line or 0))
+
+
+def load_scene(reader, messages):
+    """Loads the scene of a survey; other documents have none to load."""
+    if b"<survey" not in pathlib.Path(reader.GetFileName()).read_bytes() or not reader.Read():
+        return
+    source = vtkHeliosSurveySource()
+    source.SetSurvey(reader.GetSurvey())
+    messages.watch(source)
+    if not source.Load():
+        messages.error_unless_told("its scene cannot be loaded")
 
 
 def merge_similar(findings):
@@ -122,7 +145,11 @@ def run(arguments):
         return 2
     findings = []
     for path in arguments.files:
-        findings += [found for found in check(path, arguments.assets) if found not in findings]
+        findings += [
+            found
+            for found in check(path, arguments.assets, arguments.deep)
+            if found not in findings
+        ]
     errors = sum(found.severity == "error" for found in findings)
     warnings = len(findings) - errors
     if arguments.json:
@@ -130,6 +157,7 @@ def run(arguments):
     else:
         for found in findings:
             print(found)
+        skipped = "" if arguments.deep or errors else "; geometry was not read (--deep reads it)"
         files = count(len(arguments.files), "file")
-        print(f"{files}: {count(errors, 'error')}, {count(warnings, 'warning')}")
+        print(f"{files}: {count(errors, 'error')}, {count(warnings, 'warning')}{skipped}")
     return 1 if errors or (arguments.strict and warnings) else 0
