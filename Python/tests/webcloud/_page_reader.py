@@ -40,20 +40,21 @@ class PageReader(html.parser.HTMLParser):
         points, values = [], {column["name"]: [] for column in columns}
         for index, (level, *place, count) in enumerate(self.meta["nodes"]):
             first = index * (1 + len(columns))
-            steps = np.column_stack(decode(self.stream(first), count, 3))
+            steps = np.column_stack(decode(self.stream(first), [count] * 3))
             corner = np.array(place) * 2 ** (self.meta["bits"] - level)
             assert steps.min() >= 0 and steps.max() < 2 ** (self.meta["bits"] - level)
             points.append(in_steps(steps + corner + self.meta["corner"], self.meta["step"]))
             for part, column in enumerate(columns):
-                (codes,) = decode(self.stream(first + 1 + part), count, 1)
+                (codes,) = decode(self.stream(first + 1 + part), [count])
                 values[column["name"]].append(value_of(column, codes))
         return np.concatenate(points), {name: np.concatenate(each) for name, each in values.items()}
 
 
-def decode(data, count, columns):
-    """Whole numbers of columns of count rows."""
+def decode(data, counts):
+    """Whole numbers of columns with these numbers of rows; None: the sum of the column before."""
     found = []
-    for _ in range(columns):
+    for count in counts:
+        count = int(found[-1].sum()) if count is None else count
         flags, base = struct.unpack_from("<Bd", data)
         width = flags & 127
         planes = np.frombuffer(data, np.uint8, width * count, 9).reshape(width, count)

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from webcloud._page_reader import PageReader
+from webcloud._page_reader import PageReader, decode
 
 from vtkhelios import webcloud
 from vtkhelios.webcloud._columns import make_columns, make_scale
@@ -242,11 +242,35 @@ def test_waveforms_within_a_limit(parts):
     sample = WaveformSample(pulses[::2], limit=30 * 100)
     for part in np.array_split(pulses, parts):
         sample.add(make_table(part))
-    sample._shrink()
-    expected = pulses[::2][np.argsort(hashes(pulses[::2]))[:100]]
-    assert set(sample._found) == set(expected) and sample.seen == 500
-    start, size, samples = sample._found[int(expected[0])]
-    assert start == 100.0 + expected[0] and size == 0.25 and samples.argmax() == 9
+    kept = sample.shrink()
+    expected = np.sort(pulses[::2][np.argsort(hashes(pulses[::2]))[:100]])
+    assert np.array_equal(kept["PulseIds"], expected) and sample.seen == 500
+    assert np.array_equal(kept["StartTime"], 100.0 + expected) and (kept["BinSize"] == 0.25).all()
+    assert (kept["Samples"].reshape(100, 30).argmax(axis=1) == 9).all()
+
+
+@pytest.mark.parametrize(
+    "samples",
+    [[0.0], [0.0, 0.0, 0.0], [5.0], [0.0, 0.0, 1.0, 0.0, 0.0, 0.0], [-1.0, -2.0], [3.0, 1.0, 2.0]],
+)
+def test_any_waveform(samples, make_arrays):
+    """Zeros at both ends are left out, but one; a waveform of zeros stays."""
+    table = make_table(np.arange(3), 1)
+    table["Samples"] = np.array([7.0, *samples, 9.0], np.float32)
+    table["Offset"], table["Count"] = np.array([0, 1, 1 + len(samples)]), np.array(
+        [1, len(samples), 1]
+    )
+    arrays = {"points": make_arrays(3)["points"], "PulseIds": np.arange(3)}
+    page = PageReader(webcloud.make_page(arrays, "a", tables=[table]))
+    data = page.stream(page.meta["waveforms"]["firstStream"])
+    *head, codes = decode(data, [3, 3, 3, 3, 3, None])
+    peaks = head[3].astype(np.uint32).view(np.float32)
+    found = codes[head[4][0] : -head[4][2]] * (peaks[1] / 4095)
+    first = round((head[1][1] * 1e-4 - 101) / 0.25)
+    whole = np.zeros(len(samples))
+    whole[first : first + len(found)] = found
+    assert np.allclose(whole, np.array(samples) if max(samples) > 0 else 0, atol=1e-3)
+    assert len(found) <= np.count_nonzero(samples) + 2 or max(samples) <= 0
 
 
 def test_errors(make_arrays):

@@ -43,80 +43,109 @@ class WaveformSample:
         self.limit = limit
         self.seen = 0  # waveforms of the given pulses
         self._pulses = np.unique(pulses)
-        self._found = {}  # by pulse: start [ns], bin [ns], samples
+        self._tables = []
         self._size = 0
         self._highest = np.uint64(2**64 - 1)
 
     def add(self, table):
         """Adds the rows of a table: a dict of the arrays of a vtkTable of waveforms."""
-        wanted = np.isin(table[PULSE_IDS], self._pulses)
+        wanted = np.isin(table[PULSE_IDS], self._pulses) & (table[COUNT] > 0)
         self.seen += int(np.count_nonzero(wanted))
-        rows = np.flatnonzero(wanted)
-        keys = hashes(table[PULSE_IDS][rows])
-        order = np.argsort(keys)
-        order = order[keys[order] <= self._highest]
-        sizes = np.cumsum(table[COUNT][rows[order]])
-        for row in rows[order[: 1 + int(np.searchsorted(sizes, 2 * self.limit))]]:
-            self._add_row(table, row)
+        rows = np.flatnonzero(wanted & (hashes(table[PULSE_IDS]) <= self._highest))
+        self._tables.append(_select(table, rows))
+        self._size += len(self._tables[-1][SAMPLES])
         if self._size > 2 * self.limit:
-            self._shrink()
+            self.shrink()
 
-    def _add_row(self, table, row):
-        first, count = int(table[OFFSET][row]), int(table[COUNT][row])
-        samples = np.array(table[SAMPLES][first : first + count])
-        times = float(table[START_TIME][row]), float(table[BIN_SIZE][row])
-        self._found[int(table[PULSE_IDS][row])] = (*times, samples)
-        self._size += count
+    def shrink(self):
+        """Drops the waveforms beyond the limit; returns the others as one table, by PulseIds."""
+        table = _join(self._tables)
+        _, rows = np.unique(table[PULSE_IDS], return_index=True)
+        if table[COUNT][rows].sum() > self.limit:
+            keys = hashes(table[PULSE_IDS][rows])
+            order = np.argsort(keys)
+            sizes = np.cumsum(table[COUNT][rows[order]])
+            kept = order[: max(1, int(np.searchsorted(sizes, self.limit, "right")))]
+            self._highest = keys[kept[-1]]
+            rows = rows[np.sort(kept)]
+        self._tables = [_select(table, rows)]
+        self._size = len(self._tables[0][SAMPLES])
+        return self._tables[0]
 
     def pack(self, store):
         """Adds the waveforms to a store; returns their description for JSON, or None without any."""
-        self._shrink()
-        pulses = np.array(sorted(self._found), np.int64)
-        if len(pulses) == 0:
+        if self.seen == 0:
             return None
-        groups = np.split(pulses, range(GROUP, len(pulses), GROUP))
+        table = _trim(self.shrink())
+        peaks = np.maximum.reduceat(table[SAMPLES], table[OFFSET])
+        codes = _codes(table, peaks)
+        count = len(table[PULSE_IDS])
         first_stream = len(store.lengths)
-        store.add(pack_columns([pulses]))
-        for group in groups:
-            store.add(self._pack_group(group))
+        store.add(pack_columns([table[PULSE_IDS]]))
+        for begin in range(0, count, GROUP):
+            store.add(_pack_group(table, peaks, codes, slice(begin, min(count, begin + GROUP))))
         return {
-            "pulses": first_stream, "firstStream": first_stream + 1, "firstPulses": [int(group[0]) for group in groups],
-            "group": GROUP, "count": len(pulses), "of": self.seen, "timeStep": TIME_STEP, "full": FULL,
+            "pulses": first_stream, "firstStream": first_stream + 1, "count": count, "of": self.seen,
+            "firstPulses": table[PULSE_IDS][::GROUP].tolist(), "group": GROUP,
+            "timeStep": TIME_STEP, "full": FULL,
         }  # fmt: skip
 
-    def _pack_group(self, group):
-        """Pulse, start, bin, peak and number of samples of each, and then all samples."""
-        starts, bins, samples = zip(*(_trim(*self._found[int(pulse)]) for pulse in group))
-        peaks = np.array([float(part.max(initial=0)) for part in samples], np.float32)
-        codes = [np.rint(part / (peak or 1) * FULL) for part, peak in zip(samples, peaks)]
-        head = [
-            group, _steps(starts), _steps(bins), peaks.view(np.uint32).astype(np.int64),
-            np.array([len(part) for part in samples], np.int64),
-        ]  # fmt: skip
-        joined = np.concatenate(codes).clip(-FULL, FULL).astype(np.int64)
-        return pack_columns([*head, joined])
 
-    def _shrink(self):
-        if self._size <= self.limit:
-            return
-        pulses = np.array(list(self._found), np.int64)
-        pulses = pulses[np.argsort(hashes(pulses))]
-        sizes = np.cumsum([len(self._found[int(pulse)][2]) for pulse in pulses])
-        kept = pulses[: max(1, int(np.searchsorted(sizes, self.limit, "right")))]
-        self._found = {int(pulse): self._found[int(pulse)] for pulse in kept}
-        self._size = int(sizes[len(kept) - 1])
-        self._highest = hashes(kept[-1:])[0]
+def _pack_group(table, peaks, codes, rows):
+    """Pulse, start, bin, peak and number of samples of each, and then all samples."""
+    begin = table[OFFSET][rows.start]
+    end = table[OFFSET][rows.stop - 1] + table[COUNT][rows.stop - 1]
+    return pack_columns([
+        table[PULSE_IDS][rows], _steps(table[START_TIME][rows]), _steps(table[BIN_SIZE][rows]),
+        peaks[rows].view(np.uint32).astype(np.int64), table[COUNT][rows], codes[begin:end],
+    ])  # fmt: skip
 
 
-def _trim(start, size, samples):
-    """A waveform without the samples at its ends that are 0 at the resolution of the page, but one."""
-    peak = float(samples.max(initial=0))
-    filled = np.flatnonzero(np.abs(samples) * FULL >= 0.5 * peak) if peak > 0 else []
-    if len(filled) == 0:
-        return start, size, samples
-    first, last = max(0, filled[0] - 1), filled[-1] + 2
-    return start + first * size, size, samples[first:last]
+def _codes(table, peaks):
+    """Samples in steps of the peak of their waveform over FULL."""
+    scale = np.where(peaks > 0, FULL / np.where(peaks > 0, peaks, 1), 0).astype(np.float64)
+    codes = np.rint(table[SAMPLES] * np.repeat(scale, table[COUNT]))
+    return codes.clip(-FULL, FULL).astype(np.int64)
+
+
+def _trim(table):
+    """Waveforms without the samples at their ends that are 0 at the resolution of the page, but one."""
+    offset, count, samples = table[OFFSET], table[COUNT], table[SAMPLES]
+    if len(offset) == 0:
+        return table
+    peaks = np.maximum.reduceat(samples, offset)
+    filled = np.abs(samples) * FULL >= 0.5 * np.repeat(peaks, count)
+    place = np.arange(len(samples)) - np.repeat(offset, count)
+    first = np.minimum.reduceat(np.where(filled, place, len(samples)), offset)
+    last = np.maximum.reduceat(np.where(filled, place, -1), offset)
+    is_empty = (last < 0) | (peaks <= 0)
+    first = np.where(is_empty, 0, np.maximum(first - 1, 0))
+    last = np.where(is_empty, count - 1, np.minimum(last + 1, count - 1))
+    shifted = {
+        **table, START_TIME: table[START_TIME] + first * table[BIN_SIZE],
+        OFFSET: offset + first, COUNT: last + 1 - first,
+    }  # fmt: skip
+    return _select(shifted, np.arange(len(offset)))
+
+
+def _select(table, rows):
+    """Rows of a table, with their samples one after the other."""
+    offset, count = table[OFFSET][rows], table[COUNT][rows].astype(np.int64)
+    starts = np.cumsum(count) - count
+    index = np.repeat(offset - starts, count) + np.arange(int(count.sum()))
+    return {
+        PULSE_IDS: table[PULSE_IDS][rows].astype(np.int64), START_TIME: table[START_TIME][rows],
+        BIN_SIZE: table[BIN_SIZE][rows], OFFSET: starts, COUNT: count,
+        SAMPLES: np.asarray(table[SAMPLES][index], np.float32),
+    }  # fmt: skip
+
+
+def _join(tables):
+    """One table of several."""
+    joined = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+    joined[OFFSET] = np.cumsum(joined[COUNT]) - joined[COUNT]
+    return joined
 
 
 def _steps(times):
-    return np.rint(np.array(times) / TIME_STEP).astype(np.int64)
+    return np.rint(times / TIME_STEP).astype(np.int64)
