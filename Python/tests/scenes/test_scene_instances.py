@@ -154,7 +154,7 @@ def test_instances_have_no_points_of_their_own(stand, what):
 
 def test_materials_of_instances_are_those_of_meshes(stand):
     with pytest.raises(
-        ValueError, match="12 instances, and reflectance and ground are of one mesh"
+        ValueError, match="12 instances, and reflectance, ground and optics are of one mesh"
     ):
         vtkhelios.Scene(_scene(stand, True), reflectance=0.3)
 

@@ -7,7 +7,7 @@ import itertools
 
 import numpy as np
 
-from ..array_names import GPS_TIME, HIT, PULSE_IDS
+from ..array_names import DIRECTION, GPS_TIME, HIT, PULSE_IDS
 from ..formats import FormatError
 
 
@@ -29,7 +29,7 @@ class Frame:
     @property
     def directions(self):
         """Unit vectors of the misses, m x 3."""
-        return self.misses["Direction"] @ self.pose[:3, :3]
+        return self.misses[DIRECTION] @ self.pose[:3, :3]
 
 
 def read_scans(reader, window=None):
