@@ -326,6 +326,7 @@ void WaveformChart::SetColors()
   legend->SetLabelSize(size);
   SetUpText(legend->GetLabelProperties(), theme.Ink, size);
   SetUpText(this->Chart->GetTitleProperties(), theme.Ink, size);
+  this->Chart->GetTitleProperties()->SetLineSpacing(1.2);
   for (const int side : { vtkAxis::BOTTOM, vtkAxis::LEFT, vtkAxis::TOP, vtkAxis::RIGHT })
   {
     vtkAxis* axis = this->Chart->GetAxis(side);

@@ -183,6 +183,7 @@ void HelpPage::Paint(Painter& painter, const Rect& rect) const
   const Theme& theme = painter.GetTheme();
   const int size = this->FindTextSize(rect, painter.GetTextSize());
   Painter letters = painter.WithTextSize(size);
+  painter.Fill(rect, theme.Panel, theme.Opacity); // twice: the picture is faint
   painter.DrawPanel(rect);
   const int step = GetLineHeight(size);
   int x = rect.X + size;
