@@ -171,8 +171,8 @@ public:
   ///@{
   /**
    * Add a part of the scene from a file, by a loader: objloader, geotiffloader, xyzloader,
-   * detailedvoxels, plyloader, stlloader, cityjsonloader or gltfloader. Returns its index, or -1
-   * after an error. Remove all parts.
+   * detailedvoxels, plyloader, stlloader, cityjsonloader, gltfloader or lasloader. Returns its
+   * index, or -1 after an error. Remove all parts.
    */
   int AddPart(const std::string& loader, const std::string& file);
   void RemoveAllParts();

@@ -12,17 +12,21 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <new>
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosLASReader);
@@ -36,6 +40,52 @@ constexpr std::uint64_t PointsPerRound = 1 << 14;
 std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
 {
   return count / n * i + count % n * i / n;
+}
+
+/// Parses classes separated by blanks; an error for a word that is none.
+helios::Status ParseClasses(const std::string& text, std::vector<char>& isWanted)
+{
+  isWanted.assign(256, text.empty() ? 1 : 0);
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    unsigned int number = 256;
+    const char* end = word.data() + word.size();
+    const auto parsed = std::from_chars(word.data(), end, number);
+    if (parsed.ec != std::errc() || parsed.ptr != end || number > 255)
+    {
+      return helios::Status::Error(
+        "Classes has \"" + word + "\"; give classes from 0 to 255, with blanks between them");
+    }
+    isWanted[number] = 1;
+  }
+  return {};
+}
+
+/// Removes the points of other classes.
+void SelectClasses(const std::vector<char>& isWanted, vtkPolyData* cloud)
+{
+  vtkDataArray* classes = cloud->GetPointData()->GetArray(vtkHeliosArrayNames::ClassificationIds);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; classes && i < classes->GetNumberOfTuples(); ++i)
+  {
+    const double value = classes->GetComponent(i, 0);
+    if (value >= 0.0 && value < 256.0 && isWanted[static_cast<std::size_t>(value)])
+    {
+      ids->InsertNextId(i);
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  cloud->GetPoints()->GetPoints(ids, points);
+  vtkNew<vtkPointData> data;
+  data->CopyAllocate(cloud->GetPointData(), ids->GetNumberOfIds());
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    data->CopyData(cloud->GetPointData(), ids->GetId(i), i);
+  }
+  cloud->SetPoints(points);
+  cloud->GetPointData()->ShallowCopy(data);
 }
 
 /// Sets the field data of the file.
@@ -71,7 +121,8 @@ void vtkHeliosLASReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
-     << indent << "ReadWaveforms: " << this->ReadWaveforms << "\n";
+     << indent << "ReadWaveforms: " << this->ReadWaveforms << "\n"
+     << indent << "Classes: " << this->Classes << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +149,13 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
 {
   const helios::LasHeader& header = file.GetHeader();
-  const bool hasWaves = this->ReadWaveforms && helios::GetLasPointForm(header.Format).Wave >= 0;
+  std::vector<char> isWanted;
+  if (const helios::Status parsed = ParseClasses(this->Classes, isWanted); !parsed.IsOk())
+  {
+    return parsed;
+  }
+  const bool hasWaves = this->ReadWaveforms && this->Classes.empty() &&
+    helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
   helios::Status status = hasWaves ? packets.Open(file) : helios::Status();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
@@ -132,6 +189,10 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
     return status;
   }
   arrays.MoveTo(output);
+  if (!this->Classes.empty())
+  {
+    SelectClasses(isWanted, output);
+  }
   SetFields(file, output);
   this->WarnOfValues(file.GetPath(), output);
   status = hasWaves ? packets.Read(output, waveforms) : helios::Status();

@@ -22,6 +22,8 @@
  * GpsEpoch, 1e9 if the times are adjusted standard time: GpsEpoch + GpsTime are
  * seconds of GPS time. Data written by vtkHeliosLASWriter are read back unchanged.
  *
+ * With Classes, only points of these classes are read.
+ *
  * Piece i of n is the i-th of n equal ranges of the points.
  *
  * Errors, which name the file, without output: not a LAS file; an invalid version, format or size;
@@ -84,6 +86,15 @@ public:
   vtkBooleanMacro(ReadWaveforms, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the classes whose points are read, such as "2 6". Waveforms are not read then. Valid
+   * range of a class: [0, 255]. Default: empty, all.
+   */
+  vtkSetMacro(Classes, std::string);
+  vtkGetMacro(Classes, std::string);
+  ///@}
+
 protected:
   vtkHeliosLASReader();
   ~vtkHeliosLASReader() override;
@@ -104,6 +115,7 @@ private:
 
   char* FileName = nullptr;
   bool ReadWaveforms = false;
+  std::string Classes;
   std::string WarnedName;   // file whose waveforms caused a warning
   std::string WarnedValues; // file whose values caused a warning
 };

@@ -120,8 +120,8 @@ bool XmlFilter::Read(const char* key, Vec3& target) const
 const std::vector<std::string>& GetFilterTypes()
 {
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
-    "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "gltfloader", "crs", "repair",
-    "simplify", "rotate", "scale", "translate" };
+    "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "gltfloader", "lasloader", "crs",
+    "repair", "simplify", "rotate", "scale", "translate" };
   return types;
 }
 

@@ -48,6 +48,7 @@ private:
   void ReadGeoTiffLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::GeoTiff); }
   void ReadMeshLoader(const XmlFilter& filter, Loader type);
   void ReadXyzLoader(const XmlFilter& filter);
+  void ReadLasLoader(const XmlFilter& filter) { this->ReadMeshLoader(filter, Loader::Las); }
   void ReadNormals(const XmlFilter& filter);
   void ReadVegetation(const XmlFilter& filter);
   bool StartLoader(const XmlFilter& filter, Loader type);
@@ -181,6 +182,7 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
     { "stlloader", &PartReader::ReadStlLoader },
     { "cityjsonloader", &PartReader::ReadCityLoader },
     { "gltfloader", &PartReader::ReadGltfLoader },
+    { "lasloader", &PartReader::ReadLasLoader },
     { "crs", &PartReader::ReadCrs },
     { "repair", &PartReader::ReadRepair },
     { "simplify", &PartReader::ReadSimplify },

@@ -187,7 +187,8 @@ enum class Loader
   Ply,
   Stl,
   CityJson,
-  Gltf
+  Gltf,
+  Las
 };
 
 /// How the points of a file become solid voxels.
@@ -200,6 +201,7 @@ struct VoxelData
   bool EstimateNormals = false;
   Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< of cells without one; 0: that of the faces
   bool SnapNeighborNormal = false;
+  std::string Classes; ///< of a LAS file; empty: all
 };
 
 /// The optical model of the cells of a vegetation grid.
@@ -262,6 +264,9 @@ struct PartData
   bool OnGround = false;             ///< its lowest vertex is moved to the ground below
   std::vector<SwapData> Swaps;       ///< its replacements in later epochs, in order
   MotionData Motion;                 ///< from its final position
+
+  /// Whether its points become solid voxels.
+  bool IsCloud() const { return this->Type == Loader::Xyz || this->Type == Loader::Las; }
 
   bool IsTurbid() const
   {

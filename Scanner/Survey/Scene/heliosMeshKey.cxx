@@ -13,7 +13,7 @@ namespace helios
 
 std::string GetMeshKey(const PartData& part)
 {
-  if (part.Type == Loader::Xyz || part.Type == Loader::Vegetation)
+  if (part.Type == Loader::Xyz || part.Type == Loader::Las || part.Type == Loader::Vegetation)
   {
     return {};
   }

@@ -8,6 +8,7 @@
 #include "heliosMessages.h"
 #include "heliosSceneReaders.h"
 #include "vtkHeliosGeoTiffHeightReader.h"
+#include "vtkHeliosLASReader.h"
 #include "vtkHeliosMaterialReader.h"
 #include "vtkHeliosMeshRepair.h"
 #include "vtkHeliosPointVoxelizer.h"
@@ -21,6 +22,7 @@
 
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkFieldData.h>
@@ -193,7 +195,7 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
     return this->AddMaterial(part.Material, this->MakeRasterReader(part));
   }
   const Filter mesh =
-    part.Type == Loader::Xyz ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
+    part.IsCloud() ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
   return this->AddMeshCare(part,
     this->AddClass(part, HasOwnMaterials(part) ? mesh : this->AddMaterial(part.Material, mesh)));
 }
@@ -387,11 +389,34 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   voxelizer->SetSnapNeighborNormal(part.Voxels.SnapNeighborNormal);
   voxelizer->SetDefaultNormal(normal.GetData());
   voxelizer->SetNumberOfMaterials(part.Material.Count);
+  this->Readers.emplace_back(part.Files.front(), voxelizer);
+  // Reprojected before: voxels are aligned with the axes of the target.
+  if (part.Type == Loader::Las)
+  {
+    return this->Connect(voxelizer, this->MakeLasReaders(part));
+  }
   const auto reader = MakePointReader(part);
   this->Listen(reader, this->Where);
-  this->Readers.emplace_back(part.Files.front(), voxelizer);
-  return this->Connect(voxelizer, this->AddCrs(part, reader)); // voxels are aligned with the axes
-                                                               // of the target
+  return this->Connect(voxelizer, this->AddCrs(part, reader));
+}
+
+//------------------------------------------------------------------------------
+/// The points of all files of a part, each reprojected by itself.
+PartPipelines::Filter PartPipelines::MakeLasReaders(const PartData& part)
+{
+  auto joiner = vtkSmartPointer<vtkAppendPolyData>::New();
+  joiner->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  Filter last;
+  for (const std::string& file : part.Files)
+  {
+    auto reader = vtkSmartPointer<vtkHeliosLASReader>::New();
+    reader->SetFileName(file.c_str());
+    reader->SetClasses(part.Voxels.Classes);
+    this->Listen(reader, this->Where);
+    last = this->AddCrs(part, reader);
+    joiner->AddInputConnection(last->GetOutputPort());
+  }
+  return part.Files.size() == 1 ? last : Filter(joiner);
 }
 
 //------------------------------------------------------------------------------

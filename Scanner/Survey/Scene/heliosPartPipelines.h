@@ -85,6 +85,7 @@ private:
   Filter MakeRasterReader(const PartData& part);
   Filter MakeMesh(const PartData& part);
   Filter MakeVoxels(const PartData& part);
+  Filter MakeLasReaders(const PartData& part);
   Filter GetReader(const PartData& part, const std::string& file);
   Filter MakeCubes(const PartData& part, const std::string& file);
   Filter AddMaterial(const MaterialData& material, Filter before);

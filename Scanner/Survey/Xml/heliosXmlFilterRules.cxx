@@ -158,6 +158,21 @@ std::vector<XmlElementRule> MakeFilterRules()
     },
     {} },
 
+  { "filter:lasloader", "points of a LAS file, converted to solid voxels; convert LAZ to LAS first",
+    {
+      Text("filepath", "the file"),
+      Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
+      Text("classes", "the classes whose points are read, such as 3 4 5").Default("all").At<Voxels, &VoxelData::Classes>(),
+      Number("voxelSize", "edge length of a voxel").In("m", { 1e-6, 1e6 }).At<Voxels, &VoxelData::Size>(),
+      Integer("estimateNormals", "not 0: normals are estimated from the points of a voxel").In("", { 0.0, 1e9 }).At<Voxels, &VoxelData::EstimateNormals>(),
+      Vector("defaultNormal", "normal of voxels without one").Default("that of the faces").At<Voxels, &VoxelData::DefaultNormal>(),
+      Text("matfile", "an MTL file, the material of all cells").Default("the default material").File().At<Material, &MaterialData::File>(),
+      Text("matname", "the material in matfile").Default("the alphabetically first").At<Material, &MaterialData::Name>(),
+      Integer("randomMaterials", "number of additional materials with a random change of the reflectance").In("", OtherMaterials).By<SetOtherMaterials, GetOtherMaterials, Material>(),
+      Number("randomRange", "maximum of that change, up or down").In("", { 0.0, 1.0 }).At<Material, &MaterialData::RandomRange>(),
+    },
+    {} },
+
   { "filter:crs", "reprojects the part before it is rotated; also crstransform, transform",
     {
       Text("source", "source coordinate system").Default("that of the file").At<&CrsData::Source>(),

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""LAS files as parts of a scene."""
+
+import numpy as np
+import pytest
+
+import vtkhelios
+from vtkhelios import cli, formats
+from vtkhelios.array_names import CLASSIFICATION_IDS
+
+SURVEY = """\
+<document>
+  <survey name="s" scene="#s" platform="platforms.xml#tripod" scanner="scanners.xml#vz400_class_tls">
+    <leg>
+      <platformSettings z="5" onGround="false"/>
+      <scannerSettings pulseFreq_hz="100000" scanFreq_hz="100" verticalAngleMin_deg="-40"
+        verticalAngleMax_deg="60" headRotatePerSec_deg="60" headRotateStop_deg="360"/>
+    </leg>
+  </survey>
+  <scene id="s">
+    <part classification="6">
+      <filter type="lasloader">
+        <param key="{key}" value="{path}"/>
+        <param key="voxelSize" value="0.5"/>
+        <param key="classes" value="{classes}"/>
+      </filter>
+    </part>
+  </scene>
+</document>
+"""
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Two boxes of points: class 2 below, class 6 three metres above; returns a survey."""
+    pytest.importorskip("laspy")
+    grid = np.indices((8, 8, 2)).reshape(3, -1).T * 0.5 + 0.1
+    points = np.concatenate([grid, grid + [0, 0, 3]])
+    classes = np.repeat([2, 6], len(grid))
+    for name, offset in (("a.las", 0), ("b.las", 20)):
+        with formats.open_writer(tmp_path / name) as writer:
+            writer.write({"points": points + [offset, 0, 0], CLASSIFICATION_IDS: classes})
+
+    def call(classes="", path="a.las", key="filepath"):
+        survey = tmp_path / "survey.xml"
+        survey.write_text(SURVEY.format(path=path, classes=classes, key=key))
+        return survey
+
+    return call
+
+
+def scene_of(survey):
+    mesh = vtkhelios.read_survey(survey).scene
+    return mesh, np.reshape(mesh.GetBounds(), (3, 2)).T
+
+
+def area(mesh):
+    scene = vtkhelios.Scene(mesh)
+    p = scene.points[scene.triangles]
+    return np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1).sum() / 2
+
+
+BOX = 2 * 4 * 4 + 4 * 4 * 1  # m2: 8 x 8 x 2 voxels of 0.5 m
+
+
+@pytest.mark.parametrize(("classes", "bottom", "top", "boxes"), [("", 0.1, 4.1, 2), ("6", 3.1, 4.1, 1), ("2 6", 0.1, 4.1, 2)])  # fmt: skip
+def test_points_become_voxels(write, classes, bottom, top, boxes):
+    mesh, (low, high) = scene_of(write(classes))
+    assert low == pytest.approx([0.1, 0.1, bottom]) and high == pytest.approx([4.1, 4.1, top])
+    assert area(mesh) == pytest.approx(boxes * BOX)
+
+
+def test_several_files(write):
+    mesh, (low, high) = scene_of(write("6", "[ab].las", "efilepath"))
+    assert high[0] == pytest.approx(24.1) and area(mesh) == pytest.approx(2 * BOX)
+
+
+def test_echoes_have_the_class_of_the_part(write):
+    cloud = vtkhelios.read_survey(write("6")).run()
+    assert len(cloud) > 50 and set(cloud[CLASSIFICATION_IDS]) == {6}
+
+
+@pytest.mark.parametrize(
+    ("classes", "path", "message"),
+    [
+        ("2;6", "a.las", 'Classes has "2;6"; give classes from 0 to 255'),
+        ("256", "a.las", 'Classes has "256"'),
+        ("77", "a.las", "no points"),
+        ("", "c.laz", "c.laz: is compressed (LAZ); convert it to LAS first"),
+        ("", "d.las", "d.las"),
+    ],
+)
+def test_errors_name_the_part(write, tmp_path, capsys, classes, path, message):
+    survey = write(classes, path)
+    if path == "c.laz":
+        assert cli.main(["convert", str(tmp_path / "a.las"), str(tmp_path / path), "--quiet"]) == 0
+    (tmp_path / "d.las").write_bytes(b"LASF but no more")
+    assert cli.main(["validate", str(survey), "--deep"]) == 1
+    out = capsys.readouterr().out
+    assert message in out and "survey.xml:10: error: " in out, out
