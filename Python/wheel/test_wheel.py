@@ -237,14 +237,14 @@ import numpy
 import pyvista
 import vtkhelios
 terrain = pyvista.ParametricRandomHills(u_res=120, v_res=120, random_seed=3).triangulate()
-terrain = terrain.translate((0, 0, -terrain.center[2]))
+terrain = terrain.translate([-x for x in terrain.center]).scale((3, 3, 0.3))
 house = pyvista.Box((-3, 3, 3, 7, -1, 5)).triangulate()
 scenes = [
     vtkhelios.Scene(numpy.array(mesh.points, float), mesh.faces.reshape(-1, 4)[:, 1:], ground=True)
     for mesh in (terrain, house)
 ]
 cloud = vtkhelios.scan(
-    scenes[0] + scenes[1], position=(0, -2, 9), head=(0, 360), head_speed=60, scan_frequency=100
+    scenes[0] + scenes[1], position=(9, -8, 6), head=(0, 360), head_speed=60, scan_frequency=100
 )
 points = cloud.to_pyvista() if hasattr(cloud, "to_pyvista") else pyvista.PolyData(cloud.points)
 plotter = pyvista.Plotter(off_screen=True, window_size=(640, 480))
@@ -263,8 +263,7 @@ print(*image.shape, (abs(image - image[0, 0]).max(axis=2) > 0.05).mean())
 def test_a_cloud_is_plotted_by_pyvista(beside):
     """The picture, build/wheel/test/cloud.png, shows more than a background."""
     picture = ROOT / "build/wheel/test/cloud.png"
-    display = [] if "DISPLAY" in os.environ else ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24"]
-    done = run(*display, beside / "python", "-c", PLOT, picture)
-    assert int(done.stdout.split()[-1]) > 100_000
+    done = run(beside / "python", "-c", PLOT, picture)  # VTK 9.7 needs no display
+    assert int(done.stdout.split()[-1]) > 50_000
     height, width, _, share = run(beside / "python", "-c", LOOK, picture).stdout.split()
     assert (width, height) == ("640", "480") and 0.05 < float(share) < 0.95
