@@ -4,7 +4,10 @@
 
 import collections
 import json
+import math
+import pathlib
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -152,6 +155,29 @@ def test_echoes_of_water_are_near_nadir(examples):
     assert np.quantile(angles[water], 0.95) < 5.0  # the rest are of beams that also meet the bank
     assert angles.max() > 24.0
     assert cloud.points[water, 2] == pytest.approx(river.WATER, abs=0.1)
+
+
+def test_bathymetry_as_the_readme_of_the_river_says(examples, tmp_path):
+    folder = pathlib.Path(shutil.copytree(examples["river"], tmp_path / "river"))
+    optics, scanner, *settings = re.findall(
+        r"bathymetry: (.*?) in the material", (folder / "README.md").read_text(), re.S
+    ) + re.findall(r'`(\w+="[^"]+")`', (folder / "README.md").read_text())
+    lines = "\n".join(re.findall("`(.*?)`", optics))
+    materials = folder / "materials.mtl"
+    materials.write_text(materials.read_text().replace("newmtl water", f"newmtl water\n{lines}"))
+    text = (folder / "river.xml").read_text()
+    for setting in (scanner, *settings):
+        text = re.sub(rf'{setting.split("=")[0]}="[^"]*"', setting, text)
+    (folder / "river.xml").write_text(text)
+    cloud = vtkhelios.read_survey(folder / "river.xml").run(pulse_step=200, truth=True)
+    bed, apparent = cloud["TruePoint"][:, 2], cloud.points[:, 2]
+    below = (cloud["ClassificationIds"] == 2) & (bed < river.WATER - 0.5)
+    assert below.sum() > 100
+    # The optical length 1.33 d / cos(b) along the beam, 20 degrees off nadir; sin(b) = sin(20) / 1.33.
+    beam = math.radians(20.0)
+    stretch = 1.33 / math.cos(math.asin(math.sin(beam) / 1.33)) * math.cos(beam)
+    ratio = (river.WATER - apparent[below]) / (river.WATER - bed[below])
+    assert np.median(ratio) == pytest.approx(stretch, rel=0.01)
 
 
 def test_the_ground_of_the_yard_is_level_below_the_house():
