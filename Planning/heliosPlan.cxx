@@ -92,7 +92,8 @@ public:
     {
       this->Prove();
     }
-    if (this->Settings.Method >= PlanMethod::Best && this->Angles.HasNormals())
+    if (this->Settings.Method >= PlanMethod::Best && this->Angles.HasNormals() &&
+      !this->Problem.HasObjects())
     {
       this->Improve();
     }
@@ -165,7 +166,7 @@ private:
     const bool isExact = this->Settings.Method == PlanMethod::Optimal;
     const double time = isExact ? std::max(this->GetTimeLeft(), BoundTime) : BoundTime;
     double bound = 0.0;
-    if (isExact || this->Problem.IsFull)
+    if (isExact || this->Problem.IsFull || this->Problem.HasObjects())
     {
       bound = GetLinearBound(
         this->Reduced.Problem, isExact ? ExactBits : BoundBits, time, this->Settings.Stop);

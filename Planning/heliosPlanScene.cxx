@@ -65,6 +65,11 @@ vtkIdType PlanScene::GetCell(vtkIdType hit) const
   return this->Ground ? this->Ground->GetCell(this->Caster->GetGeometry(), hit) : hit;
 }
 
+int PlanScene::GetPart(vtkIdType hit) const
+{
+  return this->Cells->GetPart(hit);
+}
+
 Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const
 {
   return this->Caster->GetGeometry().GetNormal(hit);

@@ -42,6 +42,9 @@ public:
   /// The cell of the scene hit, given the hit id of the caster.
   vtkIdType GetCell(vtkIdType hit) const;
 
+  /// The part of the scene hit; -1: the scene has no parts.
+  int GetPart(vtkIdType hit) const;
+
   /// The unit normal of the triangle hit, from its corners by the right-hand rule.
   Vec3 GetFaceNormal(vtkIdType hit) const;
 

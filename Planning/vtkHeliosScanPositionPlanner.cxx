@@ -72,6 +72,7 @@ public:
     status = status.IsOk() ? this->ReadWeights() : status;
     status = status.IsOk() ? this->ReadGeometry() : status;
     status = status.IsOk() ? this->ReadCoverage() : status;
+    status = status.IsOk() ? this->ReadObjects() : status;
     status = status.IsOk() ? this->ReadMeanAngles() : status;
     return status.IsOk() ? this->Plan() : status;
   }
@@ -179,6 +180,11 @@ private:
         "; widen the limits of the viewsheds, or check that candidates lie outside solids");
     }
     this->All = this->Self->UseAreas ? this->GetAllWeight() : this->Rows.Columns;
+    if (this->Self->MinimumCoverage == 0.0 && this->Self->MinimumObjectCoverage == 0.0)
+    {
+      return helios::Status::Error("the minimum coverage is 0 %, so nothing is required; give one "
+                                   "above 0, or one of the objects");
+    }
     const double base = this->Self->CoverageOf == COVERABLE ? coverable : this->All;
     const double required = base * this->Self->MinimumCoverage / 100.0;
     if (required > coverable * (1.0 + 1e-12))
@@ -191,6 +197,42 @@ private:
       return helios::Status::Error(text.str());
     }
     this->Problem.Require(required);
+    return {};
+  }
+
+  /// The share that is required of each object.
+  helios::Status ReadObjects()
+  {
+    const double share = this->Self->MinimumObjectCoverage / 100.0;
+    if (share == 0.0)
+    {
+      return {};
+    }
+    vtkDataArray* parts = this->TestPoints->GetPointData()->GetArray(names::PartIds);
+    const vtkIdType count = this->TestPoints->GetNumberOfPoints();
+    if (!parts || parts->GetNumberOfComponents() != 1 || parts->GetNumberOfTuples() != count)
+    {
+      return helios::Status::Error(std::string("coverage of objects needs the point array ") +
+        names::PartIds +
+        " of the test points, which a scene without parts does not give; plan a "
+        "scene with parts, or leave it out");
+    }
+    std::vector<int> objects(static_cast<std::size_t>(count));
+    std::vector<double> weights;
+    for (vtkIdType v = 0; v < count; ++v)
+    {
+      const int object = static_cast<int>(parts->GetComponent(v, 0));
+      objects[v] = object;
+      if (object >= static_cast<int>(weights.size()))
+      {
+        weights.resize(static_cast<std::size_t>(object) + 1);
+      }
+      if (object >= 0 && helios::HasBit(this->Problem.Coverable.data(), static_cast<int>(v)))
+      {
+        weights[object] += share * this->Problem.GetWeight(static_cast<int>(v));
+      }
+    }
+    this->Problem.RequireObjects(objects, weights);
     return {};
   }
 
@@ -387,6 +429,7 @@ void vtkHeliosScanPositionPlanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "RemovalOrder: " << (this->RemovalOrder == ASCENDING ? "Ascending" : "Descending")
      << "\n"
      << indent << "MinimumCoverage: " << this->MinimumCoverage << " %\n"
+     << indent << "MinimumObjectCoverage: " << this->MinimumObjectCoverage << " %\n"
      << indent << "CoverageOf: " << (this->CoverageOf == COVERABLE ? "Coverable" : "All") << "\n"
      << indent << "UseAreas: " << this->UseAreas << "\n"
      << indent << "MinimumOverlap: " << this->MinimumOverlap << "\n"

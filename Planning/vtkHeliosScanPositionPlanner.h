@@ -100,9 +100,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the required share of CoverageOf [%]. Valid range: [1e-6, 100]. Default: 100.
+   * Set/Get the required share of CoverageOf [%]. Valid range: [0, 100], 0 only with a
+   * MinimumObjectCoverage. Default: 100.
    */
-  vtkSetClampMacro(MinimumCoverage, double, 1e-6, 100.0);
+  vtkSetClampMacro(MinimumCoverage, double, 0.0, 100.0);
   vtkGetMacro(MinimumCoverage, double);
   ///@}
 
@@ -122,6 +123,19 @@ public:
   vtkGetMacro(CoverageOf, int);
   void SetCoverageOfToCoverable() { this->SetCoverageOf(COVERABLE); }
   void SetCoverageOfToAll() { this->SetCoverageOf(ALL); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the required share of each object [%]: of the test points of each part (point array
+   * PartIds) that some candidate sees, or with UseAreas of their area.
+   * Points without a part (-1) are no object. With a MinimumCoverage of 0 nothing else is required;
+   * with one of 100 all objects are complete. Every method meets it; BEST does not search further
+   * than greedy choices without redundant members, and incidence is not improved. Valid range: [0,
+   * 100]. Default: 0, not required.
+   */
+  vtkSetClampMacro(MinimumObjectCoverage, double, 0.0, 100.0);
+  vtkGetMacro(MinimumObjectCoverage, double);
   ///@}
 
   ///@{
@@ -218,6 +232,7 @@ private:
 
   int Method = BEST;
   int RemovalOrder = ASCENDING;
+  double MinimumObjectCoverage = 0.0;
   double MinimumCoverage = 100.0;
   int CoverageOf = COVERABLE;
   bool UseAreas = false;

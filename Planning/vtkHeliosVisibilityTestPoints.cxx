@@ -14,6 +14,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -111,6 +112,8 @@ public:
     normals->SetNumberOfComponents(3);
     vtkNew<vtkIdTypeArray> cells;
     cells->SetName(names::CellIds);
+    vtkNew<vtkIntArray> parts;
+    parts->SetName(names::PartIds);
     vtkNew<vtkDoubleArray> areas;
     areas->SetName(names::Area);
     std::vector<vtkIdType> outputs(this->Found.size(), -1);
@@ -123,6 +126,7 @@ public:
         outputs[i] = points->InsertNextPoint(meeting.Point.GetData());
         normals->InsertNextTuple(this->Scene.GetNormal(meeting.Hit).GetData());
         cells->InsertNextValue(meeting.Hit);
+        parts->InsertNextValue(this->Scene.GetPart(meeting.Hit));
         areas->InsertNextValue(0.0);
       }
       areas->SetValue(outputs[own], areas->GetValue(outputs[own]) + this->GetArea(meeting));
@@ -130,6 +134,10 @@ public:
     output->SetPoints(points);
     output->GetPointData()->AddArray(normals);
     output->GetPointData()->AddArray(cells);
+    if (count > 0 && parts->GetRange()[1] >= 0.0)
+    {
+      output->GetPointData()->AddArray(parts);
+    }
     if (this->Self->GenerateAreas)
     {
       output->GetPointData()->AddArray(areas);

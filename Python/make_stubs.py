@@ -22,7 +22,11 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 STUB = ROOT / "Python/vtkhelios/__init__.pyi"
 ARRAY_NAMES = ROOT / "Python/vtkhelios/array_names.py"
-NAME_HEADERS = ("Filters/Core/vtkHeliosArrayNames.h", "Filters/PCL/vtkHeliosPCLArrayNames.h")
+NAME_HEADERS = (
+    "Filters/Core/vtkHeliosArrayNames.h",
+    "Filters/Core/vtkHeliosFlightArrayNames.h",
+    "Filters/PCL/vtkHeliosPCLArrayNames.h",
+)
 
 HEAD = """\
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
@@ -35,7 +39,7 @@ from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Uni
 NAMES_HEAD = """\
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Made by Python/make_stubs.py from vtkHeliosArrayNames.h and vtkHeliosPCLArrayNames.h; do not edit.
+# Made by Python/make_stubs.py from vtkHelios*ArrayNames.h; do not edit.
 \"\"\"Names of all arrays that vtkHelios reads or writes.
 
 >>> from vtkhelios.array_names import AMPLITUDE, GPS_TIME
@@ -52,7 +56,7 @@ from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
 from .scanning import make_survey as make_survey, scan as scan
 from .cloud import Cloud as Cloud, Records as Records
-from .planning import Plan as Plan, plan as plan
+from .planning import Plan as Plan, plan as plan, plan_flight as plan_flight
 from .scene import Scene as Scene
 from .survey import Survey as Survey, read_survey as read_survey
 

@@ -66,6 +66,10 @@ Choice ChooseBest(const CoverProblem& problem, const BestSettings& settings, con
   const Choice greedy =
     RemoveWhatIsLeft(problem, ChooseGreedily(problem, all, stop).Candidates, stop);
   best = greedy.size() < best.size() ? greedy : best;
+  if (problem.HasObjects())
+  {
+    return best; // the search counts no objects
+  }
   const auto isFew = [&](int count) { return static_cast<int>(best.size()) <= count; };
   if (isFew(std::max(1, settings.Target)))
   {

@@ -300,6 +300,14 @@ ReducedCover ReduceCover(const CoverProblem& problem, DominanceRules rules, cons
     cover.Problem.IsFull = false;
     cover.Problem.Required = problem.Required;
   }
+  if (problem.HasObjects())
+  {
+    cover.Problem.Objects.Required = problem.Objects.Required;
+    for (const int v : cover.Points)
+    {
+      cover.Problem.Objects.Of.push_back(problem.Objects.Of[v]);
+    }
+  }
   return cover;
 }
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <utility>
 #endif
 
 namespace helios
@@ -36,29 +37,50 @@ void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram
     });
 }
 
-/// Enough weight is seen: one column for all points seen by the same candidates.
+/// Enough weight is seen, in all and of each object: one column for all points of an object that
+/// are seen by the same candidates.
 void AddShares(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
 {
-  std::map<Words, double> classes;
+  using Class = std::pair<int, Words>; // the object, and the candidates
+  std::map<Class, double> classes;
+  const bool hasObjects = problem.HasObjects();
   VisitBits(problem.Coverable.data(), problem.Rows.Length,
     [&](int v)
-    { classes[Words(points.Get(v), points.Get(v) + points.Length)] += problem.GetWeight(v); });
-  std::vector<double> weights;
+    {
+      Words seers(points.Get(v), points.Get(v) + points.Length);
+      classes[{ hasObjects ? problem.Objects.Of[v] : -1, std::move(seers) }] +=
+        problem.GetWeight(v);
+    });
+  std::vector<std::pair<int, double>> weights;
   const int first = static_cast<int>(program.Costs.size());
-  for (const auto& [seers, weight] : classes)
+  for (const auto& [seen, weight] : classes)
   {
-    weights.push_back(weight);
+    weights.emplace_back(seen.first, weight);
     const int z = program.AddColumn(0.0, false);
-    VisitBits(seers.data(), points.Length, [&](int a) { program.Add(a, 1.0); });
+    VisitBits(seen.second.data(), points.Length, [&](int a) { program.Add(a, 1.0); });
     program.Add(z, -1.0);
     program.EndRow(0.0);
   }
   // In shares, not m2: the solver's tolerances are absolute.
-  for (std::size_t k = 0; k < weights.size(); ++k)
+  const auto require = [&](double required, int object)
   {
-    program.Add(first + static_cast<int>(k), weights[k] / problem.Required);
+    for (std::size_t k = 0; k < weights.size() && required > 0.0; ++k)
+    {
+      if (object < 0 || weights[k].first == object)
+      {
+        program.Add(first + static_cast<int>(k), weights[k].second / required);
+      }
+    }
+    if (required > 0.0)
+    {
+      program.EndRow(1.0);
+    }
+  };
+  require(problem.Required, -1);
+  for (std::size_t k = 0; hasObjects && k < problem.Objects.Required.size(); ++k)
+  {
+    require(problem.Objects.Required[k], static_cast<int>(k));
   }
-  program.EndRow(1.0);
 }
 
 BinaryProgram MakeProgram(const CoverProblem& problem)

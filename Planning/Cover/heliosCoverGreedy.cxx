@@ -83,7 +83,8 @@ Choice ChooseByPrice(
     double sum = 0.0;
     for (int w = 0; w < problem.Rows.Length; ++w)
     {
-      VisitWord(row[w] & ~counts.GetCovered()[w], w, [&](int v) { sum += prices[v]; });
+      VisitWord(row[w] & ~counts.GetCovered()[w], w,
+        [&](int v) { sum += counts.IsNeeded(v) ? prices[v] : 0.0; });
     }
     return sum;
   };
@@ -116,6 +117,7 @@ GreedyChoice SortByGain(const CoverProblem& problem, const Choice& choice)
   CoverProblem whole = problem;
   whole.IsFull = false;
   whole.Required = HUGE_VAL;
+  whole.Objects = {};
   return ChooseGreedily(whole, choice);
 }
 

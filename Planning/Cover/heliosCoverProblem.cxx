@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCoverProblem.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace helios
@@ -37,6 +38,17 @@ void CoverProblem::Require(double weight)
   this->Required = weight * (1.0 - Rounding);
 }
 
+void CoverProblem::RequireObjects(
+  const std::vector<int>& objects, const std::vector<double>& weights)
+{
+  this->Objects.Of = objects;
+  this->Objects.Required = weights;
+  for (double& weight : this->Objects.Required)
+  {
+    weight *= 1.0 - Rounding;
+  }
+}
+
 double CoverProblem::GetWeight(const Word* set) const
 {
   return this->GetCommonWeight(set, set);
@@ -61,6 +73,7 @@ double CoverProblem::GetCommonWeight(const Word* a, const Word* b) const
 CoverCounts::CoverCounts(const CoverProblem& problem, const Choice& choice)
   : Problem(&problem)
   , Counts(problem.Rows.Columns)
+  , ObjectWeights(problem.HasObjects() ? problem.Objects.Required.size() : 0)
   , Covered(problem.Rows.Length)
   , Once(problem.Rows.Length)
 {
@@ -73,7 +86,11 @@ CoverCounts::CoverCounts(const CoverProblem& problem, const Choice& choice)
 void CoverCounts::Add(int candidate)
 {
   const Word* row = this->Problem->Rows.Get(candidate);
-  this->Weight += this->GetGain(candidate);
+  this->Weight += this->GetNewWeight(candidate);
+  if (this->Problem->HasObjects())
+  {
+    this->ChangeObjects(this->GetNew(candidate), 1.0);
+  }
   VisitBits(row, this->Problem->Rows.Length, [this](int v) { ++this->Counts[v]; });
   for (int w = 0; w < this->Problem->Rows.Length; ++w)
   {
@@ -86,6 +103,10 @@ void CoverCounts::Remove(int candidate)
 {
   const Word* row = this->Problem->Rows.Get(candidate);
   this->Weight -= this->GetExclusiveWeight(candidate);
+  if (this->Problem->HasObjects())
+  {
+    this->ChangeObjects(this->GetExclusive(candidate), -1.0);
+  }
   for (int w = 0; w < this->Problem->Rows.Length; ++w)
   {
     const Word alone = this->Once[w] & row[w];
@@ -120,7 +141,7 @@ int CoverCounts::GetExclusiveCount(int candidate) const
   return count;
 }
 
-double CoverCounts::GetGain(int candidate) const
+double CoverCounts::GetNewWeight(int candidate) const
 {
   const Word* row = this->Problem->Rows.Get(candidate);
   double gain = 0.0;
@@ -139,17 +160,112 @@ double CoverCounts::GetGain(int candidate) const
   return gain;
 }
 
+std::vector<double> CoverCounts::SumObjects(const Word* points) const
+{
+  std::vector<double> weights(this->ObjectWeights.size());
+  VisitBits(points, this->Problem->Rows.Length,
+    [&](int v)
+    {
+      if (const int object = this->GetObject(v); object >= 0)
+      {
+        weights[object] += this->Problem->GetWeight(v);
+      }
+    });
+  return weights;
+}
+
+Words CoverCounts::GetExclusive(int candidate) const
+{
+  const Word* row = this->Problem->Rows.Get(candidate);
+  Words points(this->Once);
+  for (int w = 0; w < this->Problem->Rows.Length; ++w)
+  {
+    points[w] &= row[w];
+  }
+  return points;
+}
+
+Words CoverCounts::GetNew(int candidate) const
+{
+  const Word* row = this->Problem->Rows.Get(candidate);
+  Words points(this->Covered.size());
+  for (int w = 0; w < this->Problem->Rows.Length; ++w)
+  {
+    points[w] = row[w] & ~this->Covered[w];
+  }
+  return points;
+}
+
+void CoverCounts::ChangeObjects(const Words& points, double sign)
+{
+  const std::vector<double> weights = this->SumObjects(points.data());
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    this->ObjectWeights[k] += sign * weights[k];
+  }
+}
+
+double CoverCounts::GetGain(int candidate) const
+{
+  if (!this->Problem->HasObjects())
+  {
+    return this->GetNewWeight(candidate);
+  }
+  const std::vector<double> weights = this->SumObjects(this->GetNew(candidate).data());
+  const double missing = std::max(0.0, this->Problem->Required - this->Weight);
+  double gain = missing > 0.0 ? std::min(missing, this->GetNewWeight(candidate)) : 0.0;
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    gain += std::min(weights[k], std::max(0.0, this->GetMissing(k)));
+  }
+  return gain;
+}
+
+bool CoverCounts::IsNeeded(int point) const
+{
+  if (!this->Problem->HasObjects() || this->Weight < this->Problem->Required)
+  {
+    return true;
+  }
+  const int object = this->GetObject(point);
+  return object >= 0 && this->GetMissing(static_cast<std::size_t>(object)) > 0.0;
+}
+
 bool CoverCounts::IsEnough() const
 {
-  return this->Problem->IsFull ? this->Covered == this->Problem->Coverable
-                               : this->Weight >= this->Problem->Required;
+  if (this->Problem->IsFull)
+  {
+    return this->Covered == this->Problem->Coverable;
+  }
+  bool isEnough = this->Weight >= this->Problem->Required;
+  for (std::size_t k = 0; k < this->ObjectWeights.size() && isEnough; ++k)
+  {
+    isEnough = this->GetMissing(k) <= 0.0;
+  }
+  return isEnough;
 }
 
 bool CoverCounts::IsEnoughWithout(int candidate) const
 {
-  return this->Problem->IsFull
-    ? this->IsRedundant(candidate)
-    : this->Weight - this->GetExclusiveWeight(candidate) >= this->Problem->Required;
+  if (this->Problem->IsFull)
+  {
+    return this->IsRedundant(candidate);
+  }
+  if (this->Weight - this->GetExclusiveWeight(candidate) < this->Problem->Required)
+  {
+    return false;
+  }
+  if (!this->Problem->HasObjects())
+  {
+    return true;
+  }
+  const std::vector<double> weights = this->SumObjects(this->GetExclusive(candidate).data());
+  bool isEnough = true;
+  for (std::size_t k = 0; k < weights.size() && isEnough; ++k)
+  {
+    isEnough = weights[k] == 0.0 || this->GetMissing(k) + weights[k] <= 0.0;
+  }
+  return isEnough;
 }
 
 } // namespace helios

@@ -64,17 +64,23 @@ Choice RemoveToLimit(const CoverProblem& problem, Choice choice, const StopTest&
 {
   CoverCounts counts(problem, choice);
   std::sort(choice.begin(), choice.end());
-  while (!choice.empty() && !(stop && stop()))
+  bool isOn = true;
+  while (isOn && !(stop && stop()))
   {
-    const auto least = std::min_element(choice.begin(), choice.end(),
-      [&counts](int a, int b)
-      { return counts.GetExclusiveWeight(a) < counts.GetExclusiveWeight(b); });
-    if (!counts.IsEnoughWithout(*least))
+    // One that sees little may be the only one to see enough of an object.
+    auto least = choice.end();
+    for (auto c = choice.begin(); c != choice.end(); ++c)
     {
-      break;
+      const bool isLess =
+        least == choice.end() || counts.GetExclusiveWeight(*c) < counts.GetExclusiveWeight(*least);
+      least = isLess && counts.IsEnoughWithout(*c) ? c : least;
     }
-    counts.Remove(*least);
-    choice.erase(least);
+    isOn = least != choice.end();
+    if (isOn)
+    {
+      counts.Remove(*least);
+      choice.erase(least);
+    }
   }
   return choice;
 }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names of arrays are literals in vtkHeliosArrayNames.h and vtkHeliosPCLArrayNames.h only."""
+"""Names of arrays are literals in the headers of array names only."""
 
 import ast
 import importlib.util

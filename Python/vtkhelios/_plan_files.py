@@ -17,7 +17,10 @@ from ._run_files import PART
 from .array_names import VISIBILITY
 from .scene import Scene
 
-__all__ = ["clear", "data_files", "has_plan", "picture_file", "survey_file", "summary_file"]
+__all__ = [
+    "clear", "data_files", "has_plan", "picture_file", "refer", "survey_file", "summary_file",
+    "write_points",
+]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
 SCENE = "scene.obj"  # of a scene that has no file
@@ -41,23 +44,28 @@ def clear(folder):
 
 def data_files(plan, folder):
     """Writes candidates, test points and positions as VTK XML; returns their paths."""
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
     files = []
     for name, port in POINTS.items():
         data = vtkPolyData()
         data.ShallowCopy(plan.outputs[port])
         data.GetPointData().RemoveArray(VISIBILITY)  # a bit per pair: as large as all else
-        part = folder / f"{name}{PART}"
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(to_vtk(part))
-        writer.SetInputData(data)
-        if not writer.Write() or writer.GetErrorCode():
-            part.unlink(missing_ok=True)
-            raise OSError(errno.ENOSPC, "the disk may be full", str(folder / name))
-        os.replace(part, folder / name)
-        files.append(folder / name)
+        files.append(write_points(data, folder / name))
     return files
+
+
+def write_points(data, path):
+    """Writes a vtkPolyData as VTK XML; returns its path."""
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    part = path.with_name(f"{path.name}{PART}")
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(to_vtk(part))
+    writer.SetInputData(data)
+    if not writer.Write() or writer.GetErrorCode():
+        part.unlink(missing_ok=True)
+        raise OSError(errno.ENOSPC, "the disk may be full", str(path))
+    os.replace(part, path)
+    return path
 
 
 def survey_file(plan, folder, name=SURVEY):
@@ -66,16 +74,16 @@ def survey_file(plan, folder, name=SURVEY):
 
     document, path = plan.task.document, folder / name
 
-    def refer(reference):
-        return to_vtk(_refer(from_vtk(reference), folder))
+    def short(reference):
+        return to_vtk(refer(from_vtk(reference), folder))
 
     writer = _package().vtkHeliosSurveyWriter()
     look_up(writer, str(path), plan.task.assets)
     writer.SetInputDataObject(plan.outputs[2])
     writer.SetSurveyName(to_vtk(plan.name))
-    writer.SetScene(refer(document.GetSceneReference() or _scene_file(plan, folder)))
-    writer.SetPlatform(refer(document.GetPlatformReference()))
-    writer.SetScanner(refer(document.GetScannerReference()))
+    writer.SetScene(short(document.GetSceneReference() or _scene_file(plan, folder)))
+    writer.SetPlatform(short(document.GetPlatformReference()))
+    writer.SetScanner(short(document.GetScannerReference()))
     writer.SetPulseFrequency(document.GetLegPulseFrequency())
     writer.SetScanFrequency(document.GetLegScanFrequency())
     if document.HasRotatingMirror():
@@ -104,7 +112,7 @@ def _scene_file(plan, folder):
     return str(path)
 
 
-def _refer(reference, folder):
+def refer(reference, folder):
     """A reference as written to a file of a folder: shipped files by name."""
     path, mark, name = reference.partition("#")
     absolute = pathlib.Path(path).resolve()

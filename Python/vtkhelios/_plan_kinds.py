@@ -16,7 +16,17 @@ import numpy as np
 from ._paths import to_vtk
 from .scene import Scene
 
-__all__ = ["Areas", "Choice", "Flag", "Number", "Reference", "Region", "SettingError", "Word"]
+__all__ = [
+    "Areas",
+    "Choice",
+    "Flag",
+    "Number",
+    "Own",
+    "Reference",
+    "Region",
+    "SettingError",
+    "Word",
+]
 
 
 class SettingError(ValueError):
@@ -134,6 +144,16 @@ class Word(Choice):
 
     def read(self, objects):
         return Setting.read(self, objects)
+
+    def set(self, objects, value):
+        pass
+
+
+class Own(Choice):
+    """One of some words that neither the document nor a filter has; the first is the default."""
+
+    def read(self, objects):
+        return next(iter(self.words))
 
     def set(self, objects, value):
         pass

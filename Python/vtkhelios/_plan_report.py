@@ -5,15 +5,45 @@
 import importlib
 import math
 
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
 from ._arrays import arrays
+from ._paths import from_vtk
+from ._pipeline import update
 from ._plan_settings import report_settings
-from .array_names import EXCLUSIVITY, MEAN_INCIDENCE_ANGLE, NEWLY_COVERED, VIEWSHED_SIZE
 
-__all__ = ["make_report"]
+from .array_names import (
+    AREA, COVERABLE, EXCLUSIVITY, MEAN_INCIDENCE_ANGLE, NEWLY_COVERED, NUMBER_OF_SCANS, PART_IDS,
+    PART_NAME, VIEWSHED_SIZE,
+)  # fmt: skip
+
+__all__ = ["make_report", "order_positions"]
 
 
-def make_report(task):
-    """The inputs and results of a task that was run."""
+def order_positions(positions, order):
+    """The selected positions of a planner (vtkPolyData) in an order, and its walk for reports.
+
+    "gain" leaves them as they are, and there is no walk; "walk" is the shortest one, "round" the
+    shortest that returns to its beginning.
+    """
+    if order == "gain":
+        return positions, None
+    walk = importlib.import_module(__package__).vtkHeliosShortestWalk()
+    walk.SetInputData(positions)
+    walk.SetClosed(order == "round")
+    ordered = vtkPolyData()
+    ordered.ShallowCopy(update(walk))
+    length, bound = walk.GetLength(), walk.GetLowerBound()
+    return ordered, {
+        "length_m": length,
+        "lowerBound_m": bound,
+        "isProvedShortest": bound >= length * (1 - 1e-9),
+    }
+
+
+def make_report(task, positions, walk=None):
+    """The inputs and results of a task that was run; positions and walk of order_positions()."""
     plan, document = task.filters, task.document
     candidates, test_points = plan.GetCandidates(), plan.GetTestPoints()
     planner = plan.GetPlanner()
@@ -47,12 +77,47 @@ def make_report(task):
             "worstIncidence_deg": _number_or_none(planner.GetWorstIncidenceAngle()),
             "meanBestIncidence_deg": _number_or_none(planner.GetMeanBestIncidenceAngle()),
         },
-        "positions": list(_position_rows(planner.GetOutputDataObject(2))),
+        **({"walk": walk} if walk else {}),
+        **_objects(task, planner.GetOutputDataObject(1)),
+        "positions": list(_position_rows(positions)),
     }
 
 
+def _objects(task, test_points):
+    """Coverage by part, if it was asked for."""
+    columns = arrays(test_points)
+    if not task.settings["objects"] or PART_IDS not in columns:
+        return {}
+    parts = columns[PART_IDS]
+    weights = columns[AREA] if AREA in columns else np.ones(len(parts))
+    coverable = weights * (columns[COVERABLE] > 0)
+    covered = weights * (columns[NUMBER_OF_SCANS] > 0)
+    names = _part_names(task.document.GetOutput())
+    rows = []
+    for part in np.unique(parts[parts >= 0]).tolist():
+        mine = parts == part
+        possible = float(coverable[mine].sum())
+        rows.append(
+            {
+                "part": part,
+                "name": names[part] if part < len(names) else "",
+                "area": float(weights[mine].sum()),
+                "coverable_percent": 100.0 * possible / max(float(weights[mine].sum()), 1e-300),
+                "covered_percent": 100.0 * float(covered[mine].sum()) / possible
+                if possible > 0
+                else None,
+            }
+        )
+    return {"objects": rows}
+
+
+def _part_names(scene):
+    names = scene.GetFieldData().GetAbstractArray(PART_NAME)
+    return [from_vtk(names.GetValue(i)) for i in range(names.GetNumberOfValues())] if names else []
+
+
 def _position_rows(positions):
-    """The selected positions, largest gain first."""
+    """The selected positions, in their order."""
     columns = arrays(positions)
     unknown = [math.nan] * positions.GetNumberOfPoints()
     for scan, (x, y, z) in enumerate(columns["points"]):

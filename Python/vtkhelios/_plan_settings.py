@@ -12,6 +12,7 @@ from ._plan_kinds import (
     Choice,
     Flag,
     Number,
+    Own,
     Reference,
     Region,
     SettingError,
@@ -37,6 +38,7 @@ GROUND = {
     "open": ("open_ground",),
 }
 COVERAGE_OF = {"coverable": ("coverable",), "all": ("all",)}
+ORDERS = {"gain": (), "walk": (), "round": ()}
 REMOVE_FIRST = {"smallest": ("ascending",), "largest": ("descending",)}
 
 # In the order of reports. The last ones are not in their list of settings.
@@ -70,12 +72,14 @@ SETTINGS = {
     "elevation_max": Number("elevationMax_deg", "viewsheds.maximum_elevation", unit="deg"),
     "max_incidence": Number("maxIncidence_deg", "viewsheds.maximum_incidence_angle", unit="deg"),
     "min_density": Number("minDensity_1_m2", "viewsheds.minimum_point_density", unit="1/m2"),
-    "coverage": Number("coverage_percent", "planner.minimum_coverage", unit="%"),
+    "coverage": Number("coverage_percent", "planner.minimum_coverage", unit="%", low=1e-6),
+    "objects": Number("objects_percent", "planner.minimum_object_coverage", unit="%"),
     "coverage_of": Choice("coverageOf", "planner.coverage_of", words=COVERAGE_OF),
     "area_weights": Flag("areaWeights", "planner.use_areas", "test_points.generate_areas"),
     "overlap": Number("overlap_percent", "planner.minimum_overlap", unit="%", scale=100.0),
     "remove_order": Word("removeOrder", "document.remove_order", words=REMOVE_ORDERS),
     "remove_first": Choice("removeFirst", "planner.removal_order", words=REMOVE_FIRST),
+    "order": Own("order", words=ORDERS),
     "time_limit": Number("timeLimit_s", "planner.time_limit", unit="s"),
     "memory": Number(
         None,
@@ -127,6 +131,11 @@ def fill_filters(plan, given):
         if not SETTINGS[name].is_of_document():
             SETTINGS[name].set(objects, value)
             values[name] = value
+    if values["objects"] and "coverage" not in given:
+        objects["planner"].minimum_coverage = values["coverage"] = 0.0  # that of objects is enough
+    if values["objects"] and "area_weights" not in given:
+        SETTINGS["area_weights"].set(objects, True)
+        values["area_weights"] = True
     for name in ("method", "remove_order"):
         values[name] = given.get(name, values[name])
     method = METHODS[values["method"]] or REMOVE_ORDERS[values["remove_order"]]

@@ -22,14 +22,14 @@ from ._properties import make_properties, properties, refuse, set_properties
 from .cloud import Cloud, Records
 from .comparison import Comparison, compare
 from .fitting import Fit, fit
-from .planning import Plan, plan
+from .planning import Plan, plan, plan_flight
 from .scanning import make_survey, scan
 from .scene import Scene
 from .survey import Survey, read_survey
 
 _own = [
     "Cloud", "Comparison", "Fit", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
-    "compare", "data_directory", "filter", "fit", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
+    "compare", "data_directory", "filter", "fit", "make_survey", "plan", "plan_flight", "read_survey", "scan", "select_ports", "update",
 ]  # fmt: skip
 
 

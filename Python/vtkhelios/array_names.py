@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Made by Python/make_stubs.py from vtkHeliosArrayNames.h and vtkHeliosPCLArrayNames.h; do not edit.
+# Made by Python/make_stubs.py from vtkHelios*ArrayNames.h; do not edit.
 """Names of all arrays that vtkHelios reads or writes.
 
 >>> from vtkhelios.array_names import AMPLITUDE, GPS_TIME
@@ -138,6 +138,15 @@ PLAN_IS_PROVED_OPTIMAL = "Plan.IsProvedOptimal"
 PLAN_WORST_INCIDENCE_ANGLE = "Plan.WorstIncidenceAngle"  # [deg]
 PLAN_MEAN_BEST_INCIDENCE_ANGLE = "Plan.MeanBestIncidenceAngle"  # [deg]
 
+# Waypoints: point data. 1: the scanner fires from there to the next waypoint.
+ACTIVE = "Active"
+
+# Cells of the ground: point data of their centres.
+PULSE_DENSITY = "PulseDensity"  # [1/m2], of all strips
+STRIP_DENSITY = "StripDensity"  # [1/m2], of the densest strip
+NUMBER_OF_STRIPS = "NumberOfStrips"  # that reach the cell
+FLYING_HEIGHT = "FlyingHeight"  # [m], of the nearest line above it
+
 # Clouds of the PCL filters: point data.
 CLUSTER_IDS = "ClusterIds"  # from 0, the largest; -1: no cluster
 PLANE_IDS = "PlaneIds"  # from 0, in the order found; -1: no plane
@@ -181,6 +190,7 @@ UNITS = {
     PLAN_GAP: "%",
     PLAN_WORST_INCIDENCE_ANGLE: "deg",
     PLAN_MEAN_BEST_INCIDENCE_ANGLE: "deg",
+    FLYING_HEIGHT: "m",
     PLANE_CENTRE: "m",
     PLANE_DEVIATION: "m",
 }

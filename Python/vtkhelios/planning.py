@@ -18,13 +18,13 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from . import _plan_files
 from ._paths import from_vtk
 from ._pipeline import MessageLog, PipelineError, conclude, update
-from ._plan_report import make_report
+from ._plan_report import make_report, order_positions
 from ._plan_settings import SettingError, check_settings, fill_document, fill_filters
 from ._watching import Progress
 from .cloud import Cloud
 from .scene import Scene, has_instances
 
-__all__ = ["Plan", "PlanTask", "plan"]
+__all__ = ["Plan", "PlanTask", "plan", "plan_flight"]
 
 PLATFORM, SCANNER = "platforms.xml#tripod", "scanners.xml#vz400_class_tls"
 
@@ -55,6 +55,10 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
         of the points that any candidate sees, "coverable" (default), or of "all".
     overlap
         overlap that connects the scans [%], [0, 99.9], for registration. Default: 0.
+    objects
+        the share of the area of each part that must be covered, of what any candidate sees [%], [0,
+        100]. Without coverage nothing else is required; area_weights is True by default. Default: 0,
+        not required.
     area_weights
         True: test points are weighted by the area that they represent. Default: False.
     remove_order, remove_first
@@ -62,6 +66,9 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
         is removed first, the "smallest" (default) or the "largest".
     time_limit
         of "optimal": limit of the search, in wall time [s], [0, 1e6]. Default: 300.
+    order
+        of the positions: "gain", the largest first (default); "walk", the shortest walk through all of
+        them; "round", the shortest that returns to its beginning. Distances are straight lines.
 
     Scan positions:
 
@@ -122,6 +129,75 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
     of the file and the filters.
     """
     return PlanTask(scene, assets, name, **settings).run(progress)
+
+
+def plan_flight(scene, assets=(), name=None, **settings):
+    """Plans the flight lines of an airborne survey; returns a vtkhelios.flight.FlightPlan.
+
+    scene
+        a Scene, a vtkPolyData of triangles, an algorithm that makes one, or a file: a scene (HELIOS
+        XML) or a mesh.
+    assets
+        folders to search for scenes, scanners and platforms.
+    name
+        of the plan, its survey and its folder. Default: that of the scene, and _als.
+
+    What is asked for:
+
+    area
+        what is to be scanned, in the coordinates of the scene: a polygon in WKT; a file (.geojson,
+        .json, .wkt, .txt or .csv with x y per line, .vtp); a vtkPolyData of polygons; or corners
+        (n x 2 [m]). Default: the box of the scene.
+    density
+        least pulse density of a strip [1/m2], (0, 1e6]. Default: 4.
+    spacing
+        instead: largest distance of pulses in a strip, along and across the path [m], (0, 1e4].
+    side_overlap
+        of neighbouring strips [%], [0, 90]. Default: 20.
+
+    The instrument:
+
+    scanner, platform
+        ids in the catalogue, or "file.xml#id". Default: "rotating_als"; "airplane_linearpath", for
+        unmanned scanners "copter_linearpath".
+    pulse_frequency, scan_frequency
+        [Hz], as supported by the scanner. Default: those of the shortest flight.
+    scan_angle
+        half the scan angle [deg], (0, 85]. Default: the scanner's largest, at most 45.
+
+    The flight:
+
+    flying_height
+        height of the lines above the ground [m], (0, 1e5]: above the highest ground of the area, or
+        with terrain_following above the ground below.
+    min_flying_height, max_flying_height
+        instead: limits of the height [m], which is chosen. Default: as nohd and the scanner's range
+        require.
+    nohd
+        nominal ocular hazard distance: the least height above any ground of the area [m], [0, 1e5].
+        Default: 0.
+    terrain_following
+        True: lines follow the ground below, with climbs up to max_climb [deg], [0, 89]. Default:
+        False, a constant altitude; 10.
+    speed; min_speed, max_speed
+        over the ground [m/s], (0, 1e4]; or its limits. Default: 40 to 80, of unmanned scanners 3 to
+        15.
+    turn_time, turn_radius
+        of a turn to the next line [s], [0, 1e5], and [m], [0, 1e6]; a time above 0 is used rather
+        than the radius. Default: the radius of a coordinated turn with 20 degrees of bank, of
+        unmanned scanners 30.
+    heading
+        of the first line, clockwise from north [deg], [0, 360]. Default: that of the shortest flight.
+    cell
+        of the predicted density [m], (0, 1e5]. Default: twice the nominal pulse spacing, at most
+        250,000 cells.
+
+    Raises ValueError and TypeError for a setting that is not valid or cannot be met, PipelineError
+    with the messages of the file and the filters.
+    """
+    from .flight import FlightPlan
+
+    return FlightPlan(scene, assets, name, **settings)
 
 
 class Step(typing.NamedTuple):
@@ -205,7 +281,7 @@ class Plan:
     """A plan that was made.
 
     positions
-        of the instrument [m], n x 3, the largest gain first.
+        of the instrument [m], n x 3, in the order that was asked for: the largest gain first.
     coverage
         the share of the test points that any candidate sees, and that these see [%].
     scans, candidates, test_points
@@ -229,8 +305,9 @@ class Plan:
         self.name = task.name
         self.scene = _copy(task.document.GetOutput())
         self.outputs = [_copy(planner.GetOutputDataObject(port)) for port in range(3)]
+        self.outputs[2], walk = order_positions(self.outputs[2], task.settings["order"])
         self.candidates, self.test_points, self.scans = map(Cloud, self.outputs)
-        self.report = {**make_report(task), "timings": dict(seconds)}
+        self.report = {**make_report(task, self.outputs[2], walk), "timings": dict(seconds)}
 
     @property
     def positions(self):

@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <string>
@@ -30,7 +31,8 @@ vtkHeliosGroundSnap::vtkHeliosGroundSnap()
 void vtkHeliosGroundSnap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "HeightAboveGround: " << this->HeightAboveGround << "\n";
+  os << indent << "HeightAboveGround: " << this->HeightAboveGround << "\n"
+     << indent << "AllowMissing: " << this->AllowMissing << "\n";
 }
 
 int vtkHeliosGroundSnap::FillInputPortInformation(int, vtkInformation* info)
@@ -62,12 +64,18 @@ int vtkHeliosGroundSnap::RequestData(
   points->SetDataType(VTK_DOUBLE);
   points->SetNumberOfPoints(count);
   vtkDataArray* onGround = input->GetPointData()->GetArray(names::OnGround);
+  vtkNew<vtkUnsignedCharArray> found;
+  found->SetName(names::OnGround);
+  found->SetNumberOfTuples(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     double p[3];
     input->GetPoint(i, p);
-    const bool isSnapped = !onGround || onGround->GetComponent(i, 0) != 0.0;
-    if (isSnapped && std::isnan(heights[i]))
+    bool isSnapped = !onGround || onGround->GetComponent(i, 0) != 0.0;
+    const bool isMissing = isSnapped && std::isnan(heights[i]);
+    isSnapped = isSnapped && !isMissing;
+    found->SetValue(i, isSnapped);
+    if (isMissing && !this->AllowMissing)
     {
       vtkErrorMacro(<< "The scene has no ground above or below " << helios::DescribePlace(input, i)
                     << "; move the point into the scene or clear its " << names::OnGround << ".");
@@ -77,5 +85,9 @@ int vtkHeliosGroundSnap::RequestData(
     points->SetPoint(i, p);
   }
   output->SetPoints(points);
+  if (this->AllowMissing)
+  {
+    output->GetPointData()->AddArray(found);
+  }
   return 1;
 }

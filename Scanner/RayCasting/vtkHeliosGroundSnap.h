@@ -39,6 +39,16 @@ public:
   vtkGetMacro(HeightAboveGround, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether a point without ground above or below stays where it is: the output then has the
+   * point array OnGround, 1 for the points that were moved, else 0. Default: off, it is an error.
+   */
+  vtkSetMacro(AllowMissing, bool);
+  vtkGetMacro(AllowMissing, bool);
+  vtkBooleanMacro(AllowMissing, bool);
+  ///@}
+
 protected:
   vtkHeliosGroundSnap();
   ~vtkHeliosGroundSnap() override = default;
@@ -51,6 +61,7 @@ private:
   void operator=(const vtkHeliosGroundSnap&) = delete;
 
   double HeightAboveGround = 0.0;
+  bool AllowMissing = false;
 };
 
 #endif

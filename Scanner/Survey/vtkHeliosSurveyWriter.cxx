@@ -11,10 +11,14 @@
 #include "heliosXmlFilter.h"
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFlightArrayNames.h"
 
+#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <pugixml.hpp>
@@ -35,6 +39,13 @@ std::string Text(const char* text)
   return text ? text : "";
 }
 
+/// The number of a strip, so that names of files sort.
+std::string MakeStripId(double number)
+{
+  const std::string digits = std::to_string(static_cast<int>(number));
+  return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
 } // namespace
 
 /// One file being written.
@@ -45,6 +56,9 @@ public:
     : Writer(writer)
     , Log(writer)
     , Positions(positions)
+    , Speeds(positions->GetPointData()->GetArray(vtkHeliosArrayNames::Speed))
+    , Strips(positions->GetPointData()->GetArray(vtkHeliosArrayNames::LegIds))
+    , Active(positions->GetPointData()->GetArray(vtkHeliosFlightArrayNames::Active))
     , Crs(helios::GetCRS(positions))
   {
   }
@@ -54,6 +68,7 @@ public:
 private:
   bool CheckSettings();
   bool CheckPositions();
+  bool CheckSpeeds();
   bool CheckSurvey(const helios::SurveyData& survey);
   helios::SurveyData Read(const std::string& text);
   std::string MakeText(const helios::Vec3& instrument) const;
@@ -65,13 +80,16 @@ private:
   vtkHeliosSurveyWriter* Writer;
   helios::Messages Log;
   vtkPolyData* Positions;
-  std::string Crs; // of the legs; empty: that of the scene
+  vtkDataArray* Speeds; // of waypoints; null: scan positions
+  vtkDataArray* Strips; // of waypoints; null: every leg has its own files
+  vtkDataArray* Active; // of waypoints; null: all
+  std::string Crs;      // of the legs; empty: that of the scene
 };
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyWriter::Internals::Write()
 {
-  if (!this->CheckSettings() || !this->CheckPositions())
+  if (!this->CheckSettings() || !this->CheckPositions() || !this->CheckSpeeds())
   {
     return false;
   }
@@ -124,6 +142,23 @@ bool vtkHeliosSurveyWriter::Internals::CheckPositions()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::CheckSpeeds()
+{
+  for (vtkIdType i = 0; this->Speeds && i < this->Speeds->GetNumberOfTuples(); ++i)
+  {
+    const double speed = this->Speeds->GetTuple1(i);
+    if (!(std::isfinite(speed) && speed > 0.0))
+    {
+      helios::Sentence text;
+      text << this->Writer->FileName << ": not written: " << vtkHeliosArrayNames::Speed
+           << " of waypoint " << i << " is " << speed << " m/s; give a positive speed";
+      return this->Fail(text.str());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 helios::SurveyData vtkHeliosSurveyWriter::Internals::Read(const std::string& text)
 {
   helios::Assets assets(this->Log, this->Writer->AssetDirectories);
@@ -142,7 +177,13 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
       ": not written: the survey could not be run; correct the properties "
       "named in the preceding messages");
   }
-  if (survey.IsMoving(0))
+  if (this->Speeds && !survey.IsMoving(0))
+  {
+    return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
+      " is static, but waypoints need a moving one; give a platform such as "
+      "platforms.xml#airplane_linearpath");
+  }
+  if (!this->Speeds && survey.IsMoving(0))
   {
     return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
       " moves, but scan positions need a static one; give a platform of type=\"static\"");
@@ -154,7 +195,9 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
 std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instrument) const
 {
   pugi::xml_document document;
-  pugi::xml_node root = helios::StartDocument(document, " Scan positions, written by vtkHelios. ");
+  pugi::xml_node root = helios::StartDocument(document,
+    this->Speeds ? " Flight lines, written by vtkHelios. "
+                 : " Scan positions, written by vtkHelios. ");
   this->AddScene(root);
   this->AddSettings(root);
   pugi::xml_node survey = root.append_child("survey");
@@ -196,9 +239,12 @@ void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
   leg.ScanAngle = this->Writer->ScanAngle;
   leg.VerticalAngleMin = this->Writer->VerticalAngleMin;
   leg.VerticalAngleMax = this->Writer->VerticalAngleMax;
-  leg.Scan.HeadRotateStart = this->Writer->HeadRotateStart;
-  leg.Scan.HeadRotateStop = this->Writer->HeadRotateStop;
-  leg.Scan.HeadRotateSpeed = this->Writer->HeadRotatePerSecond;
+  if (!this->Speeds)
+  {
+    leg.Scan.HeadRotateStart = this->Writer->HeadRotateStart;
+    leg.Scan.HeadRotateStop = this->Writer->HeadRotateStop;
+    leg.Scan.HeadRotateSpeed = this->Writer->HeadRotatePerSecond;
+  }
   helios::SetStored(settings, leg);
 }
 
@@ -206,16 +252,28 @@ void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
 void vtkHeliosSurveyWriter::Internals::AddLegs(
   pugi::xml_node survey, const helios::Vec3& instrument) const
 {
+  // A moving platform turns the horizontal offset with its heading; only the vertical one stays.
+  const helios::Vec3 offset = this->Speeds ? helios::Vec3(0.0, 0.0, instrument[2]) : instrument;
   for (vtkIdType i = 0; i < this->Positions->GetNumberOfPoints(); ++i)
   {
-    const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - instrument;
+    const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - offset;
     pugi::xml_node leg = survey.append_child("leg");
+    if (this->Speeds && this->Strips)
+    {
+      helios::SetAttribute(leg, "stripId", MakeStripId(this->Strips->GetTuple1(i)));
+    }
     pugi::xml_node place = leg.append_child("platformSettings");
     helios::SetAttribute(place, "template", this->Crs.empty() ? "" : TemplateId);
     helios::LegSettings settings;
     settings.Leg.Position = foot;
+    settings.Leg.Speed = this->Speeds ? this->Speeds->GetTuple1(i) : settings.Leg.Speed;
     helios::SetStored(place, settings);
-    helios::SetAttribute(leg.append_child("scannerSettings"), "template", TemplateId);
+    pugi::xml_node scan = leg.append_child("scannerSettings");
+    helios::SetAttribute(scan, "template", TemplateId);
+    if (this->Active && this->Active->GetTuple1(i) == 0.0)
+    {
+      helios::SetAttribute(scan, "active", "false");
+    }
   }
 }
 

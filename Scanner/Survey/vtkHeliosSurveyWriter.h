@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveyWriter
- * @brief   write scan positions as a survey in HELIOS XML
+ * @brief   write scan positions or waypoints as a survey in HELIOS XML
  *
  * Input 0 is a vtkPolyData with one point per instrument position, in leg order. Write() makes a
  * survey of a static platform: one leg per position, with an explicit z that is not moved to the
@@ -12,6 +12,11 @@
  * beam origin in the head are subtracted, so that the z of a leg is the foot of the platform. (A
  * beam origin off the head axis rotates about the position.) Numbers have the fewest digits that
  * read back exactly.
+ *
+ * Points with the array Speed [m/s] are the waypoints of a moving platform instead: legs without head
+ * rotation, at that speed to the next point, and active unless the point array Active is 0. Those
+ * with the same number in the point array LegIds are a strip, which writes one file. The vertical
+ * offset of mount and beam origin is subtracted, the horizontal one is not.
  *
  * References are written as given, and resolved as those of surveys: in the asset directories, the
  * folder of FileName and the working directory. A Scene that ends in .obj, .tif or .tiff is a mesh,
@@ -68,7 +73,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the platform and the scanner: file.xml#id. The platform must be static. Default: none.
+   * Set/Get the platform and the scanner: file.xml#id. The platform must be static, that of
+   * waypoints must move. Default: none.
    */
   vtkSetStringMacro(Platform);
   vtkGetStringMacro(Platform);

@@ -13,7 +13,7 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 import vtkhelios
 
 from .._run_files import POINTS, file_of_leg
-from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS
+from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS, RETURN_NUMBER
 from ._interrupt import Interrupt
 from ._progress import make_progress
 from ._reading import make_reader
@@ -180,6 +180,21 @@ def read_clouds(folder, count):
         reader.GetPointDataArraySelection().DisableAllArrays()
         reader.Update()
         yield reader.GetOutput()
+
+
+def read_strips(folder, count):
+    """The first returns of every strip of a flight, n x 3 [m], one strip at a time."""
+    for strip in range(count):
+        stem = vtkhelios.vtkHeliosRunFiles.GetStripStem(f"{strip:03}")
+        path = f"{folder}/{vtkhelios.vtkHeliosRunFiles.GetFileName(stem, POINTS, 'vtp')}"
+        reader = vtkXMLPPolyDataReader()
+        reader.SetFileName(path)
+        reader.UpdateInformation()
+        reader.GetPointDataArraySelection().DisableAllArrays()
+        reader.GetPointDataArraySelection().EnableArray(RETURN_NUMBER)
+        reader.Update()
+        cloud = vtkhelios.arrays(reader.GetOutput())
+        yield cloud["points"][cloud[RETURN_NUMBER] == 1]
 
 
 def check_lines(check, tolerance):

@@ -100,6 +100,20 @@ def add_method_arguments(group):
         "(default: 0)",
     )
     group.add_argument(
+        "--objects",
+        metavar="PERCENT",
+        type=value_of("objects"),
+        help="share of the area of each part that must be covered, of what any candidate sees; without "
+        "--coverage nothing else is required (default: 0)",
+    )
+    group.add_argument(
+        "--order",
+        metavar="WHICH",
+        choices=words_of("order"),
+        help="order of the scans: gain, the largest first (default); walk, the shortest walk; round, the "
+        "shortest that returns",
+    )
+    group.add_argument(
         "--area-weights",
         action="store_true",
         default=None,
@@ -237,10 +251,15 @@ def add_sight_arguments(group):
 
 def add_scan_arguments(group):
     group.add_argument(
-        "--platform", metavar="REF", help=f"file.xml#id (default: the file's, else {PLATFORM})"
+        "--platform",
+        metavar="REF",
+        help=f"file.xml#id (default: the file's, else {PLATFORM}; --als: an aeroplane, of "
+        "unmanned scanners a multicopter)",
     )
     group.add_argument(
-        "--scanner", metavar="REF", help=f"file.xml#id (default: the file's, else {SCANNER})"
+        "--scanner",
+        metavar="REF",
+        help=f"file.xml#id (default: the file's, else {SCANNER}; --als: rotating_als)",
     )
     group.add_argument(
         "--resolution",

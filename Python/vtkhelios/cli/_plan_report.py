@@ -39,8 +39,15 @@ def print_table(rows):
         rows, left = rows[:MAXIMUM_ROWS], len(rows) - MAXIMUM_ROWS
     else:
         left = 0
-    cells = [[text(row) for _, text in COLUMNS] for row in rows]
-    titles = [title for title, _ in COLUMNS]
+    print_rows(rows, COLUMNS)
+    if left:
+        print(f"and {left} more; all are in positions.vtp")
+
+
+def print_rows(rows, columns):
+    """A table on standard output; columns: title, and the text of a row."""
+    cells = [[text(row) for _, text in columns] for row in rows]
+    titles = [title for title, _ in columns]
     if Table:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
         for title in titles:
@@ -52,8 +59,6 @@ def print_table(rows):
         widths = [max(map(len, column)) for column in zip(titles, *cells)]
         for row in [titles, *cells]:
             print("  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths)))
-    if left:
-        print(f"and {left} more; all are in positions.vtp")
 
 
 def result_lines(report):
@@ -71,6 +76,31 @@ def result_lines(report):
             f"deg, {result['meanBestIncidence_deg']:.1f} deg on average"
         )
     yield f"scans    {describe_proof(result, report['settings'].get('timeLimit_s'))}"
+    if "objects" in report:
+        yield describe_objects(report["objects"])
+    if "walk" in report:
+        yield describe_walk(report["walk"])
+
+
+def describe_objects(objects):
+    """The least covered part."""
+    seen = [row for row in objects if row["covered_percent"] is not None]
+    unseen = len(objects) - len(seen)
+    least = min(seen, key=lambda row: row["covered_percent"])
+    name = f" ({least['name']})" if least["name"] else ""
+    more = f"; {counted(unseen, 'part')} that no candidate sees" if unseen else ""
+    return (
+        f"objects  {counted(len(seen), 'part')} covered to {least['covered_percent']:.2f} % or more: "
+        f"part {least['part']}{name}{more}"
+    )
+
+
+def describe_walk(walk):
+    text = f"walk     {walk['length_m']:.1f} m in straight lines, "
+    if walk["isProvedShortest"]:
+        return text + "the shortest"
+    gap = 100 * (walk["length_m"] / walk["lowerBound_m"] - 1)
+    return text + f"at least {walk['lowerBound_m']:.1f} m (gap {gap:.1f} %)"
 
 
 def describe_proof(result, limit=None):

@@ -18,6 +18,7 @@ from .._plan_settings import SettingError
 from .._run_files import PART
 from ..planning import Plan, PlanTask
 from ._files import cannot_be_written
+from ._flight.options import add_flight_arguments, find_misplaced
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
@@ -71,7 +72,16 @@ examples:
   vtkhelios plan planner.xml --output plans          a <surveyPlanner>
   vtkhelios plan scene.xml --scanner-limits --overlap 20 --max-incidence 75
   vtkhelios plan scene.xml --check --resolution 0.05      also simulate the survey
+  vtkhelios plan scene.xml --objects 80 --order walk      80 % of the area of each part
   vtkhelios run output/yard/survey.xml               run the planned survey
+
+airborne surveys, with --als: lines, speed, pulse and scan frequency with which a strip has the
+density (--density) or spacing (--spacing) everywhere in the area (--area), and the shortest flight.
+  vtkhelios plan scene.xml --als --flying-height 600 --density 8
+  vtkhelios plan terrain.tif --als --area area.geojson --flying-height 90 --terrain-following \\
+      --scanner copter_uls --check
+  It writes survey.xml, lines.vtp, lines.csv, lines.geojson, cells.vtp (predicted density), plan.png,
+  plan.html and plan_summary.json. See Docs/planning.md.
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
 130 interrupted (Ctrl-C: nothing is written before the plan is made).
@@ -81,6 +91,7 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
 def add_arguments(parser):
     parser.epilog = EPILOG
     add_plan_arguments(parser)
+    add_flight_arguments(parser)
 
 
 def run(arguments):
@@ -109,6 +120,13 @@ def shown_warnings(messages):
 
 def make_plan(arguments, messages):
     """Makes, prints and writes the plan; returns an exit code."""
+    if problem := find_misplaced(arguments):
+        messages.error(problem)
+        return 2
+    if arguments.als:
+        from ._flight.run import make_flight_plan
+
+        return make_flight_plan(arguments, messages)
     task = PlanTask(arguments.input, arguments.assets, **given_settings(arguments))
     for name in ("SceneReference", "PlatformReference", "ScannerReference"):
         require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # as above

@@ -121,6 +121,23 @@ TEST_CASE("GroundSnap: names the point without ground", "[GroundSnap]")
   CHECK(log->HasError("scene on port 1 is empty"));
 }
 
+TEST_CASE("GroundSnap: a point without ground stays with AllowMissing", "[GroundSnap]")
+{
+  vtkNew<vtkHeliosGroundSnap> snap;
+  snap->SetInputData(0, MakePoints({ { 50, 20, 1 }, { -500, 0, 7 } }));
+  snap->SetInputData(1, MakeSlopeAndRoof(true));
+  snap->AllowMissingOn();
+  snap->Update();
+  vtkPolyData* output = snap->GetOutput();
+  REQUIRE(output->GetNumberOfPoints() == 2);
+  CHECK(output->GetPoint(0)[2] == Approx(5.0));
+  CHECK(output->GetPoint(1)[2] == 7.0);
+  vtkDataArray* found = output->GetPointData()->GetArray(names::OnGround);
+  REQUIRE(found);
+  CHECK(found->GetTuple1(0) == 1.0);
+  CHECK(found->GetTuple1(1) == 0.0);
+}
+
 TEST_CASE("GroundSnap: a distant point does not reduce accuracy", "[GroundSnap]")
 {
   const auto scene = MakeSlopeAndRoof(true);

@@ -5,8 +5,12 @@
 
 #include "heliosSceneCrs.h"
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFlightArrayNames.h"
 #include "vtkHeliosSurveyPlayer.h"
 
+#include <vtkDoubleArray.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -163,6 +167,71 @@ TEST_CASE("SurveyWriter: the player fires from the positions", "[SurveyWriter]")
   CHECK(x == Approx(0.0).margin(1e-12));
   CHECK(y == Approx(0.0).margin(1e-12));
   CHECK(z == Approx(4.0));
+}
+
+namespace
+{
+
+/// Two strips of a flight: waypoints with a speed, of which every second one begins a turn.
+vtkSmartPointer<vtkPolyData> MakeWaypoints(double speed)
+{
+  auto waypoints =
+    MakePositions({ { 0, 0, 500 }, { 0, 90, 520 }, { 40, 90, 500 }, { 40, 0, 500 } });
+  const auto add = [&](const char* name, std::vector<double> values)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (const double value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    waypoints->GetPointData()->AddArray(array);
+  };
+  add(vtkHeliosArrayNames::Speed, { speed, 61, speed, 61 });
+  add(vtkHeliosArrayNames::LegIds, { 0, 0, 1, 1 });
+  add(vtkHeliosFlightArrayNames::Active, { 1, 0, 1, 0 });
+  return waypoints;
+}
+
+} // namespace
+
+TEST_CASE("SurveyWriter: waypoints are read back", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  writing.Writer->SetPlatform("assets.xml#plane");
+  writing.Writer->SetInputData(MakeWaypoints(60.0));
+  INFO(writing.Log->Errors);
+  REQUIRE(writing.Writer->Write());
+  const Reading reading(files);
+  INFO(reading.Log->Errors << ReadText(files / "survey.xml"));
+  REQUIRE(reading.Good);
+  const helios::SurveyData& survey = reading.Data();
+  REQUIRE(survey.Legs.size() == 4);
+  const double heights[4] = { 500, 520, 500, 500 };
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const helios::LegData& leg = survey.Legs[i];
+    CHECK(leg.Position[0] == (i < 2 ? 0.0 : 40.0));
+    CHECK(FindBeam(survey, i)[2] == Approx(heights[i]));
+    CHECK(leg.Speed == (i % 2 == 0 ? 60.0 : 61.0));
+    CHECK(leg.Active == (i % 2 == 0));
+    CHECK(leg.Strip == (i < 2 ? "000" : "001"));
+    CHECK(leg.Scans.front().HeadRotateSpeed == 0.0);
+  }
+}
+
+TEST_CASE("SurveyWriter: waypoints that cannot be written are errors", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  writing.Writer->SetInputData(MakeWaypoints(60.0));
+  CHECK_FALSE(writing.Writer->Write());
+  CHECK(writing.Log->HasError("Platform assets.xml#tripod is static, but waypoints need a moving"));
+  writing.Writer->SetPlatform("assets.xml#plane");
+  writing.Writer->SetInputData(MakeWaypoints(-1.0));
+  CHECK_FALSE(writing.Writer->Write());
+  CHECK(writing.Log->HasError("Speed of waypoint 0 is -1 m/s; give a positive speed"));
 }
 
 TEST_CASE("SurveyWriter: a mesh becomes a scene file", "[SurveyWriter]")

@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios plan --als: plans, prints, writes and checks a flight."""
+
+import json
+import pathlib
+import shlex
+
+from ..._paths import require_utf8
+from ..._run_files import PART
+from ...flight import FlightPlan
+from ...flight._check import Counts
+from ...flight._files import clear, data_files, has_plan, page_file, picture_file, summary_file
+from .._files import cannot_be_written
+from .._plan_check import read_strips, simulate
+from .._plan_report import file_lines
+from .options import given_flight_settings
+from .report import check_lines, flight_lines, lacks, print_lines
+
+
+def make_flight_plan(arguments, messages):
+    """Makes, prints and writes the plan; returns an exit code."""
+    plan = FlightPlan(arguments.input, arguments.assets, **given_flight_settings(arguments))
+    require_utf8(plan.name)
+    folder = pathlib.Path(arguments.output) / plan.name
+    if problem := find_unusable(folder, arguments.overwrite):
+        messages.error(problem)
+        return 1
+    messages.info(f"plan     {plan.name} ({arguments.input}), airborne")
+    if messages.results:
+        print_lines(plan.lines)
+    for line in flight_lines(plan.report):
+        messages.info(line)
+    for problem in lacks(plan.report):
+        messages.warning(problem)
+    try:
+        return write(arguments, plan, folder, messages)
+    except OSError as error:
+        messages.error(cannot_be_written(error, folder, "--output"))
+        return 1
+
+
+def find_unusable(folder, overwrite):
+    """Why a plan cannot be written to a folder, or None."""
+    if not overwrite and has_plan(folder):
+        return (
+            f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
+            "replace them, or another --output"
+        )
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / f"survey.xml{PART}").touch()
+        (folder / f"survey.xml{PART}").unlink()
+    except OSError as error:
+        return cannot_be_written(error, folder, "--output")
+    return None
+
+
+def write(arguments, plan, folder, messages):
+    """Writes the files of a plan, and the check; returns an exit code."""
+    clear(folder)
+    files = data_files(plan, folder)
+    report, code, counts = dict(plan.report), 0, None
+    if arguments.check:
+        code, counts = check(arguments, plan, files[0], folder, messages)
+        report |= {"check": counts.compare()} if counts else {}
+        for line in check_lines(report["check"]) if counts else ():
+            messages.info(line)
+    files += draw(arguments, plan, counts, folder, messages)
+    report["files"] = [path.name for path in files]
+    for line in file_lines([*files, summary_file(report, folder)]):
+        messages.info(line)
+    folders = [word for each in arguments.assets for word in ("--assets", each)]
+    messages.info(f"run it   {shlex.join(['vtkhelios', 'run', str(files[0]), *folders])}")
+    if arguments.json:
+        print(json.dumps(report, indent=2))
+    return code
+
+
+def draw(arguments, plan, counts, folder, messages):
+    """The picture and the page of a plan: their paths, without those that cannot be made."""
+    if arguments.no_picture:
+        return []
+    try:
+        return [picture_file(plan, folder), page_file(plan, counts, folder)]
+    except RuntimeError as error:
+        messages.warning(f"no plan.png and plan.html: {error}, or give --no-picture")
+        return []
+
+
+def check(arguments, plan, survey, folder, messages):
+    """Simulates the survey; returns an exit code, and Counts or None."""
+    code, simulated = simulate(survey, arguments, folder / "check", messages)
+    if code:
+        return code, None
+    counts = Counts(plan)
+    for points in read_strips(simulated, len(plan)):
+        counts.add(points)
+    return 0, counts

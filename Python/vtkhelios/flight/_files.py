@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of a flight plan."""
+
+import csv
+import io
+import json
+import shutil
+
+from .._plan_files import SCENE, SUMMARY, SURVEY, write_points
+from ._follow import line_waypoints
+from ._picture import make_picture
+from ._survey import scene_file, write_survey
+
+LINES, CELLS, TABLE = "lines.vtp", "cells.vtp", "lines.csv"
+GEOJSON, PICTURE, PAGE = "lines.geojson", "plan.png", "plan.html"
+FILES = (SURVEY, LINES, CELLS, TABLE, GEOJSON, PICTURE, PAGE, SUMMARY)
+COLUMNS = (  # of the table: title, value of a row, digits
+    ("line", lambda row: row["line"], 0),
+    ("x0 [m]", lambda row: row["begin"][0], 3),
+    ("y0 [m]", lambda row: row["begin"][1], 3),
+    ("x1 [m]", lambda row: row["end"][0], 3),
+    ("y1 [m]", lambda row: row["end"][1], 3),
+    ("lowest z [m]", lambda row: row["lowest_m"], 3),
+    ("highest z [m]", lambda row: row["highest_m"], 3),
+    ("heading [deg]", lambda row: row["heading_deg"], 2),
+    ("length [m]", lambda row: row["length_m"], 1),
+    ("time [s]", lambda row: row["time_s"], 1),
+)
+
+
+def has_plan(folder, more=()):
+    """Whether a folder has files of a plan, or more files."""
+    return any((folder / name).exists() for name in [*FILES, *more])
+
+
+def clear(folder):
+    """Makes a folder without the files of an earlier plan."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in reversed(FILES):  # the summary, which marks them complete, first
+        (folder / name).unlink(missing_ok=True)
+    shutil.rmtree(folder / "check", ignore_errors=True)
+
+
+def write_plan(plan, folder, overwrite=False, picture=False):
+    """Writes all files in a folder with the plan's name; returns their paths."""
+    folder = folder / plan.name
+    more = [SCENE] if plan.has_scene_in_memory() else []
+    if not overwrite and has_plan(folder, more):
+        raise FileExistsError(
+            f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
+            "another folder"
+        )
+    clear(folder)
+    files = data_files(plan, folder)
+    files += [picture_file(plan, folder), page_file(plan, None, folder)] if picture else []
+    return [*files, summary_file({**plan.report, "files": [each.name for each in files]}, folder)]
+
+
+def data_files(plan, folder):
+    """Writes survey, lines and cells; returns their paths."""
+    mesh = scene_file(plan, folder)
+    files = [write_survey(plan, folder / SURVEY, mesh)] + ([mesh] if mesh else [])
+    files.append(write_points(plan.flight, folder / LINES))
+    files.append(write_points(plan.cells.data, folder / CELLS))
+    files.append(_write(folder / TABLE, make_table(plan.lines)))
+    files.append(_write(folder / GEOJSON, make_geojson(plan)))
+    return files
+
+
+def picture_file(plan, folder):
+    """Draws the picture; returns its path."""
+    path = folder / PICTURE
+    path.write_bytes(make_picture(plan))
+    return path
+
+
+def page_file(plan, counts, folder):
+    """Writes the page; counts: of a simulation, or None. Returns its path."""
+    from ._page import write_page
+
+    return _write(folder / PAGE, write_page(plan, counts))
+
+
+def summary_file(report, folder):
+    return _write(folder / SUMMARY, json.dumps(report, indent=2) + "\n")
+
+
+def make_table(lines):
+    """The lines as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([title for title, *_ in COLUMNS])
+    for row in lines:
+        writer.writerow([f"{value(row):.{digits}f}" for _, value, digits in COLUMNS])
+    return text.getvalue()
+
+
+def make_geojson(plan):
+    """Lines and area as GeoJSON, in the coordinates of the scene."""
+    features = [
+        _feature("LineString", places.tolist(), line=row["line"], time_s=row["time_s"])
+        for row, places in zip(plan.lines, line_waypoints(plan.flight), strict=True)
+    ]
+    area = [[_closed(ring) for ring in rings] for rings in plan.polygons]
+    features.append(_feature("MultiPolygon", area, name="area"))
+    return json.dumps({"type": "FeatureCollection", "features": features}, indent=1) + "\n"
+
+
+def _closed(ring):
+    return [*ring.tolist(), ring[0].tolist()]
+
+
+def _feature(kind, coordinates, **properties):
+    geometry = {"type": kind, "coordinates": coordinates}
+    return {"type": "Feature", "properties": properties, "geometry": geometry}
+
+
+def _write(path, text):
+    from ..cli._files import write_whole
+
+    write_whole(path, text)
+    return path

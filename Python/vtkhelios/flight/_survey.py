@@ -1,0 +1,75 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The survey of a flight plan."""
+
+import importlib
+import pathlib
+import tempfile
+
+from .._paths import from_vtk, to_vtk
+from .._pipeline import MessageLog, PipelineError, conclude
+from .._plan_files import SCENE, refer
+from ..scene import Scene
+
+STAND_IN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"  # for a scene that stays in memory
+
+
+def write_survey(plan, path, scene=None):
+    """Writes the survey of a FlightPlan, of its scene or of a mesh file; returns the path."""
+    from ..cli._reading import look_up
+
+    folder = path.parent
+    scene = scene or from_vtk(plan.document.GetSceneReference()) or plan.source
+
+    def short(reference):
+        path = reference.partition("#")[0]
+        return to_vtk(refer(reference, folder) if pathlib.Path(path).exists() else reference)
+
+    writer = importlib.import_module(__package__.partition(".")[0]).vtkHeliosSurveyWriter()
+    look_up(writer, str(path), plan.assets)
+    writer.SetInputDataObject(plan.flight)
+    writer.SetSurveyName(to_vtk(plan.name))
+    writer.SetScene(short(str(scene)))
+    writer.SetPlatform(short(plan.instrument.platform))
+    writer.SetScanner(short(plan.instrument.scanner))
+    writer.SetPulseFrequency(plan.design.pulse_frequency)
+    if plan.design.scan_frequency:
+        writer.SetScanFrequency(plan.design.scan_frequency)
+    if plan.design.scan_angle and _needs_angle(plan):
+        writer.SetScanAngle(plan.design.scan_angle)
+    with MessageLog() as log:
+        log.watch(writer)
+        succeeded = writer.Write()
+    conclude(log)
+    if not succeeded:
+        raise PipelineError([f"{path}: cannot be written"])
+    return path
+
+
+def _needs_angle(plan):
+    """Whether the scan angle is not the one that the scanner has by default."""
+    is_other = plan.design.scan_angle != plan.instrument.largest_angle
+    return is_other or plan.instrument.optics == "oscillating"
+
+
+def scene_file(plan, folder):
+    """The mesh of a scene in memory, written to the folder; None for a scene with a file."""
+    if not plan.has_scene_in_memory():
+        return None
+    path = folder / SCENE
+    Scene(plan.scene).write(path)
+    return path
+
+
+def make_survey(plan):
+    """The Survey of a FlightPlan; a scene in memory stays there."""
+    from ..survey import read_survey
+
+    with tempfile.TemporaryDirectory(prefix="vtkhelios-") as name:
+        folder, in_memory = pathlib.Path(name), plan.has_scene_in_memory()
+        if in_memory:
+            (folder / SCENE).write_text(STAND_IN)
+        path = write_survey(plan, folder / "survey.xml", folder / SCENE if in_memory else None)
+        survey = read_survey(path, plan.assets, scene=plan.scene if in_memory else None)
+    survey.path = None
+    return survey
