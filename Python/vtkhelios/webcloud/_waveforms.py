@@ -52,7 +52,7 @@ class WaveformSample:
         wanted = np.isin(table[PULSE_IDS], self._pulses) & (table[COUNT] > 0)
         self.seen += int(np.count_nonzero(wanted))
         rows = np.flatnonzero(wanted & (hashes(table[PULSE_IDS]) <= self._highest))
-        self._tables.append(_select(table, rows))
+        self._tables.append(_trim(_select(table, rows)))
         self._size += len(self._tables[-1][SAMPLES])
         if self._size > 2 * self.limit:
             self.shrink()
@@ -76,7 +76,7 @@ class WaveformSample:
         """Adds the waveforms to a store; returns their description for JSON, or None without any."""
         if self.seen == 0:
             return None
-        table = _trim(self.shrink())
+        table = self.shrink()
         peaks = np.maximum.reduceat(table[SAMPLES], table[OFFSET])
         codes = _codes(table, peaks)
         count = len(table[PULSE_IDS])
