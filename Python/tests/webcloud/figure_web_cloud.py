@@ -3,9 +3,9 @@
 """The picture of a cloud's page in Docs/viewer.md: a run in headless Chromium, with a picked echo.
 
     vtkhelios run Data/Surveys/village_uls.xml --assets build/demo/scene --format vtp --waveforms
-    build/venv/bin/python Python/tests/webcloud/figure_web_cloud.py output/village_uls PICTURE.jpg 880 395
+    build/venv/bin/python Python/tests/webcloud/figure_web_cloud.py output/village_uls PICTURE.jpg 760 380
 
-Writes the page of the run to a temporary folder, picks the echo at pixel 880, 395, or the nearest with
+Writes the page of the run to a temporary folder, picks the echo at pixel 760, 380, or the nearest with
 a waveform, and writes the window of 1280 x 800 pixels as JPEG. Needs chromium.
 """
 
@@ -39,7 +39,7 @@ def draw(run, picture, x=640, y=420):
         browser.wait("vtkhelios.state().picked.wave")
         browser.wait(READY)
         picked = browser.evaluate("vtkhelios.state().picked.values")
-        image = browser.call("Page.captureScreenshot", format="jpeg", quality=80)["data"]
+        image = browser.call("Page.captureScreenshot", format="jpeg", quality=70)["data"]
         pathlib.Path(picture).write_bytes(base64.b64decode(image))
     browser.close()
     return picked
