@@ -39,7 +39,7 @@ def draw(run, picture, x=640, y=420):
         browser.wait("vtkhelios.state().picked.wave")
         browser.wait(READY)
         picked = browser.evaluate("vtkhelios.state().picked.values")
-        image = browser.call("Page.captureScreenshot", format="jpeg", quality=70)["data"]
+        image = browser.call("Page.captureScreenshot", format="jpeg", quality=80)["data"]
         pathlib.Path(picture).write_bytes(base64.b64decode(image))
     browser.close()
     return picked
