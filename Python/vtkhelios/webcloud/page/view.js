@@ -9,7 +9,7 @@ const FEWEST = 30_000; // and of a moving one
 const SLOW = 60; // frame times between which the budget stays [ms]
 const FAST = 28;
 const REST = 180; // after the last movement [ms]
-const LOADING = 250; // time of loading between two frames [ms]
+const LOADING = 250; // least time of loading between two frames [ms]; longer if frames are slow
 const AT_ONCE = 8; // nodes
 const COVERED = 0.6; // fraction of the frame that points of automatic size cover
 
@@ -41,7 +41,12 @@ export class View {
   request() {
     if (this.isQueued) return;
     this.isQueued = true;
-    requestAnimationFrame((now) => { this.isQueued = false; this.frame(now); });
+    const asked = performance.now();
+    requestAnimationFrame((now) => {
+      this.isQueued = false;
+      this.delay = performance.now() - asked; // includes the time of the frame before
+      this.frame(now);
+    });
   }
 
   frame(now) {
@@ -101,7 +106,7 @@ export class View {
     this.isComplete = missing.length === 0;
     if (this.isComplete) return;
     this.isLoading = true;
-    const end = performance.now() + LOADING;
+    const end = performance.now() + Math.max(LOADING, 2 * this.delay);
     while (missing.length && performance.now() < end) {
       await Promise.all(missing.splice(0, AT_ONCE).map((node) => this.loadNode(node)));
     }
