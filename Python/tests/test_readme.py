@@ -30,7 +30,7 @@ def test_first_scene(command_line, tmp_path):
         if re.search("my_|yard|street", command) and needs_no_display(command)
     ]
     kinds = [command[0] for command in commands]
-    assert kinds == ["new", "run", "run", "run", "view", "plan", "convert", "report"]
+    assert kinds == ["new", "run", "run", "run", "view", "plan", "plan", "convert", "report"]
     first = commands.index(["run", "my_survey.xml"])
     done = command_line(*commands[first], cwd=tmp_path)
     assert done.returncode == 0, done.stderr
