@@ -187,8 +187,8 @@ TEST_CASE("SurveyReader: bad parts are errors", "[SurveyReader]")
     { Filter("cityjsonloader"), "scene.xml:2: filter cityjsonloader has no filepath" },
     { "",
       "<part> has no loader; add a <filter type=\"objloader\"> or another one of objloader, "
-      "geotiffloader, xyzloader, detailedvoxels, plyloader, stlloader, cityjsonloader and "
-      "gltfloader" },
+      "geotiffloader, xyzloader, detailedvoxels, plyloader, stlloader, cityjsonloader, "
+      "gltfloader and lasloader" },
     { Points + Points, "a second loader in one <part>" },
     { Filter("xyzloader", { { "filepath", "points.xyz" }, { "voxelSize", "0" } }),
       "voxelSize=\"0\" is out of range" },
