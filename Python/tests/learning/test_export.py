@@ -193,6 +193,9 @@ def test_poses_between_samples():
     pose = poses.at(1 / 3)
     forward = np.deg2rad(90 + 30)  # of the body, counter-clockwise from east
     assert np.allclose(pose[:3, 0], [np.cos(forward), np.sin(forward), 0])
+    left = forward + np.pi / 2
+    assert np.allclose(pose[:3, 1], [np.cos(left), np.sin(left), 0])
+    assert np.allclose(pose[:3, 2], [0, 0, 1])
     assert np.allclose(pose[:3, 3], [10 / 3, 0, 0])
 
 
