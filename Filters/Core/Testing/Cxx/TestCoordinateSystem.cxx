@@ -117,8 +117,9 @@ TEST_CASE("CoordinateSystem: an invalid text is an error", "[CoordinateSystem]")
   const std::string forms =
     "give \"EPSG:n\", WKT, a PROJ string, or \"ENU latitude longitude height\"";
   CHECK(GetProblem(" ") == "The name of the coordinate system is empty; " + forms);
-  CHECK(GetProblem("EPSG:99999") ==
-    "\"EPSG:99999\" is not a coordinate system known to PROJ (crs not found); " + forms);
+  const std::string unknown = GetProblem("EPSG:99999"); // the words in parentheses are PROJ's
+  CHECK(Has(unknown, "\"EPSG:99999\" is not a coordinate system known to PROJ (crs not found"));
+  CHECK(Has(unknown, "; " + forms));
   CHECK(Has(GetProblem("EPSG:1149"), "\"EPSG:1149\" is not a coordinate system")); // an operation
   CHECK(Has(GetProblem("foo"), "\"foo\" is not a coordinate system"));
   CHECK(Has(GetProblem("Amersfoor"), "\"Amersfoor\" is not a coordinate system"));
