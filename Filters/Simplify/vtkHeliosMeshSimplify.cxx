@@ -279,10 +279,11 @@ int vtkHeliosMeshSimplify::RequestData(
 }
 
 //------------------------------------------------------------------------------
-/// Progress and abort of the repair; its errors have been checked for.
+/// Progress and abort of the repair; its errors have been checked for. Since VTK 9.3 aborted
+/// filters report a progress of 1 at last.
 void vtkHeliosMeshSimplify::Follow(vtkObject* repair, unsigned long event, void*)
 {
-  if (event == vtkCommand::ProgressEvent)
+  if (event == vtkCommand::ProgressEvent && !this->GetAbortExecute())
   {
     auto* algorithm = static_cast<vtkAlgorithm*>(repair);
     this->UpdateProgress(0.1 * algorithm->GetProgress());
