@@ -4,6 +4,8 @@
 
 #include "heliosSpacePolygon.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
