@@ -6,7 +6,7 @@
 set -euo pipefail
 cd -P "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# All packages to build, run and test vtkHelios; Docs/install.md refers to this list.
+# All packages to build and run vtkHelios; Docs/install.md refers to this list.
 helios_packages=(
   # to build
   git g++ cmake ninja-build ccache pkgconf
@@ -17,10 +17,14 @@ helios_packages=(
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   python3-jinja2
-  # to test
-  catch2 cloudcompare zsh fish python3-pytest python3-gdal python3-lxml black codespell
+  # the tests that are built
+  catch2
   # pictures without a display
-  xvfb xauth libgl1-mesa-dri xdotool
+  xvfb xauth libgl1-mesa-dri
+)
+# What tests need besides.
+helios_test_packages=(
+  cloudcompare python3-pytest python3-gdal python3-lxml black codespell xdotool zsh fish
 )
 
 # What differs by the release of Debian. A PyVista contemporary with its VTK, for the test of its
@@ -28,7 +32,7 @@ helios_packages=(
 helios_release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
 case $helios_release in
   bookworm) # 12: VTK 9.1
-    helios_packages+=(clang-format-14)
+    helios_test_packages+=(clang-format-14)
     helios_pyvista=('pyvista==0.36.1' 'scooby<1' 'appdirs<2')
     ;;
   trixie) # 13: VTK 9.3
@@ -71,70 +75,36 @@ helios_make_venv() {
   for site in build/venv/lib/python3*/site-packages; do
     echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
   done
-  helios_install_laspy
-  helios_install_pyvista
-  helios_install_formats
-  helios_install_exchange
-  helios_install_dask
-  helios_install_ruff
+  # LAS, LAZ, COPC and E57 files; Debian has no packages for them.
+  helios_pip 'import laspy, lazrs' "laspy: LAS and LAZ files in vtkhelios convert" \
+    --no-deps 'laspy>=2.5,<3' 'lazrs<1'
+  helios_pip 'import copclib, laszip, pye57, plyfile' "copclib and others: COPC, E57, LAZ with waveforms" \
+    --no-deps copclib laszip pye57 pyquaternion plyfile
 }
 
-# LAS and LAZ files as scenes; Debian has no package for it. Without it their tests are skipped.
-# --no-deps keeps the numpy of Debian, which its VTK was built with.
-helios_install_laspy() {
-  build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
-  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be installed here: LAS and LAZ files cannot be read" >&2
-}
-
-helios_install_pyvista() {
-  [ ${#helios_pyvista[@]} -gt 0 ] || return 0
-  build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
-  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    "${helios_pyvista[@]}" || echo "PyVista cannot be installed here: its test is skipped" >&2
-}
-
-# COPC and E57 files, LAZ with waveforms of several channels, and a reader of PLY files in tests.
-# Without them their tests are skipped.
-helios_install_formats() {
-  build/venv/bin/python -c 'import copclib, laszip, pye57, plyfile' 2>/dev/null && return
-  local package
-  for package in copclib laszip pye57 pyquaternion plyfile; do
-    build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-      "$package" || echo "$package cannot be installed here: some formats of vtkhelios convert are missing" >&2
-  done
-}
-
-# Other libraries that clouds and meshes are exchanged with, and those of vtkhelios export --mcap. Without them their tests are skipped;
-# those of Open3D also run if it is installed (pip install --no-deps open3d), which takes 1.4 GB.
-helios_install_exchange() {
-  build/venv/bin/python -c 'import pandas, trimesh, meshio, mcap, rosbags' 2>/dev/null && return
-  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'pandas==2.2.3' 'python-dateutil<3' 'pytz' 'tzdata' 'six' 'trimesh==4.12.2' 'meshio==5.3.5' \
-    'mcap==1.6.0' 'rosbags==0.11.9' 'lz4' 'ruamel.yaml' 'typing-extensions' 'zstandard' ||
-    echo "pandas, trimesh, meshio, mcap and rosbags cannot be installed here: their tests are skipped" >&2
-}
-
-# Surveys on the workers of Dask; needs no numpy. Without it their tests are skipped.
-helios_install_dask() {
-  build/venv/bin/python -c 'import dask, distributed' 2>/dev/null && return
+# helios_pip IMPORT WHAT PIP-ARGUMENT...: installs into build/venv unless the import works there.
+# Without the packages something is missing or tests are skipped, but no more. --no-deps keeps the
+# numpy of Debian, which its VTK was built with.
+helios_pip() {
+  build/venv/bin/python -c "$1" 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --timeout 10 --retries 1 \
-    dask distributed || echo "Dask cannot be installed here: its tests are skipped" >&2
+    "${@:3}" || echo "cannot be installed here: $2" >&2
 }
 
-# Notebooks, for Testing/run.sh --browser. Without them their test is skipped.
+# What tests need in build/venv; without it they are skipped. Newer versions of ruff have other rules.
+helios_install_test_libraries() {
+  [ ${#helios_pyvista[@]} -eq 0 ] ||
+    helios_pip 'import pyvista' "PyVista" --no-deps "${helios_pyvista[@]}"
+  helios_pip 'import pandas, trimesh, meshio, mcap, rosbags' "pandas, trimesh, meshio, mcap, rosbags" \
+    --no-deps 'pandas==2.2.3' 'python-dateutil<3' pytz tzdata six 'trimesh==4.12.2' 'meshio==5.3.5' \
+    'mcap==1.6.0' 'rosbags==0.11.9' lz4 ruamel.yaml typing-extensions zstandard
+  helios_pip 'import dask, distributed' "Dask" dask distributed
+  helios_pip 'import ruff' "ruff" --no-deps 'ruff==0.17.6'
+}
+
+# Notebooks, for Testing/run.sh --browser.
 helios_install_notebooks() {
-  build/venv/bin/python -c 'import nbclient, ipykernel' 2>/dev/null && return
-  build/venv/bin/python -m pip install -q --disable-pip-version-check --timeout 10 --retries 1 \
-    'nbclient==0.10.2' 'ipykernel==6.29.5' || echo "nbclient cannot be installed here: its test is skipped" >&2
-}
-
-# The linter of Testing/Integration/test_style.py; Debian has no package for it. Without it that
-# test is skipped. Newer versions have other rules.
-helios_install_ruff() {
-  [ -x build/venv/bin/ruff ] && return
-  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'ruff==0.17.6' || echo "ruff cannot be installed here: Python code is not linted" >&2
+  helios_pip 'import nbclient, ipykernel' "nbclient and ipykernel" 'nbclient==0.10.2' 'ipykernel==6.29.5'
 }
 
 # helios_warnings ON|OFF: the argument of CMake that makes warnings errors in build/, or not. A build

@@ -43,7 +43,9 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+helios_packages+=("${helios_test_packages[@]}")
 helios_setup
+helios_install_test_libraries
 if $browser; then helios_install_notebooks; fi
 failed=()
 
