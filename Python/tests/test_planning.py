@@ -108,6 +108,8 @@ GIVEN = {
     "coverage_of": ("all", "coverable"),
     "area_weights": (True, False),
     "overlap": (0, 7),
+    "objects": (0, 30),
+    "order": ("gain", "walk"),
     "remove_order": ("viewshedSize", "meanIncidenceAngle"),
     "remove_first": ("smallest", "largest"),
     "time_limit": (20, 30),
@@ -223,6 +225,31 @@ def test_how_a_plan_is_shown(rooms):
     assert words in plan._repr_html_() and plan._repr_html_().count("<tr>") == 4
     one = vtkhelios.plan(make_rooms(1), grid=1, name="<b>")
     assert repr(one).startswith("Plan('<b>': 1 scan, ") and "<b>" not in one._repr_html_()
+
+
+@pytest.mark.parametrize("order", ["walk", "round"])
+def test_the_shortest_walk(order):
+    plan = vtkhelios.plan(make_rooms(4), grid=1, order=order)
+    x = plan.positions[:, 0]
+    steps = np.linalg.norm(np.diff(plan.positions, axis=0), axis=1).sum()
+    back = np.linalg.norm(plan.positions[-1] - plan.positions[0]) if order == "round" else 0
+    assert plan.report["walk"]["length_m"] == pytest.approx(steps + back)
+    assert plan.report["walk"]["isProvedShortest"]
+    assert [row["x"] for row in plan.report["positions"]] == pytest.approx(x.tolist())
+    if order == "walk":
+        assert (np.diff(x) > 0).all() or (np.diff(x) < 0).all()
+    assert "walk" not in vtkhelios.plan(make_rooms(1), grid=1).report
+
+
+def test_shares_of_objects():
+    scene = make_rooms(1) + vtkhelios.Scene(
+        make_rooms(1).points + (20, 0, 0), make_rooms(1).triangles
+    )
+    assert len(vtkhelios.plan(scene, grid=1)) == 2
+    plan = vtkhelios.plan(scene, grid=1, objects=40)
+    assert len(plan) == 2  # coverage of 40 % in all would be one
+    assert [row["covered_percent"] >= 40 for row in plan.report["objects"]] == [True, True]
+    assert len(vtkhelios.plan(scene, grid=1, coverage=40)) == 1
 
 
 def test_settings_are_documented():
