@@ -594,7 +594,8 @@ struct CountedEvents
   {
     auto* algorithm = static_cast<vtkAlgorithm*>(caller);
     auto* events = static_cast<CountedEvents*>(self);
-    events->Count += algorithm->GetProgress() >= 0.2;
+    // VTK 9.3 adds a progress of 1, also of aborted filters.
+    events->Count += algorithm->GetProgress() >= 0.2 && algorithm->GetProgress() < 1.0;
     algorithm->SetAbortExecute(events->Count >= events->Last);
   }
 };
