@@ -30,12 +30,6 @@ class Instrument:
         platform = platform or PLATFORMS.get(self.use, PLATFORM)
         self.platform = platform if "#" in platform else f"platforms.xml#{platform}"
         survey = self._make_survey({})
-        if not survey.IsMoving():
-            raise SettingError(
-                "{0} is {name}, which does not move; give one such as airplane_linearpath",
-                "platform",
-                name=self.platform,
-            )
         self._texts = functools.partial(survey.GetScannerAttribute, 0)
         self.optics = self._texts("optics") or "rotating"
         self.channels = survey.GetNumberOfChannels(0)
@@ -94,6 +88,12 @@ class Instrument:
                 survey.SetLegAttribute(leg, "x", str(float(leg)))
                 for name, value in attributes.items():
                     good = survey.SetLegAttribute(leg, name, repr(float(value))) and good
+            if good and not survey.IsMoving():
+                raise SettingError(
+                    "{0} is {name}, which does not move; give one such as airplane_linearpath",
+                    "platform",
+                    name=self.platform,
+                )
             good = good and survey.Check()
         conclude(log)
         if not good:
