@@ -171,17 +171,17 @@ helios::SurveyData vtkHeliosSurveyWriter::Internals::Read(const std::string& tex
 bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& survey)
 {
   const std::string file = this->Writer->FileName;
+  if (this->Speeds && !survey.Legs.empty() && !survey.IsMoving(0))
+  {
+    return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
+      " is static, but waypoints need a moving one; give a platform such as "
+      "platforms.xml#airplane_linearpath");
+  }
   if (this->Log.HasError())
   {
     return this->Fail(file +
       ": not written: the survey could not be run; correct the properties "
       "named in the preceding messages");
-  }
-  if (this->Speeds && !survey.IsMoving(0))
-  {
-    return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
-      " is static, but waypoints need a moving one; give a platform such as "
-      "platforms.xml#airplane_linearpath");
   }
   if (!this->Speeds && survey.IsMoving(0))
   {
