@@ -450,7 +450,7 @@ def test_interrupted(rooms):
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):
-            vtkhelios.plan(rooms, grid=0.02, test_grid=0.02)
+            vtkhelios.plan(rooms, grid=0.05, test_grid=0.05)  # takes much longer
     finally:
         timer.cancel()
         signal.signal(signal.SIGINT, before)
