@@ -57,12 +57,17 @@ constexpr OpticsColumn OpticsColumns[] = {
   { names::MaterialRefractiveIndex, &MaterialOptics::RefractiveIndex },
   { names::MaterialThickness, &MaterialOptics::Thickness },
   { names::MaterialAttenuation, &MaterialOptics::Attenuation },
+  { names::MaterialBackscatter, &MaterialOptics::Backscatter },
+  { names::MaterialTransmittance, &MaterialOptics::Transmittance },
+  { names::MaterialRetroreflection, &MaterialOptics::Retroreflection },
+  { names::MaterialMeanSquareSlope, &MaterialOptics::MeanSquareSlope },
 };
 
 MaterialOptics GetOptics(vtkFieldData* fields, vtkIdType row)
 {
   MaterialOptics optics;
   optics.Kind = static_cast<OpticsKind>(Number(fields, names::MaterialOptics, row, 0));
+  optics.RefractiveIndex = optics.Kind == OpticsKind::Water ? WaterIndex : optics.RefractiveIndex;
   for (const OpticsColumn& column : OpticsColumns)
   {
     optics.*column.Value = Number(fields, column.Name, row, optics.*column.Value);
@@ -98,7 +103,9 @@ bool MaterialOptics::operator==(const MaterialOptics& other) const
 {
   return this->Kind == other.Kind && this->MirrorReflectance == other.MirrorReflectance &&
     this->RefractiveIndex == other.RefractiveIndex && this->Thickness == other.Thickness &&
-    this->Attenuation == other.Attenuation;
+    this->Attenuation == other.Attenuation && this->Backscatter == other.Backscatter &&
+    this->Transmittance == other.Transmittance && this->Retroreflection == other.Retroreflection &&
+    this->MeanSquareSlope == other.MeanSquareSlope;
 }
 
 bool Material::operator==(const Material& other) const

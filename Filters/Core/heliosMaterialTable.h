@@ -19,22 +19,32 @@ namespace helios
 /// Reflectance of a surface without reflectance and spectrum.
 constexpr double DefaultReflectance = 0.5;
 
+/// Refractive index of water of none: of sea water and fresh water to 0.5 %, from 500 to 1100 nm.
+constexpr double WaterIndex = 1.34;
+
 /// What a surface does with the light that it does not scatter.
 enum class OpticsKind
 {
   Opaque, ///< absorbs it
   Mirror, ///< reflects a share of it
   Pane,   ///< a plate with two faces: reflects and transmits; the surface is the first face met
-  Volume  ///< the boundary of a transparent body or of water: reflects and refracts
+  Volume, ///< the boundary of a transparent body: reflects and refracts
+  Water,  ///< the same of water, whose attenuation is given at 532 nm
+  Leaf,   ///< scatters light, and transmits a share straight on
+  Retroreflector ///< returns light to where it comes from
 };
 
 struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
 {
   OpticsKind Kind = OpticsKind::Opaque;
   double MirrorReflectance = 1.0; ///< [0..1]
-  double RefractiveIndex = 1.5;   ///< of panes and volumes, [1..4]
+  double RefractiveIndex = 1.5;   ///< of panes, volumes and water, [1..4]
   double Thickness = 0.004;       ///< of panes [m]
-  double Attenuation = 0.0;       ///< within panes and volumes [1/m]
+  double Attenuation = 0.0;       ///< within them [1/m]
+  double Backscatter = 0.0;       ///< within volumes and water [1/(m sr)]
+  double Transmittance = 0.0;     ///< of leaves, [0..1]
+  double Retroreflection = 250.0; ///< coefficient of retroreflectors [cd/(lx m2) = 1/sr]
+  double MeanSquareSlope = 0.0;   ///< of a rough surface; 0: smooth
 
   bool operator==(const MaterialOptics& other) const;
 };

@@ -28,6 +28,7 @@ enum class RandomStream : std::uint32_t
   TurbidMedium = 21,
   RandomMaterial = 22,
   PartTable = 23,
+  Droplets = 24,
   ScanPositions = 40
 };
 

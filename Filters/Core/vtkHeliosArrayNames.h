@@ -48,11 +48,16 @@ inline constexpr const char* MaterialClassification = "Material.Classification";
 inline constexpr const char* MaterialIsGround = "Material.IsGround";
 inline constexpr const char* MaterialSpectrum = "Material.Spectrum";
 // Of mirrors and glass; columns that only scenes with them have.
-inline constexpr const char* MaterialOptics = "Material.Optics"; // 1 mirror, 2 pane, 3 volume
+// 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
+inline constexpr const char* MaterialOptics = "Material.Optics";
 inline constexpr const char* MaterialMirrorReflectance = "Material.MirrorReflectance"; // [0..1]
 inline constexpr const char* MaterialRefractiveIndex = "Material.RefractiveIndex";
-inline constexpr const char* MaterialThickness = "Material.Thickness";     // of panes [m]
-inline constexpr const char* MaterialAttenuation = "Material.Attenuation"; // inside [1/m]
+inline constexpr const char* MaterialThickness = "Material.Thickness";             // of panes [m]
+inline constexpr const char* MaterialAttenuation = "Material.Attenuation";         // inside [1/m]
+inline constexpr const char* MaterialBackscatter = "Material.Backscatter";         // [1/(m sr)]
+inline constexpr const char* MaterialTransmittance = "Material.Transmittance";     // [0..1]
+inline constexpr const char* MaterialRetroreflection = "Material.Retroreflection"; // [1/sr]
+inline constexpr const char* MaterialMeanSquareSlope = "Material.MeanSquareSlope";
 ///@}
 
 ///@{
@@ -120,6 +125,7 @@ inline constexpr const char* CellIds = "CellIds";               // cells of the 
 inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from the normal
 inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1: not stored
 inline constexpr const char* TruePoint = "TruePoint";           // [m], without noise
+inline constexpr const char* WaterDepth = "WaterDepth"; // [m], by vtkHeliosRefractionCorrection
 inline constexpr const char* SpecularEvents = "SpecularEvents"; // mirrors and glass on the way
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray in the pulse

@@ -31,11 +31,16 @@ MATERIAL_CLASSIFICATION = "Material.Classification"
 MATERIAL_IS_GROUND = "Material.IsGround"
 MATERIAL_SPECTRUM = "Material.Spectrum"
 # Of mirrors and glass; columns that only scenes with them have.
-MATERIAL_OPTICS = "Material.Optics"  # 1 mirror, 2 pane, 3 volume
+# 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
+MATERIAL_OPTICS = "Material.Optics"
 MATERIAL_MIRROR_REFLECTANCE = "Material.MirrorReflectance"  # [0..1]
 MATERIAL_REFRACTIVE_INDEX = "Material.RefractiveIndex"
 MATERIAL_THICKNESS = "Material.Thickness"  # of panes [m]
 MATERIAL_ATTENUATION = "Material.Attenuation"  # inside [1/m]
+MATERIAL_BACKSCATTER = "Material.Backscatter"  # [1/(m sr)]
+MATERIAL_TRANSMITTANCE = "Material.Transmittance"  # [0..1]
+MATERIAL_RETROREFLECTION = "Material.Retroreflection"  # [1/sr]
+MATERIAL_MEAN_SQUARE_SLOPE = "Material.MeanSquareSlope"
 
 # Scene: field data. CRS is a WKT string or "EPSG:n".
 CRS = "CRS"
@@ -91,6 +96,7 @@ CELL_IDS = "CellIds"  # cells of the scene
 INCIDENCE_ANGLE = "IncidenceAngle"  # [deg], from the normal
 WAVEFORM_IDS = "WaveformIds"  # pulse id, -1: not stored
 TRUE_POINT = "TruePoint"  # [m], without noise
+WATER_DEPTH = "WaterDepth"  # [m], by vtkHeliosRefractionCorrection
 SPECULAR_EVENTS = "SpecularEvents"  # mirrors and glass on the way
 NORMAL = "Normal"
 WEIGHT = "Weight"  # energy fraction of a sub-ray in the pulse
@@ -177,6 +183,7 @@ UNITS = {
     ECHO_WIDTH: "ns",
     INCIDENCE_ANGLE: "deg",
     TRUE_POINT: "m",
+    WATER_DEPTH: "m",
     ORIGIN: "m",
     START_TIME: "ns",
     BIN_SIZE: "ns",

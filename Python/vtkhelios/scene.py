@@ -19,10 +19,10 @@ from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude, update
 
 from .array_names import (
-    MATERIAL_ATTENUATION, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND,
-    MATERIAL_MIRROR_REFLECTANCE, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFLECTANCE,
-    MATERIAL_REFRACTIVE_INDEX, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
-    MATERIAL_THICKNESS,
+    MATERIAL_ATTENUATION, MATERIAL_BACKSCATTER, MATERIAL_CLASSIFICATION, MATERIAL_IDS,
+    MATERIAL_IS_GROUND, MATERIAL_MEAN_SQUARE_SLOPE, MATERIAL_MIRROR_REFLECTANCE, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFLECTANCE,
+    MATERIAL_REFRACTIVE_INDEX, MATERIAL_RETROREFLECTION, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
+    MATERIAL_THICKNESS, MATERIAL_TRANSMITTANCE,
 )  # fmt: skip
 from .cloud import data_of
 
@@ -37,12 +37,16 @@ _READERS = {
     "gltfloader": "vtkHeliosGLTFSceneReader",
 }
 
-_OPTICS = {"mirror": 1, "pane": 2, "volume": 3}
+_OPTICS = {"mirror": 1, "pane": 2, "volume": 3, "water": 4, "leaf": 5, "retroreflector": 6}
 _OPTICS_NUMBERS = {  # column, lowest and highest value
     "mirror_reflectance": (MATERIAL_MIRROR_REFLECTANCE, 0, 1),
     "refractive_index": (MATERIAL_REFRACTIVE_INDEX, 1, 4),
     "thickness": (MATERIAL_THICKNESS, 0, 10),
     "attenuation": (MATERIAL_ATTENUATION, 0, 1e6),
+    "backscatter": (MATERIAL_BACKSCATTER, 0, 1e6),
+    "transmittance": (MATERIAL_TRANSMITTANCE, 0, 1),
+    "retroreflection": (MATERIAL_RETROREFLECTION, 0, 1e9),
+    "mean_square_slope": (MATERIAL_MEAN_SQUARE_SLOPE, 0, 1),
 }
 
 
@@ -66,9 +70,10 @@ class Scene:
         whether tripods may be placed on the triangles: a boolean, or one
         per triangle (polygon). Without any ground everything is ground.
     optics
-        what the triangles do with the light that they do not scatter: "mirror", "pane" or "volume"
-        (Docs/materials.md), or a dictionary with that as kind and its numbers, {"kind": "pane",
-        "refractive_index": 1.52, "thickness": 0.006}; also mirror_reflectance and attenuation.
+        what the triangles do with the light that they do not scatter: "mirror", "pane", "volume",
+        "water", "leaf" or "retroreflector" (Docs/materials.md), or a dictionary with that as kind and its numbers, {"kind":
+        "pane", "refractive_index": 1.52, "thickness": 0.006}; also mirror_reflectance, attenuation
+        [1/m], backscatter [1/(m sr)], transmittance, retroreflection [1/sr] and mean_square_slope.
         Default: None, nothing; the default reflectance of others is 0.
     """
 

@@ -39,6 +39,7 @@ _OPTIONS = {
     "bin_size": "bin_size",
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
+    "weather": "weather",
     "epoch": "epoch",
     "without": "without",
     "pulse_step": "pulse_step",
@@ -211,6 +212,9 @@ class Survey:
             "peak", "gaussian", "cfd", "leadingEdge" or "photonCounting".
         ray_caster
             by name: "beam", "embree", "bvh" ...
+        weather
+            "fog 0.2": fog, smoke or dust and the visibility [km], or rain, snow or sleet [mm/h]:
+            light is lost and scattered back. Default: the survey's, else none.
         epoch
             the epoch, of a survey whose scene swaps parts.
         bin_size

@@ -100,6 +100,14 @@ std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* sampler, int count
   return std::make_unique<LazySubRays>(make);
 }
 
+/// The Rayleigh range of the waist [m].
+double GetApexOffset(vtkHeliosBeamSampler* sampler)
+{
+  const double w = 0.5 * sampler->GetBeamDivergence();
+  return sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() /
+    (vtkMath::Pi() * w * w);
+}
+
 /// Derived values of the sub-rays.
 void FinishBeam(ScanModel& model)
 {
@@ -153,6 +161,15 @@ Status CheckBeam(vtkHeliosBeamSampler* sampler)
 }
 
 //------------------------------------------------------------------------------
+BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler)
+{
+  const double w = 0.5 * sampler->GetBeamDivergence();
+  return w > 0.0 ? BeamWidth{ w * std::sqrt(sampler->GetDivergenceRatio()), GetApexOffset(sampler),
+    sampler->GetTruncation() }
+                 : BeamWidth();
+}
+
+//------------------------------------------------------------------------------
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
   if (!model.Cones)
@@ -196,8 +213,7 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma(),
     ratio };
   model.ConeTangent = std::tan(w * sampler->GetTruncation());
-  model.ApexOffset =
-    sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
+  model.ApexOffset = GetApexOffset(sampler);
   model.Footprints = { w, LeaveOutRim(sampler->GetTruncation(), model.Plan.RimEnergy),
     model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),

@@ -13,6 +13,7 @@ namespace helios
 {
 
 class Status;
+struct BeamWidth;
 struct ScanModel;
 
 /// Whether the divergence and the waist of a beam are possible.
@@ -31,6 +32,9 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
  * gets the same result.
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses);
+
+/// The width of a beam, for its volume.
+BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler);
 
 } // namespace helios
 

@@ -296,11 +296,45 @@ void BeamTracer::Collect(const Pulse& pulse, std::vector<SubReturn>& returns,
   {
     this->CollectPaths(pulse, returns);
   }
+  if (!this->Model.Air.IsEmpty())
+  {
+    this->AppendAir(pulse, returns);
+  }
   cast.clear();
   for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
   {
     cast.push_back({ Vec3(this->Rays[k].Direction), subRays[k].Weight });
   }
+}
+
+//------------------------------------------------------------------------------
+/// Appends the returns of the air before the hits of the selected sub-rays.
+void BeamTracer::AppendAir(const Pulse& pulse, std::vector<SubReturn>& returns)
+{
+  this->Hiding.clear();
+  for (std::size_t k = 0; k < this->SubRays->size(); ++k)
+  {
+    if (this->Hits[k].CellId >= 0)
+    {
+      this->Hiding.push_back({ this->Hits[k].Range, (*this->SubRays)[k].Weight });
+    }
+  }
+  this->AppendHiddenAir(pulse, returns);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::AppendOpenAir(const Pulse& pulse, std::vector<SubReturn>& returns)
+{
+  this->Hiding.clear();
+  this->AppendHiddenAir(pulse, returns);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::AppendHiddenAir(const Pulse& pulse, std::vector<SubReturn>& returns)
+{
+  const ScanModel& m = this->Model;
+  m.Drops.IsEmpty() ? m.Air.Append(this->Hiding, returns)
+                    : m.Drops.Append(m.Seed, pulse.Id, this->Hiding, returns);
 }
 
 //------------------------------------------------------------------------------
@@ -312,7 +346,7 @@ void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& return
     std::remove_if(returns.begin(), returns.end(),
       [&](const SubReturn& r) { return r.Power == 0.0 && surfaces.GetOptics(r.CellId); }),
     returns.end());
-  this->Paths.StartPulse(pulse.Origin);
+  this->Paths.StartPulse(pulse.Origin, returns);
   for (std::size_t k = 0; k < this->SubRays->size(); ++k)
   {
     const double weight = (*this->SubRays)[k].Weight;
@@ -321,7 +355,7 @@ void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& return
       this->Paths.Add(this->Rays[k], this->Hits[k], weight, static_cast<int>(k));
     }
   }
-  this->Paths.Follow(returns);
+  this->Paths.Follow();
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +366,8 @@ const MaterialOptics* BeamTracer::GetFlatOptics(const ConeLayer& layer) const
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const ConeLayer::Piece& first = layer.Pieces[0];
   const MaterialOptics* optics = layer.Size > 0 ? surfaces.GetOptics(first.Cell) : nullptr;
-  if (!optics || surfaces.GetReflection(surfaces.GetMaterialId(first.Cell)).Reflectance > 0.0)
+  if (!optics || optics->MeanSquareSlope > 0.0 ||
+    surfaces.GetReflection(surfaces.GetMaterialId(first.Cell)).Reflectance > 0.0)
   {
     return nullptr;
   }
@@ -352,7 +387,7 @@ bool BeamTracer::PassLayer(
   returns.clear();
   const MaterialOptics* optics = this->GetFlatOptics(layer);
   if (!optics || this->Model.WantsSubRays || !this->Model.Medium.IsEmpty() ||
-    this->Model.Optics.MostEvents < 1)
+    !this->Model.Air.IsEmpty() || this->Model.Optics.MostEvents < 1)
   {
     return false;
   }
@@ -361,7 +396,7 @@ bool BeamTracer::PassLayer(
   const BeamOnPlane beam{ pulse.Origin, axis, pulse.GetMinorAxis(),
     1.0 / layer.Pieces[0].Inverse[2], plane.Dot(axis) > 0.0 ? -1.0 * plane : plane,
     this->Model.ConeTangent };
-  this->Paths.StartPulse(pulse.Origin);
+  this->Paths.StartPulse(pulse.Origin, returns);
   return PassFlatOptics(beam, *optics, 0.5 * this->Model.Equation.ReceiverDiameter, this->Passed) &&
     std::all_of(this->Passed.begin(), this->Passed.end(),
       [&](const PassedBeam& passed)

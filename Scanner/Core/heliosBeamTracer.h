@@ -81,6 +81,9 @@ public:
   void Collect(const Pulse& pulse, std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast,
     ScanCounts& counts);
 
+  /// Appends the returns of the air in a beam that meets nothing.
+  void AppendOpenAir(const Pulse& pulse, std::vector<SubReturn>& returns);
+
   /// The paths of those collected last behind mirrors and glass.
   const PathTracer& GetPaths() const { return this->Paths; }
 
@@ -101,6 +104,8 @@ private:
   const MaterialOptics* GetFlatOptics(const ConeLayer& layer) const;
   bool CollectBeyond(const PassedBeam& beam, const MaterialOptics& optics,
     std::vector<SubReturn>& returns, ScanCounts& counts);
+  void AppendAir(const Pulse& pulse, std::vector<SubReturn>& returns);
+  void AppendHiddenAir(const Pulse& pulse, std::vector<SubReturn>& returns);
   void CollectPaths(const Pulse& pulse, std::vector<SubReturn>& returns);
 
   const ScanModel& Model;
@@ -111,6 +116,7 @@ private:
   std::vector<FootprintPart> Parts;
   std::vector<SubRay> PartRays;
   std::vector<PassedBeam> Passed;
+  std::vector<Hidden> Hiding;
   RayBatch First; // of all pulses
   RayBatch More;  // of one pulse
 

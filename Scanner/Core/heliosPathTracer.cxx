@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPathTracer.h"
 
+#include "heliosConstants.h"
 #include "heliosFlatOptics.h"
 #include "heliosFresnel.h"
+#include "heliosGlint.h"
+
+#include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +33,20 @@ double GetLargest(const Vec3& v)
 } // namespace
 
 //------------------------------------------------------------------------------
-void PathTracer::StartPulse(const Vec3& receiver)
+PathTracer::PathTracer(const ScanModel& model, SurfaceResponse& response)
+  : Model(model)
+  , Response(response)
+  , Column(0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma())
 {
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::StartPulse(const Vec3& receiver, std::vector<SubReturn>& returns)
+{
+  this->Returns = &returns;
   this->Ends.clear();
   this->Waiting.clear();
+  this->Column.Clear();
   this->Receiver = receiver;
 }
 
@@ -41,17 +55,19 @@ void PathTracer::Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double we
 {
   const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), weight, subRay, 1.0, hit.Range,
     hit.Range, 1.0, 0.0, nullptr, 0, 0u, hit.CellId };
-  this->Split(start, this->GetMeeting(start, hit));
+  const Meeting at = this->GetMeeting(start, hit);
+  this->Glint(start, at);
+  this->Split(start, at);
 }
 
 //------------------------------------------------------------------------------
-void PathTracer::Follow(std::vector<SubReturn>& returns)
+void PathTracer::Follow()
 {
-  this->Returns = &returns;
   while (!this->Waiting.empty())
   {
     this->TraceGeneration();
   }
+  this->AppendColumn();
 }
 
 //------------------------------------------------------------------------------
@@ -94,6 +110,7 @@ void PathTracer::TraceBranch(const Path* first, std::size_t count)
 void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
 {
   this->Receive(start, hit.Range);
+  this->ScatterWithin(start, hit.Range);
   if (hit.CellId < 0)
   {
     return;
@@ -104,6 +121,7 @@ void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
   this->Scatter(path, at);
   if (at.Optics)
   {
+    this->Glint(path, at);
     this->Split(path, at);
   }
 }
@@ -135,13 +153,99 @@ void PathTracer::Scatter(const Path& path, const Meeting& at)
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const SurfaceReflection& surface = surfaces.GetReflection(surfaces.GetMaterialId(at.Cell));
   const double cosine = std::abs(this->Response.GetNormal(at.Cell).Dot(at.Direction));
+  const double power = this->GetPower(path, GetBackscatter(surface, cosine));
+  this->AddReturn(path, path.Optical, power, cosine, at.Cell, at.Point);
+}
+
+//------------------------------------------------------------------------------
+/// The power that returns from the end of a path: of a response as GetBackscatter() has it.
+double PathTracer::GetPower(const Path& path, double response) const
+{
   // n^2 of the medium: the aperture is seen under a smaller solid angle from within it.
   const double area = path.Spread.GetArea() * path.Index * path.Index;
-  const double power = this->Model.Power *
+  return this->Model.Power *
     this->Model.Equation.GetGain(
       std::sqrt(area), this->Model.Equation.GetTransmission(path.InAir)) *
-    GetBackscatter(surface, cosine) * path.Share * path.Share;
-  this->AddReturn(path, path.Optical, power, cosine, at.Cell, at.Point);
+    response * path.Share * path.Share;
+}
+
+//------------------------------------------------------------------------------
+/// The light that the medium of a path scatters back before the next surface: a slab of a length is
+/// a surface of the response pi beta times that length.
+void PathTracer::ScatterWithin(const Path& path, double length)
+{
+  const double beta = path.Medium ? path.Medium->Backscatter : this->Model.Air.GetBackscatter();
+  if (!(beta > 0.0))
+  {
+    return;
+  }
+  const double end = std::min(path.Optical + path.Index * length, this->GetVisibleRange(path));
+  const auto advance = [&](double range)
+  {
+    Path there = path;
+    this->Advance(there, (range - path.Optical) / path.Index);
+    return there;
+  };
+  const double response = path.Weight * vtkMath::Pi() * beta / path.Index; // per range
+  const RangeGate& gate = this->Model.Gate;
+  this->Column.Add(
+    std::max(path.Optical, gate.Least), std::min(end, gate.Most),
+    [&](double range) { return this->GetPower(advance(range), response); },
+    [&](double range, ColumnProfile::Slab& slab)
+    {
+      slab.Cell = path.LastCell;
+      slab.Point = GetPoint(path.Ray, (range - path.Optical) / path.Index);
+      slab.Events = path.Events;
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The range from which on too little returns from the medium of a path.
+double PathTracer::GetVisibleRange(const Path& path) const
+{
+  if (!path.Medium)
+  {
+    return this->Model.Air.GetEnd();
+  }
+  const double excess = path.Share * path.Share / this->Model.Optics.LeastShare;
+  return path.Optical + path.Index * std::log(std::max(1.0, excess)) / (2.0 * path.Attenuation);
+}
+
+//------------------------------------------------------------------------------
+void PathTracer::AppendColumn()
+{
+  this->Column.ForEachReturn(
+    [this](double range, double power, const ColumnProfile::Slab& slab)
+    {
+      this->Returns->push_back({ range, power, slab.Cosine, slab.Cell, SubReturn::Column,
+        this->AddEnd({ slab.Point, slab.Events }) });
+    });
+}
+
+//------------------------------------------------------------------------------
+/// The light that a retroreflector, or the facets of a rough surface, return.
+void PathTracer::Glint(const Path& path, const Meeting& at)
+{
+  const MaterialOptics& optics = *at.Optics;
+  if (!(at.Cosine > 0.0))
+  {
+    return;
+  }
+  if (optics.Kind == OpticsKind::Retroreflector)
+  {
+    const double response = GetRetroreflection(optics.Retroreflection, at.Cosine);
+    this->AddReturn(
+      path, path.Optical, this->GetPower(path, response), at.Cosine, at.Cell, at.Point);
+  }
+  else if (optics.MeanSquareSlope > 0.0)
+  {
+    const double facet = optics.Kind == OpticsKind::Volume
+      ? GetFresnelReflectance(1.0, path.Index, GetIndexBeyond(path, optics)).GetMean()
+      : GetShare(optics, 1.0, true);
+    const double response = GetGlint(facet, optics.MeanSquareSlope, at.Cosine);
+    this->AddReturn(
+      path, path.Optical, this->GetPower(path, response), at.Cosine, at.Cell, at.Point);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -186,7 +290,11 @@ void PathTracer::Split(const Path& path, const Meeting& at)
   const double left = // after what the surface scatters
     1.0 - surfaces.GetReflection(surfaces.GetMaterialId(at.Cell)).Reflectance;
   const MaterialOptics& optics = *at.Optics;
-  if (optics.Kind != OpticsKind::Volume)
+  if (optics.Kind == OpticsKind::Leaf)
+  {
+    this->Continue(path, at, at.Point, at.Direction, optics.Transmittance, false);
+  }
+  else if (optics.Kind == OpticsKind::Mirror || optics.Kind == OpticsKind::Pane)
   {
     if (optics.Kind == OpticsKind::Pane)
     {
@@ -194,9 +302,9 @@ void PathTracer::Split(const Path& path, const Meeting& at)
     }
     this->Reflect(path, at, left * GetShare(optics, at.Cosine, true));
   }
-  else
+  else if (optics.Kind == OpticsKind::Volume)
   {
-    const double beyond = path.Medium == at.Optics ? 1.0 : optics.RefractiveIndex;
+    const double beyond = GetIndexBeyond(path, optics);
     const double reflected = GetFresnelReflectance(at.Cosine, path.Index, beyond).GetMean();
     this->Refract(path, at, left * (1.0 - reflected));
     this->Reflect(path, at, left * reflected);
@@ -204,8 +312,13 @@ void PathTracer::Split(const Path& path, const Meeting& at)
 }
 
 //------------------------------------------------------------------------------
+/// A rough surface returns what it reflects as Glint(), or loses it.
 void PathTracer::Reflect(const Path& path, const Meeting& at, double share)
 {
+  if (at.Optics->MeanSquareSlope > 0.0)
+  {
+    return;
+  }
   Path reflected = path;
   reflected.Spread.Reflect(at.Normal);
   this->Continue(reflected, at, at.Point, GetMirrored(at.Direction, at.Normal), share, true);
@@ -244,6 +357,13 @@ void PathTracer::Refract(const Path& path, const Meeting& at, double share)
     this->Continue(passed, at, at.Point,
       GetRefracted(at.Direction, at.Normal, path.Index, passed.Index, refracted), share, false);
   }
+}
+
+//------------------------------------------------------------------------------
+/// The refractive index on the other side of the surface of a volume.
+double PathTracer::GetIndexBeyond(const Path& path, const MaterialOptics& optics)
+{
+  return path.Medium == &optics ? 1.0 : optics.RefractiveIndex;
 }
 
 //------------------------------------------------------------------------------

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sub-rays behind mirrors and glass.
+// Sub-rays behind mirrors, glass and water.
 
 #ifndef heliosPathTracer_h
 #define heliosPathTracer_h
 
+#include "heliosColumnProfile.h"
 #include "heliosMaterialTable.h"
 #include "heliosPencil.h"
 #include "heliosReturn.h"
@@ -29,26 +30,24 @@ struct PathEnd
  * of events, or when too little energy is left. What a path meets scatters light, which returns along
  * the same path. A path that comes back to the receiver is a return of its own.
  *
+ * Water and other volumes scatter light along the way; these returns are of no sub-ray.
+ *
  * Left out: light that returns along another path than it came; triangles are flat, so that curved
  * surfaces focus by their sub-rays only; voxels behind the first surface. One per thread.
  */
 class PathTracer
 {
 public:
-  PathTracer(const ScanModel& model, SurfaceResponse& response)
-    : Model(model)
-    , Response(response)
-  {
-  }
+  PathTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Forgets the paths of the previous pulse.
-  void StartPulse(const Vec3& receiver);
+  /// Forgets the paths of the previous pulse; returns of the next one are appended to these.
+  void StartPulse(const Vec3& receiver, std::vector<SubReturn>& returns);
 
   /// Adds a sub-ray of a weight whose first hit is a mirror or glass.
   void Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay);
 
-  /// Follows those that were added, and appends their returns, without those of the first hits.
-  void Follow(std::vector<SubReturn>& returns);
+  /// Follows those that were added; what the first hits scatter is not among the returns.
+  void Follow();
 
   /// Adds the end of a path that was found otherwise; returns its number.
   int AddEnd(const PathEnd& end)
@@ -96,7 +95,13 @@ private:
   void Meet(const Path& start, const vtkHeliosHit& hit);
   void Advance(Path& path, double length) const;
   Meeting GetMeeting(const Path& path, const vtkHeliosHit& hit);
+  double GetPower(const Path& path, double response) const;
   void Scatter(const Path& path, const Meeting& at);
+  void ScatterWithin(const Path& path, double length);
+  double GetVisibleRange(const Path& path) const;
+  void Glint(const Path& path, const Meeting& at);
+  static double GetIndexBeyond(const Path& path, const MaterialOptics& optics);
+  void AppendColumn();
   void Receive(const Path& path, double range);
   void Split(const Path& path, const Meeting& at);
   void Reflect(const Path& path, const Meeting& at, double share);
@@ -116,6 +121,7 @@ private:
   std::vector<Path> Current;
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
+  ColumnProfile Column; // of the pulse
   std::vector<SubReturn>* Returns = nullptr;
 };
 

@@ -112,7 +112,8 @@ PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
       cone.Plane = this->GetIncidence(pulse, hit);
     }
     if (hit.Kind == vtkHeliosConeHit::Empty ||
-      (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(cone.Plane, hit.Range)))
+      (this->Model.Air.IsEmpty() && hit.Kind == vtkHeliosConeHit::OnePlane &&
+        this->IsExact(cone.Plane, hit.Range)))
     {
       cone.Hit = hit;
     }
@@ -141,6 +142,11 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   if (this->IsOnOptics(cone))
   {
     this->RunOnOptics(pulse, cone.HasLayer);
+    return;
+  }
+  if (cone.Hit.Kind == vtkHeliosConeHit::Empty && !this->Model.Air.IsEmpty())
+  {
+    this->RunInAir(pulse);
     return;
   }
   if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
@@ -182,6 +188,16 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     [&](int level) {
       return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts) : castLevel(level);
     });
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of a beam that meets no surface.
+void PulseKernel::RunInAir(const Pulse& pulse)
+{
+  this->Returns.clear();
+  this->SubRays.clear();
+  this->Tracer.AppendOpenAir(pulse, this->Returns);
+  this->CountPath(this->FindEchoes());
 }
 
 //------------------------------------------------------------------------------
@@ -409,12 +425,17 @@ void PulseKernel::DetectDarkCounts()
 double PulseKernel::GetBackground()
 {
   double sum = 0.0;
+  std::size_t surfaces = 0;
   for (std::size_t i = 0; this->Model.Background > 0.0 && i < this->Returns.size(); ++i)
   {
     const SubReturn& r = this->Returns[i];
-    sum += this->Response.GetBackground(r.CellId, r.Range);
+    if (r.SubRay != SubReturn::Column)
+    {
+      sum += this->Response.GetBackground(r.CellId, r.Range);
+      ++surfaces;
+    }
   }
-  return this->Returns.empty() ? 0.0 : sum / static_cast<double>(this->Returns.size());
+  return surfaces == 0 ? 0.0 : sum / static_cast<double>(surfaces);
 }
 
 } // namespace helios

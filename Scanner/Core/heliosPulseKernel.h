@@ -52,6 +52,7 @@ private:
   bool IsExact(const Incidence& plane, double range) const;
   bool IsOnOptics(const Cone& cone) const;
   void RunOnOptics(const Pulse& pulse, bool hasLayer);
+  void RunInAir(const Pulse& pulse);
   void RunFixed(std::size_t slot);
   void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane);
@@ -68,6 +69,7 @@ private:
   double GetBackground();
 
   void StorePulse(std::size_t slot, ChunkResult& result);
+  bool HasSurface() const;
   void SetScanFlags(vtkIdType index);
   void StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result);
   void StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo, std::size_t number,

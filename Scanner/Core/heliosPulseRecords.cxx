@@ -36,7 +36,7 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   const std::size_t echoesBefore = result.Echoes.size();
   if (isSeen)
   {
-    this->Counts.PulsesHit += this->Returns.empty() ? 0 : 1;
+    this->Counts.PulsesHit += this->HasSurface() ? 1 : 0;
     this->SetScanFlags(this->Indices[slot]);
     this->StoreEchoes(pulse, scanAngle, result);
     if (this->Model.Zones.Zone > 0)
@@ -57,6 +57,14 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
     result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
       scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
   }
+}
+
+//------------------------------------------------------------------------------
+/// Whether a surface or leaf returns light, not only the air.
+bool PulseKernel::HasSurface() const
+{
+  return std::any_of(
+    this->Returns.begin(), this->Returns.end(), [](const SubReturn& r) { return r.CellId >= 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -98,8 +106,8 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
-  const bool isDark = !echo.Nearest; // of no surface
-  const vtkIdType cell = isDark ? -1 : echo.Nearest->CellId;
+  const vtkIdType cell = echo.Nearest ? echo.Nearest->CellId : -1;
+  const bool isDark = cell < 0; // of no surface: a dark count, or the air
   const int material = isDark ? -1 : surfaces.GetMaterialId(cell);
   const double incidence = isDark ? 0.0 : IncidenceDegrees(echo.Nearest->CosIncidence);
   result.Echoes.push_back({ pulse.ReportedOrigin + range * pulse.Reported, pulse.Time,
@@ -111,7 +119,7 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
   {
     const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
     const PathEnd straight{ pulse.Origin + echo.Range * pulse.GetDirection(), 0 };
-    const PathEnd& end = isDark || echo.Nearest->Path < 0
+    const PathEnd& end = !echo.Nearest || echo.Nearest->Path < 0
       ? straight
       : this->Tracer.GetPaths().GetEnd(echo.Nearest->Path);
     result.Truths.push_back({ end.Point, normal, end.Events });
@@ -217,6 +225,10 @@ void PulseKernel::StoreSubRays(const Pulse& pulse, ChunkResult& result)
 {
   for (const SubReturn& r : this->Returns)
   {
+    if (r.SubRay == SubReturn::Column)
+    {
+      continue;
+    }
     const CastSubRay& ray = this->SubRays[static_cast<std::size_t>(r.SubRay)];
     const Vec3 point = pulse.Origin + r.Range * ray.Direction;
     result.SubRays.push_back(

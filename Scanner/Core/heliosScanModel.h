@@ -5,7 +5,9 @@
 #ifndef heliosScanModel_h
 #define heliosScanModel_h
 
+#include "heliosAirColumn.h"
 #include "heliosConeProbe.h"
+#include "heliosDroplets.h"
 #include "heliosFootprint.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
@@ -98,6 +100,8 @@ struct ScanModel
 
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
+  AirColumn Air;           // of weather
+  Droplets Drops;          // of it, in place of Air
   double Background = 0.0; // of the sun, of a white surface without extinction [W]
   RangeGate Gate;
   RangeZones Zones;

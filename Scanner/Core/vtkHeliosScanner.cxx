@@ -13,6 +13,7 @@
 #include "heliosScenePreparation.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
+#include "heliosWeather.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
@@ -37,7 +38,8 @@ vtkStandardNewMacro(vtkHeliosScanner);
 namespace
 {
 
-constexpr double LongestGate = 1e8; // of dark counts [m]
+constexpr double LongestGate = 1e8;    // of dark counts [m]
+constexpr double LeastAirShare = 1e-3; // of the detection threshold, of what air returns
 
 helios::Pose ToPose(const double position[3], const double q[4])
 {
@@ -390,6 +392,7 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
   {
     vtkErrorMacro(<< status.Message());
   }
+  scan.Model.Surfaces.SetWavelength(this->Wavelength);
   return status.IsOk();
 }
 
@@ -418,6 +421,25 @@ bool vtkHeliosScanner::PrepareSearch(vtkInformationVector** inputs, Scan& scan)
 }
 
 //------------------------------------------------------------------------------
+/// What the air returns.
+void vtkHeliosScanner::PrepareAir(Scan& scan) const
+{
+  helios::ScanModel& m = scan.Model;
+  const helios::Air air = this->ComputeAir();
+  const helios::AirSettings settings{ air.LidarRatio > 0.0 ? air.Extinction / air.LidarRatio : 0.0,
+    m.Power * m.Equation.GetGain(1.0, 1.0), air.Extinction,
+    std::max(this->RangeMin, this->ReceiverDiameter), this->RangeMax,
+    0.5 * helios::SpeedOfLight * m.Receiver.Shape.GetSigma(),
+    LeastAirShare * this->EchoDetector->GetDetectionThreshold() };
+  m.Air = helios::AirColumn(settings);
+  if (!m.Air.IsEmpty() && air.DropletDiameter > 0.0)
+  {
+    m.Drops = helios::Droplets(
+      settings, m.Air.GetEnd(), helios::GetBeamWidth(this->BeamSampler), air.DropletDiameter);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
 {
   helios::ScanModel& m = scan.Model;
@@ -438,10 +460,11 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   receiver.GateStart = 2.0 / helios::SpeedOfLight * this->RangeMin;
   receiver.GateStop = 2.0 / helios::SpeedOfLight * this->RangeMax;
   m.Power = this->AveragePower;
-  m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeExtinction() };
+  m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeAir().Extinction };
   m.Background = this->ComputeBackground();
   m.Gate = { this->RangeMin, this->RangeMax };
   m.Optics = { this->MaximumSpecularEvents, this->LeastSpecularShare };
+  this->PrepareAir(scan);
   m.Noise = { this->RangeAccuracy, this->RangeAccuracyPerMeter, this->RangeAccuracyAtThreshold,
     this->EchoDetector->GetDetectionThreshold() };
   m.ReturnSelection = this->ReturnSelection;

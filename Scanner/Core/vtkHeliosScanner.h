@@ -496,6 +496,7 @@ private:
   bool PrepareSearch(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
+  void PrepareAir(Scan& scan) const;
   void PrepareBeam(Scan& scan);
   helios::ScanTraits GetTraits();
   helios::SamplingPlan PlanSampling(const helios::PulseShape& shape) const;

@@ -215,6 +215,18 @@ double vtkHeliosRunOptions::GetBinSize() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetWeather(const std::string& weather)
+{
+  this->Set(this->Data->Weather, weather);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetWeather() const
+{
+  return this->Data->Weather;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosRunOptions::SetWithout(const std::string& parts)
 {
   this->Set(this->Data->Without, parts);
@@ -301,6 +313,7 @@ void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "BinSize: " << this->Data->BinSize << "\n"
      << indent << "EchoDetector: " << this->Data->EchoDetector << "\n"
      << indent << "RayCaster: " << this->Data->RayCaster << "\n"
+     << indent << "Weather: " << this->Data->Weather << "\n"
      << indent << "Without: " << this->Data->Without << "\n"
      << indent << "PulseStep: " << this->Data->PulseStep << "\n"
      << indent << "AccuracyReport: " << this->Data->AccuracyReport << "\n";

@@ -147,10 +147,19 @@ public:
 
   ///@{
   /**
+   * Set/Get a kind of weather and its amount, such as "fog 0.2", as
+   * vtkHeliosInstrument::SetWeather(), for all scanners. Default: empty, that of the survey.
+   */
+  void SetWeather(const std::string& weather);
+  std::string GetWeather() const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the parts of the model that are left out, names of GetModelPartNames() separated by
    * blanks: "divergence", all beams are one ray; "waveform", a pulse has one echo at the mean range
    * of its returns; "specular", surfaces are Lambertian; "spectra", materials with a spectrum have
-   * the reflectance 0.5; "atmosphere", no extinction; "voxels", turbid voxels are air; "motion", the
+   * the reflectance 0.5; "atmosphere", no extinction and no weather; "voxels", turbid voxels are air; "motion", the
    * platform stands still during a scan line (1 / scan frequency); "attitude", it has the orientation
    * of the last sample of its trajectory. Default: empty, none.
    */

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr const char* KindKey = "helios_optics";
+constexpr const char* WaterKey = "helios_water";
 constexpr const char* ModelKey = "illum";
 constexpr const char* DissolveKey = "d";
 
@@ -22,11 +23,15 @@ struct NumberKey
   double Least, Most;
   double MaterialOptics::*Value;
 };
-constexpr std::array<NumberKey, 4> NumberKeys = { {
+constexpr std::array<NumberKey, 8> NumberKeys = { {
   { "helios_mirrorReflectance", 0.0, 1.0, &MaterialOptics::MirrorReflectance },
   { "Ni", 1.0, 4.0, &MaterialOptics::RefractiveIndex },
   { "helios_thickness", 0.0, 10.0, &MaterialOptics::Thickness },
   { "helios_attenuation", 0.0, 1e6, &MaterialOptics::Attenuation },
+  { "helios_backscatter", 0.0, 1e6, &MaterialOptics::Backscatter },
+  { "helios_transmittance", 0.0, 1.0, &MaterialOptics::Transmittance },
+  { "helios_retroreflection", 0.0, 1e9, &MaterialOptics::Retroreflection },
+  { "helios_meanSquareSlope", 0.0, 1.0, &MaterialOptics::MeanSquareSlope },
 } };
 
 struct KindName
@@ -34,8 +39,24 @@ struct KindName
   const char* Name;
   OpticsKind Kind;
 };
-constexpr std::array<KindName, 3> KindNames = { { { "mirror", OpticsKind::Mirror },
-  { "pane", OpticsKind::Pane }, { "volume", OpticsKind::Volume } } };
+constexpr std::array<KindName, 6> KindNames = { { { "mirror", OpticsKind::Mirror },
+  { "pane", OpticsKind::Pane }, { "volume", OpticsKind::Volume }, { "water", OpticsKind::Water },
+  { "leaf", OpticsKind::Leaf }, { "retroreflector", OpticsKind::Retroreflector } } };
+
+/**
+ * Waters as Petzold measured them in green light (1972, SIO reference 72-78): off the Bahamas, off
+ * California, and in San Diego harbour. The attenuation is absorption + backscatter coefficient, as
+ * a receiver that sees all light scattered forward has it (Gordon 1982, Applied Optics 21,
+ * 2996-3001); the backscatter is the latter over 2 pi.
+ */
+struct WaterType
+{
+  const char* Name;
+  double Attenuation; // [1/m]
+  double Backscatter; // [1/(m sr)]
+};
+constexpr std::array<WaterType, 3> WaterTypes = { { { "clear", 0.116, 2.6e-4 },
+  { "coastal", 0.182, 4.5e-4 }, { "harbour", 0.403, 5.8e-3 } } };
 
 std::string ToText(double value)
 {
@@ -47,7 +68,7 @@ std::string ToText(double value)
 
 bool MtlOptics::Has(std::string_view key)
 {
-  return key == KindKey || key == ModelKey || key == DissolveKey ||
+  return key == KindKey || key == WaterKey || key == ModelKey || key == DissolveKey ||
     std::any_of(NumberKeys.begin(), NumberKeys.end(),
       [key](const NumberKey& number) { return key == number.Key; });
 }
@@ -62,11 +83,13 @@ bool MtlOptics::Finish(double specular, MaterialOptics& optics, TextReport& repo
 {
   optics = MaterialOptics();
   const auto kind = this->Lines.find(KindKey);
-  if (kind == this->Lines.end())
+  const auto water = this->Lines.find(WaterKey);
+  if (kind == this->Lines.end() && water == this->Lines.end())
   {
     return true;
   }
-  return this->SetKind(kind->second, specular, optics, report) &&
+  return (kind == this->Lines.end() || this->SetKind(kind->second, specular, optics, report)) &&
+    (water == this->Lines.end() || this->SetWater(water->second, optics, report)) &&
     std::all_of(NumberKeys.begin(), NumberKeys.end(),
       [&](const NumberKey& number) {
         return this->SetNumber(number.Key, number.Least, number.Most, optics.*number.Value, report);
@@ -85,11 +108,35 @@ bool MtlOptics::SetKind(
     if (line.Value == name.Name)
     {
       optics.Kind = name.Kind;
+      optics.RefractiveIndex = name.Kind == OpticsKind::Water ? WaterIndex : optics.RefractiveIndex;
       return true;
     }
   }
   return report.Fail(line.Place + KindKey + ' ' + Quote(line.Value) +
-    " is unknown; give mirror, pane, volume, or illum for what illum and d mean");
+    " is unknown; give mirror, pane, volume, water, leaf, retroreflector, or illum for what illum "
+    "and d mean");
+}
+
+bool MtlOptics::SetWater(const Line& line, MaterialOptics& optics, TextReport& report) const
+{
+  if (optics.Kind != OpticsKind::Opaque && optics.Kind != OpticsKind::Water)
+  {
+    return report.Fail(
+      line.Place + WaterKey + " is of " + KindKey + " water only; remove one of them");
+  }
+  for (const WaterType& type : WaterTypes)
+  {
+    if (line.Value == type.Name)
+    {
+      optics.Kind = OpticsKind::Water;
+      optics.RefractiveIndex = WaterIndex;
+      optics.Attenuation = type.Attenuation;
+      optics.Backscatter = type.Backscatter;
+      return true;
+    }
+  }
+  return report.Fail(line.Place + WaterKey + ' ' + Quote(line.Value) +
+    " is unknown; give clear, coastal or harbour");
 }
 
 /// The illumination models 3 and 5 have reflections, 4 a transparent surface, 6 and 7 refraction.

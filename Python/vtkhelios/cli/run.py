@@ -240,6 +240,13 @@ def add_sampling_arguments(parser, options):
         help="echo detector: peak (log-parabola), gaussian (decomposition), "
         "cfd (constant fraction), leadingEdge, photonCounting (default: the survey's, else peak)",
     )
+    parser.add_argument(
+        "--weather",
+        metavar="TEXT",
+        default="",
+        help='fog, smoke or dust and the visibility [km], or rain, snow or sleet [mm/h], such as "fog '
+        '0.2": light is lost and scattered back (default: the survey\'s, else none)',
+    )
 
 
 def contradiction(arguments):
@@ -385,6 +392,7 @@ def make_player(arguments, survey, messages):
     options.SetSeed(seed)
     options.SetNoise(not arguments.no_noise)
     options.SetRayCaster(arguments.ray_caster)
+    options.SetWeather(arguments.weather)
     options.SetAccuracyReport(not arguments.no_accuracy_report)
     messages.info(
         f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"

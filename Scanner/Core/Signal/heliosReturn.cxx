@@ -57,6 +57,27 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
   return nearest;
 }
 
+/// The surface nearest in range, within reach of a medium that is nearer; else the medium.
+const SubReturn* FindNearestSurface(
+  const SubReturn* begin, const SubReturn* end, double range, double reach)
+{
+  const SubReturn* nearest = FindNearest(begin, end, range);
+  if (nearest->SubRay != SubReturn::Column)
+  {
+    return nearest;
+  }
+  for (const SubReturn* r = begin; r != end; ++r)
+  {
+    const double away = std::abs(r->Range - range);
+    if (r->SubRay != SubReturn::Column && away <= reach)
+    {
+      nearest = r;
+      reach = away;
+    }
+  }
+  return nearest;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -170,7 +191,7 @@ void Receiver::FindSingleEcho(
   const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * peak.Variance; // [ns^2]
   echoes.push_back(
     { peak.Place, peak.Value, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
-      FindNearest(begin, end, peak.Place) });
+      FindNearestSurface(begin, end, peak.Place, this->SigmaRange) });
 }
 
 //------------------------------------------------------------------------------
@@ -196,7 +217,8 @@ void Receiver::MergeReturns(const std::vector<SubReturn>& returns, std::vector<E
   const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * variance; // [ns^2]
   echoes.push_back(
     { origin + mean, power, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
-      FindNearest(returns.data(), returns.data() + returns.size(), origin + mean) });
+      FindNearestSurface(
+        returns.data(), returns.data() + returns.size(), origin + mean, this->SigmaRange) });
 }
 
 //------------------------------------------------------------------------------
@@ -593,7 +615,8 @@ void Receiver::AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, It
   const double range = GetRange(this->Wave.StartTime, detected.Time - this->Offset);
   const bool isDark = detected.IsDark || begin == end;
   echoes.push_back({ range, detected.Amplitude, detected.Width,
-    isDark ? nullptr : FindNearest(begin, end, range), detected.Deviation });
+    isDark ? nullptr : FindNearestSurface(begin, end, range, this->SigmaRange),
+    detected.Deviation });
 }
 
 } // namespace helios

@@ -25,11 +25,13 @@ namespace helios
 /// The return of one sub-ray.
 struct SubReturn
 {
+  static constexpr int Column = -1; ///< SubRay of what a medium before a surface returns
+
   double Range; // [m]
   double Power; // [W]
   double CosIncidence;
   vtkIdType CellId;
-  int SubRay;
+  int SubRay;    ///< index, or Column
   int Path = -1; // behind mirrors and glass: of PathTracer::GetEnd()
 };
 

@@ -6,6 +6,7 @@
 #include "heliosPulseTable.h"
 #include "heliosRadiometry.h"
 #include "heliosStatus.h"
+#include "heliosWeather.h"
 
 #include <vtkDataArray.h>
 #include <vtkMath.h>
@@ -48,11 +49,16 @@ vtkDataArray* vtkHeliosInstrument::GetPulseSamples() const
 }
 
 //------------------------------------------------------------------------------
-double vtkHeliosInstrument::ComputeExtinction() const
+helios::Air vtkHeliosInstrument::ComputeAir() const
 {
-  return this->AtmosphericExtinction >= 0.0
+  const double extinction = this->AtmosphericExtinction >= 0.0
     ? this->AtmosphericExtinction
     : helios::AtmosphericExtinction(this->AtmosphericVisibility, this->Wavelength);
+  helios::Air air;
+  const bool hasWeather =
+    helios::ParseWeather(this->Weather, this->Wavelength, air).IsOk() && air.LidarRatio > 0.0;
+  return hasWeather ? air
+                    : helios::Air{ extinction, this->AtmosphericLidarRatio, this->DropletDiameter };
 }
 
 //------------------------------------------------------------------------------
@@ -140,6 +146,9 @@ bool vtkHeliosInstrument::CheckInstrument()
       "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
     { "AtmosphericExtinction", this->AtmosphericExtinction, -1.0, 1e3, " 1/m",
       "-1 derives it from AtmosphericVisibility" },
+    { "AtmosphericLidarRatio", this->AtmosphericLidarRatio, 0.0, 1e6, " sr",
+      "0 for air without backscatter" },
+    { "DropletDiameter", this->DropletDiameter, 0.0, 0.05, " m", "0 for no single drops" },
     { "DetectorNoise", this->DetectorNoise, 0.0, 1e6, " W", "0 for none" },
     { "SaturationPower", this->SaturationPower, 0.0, 1e6, " W", "0 for none" },
     { "SolarIrradiance", this->SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
@@ -161,6 +170,13 @@ bool vtkHeliosInstrument::CheckInstrument()
                     << ", " << p.High << "]; " << p.Cure);
       return false;
     }
+  }
+  helios::Air air;
+  const helios::Status weather = helios::ParseWeather(this->Weather, this->Wavelength, air);
+  if (!weather.IsOk())
+  {
+    vtkErrorMacro(<< "Weather is \"" << this->Weather << "\"; " << weather.Message());
+    return false;
   }
   if (this->RangeMax <= this->RangeMin)
   {
@@ -196,6 +212,9 @@ void vtkHeliosInstrument::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ReceiverDiameter: " << this->ReceiverDiameter << " m\n"
      << indent << "AtmosphericVisibility: " << this->AtmosphericVisibility << " km\n"
      << indent << "AtmosphericExtinction: " << this->AtmosphericExtinction << " 1/m\n"
+     << indent << "AtmosphericLidarRatio: " << this->AtmosphericLidarRatio << " sr\n"
+     << indent << "DropletDiameter: " << this->DropletDiameter << " m\n"
+     << indent << "Weather: " << this->Weather << "\n"
      << indent << "DetectorNoise: " << this->DetectorNoise << " W\n"
      << indent << "SaturationPower: " << this->SaturationPower << " W\n"
      << indent << "SolarIrradiance: " << this->SolarIrradiance << " W/m^2/nm\n"

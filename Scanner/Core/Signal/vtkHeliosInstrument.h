@@ -37,6 +37,7 @@ namespace helios
 {
 class PulseShape;
 class Status;
+struct Air;
 }
 class vtkDataArray;
 
@@ -182,6 +183,37 @@ public:
 
   ///@{
   /**
+   * Set/Get the lidar ratio of the air [sr]: its extinction over its backscatter,
+   * 18.8 for fog. The air then scatters light back, which makes echoes near the
+   * scanner; 0: none. Valid range: [0, 1e6]. Default: 0.
+   */
+  vtkSetMacro(AtmosphericLidarRatio, double);
+  vtkGetMacro(AtmosphericLidarRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the diameter of the drops that are the extinction of the air [m], as of rain: with a
+   * lidar ratio, single ones return light at random places, in beams with a divergence.
+   * 0: so many that the air is homogeneous. Valid range: [0, 0.05]. Default: 0.
+   */
+  vtkSetMacro(DropletDiameter, double);
+  vtkGetMacro(DropletDiameter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a kind of weather and its amount, such as "fog 0.2": fog, smoke or
+   * dust with the visibility [km], rain, snow or sleet [mm/h]. It replaces the
+   * extinction, the lidar ratio and the drops (Docs/instrument.md, Weather). clear or empty:
+   * none. Default: none.
+   */
+  vtkSetMacro(Weather, const std::string&);
+  vtkGetMacro(Weather, std::string);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the standard deviation of the detector noise, drawn per bin [W].
    * With noise or sunlight every pulse is binned. Valid range: [0, 1e6].
    * Default: 0.
@@ -286,8 +318,8 @@ protected:
   /// Whether all values are in range; otherwise reports an error that names the first invalid one.
   bool CheckInstrument();
 
-  /// The extinction in use [1/m].
-  double ComputeExtinction() const;
+  /// The air in use; valid after CheckInstrument().
+  helios::Air ComputeAir() const;
 
   /// The sunlight from a white surface, without extinction, at the receiver [W].
   double ComputeBackground() const;
@@ -310,6 +342,9 @@ protected:
   double ReceiverDiameter = 0.15;
   double AtmosphericVisibility = 23.0;
   double AtmosphericExtinction = -1.0;
+  double AtmosphericLidarRatio = 0.0;
+  double DropletDiameter = 0.0;
+  std::string Weather;
   vtkSmartPointer<vtkDataArray> PulseSamples;
   double DetectorNoise = 0.0;
   double SaturationPower = 0.0;

@@ -6,6 +6,7 @@
 #include "heliosSceneCells.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
+#include "heliosWater.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 
@@ -50,15 +51,18 @@ vtkSmartPointer<ArrayT> FindArray(
   return array;
 }
 
+constexpr double LeastScatteringAttenuation = 1e-3; // [1/m], so that columns end
+
 /// What is wrong with optics, and the cure; empty: nothing.
 std::string FindFault(const MaterialOptics& optics)
 {
   const auto is = [](double value, double least, double most)
   { return value >= least && value <= most; };
   const int kind = static_cast<int>(optics.Kind);
-  if (kind < 0 || kind > static_cast<int>(OpticsKind::Volume))
+  if (kind < 0 || kind > static_cast<int>(OpticsKind::Retroreflector))
   {
-    return "has optics " + std::to_string(kind) + "; give 0 opaque, 1 mirror, 2 pane or 3 volume";
+    return "has optics " + std::to_string(kind) +
+      "; give 0 opaque, 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf or 6 retroreflector";
   }
   if (!is(optics.MirrorReflectance, 0.0, 1.0))
   {
@@ -75,6 +79,25 @@ std::string FindFault(const MaterialOptics& optics)
     return "has thickness " + std::to_string(optics.Thickness) + " m and attenuation " +
       std::to_string(optics.Attenuation) +
       " 1/m; give the first within [0, 10] and the second within [0, 1e6]";
+  }
+  if (!is(optics.Backscatter, 0.0, 1e6) ||
+    (optics.Backscatter > 0.0 && !(optics.Attenuation >= LeastScatteringAttenuation)))
+  {
+    return "has backscatter " + std::to_string(optics.Backscatter) + " 1/(m sr) and attenuation " +
+      std::to_string(optics.Attenuation) +
+      " 1/m; what scatters attenuates: give the first within [0, 1e6], and then the second within "
+      "[0.001, 1e6]";
+  }
+  if (!is(optics.Transmittance, 0.0, 1.0) || !is(optics.Retroreflection, 0.0, 1e9))
+  {
+    return "has transmittance " + std::to_string(optics.Transmittance) + " and retroreflection " +
+      std::to_string(optics.Retroreflection) +
+      " 1/sr; give the first within [0, 1] and the second within [0, 1e9]";
+  }
+  if (!is(optics.MeanSquareSlope, 0.0, 1.0))
+  {
+    return "has mean square slope " + std::to_string(optics.MeanSquareSlope) +
+      "; give it within [0, 1]";
   }
   return "";
 }
@@ -287,8 +310,8 @@ Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
   const MaterialTable materials = GetMaterials(data);
   for (const Material& m : materials)
   {
-    const bool isOpaque = m.Optics.Kind == OpticsKind::Opaque;
-    const double unset = isOpaque ? DefaultReflectance : 0.0; // mirrors and glass are clean
+    const bool scatters = m.Optics.Kind == OpticsKind::Opaque || m.Optics.Kind == OpticsKind::Leaf;
+    const double unset = scatters ? DefaultReflectance : 0.0; // mirrors and glass are clean
     const double rho = std::isnan(m.Reflectance) ? unset : m.Reflectance;
     const double exponent = m.SpecularExponent;
     if (!isShare(rho) || !isShare(m.Specularity) || !(exponent >= 0.0 && exponent <= 1e6))
@@ -303,6 +326,13 @@ Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
     {
       return Status::Error("material " + std::to_string(this->Reflections.size() - first) + " of " +
         what + ", " + m.Name + ", " + fault);
+    }
+    if (m.Optics.Kind == OpticsKind::Leaf && rho + m.Optics.Transmittance > 1.0)
+    {
+      return Status::Error("material " + std::to_string(this->Reflections.size() - first) + " of " +
+        what + ", " + m.Name + ", is a leaf with reflectance " + std::to_string(rho) +
+        " and transmittance " + std::to_string(m.Optics.Transmittance) +
+        "; together they are at most 1");
     }
     this->Reflections.push_back({ rho, m.Specularity, exponent });
     this->Classifications.push_back(m.Classification);
@@ -325,6 +355,13 @@ void SceneSurfaces::AddOptics(const MaterialTable& materials)
       this->Optics.push_back(m.Optics);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void SceneSurfaces::SetWavelength(double wavelength)
+{
+  std::transform(this->Optics.begin(), this->Optics.end(), this->Optics.begin(),
+    [wavelength](const MaterialOptics& optics) { return GetOpticsAt(optics, wavelength); });
 }
 
 //------------------------------------------------------------------------------

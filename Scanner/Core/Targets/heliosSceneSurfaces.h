@@ -43,6 +43,9 @@ public:
    */
   Status AddGrid(vtkImageData* grid, vtkIdType& firstCell);
 
+  /// Sets the wavelength [nm] of the light, on which the attenuation of water depends.
+  void SetWavelength(double wavelength);
+
   /// Whether an id is that of a voxel.
   bool IsTurbid(vtkIdType cell) const { return cell >= this->NumberOfTriangles; }
 

@@ -7,6 +7,7 @@
 #include "heliosRadiometry.h"
 #include "heliosRunOptions.h"
 #include "heliosSurveyData.h"
+#include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosExpressionErrorModel.h"
@@ -44,7 +45,11 @@ void SetUpRadiometry(const ScannerData& data, const RunOptions& options, vtkHeli
   scanner->SetOpticalEfficiency(data.OpticalEfficiency);
   scanner->SetReceiverDiameter(data.ReceiverDiameter);
   scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
-  scanner->SetAtmosphericExtinction(options.IsWithout("atmosphere") ? 0.0 : receiver.Extinction);
+  const bool hasAir = !options.IsWithout("atmosphere");
+  scanner->SetAtmosphericExtinction(hasAir ? receiver.Extinction : 0.0);
+  scanner->SetAtmosphericLidarRatio(hasAir ? receiver.LidarRatio : 0.0);
+  scanner->SetDropletDiameter(receiver.DropletDiameter);
+  scanner->SetWeather(!hasAir ? "" : options.Weather.empty() ? receiver.Weather : options.Weather);
   scanner->SetSolarIrradiance(receiver.SolarIrradiance);
   scanner->SetFilterBandwidth(receiver.FilterBandwidth);
   scanner->SetFieldOfView(receiver.FieldOfView);
@@ -229,7 +234,10 @@ BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& opti
 EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)
 {
   EchoMatching matching;
-  const double extinction = channel.Receiver.Extinction;
+  Air air;
+  const bool hasWeather =
+    ParseWeather(channel.Receiver.Weather, channel.Wavelength, air).IsOk() && air.LidarRatio > 0.0;
+  const double extinction = hasWeather ? air.Extinction : channel.Receiver.Extinction;
   matching.Distance = Separation * SpeedOfLight * channel.PulseLength / FwhmPerSigma;
   matching.Extinction = extinction >= 0.0
     ? extinction

@@ -76,6 +76,9 @@ struct ReceiverData
   double FilterBandwidth = 1.0;     ///< [nm]
   double FieldOfView = 1e-3;        ///< [rad], full angle
   double Extinction = -1.0;         ///< [1/m]; negative: from the visibility
+  double LidarRatio = 0.0;          ///< of the air [sr]; 0: no backscatter
+  double DropletDiameter = 0.0;     ///< [m]; 0: no single drops
+  std::string Weather;              ///< see ParseWeather()
   double BeamQualityFactor = 0.0;   ///< M2; 0: no waist
   double AccuracyPerMeter = 0.0;    ///< [m/m]
   double AccuracyAtThreshold = 0.0; ///< [m]

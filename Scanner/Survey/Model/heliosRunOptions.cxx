@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
+#include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
 
@@ -26,7 +27,7 @@ constexpr double LargestBinSize = 1e6; // [ns]
 auto Tie(const RunOptions& o)
 {
   return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
-    o.SubRayPattern, o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Without,
+    o.SubRayPattern, o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Weather, o.Without,
     o.PulseStep);
 }
 
@@ -121,6 +122,7 @@ Status RunOptions::FindFault() const
   Status status = this->CheckSampling();
   status = status.IsOk() ? this->CheckPattern() : status;
   status = status.IsOk() ? this->CheckParts() : status;
+  status = status.IsOk() ? this->CheckWeather() : status;
   if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
   {
     Sentence text;
@@ -212,6 +214,14 @@ Status RunOptions::CheckParts() const
 }
 
 //------------------------------------------------------------------------------
+Status RunOptions::CheckWeather() const
+{
+  const Status status = FindWeatherFault(this->Weather);
+  return status.IsOk() ? status
+                       : Status::Error("Weather is \"" + this->Weather + "\"; " + status.Message());
+}
+
+//------------------------------------------------------------------------------
 void RunOptions::Describe(Json::Value& options) const
 {
   options["seed"] = Json::Int64(this->Seed);
@@ -224,6 +234,7 @@ void RunOptions::Describe(Json::Value& options) const
   options["binSize_ns"] = this->BinSize;
   options["detector"] = this->EchoDetector;
   options["rayCaster"] = this->RayCaster;
+  options["weather"] = this->Weather;
   options["without"] = this->Without;
   options["pulseStep"] = Json::Int64(this->PulseStep);
 }

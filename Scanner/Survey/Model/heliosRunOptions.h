@@ -43,6 +43,7 @@ struct RunOptions
   double BinSize = 0.0;         ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;
+  std::string Weather;        ///< see ParseWeather()
   std::string Without;        ///< names of parts of the model, separated by blanks
   vtkIdType PulseStep = 1;    ///< a sample: every n-th pulse
   bool AccuracyReport = true; ///< changes no echo: not among those that are compared
@@ -66,6 +67,7 @@ private:
   Status CheckSampling() const;
   Status CheckPattern() const;
   Status CheckParts() const;
+  Status CheckWeather() const;
 };
 
 } // namespace helios

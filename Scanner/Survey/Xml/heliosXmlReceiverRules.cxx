@@ -5,6 +5,7 @@
 #include "heliosXmlTables.h"
 
 #include "heliosSurveyData.h"
+#include "heliosWeather.h"
 #include "heliosXmlPulseShape.h"
 #include "vtkHeliosExpressionErrorModel.h"
 
@@ -27,6 +28,13 @@ Status FindExpressionFault(const std::string& text)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+Status FindFaultOfWeather(const std::string& text)
+{
+  const Status status = FindWeatherFault(text);
+  return status.IsOk() ? status : Status::Error("; " + status.Message());
+}
 
 //------------------------------------------------------------------------------
 std::vector<XmlElementRule> MakeReceiverRules()
@@ -52,6 +60,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
       Number("apartureDiameter", "apertureDiameter_m in the spelling of the Java program").In("m", { 0.0, 100.0 }),
       Number("scannerEfficiency", "overrides opticalEfficiency of the scanner").In("", Share).Default("the scanner's").At<&ScannerData::OpticalEfficiency>(),
       Number("atmosphericVisibility", "overrides atmosphericVisibility_km of the scanner").In("km", { 1e-3, 1e300 }).Default("the scanner's").At<&ScannerData::AtmosphericVisibility>(),
+      Text("weather", "overrides weather of the scanner").Default("the scanner's").Checked(FindFaultOfWeather).At<Receiver, &ReceiverData::Weather>(),
       Number("scannerWaveLength", "overrides wavelength_nm of the scanner").In("nm", { 200.0, 20000.0 }).Default("the scanner's").At<&ScannerData::Wavelength>(),
       Number("beamDivergence_rad", "overrides beamDivergence_rad of the scanner").In("rad", Fraction).Default("the scanner's").At<&ScannerData::BeamDivergence>(),
       Number("pulseLength_ns", "overrides pulseLength_ns of the scanner").In("ns", PulseLength).Default("the scanner's").At<&ScannerData::PulseLength>(),

@@ -6,9 +6,11 @@
 #ifndef heliosXmlTables_h
 #define heliosXmlTables_h
 
+#include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "heliosXmlRule.h"
 
+#include <string>
 #include <vector>
 
 namespace helios
@@ -25,6 +27,9 @@ std::vector<XmlElementRule> MakePlatformRules();
 std::vector<XmlElementRule> MakeSceneRules();
 std::vector<XmlElementRule> MakeFilterRules();
 ///@}
+
+/// What is wrong with a text of weather: the end of a message.
+Status FindFaultOfWeather(const std::string& text);
 
 namespace rows
 {

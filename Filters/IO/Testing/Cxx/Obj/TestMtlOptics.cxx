@@ -54,6 +54,27 @@ TEST_CASE("MtlOptics: kinds and numbers", "[MtlOptics]")
     MaterialOptics{ OpticsKind::Volume, 1.0, 1.33 });
 }
 
+TEST_CASE("MtlOptics: waters", "[MtlOptics]")
+{
+  const MaterialOptics clear = ReadOptics("helios_water clear\n");
+  CHECK(clear.Kind == OpticsKind::Water);
+  CHECK(clear.RefractiveIndex == 1.34);
+  CHECK(clear.Attenuation == 0.116);
+  CHECK(clear.Backscatter == 2.6e-4);
+  CHECK(ReadOptics("helios_optics water\n") ==
+    MaterialOptics{ OpticsKind::Water, 1.0, helios::WaterIndex });
+  const MaterialOptics own =
+    ReadOptics("helios_water harbour\nNi 1.333\nhelios_attenuation 1\nhelios_backscatter 1e-3\n"
+               "helios_meanSquareSlope 0.02\nhelios_optics water\n");
+  CHECK(own == MaterialOptics{ OpticsKind::Water, 1.0, 1.333, 0.004, 1.0, 1e-3, 0.0, 250.0, 0.02 });
+  CHECK(ReadOptics("helios_optics leaf\nhelios_transmittance 0.4\n").Transmittance == 0.4);
+  const MaterialOptics sign =
+    ReadOptics("helios_optics retroreflector\nhelios_retroreflection 70\n");
+  CHECK(sign.Kind == OpticsKind::Retroreflector);
+  CHECK(sign.Retroreflection == 70.0);
+  CHECK(ReadOptics("helios_water coastal\n").Attenuation == 0.182);
+}
+
 TEST_CASE("MtlOptics: standard keys count only where they are asked for", "[MtlOptics]")
 {
   CHECK(ReadOptics("illum 7\nNi 9\nd 0.1\n") == MaterialOptics());
@@ -79,7 +100,8 @@ TEST_CASE("MtlOptics: the writer's file has the same optics", "[MtlOptics]")
 {
   TestFolder folder;
   folder.Write("a.mtl",
-    "newmtl m\nhelios_optics pane\nNi 1.52\nhelios_thickness 0.1\nhelios_attenuation 0.3\n");
+    "newmtl m\nhelios_optics water\nNi 1.3\nhelios_thickness 0.1\nhelios_attenuation 0.3\n"
+    "helios_backscatter 1e-3\nhelios_meanSquareSlope 0.01\n");
   ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl m\nf 1 2 3\n"));
   REQUIRE(reading.Read());
   vtkNew<vtkHeliosObjSceneWriter> writer;
@@ -94,9 +116,8 @@ TEST_CASE("MtlOptics: the writer's file has the same optics", "[MtlOptics]")
 TEST_CASE("MtlOptics: errors", "[MtlOptics]")
 {
   CheckError("helios_optics glas\n",
-    ":2: helios_optics \"glas\" is unknown; give mirror, pane, volume, or illum for what illum and "
-    "d "
-    "mean");
+    ":2: helios_optics \"glas\" is unknown; give mirror, pane, volume, water, leaf, "
+    "retroreflector, or illum for what illum and d mean");
   CheckError("helios_optics illum\n",
     ":2: helios_optics is illum, but the material has no illum and no d below 1; add one, or name "
     "its kind");
@@ -107,5 +128,9 @@ TEST_CASE("MtlOptics: errors", "[MtlOptics]")
     ":3: helios_thickness \"-1\" is not a number from 0 to 10");
   CheckError("helios_optics volume\nhelios_attenuation nan\n",
     ":3: helios_attenuation \"nan\" is not a number from 0 to 1e+06");
+  CheckError("helios_water muddy\n",
+    ":2: helios_water \"muddy\" is unknown; give clear, coastal or harbour");
+  CheckError("helios_optics pane\nhelios_water clear\n",
+    ":3: helios_water is of helios_optics water only; remove one of them");
   CheckError("helios_optics illum\nillum 2\nd 2\n", ":4: d \"2\" is not a number from 0 to 1");
 }

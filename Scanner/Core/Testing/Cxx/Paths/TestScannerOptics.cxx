@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Echoes by mirrors, panes and water against closed forms.
 #include "heliosFresnel.h"
-#include "heliosMaterialTable.h"
-#include "heliosRadiometry.h"
-#include "heliosScannerBench.h"
+#include "heliosOpticsBench.h"
 
-#include <vtkCellData.h>
-#include <vtkIntArray.h>
 #include <vtkMath.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -22,76 +17,6 @@ using helios::Material;
 using helios::OpticsKind;
 using helios::Vec3;
 namespace names = vtkHeliosArrayNames;
-
-namespace
-{
-
-constexpr double Rounding = 8.0 * std::numeric_limits<double>::epsilon();
-
-Material MakeMaterial(OpticsKind kind)
-{
-  Material material;
-  material.Optics.Kind = kind;
-  return material;
-}
-
-/// Rectangles, the first ones of a material, the others of the default one.
-vtkSmartPointer<vtkPolyData> MakeOpticalScene(const std::vector<Rectangle>& optical,
-  const Material& material, const std::vector<Rectangle>& opaque)
-{
-  std::vector<Rectangle> all = optical;
-  all.insert(all.end(), opaque.begin(), opaque.end());
-  const auto scene = MakeScene(all);
-  vtkNew<vtkIntArray> ids;
-  ids->SetName(names::MaterialIds);
-  for (std::size_t i = 0; i < 2 * all.size(); ++i)
-  {
-    ids->InsertNextValue(i < 2 * optical.size() ? 1 : 0);
-  }
-  scene->GetCellData()->AddArray(ids);
-  helios::SetMaterials(scene, { Material(), material });
-  return scene;
-}
-
-/// One ray a pulse, along y, without noise.
-struct RayBench : Bench
-{
-  explicit RayBench(vtkPolyData* scene)
-    : Bench(scene)
-  {
-    this->Scanner->GetBeamSampler()->SetBeamDivergence(0.0);
-    this->Scanner->SetDuration(1e-5);
-    this->Scanner->SetRangeAccuracy(0.0);
-    this->Scanner->SetGenerateTruth(true);
-  }
-
-  /// The amplitude of a surface of reflectance 0.5 that fills the beam.
-  double GetAmplitude(double range, double cosine = 1.0) const
-  {
-    const helios::LidarEquation equation{ this->Scanner->GetReceiverDiameter(),
-      this->Scanner->GetOpticalEfficiency(),
-      helios::AtmosphericExtinction(
-        this->Scanner->GetAtmosphericVisibility(), this->Scanner->GetWavelength()) };
-    return this->Scanner->GetAveragePower() * equation(range, 0.5, cosine);
-  }
-};
-
-Vec3 GetTruth(vtkPolyData* cloud, vtkIdType row)
-{
-  return Vec3(cloud->GetPointData()->GetArray(names::TruePoint)->GetTuple3(row));
-}
-
-/// A square across a direction, about a centre.
-Rectangle Across(const Vec3& centre, const Vec3& normal, double half)
-{
-  Vec3 a = normal.Cross(std::abs(normal[2]) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
-  a.Normalize();
-  Vec3 b = normal.Cross(a);
-  b.Normalize();
-  return { centre - half * a - half * b, 2.0 * half * a, 2.0 * half * b };
-}
-
-} // namespace
 
 TEST_CASE("ScannerOptics: a mirror shows what is before it as a ghost behind it")
 {
@@ -424,12 +349,61 @@ TEST_CASE("ScannerOptics: invalid materials are errors")
     material.Optics.Thickness = -1.0;
     fault = "has thickness -1.000000 m and attenuation 0.000000 1/m; give the first within [0, 10]";
   }
+  SECTION("leaf")
+  {
+    material.Optics.Kind = OpticsKind::Leaf;
+    material.Optics.Transmittance = 0.6;
+    fault =
+      "is a leaf with reflectance 0.500000 and transmittance 0.600000; together they are at most 1";
+  }
+  SECTION("retroreflector")
+  {
+    material.Optics.Retroreflection = -2.0;
+    fault = "has transmittance 0.000000 and retroreflection -2.000000 1/sr; give the first within "
+            "[0, 1] and the second within [0, 1e9]";
+  }
   SECTION("kind")
   {
-    material.Optics.Kind = static_cast<OpticsKind>(7);
-    fault = "has optics 7; give 0 opaque, 1 mirror, 2 pane or 3 volume";
+    material.Optics.Kind = static_cast<OpticsKind>(9);
+    fault = "has optics 9; give 0 opaque, 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf or 6 "
+            "retroreflector";
   }
   RayBench bench(MakeOpticalScene({ Wall(10.0) }, material, {}));
   bench.Run();
   CHECK(bench.Log->HasError("material 1 of the scene, default, " + fault));
+}
+
+TEST_CASE("ScannerOptics: leaves let a share of the light through, both ways")
+{
+  Material leaf = MakeMaterial(OpticsKind::Leaf);
+  leaf.Reflectance = 0.4;
+  leaf.Optics.Transmittance = 0.45;
+  RayBench bench(
+    MakeOpticalScene({ Wall(10.0, 1.0), Wall(15.0, 1.0) }, leaf, { Wall(30.0, 10.0) }));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 3);
+  const double through = 0.45 * 0.45;
+  CHECK(Value(cloud, names::Amplitude, 0) == Approx(0.8 * bench.GetAmplitude(10.0)).epsilon(1e-9));
+  CHECK(Value(cloud, names::Amplitude, 1) ==
+    Approx(0.8 * through * bench.GetAmplitude(15.0)).epsilon(1e-9));
+  CHECK(Value(cloud, names::Amplitude, 2) ==
+    Approx(through * through * bench.GetAmplitude(30.0)).epsilon(1e-9));
+  CHECK(Value(cloud, names::Range, 2) == Approx(30.0).margin(1e-12));
+  CHECK(Value(cloud, names::MaterialIds, 2) == 0);
+}
+
+TEST_CASE("ScannerOptics: retroreflectors return as their coefficient says, at any angle")
+{
+  const double degrees = GENERATE(0.0, 30.0);
+  const double a = vtkMath::RadiansFromDegrees(degrees);
+  RayBench bench(MakeOpticalScene({ Across({ 0, 40, 0 }, { std::sin(a), -std::cos(a), 0.0 }, 1.0) },
+    MakeMaterial(OpticsKind::Retroreflector), { Wall(60.0) }));
+  vtkPolyData* cloud = bench.Run();
+  REQUIRE(cloud->GetNumberOfPoints() == 1);
+  // P0 R_A / cos of the light goes back per solid angle; the receiver has pi D^2 / 4 R^2 of it
+  const double factor = vtkMath::Pi() * 250.0 / std::cos(a);
+  CHECK(Value(cloud, names::Amplitude, 0) ==
+    Approx(factor / 0.5 * bench.GetAmplitude(40.0)).epsilon(1e-9));
+  bench.Scanner->SetSaturationPower(1e-6);
+  CHECK(Value(bench.Run(), names::Amplitude, 0) == Approx(1e-6).epsilon(0.01));
 }

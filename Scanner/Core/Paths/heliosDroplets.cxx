@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosDroplets.h"
+
+#include "heliosRandom.h"
+
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+namespace
+{
+
+constexpr double Efficiency = 2.0;            // of the extinction of a large drop, of its section
+constexpr std::uint32_t MostDrops = 1u << 20; // in a beam
+
+double Square(double x)
+{
+  return x * x;
+}
+
+/// The share of a beam that no hit before a range hides.
+double GetVisible(const std::vector<Hidden>& hits, double range)
+{
+  double visible = 1.0;
+  for (const Hidden& hit : hits)
+  {
+    visible -= hit.Range < range ? hit.Weight : 0.0;
+  }
+  return visible;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Droplets::Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter)
+  : Air(air)
+  , Beam(beam)
+  , End(end)
+  , Section(0.25 * vtkMath::Pi() * diameter * diameter)
+  , Density(
+      beam.Angle > 0.0 && diameter > 0.0 ? air.Extinction / (Efficiency * this->Section) : 0.0)
+{
+}
+
+//------------------------------------------------------------------------------
+double Droplets::GetVolume(double range) const
+{
+  return vtkMath::Pi() * Square(this->Beam.Truncation * this->Beam.Angle) *
+    (Square(this->Beam.Apex) + range * range / 3.0) * range;
+}
+
+//------------------------------------------------------------------------------
+/// The range up to which a beam has a volume, by Newton's method from above.
+double Droplets::FindRange(double volume) const
+{
+  const double unit = vtkMath::Pi() * Square(this->Beam.Truncation * this->Beam.Angle);
+  double range = std::cbrt(3.0 * volume / unit);
+  for (int i = 0; i < 50 && this->Beam.Apex > 0.0; ++i)
+  {
+    const double excess = this->GetVolume(range) - volume;
+    const double step = excess / (unit * (Square(this->Beam.Apex) + range * range));
+    range -= step;
+    if (!(step > 1e-12 * range))
+    {
+      break;
+    }
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+/// The power that a drop returns, at a range and the square of a distance from the axis in w.
+double Droplets::GetPower(double range, double away2) const
+{
+  const double k2 = Square(this->Beam.Truncation);
+  const double w2 = Square(this->Beam.Angle) * (range * range + Square(this->Beam.Apex));
+  const double density = // energy per area of the beam
+    2.0 / (vtkMath::Pi() * w2) * std::exp(-2.0 * away2) / (1.0 - std::exp(-2.0 * k2));
+  const double received = std::min(1.0, density * this->Section);
+  // The backscatter of a drop is that of the air, over n: 2 section / lidar ratio.
+  const double response =
+    vtkMath::Pi() * Efficiency * this->Air.Backscatter / this->Air.Extinction * received;
+  return this->Air.Gain * std::exp(-2.0 * this->Air.Extinction * range) / (range * range) *
+    response;
+}
+
+//------------------------------------------------------------------------------
+void Droplets::Append(std::uint64_t seed, vtkIdType pulse, std::vector<Hidden>& hits,
+  std::vector<SubReturn>& returns) const
+{
+  double volume = this->GetVolume(this->Air.Start);
+  for (std::uint32_t drop = 0; drop < MostDrops; ++drop)
+  {
+    const auto u = Uniform4(seed, RandomStream::Droplets, static_cast<std::uint64_t>(pulse), drop);
+    volume -= std::log(u[0]) / this->Density;
+    const double range = this->FindRange(volume);
+    if (!(range < this->End))
+    {
+      return;
+    }
+    if (u[1] < GetVisible(hits, range))
+    {
+      const double away2 = u[2] * Square(this->Beam.Truncation);
+      returns.push_back({ range, this->GetPower(range, away2), 1.0, -1, SubReturn::Column });
+    }
+  }
+}
+
+} // namespace helios

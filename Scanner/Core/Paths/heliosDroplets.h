@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Single drops of rain in a beam.
+
+#ifndef heliosDroplets_h
+#define heliosDroplets_h
+
+#include "heliosAirColumn.h"
+#include "heliosReturn.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace helios
+{
+
+/// A beam: its radius at 1/e2 is w at range R, w^2 = Angle^2 (R^2 + Apex^2).
+struct BeamWidth
+{
+  double Angle = 0.0;      ///< half of the divergence [rad]; 0: no drops
+  double Apex = 0.0;       ///< from the cone's apex to the instrument, of a beam with a waist [m]
+  double Truncation = 1.0; ///< K: energy ends at K w
+};
+
+/**
+ * Air whose extinction alpha is that of drops of one diameter d, which is n 2 pi d^2 / 4 of n drops in a
+ * volume (the extinction efficiency of large drops is 2). Their places are a Poisson process in
+ * the beam, of the seed and the pulse. Each returns what it receives of the beam there, so that the
+ * mean over many pulses is that of AirColumn.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT Droplets
+{
+public:
+  Droplets() = default;
+  /// Of a diameter [m].
+  Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter);
+
+  bool IsEmpty() const { return !(this->Density > 0.0); }
+  double GetDensity() const { return this->Density; } ///< [1/m3]
+
+  /// The volume of a beam up to a range [m3].
+  double GetVolume(double range) const;
+
+  /// Appends the returns of the drops in the beam of a pulse before hits.
+  void Append(std::uint64_t seed, vtkIdType pulse, std::vector<Hidden>& hits,
+    std::vector<SubReturn>& returns) const;
+
+private:
+  double FindRange(double volume) const;
+  double GetPower(double range, double away2) const;
+
+  AirSettings Air;
+  BeamWidth Beam;
+  double End = 0.0;
+  double Section = 0.0; // of a drop [m2]
+  double Density = 0.0;
+};
+
+} // namespace helios
+
+#endif

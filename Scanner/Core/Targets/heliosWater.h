@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What water absorbs at the wavelength of a scanner.
+
+#ifndef heliosWater_h
+#define heliosWater_h
+
+#include "heliosMaterialTable.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+namespace helios
+{
+
+/**
+ * The absorption of pure water [1/m] at a wavelength [nm]: Pope and Fry 1997 (Applied Optics 36,
+ * 8710-8723) up to 700 nm, Hale and Querry 1973 (Applied Optics 12, 555-563) and Kou, Labrie and
+ * Chylek 1993 (Applied Optics 32, 3531-3540) beyond. Logarithms between a few wavelengths are
+ * interpolated: beyond 700 nm, where it only matters that water is dark, to about 30 %.
+ */
+VTKHELIOSSCANNERCORE_EXPORT double GetPureWaterAbsorption(double wavelength);
+
+/**
+ * Water at a wavelength [nm] as a volume: the attenuation, which is given at 532 nm, changes as that
+ * of pure water does. Other optics are not changed.
+ */
+VTKHELIOSSCANNERCORE_EXPORT MaterialOptics GetOpticsAt(
+  const MaterialOptics& optics, double wavelength);
+
+} // namespace helios
+
+#endif
