@@ -245,7 +245,7 @@ def add_sampling_arguments(parser, options):
         metavar="TEXT",
         default="",
         help='fog, smoke or dust and the visibility [km], or rain, snow or sleet [mm/h], such as "fog '
-        '0.2": light is lost and scattered back (default: the survey\'s, else none)',
+        "0.2\": light is lost and scattered back (default: the survey's, else none)",
     )
 
 
