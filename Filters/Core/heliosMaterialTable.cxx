@@ -97,7 +97,46 @@ void SetOptics(vtkFieldData* fields, const MaterialTable& materials)
   }
 }
 
+MaterialColor GetColor(vtkFieldData* fields, vtkIdType row)
+{
+  MaterialColor color;
+  vtkDataArray* base = fields->GetArray(names::MaterialColor);
+  if (base && base->GetNumberOfComponents() == 3 && row < base->GetNumberOfTuples())
+  {
+    base->GetTuple(row, color.Base.data());
+    color.Texture = Text(fields, names::MaterialTexture, row);
+  }
+  return color;
+}
+
+void SetColors(vtkFieldData* fields, const MaterialTable& materials)
+{
+  fields->RemoveArray(names::MaterialColor);
+  fields->RemoveArray(names::MaterialTexture);
+  if (std::none_of(
+        materials.begin(), materials.end(), [](const Material& m) { return m.Color.IsSet(); }))
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> colors;
+  colors->SetName(names::MaterialColor);
+  colors->SetNumberOfComponents(3);
+  for (const Material& m : materials)
+  {
+    colors->InsertNextTuple(m.Color.Base.data());
+  }
+  fields->AddArray(colors);
+  AddColumn<vtkStringArray>(
+    fields, names::MaterialTexture, materials, [](const Material& m) { return m.Color.Texture; });
+}
+
 } // namespace
+
+bool MaterialColor::operator==(const MaterialColor& other) const
+{
+  return this->IsSet() == other.IsSet() && (!this->IsSet() || this->Base == other.Base) &&
+    this->Texture == other.Texture;
+}
 
 bool MaterialOptics::operator==(const MaterialOptics& other) const
 {
@@ -115,7 +154,7 @@ bool Material::operator==(const Material& other) const
   return sameReflectance && this->Name == other.Name && this->Specularity == other.Specularity &&
     this->SpecularExponent == other.SpecularExponent &&
     this->Classification == other.Classification && this->IsGround == other.IsGround &&
-    this->Spectrum == other.Spectrum && this->Optics == other.Optics;
+    this->Spectrum == other.Spectrum && this->Optics == other.Optics && this->Color == other.Color;
 }
 
 MaterialTable GetMaterials(vtkDataObject* scene)
@@ -140,6 +179,7 @@ MaterialTable GetMaterials(vtkDataObject* scene)
     m.IsGround = Number(fields, names::MaterialIsGround, row, 0) != 0;
     m.Spectrum = Text(fields, names::MaterialSpectrum, row);
     m.Optics = GetOptics(fields, row);
+    m.Color = GetColor(fields, row);
   }
   return materials;
 }
@@ -162,6 +202,7 @@ void SetMaterials(vtkDataObject* scene, const MaterialTable& materials)
   AddColumn<vtkStringArray>(
     fields, names::MaterialSpectrum, materials, [](M m) { return m.Spectrum; });
   SetOptics(fields, materials);
+  SetColors(fields, materials);
 }
 
 } // namespace helios

@@ -7,6 +7,7 @@
 
 #include "vtkHeliosFiltersCoreModule.h"
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,6 +50,18 @@ struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
   bool operator==(const MaterialOptics& other) const;
 };
 
+/// The colour of a surface, for echoes that are coloured.
+struct VTKHELIOSFILTERSCORE_EXPORT MaterialColor
+{
+  /// Red, green, blue, [0..1]; NaN: not set.
+  std::array<double, 3> Base{ std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN() };
+  std::string Texture; ///< path of an image that Base is multiplied by; empty: none
+
+  bool IsSet() const { return this->Base[0] == this->Base[0]; }
+  bool operator==(const MaterialColor& other) const;
+};
+
 struct VTKHELIOSFILTERSCORE_EXPORT Material
 {
   std::string Name = "default";
@@ -59,6 +72,7 @@ struct VTKHELIOSFILTERSCORE_EXPORT Material
   bool IsGround = false;
   std::string Spectrum; ///< name of a spectrum; empty: none
   MaterialOptics Optics;
+  MaterialColor Color;
 
   bool operator==(const Material& other) const;
 };
@@ -68,7 +82,8 @@ using MaterialTable = std::vector<Material>;
 /// The material columns of a scene's field data; a scene without them has one default material.
 VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkDataObject* scene);
 
-/// Replaces the material columns of a scene; those of optics are only there if a material has any.
+/// Replaces the material columns of a scene; those of optics and of colours are only there if a
+/// material has any.
 VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkDataObject* scene, const MaterialTable& materials);
 
 } // namespace helios

@@ -23,6 +23,8 @@ inline constexpr const char* MaterialIds = "MaterialIds";
 inline constexpr const char* PartIds = "PartIds";
 inline constexpr const char* Normals = "Normals"; // unit vectors; used for incidence if present
 inline constexpr const char* EdgeDefects = "EdgeDefects"; // bits, see vtkHeliosMeshRepair
+// u v of each of the three corners; NaN: none
+inline constexpr const char* TextureCoordinates = "TextureCoordinates";
 ///@}
 
 ///@{
@@ -33,7 +35,8 @@ inline constexpr const char* FirstCellIds = "FirstCellIds"; // int64, of the fir
 ///@}
 
 ///@{
-/** Input clouds: point data (with Normals); scenes made from clouds: cell data. */
+/** Input clouds: point data (with Normals); scenes made from clouds: cell data. RGB of echoes:
+ * vtkHeliosScanner, GenerateColors. */
 inline constexpr const char* RGB = "RGB";           // [0..1]
 inline constexpr const char* VoxelIds = "VoxelIds"; // solid voxel that a triangle bounds
 ///@}
@@ -58,6 +61,9 @@ inline constexpr const char* MaterialBackscatter = "Material.Backscatter";      
 inline constexpr const char* MaterialTransmittance = "Material.Transmittance";     // [0..1]
 inline constexpr const char* MaterialRetroreflection = "Material.Retroreflection"; // [1/sr]
 inline constexpr const char* MaterialMeanSquareSlope = "Material.MeanSquareSlope";
+// Columns that only scenes read with colours have.
+inline constexpr const char* MaterialColor = "Material.Color";     // red green blue, [0..1]
+inline constexpr const char* MaterialTexture = "Material.Texture"; // path of an image
 ///@}
 
 ///@{

@@ -33,13 +33,15 @@ vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
     [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
 }
 
-/// The normals of a part's triangles; null if it has none.
-vtkDataArray* FindNormals(vtkPolyData* part)
+/// A cell array of a part's triangles; null if it has none.
+vtkDataArray* FindCellArray(vtkPolyData* part, const char* name, int components)
 {
-  vtkDataArray* normals = part ? part->GetCellData()->GetArray(names::Normals) : nullptr;
-  const bool fits = normals && normals->GetNumberOfComponents() == 3 &&
-    normals->GetNumberOfTuples() == part->GetNumberOfPolys();
-  return fits ? normals : nullptr;
+  vtkDataArray* array = part ? part->GetCellData()->GetArray(name) : nullptr;
+  const bool isReal =
+    array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+  const bool fits = isReal && array->GetNumberOfComponents() == components &&
+    array->GetNumberOfTuples() == part->GetNumberOfPolys();
+  return fits ? array : nullptr;
 }
 
 } // namespace
@@ -147,27 +149,30 @@ vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkFloatArray> JoinNormals(const PartList& parts)
+vtkSmartPointer<vtkFloatArray> JoinCellArrays(
+  const PartList& parts, const char* name, int components, float otherwise)
 {
-  if (std::none_of(parts.begin(), parts.end(), FindNormals))
+  const auto find = [name, components](vtkPolyData* part)
+  { return FindCellArray(part, name, components); };
+  if (std::none_of(parts.begin(), parts.end(), find))
   {
     return nullptr;
   }
-  auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetName(names::Normals);
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(CountTriangles(parts));
-  normals->Fill(0.0);
+  auto joined = vtkSmartPointer<vtkFloatArray>::New();
+  joined->SetName(name);
+  joined->SetNumberOfComponents(components);
+  joined->SetNumberOfTuples(CountTriangles(parts));
+  joined->Fill(otherwise);
   vtkIdType first = 0;
   for (vtkPolyData* part : parts)
   {
-    if (vtkDataArray* from = FindNormals(part))
+    if (vtkDataArray* from = find(part))
     {
-      normals->InsertTuples(first, part->GetNumberOfPolys(), 0, from);
+      joined->InsertTuples(first, part->GetNumberOfPolys(), 0, from);
     }
     first += part ? part->GetNumberOfPolys() : 0;
   }
-  return normals;
+  return joined;
 }
 
 } // namespace helios

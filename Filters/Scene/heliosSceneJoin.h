@@ -33,8 +33,10 @@ vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts);
 /// All triangles in 32-bit storage; a single part's own array if it is 32-bit.
 vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts);
 
-/// The normals of the triangles, (0, 0, 0) for a part without normals; null if no part has any.
-vtkSmartPointer<vtkFloatArray> JoinNormals(const PartList& parts);
+/// A cell array of real numbers of the triangles, with a value for parts without; null if no part
+/// has any.
+vtkSmartPointer<vtkFloatArray> JoinCellArrays(
+  const PartList& parts, const char* name, int components, float otherwise);
 
 /// The connection of every triangle.
 vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts);

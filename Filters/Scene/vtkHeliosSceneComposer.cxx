@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 vtkStandardNewMacro(vtkHeliosSceneComposer);
 
@@ -200,12 +201,31 @@ bool vtkHeliosSceneComposer::Compose(const ConnectionList& connections, vtkPolyD
     return false;
   }
   output->GetCellData()->AddArray(helios::MakePartIds(parts));
-  if (const auto normals = helios::JoinNormals(parts))
-  {
-    output->GetCellData()->SetNormals(normals);
-  }
+  this->AddSurfaceArrays(parts, output);
   this->AddPartNames(output, static_cast<int>(parts.size()));
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Normals, (0, 0, 0) for parts without, and what colours need.
+void vtkHeliosSceneComposer::AddSurfaceArrays(const PartList& parts, vtkPolyData* output)
+{
+  vtkCellData* cells = output->GetCellData();
+  if (const auto normals = helios::JoinCellArrays(parts, names::Normals, 3, 0.0f))
+  {
+    cells->SetNormals(normals);
+  }
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  for (const auto& [name, components] :
+    { std::pair(names::TextureCoordinates, 6), std::pair(names::RGB, 3) })
+  {
+    const auto array = this->PassColors ? helios::JoinCellArrays(parts, name, components, none)
+                                        : vtkSmartPointer<vtkFloatArray>();
+    if (array)
+    {
+      cells->AddArray(array);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -241,10 +261,7 @@ bool vtkHeliosSceneComposer::ComposeInstances(
     }
     output->GetCellData()->AddArray(materials);
     output->GetCellData()->AddArray(partIds);
-    if (const auto normals = helios::JoinNormals(parts))
-    {
-      output->GetCellData()->SetNormals(normals);
-    }
+    this->AddSurfaceArrays(parts, output);
   }
   for (const std::size_t connection : split.GetPrototypes())
   {
@@ -454,5 +471,6 @@ void vtkHeliosSceneComposer::AddPartNames(
 void vtkHeliosSceneComposer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PartNames: " << this->PartNames.size() << " given\n";
+  os << indent << "PartNames: " << this->PartNames.size() << " given\n"
+     << indent << "PassColors: " << this->PassColors << "\n";
 }

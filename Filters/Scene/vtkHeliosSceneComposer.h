@@ -80,6 +80,16 @@ public:
   int GetPartId(int part) const;
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether colours are passed: cell data TextureCoordinates and RGB, NaN for parts
+   * without, for GenerateColors of vtkHeliosScanner. Default: off.
+   */
+  vtkSetMacro(PassColors, bool);
+  vtkGetMacro(PassColors, bool);
+  vtkBooleanMacro(PassColors, bool);
+  ///@}
+
 protected:
   vtkHeliosSceneComposer();
   ~vtkHeliosSceneComposer() override = default;
@@ -95,6 +105,7 @@ private:
 
   void MakeOutput(vtkInformationVector* inputs, vtkInformationVector* outputVector);
   bool Compose(const std::vector<helios::Connection>& connections, vtkPolyData* output);
+  void AddSurfaceArrays(const std::vector<vtkPolyData*>& parts, vtkPolyData* output);
   bool ComposeInstances(
     const std::vector<helios::Connection>& all, vtkPolyData* instances, vtkHeliosScene* output);
   bool FindParts(vtkInformationVector* inputs, std::vector<helios::Connection>& parts);
@@ -111,6 +122,7 @@ private:
 
   std::vector<std::string> PartNames;
   std::vector<int> PartIds; // -1: the default
+  bool PassColors = false;
 };
 
 #endif

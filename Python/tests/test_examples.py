@@ -99,6 +99,14 @@ def run_notebook(path):
     return namespace
 
 
+def test_river_section(tmp_path, capsys):
+    assert load("river_section").main([str(tmp_path)]) == 0
+    said = capsys.readouterr().out
+    measured, corrected = map(float, re.findall(r"bed, \w+: ([\d.]+) m from the truth", said))
+    assert measured > 0.5 and corrected < 0.05
+    assert (tmp_path / "river_section.png").stat().st_size > 20_000
+
+
 def test_figure_videos(make_survey, tmp_path):
     from vtkhelios.cli import view
 

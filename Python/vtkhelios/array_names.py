@@ -12,13 +12,16 @@ MATERIAL_IDS = "MaterialIds"
 PART_IDS = "PartIds"
 NORMALS = "Normals"  # unit vectors; used for incidence if present
 EDGE_DEFECTS = "EdgeDefects"  # bits, see vtkHeliosMeshRepair
+# u v of each of the three corners; NaN: none
+TEXTURE_COORDINATES = "TextureCoordinates"
 
 # Instances of a scene (vtkHeliosScene): point data, with Orientation, MaterialIds, PartIds.
 PROTOTYPE_IDS = "PrototypeIds"
 SCALE = "Scale"
 FIRST_CELL_IDS = "FirstCellIds"  # int64, of the first triangle
 
-# Input clouds: point data (with Normals); scenes made from clouds: cell data.
+# Input clouds: point data (with Normals); scenes made from clouds: cell data. RGB of echoes:
+# vtkHeliosScanner, GenerateColors.
 RGB = "RGB"  # [0..1]
 VOXEL_IDS = "VoxelIds"  # solid voxel that a triangle bounds
 
@@ -41,6 +44,9 @@ MATERIAL_BACKSCATTER = "Material.Backscatter"  # [1/(m sr)]
 MATERIAL_TRANSMITTANCE = "Material.Transmittance"  # [0..1]
 MATERIAL_RETROREFLECTION = "Material.Retroreflection"  # [1/sr]
 MATERIAL_MEAN_SQUARE_SLOPE = "Material.MeanSquareSlope"
+# Columns that only scenes read with colours have.
+MATERIAL_COLOR = "Material.Color"  # red green blue, [0..1]
+MATERIAL_TEXTURE = "Material.Texture"  # path of an image
 
 # Scene: field data. CRS is a WKT string or "EPSG:n".
 CRS = "CRS"

@@ -56,6 +56,7 @@ _OUTPUTS = {
     "scan_flags": "generate_scan_flags",
     "columns": "generate_columns",
     "decibels": "generate_decibels",
+    "colors": "generate_colors",
 }
 
 
@@ -187,12 +188,13 @@ class Survey:
             Exceptions of the function end the run, and so does Ctrl-C.
         legs
             the index of a leg, or several; None: all.
-        waveforms, pulses, hits, truth, scan_flags, columns, decibels
+        waveforms, pulses, hits, truth, scan_flags, columns, decibels, colors
             True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
             ``cloud.sub_rays``, as the arrays TruePoint and Normal, ScanDirectionFlag and
             EdgeOfFlightLine, as the array ColumnIds, of spinning optics: the column of a
-            pulse in its revolution, from 0, and as the arrays RelativeAmplitude, above the
-            detection threshold, and Reflectance, above that of a white diffuse plane [dB].
+            pulse in its revolution, from 0, as the arrays RelativeAmplitude, above the
+            detection threshold, and Reflectance, above that of a white diffuse plane [dB], and
+            as the array RGB, in [0, 1], the colour of the surface: Kd and map_Kd of OBJ files.
         seed
             the key of all random numbers: the survey's, else 0.
         noise
@@ -271,13 +273,13 @@ class Survey:
         report.
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
-        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, decibels, split_by_channel,
+        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, decibels, colors (of las and vtp), split_by_channel,
         overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer; instances
         as in run(), but True by default, as of vtkhelios run. Memory
         holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
         and has the "folder".
         """
-        known = {name: f"write_{name}" for name in ("waveforms", "pulses", "decibels")}
+        known = {name: f"write_{name}" for name in ("waveforms", "pulses", "decibels", "colors")}
         known |= {name: name for name in _FILES}
         known_here = {**_OPTIONS, **known, "instances": "", MESH: ""}
         _translate(options, known_here)  # refuses any other

@@ -333,8 +333,11 @@ void BeamTracer::AppendOpenAir(const Pulse& pulse, std::vector<SubReturn>& retur
 void BeamTracer::AppendHiddenAir(const Pulse& pulse, std::vector<SubReturn>& returns)
 {
   const ScanModel& m = this->Model;
-  m.Drops.IsEmpty() ? m.Air.Append(this->Hiding, returns)
-                    : m.Drops.Append(m.Seed, pulse.Id, this->Hiding, returns);
+  m.Air.Append(this->Hiding, returns);
+  if (!m.Drops.IsEmpty())
+  {
+    m.Drops.Append(m.Seed, pulse.Id, this->Hiding, returns);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -78,6 +78,7 @@ private:
   void MoveToZones(vtkIdType index, std::size_t first, ChunkResult& result);
   void StoreWaveform(const Pulse& pulse, ChunkResult& result);
   void StoreSubRays(const Pulse& pulse, ChunkResult& result);
+  PathEnd FindEnd(const Pulse& pulse, const Echo& echo) const;
   double GetMeasuredRange(const Echo& echo, double theta, std::size_t number);
   double UseTerm(int term, double value, double variable, double otherwise);
 

@@ -118,12 +118,24 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
   if (this->Model.WantsTruth)
   {
     const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
-    const PathEnd straight{ pulse.Origin + echo.Range * pulse.GetDirection(), 0 };
-    const PathEnd& end = !echo.Nearest || echo.Nearest->Path < 0
-      ? straight
-      : this->Tracer.GetPaths().GetEnd(echo.Nearest->Path);
+    const PathEnd end = this->FindEnd(pulse, echo);
     result.Truths.push_back({ end.Point, normal, end.Events });
   }
+  if (this->Model.WantsColors)
+  {
+    result.Colors.push_back(isDark
+        ? ColorRecord()
+        : this->Model.Colors.Find(cell, material, this->FindEnd(pulse, echo).Point));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Where an echo comes from, without noise.
+PathEnd PulseKernel::FindEnd(const Pulse& pulse, const Echo& echo) const
+{
+  const bool isStraight = !echo.Nearest || echo.Nearest->Path < 0;
+  return isStraight ? PathEnd{ pulse.Origin + echo.Range * pulse.GetDirection(), 0 }
+                    : this->Tracer.GetPaths().GetEnd(echo.Nearest->Path);
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +212,10 @@ void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& r
       {
         result.Truths[kept] = result.Truths[i];
       }
+      if (this->Model.WantsColors)
+      {
+        result.Colors[kept] = result.Colors[i];
+      }
       echoes[kept++] = echoes[i];
     }
   }
@@ -208,6 +224,10 @@ void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& r
   if (this->Model.WantsTruth)
   {
     result.Truths.resize(kept);
+  }
+  if (this->Model.WantsColors)
+  {
+    result.Colors.resize(kept);
   }
 }
 

@@ -20,6 +20,7 @@
 #include "heliosSceneGeometry.h"
 #include "heliosSceneSurfaces.h"
 #include "heliosSubRays.h"
+#include "heliosSurfaceColors.h"
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -81,7 +82,8 @@ struct ScanModel
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
   const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
   SceneSurfaces Surfaces;
-  PathLimits Optics; // of scenes whose surfaces have any
+  SurfaceColors Colors; // if they are requested
+  PathLimits Optics;    // of scenes whose surfaces have any
   TurbidMedium Medium;
   ReceiverSettings Receiver;
 
@@ -101,7 +103,7 @@ struct ScanModel
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
   AirColumn Air;           // of weather
-  Droplets Drops;          // of it, in place of Air
+  Droplets Drops;          // of it, in addition to Air
   double Background = 0.0; // of the sun, of a white surface without extinction [W]
   RangeGate Gate;
   RangeZones Zones;
@@ -117,6 +119,7 @@ struct ScanModel
   bool WantsScanFlags = false;
   bool WantsColumns = false;
   bool WantsDecibels = false;
+  bool WantsColors = false;
 
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const

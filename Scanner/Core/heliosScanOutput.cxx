@@ -263,6 +263,17 @@ void FillSpecularEvents(
     [=](const TruthRecord& t, vtkIdType row) { events[row] = t.SpecularEvents; });
 }
 
+/// Red, green and blue of the echoes.
+void FillColors(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Colors, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  float* colors = columns.Add<vtkFloatArray>(names::RGB, 3);
+  ForEachRecord(chunks, &ChunkResult::Colors, offsets,
+    [=](const ColorRecord& color, vtkIdType row)
+    { std::copy(color.begin(), color.end(), colors + 3 * row); });
+}
+
 /// The flags of scan lines.
 void FillScanFlags(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
@@ -426,6 +437,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.WantsTruth && this->Model.Surfaces.HasOptics())
   {
     FillSpecularEvents(chunks, echoes, this->Echoes);
+  }
+  if (this->Model.WantsColors)
+  {
+    FillColors(chunks, echoes, this->Echoes);
   }
   if (this->Model.WantsWaveforms)
   {

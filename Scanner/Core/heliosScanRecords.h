@@ -9,6 +9,7 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <vector>
 
 namespace helios
@@ -43,6 +44,9 @@ struct TruthRecord
   Vec3 Normal;
   int SpecularEvents; ///< of its path, behind mirrors and glass
 };
+
+/// Of the echo at the same place: red, green, blue, [0..1].
+using ColorRecord = std::array<float, 3>;
 
 struct PulseRecord
 {
@@ -81,6 +85,7 @@ struct ChunkResult
 {
   std::vector<EchoRecord> Echoes;
   std::vector<TruthRecord> Truths; // empty if not requested
+  std::vector<ColorRecord> Colors; // likewise
   std::vector<PulseRecord> Pulses;
   std::vector<SubRayRecord> SubRays;
   std::vector<WaveformRecord> Waveforms;
@@ -91,6 +96,7 @@ struct ChunkResult
   {
     this->Echoes.clear();
     this->Truths.clear();
+    this->Colors.clear();
     this->Pulses.clear();
     this->SubRays.clear();
     this->Waveforms.clear();

@@ -38,8 +38,9 @@ vtkStandardNewMacro(vtkHeliosScanner);
 namespace
 {
 
-constexpr double LongestGate = 1e8;    // of dark counts [m]
-constexpr double LeastAirShare = 1e-3; // of the detection threshold, of what air returns
+constexpr double LongestGate = 1e8;     // of dark counts [m]
+constexpr double LeastDropShare = 0.05; // of the same, of single drops
+constexpr double LeastAirShare = 1e-3;  // of the detection threshold, of what air returns
 
 helios::Pose ToPose(const double position[3], const double q[4])
 {
@@ -131,7 +132,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
      << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
-     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n";
+     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
+     << indent << "GenerateColors: " << this->GenerateColors << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -393,7 +395,35 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
     vtkErrorMacro(<< status.Message());
   }
   scan.Model.Surfaces.SetWavelength(this->Wavelength);
+  if (status.IsOk() && this->GenerateColors)
+  {
+    this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan);
+  }
   return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::PrepareColors(
+  vtkPolyData* scene, const std::vector<vtkImageData*>& grids, Scan& scan)
+{
+  helios::ScanModel& m = scan.Model;
+  const bool isFirst = !this->Textures;
+  if (isFirst)
+  {
+    this->Textures = std::make_unique<helios::TextureStore>();
+  }
+  std::vector<std::string> faults;
+  m.Colors.Set(
+    scene, grids, m.Caster ? &m.Caster->GetGeometry() : nullptr, *this->Textures, faults);
+  for (const std::string& fault : faults)
+  {
+    vtkWarningMacro(<< fault << "; the base colour of its material is used");
+  }
+  if (isFirst && m.Colors.IsEmpty())
+  {
+    vtkWarningMacro(<< "GenerateColors is on, but the scene has no colours, so all echoes are "
+                       "black; read it with ReadColors, or turn GenerateColors off");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -434,8 +464,9 @@ void vtkHeliosScanner::PrepareAir(Scan& scan) const
   m.Air = helios::AirColumn(settings);
   if (!m.Air.IsEmpty() && air.DropletDiameter > 0.0)
   {
-    m.Drops = helios::Droplets(
-      settings, m.Air.GetEnd(), helios::GetBeamWidth(this->BeamSampler), air.DropletDiameter);
+    m.Drops = helios::Droplets(settings, m.Air.GetEnd(), helios::GetBeamWidth(this->BeamSampler),
+      air.DropletDiameter, LeastDropShare * this->EchoDetector->GetDetectionThreshold());
+    m.Air = helios::AirColumn(settings, [&m](double range) { return m.Drops.GetRest(range); });
   }
 }
 
@@ -477,6 +508,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.WantsScanFlags = this->GenerateScanFlags;
   m.WantsColumns = this->GenerateColumns;
   m.WantsDecibels = this->GenerateDecibels;
+  m.WantsColors = this->GenerateColors;
   return true;
 }
 

@@ -18,7 +18,7 @@
  * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
  * GenerateTruth, and SpecularEvents if surfaces have optics; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags;
  * ColumnIds with GenerateColumns; RelativeAmplitude and Reflectance with
- * GenerateDecibels. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * GenerateDecibels; RGB with GenerateColors. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
@@ -75,6 +75,7 @@
 
 #include <memory> // For the counts
 #include <string> // For descriptions
+#include <vector> // For voxel grids
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
@@ -82,11 +83,13 @@ class vtkHeliosEchoDetector;
 class vtkHeliosErrorModel;
 class vtkHeliosPlatformNoise;
 class vtkHeliosRayCaster;
+class vtkImageData;
 
 namespace helios
 {
 class BatchSize;
 class PulseShape;
+class TextureStore;
 struct SamplingPlan;
 struct ScanCounts;
 struct ScanTraits;
@@ -418,6 +421,19 @@ public:
   vtkBooleanMacro(GenerateDecibels, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes have RGB (float, [0..1]), the colour of the surface where the echo
+   * is: that of the cell data RGB of the scene, else the base colour of the material (Material.Color) times its
+   * texture, bilinear (Material.Texture, and cell data TextureCoordinates); black without. A warning
+   * names textures that cannot be read. See ReadColors of vtkHeliosObjSceneReader and PassColors of
+   * vtkHeliosSceneComposer. Default: off.
+   */
+  vtkSetMacro(GenerateColors, bool);
+  vtkGetMacro(GenerateColors, bool);
+  vtkBooleanMacro(GenerateColors, bool);
+  ///@}
+
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -492,6 +508,7 @@ private:
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
+  void PrepareColors(vtkPolyData* scene, const std::vector<vtkImageData*>& grids, Scan& scan);
   bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
   bool PrepareSearch(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
@@ -549,10 +566,12 @@ private:
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
   bool GenerateDecibels = false;
+  bool GenerateColors = false;
   int MTAZone = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;
   std::unique_ptr<helios::BatchSize> Batch; // of the last scan
+  std::unique_ptr<helios::TextureStore> Textures;
 };
 
 #endif

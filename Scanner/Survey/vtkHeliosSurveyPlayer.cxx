@@ -160,6 +160,7 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
   vtkHeliosSurveyPlayer* player = this->Player;
+  player->Source->SetGenerateColors(player->WriteColors);
   if (!player->Source->CheckOptions(this->Settings))
   {
     return this->Fail();
@@ -176,6 +177,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
   const bool isText = this->Settings.Format == "xyz";
   this->Settings.Decibels = player->WriteDecibels;
+  this->Settings.Colors = player->WriteColors;
   this->Settings.ScanFlags =
     isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
   this->Settings.Pulses = player->WritePulses;
@@ -198,6 +200,10 @@ bool vtkHeliosSurveyPlayer::Internals::CheckFormat()
     }
     return this->Fail("Format is \"" + this->Settings.Format + "\"; give " +
       helios::Enumerate(formats, "or") + ".");
+  }
+  if (player->WriteColors && this->Settings.Format == "xyz")
+  {
+    return this->Fail("WriteColors is on, but Format \"xyz\" has no colours; give las or vtp.");
   }
   if (player->WriteTruth && this->Settings.Format != "vtp")
   {
@@ -806,6 +812,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "WaveformsInPoints: " << this->WaveformsInPoints << "\n"
      << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
      << indent << "WriteDecibels: " << this->WriteDecibels << "\n"
+     << indent << "WriteColors: " << this->WriteColors << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
      << indent << "WriteTruth: " << this->WriteTruth << "\n"
      << indent << "WriteColumns: " << this->WriteColumns << "\n"

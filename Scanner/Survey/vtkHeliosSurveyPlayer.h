@@ -160,6 +160,17 @@ public:
 
   ///@{
   /**
+   * Set/Get whether echoes have RGB, the colour of the surface (GenerateColors of
+   * vtkHeliosScanner), and the meshes are read with their colours. An error with the format xyz,
+   * which has no colours. Default: off.
+   */
+  vtkSetMacro(WriteColors, bool);
+  vtkGetMacro(WriteColors, bool);
+  vtkBooleanMacro(WriteColors, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the pulses are written, including those without a hit. Default: off.
    */
   vtkSetMacro(WritePulses, bool);
@@ -364,6 +375,7 @@ private:
   bool WaveformsInPoints = false;
   bool WriteScanFlags = false;
   bool WriteDecibels = false;
+  bool WriteColors = false;
   bool WritePulses = false;
   bool WriteTruth = false;
   bool WriteColumns = false;

@@ -141,6 +141,7 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
     }
   }
   inputs.Instances = source->Instances;
+  inputs.Colors = source->GenerateColors;
   inputs.Mesh = vtkPolyData::SafeDownCast(source->GetInputDataObject(MeshPort, 0));
   for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
   {
@@ -163,6 +164,7 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   settings.ScanFlags = this->Source->GenerateScanFlags;
   settings.Columns = this->Source->GenerateColumns;
   settings.Decibels = this->Source->GenerateDecibels;
+  settings.Colors = this->Source->GenerateColors;
   if (!this->CheckOptions(settings) ||
     !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
   {
@@ -693,6 +695,7 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
      << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
      << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
+     << indent << "GenerateColors: " << this->GenerateColors << "\n"
      << indent << "Instances: " << this->Instances << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";

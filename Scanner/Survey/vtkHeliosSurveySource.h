@@ -90,7 +90,8 @@ public:
   ///@{
   /**
    * Set/Get which outputs are computed besides the echoes, and whether the echoes have TruePoint
-   * and Normal, or ScanDirectionFlag and EdgeOfFlightLine, as in vtkHeliosScanner. Default: off.
+   * and Normal, ScanDirectionFlag and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
+   * GenerateColors the meshes are read with their colours. Default: off.
    */
   vtkSetMacro(GenerateWaveforms, bool);
   vtkGetMacro(GenerateWaveforms, bool);
@@ -113,6 +114,9 @@ public:
   vtkSetMacro(GenerateDecibels, bool);
   vtkGetMacro(GenerateDecibels, bool);
   vtkBooleanMacro(GenerateDecibels, bool);
+  vtkSetMacro(GenerateColors, bool);
+  vtkGetMacro(GenerateColors, bool);
+  vtkBooleanMacro(GenerateColors, bool);
   ///@}
 
   ///@{
@@ -252,6 +256,7 @@ private:
   bool GenerateScanFlags = false;
   bool GenerateColumns = false;
   bool GenerateDecibels = false;
+  bool GenerateColors = false;
   bool Instances = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 

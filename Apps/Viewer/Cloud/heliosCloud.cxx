@@ -94,6 +94,26 @@ struct Cloud::Block
     {
       this->Read(column.first, data->GetArray(column.second), echoes->GetNumberOfPoints());
     }
+    this->ReadColors(data->GetArray(names::RGB), echoes->GetNumberOfPoints());
+  }
+
+  /// Packs red, green and blue: real numbers in [0, 1], or whole ones of the range of their type.
+  void ReadColors(vtkDataArray* array, vtkIdType rows)
+  {
+    if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != rows)
+    {
+      return;
+    }
+    const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+    const double scale = isReal ? 1.0 : 1.0 / array->GetDataTypeMax();
+    std::vector<double> shares = ToDoubles(array, this->Begin, this->End);
+    std::transform(
+      shares.begin(), shares.end(), shares.begin(), [scale](double x) { return scale * x; });
+    std::vector<double>& packed = this->Columns[static_cast<int>(CloudColumn::Color)];
+    for (std::size_t i = 0; i < shares.size(); i += 3)
+    {
+      packed.push_back(PackColor(shares.data() + i));
+    }
   }
 
   void Read(CloudColumn column, vtkDataArray* array, vtkIdType rows)
@@ -210,6 +230,7 @@ void Cloud::AppendRun(const Block& block, vtkIdType begin, vtkIdType end)
     }
     this->AppendPlaces(chunk, block, begin, stop);
     this->AppendTimes(chunk, block, begin, stop);
+    this->AppendColors(chunk, block, begin, stop);
     this->AppendTags(chunk, block, begin, stop);
     this->NumberOfPoints += stop - begin;
     begin = stop;
@@ -274,6 +295,21 @@ void Cloud::AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, 
     chunk.IsInTimeOrder = chunk.IsInTimeOrder && !(time < chunk.LastTime) && std::isfinite(time);
     chunk.FirstTime = std::fmin(chunk.FirstTime, time);
     chunk.LastTime = std::fmax(chunk.LastTime, time);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Before AppendTags(), which counts the points.
+void Cloud::AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
+{
+  if (!block.Has(CloudColumn::Color) && chunk.Colors.empty())
+  {
+    return;
+  }
+  chunk.Colors.resize(static_cast<std::size_t>(chunk.GetSize()), NoColor);
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    chunk.Colors.push_back(static_cast<std::uint32_t>(block.Get(CloudColumn::Color, row, NoColor)));
   }
 }
 
@@ -433,6 +469,9 @@ void Cloud::GetValues(
     case CloudColumn::Pulse:
       return fill([&](std::size_t i)
         { return chunk.Pulses[i] == NoPulse ? -1 : chunk.PulseBase + chunk.Pulses[i]; });
+    case CloudColumn::Color:
+      return fill(
+        [&](std::size_t i) { return i < chunk.Colors.size() ? chunk.Colors[i] : NoColor; });
   }
 }
 

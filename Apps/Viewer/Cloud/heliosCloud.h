@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point cloud held by the viewer: 34 bytes/point, in chunks that never move.
+// A point cloud held by the viewer: 34 bytes/point, 38 with colours, in chunks that never move.
 
 #ifndef heliosCloud_h
 #define heliosCloud_h
@@ -35,9 +35,10 @@ enum class CloudColumn : int
   Leg,
   Incidence,
   Range,
-  Pulse
+  Pulse,
+  Color
 };
-constexpr int NumberOfCloudColumns = 12;
+constexpr int NumberOfCloudColumns = 13;
 
 /// A point with all its attributes; unknown values: NaN, ids -1, counts and classes 0.
 struct Echo
@@ -73,6 +74,7 @@ struct CloudChunk
   std::vector<std::uint8_t> NumbersOfReturns;
   std::vector<std::uint8_t> Classes;
   std::vector<std::uint8_t> Incidences;
+  std::vector<std::uint32_t> Colors; ///< PackColor(); empty until a block has some
   std::int64_t PulseBase = 0;
   double TimeBase = 0.0;
   double FirstTime; ///< [s], NaN: no point has a time
@@ -162,6 +164,7 @@ private:
   CloudChunk& GetOpenChunk(const Block& block, vtkIdType row);
   void AppendPlaces(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
   void AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
+  void AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
   void AppendTags(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
   std::uint32_t GetTag(const Tag& tag);
 

@@ -44,7 +44,7 @@ std::size_t CloudChunk::GetMemorySize() const
   return sizeof(*this) + static_cast<std::size_t>(this->Xyz->GetSize()) * sizeof(float) +
     GetBytes(this->Pulses) + GetBytes(this->Times) + GetBytes(this->Ranges) + GetBytes(this->Tags) +
     GetBytes(this->Amplitudes) + GetBytes(this->ReturnNumbers) + GetBytes(this->NumbersOfReturns) +
-    GetBytes(this->Classes) + GetBytes(this->Incidences);
+    GetBytes(this->Classes) + GetBytes(this->Incidences) + GetBytes(this->Colors);
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +60,7 @@ void CloudChunk::Squeeze()
   this->NumbersOfReturns.shrink_to_fit();
   this->Classes.shrink_to_fit();
   this->Incidences.shrink_to_fit();
+  this->Colors.shrink_to_fit();
 }
 
 } // namespace helios::viewer

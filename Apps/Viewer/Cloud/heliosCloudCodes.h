@@ -49,6 +49,16 @@ inline std::uint8_t ToByte(double value)
   return static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
 }
 
+constexpr std::uint32_t NoColor = 0xFFFFFFFF;
+
+/// Red, green and blue in [0, 1] as one number.
+inline std::uint32_t PackColor(const double* rgb)
+{
+  const auto byte = [rgb](int i)
+  { return static_cast<std::uint32_t>(ToByte(std::round(255.0 * rgb[i]))); };
+  return std::isnan(rgb[0]) ? NoColor : (byte(0) << 16) | (byte(1) << 8) | byte(2);
+}
+
 } // namespace helios::viewer
 
 #endif

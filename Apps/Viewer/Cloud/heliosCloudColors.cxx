@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloudColors.h"
 
+#include "heliosCloudCodes.h"
 #include "heliosTicks.h"
 
 #include <algorithm>
@@ -66,9 +67,15 @@ Rgb CloudColors::Map(double value) const
   {
     return this->One;
   }
-  if (!std::isfinite(value))
+  if (!std::isfinite(value) || (this->By == ColorBy::Own && value == NoColor))
   {
     return Unknown;
+  }
+  if (this->By == ColorBy::Own)
+  {
+    const auto packed = static_cast<std::uint32_t>(value);
+    return { static_cast<std::uint8_t>(packed >> 16), static_cast<std::uint8_t>(packed >> 8),
+      static_cast<std::uint8_t>(packed) };
   }
   if (this->By == ColorBy::Class)
   {
@@ -112,6 +119,10 @@ void CloudColors::Map(const Cloud& cloud, const CloudChunk& chunk, vtkIdType beg
 //------------------------------------------------------------------------------
 bool CloudColors::FitRange(std::vector<double> values)
 {
+  if (this->IsPlain())
+  {
+    return false;
+  }
   values.erase(
     std::remove_if(values.begin(), values.end(),
       [this](double v) { return !std::isfinite(v) || (this->IsLogarithmic() && v <= 0.0); }),
@@ -158,6 +169,7 @@ std::string CloudColors::GetName(const Cloud& cloud) const
       return "Incidence";
     case ColorBy::Range:
       return "Range";
+    case ColorBy::Own:
     case ColorBy::One:
       break;
   }
@@ -200,7 +212,7 @@ Legend CloudColors::MakeLegend(const Cloud& cloud, const std::vector<double>& va
   Legend legend;
   legend.Title = this->GetName(cloud);
   legend.IsCategory = this->IsCategory();
-  if (this->By != ColorBy::One)
+  if (!this->IsPlain())
   {
     legend.IsCategory ? this->AddCategories(values, legend) : this->AddTicks(cloud, legend);
   }

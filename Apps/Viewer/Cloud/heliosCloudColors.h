@@ -29,7 +29,8 @@ enum class ColorBy : int
   Leg = static_cast<int>(CloudColumn::Leg),
   Incidence = static_cast<int>(CloudColumn::Incidence),
   Range = static_cast<int>(CloudColumn::Range),
-  One = -1 ///< one colour for all
+  Own = static_cast<int>(CloudColumn::Color), ///< red, green and blue of the points
+  One = -1                                    ///< one colour for all
 };
 
 /// Maps values to colours: along the ramp between two ends, or per category.
@@ -47,6 +48,8 @@ public:
 
   /// Whether values are categories (classes, parts ...) rather than quantities.
   bool IsCategory() const;
+  /// Whether colours tell no value: those of the points, or one for all.
+  bool IsPlain() const { return this->By == ColorBy::One || this->By == ColorBy::Own; }
   bool IsLogarithmic() const { return this->By == ColorBy::Amplitude; }
 
   Rgb Map(double value) const;

@@ -68,7 +68,7 @@ void CloudView::Update()
 //------------------------------------------------------------------------------
 std::vector<double> CloudView::GetSampleValues() const
 {
-  std::vector<double> values(this->Colors.By == ColorBy::One ? 0 : this->SampleRows.size());
+  std::vector<double> values(this->Colors.IsPlain() ? 0 : this->SampleRows.size());
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     const CloudChunk& chunk = this->Points.FindChunk(this->SampleRows[i]);

@@ -17,12 +17,13 @@ namespace helios::viewer
 /// In the order of cycling through them.
 inline const std::vector<std::pair<std::string, ColorBy>>& GetColorings()
 {
-  static const std::vector<std::pair<std::string, ColorBy>> colorings{ { "height",
-                                                                         ColorBy::Height },
-    { "amplitude", ColorBy::Amplitude }, { "return", ColorBy::ReturnNumber },
-    { "returns", ColorBy::NumberOfReturns }, { "class", ColorBy::Class }, { "time", ColorBy::Time },
-    { "part", ColorBy::Part }, { "material", ColorBy::Material }, { "leg", ColorBy::Leg },
-    { "incidence", ColorBy::Incidence }, { "range", ColorBy::Range }, { "one", ColorBy::One } };
+  static const std::vector<std::pair<std::string, ColorBy>> colorings{
+    { "height", ColorBy::Height }, { "amplitude", ColorBy::Amplitude },
+    { "return", ColorBy::ReturnNumber }, { "returns", ColorBy::NumberOfReturns },
+    { "class", ColorBy::Class }, { "time", ColorBy::Time }, { "part", ColorBy::Part },
+    { "material", ColorBy::Material }, { "leg", ColorBy::Leg }, { "incidence", ColorBy::Incidence },
+    { "range", ColorBy::Range }, { "rgb", ColorBy::Own }, { "one", ColorBy::One }
+  };
   return colorings;
 }
 

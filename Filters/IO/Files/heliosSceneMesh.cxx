@@ -120,6 +120,8 @@ void SceneMesh::DropFlatTriangles(const std::string& path, TextReport& report)
   const double* points = this->Points.GetValues();
   vtkTypeInt32* corners = this->Corners.GetValues();
   int* ids = this->MaterialIds.GetValues();
+  float* textures =
+    this->TextureCoordinates.GetSize() > 0 ? this->TextureCoordinates.GetValues() : nullptr;
   this->IsUsed.assign(static_cast<std::size_t>(this->Points.GetSize() / 3), 0);
 
   vtkIdType kept = 0;
@@ -137,9 +139,14 @@ void SceneMesh::DropFlatTriangles(const std::string& path, TextReport& report)
       this->IsUsed[triangle[corner]] = 1;
       corners[3 * kept + corner] = triangle[corner];
     }
+    if (textures)
+    {
+      std::copy_n(textures + 6 * i, 6, textures + 6 * kept);
+    }
     ids[kept++] = ids[i];
   }
   this->Corners.Truncate(3 * kept);
+  this->TextureCoordinates.Truncate(textures ? 6 * kept : 0);
   this->MaterialIds.Truncate(kept);
   this->DroppedTriangles = count - kept;
   if (this->DroppedTriangles > 0)
@@ -237,6 +244,12 @@ void SceneMesh::MoveTo(vtkPolyData* scene)
   scene->SetPoints(points);
   scene->SetPolys(triangles);
   scene->GetCellData()->AddArray(materialIds);
+  if (this->TextureCoordinates.GetSize() > 0)
+  {
+    vtkFloatArray* coordinates = this->TextureCoordinates.Finish(6);
+    coordinates->SetName(vtkHeliosArrayNames::TextureCoordinates);
+    scene->GetCellData()->AddArray(coordinates);
+  }
   SetMaterials(scene, this->Materials);
 }
 

@@ -11,6 +11,7 @@
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkTypeInt32Array.h>
 
@@ -41,6 +42,8 @@ public:
   GrowingArray<vtkDoubleArray> Points;     ///< x y z per vertex
   GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices per triangle, from 0
   GrowingArray<vtkIntArray> MaterialIds;   ///< row of Materials per triangle
+  /// u v of the three corners per triangle; empty if not read
+  GrowingArray<vtkFloatArray> TextureCoordinates;
   MaterialTable Materials;
 
   void AddPoint(double x, double y, double z);

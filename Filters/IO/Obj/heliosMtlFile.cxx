@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace helios
 {
@@ -22,6 +23,11 @@ bool IsIgnored(std::string_view key)
     "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr", "aniso", "anisor", "Km",
     "helios_useVertexColors", "helios_castShadows", "helios_receiveShadows" };
   return key.substr(0, 4) == "map_" || std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+double Sum(const std::array<double, 3>& color)
+{
+  return color[0] + color[1] + color[2];
 }
 
 std::string ToText(double value)
@@ -113,6 +119,11 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
 {
   TextWords words(line);
   const std::string_view key = words.Next();
+  if (this->ReadsColors && this->Started && key == "map_Kd")
+  {
+    this->ReadTexture(file, words);
+    return true;
+  }
   if (key.empty() || IsIgnored(key))
   {
     return true;
@@ -131,11 +142,14 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
     return this->Report.Fail(file.GetPlace() + Quote(key) +
       " comes before any material; begin one with newmtl NAME above it");
   }
-  double unused = 0.0;
+  std::array<double, 3> unused;
   if (key == "Ka")
     return this->ReadColor(file, key, words, unused);
   if (key == "Kd")
+  {
+    this->CurrentColors.HasDiffuse = true;
     return this->ReadColor(file, key, words, this->CurrentColors.Diffuse);
+  }
   if (key == "Ks")
     return this->ReadColor(file, key, words, this->CurrentColors.Specular);
   if (key == "Ns")
@@ -153,10 +167,10 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
 }
 
 // A single number applies to all three components.
-bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, double& sum)
+bool MtlFile::ReadColor(
+  TextFile& file, std::string_view key, TextWords& words, std::array<double, 3>& color)
 {
-  double color[3];
-  int count = 0;
+  std::size_t count = 0;
   while (count < 3 && words.HasMore())
   {
     TextWords ahead = words;
@@ -176,8 +190,42 @@ bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, 
       (words.HasMore() ? " at " + Quote(words.Next()) : std::string()) +
       "; expected three finite numbers >= 0: red green blue");
   }
-  sum = count == 1 ? color[0] + color[0] + color[0] : color[0] + color[1] + color[2];
+  if (count == 1)
+  {
+    color.fill(color[0]);
+  }
   return true;
+}
+
+// The path of an image, beside the MTL file.
+void MtlFile::ReadTexture(TextFile& file, TextWords& words)
+{
+  const std::string name(words.NextTitle());
+  if (name.empty() || name[0] == '-')
+  {
+    this->Report.Warn(file.GetPlace() + "map_Kd of material " + Quote(this->Current.Name) +
+      (name.empty() ? " has no file" : " has options, which are not read: " + Quote(name)) +
+      ", so its colour is Kd; give the name of an image alone");
+    return;
+  }
+  const std::filesystem::path folder = std::filesystem::path(file.GetPath()).parent_path();
+  this->CurrentColors.Texture = (folder / name).string();
+}
+
+// Kd, of a texture alone white.
+MaterialColor MtlFile::MakeColor() const
+{
+  MaterialColor color;
+  const Colors& colors = this->CurrentColors;
+  if (this->ReadsColors && (colors.HasDiffuse || !colors.Texture.empty()))
+  {
+    for (std::size_t i = 0; i < color.Base.size(); ++i)
+    {
+      color.Base[i] = colors.HasDiffuse ? std::min(1.0, colors.Diffuse[i]) : 1.0;
+    }
+    color.Texture = colors.Texture;
+  }
+  return color;
 }
 
 bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
@@ -280,12 +328,14 @@ bool MtlFile::Finish(const std::string& path)
   {
     return true;
   }
-  if (!this->Optics.Finish(this->CurrentColors.Specular / 3.0, this->Current.Optics, this->Report))
+  if (!this->Optics.Finish(
+        Sum(this->CurrentColors.Specular) / 3.0, this->Current.Optics, this->Report))
   {
     return false;
   }
   this->Current.Specularity =
-    GetSpecularity(this->CurrentColors.Diffuse, this->CurrentColors.Specular);
+    GetSpecularity(Sum(this->CurrentColors.Diffuse), Sum(this->CurrentColors.Specular));
+  this->Current.Color = this->MakeColor();
   const int next = static_cast<int>(this->Materials.size());
   const auto [place, isNew] = this->Rows.emplace(this->Current.Name, next);
   if (isNew)

@@ -9,6 +9,7 @@
 #include "heliosMtlOptics.h"
 #include "heliosTextFile.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,8 +21,8 @@ namespace helios
 
 /**
  * Reads MTL files one by one into one table. Keys: newmtl, Kd, Ks, Ns, helios_reflectance,
- * helios_isGround, helios_classification, helios_spectra and those of MtlOptics; Ka is checked. The specularity of
- * every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the first one. A
+ * helios_isGround, helios_classification, helios_spectra and those of MtlOptics; Ka is checked;
+ * map_Kd is read with colours. The specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the first one. A
  * reflectance above 1 is read as percent, up to 100, with a warning.
  */
 class MtlFile
@@ -32,6 +33,9 @@ public:
     , Report(report)
   {
   }
+
+  /// Sets whether Kd and map_Kd become colours of the materials. Default: false.
+  void SetReadsColors(bool reads) { this->ReadsColors = reads; }
 
   /// Returns false after an error, which is in the report.
   bool Read(const std::string& path);
@@ -45,17 +49,22 @@ public:
 private:
   struct Colors
   {
-    double Diffuse = 0.0; // sums over red, green and blue
-    double Specular = 0.0;
+    std::array<double, 3> Diffuse{}; // red, green, blue
+    std::array<double, 3> Specular{};
+    bool HasDiffuse = false;
+    std::string Texture; // path; empty: none
   };
 
   bool ReadLine(TextFile& file, std::string_view line);
-  bool ReadColor(TextFile& file, std::string_view key, TextWords& words, double& sum);
+  bool ReadColor(
+    TextFile& file, std::string_view key, TextWords& words, std::array<double, 3>& color);
+  void ReadTexture(TextFile& file, TextWords& words);
   bool ReadExponent(TextFile& file, TextWords& words);
   bool ReadReflectance(TextFile& file, TextWords& words);
   bool ReadClassification(TextFile& file, TextWords& words);
   bool ReadIsGround(TextFile& file, TextWords& words);
   bool ReadSpectrum(TextFile& file, TextWords& words);
+  MaterialColor MakeColor() const;
   bool Start(TextFile& file, std::string_view name);
   bool Finish(const std::string& path);
   void CountUnknown(TextFile& file, std::string_view key);
@@ -64,6 +73,8 @@ private:
   TextReport& Report;
   std::unordered_map<std::string, int> Rows;
   std::unordered_map<std::string, int> FirstWordRows; // -1: ambiguous
+
+  bool ReadsColors = false;
 
   // The current material.
   bool Started = false;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace helios
 {
@@ -58,7 +59,12 @@ bool ObjParser::Read(const std::string& path)
     this->Report.Warn(this->FirstUnknown + ", ignored (" + std::to_string(this->UnknownCount) +
       " such lines in this file)");
   }
-  return !this->File.IsStopped() && this->CheckIndices();
+  const bool isGood = !this->File.IsStopped() && this->CheckIndices();
+  if (isGood && this->ReadsTextures)
+  {
+    this->PlaceTextures();
+  }
+  return isGood;
 }
 
 bool ObjParser::ReadLine(std::string_view line)
@@ -86,7 +92,8 @@ bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
   if (keyword == "vt")
   {
     ++this->Elements[1].Count;
-    return this->ReadNumbers(keyword, words, 1);
+    return this->ReadsTextures ? this->ReadTexturePoint(words)
+                               : this->ReadNumbers(keyword, words, 1);
   }
   if (keyword == "usemtl")
   {
@@ -144,6 +151,22 @@ bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int leas
   return this->FailNumber(keyword, status, words);
 }
 
+// u, v if it is there, and numbers that are not used.
+bool ObjParser::ReadTexturePoint(TextWords& words)
+{
+  double point[2] = { 0.0, 0.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    const TextWords::Number status = words.Next(point[i]);
+    if (status != TextWords::Number::Good && (i == 0 || status != TextWords::Number::None))
+    {
+      return this->FailNumber("vt", status, words);
+    }
+  }
+  this->TexturePoints.push_back({ static_cast<float>(point[0]), static_cast<float>(point[1]) });
+  return !words.HasMore() || this->ReadNumbers("vt", words, 0);
+}
+
 bool ObjParser::FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words)
 {
   const std::string cure = keyword == "v" ? "v needs three numbers: v x y z"
@@ -164,6 +187,7 @@ bool ObjParser::FailNumber(std::string_view keyword, TextWords::Number status, T
 bool ObjParser::ReadFace(TextWords& words)
 {
   this->Face.clear();
+  this->FaceTextures.clear();
   while (words.HasMore())
   {
     if (!this->ReadCorner(words))
@@ -206,6 +230,14 @@ bool ObjParser::ReadCorner(TextWords& words)
     if (isVertex)
     {
       this->Face.push_back(index - 1);
+    }
+    if (this->ReadsTextures && isVertex)
+    {
+      this->FaceTextures.push_back(0);
+    }
+    if (this->ReadsTextures && &element == this->Elements + 1 && isGiven)
+    {
+      this->FaceTextures.back() = index;
     }
     if (words.IsAtWordEnd())
     {
@@ -282,7 +314,33 @@ bool ObjParser::AddTriangles()
     corners[3 * i + 2] = this->Face[i + 2];
     useIds[i] = this->CurrentUse;
   }
+  for (std::size_t i = 1; this->ReadsTextures && i + 1 < this->FaceTextures.size(); ++i)
+  {
+    this->TriangleTextures.push_back(
+      { this->FaceTextures[0], this->FaceTextures[i], this->FaceTextures[i + 1] });
+  }
   return true;
+}
+
+// Sets the texture coordinates of all triangles, if one of them has any: they may follow the faces.
+void ObjParser::PlaceTextures()
+{
+  if (this->TexturePoints.empty())
+  {
+    return;
+  }
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  for (const std::array<int, 3>& triangle : this->TriangleTextures)
+  {
+    float* to = this->Mesh.TextureCoordinates.Append(6);
+    for (const int index : triangle)
+    {
+      const std::array<float, 2> point = index > 0
+        ? this->TexturePoints[static_cast<std::size_t>(index) - 1]
+        : std::array<float, 2>{ none, none };
+      to = std::copy(point.begin(), point.end(), to);
+    }
+  }
 }
 
 void ObjParser::AddLibrary(std::string_view names)

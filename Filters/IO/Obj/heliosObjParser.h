@@ -11,6 +11,7 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -39,6 +40,9 @@ public:
   /// Maximum number of corners (and vertices) of 32-bit cells.
   std::int64_t MaximumNumberOfCorners = MostCorners;
 
+  /// Sets whether texture coordinates are read: u v of every corner, NaN without. Default: false.
+  void SetReadsTextures(bool reads) { this->ReadsTextures = reads; }
+
   /// Returns false after an error, which is in the report, and if OnBlock stopped reading.
   bool Read(const std::string& path);
 
@@ -64,7 +68,9 @@ private:
   bool ReadFace(TextWords& words);
   bool ReadCorner(TextWords& words);
   bool Resolve(Element& element, int& index);
+  bool ReadTexturePoint(TextWords& words);
   bool AddTriangles();
+  void PlaceTextures();
   int AddUse(std::string_view name, std::int64_t line);
   void AddLibrary(std::string_view names);
   void Use(std::string_view name);
@@ -76,6 +82,10 @@ private:
   TextReport& Report;
   Element Elements[3] = { { "vertex" }, { "texture coordinate" }, { "normal" } };
   std::vector<vtkTypeInt32> Face;
+  bool ReadsTextures = false;
+  std::vector<std::array<float, 2>> TexturePoints;  // vt
+  std::vector<int> FaceTextures;                    // of the corners of a face, from 1; 0: none
+  std::vector<std::array<int, 3>> TriangleTextures; // likewise
   std::unordered_map<std::string, int> UseRows;
   int CurrentUse = -1;
   std::int64_t UnknownCount = 0;

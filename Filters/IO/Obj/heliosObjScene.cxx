@@ -49,10 +49,11 @@ ObjScene::ObjScene(ObjParser& parser, TextReport& report)
 {
 }
 
-bool ObjScene::ReadMaterials()
+bool ObjScene::ReadMaterials(bool withColors)
 {
   MaterialTable& materials = this->Parser.Mesh.Materials;
   MtlFile reader(materials, this->Report);
+  reader.SetReadsColors(withColors);
   for (const ObjParser::Statement& library : this->Parser.Libraries)
   {
     if (!this->ReadLibrary(library, reader))

@@ -20,8 +20,9 @@ class ObjScene
 public:
   ObjScene(ObjParser& parser, TextReport& report);
 
-  /// Reads the material libraries and resolves the materials used. False after an error.
-  bool ReadMaterials();
+  /// Reads the material libraries, with colours or not, and resolves the materials used. False
+  /// after an error.
+  bool ReadMaterials(bool withColors);
 
   /// "path:line: " of a vertex.
   std::string FindVertexPlace(vtkIdType vertex) const;

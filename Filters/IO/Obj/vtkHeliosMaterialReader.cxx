@@ -150,6 +150,7 @@ int vtkHeliosMaterialReader::RequestData(
   helios::MaterialTable materials;
   helios::TextReport report;
   helios::MtlFile file(materials, report);
+  file.SetReadsColors(this->ReadColors);
   const bool isRead = file.Read(this->FileName);
   for (const std::string& warning : report.Warnings)
   {
@@ -192,5 +193,6 @@ void vtkHeliosMaterialReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaterialName: " << (this->MaterialName ? this->MaterialName : "(none)") << '\n'
      << indent << "NumberOfMaterials: " << this->NumberOfMaterials << '\n'
      << indent << "RandomRange: " << this->RandomRange << '\n'
-     << indent << "Seed: " << this->Seed << '\n';
+     << indent << "Seed: " << this->Seed << '\n'
+     << indent << "ReadColors: " << this->ReadColors << '\n';
 }

@@ -76,6 +76,16 @@ public:
   vtkGetMacro(Seed, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether Kd and map_Kd become the colour of the material (vtkHeliosObjSceneReader).
+   * Default: off.
+   */
+  vtkSetMacro(ReadColors, bool);
+  vtkGetMacro(ReadColors, bool);
+  vtkBooleanMacro(ReadColors, bool);
+  ///@}
+
 protected:
   vtkHeliosMaterialReader() = default;
   ~vtkHeliosMaterialReader() override;
@@ -96,6 +106,7 @@ private:
   int NumberOfMaterials = 1;
   double RandomRange = 1.0;
   vtkIdType Seed = 0;
+  bool ReadColors = false;
 };
 
 #endif

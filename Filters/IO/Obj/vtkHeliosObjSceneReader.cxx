@@ -17,13 +17,14 @@ bool vtkHeliosObjSceneReader::ReadScene(vtkPolyData* scene, helios::TextReport& 
 {
   const std::string path = this->GetFileName();
   helios::ObjParser parser(report);
+  parser.SetReadsTextures(this->ReadColors);
   helios::ObjScene names(parser, report);
   parser.File.OnBlock = [this](double progress) { return this->ReportBlock(progress); };
   bool isRead = false;
   try
   {
     report.Error = helios::CheckObjMemory(path, parser.File.OnBlock).Message();
-    isRead = report.Error.empty() && parser.Read(path) && names.ReadMaterials();
+    isRead = report.Error.empty() && parser.Read(path) && names.ReadMaterials(this->ReadColors);
     if (isRead)
     {
       this->Finish(parser.Mesh, scene, report,
@@ -41,4 +42,11 @@ bool vtkHeliosObjSceneReader::ReadScene(vtkPolyData* scene, helios::TextReport& 
       report.Fail(parser.File.GetPlace() + "reading was aborted here; update again to read it");
   }
   return isRead;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosObjSceneReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReadColors: " << this->ReadColors << "\n";
 }

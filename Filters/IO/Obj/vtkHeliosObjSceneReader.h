@@ -47,6 +47,18 @@ class VTKHELIOSFILTERSIO_EXPORT vtkHeliosObjSceneReader : public vtkHeliosSceneR
 public:
   static vtkHeliosObjSceneReader* New();
   vtkTypeMacro(vtkHeliosObjSceneReader, vtkHeliosSceneReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get whether colours are read, for GenerateColors of vtkHeliosScanner: Kd and map_Kd of
+   * materials (columns Material.Color and Material.Texture), and texture coordinates (cell data
+   * TextureCoordinates, u v of each corner). Default: off.
+   */
+  vtkSetMacro(ReadColors, bool);
+  vtkGetMacro(ReadColors, bool);
+  vtkBooleanMacro(ReadColors, bool);
+  ///@}
 
 protected:
   vtkHeliosObjSceneReader() = default;
@@ -59,6 +71,8 @@ protected:
 private:
   vtkHeliosObjSceneReader(const vtkHeliosObjSceneReader&) = delete;
   void operator=(const vtkHeliosObjSceneReader&) = delete;
+
+  bool ReadColors = false;
 };
 
 #endif

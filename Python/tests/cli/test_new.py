@@ -18,7 +18,7 @@ from vtkhelios import cli
 from vtkhelios.example_surveys import KINDS, als, city, forest, mls, river, tls, write_example
 
 # Classes of the echoes: ground 2, low vegetation 3, high vegetation 5, building 6, water 9, road 11,
-# bridge 17, and of other things 1.
+# bridge 17, bottom of water 40, and of other things 1.
 CLASSES = {
     "tls": {2, 5, 6, 11},
     "als": {2, 5, 6},
@@ -26,7 +26,7 @@ CLASSES = {
     "mls": {1, 5, 6, 11},
     "forest": {2, 3, 5},
     "city": {2, 5, 6, 11},
-    "river": {1, 2, 3, 5, 9, 11, 17},
+    "river": {1, 2, 3, 5, 9, 11, 17, 40},
 }
 FEWER = 25  # every n-th pulse
 

@@ -101,6 +101,12 @@ def add_arguments(parser):
         "text as columns 14 and 15 after those of --scan-flags, in LAS as RIEGL names them",
     )
     parser.add_argument(
+        "--colors",
+        action="store_true",
+        help="echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with "
+        "--format las or vtp",
+    )
+    parser.add_argument(
         "--pulses",
         action="store_true",
         help="also write the pulses, including those without a hit",
@@ -258,6 +264,8 @@ def contradiction(arguments):
         )
     if arguments.waveforms_in_points and not (arguments.waveforms and arguments.format == "las"):
         return "--waveforms-in-points needs --format las and --waveforms: give all three"
+    if arguments.colors and arguments.format not in ("las", "vtp"):
+        return "--colors needs --format las or vtp: text has no colours"
     if arguments.check_all and not arguments.resume:
         return "--check-all needs --resume: give both"
     if arguments.dry_run and arguments.part:
@@ -374,6 +382,7 @@ def make_player(arguments, survey, messages):
     player.SetWaveformsInPoints(arguments.waveforms_in_points)
     player.SetWriteScanFlags(arguments.scan_flags)
     player.SetWriteDecibels(arguments.decibels)
+    player.SetWriteColors(arguments.colors)
     player.SetWritePulses(arguments.pulses)
     player.SetWriteTruth(arguments.truth)
     player.SetWriteColumns(arguments.columns)

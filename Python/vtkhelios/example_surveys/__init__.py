@@ -26,7 +26,7 @@ KINDS = {
     "mls": "a street, from a car that follows a recorded trajectory",
     "forest": "a stand with undergrowth, from three positions of a tripod",
     "city": "blocks of houses as CityJSON, from crossing strips of an aircraft",
-    "river": "a river with a bridge and willows, from two strips of an aircraft",
+    "river": "a river with its bed, a bridge and willows, from two strips of a bathymetric aircraft",
 }
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The river of vtkhelios new --kind river: terrain with a bed, a water surface and a bridge."""
+"""The river of vtkhelios new --kind river: terrain, a bed of gravel, water and a bridge."""
 
 import numpy as np
 
@@ -22,6 +22,7 @@ def write_geometry(folder):
     heights = height_at(*np.meshgrid(x, y))
     write_geotiff(folder / "terrain.tif", heights, WEST, SOUTH + DEPTH, PIXEL, EPSG)
     _make_water().write(folder / "water.obj")
+    _make_bed().write(folder / "bed.obj")
     _make_bridge().write(folder / "bridge.obj")
     write_tree(folder / "willow.obj", "Broadleaf", 31, 7.0, 1800, 6.0)
     write_tree(folder / "bush.obj", "Shrub", 32, 1.6, 600)
@@ -57,6 +58,26 @@ def _make_water():
     x, z = np.broadcast_to(x, y.shape), np.full(y.shape, WATER)
     water.add_grid("water", WEST + x, SOUTH + y, z)
     return water
+
+
+def _make_bed():
+    """Gravel over the terrain between the banks, with stones; its edges are below the terrain."""
+    random = np.random.default_rng(3)
+    x = np.linspace(0.5, WIDTH - 0.5, 300)
+    across = np.linspace(-HALF, HALF, 23)[:, None]
+    y = middle_at(x) + across
+    x = np.broadcast_to(x, y.shape)
+    rise = 0.12 - 0.4 * (np.abs(across) / HALF) ** 8
+    z = height_at(x, y) + rise + random.uniform(-0.05, 0.05, y.shape)
+    bed = Mesh()
+    bed.add_grid("gravel", WEST + x, SOUTH + y, z)
+    for _ in range(60):
+        along, aside = random.uniform(5.0, WIDTH - 5.0), random.uniform(-0.8, 0.8) * HALF
+        size, heading = random.uniform(0.2, 0.7), random.uniform(0.0, 90.0)
+        y = middle_at(along) + aside
+        place = (WEST + along, SOUTH + y, height_at(along, y))
+        bed.add_box("gravel", place, (-size, -size, 0.0), (size, size, size), heading)
+    return bed
 
 
 def _make_bridge():

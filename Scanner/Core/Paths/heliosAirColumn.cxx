@@ -43,7 +43,7 @@ double FindEnd(const AirSettings& air)
 } // namespace
 
 //------------------------------------------------------------------------------
-AirColumn::AirColumn(const AirSettings& settings)
+AirColumn::AirColumn(const AirSettings& settings, const std::function<double(double)>& share)
   : Backscatter(settings.Backscatter)
   , Step(settings.Step)
 {
@@ -54,7 +54,8 @@ AirColumn::AirColumn(const AirSettings& settings)
   this->End = FindEnd(settings);
   ColumnProfile profile(settings.Step);
   profile.Add(
-    settings.Start, this->End, [&](double range) { return GetDensity(settings, range); },
+    settings.Start, this->End,
+    [&](double range) { return GetDensity(settings, range) * (share ? share(range) : 1.0); },
     [](double, const ColumnProfile::Slab&) {});
   double near = 0.0;
   bool isFar = false; // returns come in pairs

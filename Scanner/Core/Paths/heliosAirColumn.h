@@ -8,6 +8,7 @@
 #include "heliosReturn.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
+#include <functional>
 #include <vector>
 
 namespace helios
@@ -41,9 +42,11 @@ class VTKHELIOSSCANNERCORE_EXPORT AirColumn
 {
 public:
   AirColumn() = default;
-  explicit AirColumn(const AirSettings& settings);
+  /// With the share of the backscatter that counts, by range; null: all.
+  explicit AirColumn(
+    const AirSettings& settings, const std::function<double(double)>& share = nullptr);
 
-  bool IsEmpty() const { return this->Slabs.empty(); }
+  bool IsEmpty() const { return !(this->Backscatter > 0.0); }
   double GetBackscatter() const { return this->Backscatter; }
   double GetEnd() const { return this->End; } ///< [m]
 

@@ -36,14 +36,44 @@ double GetVisible(const std::vector<Hidden>& hits, double range)
 } // namespace
 
 //------------------------------------------------------------------------------
-Droplets::Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter)
+Droplets::Droplets(
+  const AirSettings& air, double end, const BeamWidth& beam, double diameter, double leastPower)
   : Air(air)
   , Beam(beam)
-  , End(end)
+  , LeastPower(leastPower)
   , Section(0.25 * vtkMath::Pi() * diameter * diameter)
   , Density(
       beam.Angle > 0.0 && diameter > 0.0 ? air.Extinction / (Efficiency * this->Section) : 0.0)
 {
+  this->End = this->IsEmpty() ? 0.0 : this->FindEnd(end);
+}
+
+//------------------------------------------------------------------------------
+/// The range up to which drops on the axis reach the least power; their power falls with range.
+double Droplets::FindEnd(double end) const
+{
+  double low = this->Air.Start;
+  double high = end;
+  for (int i = 0; i < 60 && this->GetPower(high, 0.0) < this->LeastPower; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (this->GetPower(middle, 0.0) < this->LeastPower ? high : low) = middle;
+  }
+  return high;
+}
+
+//------------------------------------------------------------------------------
+double Droplets::GetRest(double range) const
+{
+  if (!(this->LeastPower > 0.0))
+  {
+    return 0.0;
+  }
+  const double k2 = Square(this->Beam.Truncation);
+  const double centre = this->GetWhole(range) * this->GetReceived(range, 0.0);
+  // The square of the distance from the axis, in K w, up to which drops reach the least power.
+  const double u = std::clamp(0.5 * std::log(centre / this->LeastPower) / k2, 0.0, 1.0);
+  return 1.0 - (1.0 - std::exp(-2.0 * k2 * u)) / (1.0 - std::exp(-2.0 * k2));
 }
 
 //------------------------------------------------------------------------------
@@ -73,19 +103,31 @@ double Droplets::FindRange(double volume) const
 }
 
 //------------------------------------------------------------------------------
-/// The power that a drop returns, at a range and the square of a distance from the axis in w.
-double Droplets::GetPower(double range, double away2) const
+/// What a drop receives of the beam, at a range and the square of a distance from the axis in w.
+double Droplets::GetReceived(double range, double away2) const
 {
   const double k2 = Square(this->Beam.Truncation);
   const double w2 = Square(this->Beam.Angle) * (range * range + Square(this->Beam.Apex));
   const double density = // energy per area of the beam
     2.0 / (vtkMath::Pi() * w2) * std::exp(-2.0 * away2) / (1.0 - std::exp(-2.0 * k2));
-  const double received = std::min(1.0, density * this->Section);
+  return density * this->Section;
+}
+
+//------------------------------------------------------------------------------
+/// The power that a drop would return of a whole beam.
+double Droplets::GetWhole(double range) const
+{
   // The backscatter of a drop is that of the air, over n: 2 section / lidar ratio.
-  const double response =
-    vtkMath::Pi() * Efficiency * this->Air.Backscatter / this->Air.Extinction * received;
+  const double response = vtkMath::Pi() * Efficiency * this->Air.Backscatter / this->Air.Extinction;
   return this->Air.Gain * std::exp(-2.0 * this->Air.Extinction * range) / (range * range) *
     response;
+}
+
+//------------------------------------------------------------------------------
+/// The power that a drop returns.
+double Droplets::GetPower(double range, double away2) const
+{
+  return this->GetWhole(range) * std::min(1.0, this->GetReceived(range, away2));
 }
 
 //------------------------------------------------------------------------------
@@ -102,10 +144,10 @@ void Droplets::Append(std::uint64_t seed, vtkIdType pulse, std::vector<Hidden>& 
     {
       return;
     }
-    if (u[1] < GetVisible(hits, range))
+    const double power = this->GetPower(range, u[2] * Square(this->Beam.Truncation));
+    if (power >= this->LeastPower && u[1] < GetVisible(hits, range))
     {
-      const double away2 = u[2] * Square(this->Beam.Truncation);
-      returns.push_back({ range, this->GetPower(range, away2), 1.0, -1, SubReturn::Column });
+      returns.push_back({ range, power, 1.0, -1, SubReturn::Column });
     }
   }
 }

@@ -28,18 +28,23 @@ struct BeamWidth
 /**
  * Air whose extinction alpha is that of drops of one diameter d, which is n 2 pi d^2 / 4 of n drops in a
  * volume (the extinction efficiency of large drops is 2). Their places are a Poisson process in
- * the beam, of the seed and the pulse. Each returns what it receives of the beam there, so that the
- * mean over many pulses is that of AirColumn.
+ * the beam, of the seed and the pulse. Each returns what it receives of the beam there. Drops that
+ * would return less than a least power are no returns of their own: the rest of an AirColumn stands
+ * for them, and the mean over many pulses is that of the whole column.
  */
 class VTKHELIOSSCANNERCORE_EXPORT Droplets
 {
 public:
   Droplets() = default;
-  /// Of a diameter [m].
-  Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter);
+  /// Of a diameter [m] and a least power [W].
+  Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter,
+    double leastPower = 0.0);
 
   bool IsEmpty() const { return !(this->Density > 0.0); }
   double GetDensity() const { return this->Density; } ///< [1/m3]
+
+  /// The share of the energy that comes from drops below the least power, at a range.
+  double GetRest(double range) const;
 
   /// The volume of a beam up to a range [m3].
   double GetVolume(double range) const;
@@ -50,12 +55,16 @@ public:
 
 private:
   double FindRange(double volume) const;
+  double FindEnd(double end) const;
+  double GetReceived(double range, double away2) const;
+  double GetWhole(double range) const;
   double GetPower(double range, double away2) const;
 
   AirSettings Air;
   BeamWidth Beam;
-  double End = 0.0;
-  double Section = 0.0; // of a drop [m2]
+  double LeastPower = 0.0; // [W]
+  double End = 0.0;        // of the drops that reach it [m]
+  double Section = 0.0;    // of a drop [m2]
   double Density = 0.0;
 };
 

@@ -228,6 +228,7 @@ void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
   channel->SetGenerateScanFlags(this->Settings.ScanFlags);
   channel->SetGenerateColumns(this->Settings.Columns);
   channel->SetGenerateDecibels(this->Settings.Decibels);
+  channel->SetGenerateColors(this->Settings.Colors);
 }
 
 //------------------------------------------------------------------------------
@@ -247,6 +248,7 @@ void LegScanner::SetOutputs(const RunSettings& settings)
   this->Settings.ScanFlags = settings.ScanFlags;
   this->Settings.Columns = settings.Columns;
   this->Settings.Decibels = settings.Decibels;
+  this->Settings.Colors = settings.Colors;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     this->ApplyOutputs(channel);

@@ -32,6 +32,7 @@ struct RunSettings
   bool ScanFlags = false;         ///< with the echoes
   bool Columns = false;           ///< with the echoes; written as vtp only
   bool Decibels = false;          ///< with the echoes
+  bool Colors = false;            ///< with the echoes
   bool WaveformsInPoints = false; ///< LAS: in one file with the points
 
   std::string Folder; ///< of the files

@@ -102,6 +102,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   {
     options["decibels"] = true;
   }
+  if (settings.Colors)
+  {
+    options["colors"] = true;
+  }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)

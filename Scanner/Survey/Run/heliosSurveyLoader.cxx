@@ -75,8 +75,8 @@ bool SurveyLoader::Origin::operator==(const Origin& other) const
 {
   const auto tie = [](const Origin& o)
   {
-    return std::tie(
-      o.Survey, o.SurveyTime, o.Epoch, o.Seed, o.Instances, o.Scene, o.SceneTime, o.Files);
+    return std::tie(o.Survey, o.SurveyTime, o.Epoch, o.Seed, o.Instances, o.Colors, o.Scene,
+      o.SceneTime, o.Files);
   };
   return tie(*this) == tie(other);
 }
@@ -237,7 +237,7 @@ SurveyLoader::Origin SurveyLoader::FindOrigin() const
 {
   const RunInputs& inputs = this->Inputs;
   Origin origin{ inputs.Survey, inputs.SurveyTime, inputs.Options.Epoch, inputs.Options.Seed,
-    inputs.Instances, inputs.Scene, FindTime(inputs), {} };
+    inputs.Instances, inputs.Colors, inputs.Scene, FindTime(inputs), {} };
   if (!this->HasGivenScene())
   {
     std::set<std::string> files; // each once: parts of a table have the same
@@ -291,6 +291,7 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
     this->Builder = std::make_unique<SceneBuilder>(
       this->Inputs.Survey->Scene, this->Log, this->Inputs.Options.Seed);
     this->Builder->SetInstances(this->Inputs.Instances);
+    this->Builder->SetColors(this->Inputs.Colors);
   }
   this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Epoch);
   this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();

@@ -39,6 +39,7 @@ struct RunInputs
   vtkPolyData* Mesh = nullptr;            ///< that beams hit in place of the scene; null: none
   std::vector<vtkPolyData*> Trajectories; ///< replace the files of platforms; empty: none
   bool Instances = false;                 ///< whether the scene may have them
+  bool Colors = false;                    ///< whether meshes are read with their colours
 };
 
 /**
@@ -84,6 +85,7 @@ private:
     int Epoch = 0;
     vtkIdType Seed = 0;
     bool Instances = false;
+    bool Colors = false;
     vtkDataObject* Scene = nullptr;
     vtkMTimeType SceneTime = 0;
     std::vector<std::string> Files; ///< with size and time

@@ -371,6 +371,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
     return this->GetReader(part, part.Files.front());
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
+  composer->SetPassColors(this->HasColors);
   this->Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
@@ -429,7 +430,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   Filter& reader = this->MeshReaders[MakeSceneReaderKey(part, file)];
   if (!reader)
   {
-    reader = MakeSceneReader(part, file);
+    reader = MakeSceneReader(part, file, this->HasColors);
     this->Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
@@ -471,6 +472,7 @@ PartPipelines::Filter PartPipelines::AddMaterial(const MaterialData& material, F
   reader->SetNumberOfMaterials(material.Count);
   reader->SetRandomRange(material.RandomRange);
   reader->SetSeed(this->Seed);
+  reader->SetReadColors(this->HasColors);
   return this->Connect(reader, before);
 }
 

@@ -52,6 +52,9 @@ public:
   /// last, and rasters of heights stay ones; before GetSource(). Default: false.
   void SetSharing(bool isOn) { this->IsSharing = isOn; }
 
+  /// Sets whether meshes are read with their colours; before GetSource(). Default: false.
+  void SetColors(bool areRead) { this->HasColors = areRead; }
+
   /// Whether a part is a raster of heights that stays one.
   bool IsRaster(const PartData& part) const;
 
@@ -102,6 +105,7 @@ private:
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
   bool IsSharing = false;
+  bool HasColors = false;
   std::map<std::string, Filter> Shared; // the filters before the place, by what they depend on
   std::map<std::string, Filter> RasterReaders; // by file
   std::set<std::string> NoRasters;             // files that can only be meshes

@@ -170,9 +170,17 @@ std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
 }
 
 //------------------------------------------------------------------------------
+void SceneBuilder::SetColors(bool areRead)
+{
+  this->HasColors = areRead;
+  this->Pipelines.SetColors(areRead);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 {
   vtkNew<vtkHeliosSceneComposer> composer;
+  composer->SetPassColors(this->HasColors);
   this->Log.Listen(composer, this->Scene.Where);
   this->AddParts(composer, withPartsOnGround);
   const int count = composer->GetNumberOfInputConnections(0);

@@ -39,6 +39,9 @@ public:
   /// false.
   void SetInstances(bool areMade) { this->MakesInstances = areMade; }
 
+  /// Sets whether the parts have their colours. Before Build(). Default: false.
+  void SetColors(bool areRead);
+
   /// All parts of an epoch as one scene, with parts on the ground placed there; null after an error,
   /// or if stopped.
   vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int epoch = 0);
@@ -74,6 +77,7 @@ private:
   PartPipelines Pipelines;
   std::vector<Part> Parts;
   bool MakesInstances = false;
+  bool HasColors = false;
   LowestCorners Lowest;
 };
 

@@ -35,6 +35,13 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeCityReader(const PartData& part)
   return reader;
 }
 
+vtkSmartPointer<vtkHeliosSceneReader> MakeObjReader(bool withColors)
+{
+  auto reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
+  reader->SetReadColors(withColors);
+  return reader;
+}
+
 vtkSmartPointer<vtkHeliosSceneReader> MakeGltfReader(const PartData& part)
 {
   auto reader = vtkSmartPointer<vtkHeliosGLTFSceneReader>::New();
@@ -42,7 +49,7 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeGltfReader(const PartData& part)
   return reader;
 }
 
-vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part)
+vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part, bool withColors)
 {
   switch (part.Type)
   {
@@ -55,7 +62,7 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part)
     case Loader::Gltf:
       return MakeGltfReader(part);
     default:
-      return vtkSmartPointer<vtkHeliosObjSceneReader>::New();
+      return MakeObjReader(withColors);
   }
 }
 
@@ -69,13 +76,14 @@ SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(const PartData& part, const std::string& file)
+vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
+  const PartData& part, const std::string& file, bool withColors)
 {
   if (part.Type == Loader::GeoTiff)
   {
     return MakeGeoTiffReader(file);
   }
-  const vtkSmartPointer<vtkHeliosSceneReader> reader = MakeMeshReader(part);
+  const vtkSmartPointer<vtkHeliosSceneReader> reader = MakeMeshReader(part, withColors);
   reader->SetFileName(file.c_str());
   const bool isUpY = part.UpIsY || part.Type == Loader::Gltf;
   reader->SetUpAxis(isUpY ? vtkHeliosSceneReader::UP_AXIS_Y : vtkHeliosSceneReader::UP_AXIS_Z);

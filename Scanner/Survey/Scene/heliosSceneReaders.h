@@ -21,9 +21,9 @@ namespace helios
 using SceneReaderKey = std::tuple<Loader, std::string, bool, std::string, std::string>;
 SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file);
 
-/// The reader of a file of a part; its loader is one of meshes.
+/// The reader of a file of a part; its loader is one of meshes. Colours are read of OBJ files.
 vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
-  const PartData& part, const std::string& file);
+  const PartData& part, const std::string& file, bool withColors = false);
 
 /// Whether the file of a part has materials of its own, which the material file replaces by name.
 bool HasOwnMaterials(const PartData& part);

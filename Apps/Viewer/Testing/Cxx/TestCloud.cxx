@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloud.h"
+#include "heliosCloudColors.h"
 #include "heliosViewerTest.h"
 
 #include <catch2/catch.hpp>
@@ -8,9 +9,11 @@
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkTypeInt64Array.h>
+#include <vtkUnsignedShortArray.h>
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace helios;
 using namespace helios::viewer;
@@ -188,4 +191,36 @@ TEST_CASE("Cloud: blocks without points have no effect")
   cloud.Append(vtkNew<vtkPolyData>());
   CHECK(cloud.GetNumberOfPoints() == 0);
   CHECK_FALSE(cloud.Has(CloudColumn::Height));
+}
+
+TEST_CASE("Cloud: points keep colours of their own, real numbers or whole ones")
+{
+  const bool areWords = GENERATE(false, true);
+  vtkNew<vtkFloatArray> real;
+  vtkNew<vtkUnsignedShortArray> words;
+  vtkDataArray* colors = areWords ? static_cast<vtkDataArray*>(words.Get()) : real.Get();
+  colors->SetName(names::RGB);
+  colors->SetNumberOfComponents(3);
+  const double full = areWords ? 65535.0 : 1.0;
+  colors->InsertNextTuple3(full, 0.2 * full, 0.0);
+  colors->InsertNextTuple3(0.0, 0.0, 0.4 * full);
+  const auto painted = MakeEchoes({ { 0, 0, 0 }, { 1, 0, 0 } });
+  painted->GetPointData()->AddArray(colors);
+  Cloud cloud;
+  cloud.Append(MakeEchoes({ { 2, 0, 0 } }));
+  CHECK_FALSE(cloud.Has(CloudColumn::Color));
+  CHECK(cloud.GetChunks().front()->Colors.empty());
+  cloud.Append(painted);
+  cloud.Append(MakeEchoes({ { 3, 0, 0 } }));
+  CHECK(cloud.Has(CloudColumn::Color));
+
+  CloudColors mapped;
+  mapped.By = ColorBy::Own;
+  std::uint8_t rgba[16];
+  mapped.Map(cloud, *cloud.GetChunks().front(), 0, 4, rgba);
+  const std::vector<int> expected{ 128, 128, 128, 255, 255, 51, 0, 255, 0, 0, 102, 255, 128, 128,
+    128, 255 };
+  CHECK(std::vector<int>(rgba, rgba + 16) == expected);
+  CHECK_FALSE(mapped.FitRange({ 1.0, 2.0 }));
+  CHECK(mapped.MakeLegend(cloud, {}).Colors.empty());
 }

@@ -7,12 +7,15 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkShortArray.h>
 #include <vtkStringArray.h>
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -241,6 +244,38 @@ TEST_CASE("SceneComposer: normals of parts that have them", "[SceneComposer]")
   CHECK(joined->GetComponent(0, 2) == 0.0);
   CHECK(joined->GetComponent(1, 0) == 0.6f);
   CHECK(joined->GetComponent(1, 2) == 0.8f);
+}
+
+TEST_CASE("SceneComposer: colours are passed if asked, NaN for parts without", "[SceneComposer]")
+{
+  const auto painted = helios::MakeTriangle(0.0, { Grass });
+  for (const auto& [name, components] :
+    { std::pair(names::TextureCoordinates, 6), std::pair(names::RGB, 3) })
+  {
+    vtkNew<vtkFloatArray> values;
+    values->SetName(name);
+    values->SetNumberOfComponents(components);
+    values->SetNumberOfTuples(painted->GetNumberOfCells());
+    values->Fill(0.5);
+    painted->GetCellData()->AddArray(values);
+  }
+  vtkNew<vtkHeliosSceneComposer> composer;
+  composer->AddInputData(helios::MakeTriangle(5.0, { Wall }));
+  composer->AddInputData(painted);
+  composer->Update();
+  CHECK_FALSE(composer->GetOutput()->GetCellData()->HasArray(names::TextureCoordinates));
+  CHECK_FALSE(composer->GetOutput()->GetCellData()->HasArray(names::RGB));
+
+  composer->PassColorsOn();
+  composer->Update();
+  for (const char* name : { names::TextureCoordinates, names::RGB })
+  {
+    vtkDataArray* joined = composer->GetOutput()->GetCellData()->GetArray(name);
+    REQUIRE(joined != nullptr);
+    REQUIRE(joined->GetNumberOfTuples() == 2);
+    CHECK(std::isnan(joined->GetComponent(0, 0)));
+    CHECK(joined->GetComponent(1, 2) == 0.5);
+  }
 }
 
 TEST_CASE("SceneComposer: a changed name is a modification", "[SceneComposer]")

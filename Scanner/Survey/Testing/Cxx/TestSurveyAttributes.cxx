@@ -33,7 +33,7 @@ const std::map<std::string, std::string> Values = { { "beamDivergenceMinor_rad",
   { "min", "-5.5" }, { "clipMin", "-5.5" }, { "expr", "0.001 * THETA" },
   { "distanceMeasurementError", "1 + 0.01 * t" }, { "seed", "40" },
   { "interpolationDomain", "position" }, { "pulseShape", "helios" }, { "trajectory", __FILE__ },
-  { "matfile", __FILE__ }, { "ladlut", __FILE__ } };
+  { "matfile", __FILE__ }, { "ladlut", __FILE__ }, { "weather", "fog 0.5" } };
 
 const XmlValueRule& FindRule(const std::string& element, const std::string& name)
 {
@@ -60,7 +60,7 @@ std::string MakeValue(const std::string& element, const std::string& name)
   {
     return Values.at(name);
   }
-  for (const char* number : { "5.5", "0.25", "0.0625", "300" })
+  for (const char* number : { "5.5", "0.25", "0.0625", "300", "0.002" })
   {
     if (rule.Kind == XmlKind::Real && rule.Range.Contains(std::stod(number)))
     {

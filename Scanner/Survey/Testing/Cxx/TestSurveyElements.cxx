@@ -139,6 +139,7 @@ std::string MakeValue(const XmlValueRule& rule)
     : rule.Kind == XmlKind::Rotation   ? ""
     : name == "pulseShape"             ? "helios"
     : name == "efilepath"              ? "pl.*[.]obj"
+    : name == "weather"                ? "fog 0.5"
     : name == "seed"                   ? "40"
     : name == "expr" || name == "distanceMeasurementError" ? "0.5"
                                                            : "plane.obj";

@@ -97,6 +97,56 @@ TEST_CASE("Droplets: their number is Poisson's, and their mean power that of the
   CHECK((apex == 0.0 || near == Approx(Integrate(air.Start, 15.0, density)).epsilon(0.05)));
 }
 
+TEST_CASE("Droplets: weak ones are a column, and the mean stays that of the air", "[Droplets]")
+{
+  const AirSettings air = MakeAir();
+  const BeamWidth beam{ 0.5e-3, 25.0, 2.0 };
+  const double least = GENERATE(1e-9, 1e-7, 1e-6);
+  const Droplets all(air, Stop, beam, Diameter);
+  const Droplets strong(air, Stop, beam, Diameter, least);
+  const auto density = [&](double r)
+  {
+    return air.Gain * vtkMath::Pi() * air.Backscatter * std::exp(-2.0 * air.Extinction * r) /
+      (r * r);
+  };
+  double count = 0.0, countOfAll = 0.0, power = 0.0;
+  constexpr int pulses = 20000;
+  bool areStrong = true;
+  for (int i = 0; i < pulses; ++i)
+  {
+    std::vector<Hidden> none;
+    std::vector<SubReturn> returns, whole;
+    strong.Append(7, i, none, returns);
+    all.Append(7, i, none, whole);
+    count += static_cast<double>(returns.size());
+    countOfAll += static_cast<double>(whole.size());
+    for (const SubReturn& r : returns)
+    {
+      areStrong = areStrong && r.Power >= least;
+      power += r.Power / pulses;
+    }
+  }
+  CHECK(areStrong);
+  CHECK(count < countOfAll);
+  const double mean = Integrate(air.Start, Stop, density);
+  const double rest =
+    Integrate(air.Start, Stop, [&](double r) { return density(r) * strong.GetRest(r); });
+  CHECK(rest > 0.0);
+  CHECK(rest < mean);
+  CHECK(power + rest == Approx(mean).epsilon(0.03));
+
+  const helios::AirColumn column(air, [&strong](double r) { return strong.GetRest(r); });
+  std::vector<Hidden> none;
+  std::vector<SubReturn> slabs;
+  column.Append(none, slabs);
+  double sum = 0.0;
+  for (const SubReturn& r : slabs)
+  {
+    sum += r.Power;
+  }
+  CHECK(sum == Approx(rest).epsilon(0.01));
+}
+
 TEST_CASE("Droplets: those behind surfaces are not seen", "[Droplets]")
 {
   const Droplets drops(MakeAir(), Stop, { 0.5e-3, 25.0, 2.0 }, Diameter);

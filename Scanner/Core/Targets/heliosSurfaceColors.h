@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours of the surfaces of a scene.
+
+#ifndef heliosSurfaceColors_h
+#define heliosSurfaceColors_h
+
+#include "heliosMaterialTable.h"
+#include "heliosPose.h"
+#include "heliosSceneGeometry.h"
+#include "heliosTexture.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkImageData;
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * The colour of a place on a surface: that of the array RGB of its triangle, else the base colour of
+ * its material times its texture; black if it has none.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT SurfaceColors
+{
+public:
+  /**
+   * Reads the colours of a scene and its voxel grids; keeps the arrays alive, and the geometry must
+   * outlive this (null: no triangles). Textures that cannot be read are left out, with a fault each.
+   */
+  void Set(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
+    const SceneGeometry* geometry, TextureStore& store, std::vector<std::string>& faults);
+
+  /// Whether anything is coloured.
+  bool IsEmpty() const { return !this->HasColors; }
+
+  /// The colour of a cell, whose material is a row of those of the scene and then of the grids, at
+  /// a point.
+  std::array<float, 3> Find(vtkIdType cell, int material, const Vec3& point) const;
+
+private:
+  /// The cell arrays of a mesh; null: none.
+  struct Arrays
+  {
+    vtkSmartPointer<vtkDataArray> Colors;
+    vtkSmartPointer<vtkDataArray> Coordinates;
+  };
+  struct Row
+  {
+    MaterialColor Color;
+    std::shared_ptr<const Texture> Image; ///< null: none
+  };
+
+  Arrays FindArrays(vtkPolyData* mesh);
+  void AddMaterials(vtkDataObject* data, TextureStore& store, std::vector<std::string>& faults);
+  bool GetCoordinates(const Arrays& arrays, vtkIdType triangle, vtkIdType cell, const Vec3& point,
+    double coordinates[2]) const;
+
+  const SceneGeometry* Geometry = nullptr;
+  Arrays Mesh;
+  std::vector<Arrays> Prototypes;
+  std::vector<Row> Rows; // of the materials
+  bool HasColors = false;
+};
+
+} // namespace helios
+
+#endif
