@@ -29,6 +29,7 @@ enum class RandomStream : std::uint32_t
   RandomMaterial = 22,
   PartTable = 23,
   Droplets = 24,
+  Waves = 25,
   ScanPositions = 40
 };
 

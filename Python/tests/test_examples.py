@@ -12,6 +12,8 @@ import _programs
 import numpy as np
 import pytest
 
+import vtkhelios
+
 EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
 
 
@@ -105,6 +107,21 @@ def test_river_section(tmp_path, capsys):
     measured, corrected = map(float, re.findall(r"bed, \w+: ([\d.]+) m from the truth", said))
     assert measured > 0.5 and corrected < 0.05
     assert (tmp_path / "river_section.png").stat().st_size > 20_000
+
+
+def test_street_ghosts(tmp_path, capsys):
+    example = load("street_ghosts")
+    survey = vtkhelios.read_survey(example.write_survey(tmp_path / "street"))
+    cloud = survey.run(truth=True, seed=1, pulse_step=20)
+    kinds = example.classify(cloud)
+    through, ghosts = kinds == 1, kinds == 2
+    assert through.sum() > 500 and ghosts.sum() > 500
+    # Mirrored by the shop front, y = 6: the houses opposite, y = -8, appear at y = 20.
+    mirrored = ghosts & (np.abs(cloud["TruePoint"][:, 1] + 8) < 1e-3)
+    assert mirrored.sum() > 100
+    assert np.abs(cloud.points[mirrored & (cloud.points[:, 1] > 6), 1] - 20).max() < 0.1
+    example.draw(cloud, kinds, tmp_path / "ghosts.png")
+    assert (tmp_path / "ghosts.png").stat().st_size > 20_000
 
 
 def test_figure_videos(make_survey, tmp_path):

@@ -201,6 +201,8 @@ def test_changed_input(survey):
 
 
 def test_interrupt_and_resume(survey):
+    path = survey / "survey.xml"  # long enough to be met before its end
+    path.write_text(SURVEY.replace('headRotatePerSec_deg="30"', 'headRotatePerSec_deg="5"'))
     command = [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", *BLOCK]
     broken = subprocess.Popen(
         command,

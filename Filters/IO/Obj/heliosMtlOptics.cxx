@@ -86,6 +86,13 @@ bool MtlOptics::Finish(double specular, MaterialOptics& optics, TextReport& repo
   const auto water = this->Lines.find(WaterKey);
   if (kind == this->Lines.end() && water == this->Lines.end())
   {
+    const auto own = std::find_if(
+      this->Lines.begin(), this->Lines.end(), [](const auto& line) { return IsOwn(line.first); });
+    if (own != this->Lines.end())
+    {
+      report.Warn(own->second.Place + own->first + " has no effect without " + KindKey + "; add " +
+        KindKey + " with the kind, such as pane");
+    }
     return true;
   }
   return (kind == this->Lines.end() || this->SetKind(kind->second, specular, optics, report)) &&

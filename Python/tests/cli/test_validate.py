@@ -70,6 +70,29 @@ def test_deep(command_line, make_survey):
     assert command_line("validate", scene, "--deep").returncode == 0  # a scene alone is not loaded
 
 
+def test_deep_explains_optics(command_line, make_survey):
+    """Materials with mirrors, glass and water are notes, which are no warnings."""
+    survey = make_survey()
+    mesh = survey.with_name("plane.obj")
+    mesh.write_text(f"mtllib optics.mtl\nusemtl window\n{mesh.read_text()}")
+    survey.with_name("optics.mtl").write_text(
+        "newmtl window\nhelios_optics pane\nNi 1.52\nhelios_thickness 0.008\n"
+        "newmtl pond\nhelios_water coastal\nhelios_meanSquareSlope 0.02\n"
+        "newmtl mirror\nhelios_optics mirror\nhelios_mirrorReflectance 0.9\n"
+        "newmtl wall\nhelios_reflectance 0.4\n"
+    )
+    done = command_line("validate", survey, "--deep", "--strict")
+    assert done.returncode == 0, done.stdout
+    *notes, last = done.stdout.splitlines()
+    assert last == "1 file: 0 errors, 0 warnings"
+    assert [line.split(": ", 1)[1] for line in notes] == [
+        "note: material window: a pane 0.008 m thick, of index 1.52",
+        "note: material pond: water of index 1.34, attenuation 0.182 1/m at 532 nm, backscatter 0.00045 "
+        "1/(m sr), rough: mean square slope 0.02",
+        "note: material mirror: a mirror that reflects 0.9",
+    ]
+
+
 def test_all_errors_are_reported_at_once(validate):
     code, lines = validate(WRONG)
     assert code == 1

@@ -10,6 +10,7 @@ import re
 from .._pipeline import SimilarMessages
 from ..vtkHeliosScannerSurvey import vtkHeliosSurveySource
 from ._messages import Messages, say_error
+from ._optics import describe_optics
 from ._reading import add_assets_argument, make_reader, missing_folder
 from ._streams import visible
 
@@ -23,7 +24,8 @@ survey, as a run does. Everything in a file is checked, whether a
 survey uses it or not, and so is everything that a survey refers to.
 
 An error stops a run; a warning is about a difference between a run and what the file may mean, such
-as an attribute that is unknown, or not modelled.
+as an attribute that is unknown, or not modelled. With --deep notes tell what materials do that reflect
+or transmit light.
 
 what it prints: file:line: error: the problem, the value, and the remedy; one line each.
 
@@ -41,7 +43,7 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
 
 @dataclasses.dataclass
 class Finding:
-    """An error; line is None for a whole file."""
+    """An error, warning or note; line is None for a whole file."""
 
     file: str
     line: int | None
@@ -120,6 +122,9 @@ def load_scene(reader, messages):
     messages.watch(source)
     if not source.Load():
         messages.error_unless_told("its scene cannot be loaded")
+        return
+    for text in describe_optics(source.GetScene()):
+        messages.add("note", f"material {text}")
 
 
 def merge_similar(findings):
@@ -151,7 +156,7 @@ def run(arguments):
             if found not in findings
         ]
     errors = sum(found.severity == "error" for found in findings)
-    warnings = len(findings) - errors
+    warnings = sum(found.severity == "warning" for found in findings)
     if arguments.json:
         print(json.dumps([dataclasses.asdict(found) for found in findings], indent=1))
     else:

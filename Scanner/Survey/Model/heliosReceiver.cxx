@@ -49,6 +49,8 @@ void SetUpRadiometry(const ScannerData& data, const RunOptions& options, vtkHeli
   scanner->SetAtmosphericExtinction(hasAir ? receiver.Extinction : 0.0);
   scanner->SetAtmosphericLidarRatio(hasAir ? receiver.LidarRatio : 0.0);
   scanner->SetDropletDiameter(receiver.DropletDiameter);
+  scanner->SetMaximumSpecularEvents(receiver.MaximumSpecularEvents);
+  scanner->SetLeastSpecularShare(receiver.LeastSpecularShare);
   scanner->SetWeather(!hasAir ? "" : options.Weather.empty() ? receiver.Weather : options.Weather);
   scanner->SetSolarIrradiance(receiver.SolarIrradiance);
   scanner->SetFilterBandwidth(receiver.FilterBandwidth);

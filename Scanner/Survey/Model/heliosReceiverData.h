@@ -76,6 +76,8 @@ struct ReceiverData
   double FilterBandwidth = 1.0;     ///< [nm]
   double FieldOfView = 1e-3;        ///< [rad], full angle
   double Extinction = -1.0;         ///< [1/m]; negative: from the visibility
+  int MaximumSpecularEvents = 8;    ///< of a path behind mirrors and glass
+  double LeastSpecularShare = 1e-4; ///< of its energy
   double LidarRatio = 0.0;          ///< of the air [sr]; 0: no backscatter
   double DropletDiameter = 0.0;     ///< [m]; 0: no single drops
   std::string Weather;              ///< see ParseWeather()

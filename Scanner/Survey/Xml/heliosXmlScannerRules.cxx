@@ -57,6 +57,8 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("lidarRatio_sr", "extinction of the air over its backscatter, which makes echoes; 0: no backscatter").In("sr", { 0.0, 1e6 }).At<Receiver, &ReceiverData::LidarRatio>(),
     Number("dropletDiameter_m", "with a lidar ratio: diameter of single drops, which return light at random places; 0: homogeneous air").In("m", { 0.0, 0.05 }).At<Receiver, &ReceiverData::DropletDiameter>(),
     Text("weather", "fog, smoke or dust and the visibility in km, or rain, snow or sleet and mm/h, such as fog 0.2; overrides extinction and lidar ratio").Default("clear").Checked(FindFaultOfWeather).At<Receiver, &ReceiverData::Weather>(),
+    Integer("maxSpecularEvents", "the most reflections and refractions of a path by mirrors, glass and water").In("", { 0.0, 64.0 }).At<Receiver, &ReceiverData::MaximumSpecularEvents>(),
+    Number("leastSpecularShare", "the least share of the energy of a sub-ray, out and back, with which such a path goes on").In("", { 0.0, 1.0 }).At<Receiver, &ReceiverData::LeastSpecularShare>(),
     Number("detectorNoise_nW", "standard deviation of waveform noise").In("nW", { 0.0, 1e15 }).Scaled(WattsPerNanowatt).At<Receiver, &ReceiverData::DetectorNoise>(),
     Number("saturation_nW", "power to which the received signal is clipped; 0: no limit").In("nW", { 0.0, 1e15 }).Scaled(WattsPerNanowatt).At<Receiver, &ReceiverData::Saturation>(),
     Number("deadTime_ns", "an echo within this time after a detected one is lost").In("ns", { 0.0, 1e6 }).At<Receiver, &ReceiverData::DeadTime>(),

@@ -87,6 +87,18 @@ TEST_CASE("MtlOptics: standard keys count only where they are asked for", "[MtlO
   CHECK(ReadOptics("helios_optics illum\nillum 2\nd 1\n") == MaterialOptics());
 }
 
+TEST_CASE("MtlOptics: numbers without a kind have no effect, with a warning", "[MtlOptics]")
+{
+  TestFolder folder;
+  const std::string path = folder.Write("a.mtl", "newmtl m\nNi 1.5\nhelios_thickness 0.01\n");
+  ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl m\nf 1 2 3\n"));
+  REQUIRE(reading.Read());
+  CHECK(reading.Log->HasWarning(path +
+    ":3: helios_thickness has no effect without helios_optics; "
+    "add helios_optics with the kind, such as pane"));
+  CHECK(reading.MaterialOf(0).Optics == MaterialOptics());
+}
+
 TEST_CASE("MtlOptics: a scene without them has no columns for them", "[MtlOptics]")
 {
   TestFolder folder;
