@@ -24,10 +24,10 @@ SURFACE, BED = 9, 40  # classes
 SPEED = 0.299792458  # of light [m/ns]
 
 
-def fly(folder):
+def fly(folder, **options):
     """The echoes of the first strip, with the truth and waveforms, and its trajectory."""
     survey = vtkhelios.read_survey(folder / "river.xml")
-    cloud = survey.run(legs=0, truth=True, waveforms=True, noise=False)
+    cloud = survey.run(legs=0, truth=True, waveforms=True, noise=False, **options)
     return cloud, survey.trajectory(0)
 
 

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Weather in surveys, from Python and on the command line."""
 
+import hashlib
+
 import numpy as np
 import pytest
 
@@ -70,3 +72,20 @@ def test_wrong_weather(survey, command_line, tmp_path):
     assert "hail" in done.stderr + done.stdout
     assert "scanner.xml:" in done.stderr + done.stdout
     assert "give clear, fog, smoke or dust and the visibility in km" in done.stderr + done.stdout
+
+
+def test_single_drops_are_the_same_for_threads_and_pieces(survey, command_line, tmp_path):
+    path = survey('weather="rain 5 drops"')
+    hashes = set()
+    for number, options in enumerate(
+        [("--threads", 1), ("--threads", 2, "--pulses-per-block", 777)]
+    ):
+        done = command_line("run", path, "--output", tmp_path / str(number), *options)
+        assert done.returncode == 0, done.stderr
+        data = (tmp_path / str(number) / "fog/leg000_points.xyz").read_bytes()
+        hashes.add(hashlib.sha256(data).hexdigest())
+    assert len(hashes) == 1
+    ranges = np.linalg.norm(
+        np.array([line.split()[:3] for line in data.splitlines()], float), axis=1
+    )
+    assert (ranges < 29).sum() > 500, "no drops"

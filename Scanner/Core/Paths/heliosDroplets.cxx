@@ -16,22 +16,39 @@ namespace
 
 constexpr double Efficiency = 2.0;            // of the extinction of a large drop, of its section
 constexpr std::uint32_t MostDrops = 1u << 20; // in a beam
+constexpr double ShellRatio = 1.05;           // of the ranges at the ends of a shell
+constexpr double LeastVisible = 1e-9;         // share of a beam
 
 double Square(double x)
 {
   return x * x;
 }
 
-/// The share of a beam that no hit before a range hides.
-double GetVisible(const std::vector<Hidden>& hits, double range)
+/// What the hits of a beam, in order of range, leave visible at growing ranges.
+class Visibility
 {
-  double visible = 1.0;
-  for (const Hidden& hit : hits)
+public:
+  explicit Visibility(const std::vector<Hidden>& hits)
+    : Next(hits.begin())
+    , End(hits.end())
   {
-    visible -= hit.Range < range ? hit.Weight : 0.0;
   }
-  return visible;
-}
+
+  /// The share of the beam that no hit before a range hides.
+  double Get(double range)
+  {
+    for (; this->Next != this->End && this->Next->Range < range; ++this->Next)
+    {
+      this->Share -= this->Next->Weight;
+    }
+    return this->Share;
+  }
+
+private:
+  std::vector<Hidden>::const_iterator Next;
+  std::vector<Hidden>::const_iterator End;
+  double Share = 1.0;
+};
 
 } // namespace
 
@@ -45,7 +62,41 @@ Droplets::Droplets(
   , Density(
       beam.Angle > 0.0 && diameter > 0.0 ? air.Extinction / (Efficiency * this->Section) : 0.0)
 {
-  this->End = this->IsEmpty() ? 0.0 : this->FindEnd(end);
+  if (!this->IsEmpty())
+  {
+    this->End = this->FindEnd(end);
+    this->MakeShells();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Droplets::MakeShells()
+{
+  double effective = 0.0;
+  double range = this->Air.Start;
+  while (range < this->End)
+  {
+    const double far = std::min(this->End, ShellRatio * range);
+    const double share = this->GetReach(range);
+    this->Shells.push_back({ this->GetVolume(range), effective, share });
+    effective += share * (this->GetVolume(far) - this->GetVolume(range));
+    range = far;
+  }
+  this->Shells.push_back({ this->GetVolume(range), effective, 0.0 });
+}
+
+//------------------------------------------------------------------------------
+/// The square of the distance from the axis, in K w, up to which drops reach the least power: the share
+/// of the beam's section.
+double Droplets::GetReach(double range) const
+{
+  if (!(this->LeastPower > 0.0))
+  {
+    return 1.0;
+  }
+  const double centre = this->GetWhole(range) * this->GetReceived(range, 0.0);
+  return std::clamp(
+    0.5 * std::log(centre / this->LeastPower) / Square(this->Beam.Truncation), 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
@@ -65,15 +116,8 @@ double Droplets::FindEnd(double end) const
 //------------------------------------------------------------------------------
 double Droplets::GetRest(double range) const
 {
-  if (!(this->LeastPower > 0.0))
-  {
-    return 0.0;
-  }
   const double k2 = Square(this->Beam.Truncation);
-  const double centre = this->GetWhole(range) * this->GetReceived(range, 0.0);
-  // The square of the distance from the axis, in K w, up to which drops reach the least power.
-  const double u = std::clamp(0.5 * std::log(centre / this->LeastPower) / k2, 0.0, 1.0);
-  return 1.0 - (1.0 - std::exp(-2.0 * k2 * u)) / (1.0 - std::exp(-2.0 * k2));
+  return 1.0 - (1.0 - std::exp(-2.0 * k2 * this->GetReach(range))) / (1.0 - std::exp(-2.0 * k2));
 }
 
 //------------------------------------------------------------------------------
@@ -131,21 +175,34 @@ double Droplets::GetPower(double range, double away2) const
 }
 
 //------------------------------------------------------------------------------
-void Droplets::Append(std::uint64_t seed, vtkIdType pulse, std::vector<Hidden>& hits,
+void Droplets::Append(std::uint64_t seed, vtkIdType pulse, const std::vector<Hidden>& hits,
   std::vector<SubReturn>& returns) const
 {
-  double volume = this->GetVolume(this->Air.Start);
+  Visibility visibility(hits);
+  double effective = 0.0;
+  auto shell = this->Shells.begin();
   for (std::uint32_t drop = 0; drop < MostDrops; ++drop)
   {
     const auto u = Uniform4(seed, RandomStream::Droplets, static_cast<std::uint64_t>(pulse), drop);
-    volume -= std::log(u[0]) / this->Density;
-    const double range = this->FindRange(volume);
-    if (!(range < this->End))
+    effective -= std::log(u[0]) / this->Density;
+    if (!(effective < this->Shells.back().Effective))
     {
       return;
     }
-    const double power = this->GetPower(range, u[2] * Square(this->Beam.Truncation));
-    if (power >= this->LeastPower && u[1] < GetVisible(hits, range))
+    while ((shell + 1)->Effective <= effective)
+    {
+      ++shell;
+    }
+    const double range =
+      this->FindRange(shell->Volume + (effective - shell->Effective) / shell->Share);
+    const double visible = visibility.Get(range);
+    if (!(visible > LeastVisible))
+    {
+      return;
+    }
+    const double away2 = u[2] * shell->Share * Square(this->Beam.Truncation);
+    const double power = this->GetPower(range, away2);
+    if (power >= this->LeastPower && u[1] < visible)
     {
       returns.push_back({ range, power, 1.0, -1, SubReturn::Column });
     }

@@ -49,11 +49,21 @@ public:
   /// The volume of a beam up to a range [m3].
   double GetVolume(double range) const;
 
-  /// Appends the returns of the drops in the beam of a pulse before hits.
-  void Append(std::uint64_t seed, vtkIdType pulse, std::vector<Hidden>& hits,
+  /// Appends the returns of the drops in the beam of a pulse before hits, which are sorted by range.
+  void Append(std::uint64_t seed, vtkIdType pulse, const std::vector<Hidden>& hits,
     std::vector<SubReturn>& returns) const;
 
 private:
+  /// A part of the beam: drops that reach the least power lie within a share of its section.
+  struct Shell
+  {
+    double Volume;    ///< of the beam before it [m3]
+    double Effective; ///< of these shares before it [m3]
+    double Share;     ///< at its near end, where it is largest
+  };
+
+  void MakeShells();
+  double GetReach(double range) const;
   double FindRange(double volume) const;
   double FindEnd(double end) const;
   double GetReceived(double range, double away2) const;
@@ -66,6 +76,7 @@ private:
   double End = 0.0;        // of the drops that reach it [m]
   double Section = 0.0;    // of a drop [m2]
   double Density = 0.0;
+  std::vector<Shell> Shells; // the last one ends the beam
 };
 
 } // namespace helios
