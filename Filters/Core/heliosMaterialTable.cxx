@@ -67,6 +67,8 @@ MaterialOptics GetOptics(vtkFieldData* fields, vtkIdType row)
 {
   MaterialOptics optics;
   optics.Kind = static_cast<OpticsKind>(Number(fields, names::MaterialOptics, row, 0));
+  optics.Dispersion =
+    static_cast<DispersionKind>(Number(fields, names::MaterialDispersion, row, 0));
   optics.RefractiveIndex = optics.Kind == OpticsKind::Water ? WaterIndex : optics.RefractiveIndex;
   for (const OpticsColumn& column : OpticsColumns)
   {
@@ -80,6 +82,7 @@ void SetOptics(vtkFieldData* fields, const MaterialTable& materials)
   const bool hasOptics = std::any_of(materials.begin(), materials.end(),
     [](const Material& m) { return m.Optics.Kind != OpticsKind::Opaque; });
   fields->RemoveArray(names::MaterialOptics);
+  fields->RemoveArray(names::MaterialDispersion);
   for (const OpticsColumn& column : OpticsColumns)
   {
     fields->RemoveArray(column.Name);
@@ -90,6 +93,8 @@ void SetOptics(vtkFieldData* fields, const MaterialTable& materials)
   }
   AddColumn<vtkIntArray>(fields, names::MaterialOptics, materials,
     [](const Material& m) { return static_cast<int>(m.Optics.Kind); });
+  AddColumn<vtkIntArray>(fields, names::MaterialDispersion, materials,
+    [](const Material& m) { return static_cast<int>(m.Optics.Dispersion); });
   for (const OpticsColumn& column : OpticsColumns)
   {
     AddColumn<vtkDoubleArray>(fields, column.Name, materials,
@@ -144,7 +149,8 @@ bool MaterialOptics::operator==(const MaterialOptics& other) const
     this->RefractiveIndex == other.RefractiveIndex && this->Thickness == other.Thickness &&
     this->Attenuation == other.Attenuation && this->Backscatter == other.Backscatter &&
     this->Transmittance == other.Transmittance && this->Retroreflection == other.Retroreflection &&
-    this->MeanSquareSlope == other.MeanSquareSlope;
+    this->MeanSquareSlope == other.MeanSquareSlope && this->Dispersion == other.Dispersion &&
+    this->GroupIndex == other.GroupIndex;
 }
 
 bool Material::operator==(const Material& other) const

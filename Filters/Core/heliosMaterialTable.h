@@ -35,6 +35,16 @@ enum class OpticsKind
   Retroreflector ///< returns light to where it comes from
 };
 
+/// Media whose refractive index is known by wavelength.
+enum class DispersionKind
+{
+  None, ///< the index is a number
+  Water,
+  SodaLime, ///< window glass
+  Bk7,
+  Silica
+};
+
 struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
 {
   OpticsKind Kind = OpticsKind::Opaque;
@@ -46,6 +56,8 @@ struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
   double Transmittance = 0.0;     ///< of leaves, [0..1]
   double Retroreflection = 250.0; ///< coefficient of retroreflectors [cd/(lx m2) = 1/sr]
   double MeanSquareSlope = 0.0;   ///< of a rough surface; 0: smooth
+  DispersionKind Dispersion = DispersionKind::None;
+  double GroupIndex = 0.0; ///< by which pulses are slower, at a wavelength; 0: RefractiveIndex
 
   bool operator==(const MaterialOptics& other) const;
 };

@@ -53,6 +53,8 @@ inline constexpr const char* MaterialSpectrum = "Material.Spectrum";
 // Of mirrors and glass; columns that only scenes with them have.
 // 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
 inline constexpr const char* MaterialOptics = "Material.Optics";
+// 0 none, 1 water, 2 soda-lime glass, 3 BK7, 4 fused silica
+inline constexpr const char* MaterialDispersion = "Material.Dispersion";
 inline constexpr const char* MaterialMirrorReflectance = "Material.MirrorReflectance"; // [0..1]
 inline constexpr const char* MaterialRefractiveIndex = "Material.RefractiveIndex";
 inline constexpr const char* MaterialThickness = "Material.Thickness";             // of panes [m]

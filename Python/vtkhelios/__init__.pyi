@@ -4654,6 +4654,11 @@ class vtkHeliosRefractionCorrection(vtkPolyDataAlgorithm):
         """The error code contains a possible error that occurred while
         reading or writing the file.
         """
+    group_index: float
+    """Set/Get the group index of the water, by which pulses are slower:
+    1.357 at 532 nm, where the refractive index is 1.335. Valid
+    range: [0, 4]; 0: the RefractiveIndex. Default: 0.
+    """
     lever_arm: Sequence[float]
     """Set/Get where beams start, in the frame of the trajectory [m].
     Default: (0, 0, 0).
@@ -4680,17 +4685,19 @@ class vtkHeliosRefractionCorrection(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     refractive_index: float
-    """Set/Get the refractive index of the water: that of light pulses
-    is a little larger (1.34 to 1.36 at 532 nm) than that of
-    continuous light. Valid range: [1, 4]. Default: 1.34.
+    """Set/Get the refractive index of the water, of Snell's law. Valid
+    range: [1, 4]. Default: 1.34.
     """
-    def __init__(self, *, abort_execute: int = ..., lever_arm: Sequence[float] = ..., progress_text: Optional[str] = ..., refractive_index: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., group_index: float = ..., lever_arm: Sequence[float] = ..., progress_text: Optional[str] = ..., refractive_index: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
     def update(self) -> Any: ...
     @property
     def output(self) -> Any: ...
+    def GetGroupIndex(self) -> float: ...
+    def GetGroupIndexMaxValue(self) -> float: ...
+    def GetGroupIndexMinValue(self) -> float: ...
     def GetLeverArm(self) -> Tuple[float, float, float]: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -4704,6 +4711,7 @@ class vtkHeliosRefractionCorrection(vtkPolyDataAlgorithm):
     def NewInstance(self) -> vtkHeliosRefractionCorrection: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosRefractionCorrection: ...
+    def SetGroupIndex(self, _arg: float) -> None: ...
     @overload
     def SetLeverArm(self, _arg1: float, _arg2: float, _arg3: float) -> None: ...
     @overload
@@ -5685,8 +5693,9 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     generate_colors: bool
     """Set/Get whether the echoes have RGB (float, [0..1]), the colour
     of the surface where the echo is: that of the cell data RGB of
-    the scene, else the base colour of the material (Material.Color)
-    times its texture, bilinear (Material.Texture, and cell data
+    the scene, else that of the point data RGB between the corners,
+    else the base colour of the material (Material.Color) times its
+    texture, bilinear (Material.Texture, and cell data
     TextureCoordinates); black without. A warning names textures that
     cannot be read. See ReadColors of vtkHeliosObjSceneReader and
     PassColors of vtkHeliosSceneComposer. Default: off.

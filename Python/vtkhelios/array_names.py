@@ -36,6 +36,8 @@ MATERIAL_SPECTRUM = "Material.Spectrum"
 # Of mirrors and glass; columns that only scenes with them have.
 # 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
 MATERIAL_OPTICS = "Material.Optics"
+# 0 none, 1 water, 2 soda-lime glass, 3 BK7, 4 fused silica
+MATERIAL_DISPERSION = "Material.Dispersion"
 MATERIAL_MIRROR_REFLECTANCE = "Material.MirrorReflectance"  # [0..1]
 MATERIAL_REFRACTIVE_INDEX = "Material.RefractiveIndex"
 MATERIAL_THICKNESS = "Material.Thickness"  # of panes [m]

@@ -20,7 +20,7 @@ from ._pipeline import MessageLog, conclude, update
 
 from .array_names import (
     MATERIAL_ATTENUATION, MATERIAL_BACKSCATTER, MATERIAL_CLASSIFICATION, MATERIAL_IDS,
-    MATERIAL_IS_GROUND, MATERIAL_MEAN_SQUARE_SLOPE, MATERIAL_MIRROR_REFLECTANCE, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFLECTANCE,
+    MATERIAL_DISPERSION, MATERIAL_IS_GROUND, MATERIAL_MEAN_SQUARE_SLOPE, MATERIAL_MIRROR_REFLECTANCE, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFLECTANCE,
     MATERIAL_REFRACTIVE_INDEX, MATERIAL_RETROREFLECTION, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
     MATERIAL_THICKNESS, MATERIAL_TRANSMITTANCE,
 )  # fmt: skip
@@ -48,6 +48,8 @@ _OPTICS_NUMBERS = {  # column, lowest and highest value
     "retroreflection": (MATERIAL_RETROREFLECTION, 0, 1e9),
     "mean_square_slope": (MATERIAL_MEAN_SQUARE_SLOPE, 0, 1),
 }
+
+DISPERSIONS = {"water": 1, "sodaLime": 2, "bk7": 3, "silica": 4}
 
 
 class Scene:
@@ -304,14 +306,19 @@ def _add_optics(mesh, optics):
     """Gives all materials of a mesh the same optics."""
     given = {"kind": optics} if isinstance(optics, str) else dict(optics)
     kind = given.pop("kind", None)
+    medium = given.pop("dispersion", None)
     if kind not in _OPTICS:
         raise ValueError(f"optics is {kind!r}; give one of: {', '.join(_OPTICS)}")
+    if medium is not None and medium not in DISPERSIONS:
+        raise ValueError(f"dispersion is {medium!r}; give one of: {', '.join(DISPERSIONS)}")
     if unknown := set(given) - set(_OPTICS_NUMBERS):
         known = ", ".join(_OPTICS_NUMBERS)
         raise ValueError(f"optics has {sorted(unknown)[0]!r}; known: kind, {known}")
     fields = mesh.GetFieldData()
     count = fields.GetAbstractArray(MATERIAL_NAME).GetNumberOfValues()
     columns = {MATERIAL_OPTICS: np.full(count, _OPTICS[kind], np.int32)}
+    if medium is not None:
+        columns[MATERIAL_DISPERSION] = np.full(count, DISPERSIONS[medium], np.int32)
     for name, number in given.items():
         column, low, high = _OPTICS_NUMBERS[name]
         if not low <= number <= high:

@@ -54,7 +54,7 @@ void PathTracer::StartPulse(const Vec3& receiver, std::vector<SubReturn>& return
 void PathTracer::Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay)
 {
   const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), weight, subRay, 1.0, hit.Range,
-    hit.Range, 1.0, 0.0, nullptr, 0, 0u, hit.CellId };
+    hit.Range, 1.0, 1.0, 0.0, nullptr, 0, 0u, hit.CellId };
   const Meeting at = this->GetMeeting(start, hit);
   this->Glint(start, at);
   this->Split(start, at);
@@ -130,7 +130,7 @@ void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
 void PathTracer::Advance(Path& path, double length) const
 {
   path.Spread.Advance(length);
-  path.Optical += path.Index * length;
+  path.Optical += path.Slowness * length;
   path.InAir += path.Medium ? 0.0 : length;
   path.Share *= path.Attenuation > 0.0 ? std::exp(-path.Attenuation * length) : 1.0;
 }
@@ -179,14 +179,14 @@ void PathTracer::ScatterWithin(const Path& path, double length)
   {
     return;
   }
-  const double end = std::min(path.Optical + path.Index * length, this->GetVisibleRange(path));
+  const double end = std::min(path.Optical + path.Slowness * length, this->GetVisibleRange(path));
   const auto advance = [&](double range)
   {
     Path there = path;
-    this->Advance(there, (range - path.Optical) / path.Index);
+    this->Advance(there, (range - path.Optical) / path.Slowness);
     return there;
   };
-  const double response = path.Weight * vtkMath::Pi() * beta / path.Index; // per range
+  const double response = path.Weight * vtkMath::Pi() * beta / path.Slowness; // per range
   const RangeGate& gate = this->Model.Gate;
   this->Column.Add(
     std::max(path.Optical, gate.Least), std::min(end, gate.Most),
@@ -194,7 +194,7 @@ void PathTracer::ScatterWithin(const Path& path, double length)
     [&](double range, ColumnProfile::Slab& slab)
     {
       slab.Cell = path.LastCell;
-      slab.Point = GetPoint(path.Ray, (range - path.Optical) / path.Index);
+      slab.Point = GetPoint(path.Ray, (range - path.Optical) / path.Slowness);
       slab.Events = path.Events;
     });
 }
@@ -208,7 +208,7 @@ double PathTracer::GetVisibleRange(const Path& path) const
     return this->Model.Air.GetEnd();
   }
   const double excess = path.Share * path.Share / this->Model.Optics.LeastShare;
-  return path.Optical + path.Index * std::log(std::max(1.0, excess)) / (2.0 * path.Attenuation);
+  return path.Optical + path.Slowness * std::log(std::max(1.0, excess)) / (2.0 * path.Attenuation);
 }
 
 //------------------------------------------------------------------------------
@@ -337,7 +337,7 @@ void PathTracer::PassPane(const Path& path, const Meeting& at, double share)
   passed.Spread.Refract(at.Direction, at.Normal, at.Cosine, refracted, index);
   passed.Spread.Advance(length);
   passed.Spread.Refract(within, at.Normal, refracted, at.Cosine, 1.0 / index);
-  passed.Optical += index * length;
+  passed.Optical += pane.GroupIndex * length;
   this->Continue(passed, at, at.Point + length * within, at.Direction, share, false);
 }
 
@@ -348,6 +348,7 @@ void PathTracer::Refract(const Path& path, const Meeting& at, double share)
   const bool leaves = path.Medium == at.Optics;
   Path passed = path;
   passed.Index = leaves ? 1.0 : at.Optics->RefractiveIndex;
+  passed.Slowness = leaves ? 1.0 : at.Optics->GroupIndex;
   passed.Attenuation = leaves ? 0.0 : at.Optics->Attenuation;
   passed.Medium = leaves ? nullptr : at.Optics;
   const double refracted = GetRefractedCosine(at.Cosine, path.Index, passed.Index);

@@ -67,10 +67,11 @@ private:
     Pencil Spread;
     double Weight; // of the sub-ray
     int SubRay;
-    double Share;   // of its energy, one way
-    double Optical; // length, from the start [m]
-    double InAir;   // of that [m]
-    double Index;   // of the medium
+    double Share;    // of its energy, one way
+    double Optical;  // length, from the start [m]
+    double InAir;    // of that [m]
+    double Index;    // of the medium
+    double Slowness; // of pulses in it: its group index
     double Attenuation;
     const MaterialOptics* Medium; // null: air
     int Events;

@@ -424,8 +424,8 @@ public:
   ///@{
   /**
    * Set/Get whether the echoes have RGB (float, [0..1]), the colour of the surface where the echo
-   * is: that of the cell data RGB of the scene, else the base colour of the material (Material.Color) times its
-   * texture, bilinear (Material.Texture, and cell data TextureCoordinates); black without. A warning
+   * is: that of the cell data RGB of the scene, else that of the point data RGB between the corners,
+   * else the base colour of the material (Material.Color) times its texture, bilinear (Material.Texture, and cell data TextureCoordinates); black without. A warning
    * names textures that cannot be read. See ReadColors of vtkHeliosObjSceneReader and PassColors of
    * vtkHeliosSceneComposer. Default: off.
    */

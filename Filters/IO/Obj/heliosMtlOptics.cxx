@@ -14,6 +14,7 @@ namespace
 
 constexpr const char* KindKey = "helios_optics";
 constexpr const char* WaterKey = "helios_water";
+constexpr const char* DispersionKey = "helios_dispersion";
 constexpr const char* ModelKey = "illum";
 constexpr const char* DissolveKey = "d";
 
@@ -43,6 +44,15 @@ constexpr std::array<KindName, 6> KindNames = { { { "mirror", OpticsKind::Mirror
   { "pane", OpticsKind::Pane }, { "volume", OpticsKind::Volume }, { "water", OpticsKind::Water },
   { "leaf", OpticsKind::Leaf }, { "retroreflector", OpticsKind::Retroreflector } } };
 
+struct DispersionName
+{
+  const char* Name;
+  DispersionKind Kind;
+};
+constexpr std::array<DispersionName, 4> DispersionNames = { { { "water", DispersionKind::Water },
+  { "sodaLime", DispersionKind::SodaLime }, { "bk7", DispersionKind::Bk7 },
+  { "silica", DispersionKind::Silica } } };
+
 /**
  * Waters as Petzold measured them in green light (1972, SIO reference 72-78): off the Bahamas, off
  * California, and in San Diego harbour. The attenuation is absorption + backscatter coefficient, as
@@ -68,7 +78,8 @@ std::string ToText(double value)
 
 bool MtlOptics::Has(std::string_view key)
 {
-  return key == KindKey || key == WaterKey || key == ModelKey || key == DissolveKey ||
+  return key == KindKey || key == WaterKey || key == DispersionKey || key == ModelKey ||
+    key == DissolveKey ||
     std::any_of(NumberKeys.begin(), NumberKeys.end(),
       [key](const NumberKey& number) { return key == number.Key; });
 }
@@ -97,6 +108,7 @@ bool MtlOptics::Finish(double specular, MaterialOptics& optics, TextReport& repo
   }
   return (kind == this->Lines.end() || this->SetKind(kind->second, specular, optics, report)) &&
     (water == this->Lines.end() || this->SetWater(water->second, optics, report)) &&
+    this->SetDispersion(optics, report) &&
     std::all_of(NumberKeys.begin(), NumberKeys.end(),
       [&](const NumberKey& number) {
         return this->SetNumber(number.Key, number.Least, number.Most, optics.*number.Value, report);
@@ -144,6 +156,25 @@ bool MtlOptics::SetWater(const Line& line, MaterialOptics& optics, TextReport& r
   }
   return report.Fail(line.Place + WaterKey + ' ' + Quote(line.Value) +
     " is unknown; give clear, coastal or harbour");
+}
+
+bool MtlOptics::SetDispersion(MaterialOptics& optics, TextReport& report) const
+{
+  const auto line = this->Lines.find(DispersionKey);
+  if (line == this->Lines.end())
+  {
+    return true;
+  }
+  for (const DispersionName& name : DispersionNames)
+  {
+    if (line->second.Value == name.Name)
+    {
+      optics.Dispersion = name.Kind;
+      return true;
+    }
+  }
+  return report.Fail(line->second.Place + DispersionKey + ' ' + Quote(line->second.Value) +
+    " is unknown; give water, sodaLime, bk7 or silica, or the index as Ni");
 }
 
 /// The illumination models 3 and 5 have reflections, 4 a transparent surface, 6 and 7 refraction.
@@ -203,6 +234,11 @@ std::string FormatMtlOptics(const MaterialOptics& optics)
   for (const KindName& name : KindNames)
   {
     text += optics.Kind == name.Kind ? std::string(KindKey) + ' ' + name.Name + '\n' : "";
+  }
+  for (const DispersionName& name : DispersionNames)
+  {
+    const bool has = !text.empty() && optics.Dispersion == name.Kind;
+    text += has ? std::string(DispersionKey) + ' ' + name.Name + '\n' : "";
   }
   for (const NumberKey& number : NumberKeys)
   {

@@ -78,6 +78,7 @@ def test_deep_explains_optics(command_line, make_survey):
     survey.with_name("optics.mtl").write_text(
         "newmtl window\nhelios_optics pane\nNi 1.52\nhelios_thickness 0.008\n"
         "newmtl pond\nhelios_water coastal\nhelios_meanSquareSlope 0.02\n"
+        "newmtl lens\nhelios_optics volume\nhelios_dispersion bk7\n"
         "newmtl mirror\nhelios_optics mirror\nhelios_mirrorReflectance 0.9\n"
         "newmtl wall\nhelios_reflectance 0.4\n"
     )
@@ -89,6 +90,7 @@ def test_deep_explains_optics(command_line, make_survey):
         "note: material window: a pane 0.008 m thick, of index 1.52",
         "note: material pond: water of index 1.34, attenuation 0.182 1/m at 532 nm, backscatter 0.00045 "
         "1/(m sr), rough: mean square slope 0.02",
+        "note: material lens: a transparent body of the index of bk7",
         "note: material mirror: a mirror that reflects 0.9",
     ]
 

@@ -148,3 +148,20 @@ def test_a_missing_texture_is_named(room, command_line):
     assert done.returncode == 0, done.stderr
     assert f"texture {room / 'ramp.png'} does not exist; give it, or remove map_Kd" in done.stderr
     assert done.stderr.count("does not exist") == 1
+
+
+def test_meshes_of_other_libraries_keep_the_colours_of_their_vertices():
+    corners = [[-9, 10, -9], [9, 10, -9], [9, 10, 9], [-9, 10, 9]]
+    scene = vtkhelios.Scene(corners, [[0, 1, 2], [0, 2, 3]])
+    colors = numpy_to_vtk(
+        np.array([[0, 0, 1], [1, 0, 1], [1, 0, 1], [0, 0, 1]], np.float32), deep=True
+    )
+    colors.SetName("RGB")
+    scene.polydata.GetPointData().AddArray(colors)
+    cloud = vtkhelios.scan(
+        scene, position=(0, 0, 0), scan_frequency=20, vertical=(-30, 30), head=(-30, 30), head_speed=60,
+        noise=False, colors=True,
+    )  # fmt: skip
+    assert len(cloud) > 1000
+    assert np.abs(cloud["RGB"][:, 0] - (cloud.points[:, 0] + 9) / 18).max() < 0.01
+    assert np.allclose(cloud["RGB"][:, 1:], [0, 1])

@@ -6,9 +6,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..array_names import (
     MATERIAL_ATTENUATION, MATERIAL_BACKSCATTER, MATERIAL_MEAN_SQUARE_SLOPE, MATERIAL_MIRROR_REFLECTANCE,
-    MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFRACTIVE_INDEX, MATERIAL_RETROREFLECTION,
+    MATERIAL_DISPERSION, MATERIAL_NAME, MATERIAL_OPTICS, MATERIAL_REFRACTIVE_INDEX, MATERIAL_RETROREFLECTION,
     MATERIAL_THICKNESS, MATERIAL_TRANSMITTANCE,
 )  # fmt: skip
+from ..scene import DISPERSIONS
 
 COLUMNS = {
     "reflectance": MATERIAL_MIRROR_REFLECTANCE, "index": MATERIAL_REFRACTIVE_INDEX,
@@ -18,13 +19,14 @@ COLUMNS = {
 }  # fmt: skip
 KINDS = {
     1: "a mirror that reflects {reflectance:.3g}",
-    2: "a pane {thickness:.3g} m thick, of index {index:.4g}",
-    3: "a transparent body of index {index:.4g}",
-    4: "water of index {index:.4g}",
+    2: "a pane {thickness:.3g} m thick, of {index}",
+    3: "a transparent body of {index}",
+    4: "water of {index}",
     5: "leaves that transmit {transmittance:.3g}",
     6: "a retroreflector of {retroreflection:.4g} cd/(lx m2)",
 }
 MEDIA = (3, 4)  # kinds with a column
+DISPERSION_NAMES = {number: name for name, number in DISPERSIONS.items()}
 
 
 def describe_optics(scene):
@@ -33,17 +35,20 @@ def describe_optics(scene):
     if not fields.HasArray(MATERIAL_OPTICS):
         return []
     kinds = vtk_to_numpy(fields.GetArray(MATERIAL_OPTICS))
+    media = vtk_to_numpy(fields.GetArray(MATERIAL_DISPERSION))
     names = fields.GetAbstractArray(MATERIAL_NAME)
     numbers = {key: vtk_to_numpy(fields.GetArray(name)) for key, name in COLUMNS.items()}
     return [
-        f"{names.GetValue(row)}: " + _describe(kind, {key: of[row] for key, of in numbers.items()})
+        f"{names.GetValue(row)}: "
+        + _describe(kind, media[row], {key: of[row] for key, of in numbers.items()})
         for row, kind in enumerate(kinds)
         if kind in KINDS
     ]
 
 
-def _describe(kind, numbers):
-    text = KINDS[kind].format(**numbers)
+def _describe(kind, medium, numbers):
+    index = f"the index of {DISPERSION_NAMES[medium]}" if medium else f"index {numbers['index']:.4g}"
+    text = KINDS[kind].format(**{**numbers, "index": index})
     if kind in MEDIA and numbers["attenuation"] > 0:
         text += ", attenuation {attenuation:.4g} 1/m".format(**numbers)
         if kind == 4:

@@ -39,6 +39,7 @@ struct Corrector
   const vtkHeliosRayCaster& Water;
   helios::Vec3 LeverArm;
   double Index;
+  double Slowness;     // the group index
   vtkDataArray* Times; // null: any
   vtkDoubleArray* Points;
   vtkDoubleArray* Depths;
@@ -66,7 +67,7 @@ struct Corrector
       helios::Vec3 normal = this->Water.GetGeometry().GetNormal(hit.CellId);
       normal = normal.Dot(direction) > 0.0 ? -1.0 * normal : normal;
       const double refracted = helios::GetRefractedCosine(-normal.Dot(direction), 1.0, this->Index);
-      const double length = (range - hit.Range) / this->Index;
+      const double length = (range - hit.Range) / this->Slowness;
       const helios::Vec3 end = origin + hit.Range * direction +
         length * helios::GetRefracted(direction, normal, 1.0, this->Index, refracted);
       std::copy_n(end.GetData(), 3, this->Points->GetPointer(3 * i));
@@ -125,7 +126,8 @@ int vtkHeliosRefractionCorrection::RequestData(
   depths->SetName(names::WaterDepth);
   depths->SetNumberOfValues(count);
   const Corrector corrector{ trajectory, *water, helios::Vec3(this->LeverArm),
-    this->RefractiveIndex, times, vtkDoubleArray::SafeDownCast(points->GetData()), depths };
+    this->RefractiveIndex, this->GroupIndex > 0.0 ? this->GroupIndex : this->RefractiveIndex, times,
+    vtkDoubleArray::SafeDownCast(points->GetData()), depths };
   for (vtkIdType first = 0; first < count && !this->GetAbortExecute(); first += BlockSize)
   {
     vtkSMPTools::For(first, std::min(first + BlockSize, count),
@@ -149,6 +151,7 @@ void vtkHeliosRefractionCorrection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RefractiveIndex: " << this->RefractiveIndex << "\n"
+     << indent << "GroupIndex: " << this->GroupIndex << "\n"
      << indent << "LeverArm: " << this->LeverArm[0] << " " << this->LeverArm[1] << " "
      << this->LeverArm[2] << " m\n";
 }

@@ -8,7 +8,7 @@
  * GpsTime; port 1: the surface of the water, triangles; port 2: the trajectory (points with GpsTime, and
  * Orientation for a LeverArm; one point: a tripod). The beam of an echo starts at the trajectory at its
  * time, towards the echo at the measured range R. If it meets the water at a range H < R, it goes on
- * by Snell's law, for (R - H) / RefractiveIndex. Other echoes are not changed.
+ * by Snell's law, for (R - H) / GroupIndex. Other echoes are not changed.
  *
  * The output is the cloud with the corrected points in double precision, and WaterDepth [m]: the
  * depth below the surface, along its normal; 0 of echoes that are not below it. Range and all other arrays
@@ -33,11 +33,19 @@ public:
 
   ///@{
   /**
-   * Set/Get the refractive index of the water: that of light pulses is a little larger (1.34 to 1.36
-   * at 532 nm) than that of continuous light. Valid range: [1, 4]. Default: 1.34.
+   * Set/Get the refractive index of the water, of Snell's law. Valid range: [1, 4]. Default: 1.34.
    */
   vtkSetClampMacro(RefractiveIndex, double, 1.0, 4.0);
   vtkGetMacro(RefractiveIndex, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the group index of the water, by which pulses are slower: 1.357 at 532 nm, where the
+   * refractive index is 1.335. Valid range: [0, 4]; 0: the RefractiveIndex. Default: 0.
+   */
+  vtkSetClampMacro(GroupIndex, double, 0.0, 4.0);
+  vtkGetMacro(GroupIndex, double);
   ///@}
 
   ///@{
@@ -60,6 +68,7 @@ private:
   void operator=(const vtkHeliosRefractionCorrection&) = delete;
 
   double RefractiveIndex = 1.34;
+  double GroupIndex = 0.0;
   double LeverArm[3] = { 0.0, 0.0, 0.0 };
 };
 

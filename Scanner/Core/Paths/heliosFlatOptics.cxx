@@ -45,7 +45,7 @@ PassedBeam Transmit(const BeamOnPlane& beam, const MaterialOptics& pane)
   const double length = pane.Thickness / refracted;
   // The pane looks as thick as length / n.
   const Vec3 origin = beam.Origin + length * within - (length / n) * beam.Axis;
-  return { origin, beam.Axis, beam.Minor, false, (n - 1.0 / n) * length,
+  return { origin, beam.Axis, beam.Minor, false, (pane.GroupIndex - 1.0 / n) * length,
     GetBeyond(beam, -1.0 * beam.Normal, origin) };
 }
 

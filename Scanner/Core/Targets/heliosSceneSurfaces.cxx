@@ -64,6 +64,12 @@ std::string FindFault(const MaterialOptics& optics)
     return "has optics " + std::to_string(kind) +
       "; give 0 opaque, 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf or 6 retroreflector";
   }
+  const int medium = static_cast<int>(optics.Dispersion);
+  if (medium < 0 || medium > static_cast<int>(DispersionKind::Silica))
+  {
+    return "has dispersion " + std::to_string(medium) +
+      "; give 0 none, 1 water, 2 soda-lime glass, 3 BK7 or 4 fused silica";
+  }
   if (!is(optics.MirrorReflectance, 0.0, 1.0))
   {
     return "has mirror reflectance " + std::to_string(optics.MirrorReflectance) +

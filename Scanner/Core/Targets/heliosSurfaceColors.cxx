@@ -5,9 +5,13 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -52,19 +56,51 @@ float Clamp(double share)
   return static_cast<float>(std::min(1.0, std::max(0.0, share)));
 }
 
-/// The colour of a triangle; false: it has none.
-bool GetOwnColor(vtkDataArray* colors, vtkIdType triangle, Rgb& color)
+/// By which the colours of an array become shares.
+double GetScale(vtkDataArray* colors)
 {
-  if (!colors)
-  {
-    return false;
-  }
-  colors->GetTuple(triangle, color.data());
   const bool isReal = colors->GetDataType() == VTK_FLOAT || colors->GetDataType() == VTK_DOUBLE;
-  const double scale = isReal ? 1.0 : 1.0 / colors->GetDataTypeMax();
-  std::transform(
-    color.begin(), color.end(), color.begin(), [scale](double value) { return scale * value; });
-  return !std::isnan(color[0]);
+  return isReal ? 1.0 : 1.0 / colors->GetDataTypeMax();
+}
+
+/// The colours of points by the corners of triangles; null: there are none.
+vtkSmartPointer<vtkDataArray> MakeCornerColors(vtkPolyData* mesh)
+{
+  vtkDataArray* colors = mesh->GetPointData()->GetArray(names::RGB);
+  if (!colors || colors->GetNumberOfComponents() != 3 || mesh->GetNumberOfPolys() == 0)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkFloatArray> corners;
+  corners->SetNumberOfComponents(9);
+  corners->SetNumberOfTuples(mesh->GetNumberOfPolys());
+  vtkNew<vtkIdList> ids;
+  const double scale = GetScale(colors);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  {
+    mesh->GetPolys()->GetCellAtId(i, ids);
+    for (int k = 0; k < 9; ++k)
+    {
+      corners->SetTypedComponent(
+        i, k, static_cast<float>(scale * colors->GetComponent(ids->GetId(k / 3), k % 3)));
+    }
+  }
+  return corners;
+}
+
+/// The mean of values at the corners of a triangle, u v of a texture or red green blue.
+template <std::size_t Count>
+std::array<double, Count> Interpolate(
+  vtkDataArray* corners, vtkIdType triangle, const Vec3& weights)
+{
+  std::array<double, 3 * Count> values;
+  corners->GetTuple(triangle, values.data());
+  std::array<double, Count> mean{};
+  for (std::size_t i = 0; i < 3 * Count; ++i)
+  {
+    mean[i % Count] += weights[static_cast<int>(i / Count)] * values[i];
+  }
+  return mean;
 }
 
 } // namespace
@@ -96,9 +132,9 @@ void SurfaceColors::Set(vtkPolyData* scene, const std::vector<vtkImageData*>& gr
 //------------------------------------------------------------------------------
 SurfaceColors::Arrays SurfaceColors::FindArrays(vtkPolyData* mesh)
 {
-  const Arrays arrays{ FindArray(mesh, names::RGB, 3),
+  const Arrays arrays{ FindArray(mesh, names::RGB, 3), MakeCornerColors(mesh),
     FindArray(mesh, names::TextureCoordinates, 6) };
-  this->HasColors = this->HasColors || arrays.Colors;
+  this->HasColors = this->HasColors || arrays.Colors || arrays.CornerColors;
   return arrays;
 }
 
@@ -118,49 +154,62 @@ void SurfaceColors::AddMaterials(
 std::array<float, 3> SurfaceColors::Find(vtkIdType cell, int material, const Vec3& point) const
 {
   const Row& row = this->Rows[static_cast<std::size_t>(material)];
-  const bool isTriangle = this->Geometry && cell < this->Geometry->GetNumberOfTriangles();
   Rgb color{};
   if (row.Color.IsSet())
   {
     color = row.Color.Base;
   }
-  if (isTriangle)
+  if (this->Geometry && cell < this->Geometry->GetNumberOfTriangles())
   {
-    const SceneGeometry::Cell at = this->Geometry->Find(cell);
-    const Arrays& arrays = at.Instance
-      ? this->Prototypes[static_cast<std::size_t>(at.Instance->PrototypeId)]
-      : this->Mesh;
-    double place[2];
-    if (!GetOwnColor(arrays.Colors, at.Triangle, color) && row.Image &&
-      this->GetCoordinates(arrays, at.Triangle, cell, point, place))
-    {
-      const Rgb pixel = row.Image->Get(place[0], place[1]);
-      std::transform(color.begin(), color.end(), pixel.begin(), color.begin(),
-        [](double base, double share) { return base * share; });
-    }
+    color = this->FindOnTriangle(cell, point, row.Image.get(), color);
   }
   return { Clamp(color[0]), Clamp(color[1]), Clamp(color[2]) };
 }
 
 //------------------------------------------------------------------------------
-/// The texture coordinates of a point of a triangle; false: it has none.
-bool SurfaceColors::GetCoordinates(const Arrays& arrays, vtkIdType triangle, vtkIdType cell,
-  const Vec3& point, double coordinates[2]) const
+/// The colour of a point of a triangle, whose material has a base colour and perhaps a texture.
+Rgb SurfaceColors::FindOnTriangle(
+  vtkIdType cell, const Vec3& point, const Texture* image, const Rgb& base) const
 {
-  if (!arrays.Coordinates)
+  const SceneGeometry::Cell at = this->Geometry->Find(cell);
+  const Arrays& arrays =
+    at.Instance ? this->Prototypes[static_cast<std::size_t>(at.Instance->PrototypeId)] : this->Mesh;
+  Rgb color = base;
+  if (arrays.Colors)
   {
-    return false;
+    arrays.Colors->GetTuple(at.Triangle, color.data());
+    const double scale = GetScale(arrays.Colors);
+    color = { scale * color[0], scale * color[1], scale * color[2] };
+    if (!std::isnan(color[0]))
+    {
+      return color;
+    }
   }
-  double uv[6];
-  arrays.Coordinates->GetTuple(triangle, uv);
+  if (arrays.CornerColors)
+  {
+    return Interpolate<3>(arrays.CornerColors, at.Triangle, this->FindWeights(cell, point));
+  }
+  if (!image || !arrays.Coordinates)
+  {
+    return base;
+  }
+  const auto [u, v] =
+    Interpolate<2>(arrays.Coordinates, at.Triangle, this->FindWeights(cell, point));
+  if (!std::isfinite(u) || !std::isfinite(v))
+  {
+    return base;
+  }
+  const Rgb pixel = image->Get(u, v);
+  return { base[0] * pixel[0], base[1] * pixel[1], base[2] * pixel[2] };
+}
+
+//------------------------------------------------------------------------------
+/// Those of the corners of a triangle at a point.
+Vec3 SurfaceColors::FindWeights(vtkIdType cell, const Vec3& point) const
+{
   double corners[3][3];
   this->Geometry->GetCorners(cell, corners);
-  const Vec3 weights = GetWeights(corners, point);
-  for (int i = 0; i < 2; ++i)
-  {
-    coordinates[i] = weights[0] * uv[i] + weights[1] * uv[2 + i] + weights[2] * uv[4 + i];
-  }
-  return std::isfinite(coordinates[0]) && std::isfinite(coordinates[1]);
+  return GetWeights(corners, point);
 }
 
 } // namespace helios

@@ -28,8 +28,8 @@ namespace helios
 {
 
 /**
- * The colour of a place on a surface: that of the array RGB of its triangle, else the base colour of
- * its material times its texture; black if it has none.
+ * The colour of a place on a surface: that of the cell array RGB of its triangle, else that of the point array
+ * between its corners, else the base colour of its material times its texture; black if it has none.
  */
 class VTKHELIOSSCANNERCORE_EXPORT SurfaceColors
 {
@@ -53,6 +53,7 @@ private:
   struct Arrays
   {
     vtkSmartPointer<vtkDataArray> Colors;
+    vtkSmartPointer<vtkDataArray> CornerColors; ///< red green blue of each of the three corners
     vtkSmartPointer<vtkDataArray> Coordinates;
   };
   struct Row
@@ -63,8 +64,9 @@ private:
 
   Arrays FindArrays(vtkPolyData* mesh);
   void AddMaterials(vtkDataObject* data, TextureStore& store, std::vector<std::string>& faults);
-  bool GetCoordinates(const Arrays& arrays, vtkIdType triangle, vtkIdType cell, const Vec3& point,
-    double coordinates[2]) const;
+  Rgb FindOnTriangle(
+    vtkIdType cell, const Vec3& point, const Texture* image, const Rgb& base) const;
+  Vec3 FindWeights(vtkIdType cell, const Vec3& point) const;
 
   const SceneGeometry* Geometry = nullptr;
   Arrays Mesh;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosWater.h"
 
+#include "heliosDispersion.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,6 +42,13 @@ double GetPureWaterAbsorption(double wavelength)
 MaterialOptics GetOpticsAt(const MaterialOptics& optics, double wavelength)
 {
   MaterialOptics result = optics;
+  if (optics.Dispersion != DispersionKind::None)
+  {
+    const Indices indices = GetIndices(optics.Dispersion, wavelength);
+    result.RefractiveIndex = indices.Phase;
+    result.GroupIndex = indices.Group;
+  }
+  result.GroupIndex = result.GroupIndex > 0.0 ? result.GroupIndex : result.RefractiveIndex;
   if (optics.Kind == OpticsKind::Water)
   {
     result.Kind = OpticsKind::Volume;

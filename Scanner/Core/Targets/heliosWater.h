@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What water absorbs at the wavelength of a scanner.
+// Optics at the wavelength of a scanner.
 
 #ifndef heliosWater_h
 #define heliosWater_h
@@ -20,8 +20,8 @@ namespace helios
 VTKHELIOSSCANNERCORE_EXPORT double GetPureWaterAbsorption(double wavelength);
 
 /**
- * Water at a wavelength [nm] as a volume: the attenuation, which is given at 532 nm, changes as that
- * of pure water does. Other optics are not changed.
+ * Optics at a wavelength [nm]: the indices of a medium with dispersion, and water as a volume, whose
+ * attenuation, which is given at 532 nm, changes as that of pure water does.
  */
 VTKHELIOSSCANNERCORE_EXPORT MaterialOptics GetOpticsAt(
   const MaterialOptics& optics, double wavelength);

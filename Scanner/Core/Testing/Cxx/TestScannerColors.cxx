@@ -264,6 +264,26 @@ TEST_CASE("ScannerColors: a texture is sampled where the echo is")
   }
 }
 
+TEST_CASE("ScannerColors: colours of points are interpolated")
+{
+  const auto wall = MakeScene({ Wall(10.0) }); // corners at x, z = -50 and 50
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName(names::RGB);
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < wall->GetNumberOfPoints(); ++i)
+  {
+    const double* p = wall->GetPoint(i);
+    colors->InsertNextTuple3(p[0] > 0.0 ? 255 : 0, p[2] > 0.0 ? 102 : 0, 51);
+  }
+  wall->GetPointData()->AddArray(colors);
+  Bench bench(wall, { 20.0, 0.0, -15.0 });
+  bench.Scanner->GenerateColorsOn();
+  const Rgb color = GetColor(bench.Run(), 0);
+  CHECK(color[0] == Approx(0.7).margin(1e-5));
+  CHECK(color[1] == Approx(0.4 * 0.35).margin(1e-5));
+  CHECK(color[2] == Approx(0.2).margin(1e-6));
+}
+
 TEST_CASE("ScannerColors: a ghost has the colour of the surface behind the mirror")
 {
   TextureFolder folder;

@@ -75,6 +75,18 @@ TEST_CASE("MtlOptics: waters", "[MtlOptics]")
   CHECK(ReadOptics("helios_water coastal\n").Attenuation == 0.182);
 }
 
+TEST_CASE("MtlOptics: media whose index follows the wavelength", "[MtlOptics]")
+{
+  CHECK(ReadOptics("helios_optics pane\nhelios_dispersion sodaLime\n").Dispersion ==
+    helios::DispersionKind::SodaLime);
+  CHECK(ReadOptics("helios_water clear\nhelios_dispersion water\n").Dispersion ==
+    helios::DispersionKind::Water);
+  CheckError("helios_optics pane\nhelios_dispersion flint\n",
+    ":3: helios_dispersion \"flint\" is unknown; give water, sodaLime, bk7 or silica, or the index "
+    "as "
+    "Ni");
+}
+
 TEST_CASE("MtlOptics: standard keys count only where they are asked for", "[MtlOptics]")
 {
   CHECK(ReadOptics("illum 7\nNi 9\nd 0.1\n") == MaterialOptics());
@@ -113,7 +125,7 @@ TEST_CASE("MtlOptics: the writer's file has the same optics", "[MtlOptics]")
   TestFolder folder;
   folder.Write("a.mtl",
     "newmtl m\nhelios_optics water\nNi 1.3\nhelios_thickness 0.1\nhelios_attenuation 0.3\n"
-    "helios_backscatter 1e-3\nhelios_meanSquareSlope 0.01\n");
+    "helios_backscatter 1e-3\nhelios_meanSquareSlope 0.01\nhelios_dispersion silica\n");
   ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl m\nf 1 2 3\n"));
   REQUIRE(reading.Read());
   vtkNew<vtkHeliosObjSceneWriter> writer;

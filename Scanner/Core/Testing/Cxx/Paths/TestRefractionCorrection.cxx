@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulated echoes of a pool's floor go back to where they are.
+#include "heliosDispersion.h"
 #include "heliosOpticsBench.h"
 #include "vtkHeliosRefractionCorrection.h"
 
@@ -58,17 +59,23 @@ TEST_CASE("RefractionCorrection: a simulated floor is moved to where it is")
 {
   const double degrees = GENERATE(0.0, 20.0, 60.0);
   const double a = vtkMath::RadiansFromDegrees(degrees);
+  const bool hasDispersion = GENERATE(false, true);
   Material water = MakeMaterial(OpticsKind::Volume);
   water.Optics.RefractiveIndex = 1.33;
+  water.Optics.Dispersion =
+    hasDispersion ? helios::DispersionKind::Water : helios::DispersionKind::None;
+  const helios::Indices green = helios::GetIndices(helios::DispersionKind::Water, 532.0);
   const Vec3 normal(std::sin(a), -std::cos(a), 0.0);
   const Rectangle surface = Across({ 0.0, 10.0, 0.0 }, normal, 50.0);
   const Rectangle floor = Across(Vec3(0.0, 10.0, 0.0) - 2.0 * normal, normal, 50.0);
   RayBench scan(MakeOpticalScene({ surface }, water, { floor }));
+  scan.Scanner->SetWavelength(532.0);
   vtkPolyData* cloud = scan.Run();
   const vtkIdType last = cloud->GetNumberOfPoints() - 1;
   REQUIRE(last >= 0);
   CorrectionBench bench(cloud, MakeScene({ surface }), MakePoint({ 0, 0, 0 }, 0.0));
-  bench.Filter->SetRefractiveIndex(1.33);
+  bench.Filter->SetRefractiveIndex(hasDispersion ? green.Phase : 1.33);
+  bench.Filter->SetGroupIndex(hasDispersion ? green.Group : 0.0);
   vtkPolyData* corrected = bench.Run();
   REQUIRE(corrected->GetNumberOfPoints() == last + 1);
   CHECK((Vec3(corrected->GetPoint(last)) - GetTruth(cloud, last)).Norm() < 1e-12);

@@ -339,6 +339,11 @@ TEST_CASE("ScannerOptics: invalid materials are errors")
     material.Optics.RefractiveIndex = 0.5;
     fault = "has refractive index 0.500000; give it within [1, 4]";
   }
+  SECTION("dispersion")
+  {
+    material.Optics.Dispersion = static_cast<helios::DispersionKind>(7);
+    fault = "has dispersion 7; give 0 none, 1 water, 2 soda-lime glass, 3 BK7 or 4 fused silica";
+  }
   SECTION("mirror")
   {
     material.Optics.MirrorReflectance = 1.5;
