@@ -47,7 +47,9 @@ def describe_optics(scene):
 
 
 def _describe(kind, medium, numbers):
-    index = f"the index of {DISPERSION_NAMES[medium]}" if medium else f"index {numbers['index']:.4g}"
+    index = (
+        f"the index of {DISPERSION_NAMES[medium]}" if medium else f"index {numbers['index']:.4g}"
+    )
     text = KINDS[kind].format(**{**numbers, "index": index})
     if kind in MEDIA and numbers["attenuation"] > 0:
         text += ", attenuation {attenuation:.4g} 1/m".format(**numbers)
