@@ -53,6 +53,18 @@ std::string FormatColors(double specularity)
   return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
 }
 
+// Kd and Ks, and the texture. A colour is written of materials without a specular lobe, whose Kd has no
+// other meaning.
+std::string FormatColors(const Material& material)
+{
+  const MaterialColor& color = material.Color;
+  const bool isWritten = color.IsSet() && material.Specularity == 0.0;
+  const std::string colors = isWritten
+    ? ToText("Kd", color.Base[0], color.Base[1], color.Base[2]) + ToText("Ks", 0.0, 0.0, 0.0)
+    : FormatColors(material.Specularity);
+  return colors + (color.Texture.empty() ? "" : "map_Kd " + color.Texture + '\n');
+}
+
 // Returns an error if a material cannot be written: the value.
 Status FindFault(const Material& m)
 {
@@ -208,7 +220,8 @@ void MtlFile::ReadTexture(TextFile& file, TextWords& words)
       ", so its colour is Kd; give the name of an image alone");
     return;
   }
-  const std::filesystem::path folder = std::filesystem::path(file.GetPath()).parent_path();
+  const std::filesystem::path folder =
+    std::filesystem::path(file.GetPath()).parent_path(); // unless the name is absolute
   this->CurrentColors.Texture = (folder / name).string();
 }
 
@@ -391,7 +404,7 @@ bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& re
       return report.Fail(
         "material " + Quote(m.Name) + " has the " + status.Message() + "; correct it");
     }
-    text += "\nnewmtl " + m.Name + '\n' + FormatColors(m.Specularity);
+    text += "\nnewmtl " + m.Name + '\n' + FormatColors(m);
     text += "Ns " + ToText(m.SpecularExponent) + '\n';
     if (!std::isnan(m.Reflectance))
     {

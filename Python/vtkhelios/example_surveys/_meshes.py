@@ -9,6 +9,12 @@ from .._pipeline import update
 from ..vtkHeliosFiltersIO import vtkHeliosObjSceneWriter
 from ..vtkHeliosFiltersScene import vtkHeliosSyntheticScene
 
+# Of the materials of synthetic trees and houses: red, green, blue.
+_COLOURS = {
+    "bark": (0.36, 0.27, 0.19), "leaf": (0.27, 0.45, 0.17), "plaster": (0.85, 0.82, 0.75),
+    "window": (0.20, 0.24, 0.28), "wood": (0.55, 0.42, 0.30), "roof": (0.55, 0.25, 0.20),
+    "brick": (0.62, 0.33, 0.26),
+}  # fmt: skip
 _BOX = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
 
 
@@ -85,3 +91,15 @@ def _write_synthetic(path, source):
     writer.SetInputDataObject(update(source))
     if not writer.Write():
         raise OSError(f"{path}: cannot be written")
+    _write_colours(path.with_suffix(".mtl"))
+
+
+def _write_colours(path):
+    """Sets Kd of the materials that have a colour; they have no specular lobe."""
+    lines, name = [], None
+    for line in path.read_text(encoding="utf-8").splitlines():
+        name = line.split(" ", 1)[1] if line.startswith("newmtl ") else name
+        if line.startswith("Kd ") and name in _COLOURS:
+            line = "Kd {} {} {}".format(*_COLOURS[name])
+        lines.append(line)
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -3,6 +3,8 @@
 // Colours and texture coordinates of the OBJ reader.
 #include "heliosObjTestFiles.h"
 
+#include "vtkHeliosObjSceneWriter.h"
+
 #include <catch2/catch.hpp>
 
 #include <vtkDataArray.h>
@@ -88,6 +90,28 @@ TEST_CASE(
   CHECK(GetCoordinates(reading, 2) == std::vector<double>{ 0, 0, 1, 0, 1, 1 });
   CHECK(std::isnan(GetCoordinates(reading, 3)[0]));
   CHECK(GetCoordinates(reading, 4) == std::vector<double>{ 2.5, -3, 2.5, -3, 2.5, -3 });
+}
+
+TEST_CASE("ObjColors: the writer keeps colours of materials without a lobe", "[ObjColors]")
+{
+  TestFolder folder;
+  folder.Write(
+    "a.mtl", "newmtl m\nKd 0.1 0.2 0.7\nmap_Kd a.png\nnewmtl n\nKd 0.5 0.25 0.25\nKs 0.5 0.5 0\n");
+  ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl m\nf 1 2 3\n"));
+  reading.Reader->ReadColorsOn();
+  REQUIRE(reading.Read());
+  vtkNew<vtkHeliosObjSceneWriter> writer;
+  writer->SetInputData(reading.Scene());
+  writer->SetFileName(folder.GetPath("b.obj").c_str());
+  REQUIRE(writer->Write() == 1);
+  ObjReading again(folder.GetPath("b.obj"));
+  again.Reader->ReadColorsOn();
+  REQUIRE(again.Read());
+  const helios::MaterialTable table = helios::GetMaterials(again.Scene());
+  REQUIRE(table.size() == 2);
+  CHECK(table[0].Color == MaterialColor{ { 0.1, 0.2, 0.7 }, folder.GetPath("a.png") });
+  CHECK(table[0].Specularity == 0.0);
+  CHECK(table[1].Specularity == 0.5);
 }
 
 TEST_CASE("ObjColors: numbers of texture coordinates are checked", "[ObjColors]")

@@ -254,5 +254,8 @@ TEST_CASE("Water: absorption has the wavelengths of the literature")
   CHECK(helios::GetPureWaterAbsorption(541.0) == Approx(std::sqrt(0.0447 * 0.0565)));
   helios::MaterialOptics volume;
   volume.Kind = OpticsKind::Volume;
+  volume.GroupIndex = 1.52; // given: kept
   CHECK(helios::GetOpticsAt(volume, 1064.0) == volume);
+  volume.GroupIndex = 0.0;
+  CHECK(helios::GetOpticsAt(volume, 1064.0).GroupIndex == volume.RefractiveIndex);
 }
