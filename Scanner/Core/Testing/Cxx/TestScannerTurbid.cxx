@@ -15,6 +15,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace helios::testing;
@@ -365,4 +366,30 @@ TEST_CASE("Scanner: bad voxels are errors", "[ScannerTurbid]")
     Catch::Contains("MaterialIds of voxel grid 0 ranges from 3 to 3, but its field data has 1"));
   ids->SetNumberOfValues(2);
   CHECK_THAT(error(slab), Catch::Contains("of voxel grid 0 has 2 tuples"));
+}
+
+TEST_CASE("Scanner: leaves in fog are the same, and fainter by Beer's law", "[ScannerTurbid]")
+{
+  constexpr vtkIdType pulses = 2000;
+  const auto wall = MakeScene({ Wall(20.0) });
+  TurbidBench clear(wall, MakeSlab(10.0, 2.0, 1.2), pulses);
+  clear.Scanner->SetAtmosphericExtinction(0.0);
+  TurbidBench foggy(wall, MakeSlab(10.0, 2.0, 1.2), pulses);
+  foggy.Scanner->SetAtmosphericExtinction(0.05);
+  foggy.Scanner->SetAtmosphericLidarRatio(1e6); // a faint echo of the fog before each other
+  foggy.Scanner->SetRangeMin(2.0);
+  vtkPolyData* a = clear.Run();
+  vtkPolyData* b = foggy.Run();
+  REQUIRE(a->GetNumberOfPoints() == pulses);
+  REQUIRE(b->GetNumberOfPoints() == 2 * pulses);
+  double error = 0.0;
+  for (vtkIdType i = 0; i < pulses; ++i)
+  {
+    const double range = Value(a, names::Range, i);
+    const double fainter = Value(b, names::Amplitude, 2 * i + 1) / Value(a, names::Amplitude, i);
+    error = std::max(error, std::abs(Value(b, names::Range, 2 * i + 1) - range) / 1e-3);
+    error = std::max(error, std::abs(fainter / std::exp(-2.0 * 0.05 * range) - 1.0) / 1e-3);
+    CHECK(Value(b, names::CellIds, 2 * i + 1) == Value(a, names::CellIds, i));
+  }
+  CHECK(error < 1.0); // of a millimetre, and a thousandth
 }
