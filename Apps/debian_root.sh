@@ -37,7 +37,7 @@ helios_make_root() {
     return 1
   fi
   cp /etc/resolv.conf "$helios_root/etc/resolv.conf"
-  [ -z "${PIP_CERT:-}" ] || cp "$PIP_CERT" "$helios_root/root/pip_cert.crt"
+  [ -z "${PIP_CERT:-}" ] || cp "$PIP_CERT" "$helios_root/opt/pip_cert.crt"
   mount -t proc proc "$helios_root/proc"
   mount --bind /dev "$helios_root/dev"
 }
@@ -45,6 +45,6 @@ helios_make_root() {
 # helios_enter COMMAND...: in that Debian, with its environment and the caller's settings of pip.
 helios_enter() {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
-    ${PIP_INDEX_URL:+PIP_INDEX_URL="$PIP_INDEX_URL"} ${PIP_CERT:+PIP_CERT=/root/pip_cert.crt} \
+    ${PIP_INDEX_URL:+PIP_INDEX_URL="$PIP_INDEX_URL"} ${PIP_CERT:+PIP_CERT=/opt/pip_cert.crt} \
     chroot "$helios_root" "$@"
 }

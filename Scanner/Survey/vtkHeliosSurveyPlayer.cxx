@@ -160,7 +160,7 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  player->Source->SetGenerateColors(player->WriteColors);
+  this->Settings.Colors = player->WriteColors; // of the scene, too
   if (!player->Source->CheckOptions(this->Settings))
   {
     return this->Fail();
@@ -177,7 +177,6 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
   const bool isText = this->Settings.Format == "xyz";
   this->Settings.Decibels = player->WriteDecibels;
-  this->Settings.Colors = player->WriteColors;
   this->Settings.ScanFlags =
     isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
   this->Settings.Pulses = player->WritePulses;

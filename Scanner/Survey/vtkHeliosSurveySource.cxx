@@ -141,7 +141,7 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
     }
   }
   inputs.Instances = source->Instances;
-  inputs.Colors = source->GenerateColors;
+  inputs.Colors = settings.Colors;
   inputs.Mesh = vtkPolyData::SafeDownCast(source->GetInputDataObject(MeshPort, 0));
   for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
   {
@@ -566,6 +566,7 @@ std::string vtkHeliosSurveySource::DescribeSampling()
 std::string vtkHeliosSurveySource::GetFingerprint()
 {
   helios::RunSettings settings;
+  settings.Colors = this->GenerateColors; // part of what is loaded
   return this->CheckOptions(settings)
     ? helios::ToLine(helios::MakeFingerprint(this->GetLoader().GetSurvey(), settings))
     : std::string();

@@ -13,7 +13,7 @@
 #   --folder FOLDER   of that Debian, about 8 GB; default: vtkhelios-RELEASE in $TMPDIR or /tmp
 #   --mirror MIRROR   of Debian's packages; default: the first one of this system
 #
-# The clone is FOLDER/root/vtkhelios. The exit code is not 0 if a step failed.
+# The clone is FOLDER/opt/vtkhelios. The exit code is not 0 if a step failed.
 
 set -euo pipefail
 here=$(cd -P "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -50,13 +50,13 @@ make_root() {
 }
 
 # in_clone COMMAND...: in the clone in that Debian.
-in_clone() { helios_enter env -C /root/vtkhelios "$@"; }
+in_clone() { helios_enter env -C /opt/vtkhelios "$@"; }
 
 clone() {
   helios_enter sh -c 'command -v git >/dev/null || { apt-get update -q && apt-get install -y -q git; }'
   helios_enter git config --global safe.directory '*'
-  if [ ! -d "$folder/root/vtkhelios/.git" ]; then
-    helios_enter git clone -q --no-hardlinks /mnt/source /root/vtkhelios
+  if [ ! -d "$folder/opt/vtkhelios/.git" ]; then
+    helios_enter git clone -q --no-hardlinks /mnt/source /opt/vtkhelios
   else
     in_clone git fetch -q /mnt/source HEAD
     in_clone git checkout -q --force --detach FETCH_HEAD

@@ -23,7 +23,7 @@ packages=(build/debian/*.deb)
 helios_own_mounts Testing/Install/packages.sh "$@"
 
 helios_make_root "${2:-bookworm}" "$(realpath -m "${1:-${TMPDIR:-/tmp}/vtkhelios-packages}")" "${3:-}"
-trial=$helios_root/root/trial
+trial=$helios_root/opt/trial
 rm -rf "$trial"
 mkdir -p "$trial"
 cp "${packages[@]}" "$trial"
@@ -31,12 +31,12 @@ Testing/Install/readme.sh --files "$trial"
 cp -r Testing/Install/main.cxx Testing/Install/own* Testing/Install/CMakeLists.txt "$trial"
 
 helios_enter sh -c 'apt-get update -q && apt-get install -y -q --no-install-recommends man-db \
-  xvfb xauth libgl1-mesa-dri desktop-file-utils cmake ninja-build g++ /root/trial/*.deb' \
+  xvfb xauth libgl1-mesa-dri desktop-file-utils cmake ninja-build g++ /opt/trial/*.deb' \
   >"$trial/apt.log" 2>&1 || { tail -20 "$trial/apt.log" >&2; exit 1; }
 
 cat >"$trial/use.sh" <<'USE'
 set -eux
-cd /root/trial
+cd /opt/trial
 vtkhelios --version
 man vtkhelios-run | grep -q -- --resume
 desktop-file-validate /usr/share/applications/vtkhelios.desktop
@@ -49,5 +49,5 @@ cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build build >/dev/null
 build/own_deflector
 USE
-helios_enter bash /root/trial/use.sh
+helios_enter bash /opt/trial/use.sh
 echo "the packages work; a picture of the viewer is $trial/picture.png"

@@ -53,8 +53,8 @@ std::string FormatColors(double specularity)
   return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
 }
 
-// Kd and Ks, and the texture. A colour is written of materials without a specular lobe, whose Kd has no
-// other meaning.
+// Kd and Ks, and the texture. A colour is written of materials without a specular lobe, whose Kd
+// has no other meaning.
 std::string FormatColors(const Material& material)
 {
   const MaterialColor& color = material.Color;
@@ -209,7 +209,7 @@ bool MtlFile::ReadColor(
   return true;
 }
 
-// The path of an image, beside the MTL file.
+// The path of an image: beside the MTL file, unless it is absolute.
 void MtlFile::ReadTexture(TextFile& file, TextWords& words)
 {
   const std::string name(words.NextTitle());
@@ -220,8 +220,7 @@ void MtlFile::ReadTexture(TextFile& file, TextWords& words)
       ", so its colour is Kd; give the name of an image alone");
     return;
   }
-  const std::filesystem::path folder =
-    std::filesystem::path(file.GetPath()).parent_path(); // unless the name is absolute
+  const std::filesystem::path folder = std::filesystem::path(file.GetPath()).parent_path();
   this->CurrentColors.Texture = (folder / name).string();
 }
 

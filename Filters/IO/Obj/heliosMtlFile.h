@@ -22,8 +22,9 @@ namespace helios
 /**
  * Reads MTL files one by one into one table. Keys: newmtl, Kd, Ks, Ns, helios_reflectance,
  * helios_isGround, helios_classification, helios_spectra and those of MtlOptics; Ka is checked;
- * map_Kd is read with colours. The specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the first one. A
- * reflectance above 1 is read as percent, up to 100, with a warning.
+ * map_Kd is read with colours. The specularity of every material is sum Ks / (sum Kd + sum Ks). A
+ * material defined again replaces the first one. A reflectance above 1 is read as percent, up to
+ * 100, with a warning.
  */
 class MtlFile
 {

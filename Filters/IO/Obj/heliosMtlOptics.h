@@ -17,10 +17,12 @@ namespace helios
 
 /**
  * The optics of the material that a file defines. helios_optics is mirror, pane, volume, water,
- * leaf, retroreflector, or illum: what the standard keys illum and d mean. helios_water is a type of water with its numbers.
- * helios_mirrorReflectance, helios_thickness [m], helios_attenuation [1/m], helios_backscatter
- * [1/(m sr)], helios_transmittance, helios_retroreflection [1/sr], helios_meanSquareSlope and the standard Ni are their numbers; helios_dispersion is a medium whose index follows the wavelength. Without helios_optics and
- * helios_water a material is opaque, and the standard keys are ignored.
+ * leaf, retroreflector, or illum: what the standard keys illum and d mean. helios_water is a type
+ * of water with its numbers. helios_mirrorReflectance, helios_thickness [m], helios_attenuation
+ * [1/m], helios_backscatter [1/(m sr)], helios_transmittance, helios_retroreflection [1/sr],
+ * helios_meanSquareSlope and the standard Ni are their numbers; helios_dispersion is a medium whose
+ * index follows the wavelength. Without helios_optics and helios_water a material is opaque, and the
+ * standard keys are ignored.
  */
 class MtlOptics
 {

@@ -43,7 +43,7 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
 
 @dataclasses.dataclass
 class Finding:
-    """An error, warning or note; line is None for a whole file."""
+    """An error, warning or note; line is None if it is about the file, not a line of it."""
 
     file: str
     line: int | None

@@ -86,8 +86,8 @@ void Droplets::MakeShells()
 }
 
 //------------------------------------------------------------------------------
-/// The square of the distance from the axis, in K w, up to which drops reach the least power: the share
-/// of the beam's section.
+/// The square of the distance from the axis, in K w, up to which drops reach the least power: the
+/// share of the beam's section.
 double Droplets::GetReach(double range) const
 {
   if (!(this->LeastPower > 0.0))
