@@ -165,3 +165,17 @@ def test_meshes_of_other_libraries_keep_the_colours_of_their_vertices():
     assert len(cloud) > 1000
     assert np.abs(cloud["RGB"][:, 0] - (cloud.points[:, 0] + 9) / 18).max() < 0.01
     assert np.allclose(cloud["RGB"][:, 1:], [0, 1])
+
+
+def test_run_to_writes_colours_where_the_format_has_them(room, tmp_path):
+    survey = vtkhelios.read_survey(room / "survey.xml")
+    report = survey.run_to(tmp_path / "out", format="las", colors=True, noise=False)
+    reader = vtkhelios.vtkHeliosLASReader()
+    reader.SetFileName(str(report["folder"] / "leg000_points.las"))
+    vtkhelios.update(reader)
+    cloud = vtkhelios.Cloud(reader.GetOutput())
+    check_colors(cloud.points, cloud["RGB"], 4 * 0.01 / 255 + 1e-4)
+    with pytest.raises(
+        vtkhelios.PipelineError, match='Format "xyz" has no colours; give las or vtp'
+    ):
+        survey.run_to(tmp_path / "text", colors=True)
