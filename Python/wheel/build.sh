@@ -6,9 +6,12 @@
 
 # shellcheck source=../../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../Apps/setup.sh"
+# shellcheck source=../../Apps/debian_root.sh
+source Apps/debian_root.sh
 
 jobs=${HELIOS_JOBS:-$(nproc)}
 work=$PWD/build/wheel
+private=$work/private # libraries that are built here
 python=$work/venv/bin/python
 
 # What the wheel is built with. Only the headers of GDAL: the wheel loads one, and brings none.
@@ -24,26 +27,26 @@ apt_sources() {
   local folder=$work/apt
   mkdir -p "$folder/lists/partial" "$folder/archives/partial"
   echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg]" \
-    "http://deb.debian.org/debian bookworm main" >"$folder/sources.list"
+    "$(helios_find_mirror) bookworm main" >"$folder/sources.list"
   apt-get -q -o "Dir::Etc::SourceList=$folder/sources.list" -o Dir::Etc::SourceParts=/dev/null \
     -o "Dir::State::Lists=$folder/lists" -o "Dir::Cache=$folder" "$@"
 }
 
-# PROJ without curl and its 40 libraries.
-build_proj() {
-  [ -f "$work/proj-private/.done" ] && return
-  helios_say "building PROJ"
-  if [ ! -d "$work/proj" ]; then
+# build_library SOURCE: that source package of Debian, with the settings of SOURCE.cmake.
+build_library() {
+  [ -f "$private/.$1" ] && return
+  helios_say "building $1"
+  if [ ! -d "$work/$1" ]; then
     apt_sources update
-    (cd "$work/apt" && apt_sources source --download-only proj)
-    rm -rf "$work/proj.part"
-    dpkg-source --no-check -x "$work"/apt/proj_*.dsc "$work/proj.part"
-    mv "$work/proj.part" "$work/proj"
+    (cd "$work/apt" && apt_sources source --download-only "$1")
+    rm -rf "$work/$1.part"
+    dpkg-source --no-check -x "$work"/apt/"$1"_*.dsc "$work/$1.part"
+    mv "$work/$1.part" "$work/$1"
   fi
-  cmake -G Ninja -S "$work/proj" -B "$work/proj-build" -C Python/wheel/proj.cmake \
-    -DCMAKE_INSTALL_PREFIX="$work/proj-private" >"$work/proj.log"
-  ninja -C "$work/proj-build" -j "$jobs" install >>"$work/proj.log"
-  touch "$work/proj-private/.done"
+  cmake -G Ninja -S "$work/$1" -B "$work/$1-build" -C "Python/wheel/$1.cmake" \
+    -DCMAKE_INSTALL_PREFIX="$private" >"$work/$1.log"
+  ninja -C "$work/$1-build" -j "$jobs" install >>"$work/$1.log"
+  touch "$private/.$1"
 }
 
 make_tools() {
@@ -59,24 +62,25 @@ build_package() {
   CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip wheel -q --disable-pip-version-check \
     --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios" \
     -C cmake.args="-GNinja;-C$PWD/Python/wheel/vtkhelios.cmake" \
-    -C cmake.define.PROJ_DIR="$work/proj-private/lib/cmake/proj" .
+    -C cmake.define.PROJ_DIR="$private/lib/cmake/proj" .
 }
 
 # The wheel with these libraries.
 bundle() {
   helios_say "bundling the libraries"
   rm -rf "$work/bundled"
-  "$python" Python/wheel/assemble.py "$work"/plain/vtkhelios-*.whl --proj "$work/proj-private"
-  LD_LIBRARY_PATH=$work/proj-private/lib PATH=$work/venv/bin:$PATH \
+  "$python" Python/wheel/assemble.py "$work"/plain/vtkhelios-*.whl --proj "$private"
+  LD_LIBRARY_PATH=$private/lib PATH=$work/venv/bin:$PATH \
     "$python" -m auditwheel repair --plat manylinux_2_35_x86_64 --lib-sdir /lib --strip \
     --wheel-dir "$work/bundled" "$work"/plain/vtkhelios-*.whl
-  "$python" Python/wheel/finish.py "$work"/bundled/vtkhelios-*.whl --proj-source "$work/proj" --to dist
+  "$python" Python/wheel/finish.py "$work"/bundled/vtkhelios-*.whl --sources "$work" --to dist
   ls -l dist/vtkhelios-*.whl
 }
 
 helios_install_packages
 mkdir -p "$work"
-build_proj
+build_library proj
+build_library tiff
 make_tools
 build_package
 bundle

@@ -19,7 +19,9 @@ from symbols import make_unique_weak
 def parse():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("wheel", type=pathlib.Path)
-    parser.add_argument("--proj-source", type=pathlib.Path, required=True)
+    parser.add_argument(
+        "--sources", type=pathlib.Path, required=True, help="folder of the sources that were built"
+    )
     parser.add_argument("--to", type=pathlib.Path, required=True, help="folder for the new wheel")
     return parser.parse_args()
 
@@ -33,7 +35,7 @@ def main():
         tree = next(pathlib.Path(scratch).iterdir())
         count = sum(make_unique_weak(path) for path in tree.rglob("*.so*"))
         print(f"{count} unique symbols are weak now")
-        add_licenses(tree, given.proj_source)
+        add_licenses(tree, given.sources)
         subprocess.run([*wheel, "pack", tree, "--dest-dir", given.to], check=True)
 
 

@@ -13,8 +13,10 @@ LICENSES = {
     "double-conversion": "BSD-3-Clause",
     "eigen3": "MPL-2.0",
     "geographiclib": "MIT",
+    "libjpeg-turbo": "IJG AND BSD-3-Clause AND Zlib",
     "libjsoncpp": "MIT",
     "liblzf": "BSD-2-Clause",
+    "libpng1.6": "libpng-2.0",
     "lz4": "BSD-2-Clause",
     "onetbb": "Apache-2.0",
     "openssl": "Apache-2.0",
@@ -23,9 +25,11 @@ LICENSES = {
     "librandom123": "BSD-3-Clause",
     "re2": "BSD-3-Clause",
     "sqlite3": "public domain",
+    "tiff": "libtiff",
     "vtk9": "BSD-3-Clause",
     "xz-utils": "public domain",
 }
+BUILT = {"libproj": "proj", "libtiff": "tiff"}  # by build.sh, from these source packages
 HEADERS = ("libeigen3-dev", "librandom123-dev")  # compiled in
 
 _HASH = re.compile(r"-[0-9a-f]{8}(?=\.)")  # by auditwheel
@@ -48,13 +52,19 @@ def describe(package):
     return source, version, pathlib.Path("/usr/share/doc", package, "copyright")
 
 
-def describe_proj(source):
-    """What find_package() returns, of the PROJ that build.sh has compiled."""
+def describe_built(source):
+    """What find_package() returns, of a source package that build.sh has compiled."""
     changes = (source / "debian/changelog").read_text(encoding="utf-8")
-    return "proj", re.match(r"\S+ \((.*?)\)", changes)[1], source / "debian/copyright"
+    return source.name, re.match(r"\S+ \((.*?)\)", changes)[1], source / "debian/copyright"
 
 
-def add_licenses(tree, proj_source):
+def find_origin(library, sources):
+    """Source package, version and copyright file of a library, without its checksum."""
+    built = BUILT.get(library.split(".")[0])
+    return describe_built(sources / built) if built else find_package(library)
+
+
+def add_licenses(tree, sources):
     """Fills the folder licenses of the .dist-info folder of an unpacked wheel.
 
     It gets the copyright file of each source package, and bundled.txt: each library with its source
@@ -64,11 +74,7 @@ def add_licenses(tree, proj_source):
     folder.mkdir(exist_ok=True)
     origins = [(f"headers of {package}", *describe(package)) for package in HEADERS]
     for path in (tree / "vtkhelios/lib").iterdir():
-        name = _HASH.sub("", path.name)
-        is_proj = name.startswith("libproj.")
-        origins.append(
-            (path.name, *(describe_proj(proj_source) if is_proj else find_package(name)))
-        )
+        origins.append((path.name, *find_origin(_HASH.sub("", path.name), sources)))
     rows = []
     for name, source, version, copyright_file in sorted(origins):
         if source not in LICENSES:
