@@ -265,7 +265,7 @@ void vtkHeliosSurveyWriter::Internals::AddLegs(
     pugi::xml_node place = leg.append_child("platformSettings");
     helios::SetAttribute(place, "template", this->Crs.empty() ? "" : TemplateId);
     helios::LegSettings settings;
-    settings.Leg.Position = foot;
+    settings.Leg.Position = helios::RoundComputed(foot);
     settings.Leg.Speed = this->Speeds ? this->Speeds->GetTuple1(i) : settings.Leg.Speed;
     helios::SetStored(place, settings);
     pugi::xml_node scan = leg.append_child("scannerSettings");

@@ -10,8 +10,8 @@
  *
  * The beam origin of every leg is at its position: the offsets of the platform's mount and of the
  * beam origin in the head are subtracted, so that the z of a leg is the foot of the platform. (A
- * beam origin off the head axis rotates about the position.) Numbers have the fewest digits that
- * read back exactly.
+ * beam origin off the head axis rotates about the position.) Coordinates are rounded to 1e-9; other
+ * numbers have the fewest digits that read back exactly.
  *
  * Points with the array Speed [m/s] are the waypoints of a moving platform instead: legs without head
  * rotation, at that speed to the next point, and active unless the point array Active is 0. Those

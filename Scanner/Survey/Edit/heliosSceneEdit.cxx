@@ -114,7 +114,8 @@ Vec3 GetOffset(pugi::xml_node part)
 
 void SetOffset(pugi::xml_node part, const Vec3& offset)
 {
-  SetValue(GetParameter(GetFilter(part, "translate"), "offset", "vec3"), ToXmlText(offset));
+  SetValue(
+    GetParameter(GetFilter(part, "translate"), "offset", "vec3"), ToXmlText(RoundComputed(offset)));
 }
 
 double GetScale(pugi::xml_node part)
@@ -151,7 +152,8 @@ void AddTurn(pugi::xml_node part, double angle)
   }
   pugi::xml_attribute turn =
     GetParameter(filter, "rotation", "rotation").child("rot").attribute("angle_deg");
-  turn = helios::ToXmlText(std::remainder(turn.as_double() + angle, 360.0)).c_str();
+  const double sum = std::remainder(turn.as_double() + angle, 360.0);
+  turn = helios::ToXmlText(RoundComputed(sum)).c_str();
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "heliosSurveyEdit.h"
 
 #include "heliosMessages.h"
+#include "heliosXmlValue.h"
 
 #include <vtkMath.h>
 
@@ -198,7 +199,7 @@ LegSettings MakeUsualSettings(const SurveyEdit& edit)
 void Place(const SurveyEdit& edit, EditLeg& leg)
 {
   LegData& data = leg.Settings.Leg;
-  data.Position[2] = leg.Ground + (edit.IsMoving() ? edit.Height : 0.0);
+  data.Position[2] = RoundComputed(leg.Ground + (edit.IsMoving() ? edit.Height : 0.0));
   data.OnGround = data.OnGround && !edit.IsMoving();
 }
 
@@ -215,7 +216,7 @@ void FlyArea(SurveyEdit& edit)
     {
       EditLeg leg;
       leg.Settings = edit.Settings;
-      leg.Settings.Leg.Position = isStart ? line.first : line.second;
+      leg.Settings.Leg.Position = RoundComputed(isStart ? line.first : line.second);
       leg.Settings.Leg.Active = isStart;
       leg.Ground = leg.Settings.Leg.Position[2] - edit.Height;
       edit.Legs.push_back(leg);
@@ -420,7 +421,7 @@ void MoveLeg(SurveyEdit& edit, std::size_t leg, const Vec3& place, bool onGround
   {
     edit.HasArea = false;
     edit.Legs[leg].Ground = place[2];
-    edit.Legs[leg].Settings.Leg.Position = place;
+    edit.Legs[leg].Settings.Leg.Position = RoundComputed(place);
     edit.Legs[leg].Settings.Leg.Crs.clear();
     edit.Legs[leg].Settings.Leg.OnGround = onGround;
     Place(edit, edit.Legs[leg]);

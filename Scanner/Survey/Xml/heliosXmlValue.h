@@ -7,6 +7,7 @@
 
 #include "heliosXmlRule.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,20 @@ std::string DescribeDefault(const XmlValueRule& rule);
 /// The fewest digits that read back exactly, without an exponent: other programs read 100000 as an
 /// integer, but not 1e5.
 std::string ToXmlText(double value);
+
+///@{
+/// A computed length [m] or angle [degrees] to its billionth, so that 0.1 + 0.2 is saved as 0.3.
+/// Numbers of 2^53 billionths and more, which a double does not hold, stay as they are.
+inline double RoundComputed(double value)
+{
+  return std::abs(value) < 9.0e6 ? std::round(value * 1e9) / 1e9 : value;
+}
+
+inline Vec3 RoundComputed(const Vec3& v)
+{
+  return { RoundComputed(v[0]), RoundComputed(v[1]), RoundComputed(v[2]) };
+}
+///@}
 
 } // namespace helios
 
