@@ -43,6 +43,7 @@ constexpr std::size_t AtByReturn = 255;
 ///@}
 
 constexpr std::size_t TextSize = 32;
+constexpr std::string_view Signature = "LASF";
 constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375 }; // of 1.0 to 1.4
 
 ///@{
@@ -155,7 +156,7 @@ void LasSummary::Add(const LasSummary& other)
 std::string LasHeader::Encode() const
 {
   std::string bytes(Size14, '\0');
-  bytes.replace(0, 4, "LASF");
+  bytes.replace(0, Signature.size(), Signature);
   Store(bytes, AtEncoding, static_cast<std::uint16_t>(this->Encoding));
   bytes[AtVersion] = 1;
   bytes[AtVersion + 1] = 4;
@@ -188,7 +189,7 @@ std::string LasHeader::Encode() const
 
 Status LasHeader::Decode(std::string_view bytes)
 {
-  if (bytes.size() < 4 || bytes.substr(0, 4) != "LASF")
+  if (bytes.substr(0, Signature.size()) != Signature)
   {
     return Status::Error("is not a LAS file: it does not start with LASF");
   }
@@ -216,7 +217,7 @@ Status LasHeader::Decode(std::string_view bytes)
       "ends within its header, after " + std::to_string(bytes.size()) + " bytes");
   }
   const int format = static_cast<unsigned char>(bytes[AtFormat]);
-  if (format & CompressedBits)
+  if (HasCompressedPoints(bytes))
   {
     return Status::Error(
       "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las");
@@ -236,6 +237,14 @@ Status LasHeader::Decode(std::string_view bytes)
   return status.IsOk() ? this->DecodeCounts(bytes) : status;
 }
 
+//------------------------------------------------------------------------------
+bool HasCompressedPoints(std::string_view header)
+{
+  return header.size() > AtFormat && header.substr(0, Signature.size()) == Signature &&
+    (header[AtFormat] & CompressedBits) != 0;
+}
+
+//------------------------------------------------------------------------------
 Status LasHeader::CheckNumbers() const
 {
   const LasPointForm form = GetLasPointForm(this->Format);

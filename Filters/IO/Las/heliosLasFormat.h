@@ -66,6 +66,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasSummary
 
 struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 {
+  static constexpr int Size10 = 227; ///< of LAS 1.0
   static constexpr int Size14 = 375;
   static constexpr double StandardTimeOffset = 1e9; ///< [s]
 
@@ -155,6 +156,9 @@ inline constexpr const char* LasProjectionUser = "LASF_Projection";
 inline constexpr int LasWktId = 2112;
 inline constexpr int LasGeoKeysId = 34735;
 ///@}
+
+/// Whether the first bytes of a file, LasHeader::Size10 or more, are those of LASzip (LAZ).
+bool HasCompressedPoints(std::string_view header);
 
 /// The text in bytes, up to the first zero.
 VTKHELIOSFILTERSIO_EXPORT std::string GetLasText(std::string_view bytes);

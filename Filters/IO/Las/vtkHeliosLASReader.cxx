@@ -6,6 +6,7 @@
 #include "heliosLasArrays.h"
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
+#include "heliosLazFile.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
@@ -144,6 +145,20 @@ int vtkHeliosLASReader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+/// Opens the file, or the LAS file that a LAZ file is converted to, once for all pieces.
+helios::Status vtkHeliosLASReader::Open(helios::LasFile& file)
+{
+  if (!helios::IsLazFile(this->FileName))
+  {
+    return file.Open(this->FileName);
+  }
+  this->Converted =
+    this->Converted ? std::move(this->Converted) : std::make_unique<helios::LazFile>();
+  const helios::Status status = this->Converted->Convert(this->FileName);
+  return status.IsOk() ? file.Open(this->Converted->GetLasPath()) : status;
+}
+
+//------------------------------------------------------------------------------
 /// Reads points begin to end.
 helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
   std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
@@ -246,7 +261,7 @@ int vtkHeliosLASReader::RequestData(
   helios::Status status;
   try
   {
-    status = file.Open(this->FileName);
+    status = this->Open(file);
     const auto points = file.GetHeader().Points.Count;
     const auto n = static_cast<std::uint64_t>(count);
     const auto i = static_cast<std::uint64_t>(piece);

@@ -4,7 +4,8 @@
  * @class   vtkHeliosLASReader
  * @brief   read points from a LAS file, piece by piece
  *
- * LAS 1.0 to 1.4, uncompressed, point formats 0 to 10. Output 0 is a
+ * LAS 1.0 to 1.4, point formats 0 to 10. LAZ is converted to LAS in the temporary folder, by the
+ * program vtkhelios; the file exists as long as the reader. Output 0 is a
  * vtkPolyData without cells: double points, and the point arrays
  * - GpsTime [s] (double), if the format has it;
  * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirectionFlag,
@@ -27,7 +28,7 @@
  * Piece i of n is the i-th of n equal ranges of the points.
  *
  * Errors, which name the file, without output: not a LAS file; an invalid version, format or size;
- * a truncated file; inconsistent counts; LAZ (the message says how to convert it). For waveforms:
+ * a truncated file; inconsistent counts; LAZ without vtkhelios, laspy or lazrs. For waveforms:
  * no packet file; a descriptor that is missing, empty or unknown; a packet beyond the end; packets
  * that overlap to more than the file size.
  *
@@ -52,6 +53,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // For numbers of points
+#include <memory>  // For the converted file
 #include <string>  // For names and messages
 
 class vtkTable;
@@ -59,6 +61,7 @@ class vtkTable;
 namespace helios
 {
 class LasFile;
+class LazFile;
 class Status;
 }
 
@@ -109,6 +112,7 @@ private:
   vtkHeliosLASReader(const vtkHeliosLASReader&) = delete;
   void operator=(const vtkHeliosLASReader&) = delete;
 
+  helios::Status Open(helios::LasFile& file);
   void WarnOfValues(const std::string& path, vtkPolyData* cloud);
   helios::Status ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
     vtkPolyData* output, vtkTable* waveforms);
@@ -116,8 +120,9 @@ private:
   char* FileName = nullptr;
   bool ReadWaveforms = false;
   std::string Classes;
-  std::string WarnedName;   // file whose waveforms caused a warning
-  std::string WarnedValues; // file whose values caused a warning
+  std::unique_ptr<helios::LazFile> Converted; // of a LAZ file; null: none was read
+  std::string WarnedName;                     // file whose waveforms caused a warning
+  std::string WarnedValues;                   // file whose values caused a warning
 };
 
 #endif

@@ -158,7 +158,7 @@ std::vector<XmlElementRule> MakeFilterRules()
     },
     {} },
 
-  { "filter:lasloader", "points of a LAS file, converted to solid voxels; convert LAZ to LAS first",
+  { "filter:lasloader", "points of a LAS or LAZ file, converted to solid voxels",
     {
       Text("filepath", "the file"),
       Text("efilepath", "a folder and a regular expression for file names; overrides filepath"),
