@@ -494,9 +494,10 @@ TEST_CASE("PointVoxelizer: can be aborted within a piece", "[PointVoxelizer]")
     int Steps;
     void Count(vtkObject* caller, unsigned long, void*)
     {
-      if (--this->Steps == 0)
+      auto* filter = static_cast<vtkAlgorithm*>(caller);
+      if (filter->GetProgress() < 1.0 && --this->Steps == 0) // VTK 9.3 reports 1 at last
       {
-        static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+        filter->AbortExecuteOn();
       }
     }
   };

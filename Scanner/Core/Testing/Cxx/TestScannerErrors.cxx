@@ -226,8 +226,9 @@ TEST_CASE(
     [](vtkObject* caller, unsigned long, void* counter, void*)
     {
       auto* scanner = static_cast<vtkAlgorithm*>(caller);
-      scanner->SetAbortExecute(scanner->GetProgress() > 0.0);
-      *static_cast<int*>(counter) += scanner->GetAbortExecute();
+      const double progress = scanner->GetProgress();
+      scanner->SetAbortExecute(progress > 0.0);
+      *static_cast<int*>(counter) += progress > 0.0 && progress < 1.0; // VTK 9.3 reports 1 at last
     });
   const unsigned long tag = bench.Scanner->AddObserver(vtkCommand::ProgressEvent, stop);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
@@ -243,6 +244,7 @@ TEST_CASE(
 
   bench.Log->Clear();
   bench.Scanner->RemoveObserver(tag);
+  bench.Scanner->SetAbortExecute(0); // VTK 9.1 does it by itself
   bench.Scanner->Modified();
   CHECK(bench.Run()->GetNumberOfPoints() == 100000);
   CHECK(bench.Log->Errors.empty());

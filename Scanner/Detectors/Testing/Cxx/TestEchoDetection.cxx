@@ -444,8 +444,9 @@ TEST_CASE("EchoDetection: an abort is an error without output", "[EchoDetection]
     [](vtkObject* caller, unsigned long, void* data, void*)
     {
       auto* filter = static_cast<vtkAlgorithm*>(caller);
-      *static_cast<int*>(data) += filter->GetProgress() > 0.0 ? 1 : 0;
-      filter->SetAbortExecute(filter->GetProgress() > 0.0);
+      const double progress = filter->GetProgress();
+      *static_cast<int*>(data) += progress > 0.0 && progress < 1.0; // VTK 9.3 reports 1 at last
+      filter->SetAbortExecute(progress > 0.0);
     });
   detection.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
   CHECK(detection.Run()->GetNumberOfPoints() == 0);

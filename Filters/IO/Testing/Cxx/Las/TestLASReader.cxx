@@ -500,6 +500,7 @@ TEST_CASE("LASReader: abort", "[LASReader]")
   CHECK(reading.Log->HasError(Path + ": reading was aborted at point 16384; update again"));
   CHECK(reading.CountPoints() == 0);
   reading.Reader->RemoveObserver(tag);
-  CHECK(reading.Read()); // and read again
+  reading.Reader->SetAbortExecute(0); // VTK 9.1 does it by itself
+  CHECK(reading.Read());              // and read again
   CHECK(reading.CountPoints() == 40000);
 }

@@ -232,7 +232,8 @@ TEST_CASE(
   CHECK_FALSE(reading.Read());
   CHECK(reading.Log->HasError("reading was aborted here; update again to read it"));
   CHECK(reading.TriangleCount() == 0);
-  CHECK(observer->Values.back() < 0.9);
+  REQUIRE(observer->Values.size() > 1);
+  CHECK(observer->Values[observer->Values.size() - 2] < 0.9); // VTK 9.3 reports 1 at last
 
   observer->AbortFrom = 2.0;
   observer->Values.clear();
