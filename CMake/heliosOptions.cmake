@@ -4,6 +4,7 @@
 
 option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
 option(VTKHELIOS_WRAP_VTK "Wrap the classes of VTK, too, as vtkhelios.vtkmodules: for wheels" OFF)
+set(VTKHELIOS_VTK_PYTHON_DIR "" CACHE PATH "Libraries of VTK for another Python than its own; with VTKHELIOS_WRAP_VTK")
 option(VTKHELIOS_BUILD_VIEWER "Build the viewer" ON)
 option(VTKHELIOS_BUILD_TESTING "Build the tests" ON)
 option(VTKHELIOS_BUILD_BENCHMARKS "Build the benchmarks (they need Embree, CGAL and tinyobjloader)" OFF)

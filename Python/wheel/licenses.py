@@ -30,6 +30,8 @@ LICENSES = {
     "xz-utils": "public domain",
 }
 BUILT = {"libproj": "proj", "libtiff": "tiff"}  # by build.sh, from these source packages
+# So is this for other versions of Python, from the source of Debian's VTK.
+DEBIAN_NAME = (re.compile(r"^libvtkWrappingPythonCore3\.\d+-"), "libvtkWrappingPythonCore3.11-")
 HEADERS = ("libeigen3-dev", "librandom123-dev")  # compiled in
 
 _HASH = re.compile(r"-[0-9a-f]{8}(?=\.)")  # by auditwheel
@@ -43,7 +45,7 @@ def query(*arguments):
 
 def find_package(library):
     """The source package of Debian that a library is from, its version and its copyright file."""
-    owner = query("-S", f"*/{library}").split(":")[0]
+    owner = query("-S", f"*/{DEBIAN_NAME[0].sub(DEBIAN_NAME[1], library)}").split(":")[0]
     return describe(owner)
 
 

@@ -3,7 +3,7 @@
 """The wheel of build.sh, in an environment without Debian's packages and beside PyPI's vtk.
 
 Not part of the default tests: build/venv/bin/python -m pytest Python/wheel/test_wheel.py
-It needs PyPI, installs 400 MB into build/wheel/test, and compares with the program of this build,
+HELIOS_PYTHON names the Python of the wheel (/usr/bin/python3). It needs PyPI, installs 400 MB into build/wheel/test, and compares with the program of this build,
 build/bin/vtkhelios.
 """
 
@@ -19,7 +19,7 @@ import zipfile
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PYTHON = "/usr/bin/python3"
+PYTHON = os.environ.get("HELIOS_PYTHON", "/usr/bin/python3")  # of the wheel that is tested
 REFERENCE = ROOT / "build/bin/vtkhelios"
 LARGEST = 60_000_000  # bytes
 
@@ -36,7 +36,9 @@ def run(*command, check=True, **options):
 
 @pytest.fixture(scope="session")
 def wheel():
-    wheels = sorted((ROOT / "dist").glob("vtkhelios-*-cp311-cp311-manylinux_*.whl"))
+    code = "import sys; print('cp{}{}'.format(*sys.version_info), end='')"
+    tag = run(PYTHON, "-c", code).stdout
+    wheels = sorted((ROOT / "dist").glob(f"vtkhelios-*-{tag}-{tag}-manylinux_*.whl"))
     assert wheels, "dist has no wheel: make it with Python/wheel/build.sh"
     return wheels[-1]
 
@@ -106,7 +108,7 @@ def test_every_library_has_a_license(wheel):
 
 def test_auditwheel_accepts_the_tag(wheel):
     """It links to nothing outside of the wheel but the libraries that every Linux has."""
-    tool = ROOT / "build/wheel/venv/bin/auditwheel"
+    tool = next(ROOT.glob("build/wheel/venv-*/bin/auditwheel"))
     shown = " ".join(run(tool, "show", wheel).stdout.split())
     assert 'is consistent with the following platform tag: "manylinux_2_35_x86_64"' in shown
 
