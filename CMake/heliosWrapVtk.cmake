@@ -25,9 +25,8 @@ endfunction()
 if(VTKHELIOS_VTK_PYTHON_DIR) # libraries of VTK for another Python
   foreach(name IN ITEMS FiltersPython WrappingPythonCore)
     file(GLOB library "${VTKHELIOS_VTK_PYTHON_DIR}/libvtk${name}*.so")
-    foreach(property IN ITEMS IMPORTED_LOCATION_NONE IMPORTED_LOCATION)
-      set_property(TARGET VTK::${name} PROPERTY ${property} "${library}")
-    endforeach()
+    get_target_property(configuration VTK::${name} IMPORTED_CONFIGURATIONS)
+    set_property(TARGET VTK::${name} PROPERTY IMPORTED_LOCATION_${configuration} "${library}")
   endforeach()
 endif()
 
