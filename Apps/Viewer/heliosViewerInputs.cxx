@@ -8,7 +8,8 @@
 #include "heliosInputFile.h"
 #include "heliosInspector.h"
 #include "heliosMeasureTool.h"
-#include "heliosPlanView.h"
+#include "heliosPlanFiles.h"
+#include "heliosPlanTool.h"
 #include "heliosSectionTool.h"
 #include "heliosSimulation.h"
 #include "heliosStatus.h"
@@ -86,13 +87,14 @@ Status ShowSurveyFile(Viewer& viewer, const std::string& fileName)
   return {};
 }
 
-Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
+/// The scene of a file, and what PlanTool draws above it.
+Status ShowSceneFile(Viewer& viewer, const std::string& fileName, vtkPolyData* above = nullptr)
 {
   vtkNew<vtkHeliosPlannerReader> reader;
   ErrorText errors(reader);
   SetInput(reader.Get(), fileName, viewer.GetOptions().Assets);
-  reader->SetDefaultPlatform(DefaultPlatform);
-  reader->SetDefaultScanner(DefaultScanner);
+  reader->SetPlatform(DefaultPlatform); // of any file: only its scene is shown
+  reader->SetScanner(DefaultScanner);
   reader->KeepGridsOn();
   reader->InstancesOn();
   reader->Update();
@@ -107,7 +109,7 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName)
   {
     grids.emplace_back(reader->GetGrid(i));
   }
-  viewer.ShowScene(scene, grids);
+  viewer.ShowScene(scene, grids, above);
   return {};
 }
 
@@ -122,7 +124,7 @@ Status ShowPlan(Viewer& viewer, const std::string& path)
   }
   return plan.Survey.empty()
     ? Status::Error(path + ": has no survey.xml, which names the scene; plan again")
-    : ShowSceneFile(viewer, plan.Survey);
+    : ShowSceneFile(viewer, plan.Survey, plan.Lines);
 }
 
 /// The trajectories in the files of a run, as legs of a replay.

@@ -76,8 +76,10 @@ public:
   /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.
   void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
 
-  /// Shows a scene and its turbid voxels without a survey [m].
-  void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
+  /// Shows a scene and its turbid voxels without a survey [m]. The first view also has what is drawn
+  /// over it, such as flight lines.
+  void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {},
+    vtkPolyData* above = nullptr);
 
   /// Shows a message for a while; errors also on standard error.
   void ShowMessage(const std::string& message);

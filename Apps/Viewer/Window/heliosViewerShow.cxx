@@ -117,7 +117,8 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
+void Viewer::ShowScene(
+  vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkPolyData* above)
 {
   double bounds[6];
   vtkBoundingBox box;
@@ -129,6 +130,7 @@ void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtk
   {
     box.AddBounds(grid->GetBounds());
   }
+  above ? box.AddBounds(above->GetBounds()) : void();
   box.GetBounds(bounds);
   this->Running.reset();
   this->Legs.clear();

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosFlightView.h"
 #include "heliosPlanView.h"
 #include "heliosViewerTest.h"
+#include "vtkHeliosFlightArrayNames.h"
 
 #include <catch2/catch.hpp>
 
@@ -15,6 +17,7 @@ using namespace helios;
 using namespace helios::viewer;
 namespace fs = std::filesystem;
 namespace names = vtkHeliosArrayNames;
+namespace flight = vtkHeliosFlightArrayNames;
 
 namespace
 {
@@ -73,6 +76,39 @@ TEST_CASE("PlanView: test points are coloured by the number of scans that see th
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
+TEST_CASE("FlightView: lines are numbered, cells are coloured by their density")
+{
+  Stage stage;
+  const Vec3 origin(0.0, 0.0, 0.0);
+  Plan plan;
+  plan.Cells = MakeEchoes({ { -8, 4, 0 }, { -4, 4, 0 }, { 0, 4, 0 }, { 4, 4, 0 } });
+  AddColumn(plan.Cells, flight::PulseDensity, { 0, 4, 8, 8 });
+  // Two lines, a turn between them that does not fire.
+  plan.Lines =
+    MakeEchoes({ { -8, -4, 9 }, { 0, -4, 9 }, { 8, -4, 9 }, { 8, -8, 9 }, { -8, -8, 9 } });
+  AddColumn(plan.Lines, flight::Active, { 1, 1, 0, 1, 0 });
+  AddColumn(plan.Lines, names::LegIds, { 0, 0, 0, 1, 1 });
+  FlightView view(stage.Renderer, plan, origin);
+  stage.Render();
+  CHECK(stage.GetColorAt(-8, 4) == Rgb{ 235, 60, 55 }); // no pulse
+  CHECK(stage.GetColorAt(-4, 4) == FlightView::GetColor(4.0, 8.0));
+  CHECK(stage.GetColorAt(4, 4) == FlightView::GetColor(8.0, 8.0));
+  CHECK(FlightView::GetColor(8.0, 8.0) == MakeRamp(RampPart())[255]);
+  CHECK(FlightView::GetColor(9.0, 8.0) == FlightView::GetColor(8.0, 8.0));
+  CHECK(stage.GetColorAt(4, -4) == Rgb{ 255, 158, 38 });
+  CHECK(stage.GetColorAt(8, -6) == Black); // the turn
+  CHECK(stage.GetColorAt(0, -8) == Rgb{ 255, 158, 38 });
+  CHECK(view.GetNumberOfLines() == 2);
+  CHECK(view.GetNumberOfCells() == 4);
+  CHECK(view.GetNumberOfGaps() == 1);
+  CHECK(view.GetMeanDensity() == 5.0);
+  CHECK(view.Describe().find(
+          "2 flight lines give 5 pulses/m2 on average; 25.0 % of the area has none") == 0);
+  view.SetVisible(false);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+}
+
 TEST_CASE("PlanView: a plan is recognised by its files")
 {
   std::string name = (fs::temp_directory_path() / "vtkHeliosPlanXXXXXX").string();
@@ -80,7 +116,7 @@ TEST_CASE("PlanView: a plan is recognised by its files")
   CHECK_FALSE(IsPlan(folder.string()));
   Plan plan;
   CHECK(ReadPlan(folder.string(), plan).Message() ==
-    folder.string() + ": has no positions; plan again, or give another folder");
+    folder.string() + ": has no positions and no flight lines; plan again, or give another folder");
   const Plan made = MakePlan();
   Write(made.Positions, folder / "positions.vtp");
   CHECK(IsPlan(folder.string()));
@@ -94,6 +130,8 @@ TEST_CASE("PlanView: a plan is recognised by its files")
   REQUIRE(ReadPlan(folder.string(), plan).IsOk());
   CHECK(plan.TestPoints->GetNumberOfPoints() == 5);
   CHECK(plan.Survey == (folder / "survey.xml").string());
+  Write(made.Positions, folder / "lines.vtp");
+  CHECK(IsPlan((folder / "lines.vtp").string()));
   std::ofstream(folder / "candidates.vtp") << "no XML";
   CHECK(ReadPlan(folder.string(), plan).Message() ==
     (folder / "candidates.vtp").string() + ": cannot be read; plan again");
