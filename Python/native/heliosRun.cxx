@@ -51,12 +51,17 @@ protected:
 
 using Objects = std::vector<vtkSmartPointer<vtkObject>>;
 
-void Abort(vtkObject* object)
+void SetAbort(vtkObject* object, bool isAborted)
 {
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
   {
-    algorithm->SetAbortExecute(1);
+    algorithm->SetAbortExecute(isAborted ? 1 : 0);
   }
+}
+
+void Abort(vtkObject* object)
+{
+  SetAbort(object, true);
   if (auto* source = vtkHeliosSurveySource::SafeDownCast(object))
   {
     source->Abort();
@@ -102,7 +107,8 @@ public:
       this->Watched[i]->RemoveObserver(this->Tags[2 * i + 1]);
       if (this->IsStopping)
       {
-        this->Watched[i]->Modified(); // its output is incomplete
+        this->Watched[i]->Modified();      // its output is incomplete
+        SetAbort(this->Watched[i], false); // since VTK 9.3 it stays
       }
     }
     if (this->IsStopping)

@@ -20,7 +20,7 @@ from vtkhelios._built_with import VTK_LIBRARY, VTK_VERSION
 PYPI = pathlib.Path(__file__).resolve().parents[2] / "build/other-vtk"
 
 
-def make_other(folder, version="9.3.1", library=None):
+def make_other(folder, version="9.0.3", library=None):
     """A package that looks like VTK's; with a library, its binary module links to that."""
     modules = folder / "vtkmodules"
     modules.mkdir()
@@ -58,7 +58,7 @@ def expect_refusal(done, folder, version, verb):
 def other(request, tmp_path):
     """A folder with another VTK, and its version."""
     if request.param == "made":
-        return make_other(tmp_path), "9.3.1"
+        return make_other(tmp_path), "9.0.3"
     if not (PYPI / "vtkmodules").is_dir():
         pytest.skip("PyPI's vtk is not in build/other-vtk")
     text = (PYPI / "vtkmodules/__init__.py").read_text()

@@ -18,9 +18,9 @@ __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_c
 _WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 # Properties of every VTK object, not specific to LiDAR.
 _LEFT_OUT = set(
-    "address_as_string class_name command debug executive global_warning_display information input "
+    "abort_output address_as_string class_name command container_algorithm debug executive global_warning_display information input "
     "input_algorithm input_data_object input_executive input_information is_in_memkind is_python "
-    "object_description output output_data_object output_information output_port "
+    "object_description object_name output output_data_object output_information output_port "
     "progress_observer progress_scale progress_shift reference_count release_data_flag "
     "total_number_of_input_connections update_extent update_ghost_level update_number_of_pieces "
     "update_piece using_memkind".split()

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <string>
 
 namespace helios::viewer
@@ -23,6 +24,21 @@ namespace
 {
 
 constexpr int ClickPixels = 4; // maximum motion of a click
+
+/// The key of the last event as X names it. VTK 9.3 names that without Shift: "k" for "K", "comma"
+/// for "less"; the character is the right one in all versions.
+std::string GetPressedKey(vtkRenderWindowInteractor& interactor)
+{
+  static const std::map<char, const char*> symbols = { { '<', "less" }, { '>', "greater" },
+    { '+', "plus" }, { '*', "asterisk" }, { '?', "question" } };
+  const char character = interactor.GetKeyCode();
+  if (const auto symbol = symbols.find(character); symbol != symbols.end())
+  {
+    return symbol->second;
+  }
+  const char* name = interactor.GetKeySym();
+  return character >= 'A' && character <= 'Z' ? std::string(1, character) : name ? name : "";
+}
 
 } // namespace
 
@@ -96,9 +112,9 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
 //------------------------------------------------------------------------------
 void Viewer::OnKey()
 {
-  const char* key = this->Interactor->GetKeySym();
-  const bool isClosing = key && std::string(key) == "Escape" && this->Words->CloseMenu();
-  if (key && !isClosing)
+  const std::string key = GetPressedKey(*this->Interactor);
+  const bool isClosing = key == "Escape" && this->Words->CloseMenu();
+  if (!key.empty() && !isClosing)
   {
     this->Keys->Press(key, this->Interactor->GetControlKey() != 0);
   }
