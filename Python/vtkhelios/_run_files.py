@@ -10,16 +10,17 @@ SUMMARY_NAME = Files.GetSummaryName()
 JOURNAL_NAME = Files.GetJournalName()
 PART = vtkHeliosStreamWriter.GetPartEnding()  # of names of unfinished files
 FORMATS = tuple(map(Files.GetFormat, range(Files.GetNumberOfFormats())))
-POINTS, WAVEFORMS, PULSES, TRAJECTORY = (
+POINTS, WAVEFORMS, PULSES, HITS, TRAJECTORY = (
     Files.POINTS,
     Files.WAVEFORMS,
     Files.PULSES,
+    Files.HITS,
     Files.TRAJECTORY,
 )
 
 
 def kind_of(path):
-    """POINTS, WAVEFORMS, PULSES or TRAJECTORY; -1: no file of a run."""
+    """POINTS, WAVEFORMS, PULSES, HITS or TRAJECTORY; -1: no file of a run."""
     return Files.GetKind(to_vtk(_name(path)))
 
 

@@ -180,6 +180,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.ScanFlags =
     isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
   this->Settings.Pulses = player->WritePulses;
+  this->Settings.SubRays = player->WriteHits;
   this->Settings.SplitByChannel = player->SplitByChannel;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
   return true;
@@ -813,6 +814,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "WriteDecibels: " << this->WriteDecibels << "\n"
      << indent << "WriteColors: " << this->WriteColors << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
+     << indent << "WriteHits: " << this->WriteHits << "\n"
      << indent << "WriteTruth: " << this->WriteTruth << "\n"
      << indent << "WriteColumns: " << this->WriteColumns << "\n"
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"

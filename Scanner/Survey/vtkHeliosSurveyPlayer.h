@@ -18,6 +18,7 @@
  * - legNNN_fullwave.txt (or .las, .pvtt), with WriteWaveforms: the waveforms; LAS has them with the
  *   points again, unless WaveformsInPoints puts them into legNNN_points.las
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
+ * - legNNN_hits.pvtp, with WriteHits: the hits of the sub-rays of the beams
  * Legs of the same strip S share files, stripS_points.xyz etc. The channels of a scanner fire at
  * once, and their records go to one file in pulse order, or with SplitByChannel to
  * legNNN_points_dev<channel>.xyz etc.
@@ -176,6 +177,16 @@ public:
   vtkSetMacro(WritePulses, bool);
   vtkGetMacro(WritePulses, bool);
   vtkBooleanMacro(WritePulses, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the hits of sub-rays are written: points with PulseIds, Weight, Range, CellIds and
+   * IncidenceAngle, as output 3 of vtkHeliosScanner. Default: off.
+   */
+  vtkSetMacro(WriteHits, bool);
+  vtkGetMacro(WriteHits, bool);
+  vtkBooleanMacro(WriteHits, bool);
   ///@}
 
   ///@{
@@ -377,6 +388,7 @@ private:
   bool WriteDecibels = false;
   bool WriteColors = false;
   bool WritePulses = false;
+  bool WriteHits = false;
   bool WriteTruth = false;
   bool WriteColumns = false;
   bool SplitByChannel = false;

@@ -112,6 +112,12 @@ def add_arguments(parser):
         help="also write the pulses, including those without a hit",
     )
     parser.add_argument(
+        "--hits",
+        action="store_true",
+        help="also write every hit of the sub-rays of a beam, with its share of the pulse (Weight): "
+        "what leaf-area estimates need of partial hits; always VTK XML, large",
+    )
+    parser.add_argument(
         "--truth",
         action="store_true",
         help="with --format vtp: also write the true point and normal of every echo, without noise "
@@ -384,6 +390,7 @@ def make_player(arguments, survey, messages):
     player.SetWriteDecibels(arguments.decibels)
     player.SetWriteColors(arguments.colors)
     player.SetWritePulses(arguments.pulses)
+    player.SetWriteHits(arguments.hits)
     player.SetWriteTruth(arguments.truth)
     player.SetWriteColumns(arguments.columns)
     player.SetSplitByChannel(arguments.split_by_channel)

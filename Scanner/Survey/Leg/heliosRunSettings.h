@@ -27,7 +27,7 @@ struct RunSettings
   bool HasEpochs = false; ///< whether the survey has several epochs
   bool Waveforms = false;
   bool Pulses = false;
-  bool SubRays = false;           ///< their hits; not written
+  bool SubRays = false;           ///< their hits; always written as vtp
   bool Truth = false;             ///< with the echoes; written as vtp only
   bool ScanFlags = false;         ///< with the echoes
   bool Columns = false;           ///< with the echoes; written as vtp only

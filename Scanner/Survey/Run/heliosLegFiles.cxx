@@ -50,6 +50,10 @@ LegOutputs LegFiles::MakeOutputs(const LegPlan& plan) const
   {
     this->AddOutputs(plan, PulsePort, outputs);
   }
+  if (this->Settings.SubRays)
+  {
+    this->AddOutputs(plan, HitPort, outputs);
+  }
   return outputs;
 }
 

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   {
     writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
   }
-  else if (isXml)
+  else if (isXml || port == HitPort) // large, and for programs: there is no text
   {
     writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
   }

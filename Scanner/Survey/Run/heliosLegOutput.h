@@ -28,6 +28,7 @@ struct RunSettings;
 constexpr int EchoPort = vtkHeliosRunFiles::POINTS;
 constexpr int WaveformPort = vtkHeliosRunFiles::WAVEFORMS;
 constexpr int PulsePort = vtkHeliosRunFiles::PULSES;
+constexpr int HitPort = vtkHeliosRunFiles::HITS;
 
 /// Rows of a text file: bytes of another file, or a text.
 struct OutputRows

@@ -90,6 +90,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["waveformsInPoints"] = settings.WaveformsInPoints;
   options["scanFlags"] = settings.ScanFlags;
   options["pulses"] = settings.Pulses;
+  if (settings.SubRays)
+  {
+    options["hits"] = true;
+  }
   if (settings.Truth)
   {
     options["truth"] = true;

@@ -28,6 +28,7 @@ constexpr KindOfFile Kinds[] = {
   { "_points", { ".xyz", ".las", ".pvtp" } },
   { "_fullwave", { ".txt", ".las", ".pvtt" } },
   { "_pulse", { ".txt", ".txt", ".pvtp" } },
+  { "_hits", { ".pvtp", ".pvtp", ".pvtp" } },
   { "_trajectory", { ".txt", ".txt", ".pvtp" } },
 };
 constexpr std::string_view Leg = "leg";

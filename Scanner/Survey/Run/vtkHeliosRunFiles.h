@@ -35,13 +35,14 @@ public:
   vtkTypeMacro(vtkHeliosRunFiles, vtkObject);
 
   /**
-   * What a file contains; the first three are the output ports of vtkHeliosScanner.
+   * What a file contains; the first four are the output ports of vtkHeliosScanner.
    */
   enum FileKind
   {
     POINTS,
     WAVEFORMS,
     PULSES,
+    HITS,
     TRAJECTORY
   };
 

@@ -12,6 +12,8 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
                           samples [nW]
   legNNN_pulse.txt        the pulses, with --pulses: one per line, origin x y z, direction x y z,
                           time [ns], pulse, channel
+  legNNN_hits.pvtp        the hits of sub-rays, with --hits: points with PulseIds, Weight (share of
+                          the pulse), Range [m], CellIds, IncidenceAngle [deg]
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
 With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), point
 format 6 or 7, which all programs read. With --waveforms legNNN_fullwave.las beside it, the same

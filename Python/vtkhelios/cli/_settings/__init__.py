@@ -73,6 +73,7 @@ _WORDS = {  # in the order of a page: title, text of a value
     "waveforms": ("waveforms", _flag("written")),
     "waveformsInPoints": ("waveforms in the files of points", _flag("yes")),
     "pulses": ("pulses", _flag("written")),
+    "hits": ("hits of sub-rays", _flag("written")),
     "scanFlags": ("scan direction and edge flags", _flag("written")),
     "truth": ("points and normals without noise", _flag("written")),
     "columns": ("columns of spinning optics", _flag("written")),

@@ -19,8 +19,9 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "las") == "leg007_fullwave.las");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "vtp") == "leg007_fullwave.pvtt");
   CHECK(Files::GetFileName("leg007", Files::PULSES, "xyz") == "leg007_pulse.txt");
+  CHECK(Files::GetFileName("leg007", Files::HITS, "xyz") == "leg007_hits.pvtp");
   CHECK(Files::GetFileName("leg007", Files::TRAJECTORY, "vtp") == "leg007_trajectory.pvtp");
-  CHECK(Files::GetFileName("leg007", 4, "xyz").empty());
+  CHECK(Files::GetFileName("leg007", 5, "xyz").empty());
   CHECK(Files::GetFileName("leg007", -1, "xyz").empty());
   CHECK(Files::GetFileName("leg007", Files::POINTS, "doc").empty());
   CHECK(Files::GetBeside("leg007_points_dev1.las", Files::TRAJECTORY, "las") ==
@@ -56,7 +57,7 @@ TEST_CASE("RunFiles: every name is taken apart again", "[RunFiles]")
       }
     }
   }
-  CHECK(count == 120);
+  CHECK(count == 150);
   CHECK(Files::GetNumber("leg012_points.xyz") == 12);
   CHECK(Files::GetNumber("strip042_trajectory.txt") == 42);
   CHECK(Files::GetNumber("stripeast_points.xyz") == -1);
