@@ -4,6 +4,7 @@
 
 #include "heliosStatus.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 
 #include <cstdlib>
@@ -52,6 +53,17 @@ Status CheckDisplay()
 void ExplainLostDisplay()
 {
   XSetIOErrorHandler(OnLostDisplay);
+}
+
+//------------------------------------------------------------------------------
+std::string FindShiftedKey(void* display, const std::string& name)
+{
+  auto* keyboard = static_cast<Display*>(display);
+  const KeySym key = XStringToKeysym(name.c_str());
+  const KeyCode code = keyboard && key != NoSymbol ? XKeysymToKeycode(keyboard, key) : 0;
+  const KeySym shifted = code ? XkbKeycodeToKeysym(keyboard, code, 0, 1) : NoSymbol;
+  const char* found = shifted != NoSymbol ? XKeysymToString(shifted) : nullptr;
+  return found ? found : name;
 }
 
 } // namespace helios::viewer

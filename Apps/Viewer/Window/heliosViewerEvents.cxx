@@ -3,6 +3,7 @@
 // User input: keys, clicks, drags.
 #include "heliosViewer.h"
 
+#include "heliosDisplay.h"
 #include "heliosHud.h"
 #include "heliosViewerKeys.h"
 #include "heliosViewerTool.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <string>
 
 namespace helios::viewer
@@ -25,19 +25,14 @@ namespace
 
 constexpr int ClickPixels = 4; // maximum motion of a click
 
-/// The key of the last event as X names it. VTK 9.3 names that without Shift: "k" for "K", "comma"
-/// for "less"; the character is the right one in all versions.
+/// The key of the last event as X names it; empty: none.
 std::string GetPressedKey(vtkRenderWindowInteractor& interactor)
 {
-  static const std::map<char, const char*> symbols = { { '<', "less" }, { '>', "greater" },
-    { '+', "plus" }, { '*', "asterisk" }, { '?', "question" } };
-  const char character = interactor.GetKeyCode();
-  if (const auto symbol = symbols.find(character); symbol != symbols.end())
-  {
-    return symbol->second;
-  }
-  const char* name = interactor.GetKeySym();
-  return character >= 'A' && character <= 'Z' ? std::string(1, character) : name ? name : "";
+  const char* key = interactor.GetKeySym();
+  const std::string name = key ? key : "";
+  return interactor.GetShiftKey()
+    ? FindShiftedKey(interactor.GetRenderWindow()->GetGenericDisplayId(), name)
+    : name;
 }
 
 } // namespace
