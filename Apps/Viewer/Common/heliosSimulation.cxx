@@ -286,10 +286,14 @@ bool Simulation::Load()
   {
     return false;
   }
-  this->Scene = this->Source->GetScene();
+  // The viewer's own: pipelines of two threads must not share data objects, whose information they
+  // change. The arrays are shared.
+  vtkPolyData* scene = this->Source->GetScene();
+  this->Scene = vtkSmartPointer<vtkPolyData>::Take(scene->NewInstance()); // with instances or not
+  this->Scene->ShallowCopy(scene);
   for (int i = 0; this->Source->GetGrid(i); ++i)
   {
-    this->Grids.push_back(vtkSmartPointer<vtkImageData>::New()); // the viewer's own
+    this->Grids.push_back(vtkSmartPointer<vtkImageData>::New());
     this->Grids.back()->ShallowCopy(this->Source->GetGrid(i));
   }
   this->NumberOfPulses = this->Source->GetNumberOfPulses();
