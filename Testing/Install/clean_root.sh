@@ -70,7 +70,10 @@ demo() {
 
 tests() { in_clone ./Testing/run.sh; }
 
-readme() { in_clone env HELIOS_README_START="$began" Testing/Install/readme.sh --here .; }
+readme() {
+  helios_enter apt-get install -y -q xdotool # for the script, not for the README
+  in_clone env HELIOS_README_START="$began" Testing/Install/readme.sh --here .
+}
 
 read_arguments "$@"
 helios_own_mounts "$here/clean_root.sh" "$@"

@@ -10,8 +10,8 @@
 #   Testing/Install/readme.sh --files FOLDER          writes the files
 #
 # Commands are the code blocks of README.md without a language; a file is the block after a line that
-# ends with its `name`: and windows are closed by the key q. HELIOS_README_START: when cloning
-# began, in seconds since 1970.
+# ends with its `name`: and windows are closed by the key q, with xdotool. HELIOS_README_START: when
+# cloning began, in seconds since 1970.
 
 set -euo pipefail
 here=$(cd -P "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -75,6 +75,7 @@ print_first_cloud() {
 
 run_all() { # FOLDER
   local command
+  command -v xdotool >/dev/null || { echo "install xdotool: it closes the windows" >&2 && return 1; }
   write_files "$1"
   cd "$1"
   if [ "$PWD" != "$clone" ]; then
