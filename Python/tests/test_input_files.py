@@ -49,9 +49,7 @@ def test_python_and_cxx_have_the_same_messages(odd):
 def test_missing_files(tmp_path):
     with pytest.raises(formats.FormatError, match="none: no such file; check its name"):
         check_file(tmp_path / "none")
-    with pytest.raises(
-        formats.FormatError, match="cannot be read: .*embedded null (byte|character).*; check its"
-    ):
+    with pytest.raises(formats.FormatError, match="cannot be read: embedded null byte; check its"):
         check_file("a\0b")
     (tmp_path / "a").write_text("")
     os.symlink("a", tmp_path / "b")

@@ -43,7 +43,7 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
 
 @dataclasses.dataclass
 class Finding:
-    """An error, warning or note; line is None if it is about the file, not a line of it."""
+    """An error, warning or note; line is None if it concerns the whole file."""
 
     file: str
     line: int | None

@@ -52,8 +52,8 @@ def check_file(path):
         os.stat(path)
     except FileNotFoundError:
         raise FormatError(f"{path}: no such file; check its name") from None
-    except (OSError, ValueError) as error:  # ValueError: NUL in the name
-        reason = getattr(error, "strerror", None) or error
+    except (OSError, ValueError) as error:  # ValueError: NUL in the name, in words of the version
+        reason = getattr(error, "strerror", "embedded null byte")
         raise FormatError(f"{path}: cannot be read: {reason}; check its name") from None
     if problem := _native.check_input_file(os.fsencode(path)):
         raise FormatError(f"{path}: {problem}")

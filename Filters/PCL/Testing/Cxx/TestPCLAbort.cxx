@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Long work reports repeatedly, and each report may stop it. By counts of reports, not by time.
+#include "heliosAborts.h"
 #include "heliosPclTesting.h"
 #include "vtkHeliosPCLClusters.h"
 #include "vtkHeliosPCLGroundFilter.h"
@@ -38,8 +39,7 @@ struct Aborter
     auto* filter = vtkAlgorithm::SafeDownCast(caller);
     self->IsGrowing = self->IsGrowing && filter->GetProgress() >= self->Progress;
     self->Progress = filter->GetProgress();
-    self->Reports += self->Progress < 1.0 ? 1 : 0; // without those by the executive at the end
-    if (self->Reports == self->Last)
+    if (++self->Reports == self->Last)
     {
       filter->SetAbortExecute(1);
     }
@@ -65,7 +65,7 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
 {
   Aborter whole(run.Filter);
   REQUIRE(run.Run());
-  CHECK(whole.Reports + 1 >= least); // the first and the last are not from the library part
+  CHECK(whole.Reports >= least); // the first and the last are not from the library part
   CHECK(whole.IsGrowing);
   CHECK(run.Count() > 0);
   run.Filter->RemoveObserver(whole.Command);
@@ -76,10 +76,10 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
     aborter.Last = last;
     CHECK(run.FailsWith("The work was aborted at "));
     CHECK(run.Log->HasError(" %; update again to complete it"));
-    CHECK(aborter.Reports <= last + 1); // the first one may be by the executive
+    CHECK(aborter.Reports <= last + 1 + helios::ReportsAfterAbort); // one by the executive
     CHECK(run.Output()->GetPointData()->GetNumberOfArrays() == 0);
     run.Filter->RemoveObserver(aborter.Command);
-    run.Filter->SetAbortExecute(0); // VTK 9.1 does it by itself
+    run.Filter->SetAbortExecute(0);
   }
   REQUIRE(run.Run()); // an abort leaves no state
 }

@@ -93,7 +93,7 @@ void CheckBounds(const std::array<double, 6>& a, const std::array<double, 6>& b)
 {
   for (std::size_t i = 0; i < 6; ++i)
   {
-    CHECK(a[i] == Approx(b[i]).margin(2e-9)); // offsets are rounded to 1e-9
+    CHECK(a[i] == Approx(b[i]).margin(1e-9));
   }
 }
 

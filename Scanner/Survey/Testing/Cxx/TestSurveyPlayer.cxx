@@ -7,8 +7,6 @@
 #include "heliosSurveyPlaying.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
-#include "vtkHeliosPointXMLReader.h"
-#include "vtkHeliosSurveySource.h"
 
 #include <vtkCommand.h>
 #include <vtkPointData.h>
@@ -246,45 +244,6 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   playing.CheckFails({ "Format is \"doc\"; give xyz, las or vtp" });
   playing.Player->SetSurvey(nullptr);
   playing.CheckFails({ "Survey is not set" });
-}
-
-TEST_CASE(
-  "SurveyPlayer: hits of sub-rays are those of the scanner, in any format", "[SurveyPlayer]")
-{
-  const Files files;
-  const Reading reading(files, Flight, ThreeLegs);
-  Playing playing(files, reading);
-  const std::string format = GENERATE("xyz", "las", "vtp");
-  playing.Player->SetFormat(format.c_str());
-  playing.Player->SetWriteHits(true);
-  playing.Player->SetPulsesPerBlock(1000);
-  REQUIRE(playing.Player->Run());
-  vtkNew<vtkHeliosPointXMLReader> file;
-  file->SetFileName((files / "out/test/leg000_hits.pvtp").c_str());
-  file->Update();
-  vtkPolyData* hits = file->GetOutput();
-
-  vtkNew<vtkHeliosSurveySource> source;
-  source->SetSurvey(reading.Reader->GetSurvey());
-  source->GenerateSubRaysOn();
-  source->SetPulseWindow(0, 40000); // leg 0
-  source->Update();
-  auto* wanted = vtkPolyData::SafeDownCast(source->GetOutputDataObject(3));
-  REQUIRE(wanted->GetNumberOfPoints() >= 40000);
-  REQUIRE(hits->GetNumberOfPoints() == wanted->GetNumberOfPoints());
-  for (const char* name : { "PulseIds", "Weight", "Range", "CellIds", "IncidenceAngle" })
-  {
-    INFO(name);
-    vtkDataArray* column = hits->GetPointData()->GetArray(name);
-    vtkDataArray* other = wanted->GetPointData()->GetArray(name);
-    REQUIRE((column && other));
-    bool isSame = true;
-    for (vtkIdType i = 0; i < column->GetNumberOfTuples(); ++i)
-    {
-      isSame = isSame && column->GetTuple1(i) == other->GetTuple1(i);
-    }
-    CHECK(isSame);
-  }
 }
 
 namespace

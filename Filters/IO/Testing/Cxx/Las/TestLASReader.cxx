@@ -500,7 +500,7 @@ TEST_CASE("LASReader: abort", "[LASReader]")
   CHECK(reading.Log->HasError(Path + ": reading was aborted at point 16384; update again"));
   CHECK(reading.CountPoints() == 0);
   reading.Reader->RemoveObserver(tag);
-  reading.Reader->SetAbortExecute(0); // VTK 9.1 does it by itself
+  reading.Reader->SetAbortExecute(0); // see heliosAborts.h
   CHECK(reading.Read());              // and read again
   CHECK(reading.CountPoints() == 40000);
 }

@@ -339,7 +339,7 @@ TEST_CASE("GeoTiffErrors: abort", "[GeoTiffErrors]")
   CheckError(reading, folder / "a.tif: reading was aborted at row ");
   CHECK(reading.Log->HasError("; update again to read it"));
   reading.Reader->RemoveObserver(tag);
-  reading.Reader->SetAbortExecute(0); // VTK 9.1 does it by itself
+  reading.Reader->SetAbortExecute(0); // see heliosAborts.h
   reading.Log->Clear();
   reading.Reader->Modified();
   REQUIRE(reading.Read());

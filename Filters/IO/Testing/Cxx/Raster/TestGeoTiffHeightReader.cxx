@@ -310,7 +310,7 @@ TEST_CASE("GeoTiffHeightReader: abort", "[GeoTiffHeightReader]")
   CHECK(reading.Log->HasError(folder / "a.tif: reading was aborted at row "));
   CHECK(reading.Log->HasError("; update again to read it"));
   reading.Reader->RemoveObserver(tag);
-  reading.Reader->SetAbortExecute(0); // VTK 9.1 does it by itself
+  reading.Reader->SetAbortExecute(0); // see heliosAborts.h
   reading.Log->Clear();
   reading.Reader->Modified();
   REQUIRE(reading.Read());
