@@ -6,6 +6,7 @@ import os
 
 import numpy as np
 import pytest
+from _real_data import real_file
 
 import vtkhelios
 from vtkhelios import cli, formats
@@ -88,6 +89,20 @@ def test_laz(write, tmp_path):
     pack(tmp_path / "a.las")
     mesh, (low, high) = scene_of(write("6", "[ab].laz", "efilepath"))
     assert high[0] == pytest.approx(24.1) and area(mesh) == pytest.approx(2 * BOX)
+
+
+@pytest.mark.parametrize(
+    "name", ["als/ahn3_delft_1.laz", "als/autzen_trim.laz", "als/bcts_1.laz", "als/bcts_2.laz"]
+)
+def test_real_laz_has_the_points_of_laspy(name):
+    laspy, _ = pytest.importorskip("laspy"), pytest.importorskip("lazrs")
+    truth = laspy.read(real_file(name))
+    reader = vtkhelios.vtkHeliosLASReader(file_name=real_file(name))
+    cloud = vtkhelios.Cloud(vtkhelios.update(reader))
+    assert np.array_equal(cloud.points, np.column_stack([truth.x, truth.y, truth.z]))
+    assert np.array_equal(cloud[CLASSIFICATION_IDS], truth.classification)
+    assert np.array_equal(cloud["GpsTime"], truth.gps_time)
+    assert np.array_equal(cloud["Intensity"], truth.intensity)
 
 
 def test_several_files(write):
