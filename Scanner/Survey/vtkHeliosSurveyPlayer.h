@@ -181,8 +181,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the hits of sub-rays are written: points with PulseIds, Weight, Range, CellIds and
-   * IncidenceAngle, as output 3 of vtkHeliosScanner. Default: off.
+   * Set/Get whether the hits of sub-rays are written: points with PulseIds, Weight (share of the
+   * energy of the pulse, (0, 1]), Range [m], CellIds and IncidenceAngle [deg], output 3 of
+   * vtkHeliosScanner. They are VTK XML in any Format. Default: off.
    */
   vtkSetMacro(WriteHits, bool);
   vtkGetMacro(WriteHits, bool);

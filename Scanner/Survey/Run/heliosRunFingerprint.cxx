@@ -198,6 +198,13 @@ void CompareMembers(
       differences.push_back(name + " was " + Quote(then[name]) + " and is " + Quote(now[name]));
     }
   }
+  for (const std::string& name : then.getMemberNames())
+  {
+    if (!now.isMember(name)) // options that are off are not listed
+    {
+      differences.push_back(name + " was " + Quote(then[name]) + " and is not given");
+    }
+  }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The hits of sub-rays that a run writes.
+#include "heliosBrokenRun.h"
 #include "heliosSurveyPlaying.h"
 #include "vtkHeliosPointXMLReader.h"
 #include "vtkHeliosSurveyPlayer.h"
@@ -51,5 +52,33 @@ TEST_CASE("SurveyHits: they are those of the scanner, in any format", "[SurveyHi
       isSame = isSame && column->GetTuple1(i) == other->GetTuple1(i);
     }
     CHECK(isSame);
+  }
+}
+
+TEST_CASE(
+  "SurveyHits: a resumed run is byte-identical, and must ask for them again", "[SurveyHits]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  BlockRun whole(files, reading, "whole");
+  whole.Player->SetWriteHits(true);
+  REQUIRE(whole.Player->Run());
+  BlockRun broken(files, reading);
+  broken.Player->SetWriteHits(true);
+  broken.AbortAfter(50000);
+  REQUIRE_FALSE(broken.Player->Run());
+  broken.Player->SetResume(true);
+  broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
+  SECTION("without")
+  {
+    broken.Player->SetWriteHits(false);
+    broken.CheckFails({ "hits was true and is not given", "use the same inputs and options" });
+  }
+  SECTION("with")
+  {
+    REQUIRE(broken.Player->Run());
+    const auto expected = ReadAll(files / "whole/test");
+    CHECK(expected.count("leg001_hits.pvtp") == 1);
+    CHECK((expected == ReadAll(files / "out/test"))); // too long to print
   }
 }
