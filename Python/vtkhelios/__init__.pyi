@@ -7123,8 +7123,9 @@ class vtkHeliosSurveyPlayer(vtkObject):
     """
     write_hits: bool
     """Set/Get whether the hits of sub-rays are written: points with
-    PulseIds, Weight, Range, CellIds and IncidenceAngle, as output 3
-    of vtkHeliosScanner. Default: off.
+    PulseIds, Weight (share of the energy of the pulse, (0, 1]),
+    Range [m], CellIds and IncidenceAngle [deg], output 3 of
+    vtkHeliosScanner. They are VTK XML in any Format. Default: off.
     """
     write_pulses: bool
     """Set/Get whether the pulses are written, including those without a
