@@ -22,6 +22,7 @@ from ._reading import add_assets_argument, add_memory_argument, limit_memory, ma
 from ._reading import missing_folder
 from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
 from ._run.help import EPILOG
+from ._run.outputs import add_output_arguments, set_outputs
 from ._run.ranks import NoMpi, count_threads, start_ranks
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
@@ -77,63 +78,7 @@ def add_arguments(parser):
         default=player.GetFormat(),
         help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
-    parser.add_argument(
-        "--waveforms",
-        action="store_true",
-        help="also write the waveforms (as text, as VTK XML, or as LAS with point format 9 or 10)",
-    )
-    parser.add_argument(
-        "--waveforms-in-points",
-        action="store_true",
-        help="with --format las --waveforms: only legNNN_points.las, with point format 9 or 10, "
-        "which PDAL and QGIS refuse (default: point format 6 or 7, and legNNN_fullwave.las)",
-    )
-    parser.add_argument(
-        "--scan-flags",
-        action="store_true",
-        help="echoes in text and VTK XML with the scan direction flag and the edge of flight line; "
-        "in text as columns 12 and 13 (default: only in LAS, which always has them)",
-    )
-    parser.add_argument(
-        "--decibels",
-        action="store_true",
-        help="echoes with the amplitude above the detection threshold and the reflectance [dB]: in "
-        "text as columns 14 and 15 after those of --scan-flags, in LAS as RIEGL names them",
-    )
-    parser.add_argument(
-        "--colors",
-        action="store_true",
-        help="echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with "
-        "--format las or vtp",
-    )
-    parser.add_argument(
-        "--pulses",
-        action="store_true",
-        help="also write the pulses, including those without a hit",
-    )
-    parser.add_argument(
-        "--hits",
-        action="store_true",
-        help="also write every hit of the sub-rays of a beam, with its share of the pulse (Weight): "
-        "what leaf-area estimates need of partial hits; always VTK XML, large",
-    )
-    parser.add_argument(
-        "--truth",
-        action="store_true",
-        help="with --format vtp: also write the true point and normal of every echo, without noise "
-        "and navigation errors (TruePoint, Normal)",
-    )
-    parser.add_argument(
-        "--columns",
-        action="store_true",
-        help="with --format vtp: also write the column of every echo and pulse in the revolution of a "
-        "spinning head (ColumnIds); its beams are ChannelIds",
-    )
-    parser.add_argument(
-        "--split-by-channel",
-        action="store_true",
-        help="one file per scanner channel: legNNN_points_dev<channel>.xyz",
-    )
+    add_output_arguments(parser)
     add_sampling_arguments(parser, options)
     parser.add_argument(
         "--seed",
@@ -384,16 +329,7 @@ def make_player(arguments, survey, messages):
     player.GetSource().SetInstances(not arguments.no_instances)
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
-    player.SetWriteWaveforms(arguments.waveforms)
-    player.SetWaveformsInPoints(arguments.waveforms_in_points)
-    player.SetWriteScanFlags(arguments.scan_flags)
-    player.SetWriteDecibels(arguments.decibels)
-    player.SetWriteColors(arguments.colors)
-    player.SetWritePulses(arguments.pulses)
-    player.SetWriteHits(arguments.hits)
-    player.SetWriteTruth(arguments.truth)
-    player.SetWriteColumns(arguments.columns)
-    player.SetSplitByChannel(arguments.split_by_channel)
+    set_outputs(player, arguments)
     if arguments.part:
         player.SetPart(arguments.part[0])
         player.SetNumberOfParts(arguments.part[1])
