@@ -269,7 +269,7 @@ Status CloudReader::ReadCloud(const std::string& path)
     return this->ReadText(path);
   }
   const char* name = path.c_str();
-  if (ending == ".las" || ending == ".laz") // the reader's message covers the latter
+  if (ending == ".las" || ending == ".laz")
   {
     vtkNew<vtkHeliosLASReader> reader;
     reader->SetFileName(name);

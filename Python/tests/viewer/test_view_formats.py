@@ -32,17 +32,36 @@ def start(monkeypatch, tmp_path):
     return call
 
 
-@pytest.mark.parametrize("kind", [".laz", ".copc.laz", ".pcd", ".e57"])
-def test_converted_formats(start, tmp_path, kind):
-    cloud = tmp_path / f"cloud{kind}"
+@pytest.fixture
+def cloud(request, tmp_path):
+    """A file of the format of the parameter."""
     try:
-        write(cloud)
+        write(tmp_path / f"cloud{request.param}")
     except formats.FormatError as error:
         pytest.skip(str(error))
-    code, state = start(cloud)
-    assert code == 0
+    return tmp_path / f"cloud{request.param}"
+
+
+def check_cloud(state):
     assert state["cloud"]["points"] == COUNT
     assert state["camera"]["focalPoint"][0] == pytest.approx(476050, abs=50)
+
+
+@pytest.mark.parametrize("cloud", [".pcd", ".e57"], indirect=True)
+def test_converted_formats(start, cloud):
+    code, state = start(cloud)
+    assert code == 0
+    check_cloud(state)
+
+
+@pytest.mark.parametrize("cloud", [".laz", ".copc.laz"], indirect=True)
+def test_laz_is_read_by_the_viewer(command_line, cloud, tmp_path, monkeypatch):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    state = tmp_path / "state.json"
+    picture = ["--offscreen", "--still", tmp_path / "still.png", "--size", "160x120"]
+    done = command_line("view", cloud, *picture, "--state", state)
+    assert done.returncode == 0, done.stderr
+    check_cloud(json.loads(state.read_text()))
 
 
 def test_nothing_is_left_behind(start, tmp_path, monkeypatch):

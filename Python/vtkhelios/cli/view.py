@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios view: starts the viewer, a program of its own.
 
-The viewer reads text, LAS, PLY and VTK files itself. Clouds of other formats are converted to LAS
+The viewer reads text, LAS, LAZ, PLY and VTK files itself. Clouds of other formats are converted to LAS
 files in a temporary folder first, and the folder is removed after the viewer has ended.
 """
 
@@ -22,7 +22,7 @@ SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web 
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = "-screen 0 1280x1024x24 -noreset"
-CONVERTED = (".laz", ".pcd", ".e57")  # .copc.laz is one of them
+CONVERTED = (".pcd", ".e57")
 
 
 def find_viewer():
