@@ -301,7 +301,7 @@ void BeamTracer::Collect(const Pulse& pulse, std::vector<SubReturn>& returns,
     this->AppendAir(pulse, returns);
   }
   cast.clear();
-  for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
+  for (std::size_t k = 0; this->Model.Wants.SubRays && k < count; ++k)
   {
     cast.push_back({ Vec3(this->Rays[k].Direction), subRays[k].Weight });
   }
@@ -389,7 +389,7 @@ bool BeamTracer::PassLayer(
 {
   returns.clear();
   const MaterialOptics* optics = this->GetFlatOptics(layer);
-  if (!optics || this->Model.WantsSubRays || !this->Model.Medium.IsEmpty() ||
+  if (!optics || this->Model.Wants.SubRays || !this->Model.Medium.IsEmpty() ||
     !this->Model.Air.IsEmpty() || this->Model.Optics.MostEvents < 1)
   {
     return false;

@@ -329,7 +329,7 @@ void PulseKernel::RunOnPlane(
     echo.Power = onAxis.Power; // of the whole pulse, however wide
   }
   this->Returns.push_back({ echo.Range, echo.Power, onAxis.CosIncidence, hit.CellId, 0 });
-  if (m.WantsSubRays)
+  if (m.Wants.SubRays)
   {
     this->SubRays.push_back({ axis, 1.0 });
   }
@@ -349,7 +349,7 @@ void PulseKernel::FillWaveform(const SourceT& source)
 void PulseKernel::FinishPlane(const PlaneEcho& echo)
 {
   const bool isInWaveform = this->Model.Path.Echo == EchoPath::Waveform;
-  if (this->Model.WantsWaveforms || isInWaveform)
+  if (this->Model.Wants.Waveforms || isInWaveform)
   {
     this->FillWaveform(echo);
     this->Counts.CutWaveforms += this->IsCut ? 1 : 0;
@@ -380,7 +380,7 @@ bool PulseKernel::FindEchoes()
     case EchoPath::Maxima:
       isBinned = !this->Signal.FindMaxima(this->Returns, this->Echoes);
       this->IsCut = this->Signal.IsCut();
-      if (this->Model.WantsWaveforms)
+      if (this->Model.Wants.Waveforms)
       {
         this->FillWaveform(this->Returns);
       }
@@ -388,7 +388,7 @@ bool PulseKernel::FindEchoes()
     case EchoPath::Mean:
       isBinned = false;
       this->Signal.MergeReturns(this->Returns, this->Echoes);
-      if (this->Model.WantsWaveforms)
+      if (this->Model.Wants.Waveforms)
       {
         this->FillWaveform(this->Returns);
       }

@@ -30,7 +30,7 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
 {
   const Pulse& pulse = this->Pulses[slot];
   const bool isSeen = !this->Returns.empty() || !this->Echoes.empty(); // also by dark counts
-  const bool isAsked = isSeen || this->Model.WantsPulses;
+  const bool isAsked = isSeen || this->Model.Wants.Pulses;
   const double scanAngle =
     isAsked ? this->Model.Source.Deflector->GetScanAngle(this->Indices[slot]) : 0.0;
   const std::size_t echoesBefore = result.Echoes.size();
@@ -43,16 +43,16 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
     {
       this->MoveToZones(this->Indices[slot], echoesBefore, result);
     }
-    if (this->Model.WantsWaveforms && this->HasWaveform)
+    if (this->Model.Wants.Waveforms && this->HasWaveform)
     {
       this->StoreWaveform(pulse, result);
     }
-    if (this->Model.WantsSubRays)
+    if (this->Model.Wants.SubRays)
     {
       this->StoreSubRays(pulse, result);
     }
   }
-  if (this->Model.WantsPulses)
+  if (this->Model.Wants.Pulses)
   {
     result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
       scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
@@ -70,7 +70,7 @@ bool PulseKernel::HasSurface() const
 //------------------------------------------------------------------------------
 void PulseKernel::SetScanFlags(vtkIdType index)
 {
-  if (this->Model.WantsScanFlags)
+  if (this->Model.Wants.ScanFlags)
   {
     const vtkHeliosBeamDeflector* deflector = this->Model.Source.Deflector;
     this->ScanDirection = static_cast<unsigned char>(deflector->GetScanDirectionFlag(index));
@@ -115,13 +115,13 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
     pulse.Channel, material, isDark ? -1 : surfaces.GetPartId(cell),
     isDark ? 0 : surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
     static_cast<unsigned char>(count), this->ScanDirection, this->EdgeOfFlightLine });
-  if (this->Model.WantsTruth)
+  if (this->Model.Wants.Truth)
   {
     const Vec3 normal = isDark ? Vec3(0, 0, 0) : this->Response.GetNormal(cell);
     const PathEnd end = this->FindEnd(pulse, echo);
     result.Truths.push_back({ end.Point, normal, end.Events });
   }
-  if (this->Model.WantsColors)
+  if (this->Model.Wants.Colors)
   {
     result.Colors.push_back(isDark
         ? ColorRecord()
@@ -208,11 +208,11 @@ void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& r
   {
     if (this->MoveToZone(index, echoes[i]))
     {
-      if (this->Model.WantsTruth)
+      if (this->Model.Wants.Truth)
       {
         result.Truths[kept] = result.Truths[i];
       }
-      if (this->Model.WantsColors)
+      if (this->Model.Wants.Colors)
       {
         result.Colors[kept] = result.Colors[i];
       }
@@ -221,11 +221,11 @@ void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& r
   }
   this->Counts.Echoes -= static_cast<vtkIdType>(echoes.size() - kept);
   echoes.resize(kept);
-  if (this->Model.WantsTruth)
+  if (this->Model.Wants.Truth)
   {
     result.Truths.resize(kept);
   }
-  if (this->Model.WantsColors)
+  if (this->Model.Wants.Colors)
   {
     result.Colors.resize(kept);
   }

@@ -164,7 +164,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, 
   columns.AddConstant(names::LegIds, ids.Leg);
   int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
   const int firstChannel = ids.Channel;
-  const bool hasWaveforms = model.WantsWaveforms;
+  const bool hasWaveforms = model.Wants.Waveforms;
   ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
     [=](const EchoRecord& e, vtkIdType row)
     {
@@ -426,42 +426,42 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   const vtkIdType echoes = this->Echoes->GetNumberOfPoints();
   const vtkIdType pulses = this->Pulses->GetNumberOfPoints();
   FillEchoes(chunks, this->Model, this->Ids, this->Echoes);
-  if (this->Model.WantsScanFlags)
+  if (this->Model.Wants.ScanFlags)
   {
     FillScanFlags(chunks, echoes, this->Echoes);
   }
-  if (this->Model.WantsTruth)
+  if (this->Model.Wants.Truth)
   {
     FillTruths(chunks, this->Echoes);
   }
-  if (this->Model.WantsTruth && this->Model.Surfaces.HasOptics())
+  if (this->Model.Wants.Truth && this->Model.Surfaces.HasOptics())
   {
     FillSpecularEvents(chunks, echoes, this->Echoes);
   }
-  if (this->Model.WantsColors)
+  if (this->Model.Wants.Colors)
   {
     FillColors(chunks, echoes, this->Echoes);
   }
-  if (this->Model.WantsWaveforms)
+  if (this->Model.Wants.Waveforms)
   {
     FillWaveforms(chunks, this->Model.Receiver, this->Ids, this->Waveforms);
   }
-  if (this->Model.WantsPulses)
+  if (this->Model.Wants.Pulses)
   {
     FillPulses(chunks, this->Ids, this->Pulses);
   }
-  if (this->Model.WantsSubRays)
+  if (this->Model.Wants.SubRays)
   {
     FillSubRays(chunks, this->SubRays);
   }
-  if (this->Model.WantsDecibels)
+  if (this->Model.Wants.Decibels)
   {
     FillDecibels(this->Model, echoes, this->Echoes);
   }
-  if (this->Model.WantsColumns)
+  if (this->Model.Wants.Columns)
   {
     FillColumns(this->Model, echoes, this->Echoes);
-    if (this->Model.WantsPulses)
+    if (this->Model.Wants.Pulses)
     {
       FillColumns(this->Model, pulses, this->Pulses);
     }

@@ -501,14 +501,15 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.ReturnSelection = this->ReturnSelection;
   m.MaximumNumberOfReturns = this->MaximumNumberOfReturns;
   m.Seed = static_cast<std::uint64_t>(this->Seed);
-  m.WantsWaveforms = this->GenerateWaveforms;
-  m.WantsPulses = this->GeneratePulses;
-  m.WantsSubRays = this->GenerateSubRays;
-  m.WantsTruth = this->GenerateTruth;
-  m.WantsScanFlags = this->GenerateScanFlags;
-  m.WantsColumns = this->GenerateColumns;
-  m.WantsDecibels = this->GenerateDecibels;
-  m.WantsColors = this->GenerateColors;
+  helios::WantedOutputs& wants = m.Wants;
+  wants.Waveforms = this->GenerateWaveforms;
+  wants.Pulses = this->GeneratePulses;
+  wants.SubRays = this->GenerateSubRays;
+  wants.Truth = this->GenerateTruth;
+  wants.ScanFlags = this->GenerateScanFlags;
+  wants.Columns = this->GenerateColumns;
+  wants.Decibels = this->GenerateDecibels;
+  wants.Colors = this->GenerateColors;
   return true;
 }
 

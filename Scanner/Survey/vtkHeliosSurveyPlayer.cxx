@@ -13,6 +13,7 @@
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunFolder.h"
+#include "heliosRunFormat.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"
@@ -70,7 +71,7 @@ public:
 
 private:
   bool CheckSettings();
-  bool CheckFormat();
+  helios::WantedOutputs GetWantedOutputs() const;
   bool CheckPart();
   bool Check(const helios::Status& status);
   bool OpenParts();
@@ -160,62 +161,32 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  this->Settings.Colors = player->WriteColors; // of the scene, too
+  this->Settings.Wants = this->GetWantedOutputs();
   if (!player->Source->CheckOptions(this->Settings))
   {
     return this->Fail();
   }
-  if (!this->CheckFormat() || !this->CheckPart())
-  {
-    return false;
-  }
   this->Settings.Folder = player->GetRunFolder();
-  this->Settings.Truth = player->WriteTruth;
-  this->Settings.Columns = player->WriteColumns;
-  this->Settings.Waveforms = player->WriteWaveforms;
-  const bool isLas = this->Settings.Format == "las";
-  this->Settings.WaveformsInPoints = isLas && player->WriteWaveforms && player->WaveformsInPoints;
-  const bool isText = this->Settings.Format == "xyz";
-  this->Settings.Decibels = player->WriteDecibels;
-  this->Settings.ScanFlags =
-    isLas || player->WriteScanFlags || (isText && player->WriteDecibels); // one order of columns
-  this->Settings.Pulses = player->WritePulses;
-  this->Settings.SubRays = player->WriteHits;
+  this->Settings.WaveformsInPoints = player->WaveformsInPoints;
   this->Settings.SplitByChannel = player->SplitByChannel;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
-  return true;
+  return this->Check(helios::SetFormat(TextOf(player->Format), this->Settings)) &&
+    this->CheckPart();
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::CheckFormat()
+helios::WantedOutputs vtkHeliosSurveyPlayer::Internals::GetWantedOutputs() const
 {
-  vtkHeliosSurveyPlayer* player = this->Player;
-  this->Settings.Format = TextOf(player->Format);
-  if (vtkHeliosRunFiles::GetFileName("", vtkHeliosRunFiles::POINTS, this->Settings.Format).empty())
-  {
-    std::vector<std::string> formats;
-    for (int i = 0; i < vtkHeliosRunFiles::GetNumberOfFormats(); ++i)
-    {
-      formats.emplace_back(vtkHeliosRunFiles::GetFormat(i));
-    }
-    return this->Fail("Format is \"" + this->Settings.Format + "\"; give " +
-      helios::Enumerate(formats, "or") + ".");
-  }
-  if (player->WriteColors && this->Settings.Format == "xyz")
-  {
-    return this->Fail("WriteColors is on, but Format \"xyz\" has no colours; give las or vtp.");
-  }
-  if (player->WriteTruth && this->Settings.Format != "vtp")
-  {
-    return this->Fail("WriteTruth is on, but files of the format " + this->Settings.Format +
-      " cannot store true points; set Format to vtp.");
-  }
-  if (player->WriteColumns && this->Settings.Format != "vtp")
-  {
-    return this->Fail("WriteColumns is on, but files of the format " + this->Settings.Format +
-      " cannot store columns of revolutions; set Format to vtp.");
-  }
-  return true;
+  helios::WantedOutputs wants;
+  wants.Waveforms = this->Player->WriteWaveforms;
+  wants.Pulses = this->Player->WritePulses;
+  wants.SubRays = this->Player->WriteHits;
+  wants.Truth = this->Player->WriteTruth;
+  wants.ScanFlags = this->Player->WriteScanFlags;
+  wants.Columns = this->Player->WriteColumns;
+  wants.Decibels = this->Player->WriteDecibels;
+  wants.Colors = this->Player->WriteColors;
+  return wants;
 }
 
 //------------------------------------------------------------------------------

@@ -3,15 +3,14 @@
 #include "vtkHeliosSurveySource.h"
 
 #include "heliosEchoComparison.h"
-#include "heliosLegRunner.h"
+#include "heliosLegOutput.h"
+#include "heliosLoadedSurvey.h"
 #include "heliosMessages.h"
 #include "heliosPathCell.h"
-#include "heliosPiecePile.h"
 #include "heliosPulseCount.h"
 #include "heliosReceiver.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunProgress.h"
-#include "heliosSurveyLoader.h"
 #include "vtkHeliosEchoComparison.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunOptions.h"
@@ -43,27 +42,15 @@ constexpr int GridPort = 1;
 constexpr int TrajectoryPort = 2;
 constexpr int MeshPort = 3;
 
-constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
-constexpr int WaveformPort = 1;
-constexpr vtkIdType PulsesPerStep = 1048576; // per progress event
-
-/// Pulses [First, Last) of each channel of a leg.
-struct Shots
-{
-  vtkIdType First;
-  vtkIdType Last;
-};
-
 } // namespace
 
-/// A loaded survey.
 class vtkHeliosSurveySource::Internals
 {
 public:
   explicit Internals(vtkHeliosSurveySource* source)
     : Source(source)
     , Log(source)
-    , Loader(this->Log)
+    , Survey(this->Log)
   {
   }
 
@@ -75,33 +62,20 @@ public:
   /// Runs a pulse window into the outputs; false after an error.
   bool Run(vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
 
-  const helios::LegPlan* FindLeg(int leg) const;
-  const helios::LegPlan* FindPulse(vtkIdType pulse) const;
-  double GetRate(const helios::LegPlan& plan) const;
-  vtkIdType GetChannels(const helios::LegPlan& plan) const;
-
 private:
   vtkHeliosSurveySource* Source;
   helios::Messages Log;
 
 public:
-  helios::SurveyLoader Loader;
-  std::unique_ptr<helios::LegRunner> Runner;
+  helios::LoadedSurvey Survey;
 
 private:
-  using Piles = std::vector<helios::PiecePile>;
-
   bool CheckSurvey();
-  bool PlanLegs();
-  Shots FindShots(const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const;
-  bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
+  helios::RunInputs GetInputs() const;
+  helios::WantedOutputs GetWantedOutputs() const;
   bool ReportProgress(double progress);
 
   vtkWeakPointer<vtkHeliosSurvey> Observed;
-  helios::RunSettings Settings;
-  vtkMTimeType PlanTime = 0; // of the scene that the legs were planned in
-  double PulsesDone = 0.0;
-  double PulsesToDo = 1.0;
 };
 
 //------------------------------------------------------------------------------
@@ -118,13 +92,9 @@ bool vtkHeliosSurveySource::Internals::CheckSurvey()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& settings)
+helios::RunInputs vtkHeliosSurveySource::Internals::GetInputs() const
 {
   vtkHeliosSurveySource* source = this->Source;
-  if (!this->CheckSurvey())
-  {
-    return false;
-  }
   helios::RunInputs inputs;
   inputs.Options = source->Options->GetData();
   if (source->Survey)
@@ -141,7 +111,6 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
     }
   }
   inputs.Instances = source->Instances;
-  inputs.Colors = settings.Colors;
   inputs.Mesh = vtkPolyData::SafeDownCast(source->GetInputDataObject(MeshPort, 0));
   for (int i = 0; i < source->GetNumberOfInputConnections(TrajectoryPort); ++i)
   {
@@ -150,158 +119,62 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
       inputs.Trajectories.push_back(data);
     }
   }
-  return this->Loader.Check(inputs, settings);
+  return inputs;
+}
+
+//------------------------------------------------------------------------------
+helios::WantedOutputs vtkHeliosSurveySource::Internals::GetWantedOutputs() const
+{
+  helios::WantedOutputs wants;
+  wants.Waveforms = this->Source->GenerateWaveforms;
+  wants.Pulses = this->Source->GeneratePulses;
+  wants.SubRays = this->Source->GenerateSubRays;
+  wants.Truth = this->Source->GenerateTruth;
+  wants.ScanFlags = this->Source->GenerateScanFlags;
+  wants.Columns = this->Source->GenerateColumns;
+  wants.Decibels = this->Source->GenerateDecibels;
+  wants.Colors = this->Source->GenerateColors;
+  return wants;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& settings)
+{
+  if (!this->CheckSurvey())
+  {
+    return false;
+  }
+  helios::RunInputs inputs = this->GetInputs();
+  inputs.Colors = settings.Wants.Colors;
+  return this->Survey.GetLoader().Check(inputs, settings);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveySource::Internals::Prepare()
 {
   helios::RunSettings settings;
-  settings.Waveforms = this->Source->GenerateWaveforms;
-  settings.Pulses = this->Source->GeneratePulses;
-  settings.SubRays = this->Source->GenerateSubRays;
-  settings.Truth = this->Source->GenerateTruth;
-  settings.ScanFlags = this->Source->GenerateScanFlags;
-  settings.Columns = this->Source->GenerateColumns;
-  settings.Decibels = this->Source->GenerateDecibels;
-  settings.Colors = this->Source->GenerateColors;
-  if (!this->CheckOptions(settings) ||
-    !this->Loader.Load([this](const std::string&) { return this->ReportProgress(0.0); }, settings))
-  {
-    return false;
-  }
-  const bool isPlanned = this->Runner && this->PlanTime == this->Loader.GetLoadTime() &&
-    this->Settings.Options == settings.Options &&
-    this->Settings.Trajectories == settings.Trajectories && this->Settings.Mesh == settings.Mesh;
-  this->Settings = settings;
-  return isPlanned || this->PlanLegs();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::PlanLegs()
-{
-  this->PlanTime = this->Loader.GetLoadTime();
-  this->Runner = std::make_unique<helios::LegRunner>(
-    this->Loader.GetSurvey(), this->Loader.GetScene(), this->Settings, this->Log);
-  if (!this->Runner->Plan())
-  {
-    return false;
-  }
-  if (this->Runner->GetNumberOfPulses() == 0)
-  {
-    this->Log.Error(this->Runner->ExplainNoEchoes());
-  }
-  return this->Runner->GetNumberOfPulses() > 0;
-}
-
-//------------------------------------------------------------------------------
-const helios::LegPlan* vtkHeliosSurveySource::Internals::FindLeg(int leg) const
-{
-  if (!this->Runner)
-  {
-    return nullptr;
-  }
-  const auto& plans = this->Runner->GetPlans();
-  const auto found = std::find_if(plans.begin(), plans.end(),
-    [leg](const helios::LegPlan& plan) { return plan.Leg == static_cast<std::size_t>(leg); });
-  return found == plans.end() ? nullptr : &*found;
-}
-
-//------------------------------------------------------------------------------
-const helios::LegPlan* vtkHeliosSurveySource::Internals::FindPulse(vtkIdType pulse) const
-{
-  if (!this->Runner)
-  {
-    return nullptr;
-  }
-  const auto& plans = this->Runner->GetPlans();
-  const auto found = std::find_if(plans.begin(), plans.end(),
-    [pulse](const helios::LegPlan& plan)
-    { return pulse >= plan.FirstPulse && pulse < plan.FirstPulse + plan.NumberOfPulses; });
-  return found == plans.end() ? nullptr : &*found;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosSurveySource::Internals::GetRate(const helios::LegPlan& plan) const
-{
-  return this->Loader.GetSurvey().Legs[plan.Leg].Scans.front().PulseFrequency;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkHeliosSurveySource::Internals::GetChannels(const helios::LegPlan& plan) const
-{
-  return static_cast<vtkIdType>(
-    this->Loader.GetSurvey().GetScanner(plan.Leg).GetNumberOfChannels());
-}
-
-//------------------------------------------------------------------------------
-/// The shots of a leg with their first pulse in a window of ids.
-Shots vtkHeliosSurveySource::Internals::FindShots(
-  const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const
-{
-  const vtkIdType channels = this->GetChannels(plan);
-  const auto find = [&plan, channels](vtkIdType pulse)
-  {
-    const vtkIdType own = std::clamp<vtkIdType>(pulse - plan.FirstPulse, 0, plan.NumberOfPulses);
-    return (own + channels - 1) / channels;
-  };
-  return { find(first), find(last) };
+  settings.Wants = this->GetWantedOutputs();
+  const auto onStep = [this](const std::string&) { return this->ReportProgress(0.0); };
+  return this->CheckOptions(settings) && this->Survey.GetLoader().Load(onStep, settings) &&
+    this->Survey.Plan(settings);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveySource::Internals::Run(
   vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
-  this->PulsesDone = 0.0;
-  this->PulsesToDo = std::max(1.0, static_cast<double>(last - first));
-  Piles piles(NumberOfPorts);
-  for (const helios::LegPlan& plan : this->Runner->GetPlans())
+  helios::LoadedSurvey::Piles piles;
+  const auto onProgress = [this](double share) { return this->ReportProgress(share); };
+  if (!this->Survey.Run(first, last, onProgress, piles))
   {
-    const Shots shots = this->FindShots(plan, first, last);
-    if (shots.Last > shots.First && !this->RunLeg(plan, shots, piles))
-    {
-      return !this->Log.HasError();
-    }
+    return !this->Log.HasError();
   }
-  for (int port = 0; port < NumberOfPorts; ++port)
+  for (std::size_t port = 0; port < piles.size(); ++port)
   {
-    helios::PiecePile& pile = piles[static_cast<std::size_t>(port)];
-    pile.Finish();
-    if (pile.Get())
+    if (piles[port].Get())
     {
-      vtkDataObject::GetData(outputs, port)->ShallowCopy(pile.Get());
+      vtkDataObject::GetData(outputs, static_cast<int>(port))->ShallowCopy(piles[port].Get());
     }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::RunLeg(
-  const helios::LegPlan& plan, const Shots& shots, Piles& piles)
-{
-  helios::LegScanner& scanner = this->Runner->Prepare(plan);
-  scanner.SetOutputs(this->Settings);
-  const vtkIdType channels = this->GetChannels(plan);
-  const vtkIdType step = std::max<vtkIdType>(1, PulsesPerStep / channels);
-  const bool isAsked[NumberOfPorts] = { true, this->Settings.Waveforms, this->Settings.Pulses,
-    this->Settings.SubRays };
-  for (vtkIdType shot = shots.First; shot < shots.Last; shot += step)
-  {
-    const vtkIdType end = std::min(shots.Last, shot + step);
-    scanner.SetPulseWindow(shot, end);
-    if (!this->ReportProgress(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
-    {
-      return false;
-    }
-    for (int port = 0; port < NumberOfPorts; ++port)
-    {
-      if (isAsked[port])
-      {
-        piles[static_cast<std::size_t>(port)].Add(scanner.GetOutput(port));
-      }
-    }
-    scanner.ReleaseOutput();
-    this->PulsesDone += static_cast<double>(channels * (end - shot));
   }
   return true;
 }
@@ -318,7 +191,7 @@ vtkHeliosSurveySource::vtkHeliosSurveySource()
 {
   this->Options = vtkSmartPointer<vtkHeliosRunOptions>::New();
   this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(NumberOfPorts);
+  this->SetNumberOfOutputPorts(helios::WantedOutputs::NumberOfPorts);
 }
 
 //------------------------------------------------------------------------------
@@ -395,6 +268,13 @@ vtkHeliosSurveySource::Internals& vtkHeliosSurveySource::GetInternals()
 }
 
 //------------------------------------------------------------------------------
+/// Null before they are planned.
+helios::LegRunner* vtkHeliosSurveySource::GetLegs() const
+{
+  return this->Loaded ? this->Loaded->Survey.GetLegs() : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosSurveySource::CheckOptions(helios::RunSettings& settings)
 {
   this->UpdateInputs();
@@ -410,7 +290,7 @@ bool vtkHeliosSurveySource::CheckOptions(helios::RunSettings& settings)
 bool vtkHeliosSurveySource::LoadScene(
   const std::function<bool(const std::string& step)>& onStep, helios::RunSettings& settings)
 {
-  const bool isGood = this->GetInternals().Loader.Load(onStep, settings);
+  const bool isGood = this->GetInternals().Survey.GetLoader().Load(onStep, settings);
   if (!isGood)
   {
     this->Loaded.reset();
@@ -421,7 +301,7 @@ bool vtkHeliosSurveySource::LoadScene(
 //------------------------------------------------------------------------------
 const helios::SurveyLoader& vtkHeliosSurveySource::GetLoader() const
 {
-  return this->Loaded->Loader;
+  return this->Loaded->Survey.GetLoader();
 }
 
 //------------------------------------------------------------------------------
@@ -447,27 +327,28 @@ bool vtkHeliosSurveySource::Prepare()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkHeliosSurveySource::GetScene() const
 {
-  return this->Loaded ? this->Loaded->Loader.GetScene() : nullptr;
+  return this->Loaded ? this->GetLoader().GetScene() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkHeliosSurveySource::GetGrid(int grid) const
 {
   const auto index = static_cast<std::size_t>(grid);
-  const bool exists = this->Loaded && index < this->Loaded->Loader.GetGrids().size();
-  return exists ? this->Loaded->Loader.GetGrids()[index].Get() : nullptr;
+  const bool exists = this->Loaded && index < this->GetLoader().GetGrids().size();
+  return exists ? this->GetLoader().GetGrids()[index].Get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurveySource::GetNumberOfPulses() const
 {
-  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->GetNumberOfPulses() : 0;
+  helios::LegRunner* legs = this->GetLegs();
+  return legs ? legs->GetNumberOfPulses() : 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurveySource::GetLegPulses(int leg, vtkIdType ids[2]) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
   ids[0] = plan ? plan->FirstPulse : 0;
   ids[1] = plan ? plan->FirstPulse + plan->NumberOfPulses : 0;
 }
@@ -475,7 +356,7 @@ void vtkHeliosSurveySource::GetLegPulses(int leg, vtkIdType ids[2]) const
 //------------------------------------------------------------------------------
 void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
   times[0] = plan ? plan->StartTime : 0.0;
   times[1] = plan ? plan->StartTime + plan->Duration : 0.0;
 }
@@ -483,37 +364,30 @@ void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
 //------------------------------------------------------------------------------
 double vtkHeliosSurveySource::GetLegPulseLength(int leg) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
-  return plan ? this->Loaded->Loader.GetSurvey().GetScanner(plan->Leg).PulseLength : 0.0;
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
+  return plan ? this->GetLoader().GetSurvey().GetScanner(plan->Leg).PulseLength : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkHeliosSurveySource::GetPulseTime(vtkIdType pulse) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindPulse(pulse) : nullptr;
-  if (!plan)
-  {
-    return 0.0;
-  }
-  const vtkIdType shot = (pulse - plan->FirstPulse) / this->Loaded->GetChannels(*plan);
-  return plan->StartTime + static_cast<double>(shot) / this->Loaded->GetRate(*plan);
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindPulse(pulse) : nullptr;
+  return plan ? this->Loaded->Survey.GetPulseTime(*plan, pulse) : 0.0;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurveySource::FindPulse(double time) const
 {
-  if (!this->Loaded || !this->Loaded->Runner)
+  helios::LegRunner* legs = this->GetLegs();
+  if (!legs)
   {
     return 0;
   }
-  for (const helios::LegPlan& plan : this->Loaded->Runner->GetPlans())
+  for (const helios::LegPlan& plan : legs->GetPlans())
   {
     if (time < plan.StartTime + plan.Duration)
     {
-      const double rate = this->Loaded->GetRate(plan);
-      const vtkIdType shot = helios::CountPulses(std::max(0.0, time - plan.StartTime), rate);
-      return plan.FirstPulse +
-        std::min(plan.NumberOfPulses, shot * this->Loaded->GetChannels(plan));
+      return this->Loaded->Survey.GetPulse(plan, time);
     }
   }
   return this->GetNumberOfPulses();
@@ -522,7 +396,7 @@ vtkIdType vtkHeliosSurveySource::FindPulse(double time) const
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, double interval) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
   if (!plan)
   {
     return nullptr;
@@ -536,11 +410,11 @@ vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, doubl
 //------------------------------------------------------------------------------
 void vtkHeliosSurveySource::SetUpComparison(vtkHeliosEchoComparison* comparison, int leg) const
 {
-  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
   if (comparison && plan)
   {
     const helios::EchoMatching matching =
-      helios::MakeMatching(this->Loaded->Loader.GetSurvey().GetScanner(plan->Leg), 0.0);
+      helios::MakeMatching(this->GetLoader().GetSurvey().GetScanner(plan->Leg), 0.0);
     comparison->SetMatchingDistance(matching.Distance);
     comparison->SetFullAmplitude(matching.FullAmplitude);
     comparison->SetExtinction(matching.Extinction);
@@ -552,21 +426,22 @@ void vtkHeliosSurveySource::SetUpComparison(vtkHeliosEchoComparison* comparison,
 //------------------------------------------------------------------------------
 double vtkHeliosSurveySource::GetSceneSize() const
 {
-  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->GetSceneSize() : 0.0;
+  helios::LegRunner* legs = this->GetLegs();
+  return legs ? legs->GetSceneSize() : 0.0;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurveySource::DescribeSampling()
 {
-  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->DescribeSampling()
-                                              : std::string();
+  helios::LegRunner* legs = this->GetLegs();
+  return legs ? legs->DescribeSampling() : std::string();
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurveySource::GetFingerprint()
 {
   helios::RunSettings settings;
-  settings.Colors = this->GenerateColors; // part of what is loaded
+  settings.Wants.Colors = this->GenerateColors; // part of what is loaded
   return this->CheckOptions(settings)
     ? helios::ToLine(helios::MakeFingerprint(this->GetLoader().GetSurvey(), settings))
     : std::string();
@@ -612,7 +487,8 @@ int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* in
 //------------------------------------------------------------------------------
 int vtkHeliosSurveySource::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == WaveformPort ? "vtkTable" : "vtkPolyData");
+  info->Set(
+    vtkDataObject::DATA_TYPE_NAME(), port == helios::WaveformPort ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -620,7 +496,7 @@ int vtkHeliosSurveySource::FillOutputPortInformation(int port, vtkInformation* i
 int vtkHeliosSurveySource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  for (int port = 0; port < NumberOfPorts; ++port)
+  for (int port = 0; port < helios::WantedOutputs::NumberOfPorts; ++port)
   {
     outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   }

@@ -59,6 +59,7 @@ class vtkImageData;
 
 namespace helios
 {
+class LegRunner;
 class SurveyLoader;
 struct RunSettings;
 }
@@ -244,6 +245,7 @@ private:
   class Internals;
 
   Internals& GetInternals();
+  helios::LegRunner* GetLegs() const;
   void UpdateInputs();
   bool Prepare();
 

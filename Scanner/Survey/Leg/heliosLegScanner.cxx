@@ -37,7 +37,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr vtkIdType AllPulses = VTK_ID_MAX;
 constexpr auto None = static_cast<std::size_t>(-1);
 
@@ -221,14 +220,15 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
 //------------------------------------------------------------------------------
 void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
 {
-  channel->SetGenerateWaveforms(this->Settings.Waveforms);
-  channel->SetGeneratePulses(this->Settings.Pulses);
-  channel->SetGenerateSubRays(this->Settings.SubRays);
-  channel->SetGenerateTruth(this->Settings.Truth);
-  channel->SetGenerateScanFlags(this->Settings.ScanFlags);
-  channel->SetGenerateColumns(this->Settings.Columns);
-  channel->SetGenerateDecibels(this->Settings.Decibels);
-  channel->SetGenerateColors(this->Settings.Colors);
+  const WantedOutputs& wants = this->Settings.Wants;
+  channel->SetGenerateWaveforms(wants.Waveforms);
+  channel->SetGeneratePulses(wants.Pulses);
+  channel->SetGenerateSubRays(wants.SubRays);
+  channel->SetGenerateTruth(wants.Truth);
+  channel->SetGenerateScanFlags(wants.ScanFlags);
+  channel->SetGenerateColumns(wants.Columns);
+  channel->SetGenerateDecibels(wants.Decibels);
+  channel->SetGenerateColors(wants.Colors);
 }
 
 //------------------------------------------------------------------------------
@@ -239,28 +239,13 @@ void LegScanner::SetOptions(const RunOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::SetOutputs(const RunSettings& settings)
+void LegScanner::SetOutputs(const WantedOutputs& wants)
 {
-  this->Settings.Waveforms = settings.Waveforms;
-  this->Settings.Pulses = settings.Pulses;
-  this->Settings.SubRays = settings.SubRays;
-  this->Settings.Truth = settings.Truth;
-  this->Settings.ScanFlags = settings.ScanFlags;
-  this->Settings.Columns = settings.Columns;
-  this->Settings.Decibels = settings.Decibels;
-  this->Settings.Colors = settings.Colors;
+  this->Settings.Wants = wants;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     this->ApplyOutputs(channel);
   }
-}
-
-//------------------------------------------------------------------------------
-bool LegScanner::HasPort(int port) const
-{
-  const bool isThere[NumberOfPorts] = { true, this->Settings.Waveforms, this->Settings.Pulses,
-    this->Settings.SubRays };
-  return isThere[port];
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +294,8 @@ bool LegScanner::Update(int piece, int pieces)
 bool LegScanner::UpdateMoving(int piece, int pieces)
 {
   this->ReleaseOutput();
-  this->Gathered.assign(this->Channels.size(), std::vector<PiecePile>(NumberOfPorts));
+  this->Gathered.assign(
+    this->Channels.size(), std::vector<PiecePile>(WantedOutputs::NumberOfPorts));
   const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
   const vtkIdType begin = std::max(this->FirstPulse,
     helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate));
@@ -375,9 +361,9 @@ void LegScanner::Gather()
   AddCounts(this->Channels, this->GatheredCounts);
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    for (int port = 0; port < NumberOfPorts; ++port)
+    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
     {
-      if (this->HasPort(port))
+      if (this->Settings.Wants.HasPort(port))
       {
         this->Gathered[k][static_cast<std::size_t>(port)].Add(
           this->Channels[k]->GetOutputDataObject(port));
@@ -439,7 +425,7 @@ double LegScanner::GetMemorySize() const
   double kibibytes = 0.0;
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    for (int port = 0; port < NumberOfPorts; ++port)
+    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
     {
       vtkDataObject* output = this->GetOutput(port, k);
       kibibytes += output ? static_cast<double>(output->GetActualMemorySize()) : 0.0;

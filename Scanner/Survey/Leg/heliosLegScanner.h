@@ -51,8 +51,8 @@ public:
   /// Runs in another way from the next SetUp() on.
   void SetOptions(const RunOptions& options);
 
-  /// Sets the outputs that the settings request besides the echoes.
-  void SetOutputs(const RunSettings& settings);
+  /// Sets what is computed besides the echoes.
+  void SetOutputs(const WantedOutputs& wants);
 
   /// The pulses of all channels in the windows.
   vtkIdType CountPulses();
@@ -86,7 +86,6 @@ private:
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
   void ApplyOutputs(vtkHeliosScanner* channel) const;
-  bool HasPort(int port) const;
   void ApplyWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);

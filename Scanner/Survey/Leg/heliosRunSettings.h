@@ -7,6 +7,7 @@
 
 #include "heliosRunOptions.h"
 #include "heliosRunPart.h"
+#include "heliosWantedOutputs.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -25,14 +26,7 @@ struct RunSettings
 {
   RunOptions Options;     ///< with the seed of the survey if it has none
   bool HasEpochs = false; ///< whether the survey has several epochs
-  bool Waveforms = false;
-  bool Pulses = false;
-  bool SubRays = false;           ///< their hits; always written as vtp
-  bool Truth = false;             ///< with the echoes; written as vtp only
-  bool ScanFlags = false;         ///< with the echoes
-  bool Columns = false;           ///< with the echoes; written as vtp only
-  bool Decibels = false;          ///< with the echoes
-  bool Colors = false;            ///< with the echoes
+  WantedOutputs Wants;
   bool WaveformsInPoints = false; ///< LAS: in one file with the points
 
   std::string Folder; ///< of the files

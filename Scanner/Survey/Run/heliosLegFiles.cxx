@@ -41,18 +41,13 @@ std::string LegFiles::MakeFileName(const LegPlan& plan, int kind, const std::str
 LegOutputs LegFiles::MakeOutputs(const LegPlan& plan) const
 {
   LegOutputs outputs;
-  this->AddOutputs(plan, EchoPort, outputs);
-  if (this->Settings.Waveforms && !this->Settings.WaveformsInPoints)
+  for (const int port : { EchoPort, WaveformPort, PulsePort, HitPort })
   {
-    this->AddOutputs(plan, WaveformPort, outputs);
-  }
-  if (this->Settings.Pulses)
-  {
-    this->AddOutputs(plan, PulsePort, outputs);
-  }
-  if (this->Settings.SubRays)
-  {
-    this->AddOutputs(plan, HitPort, outputs);
+    const bool isInPoints = port == WaveformPort && this->Settings.WaveformsInPoints;
+    if (this->Settings.Wants.HasPort(port) && !isInPoints)
+    {
+      this->AddOutputs(plan, port, outputs);
+    }
   }
   return outputs;
 }

@@ -49,8 +49,8 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   else
   {
     const auto text = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-    text->SetWriteScanFlags(settings.ScanFlags);
-    text->SetWriteDecibels(settings.Decibels);
+    text->SetWriteScanFlags(settings.Wants.ScanFlags);
+    text->SetWriteDecibels(settings.Wants.Decibels);
     writer = text;
   }
   return writer;

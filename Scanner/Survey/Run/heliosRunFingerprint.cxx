@@ -23,6 +23,7 @@
 
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace helios
 {
@@ -83,32 +84,23 @@ Json::Value DescribePart(const RunPart& part)
 
 Json::Value DescribeOptions(const RunSettings& settings)
 {
+  const WantedOutputs& wants = settings.Wants;
   Json::Value options;
   settings.Options.Describe(options);
   options["format"] = settings.Format;
-  options["waveforms"] = settings.Waveforms;
+  options["waveforms"] = wants.Waveforms;
   options["waveformsInPoints"] = settings.WaveformsInPoints;
-  options["scanFlags"] = settings.ScanFlags;
-  options["pulses"] = settings.Pulses;
-  if (settings.SubRays)
+  options["scanFlags"] = wants.ScanFlags;
+  options["pulses"] = wants.Pulses;
+  const std::pair<const char*, bool> others[] = { { "hits", wants.SubRays },
+    { "truth", wants.Truth }, { "columns", wants.Columns }, { "decibels", wants.Decibels },
+    { "colors", wants.Colors } };
+  for (const auto& [name, isWanted] : others)
   {
-    options["hits"] = true;
-  }
-  if (settings.Truth)
-  {
-    options["truth"] = true;
-  }
-  if (settings.Columns)
-  {
-    options["columns"] = true;
-  }
-  if (settings.Decibels)
-  {
-    options["decibels"] = true;
-  }
-  if (settings.Colors)
-  {
-    options["colors"] = true;
+    if (isWanted)
+    {
+      options[name] = true;
+    }
   }
   options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
