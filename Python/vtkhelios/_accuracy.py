@@ -61,11 +61,12 @@ class Sampler:
         self.fired = fired
         self.share_fired = fired / max(1, self.total / self.step)
 
-    def run(self, **options):
-        """The echoes of the sample, and the number of pulses fired."""
+    def run(self, every=1, **options):
+        """The echoes of the sample, or of about every n-th of its pulses; the number of pulses fired."""
+        step = every * self.step
         options = {"noise": False, **self._options, **options}
-        options |= {"pulse_step": self.step, "pulses": True}
-        count = max(1, self.total // self.step // PULSES_PER_WINDOW)
+        options |= {"pulse_step": step, "pulses": True}
+        count = max(1, self.total // step // PULSES_PER_WINDOW)
         ends = [i * self.total // count for i in range(count + 1)]
         clouds = [
             self._survey.run_window(options, window, self._on_step)

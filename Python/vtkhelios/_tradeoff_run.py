@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the ways to compute a survey, and the survey without parts of its model."""
 
+import contextlib
 import importlib
 
 import numpy as np
@@ -13,7 +14,13 @@ from .array_names import PART_IDS
 from .scene import count_triangles, flatten, has_instances
 from .tradeoff import Row, Tradeoff
 
-SUB_RAYS_OF_REFERENCE, BINS_PER_PULSE = 4096, 50
+BINS_PER_PULSE = 50  # of the reference
+# The reference is adaptive, at a tenth of the narrowest tolerance that it judges, with this many
+# sub-rays where it samples. Its error is at most its difference from a coarser one.
+FINER, MOST_SUB_RAYS = 0.1, 1 << 18
+COARSER, MOST_SUB_RAYS_COARSE = 0.3, 1 << 16
+LEAST_TOLERANCES = 1e-6, 1e-4  # [m] and relative: heliosTolerances.h
+SUB_RAYS_OF_CHECK, CHECKED = 65536, 32  # pulses, about
 CIRCLES = (1, 2, 3, 5, 9, 18)
 SPIRALS, RINGS = (20, 64, 256), (2, 4, 8)  # sub-rays; rings
 TOLERANCES = (0.03, 0.01, 0.003, 0.001, 0.0003)  # [m]; ten times as many of the energy
@@ -83,14 +90,17 @@ class _Run:
         self._scene = self._source.GetScene()
         self._other_memory = self._find_other_memory()
         self._bins = self._sampler.pulse_length()
+        self._narrowest = min([*TOLERANCES, *_tolerances(survey, options)])
         self._fine = {"bin_size": self._bins / BINS_PER_PULSE, "without": "voxels"}
 
     def make(self):
         sampler = self._sampler
         self._step.begin("reference")
         reference = self._make_reference()
-        half, _ = sampler.run(sub_rays=SUB_RAYS_OF_REFERENCE // 2, **self._fine)
-        self._own = _plain(sampler.compare(half, reference))
+        coarse, _ = sampler.run(**self._finely(COARSER, MOST_SUB_RAYS_COARSE))
+        own = sampler.compare(coarse, reference)
+        self._step.begin("check of the reference")
+        self._own = _plain(confirm(own, *self._check_reference()))
         self._own[POSITION] = self._own["rangeP95_m"]
         ways = [self._measure_way(way, reference) for way in self._ways]
         ways = [way for way in ways if way is not None]
@@ -101,7 +111,7 @@ class _Run:
             survey=self._survey.name,
             pulses=sampler.fired,
             pulses_fired=sampler.share_fired * sampler.total,
-            reference=_plain(self._own) | {"subRays": SUB_RAYS_OF_REFERENCE},
+            reference=_plain(self._own) | {"tolerance": FINER * self._narrowest},
             ways=ways,
             parts=parts,
             noise=_noise(self._survey),
@@ -112,11 +122,27 @@ class _Run:
     def _count_steps(self):
         """Steps that take about the same time each; some turn out not to be there."""
         parts = len(self._model_parts) + 2 * MOST_GROUPS + 2 if self._has_parts else 0
-        return 2 + len(self._ways) + 2 * len(DISTANCES) + parts
+        return 3 + len(self._ways) + 2 * len(DISTANCES) + parts
 
     def _make_reference(self, **choice):
-        cloud, _ = self._sampler.run(sub_rays=SUB_RAYS_OF_REFERENCE, **choice, **self._fine)
-        return cloud
+        return self._sampler.run(**choice, **self._finely(FINER, MOST_SUB_RAYS))[0]
+
+    def _finely(self, factor, most):
+        """Options of adaptive sampling at a fraction of the narrowest tolerance."""
+        tolerances = tolerance_options(factor * self._narrowest)
+        return {**tolerances, "max_sub_rays": most, **self._fine}
+
+    def _check_reference(self):
+        """Measures of the reference against many sub-rays, and of these, of few pulses."""
+        few = max(1, self._sampler.fired // CHECKED)
+        check, half = (
+            self._sampler.run(
+                sub_rays=count, sub_ray_pattern="Vogel", every=few, **self._fine
+            )[0]
+            for count in (SUB_RAYS_OF_CHECK, SUB_RAYS_OF_CHECK // 2)
+        )
+        checked, _ = self._sampler.run(**self._finely(FINER, MOST_SUB_RAYS), every=few)
+        return self._sampler.compare(checked, check), self._sampler.compare(half, check)
 
     def _measure_way(self, way, reference):
         """The row of a way; None if it would copy too many instances."""
@@ -285,6 +311,32 @@ class _Run:
         per_pulse = 1024 * cloud.data.GetActualMemorySize() / max(1, fired)
         total = self._sampler.share_fired * self._sampler.total
         return now + COPIES_OF_BLOCK * per_pulse * min(PULSES_PER_BLOCK, total)
+
+
+def confirm(own, found, of_check):
+    """The errors of a reference: its own, or what a check found where no error explains that."""
+
+    def is_explained(name):
+        return found[name].lower <= 2.0 * of_check[name].upper + own[name].upper
+
+    return {name: own[name] if is_explained(name) else found[name] for name in MEASURES}
+
+
+def tolerance_options(tolerance):
+    """Options for a tolerance of ranges [m], and ten times as many of the energy, as far as valid."""
+    least, least_energy = LEAST_TOLERANCES
+    return {
+        "tolerance": max(least, tolerance),
+        "energy_tolerance": max(least_energy, 10.0 * tolerance),
+    }
+
+
+def _tolerances(survey, options):
+    """The tolerances of ranges that the survey itself asks for [m]."""
+    if given := options.get("tolerance"):
+        yield given
+    with contextlib.suppress(ValueError):
+        yield float(survey.vtk.GetScannerAttribute(0, "rangeTolerance_m"))
 
 
 def _only(errors):

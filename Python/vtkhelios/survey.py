@@ -302,7 +302,7 @@ class Survey:
 
         Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in
         several patterns, tolerances, bins, detectors, ray casters and simplified meshes, and compares
-        the echoes with a reference of 4096 sub-rays in fine bins whose own error is known; with
+        the echoes with a reference, adaptive at a tenth of the tolerances, whose own error is known; with
         parts, also without each part of the model and of the scene. Without noise and turbid
         voxels. Options are those of run(). Returns a vtkhelios.tradeoff.Tradeoff; see
         Docs/tradeoff.md.

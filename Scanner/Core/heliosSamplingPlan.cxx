@@ -79,6 +79,7 @@ void SetSurfaceRules(const Tolerances& asked, double sigmaRange, SamplingPlan& p
   const Tolerances tolerances{ std::min(asked.Range, WidestRange),
     std::min(asked.Energy, WidestEnergy) };
   plan.PlaneDistance = 2.0 * tolerances.Range;
+  plan.Overlap = 0.2 * tolerances.Range;
   plan.PlaneContrast = 0.5 * tolerances.Energy;
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(tolerances.Energy));
   plan.LargestShift = 0.5 * tolerances.Range;

@@ -28,6 +28,7 @@ struct SamplingPlan
   int NumberOfSubRays = 336;  ///< of a beam among leaves
   double PlaneDistance = 0.0; ///< of triangles that count as one plane [m]
   double PlaneContrast = 0.0; ///< of their responses, relative
+  double Overlap = 0.0;       ///< of a sheet before the plane that fills a beam [m]
   int LayerRings = 3;         ///< of sub-rays of a beam that one continuous surface fills; 0: none
   double LayerDistance = 0.0; ///< of its triangles from one plane [m]
   double LayerContrast = 0.0; ///< of their responses, relative

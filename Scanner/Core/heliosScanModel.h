@@ -143,6 +143,7 @@ struct ScanModel
     const Vec3 apex = pulse.Origin - this->ApexOffset * axis;
     PlaneLimits limits(this->Plan.PlaneDistance);
     limits.OfPlane.Contrast = this->Plan.PlaneContrast;
+    limits.Overlap = this->Plan.Overlap;
     limits.GetResponse = [this, &axis](vtkIdType cell) { return this->GetBackscatter(cell, axis); };
     if (this->HasLayers())
     {

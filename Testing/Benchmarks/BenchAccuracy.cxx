@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The accuracy that a tolerance promises (Docs/instrument.md) against the one it gives, and the
-// cost of both, on scenes of thin, sparse, rough and far surfaces.
+// cost of both, on scenes of thin, sparse, rough and far surfaces, and of sheets closely before walls.
 //
 // The reference has 65,536 sub-rays per pulse on Vogel's spiral; its own error is its distance from
 // one of 32,768. Errors are of echoes of at least 2 % of a full footprint. Kept: within the
@@ -9,8 +9,8 @@
 //
 // Usage: BenchAccuracy [--quick] [--scene NAME]
 
-#include "heliosAccuracyScenes.h"
 #include "heliosBenchClock.h"
+#include "heliosSheetBenchScenes.h"
 #include "heliosTradeBench.h"
 #include "heliosTradeErrors.h"
 
@@ -145,7 +145,7 @@ int main(int argc, char* argv[])
   std::printf("scene    sampling       per pulse   range error: half, p95, RMS; lost + invented; "
               "amplitude RMS\n");
   bool isKept = true;
-  for (const TradeScene& scene : MakeAccuracyScenes())
+  for (const TradeScene& scene : MakeAllAccuracyScenes())
   {
     if (only.empty() || scene.Name == only)
     {

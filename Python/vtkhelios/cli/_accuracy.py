@@ -14,7 +14,7 @@ def accuracy_lines(accuracy):
     without = " and ".join(accuracy["without"])
     yield (
         f"accuracy of {accuracy['echoes']:,} echoes of {accuracy['pulses']:,} pulses, computed again "
-        f"with {reference['subRays']} sub-rays{f', without {without}' if without else ''}"
+        f"{_method(reference)}{f', without {without}' if without else ''}"
     )
     rows = (
         ("range error, median", "rangeP50_m", MILLIMETRES, None),
@@ -25,11 +25,25 @@ def accuracy_lines(accuracy):
         ("amplitude, RMS of a full footprint", "amplitudeRms", PERCENT, "energyTolerance"),
     )
     for title, name, unit, tolerance in rows:
-        wish = f", asked {number(asked[tolerance], unit)}" if tolerance in asked else ""
-        yield (
-            f"         {title + ':':36}{interval(accuracy[name], unit)}{wish}"
-            f" (reference itself {number(reference[name][0], unit)})"
-        )
+        yield f"         {title + ':':36}{_result(accuracy, name, unit, asked.get(tolerance))}"
+
+
+def _method(reference):
+    """How the reference was computed."""
+    if "subRays" in reference:  # a run of 0.2
+        return f"with {reference['subRays']} sub-rays"
+    range_error = number(reference["rangeTolerance_m"], MILLIMETRES)
+    return f"within {range_error} and {number(reference['energyTolerance'], PERCENT)}"
+
+
+def _result(accuracy, name, unit, asked):
+    """A measure, what was asked, and the error of the reference: a measure that the reference cannot
+    confirm is given as its limit."""
+    own = accuracy["reference"][name][0]
+    wish = "" if asked is None else f", asked {number(asked, unit)}"
+    if asked is not None and max(own, 1e-9) > asked:
+        return f"cannot be told to better than {number(own, unit)}{wish}"
+    return f"{interval(accuracy[name], unit)}{wish} (reference itself {number(own, unit)})"
 
 
 def interval(estimate, unit):

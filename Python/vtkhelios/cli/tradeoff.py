@@ -36,8 +36,9 @@ EPILOG = """\
 input: a survey; or a scene (HELIOS XML) or a mesh (.obj, .tif, .ply, .stl, .gltf, .glb, .json: CityJSON),
 which is scanned from the positions that vtkhelios plan finds with the same options.
 
-what it does: draws pulses from all legs of the survey, computes them with 4096 sub-rays in fine
-bins (the reference, whose own error is its difference from half as many), and then with
+what it does: draws pulses from all legs of the survey, computes them by adaptive sampling within
+0.03 mm (the reference: its own error is at most its difference from 0.1 mm, and some pulses are
+checked with 65,536 sub-rays), and then with
   fixed sub-rays       1, 7, 19 ... on circles (beamSampleQuality); other patterns: Vogel's spiral and
                        rings with the nodes of Gauss and Legendre
   tolerances           30 mm to 0.3 mm, with 10 times as many per cent of amplitude and echoes
@@ -327,12 +328,32 @@ def explain_none(result, arguments, threads):
             f"--minutes {arguments.minutes:g}: no setting is that fast{within}; {fastest.name} takes "
             f"{duration(result.run_time(fastest, threads))}: give more time or threads"
         )
+    if untold := find_untold(result, arguments):
+        return untold
     best = result.frontier[-1]
     return (
         f"no setting is as accurate as asked{within}; {best.name} has a range error of at most "
         f"{1e3 * best.range_error:.2g} mm and at most {100 * best.lost:.2g} % missed and "
         "invented echoes: ask for less, or narrow the intervals with more --pulses"
     )
+
+
+def find_untold(result, arguments):
+    """Why the reference cannot tell whether a setting is as accurate as asked, or None."""
+    own_range = result.reference["rangeP95_m"].upper
+    own_lost = result.reference["missedAndInvented"].upper
+    if arguments.range is not None and own_range > arguments.range:
+        return (
+            f"--range {1e3 * arguments.range:g} mm: the error of ranges cannot be told to better than "
+            f"{1e3 * own_range:.2g} mm here, the error of the reference: ask for more"
+        )
+    if arguments.missed is not None and own_lost > arguments.missed:
+        return (
+            f"--missed {100 * arguments.missed:g} %: missed and invented echoes cannot be told to better "
+            f"than {100 * own_lost:.2g} % here, the error of the reference: ask for more, or give more "
+            "--pulses"
+        )
+    return None
 
 
 def apply(row, found, arguments, messages):

@@ -60,7 +60,11 @@ WHOLE = {
     "accuracy": {
         **_MEASURES, **dict.fromkeys(("pulses", "echoes", "matched"), _count),
         "asked": {"rangeTolerance_m": _number, "energyTolerance": _number},
-        "reference": {**_MEASURES, "subRays": _count},
+        "reference": {
+            **_MEASURES, "rangeTolerance_m": _number, "energyTolerance": _number,
+            "subRays": _count,  # of 0.2
+            "check": {**_MEASURES, "pulses": _count, "subRays": _count},
+        },
         "reason": _text, "without": [_text],
     },
     "inputs": [{"bytes": _count, "file": _text, "sha256": _text}],

@@ -211,19 +211,18 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
     std::swap(*hit, this->Members[0]);
   }
   const int count = this->Count;
-  if (this->AreNear(this->Limits.OfPlane) && this->IsWithoutGaps())
+  if (this->AreNear(this->Limits.OfPlane) && this->HasNoFreeEdges())
   {
     if (layer)
     {
-      this->SetLayer(*layer);
+      this->FindLayer(*layer);
     }
     return { vtkHeliosConeHit::OnePlane, this->Hit.CellId, this->Hit.Range };
   }
   this->Count = count;
-  if (layer && this->Limits.OfLayer.Distance > 0.0 && this->AreNear(this->Limits.OfLayer) &&
-    this->IsWithoutGaps() && this->CountAtAxis() == 1)
+  if (layer && this->Limits.OfLayer.Distance > 0.0 && this->AreNear(this->Limits.OfLayer))
   {
-    this->SetLayer(*layer);
+    this->FindLayer(*layer);
   }
   return Unknown;
 }
@@ -340,34 +339,91 @@ double ConeTest::GetResponse(Member& c) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the members cover the cone.
-bool ConeTest::IsWithoutGaps() const
+/// How far the plane of a triangle is before that of another, at most, inside the cone; negative if
+/// it is behind all over.
+double ConeTest::GetLead(const Member& c, const Member& other) const
 {
-  if (std::any_of(
-        this->Members, this->Members + this->Count, [](const Member& c) { return c.Covers; }))
+  if (!(c.Surface.Farthest < NoHit && other.Surface.Farthest < NoHit))
   {
-    return true;
+    return NoHit;
   }
+  const Gap gap(c.Surface, other.Surface);
+  return (gap.Slope[2] + gap.GetAcross(this->Shape.GetTangent())) * gap.Scale;
+}
+
+/// Whether a member that covers the cone hides another, but for the permitted overlap.
+bool ConeTest::IsBehindCover(const Member& c) const
+{
+  return std::any_of(this->Members, this->Members + this->Count,
+    [&](const Member& other)
+    { return other.Covers && &other != &c && this->GetLead(c, other) <= this->Limits.Overlap; });
+}
+
+/// Whether a member ends inside the cone, at an edge beyond which no other goes on.
+bool ConeTest::HasFreeEdge(int member) const
+{
+  const Member& c = this->Members[member];
+  bool isFree = c.Sign == 0.0;
+  for (int edge = 0; edge < 3 && !isFree; ++edge)
+  {
+    isFree = c.EdgeTouches[edge] && this->CountNeighbors(member, edge) == 0;
+  }
+  return isFree;
+}
+
+/// Whether the members cover the cone, without one that ends inside it before the others.
+bool ConeTest::HasNoFreeEdges() const
+{
   for (int i = 0; i < this->Count; ++i)
   {
-    const Member& c = this->Members[i];
-    for (int edge = 0; edge < 3; ++edge)
+    if (this->HasFreeEdge(i) && !this->IsBehindCover(this->Members[i]))
     {
-      if (c.Sign == 0.0 || (c.EdgeTouches[edge] && !this->IsShared(i, edge)))
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;
 }
 
-/// Whether another member adjoins an edge on its other side.
-bool ConeTest::IsShared(int member, int edge) const
+/// The members that adjoin an edge on its other side.
+int ConeTest::CountNeighbors(int member, int edge) const
 {
   const Member& c = this->Members[member];
-  return std::any_of(this->Members, this->Members + this->Count,
-    [&](const Member& other) { return &other != &c && Adjoins(c, edge, other); });
+  return static_cast<int>(std::count_if(this->Members, this->Members + this->Count,
+    [&](const Member& other) { return &other != &c && Adjoins(c, edge, other); }));
+}
+
+//------------------------------------------------------------------------------
+/// Whether every direction in the cone meets one member. Across an edge with one neighbor their
+/// number does not change: it is that at the axis.
+bool ConeTest::IsSingleSurface() const
+{
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Member& c = this->Members[i];
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (c.Sign == 0.0 || (c.EdgeTouches[edge] && this->CountNeighbors(i, edge) != 1))
+      {
+        return false;
+      }
+    }
+  }
+  return this->CountAtAxis() == 1;
+}
+
+/// Sets the layer of the members, if they have one: the first of them, if it hides all others, or a
+/// single surface.
+void ConeTest::FindLayer(ConeLayer& layer)
+{
+  const Member& first = this->Members[0];
+  const bool isHiding = first.Covers &&
+    std::all_of(this->Members + 1, this->Members + this->Count,
+      [&](const Member& c) { return this->GetLead(c, first) <= this->Limits.Overlap; });
+  this->Count = isHiding ? 1 : this->Count;
+  if (isHiding || this->IsSingleSurface())
+  {
+    this->SetLayer(layer);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -49,9 +49,14 @@ private:
   double GetDistance(const Member& a, const Member& b) const;
   static bool IsFold(const Member& c, const Member& first);
   double GetFoldDistance(const Member& c, const Member& first) const;
-  bool IsWithoutGaps() const;
-  bool IsShared(int member, int edge) const;
+  double GetLead(const Member& c, const Member& other) const;
+  bool IsBehindCover(const Member& c) const;
+  bool HasFreeEdge(int member) const;
+  bool HasNoFreeEdges() const;
+  int CountNeighbors(int member, int edge) const;
+  bool IsSingleSurface() const;
   int CountAtAxis() const;
+  void FindLayer(ConeLayer& layer);
   void SetLayer(ConeLayer& layer) const;
 
   static constexpr int MaximumMembers = ConeLayer::Capacity;

@@ -27,6 +27,8 @@ struct PlaneLimits
 
   Difference OfPlane;
   Difference OfLayer; ///< distance 0: no layer is sought
+  /// How far a triangle that ends inside the cone may be before one that covers it [m].
+  double Overlap = 0.0;
   Response GetResponse;
 
   PlaneLimits(double distance) // NOLINT(google-explicit-constructor)

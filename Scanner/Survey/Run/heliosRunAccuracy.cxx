@@ -6,6 +6,7 @@
 #include "heliosPulseSample.h"
 #include "heliosReceiver.h"
 #include "heliosStatus.h"
+#include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosScene.h"
 
 #include <vtkPointData.h>
@@ -26,8 +27,14 @@ constexpr vtkIdType MostMisses = 3;
 constexpr vtkIdType PulsesPerPiece = 256;                // between checks for an abort
 constexpr const char* PhotonCounting = "photonCounting"; // the name of its detector
 // The reference.
-constexpr int SubRays = 4096;
+constexpr double Finer = 0.1;        // of the tolerances of the run
+constexpr double Coarser = 0.3;      // of them: what bounds the error of the reference
+constexpr int MostSubRays = 1 << 18; // of a beam that it samples
+constexpr int MostSubRaysCoarse = 1 << 16;
 constexpr double BinsPerPulse = 50.0;
+// Its check.
+constexpr vtkIdType MostChecked = 32; // pulses that hit something, about
+constexpr int SubRaysOfCheck = 65536;
 
 Json::Value DescribeErrors(const EchoErrors& errors)
 {
@@ -56,6 +63,7 @@ RunAccuracy::RunAccuracy(LegRunner& runner, const RunSettings& settings, Message
   const vtkIdType hits = std::max(counts.PulsesHit, counts.PulsesFired / (1 + MostMisses));
   const vtkIdType wanted = std::clamp(hits / HitsPerSample, FewestHits, MostHits);
   this->Step = std::max<vtkIdType>(1, hits / wanted);
+  this->CheckStep = std::max<vtkIdType>(1, hits / MostChecked);
 }
 
 //------------------------------------------------------------------------------
@@ -86,37 +94,80 @@ bool RunAccuracy::CountsPhotons() const
 }
 
 //------------------------------------------------------------------------------
-/// The run, the reference, and the reference with half the sub-rays.
+/// The narrowest tolerances of the run; the default ones if it has fixed sub-rays only.
+Tolerances RunAccuracy::GetTolerances() const
+{
+  Tolerances narrowest{ LargestTolerance, LargestTolerance };
+  bool isAdaptive = false;
+  for (const ScannerData& scanner : this->Runner.GetSurvey().Scanners)
+  {
+    for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
+    {
+      const BeamSampling sampling =
+        ChooseSampling(scanner.GetChannel(k).Receiver, this->Settings.Options);
+      if (sampling.IsAdaptive)
+      {
+        isAdaptive = true;
+        narrowest.Range = std::min(narrowest.Range, sampling.RangeTolerance);
+        narrowest.Energy = std::min(narrowest.Energy, sampling.EnergyTolerance);
+      }
+    }
+  }
+  return isAdaptive ? narrowest : Tolerances();
+}
+
+//------------------------------------------------------------------------------
+/// Sets adaptive sampling at a fraction of the tolerances of the run.
+void RunAccuracy::SetReference(double factor, int mostSubRays, RunOptions& options) const
+{
+  const Tolerances tolerances = this->GetTolerances();
+  options.NumberOfSubRays = 0;
+  options.SubRayPattern.clear();
+  options.RangeTolerance = std::max(LeastRangeTolerance, factor * tolerances.Range);
+  options.EnergyTolerance = std::max(LeastEnergyTolerance, factor * tolerances.Energy);
+  options.MaximumSubRays = std::max(options.MaximumSubRays, mostSubRays);
+}
+
+//------------------------------------------------------------------------------
+/// By WayIndex.
 std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
 {
-  std::vector<Way> ways(3);
+  std::vector<Way> ways(NumberOfWays);
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
     RunOptions& options = ways[i].Options;
     options = this->Settings.Options;
     options.Noise = false;
     options.Without += " voxels";
-    options.PulseStep = this->Step;
-    if (i > 0)
+    options.PulseStep = i >= CheckedReference ? this->CheckStep : this->Step;
+    if (i != Run)
     {
-      options.RangeTolerance = options.EnergyTolerance = 0.0;
-      options.NumberOfSubRays = i == 1 ? SubRays : SubRays / 2;
       options.BinSize = this->GetFinestBin();
     }
+  }
+  this->SetReference(Finer, MostSubRays, ways[Reference].Options);
+  this->SetReference(Coarser, MostSubRaysCoarse, ways[Coarse].Options);
+  this->SetReference(Finer, MostSubRays, ways[CheckedReference].Options);
+  for (const WayIndex i : { Check, HalfCheck })
+  {
+    RunOptions& options = ways[i].Options;
+    options.RangeTolerance = options.EnergyTolerance = 0.0;
+    options.NumberOfSubRays = i == Check ? SubRaysOfCheck : SubRaysOfCheck / 2;
+    options.SubRayPattern = vtkHeliosBeamSampler::GetPatternName(vtkHeliosBeamSampler::VOGEL);
   }
   return ways;
 }
 
 //------------------------------------------------------------------------------
 /// The samples of all channels of a leg.
-vtkIdType RunAccuracy::CountSamples(const LegPlan& plan) const
+vtkIdType RunAccuracy::CountSamples(const LegPlan& plan, vtkIdType step) const
 {
   const auto channels =
     static_cast<vtkIdType>(this->Runner.GetSurvey().GetScanner(plan.Leg).GetNumberOfChannels());
   vtkIdType count = 0;
   for (vtkIdType k = 0; k < channels; ++k)
   {
-    const PulseSample sample(this->Step, plan.FirstPulse + k);
+    const PulseSample sample(step, plan.FirstPulse + k);
     count += sample.CountBelow(plan.NumberOfPulses / channels) - sample.CountBelow(0);
   }
   return count;
@@ -156,7 +207,7 @@ void RunAccuracy::Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way)
 {
   way.Echoes.clear();
   way.Fired = 0;
-  const vtkIdType samples = this->CountSamples(plan);
+  const vtkIdType samples = this->CountSamples(plan, way.Options.PulseStep);
   const int pieces = static_cast<int>((samples + PulsesPerPiece - 1) / PulsesPerPiece);
   LegScanner* scanner = pieces > 0 ? &this->Runner.Prepare(plan, way.Options) : nullptr;
   for (int piece = 0; this->Reason.empty() && piece < pieces; ++piece)
@@ -188,24 +239,80 @@ void RunAccuracy::Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way)
 }
 
 //------------------------------------------------------------------------------
+/// Adds the echoes of a piece and channel, by index.
+Status RunAccuracy::AddErrors(
+  const std::vector<Way>& ways, std::size_t echoes, const EchoMatching& matching)
+{
+  vtkPolyData* reference = ways[Reference].Echoes[echoes];
+  const Status status = this->Errors.Add(ways[Run].Echoes[echoes], reference, matching);
+  return status.IsOk() ? this->CoarseErrors.Add(ways[Coarse].Echoes[echoes], reference, matching)
+                       : status;
+}
+
+Status RunAccuracy::AddCheck(
+  const std::vector<Way>& ways, std::size_t echoes, const EchoMatching& matching)
+{
+  vtkPolyData* check = ways[Check].Echoes[echoes];
+  const Status status =
+    this->CheckErrors.Add(ways[CheckedReference].Echoes[echoes], check, matching);
+  return status.IsOk() ? this->OfCheck.Add(ways[HalfCheck].Echoes[echoes], check, matching)
+                       : status;
+}
+
+//------------------------------------------------------------------------------
 /// Compares the echoes of a leg, in the same order of pieces and channels.
 void RunAccuracy::Compare(const LegPlan& plan, const std::vector<Way>& ways)
 {
   const ScannerData& scanner = this->Runner.GetSurvey().GetScanner(plan.Leg);
   const std::size_t channels = scanner.GetNumberOfChannels();
-  this->Pulses += ways[0].Fired;
-  for (std::size_t i = 0; this->Reason.empty() && i < ways[0].Echoes.size(); ++i)
+  this->Pulses += ways[Run].Fired;
+  this->CheckedPulses += ways[Check].Fired;
+  const auto addAll = [&](const Way& way, auto add)
   {
-    const ScannerData& channel = scanner.GetChannel(i % channels);
-    const BeamSampling sampling = ChooseSampling(channel.Receiver, this->Settings.Options);
-    const EchoMatching matching =
-      MakeMatching(channel, sampling.IsAdaptive ? sampling.EnergyTolerance : 0.0);
-    Status status = this->Errors.Add(ways[0].Echoes[i], ways[1].Echoes[i], matching);
-    status = status.IsOk()
-      ? this->ReferenceErrors.Add(ways[2].Echoes[i], ways[1].Echoes[i], matching)
-      : status;
-    this->Reason = status.Message();
+    for (std::size_t i = 0; this->Reason.empty() && i < way.Echoes.size(); ++i)
+    {
+      const ScannerData& channel = scanner.GetChannel(i % channels);
+      const BeamSampling sampling = ChooseSampling(channel.Receiver, this->Settings.Options);
+      const EchoMatching matching =
+        MakeMatching(channel, sampling.IsAdaptive ? sampling.EnergyTolerance : 0.0);
+      this->Reason = (this->*add)(ways, i, matching).Message();
+    }
+  };
+  addAll(ways[Run], &RunAccuracy::AddErrors);
+  addAll(ways[Check], &RunAccuracy::AddCheck);
+}
+
+//------------------------------------------------------------------------------
+/// The errors of the reference, at most: what its check finds counts where nothing else explains it.
+EchoErrors RunAccuracy::GetReferenceErrors() const
+{
+  EchoErrors errors = this->CoarseErrors.GetErrors();
+  const EchoErrors found = this->CheckErrors.GetErrors();
+  const EchoErrors ofCheck = this->OfCheck.GetErrors();
+  for (const EchoMeasure& measure : EchoMeasures)
+  {
+    const Estimate& own = errors.*measure.Measure;
+    const Estimate& difference = found.*measure.Measure;
+    if (difference.Lower > 2.0 * (ofCheck.*measure.Measure).Upper + own.Upper)
+    {
+      errors.*measure.Measure = difference;
+    }
   }
+  return errors;
+}
+
+//------------------------------------------------------------------------------
+Json::Value RunAccuracy::DescribeReference() const
+{
+  Json::Value described = DescribeErrors(this->GetReferenceErrors());
+  RunOptions options;
+  this->SetReference(Finer, MostSubRays, options);
+  described["rangeTolerance_m"] = options.RangeTolerance;
+  described["energyTolerance"] = options.EnergyTolerance;
+  Json::Value& check = described["check"] = DescribeErrors(this->CheckErrors.GetErrors());
+  check["pulses"] = Json::Int64(this->CheckedPulses);
+  check["subRays"] = SubRaysOfCheck;
+  return described;
 }
 
 //------------------------------------------------------------------------------
@@ -222,8 +329,7 @@ Json::Value RunAccuracy::Describe() const
   described["pulses"] = Json::Int64(this->Pulses);
   described["echoes"] = Json::Int64(errors.Echoes);
   described["matched"] = Json::Int64(errors.Matched);
-  described["reference"] = DescribeErrors(this->ReferenceErrors.GetErrors());
-  described["reference"]["subRays"] = SubRays;
+  described["reference"] = this->DescribeReference();
   const ScannerData& scanner =
     this->Runner.GetSurvey().GetScanner(this->Runner.GetPlans().front().Leg);
   const BeamSampling sampling = ChooseSampling(scanner.Receiver, this->Settings.Options);

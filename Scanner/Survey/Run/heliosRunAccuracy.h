@@ -7,6 +7,7 @@
 
 #include "heliosEchoComparison.h"
 #include "heliosLegRunner.h"
+#include "heliosTolerances.h"
 
 #include <vtkSmartPointer.h>
 
@@ -23,9 +24,11 @@ namespace helios
 
 /**
  * Some 200 to 1000 pulses of all legs that hit something, chosen by pulse id alone, are computed again: as in the run,
- * and with many fixed sub-rays in fine bins, the reference; its own error is at most its difference
- * from half as many. Random noise and turbid voxels are left out of all of these, since they depend
- * on the sub-rays.
+ * and by the reference, adaptive sampling at a tenth of the tolerances (of a run with fixed sub-rays, of the default
+ * tolerances), in fine bins. Its own error is at most its difference from adaptive sampling at three tenths, with a
+ * quarter of the sub-rays where beams are sampled. A few pulses are also computed with 65,536 fixed sub-rays, which
+ * share no shortcut with it: a difference that their own error, told by half as many, does not explain, counts as its
+ * error. Random noise and turbid voxels are left out of all of these, since they depend on the sub-rays.
  */
 class RunAccuracy
 {
@@ -38,10 +41,20 @@ public:
   void Measure(const StepWatcher& onStep);
 
   /// The "accuracy" of a summary: counts, measures with their intervals, "reference" with its own
-  /// error, "asked", "without"; or the "reason" why it was not measured.
+  /// error and its "check", "asked", "without"; or the "reason" why it was not measured.
   Json::Value Describe() const;
 
 private:
+  enum WayIndex
+  {
+    Run,
+    Reference,
+    Coarse,
+    CheckedReference, // of few pulses
+    Check,
+    HalfCheck,
+    NumberOfWays
+  };
   struct Way
   {
     RunOptions Options;
@@ -50,20 +63,30 @@ private:
   };
 
   std::vector<Way> MakeWays() const;
+  void SetReference(double factor, int mostSubRays, RunOptions& options) const;
+  Tolerances GetTolerances() const;
   double GetFinestBin() const;
   bool CountsPhotons() const;
   void Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way);
   void Compare(const LegPlan& plan, const std::vector<Way>& ways);
-  vtkIdType CountSamples(const LegPlan& plan) const;
+  Status AddErrors(const std::vector<Way>& ways, std::size_t echoes, const EchoMatching& matching);
+  Status AddCheck(const std::vector<Way>& ways, std::size_t echoes, const EchoMatching& matching);
+  vtkIdType CountSamples(const LegPlan& plan, vtkIdType step) const;
+  EchoErrors GetReferenceErrors() const;
+  Json::Value DescribeReference() const;
 
   LegRunner& Runner;
   const RunSettings& Settings;
   Messages& Log;
   vtkIdType Step = 1;
+  vtkIdType CheckStep = 1;
   vtkIdType Pulses = 0;
+  vtkIdType CheckedPulses = 0;
   EchoComparison Errors;
-  EchoComparison ReferenceErrors;
-  std::string Reason; // why nothing was measured
+  EchoComparison CoarseErrors; // of the reference, at most
+  EchoComparison CheckErrors;  // of the reference against many sub-rays
+  EchoComparison OfCheck;      // of these
+  std::string Reason;          // why nothing was measured
 };
 
 } // namespace helios

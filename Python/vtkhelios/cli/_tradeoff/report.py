@@ -31,7 +31,7 @@ def result_lines(result, threads):
     own = result.reference
     yield (
         f"from     {result.pulses:,} of about {result.pulses_fired:,.0f} pulses; reference: "
-        f"{own['subRays']} sub-rays in fine bins, itself within "
+        f"adaptive within {_figure(own['tolerance'], 1e3)} mm, itself within "
         f"{_figure(own['rangeP95_m'].value, 1e3)} mm (p95), "
         f"{_figure(own['missedAndInvented'].value, 1e2)} % of the echoes"
     )
