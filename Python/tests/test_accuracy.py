@@ -52,7 +52,12 @@ def test_intervals_contain_their_values(fence, tmp_path):
         for name in MEASURES:
             value, lower, upper = errors[name]
             assert 0 <= lower <= value <= upper, name
-    assert accuracy["reference"]["subRays"] == 4096
+    reference = accuracy["reference"]
+    assert (reference["rangeTolerance_m"], reference["energyTolerance"]) == (1e-4, 1e-3)
+    assert reference["rangeP95_m"][0] < 1e-4
+    check = reference["check"]
+    assert check["subRays"] == 65536 and 16 < check["pulses"] < 200
+    assert 0 < check["rangeP95_m"][0] < 5e-4  # of the sub-rays
 
 
 def test_slats_are_seen_by_visible_areas_and_missed_by_few_sub_rays(fence, tmp_path):
@@ -145,11 +150,26 @@ def test_a_scene_of_voxels_has_no_reference():
     assert lines == ["accuracy not measured: the scene has only turbid voxels, which are random"]
 
 
+def test_what_the_reference_cannot_tell_is_no_number(fence, tmp_path):
+    accuracy = run(fence, tmp_path)["accuracy"]
+    accuracy["reference"]["rangeP95_m"] = [0.0084, 0.007, 0.01]
+    lines = list(accuracy_lines(accuracy))
+    row = next(line for line in lines if "95th percentile" in line)
+    assert row.endswith(" cannot be told to better than 8.4 mm, asked 1 mm")
+
+
+def test_the_text_of_a_run_of_version_0_2(fence, tmp_path):
+    accuracy = run(fence, tmp_path)["accuracy"]
+    accuracy["reference"] = {name: [0, 0, 0] for name in MEASURES} | {"subRays": 4096}
+    parse_summary(json.dumps({"legs": [], "accuracy": accuracy}), "a", {})
+    assert "again with 4096 sub-rays" in next(accuracy_lines(accuracy))
+
+
 def test_the_last_lines_of_a_run_say_it(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--output", tmp_path / "out", "--no-noise")
     assert done.returncode == 0, done.stderr
     title, *rows = done.stdout.splitlines()[-7:]
-    assert title.startswith("accuracy of ") and title.endswith("again with 4096 sub-rays")
+    assert title.startswith("accuracy of ") and title.endswith("again within 0.1 mm and 0.1 %")
     p95 = next(row for row in rows if "95th percentile" in row)
     assert "asked 1 mm (reference itself" in p95 and "[" in p95
     lost = next(row for row in rows if "missed and invented" in row)

@@ -109,7 +109,7 @@ class Tradeoff:
     survey: str
     pulses: int  #: of the sample, fired
     pulses_fired: float  #: of the whole survey, estimated
-    reference: dict  #: the measures of its own error, at most
+    reference: dict  #: the measures of its own error, at most; its tolerance [m]
     ways: list
     parts: list  #: the survey without a part of the model or scene, against the survey as it is
     noise: float  #: standard deviation of a range [m]; 0: none
@@ -145,6 +145,13 @@ class Tradeoff:
         """The setting that needs the least memory."""
         return min(self._settings(), key=lambda row: row.memory)
 
+    @property
+    def limits(self):
+        """The least 95th percentile of the range error [m], and the least fraction of missed and
+        invented echoes, that the reference can tell: its own."""
+        own = self.reference
+        return max(own["rangeP95_m"].value, own["tolerance"]), own["missedAndInvented"].value
+
     def has_setting(self, memory):
         """Whether a setting needs no more memory [bytes]."""
         return self.run_memory(self.smallest) <= memory
@@ -152,7 +159,10 @@ class Tradeoff:
     def cheapest(self, range_error=None, missed=None, memory=None):
         """The fastest setting with this 95th percentile of the range error [m] and this fraction of
         missed and invented echoes, by the upper ends of their intervals, in a memory [bytes]; None
-        if there is no such setting."""
+        if there is no such setting, or if the reference cannot tell (see limits)."""
+        asked = (range_error, missed)
+        if any(ask is not None and ask < limit for ask, limit in zip(asked, self.limits)):
+            return None
         fits = [
             row
             for row in self._settings(memory)

@@ -21,9 +21,11 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
 from vtkhelios import _scene_meshes as meshes
+from vtkhelios._accuracy import MEASURES, Estimate
 from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 from vtkhelios._pipeline import PipelineError
+from vtkhelios._tradeoff_run import confirm
 
 SETTINGS = ("survey", "sub-rays", "tolerance")  # that a survey can name; some ray casters, too
 WALL = "v -100 10 -100\nv 100 10 -100\nv 100 10 100\nv -100 10 100\nf 1 2 3\nf 1 3 4\n"
@@ -103,6 +105,22 @@ def test_the_cheapest_setting_is_as_accurate_as_asked(result):
         if other.kind in SETTINGS and other.seconds < row.seconds:
             assert other.range_error > 0.003 or other.lost > 0.02
     assert result.cheapest(range_error=1e-9) is None
+
+
+def test_what_the_reference_cannot_tell_is_said(result):
+    arguments = argparse.Namespace(memory=None, minutes=None, range=None, missed=0.01)
+    own = {**result.reference, "missedAndInvented": Estimate(0.02, 0.01, 0.03)}
+    vague = dataclasses.replace(result, reference=own)
+    assert vague.cheapest(missed=0.01) is None and vague.cheapest(missed=0.5) is not None
+    text = explain_none(vague, arguments, 2)
+    assert text.startswith("--missed 1 %: missed and invented echoes cannot be told to better than 2 %")
+
+
+def test_a_check_replaces_the_error_of_a_reference_that_it_contradicts():
+    own = dict.fromkeys(MEASURES, Estimate(1e-5, 1e-5, 2e-5))
+    of_check = dict.fromkeys(MEASURES, Estimate(1e-3, 5e-4, 2e-3))
+    found = {**of_check, "rangeP95_m": Estimate(6e-3, 5e-3, 9e-3)}
+    assert confirm(own, found, of_check) == {**own, "rangeP95_m": found["rangeP95_m"]}
 
 
 def test_patterns_of_one_number_differ(result):
@@ -203,7 +221,7 @@ def test_tables_have_columns(result):
     assert float(read[2]["us_per_pulse"]) == table["us_per_pulse"][2]
     assert table._repr_html_().count("<tr>") == len(table) + 1
     assert [row["way"] for row in result.parts_table] == [row.name for row in result.parts]
-    assert json.loads(result.to_json())["reference"]["subRays"] == 4096
+    assert json.loads(result.to_json())["reference"]["tolerance"] == pytest.approx(3e-5)
 
 
 def test_samples_are_the_same_pulses(fence):
@@ -333,9 +351,12 @@ def test_the_command_writes_files_and_applies_its_recommendation(command_line, f
 
 def test_what_no_setting_reaches_is_an_error_with_the_best_one(command_line, fence, tmp_path):
     arguments = ("tradeoff", fence, "--pulses", 50, "--no-parts", "--output", tmp_path, "--quiet")
-    done = command_line(*arguments, "--range", "0.001um")
+    done = command_line(*arguments, "--missed", "0.001%")
     assert done.returncode == 1
     assert "no setting is as accurate as asked" in done.stderr and "more --pulses" in done.stderr
+    done = command_line(*arguments, "--range", "0.001um")
+    assert done.returncode == 1
+    assert "cannot be told to better than 0.03 mm here, the error of the reference" in done.stderr
     done = command_line(*arguments, "--minutes", "1e-9")
     assert done.returncode == 1 and "no setting is that fast" in done.stderr
     done = command_line(*arguments, "--memory", "25M")  # less than the process has

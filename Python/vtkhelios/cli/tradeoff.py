@@ -340,18 +340,16 @@ def explain_none(result, arguments, threads):
 
 def find_untold(result, arguments):
     """Why the reference cannot tell whether a setting is as accurate as asked, or None."""
-    own_range = result.reference["rangeP95_m"].upper
-    own_lost = result.reference["missedAndInvented"].upper
-    if arguments.range is not None and own_range > arguments.range:
+    own_range, own_lost = result.limits
+    if arguments.range is not None and arguments.range < own_range:
         return (
             f"--range {1e3 * arguments.range:g} mm: the error of ranges cannot be told to better than "
-            f"{1e3 * own_range:.2g} mm here, the error of the reference: ask for more"
+            f"{1e3 * own_range:.2g} mm here, the error of the reference: give a larger length"
         )
-    if arguments.missed is not None and own_lost > arguments.missed:
+    if arguments.missed is not None and arguments.missed < own_lost:
         return (
             f"--missed {100 * arguments.missed:g} %: missed and invented echoes cannot be told to better "
-            f"than {100 * own_lost:.2g} % here, the error of the reference: ask for more, or give more "
-            "--pulses"
+            f"than {100 * own_lost:.2g} % here, the error of the reference: give a larger fraction"
         )
     return None
 
