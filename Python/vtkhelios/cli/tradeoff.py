@@ -38,7 +38,7 @@ which is scanned from the positions that vtkhelios plan finds with the same opti
 
 what it does: draws pulses from all legs of the survey, computes them by adaptive sampling within
 0.03 mm (the reference: its own error is at most its difference from 0.1 mm, and some pulses are
-checked with 65,536 sub-rays), and then with
+checked with 32,768 sub-rays), and then with
   fixed sub-rays       1, 7, 19 ... on circles (beamSampleQuality); other patterns: Vogel's spiral and
                        rings with the nodes of Gauss and Legendre
   tolerances           30 mm to 0.3 mm, with 10 times as many per cent of amplitude and echoes

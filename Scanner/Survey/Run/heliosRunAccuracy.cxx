@@ -34,7 +34,7 @@ constexpr int MostSubRaysCoarse = 1 << 16;
 constexpr double BinsPerPulse = 50.0;
 // Its check.
 constexpr vtkIdType MostChecked = 32; // pulses that hit something, about
-constexpr int SubRaysOfCheck = 65536;
+constexpr int SubRaysOfCheck = 32768;
 
 Json::Value DescribeErrors(const EchoErrors& errors)
 {

@@ -26,7 +26,7 @@ namespace helios
  * Some 200 to 1000 pulses of all legs that hit something, chosen by pulse id alone, are computed again: as in the run,
  * and by the reference, adaptive sampling at a tenth of the tolerances (of a run with fixed sub-rays, of the default
  * tolerances), in fine bins. Its own error is at most its difference from adaptive sampling at three tenths, with a
- * quarter of the sub-rays where beams are sampled. A few pulses are also computed with 65,536 fixed sub-rays, which
+ * quarter of the sub-rays where beams are sampled. A few pulses are also computed with 32,768 fixed sub-rays, which
  * share no shortcut with it: a difference that their own error, told by half as many, does not explain, counts as its
  * error. Random noise and turbid voxels are left out of all of these, since they depend on the sub-rays.
  */

@@ -58,7 +58,7 @@ accuracy:
   the tolerances, and prints the difference: median and 95th percentile of the range error, missed
   and invented echoes and the RMS of the amplitude, each with its 95 % confidence interval, beside
   what was asked and beside the error of this reference itself, some of whose pulses are checked with
-  65,536 sub-rays. What it cannot tell, it says. run_summary.json has it as "accuracy".
+  32,768 sub-rays. What it cannot tell, it says. run_summary.json has it as "accuracy".
   Noise and turbid voxels are left out. The point files do not depend on it.
 
 where files are searched: absolute names are used unchanged; others in every --assets folder in
