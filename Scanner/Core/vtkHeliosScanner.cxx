@@ -395,35 +395,51 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
     vtkErrorMacro(<< status.Message());
   }
   scan.Model.Surfaces.SetWavelength(this->Wavelength);
-  if (status.IsOk() && this->GenerateColors)
-  {
-    this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan);
-  }
-  return status.IsOk();
+  return status.IsOk() &&
+    (!this->GenerateColors || this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan));
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosScanner::PrepareColors(
+void vtkHeliosScanner::SetTextures(std::shared_ptr<helios::TextureStore> textures)
+{
+  this->SharedTextures = std::move(textures);
+  this->ColorTime = 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PrepareColors(
   vtkPolyData* scene, const std::vector<vtkImageData*>& grids, Scan& scan)
 {
+  std::vector<vtkDataObject*> data(grids.begin(), grids.end());
+  data.push_back(scene);
+  const auto isOlder = [](vtkDataObject* a, vtkDataObject* b)
+  { return a->GetMTime() < b->GetMTime(); };
+  const vtkMTimeType time = (*std::max_element(data.begin(), data.end(), isOlder))->GetMTime();
+  const bool isNew = time != this->ColorTime;
+  if (isNew)
+  {
+    this->Textures =
+      this->SharedTextures ? this->SharedTextures : std::make_shared<helios::TextureStore>();
+  }
+  std::vector<std::string> warnings;
+  if (const helios::Status status = this->Textures->Load(data, warnings); !status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return false;
+  }
+  this->ColorTime = time;
+  for (const std::string& warning : warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
   helios::ScanModel& m = scan.Model;
-  const bool isFirst = !this->Textures;
-  if (isFirst)
-  {
-    this->Textures = std::make_unique<helios::TextureStore>();
-  }
-  std::vector<std::string> faults;
-  m.Colors.Set(
-    scene, grids, m.Caster ? &m.Caster->GetGeometry() : nullptr, *this->Textures, faults);
-  for (const std::string& fault : faults)
-  {
-    vtkWarningMacro(<< fault << "; the base colour of its material is used");
-  }
-  if (isFirst && m.Colors.IsEmpty())
+  m.Colors.Set(scene, grids, m.Caster ? &m.Caster->GetGeometry() : nullptr, *this->Textures);
+  if (isNew && m.Colors.IsEmpty())
   {
     vtkWarningMacro(<< "GenerateColors is on, but the scene has no colours, so all echoes are "
                        "black; read it with ReadColors, or turn GenerateColors off");
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -425,9 +425,11 @@ public:
   /**
    * Set/Get whether the echoes have RGB (float, [0..1]), the colour of the surface where the echo
    * is: that of the cell data RGB of the scene, else that of the point data RGB between the corners,
-   * else the base colour of the material (Material.Color) times its texture, bilinear (Material.Texture, and cell data TextureCoordinates); black without. A warning
-   * names textures that cannot be read. See ReadColors of vtkHeliosObjSceneReader and PassColors of
-   * vtkHeliosSceneComposer. Default: off.
+   * else the base colour of the material (Material.Color) times its texture, bilinear
+   * (Material.Texture, and cell data TextureCoordinates); black without. A texture that cannot be
+   * read is an error; vtkHeliosImageReader lists the formats. They are read again once the scene
+   * changes. See ReadColors of vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
+   * Default: off.
    */
   vtkSetMacro(GenerateColors, bool);
   vtkGetMacro(GenerateColors, bool);
@@ -467,6 +469,9 @@ public:
   double GetLargestAmplitude() const;
 
 #ifndef __VTK_WRAP__
+  /// Sets the textures that the scanners of a scene share; null: the scanner reads them itself.
+  void SetTextures(std::shared_ptr<helios::TextureStore> textures);
+
   /// All counts of the last update.
   const helios::ScanCounts& GetCounts() const
   {
@@ -508,7 +513,7 @@ private:
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
-  void PrepareColors(vtkPolyData* scene, const std::vector<vtkImageData*>& grids, Scan& scan);
+  bool PrepareColors(vtkPolyData* scene, const std::vector<vtkImageData*>& grids, Scan& scan);
   bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
   bool PrepareSearch(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
@@ -571,7 +576,9 @@ private:
 
   std::unique_ptr<helios::ScanCounts> Counts;
   std::unique_ptr<helios::BatchSize> Batch; // of the last scan
-  std::unique_ptr<helios::TextureStore> Textures;
+  std::shared_ptr<helios::TextureStore> SharedTextures;
+  std::shared_ptr<helios::TextureStore> Textures; // of the scene
+  vtkMTimeType ColorTime = 0;                     // the scene's, when its colours were prepared
 };
 
 #endif

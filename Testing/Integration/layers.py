@@ -44,6 +44,7 @@ HOMES = {
     r"CGAL/": "ScannerRayCastingCgal FiltersSimplify",
     r"OpenMesh/": "FiltersSimplify",
     r"gdal": "FiltersIO",
+    r"(png|jpeglib|tiffio|tiff)\.h": "FiltersIO",
     r"GeographicLib/": "FiltersCore",
     r"proj\.h": "FiltersCore",
     r"(coin/)?(Cbc|Clp|Osi|Coin)": "PlanningCbc",

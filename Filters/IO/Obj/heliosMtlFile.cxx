@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMtlFile.h"
 
+#include "heliosImage.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
@@ -133,8 +134,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
   const std::string_view key = words.Next();
   if (this->ReadsColors && this->Started && key == "map_Kd")
   {
-    this->ReadTexture(file, words);
-    return true;
+    return this->ReadTexture(file, words);
   }
   if (key.empty() || IsIgnored(key))
   {
@@ -209,8 +209,9 @@ bool MtlFile::ReadColor(
   return true;
 }
 
-// The path of an image: beside the MTL file, unless it is absolute.
-void MtlFile::ReadTexture(TextFile& file, TextWords& words)
+// The path of an image: beside the MTL file, unless it is absolute. Its pixels are read by those who
+// use them.
+bool MtlFile::ReadTexture(TextFile& file, TextWords& words)
 {
   const std::string name(words.NextTitle());
   if (name.empty() || name[0] == '-')
@@ -218,10 +219,15 @@ void MtlFile::ReadTexture(TextFile& file, TextWords& words)
     this->Report.Warn(file.GetPlace() + "map_Kd of material " + Quote(this->Current.Name) +
       (name.empty() ? " has no file" : " has options, which are not read: " + Quote(name)) +
       ", so its colour is Kd; give the name of an image alone");
-    return;
+    return true;
   }
   const std::filesystem::path folder = std::filesystem::path(file.GetPath()).parent_path();
   this->CurrentColors.Texture = (folder / name).string();
+  ImageHeader header;
+  const Status status = ReadImageHeader(this->CurrentColors.Texture, header);
+  return status.IsOk() ||
+    this->Report.Fail(file.GetPlace() + "map_Kd of material " + Quote(this->Current.Name) + ": " +
+      MakeTextureError(status).Message());
 }
 
 // Kd, of a texture alone white.

@@ -59,7 +59,7 @@ private:
   bool ReadLine(TextFile& file, std::string_view line);
   bool ReadColor(
     TextFile& file, std::string_view key, TextWords& words, std::array<double, 3>& color);
-  void ReadTexture(TextFile& file, TextWords& words);
+  bool ReadTexture(TextFile& file, TextWords& words);
   bool ReadExponent(TextFile& file, TextWords& words);
   bool ReadReflectance(TextFile& file, TextWords& words);
   bool ReadClassification(TextFile& file, TextWords& words);

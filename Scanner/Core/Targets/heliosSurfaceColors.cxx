@@ -107,7 +107,7 @@ std::array<double, Count> Interpolate(
 
 //------------------------------------------------------------------------------
 void SurfaceColors::Set(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
-  const SceneGeometry* geometry, TextureStore& store, std::vector<std::string>& faults)
+  const SceneGeometry* geometry, const TextureStore& store)
 {
   this->Geometry = geometry;
   this->HasColors = false;
@@ -122,10 +122,10 @@ void SurfaceColors::Set(vtkPolyData* scene, const std::vector<vtkImageData*>& gr
       this->Prototypes.push_back(mesh ? this->FindArrays(mesh) : Arrays());
     }
   }
-  this->AddMaterials(scene, store, faults);
+  this->AddMaterials(scene, store);
   for (vtkImageData* grid : grids)
   {
-    this->AddMaterials(grid, store, faults);
+    this->AddMaterials(grid, store);
   }
 }
 
@@ -139,13 +139,12 @@ SurfaceColors::Arrays SurfaceColors::FindArrays(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-void SurfaceColors::AddMaterials(
-  vtkDataObject* data, TextureStore& store, std::vector<std::string>& faults)
+void SurfaceColors::AddMaterials(vtkDataObject* data, const TextureStore& store)
 {
   for (const Material& material : GetMaterials(data))
   {
     const std::string& path = material.Color.Texture;
-    this->Rows.push_back({ material.Color, path.empty() ? nullptr : store.Get(path, faults) });
+    this->Rows.push_back({ material.Color, store.Find(path) });
     this->HasColors = this->HasColors || material.Color.IsSet();
   }
 }

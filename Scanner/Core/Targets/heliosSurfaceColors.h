@@ -35,11 +35,11 @@ class VTKHELIOSSCANNERCORE_EXPORT SurfaceColors
 {
 public:
   /**
-   * Reads the colours of a scene and its voxel grids; keeps the arrays alive, and the geometry must
-   * outlive this (null: no triangles). Textures that cannot be read are left out, with a fault each.
+   * Reads the colours of a scene and its voxel grids, whose textures the store has; keeps the arrays
+   * alive, and the geometry must outlive this (null: no triangles).
    */
   void Set(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
-    const SceneGeometry* geometry, TextureStore& store, std::vector<std::string>& faults);
+    const SceneGeometry* geometry, const TextureStore& store);
 
   /// Whether anything is coloured.
   bool IsEmpty() const { return !this->HasColors; }
@@ -63,7 +63,7 @@ private:
   };
 
   Arrays FindArrays(vtkPolyData* mesh);
-  void AddMaterials(vtkDataObject* data, TextureStore& store, std::vector<std::string>& faults);
+  void AddMaterials(vtkDataObject* data, const TextureStore& store);
   Rgb FindOnTriangle(
     vtkIdType cell, const Vec3& point, const Texture* image, const Rgb& base) const;
   Vec3 FindWeights(vtkIdType cell, const Vec3& point) const;

@@ -2,25 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTexture.h"
 
-#include <vtkBMPReader.h>
-#include <vtkCallbackCommand.h>
-#include <vtkDataArray.h>
-#include <vtkExecutive.h>
-#include <vtkImageData.h>
-#include <vtkImageReader2.h>
-#include <vtkJPEGReader.h>
-#include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPNMReader.h>
-#include <vtkPointData.h>
-#include <vtkSmartPointer.h>
-#include <vtkTIFFReader.h>
+#include "heliosImage.h"
+#include "heliosMaterialTable.h"
+#include "heliosMemoryCheck.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <iterator>
-#include <system_error>
+#include <set>
+#include <utility>
 
 namespace helios
 {
@@ -35,99 +24,83 @@ int Repeat(double position, int count)
   return std::min(count - 1, static_cast<int>(position - turns * count));
 }
 
-/// A reader of one of the formats that textures have; null: the file has none of them.
-vtkSmartPointer<vtkImageReader2> MakeReader(const std::string& path)
+/// The paths of the textures of data.
+std::set<std::string> ListTextures(const std::vector<vtkDataObject*>& data)
 {
-  const vtkSmartPointer<vtkImageReader2> readers[] = { vtkSmartPointer<vtkPNGReader>::New(),
-    vtkSmartPointer<vtkJPEGReader>::New(), vtkSmartPointer<vtkTIFFReader>::New(),
-    vtkSmartPointer<vtkBMPReader>::New(), vtkSmartPointer<vtkPNMReader>::New() };
-  const auto found = std::find_if(std::begin(readers), std::end(readers),
-    [&path](const auto& reader) { return reader->CanReadFile(path.c_str()) != 0; });
-  return found == std::end(readers) ? nullptr : *found;
+  std::set<std::string> paths;
+  for (vtkDataObject* each : data)
+  {
+    for (const Material& material : GetMaterials(each))
+    {
+      paths.insert(material.Color.Texture);
+    }
+  }
+  paths.erase(std::string());
+  return paths;
 }
 
-/// Reads an image; null if it cannot be read. Messages of the reader are dropped.
-vtkSmartPointer<vtkImageData> ReadImage(const std::string& path)
+/// Whether images fit into the memory together; the pixels of all remain.
+Status CheckMemoryOf(const std::vector<ImageHeader>& images)
 {
-  const vtkSmartPointer<vtkImageReader2> reader = MakeReader(path);
-  if (!reader)
+  constexpr double kept = 3.0; // [bytes per pixel]
+  double pixels = 0.0;
+  double extra = 0.0; // while one of them is read
+  for (const ImageHeader& image : images)
   {
-    return nullptr;
+    pixels += image.CountPixels();
+    extra = std::max(extra, (image.BytesPerPixel - kept) * image.CountPixels());
   }
-  bool hasFailed = false;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&hasFailed);
-  listener->SetCallback(
-    [](vtkObject*, unsigned long, void* failed, void*) { *static_cast<bool*>(failed) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  return hasFailed || image->GetNumberOfPoints() == 0 ? nullptr : image;
+  const std::string count = std::to_string(images.size());
+  return CheckMemory("pixels of " + count + (images.size() == 1 ? " texture" : " textures"), pixels,
+    kept + extra / std::max(1.0, pixels));
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
+Texture::Texture() = default;
+
+//------------------------------------------------------------------------------
+Texture::~Texture() = default;
+
+//------------------------------------------------------------------------------
 Status Texture::Read(const std::string& path)
 {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error))
+  auto image = std::make_unique<Image>();
+  const Status status = ReadImage(path, *image);
+  if (!status.IsOk())
   {
-    return Status::Error("texture " + path + " does not exist; give it, or remove map_Kd");
+    return MakeTextureError(status);
   }
-  const vtkSmartPointer<vtkImageData> image = ReadImage(path);
-  vtkDataArray* values = image ? image->GetPointData()->GetScalars() : nullptr;
-  const int type = values ? values->GetDataType() : VTK_VOID;
-  if (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT)
-  {
-    return Status::Error("texture " + path +
-      " is no image of 8 or 16 bits that can be read; give PNG, JPEG, TIFF, BMP or PNM");
-  }
-  int size[3];
-  image->GetDimensions(size);
-  this->Width = size[0];
-  this->Height = size[1];
-  const double scale = 255.0 / values->GetDataTypeMax();
-  const bool isGrey = values->GetNumberOfComponents() < 3;
-  this->Pixels.clear();
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      const double value = values->GetComponent(i, isGrey ? 0 : c);
-      this->Pixels.push_back(static_cast<unsigned char>(std::lround(scale * value)));
-    }
-  }
+  this->Pixels = std::move(image);
   return {};
 }
 
 //------------------------------------------------------------------------------
-const unsigned char* Texture::GetPixel(int column, int row) const
+const std::string& Texture::GetWarning() const
 {
-  const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Width) +
-    static_cast<std::size_t>(column);
-  return this->Pixels.data() + 3 * pixel;
+  return this->Pixels->Header.Warning;
 }
 
 //------------------------------------------------------------------------------
 Rgb Texture::Get(double u, double v) const
 {
-  const double x = u * this->Width - 0.5;
-  const double y = v * this->Height - 0.5;
+  const int width = this->Pixels->Header.Width;
+  const int height = this->Pixels->Header.Height;
+  const double x = u * width - 0.5;
+  const double y = v * height - 0.5;
   const double fx = x - std::floor(x);
   const double fy = y - std::floor(y);
-  const int columns[2] = { Repeat(std::floor(x), this->Width),
-    Repeat(std::floor(x) + 1.0, this->Width) };
-  const int rows[2] = { Repeat(std::floor(y), this->Height),
-    Repeat(std::floor(y) + 1.0, this->Height) };
+  const int columns[2] = { Repeat(std::floor(x), width), Repeat(std::floor(x) + 1.0, width) };
+  const int rows[2] = { Repeat(std::floor(y), height), Repeat(std::floor(y) + 1.0, height) };
   Rgb color{};
   for (int j = 0; j < 2; ++j)
   {
     for (int i = 0; i < 2; ++i)
     {
-      const unsigned char* pixel = this->GetPixel(columns[i], rows[j]);
+      const auto place = static_cast<std::size_t>(rows[j]) * static_cast<std::size_t>(width) +
+        static_cast<std::size_t>(columns[i]);
+      const unsigned char* pixel = this->Pixels->Pixels.get() + 3 * place;
       const double weight = (i == 0 ? 1.0 - fx : fx) * (j == 0 ? 1.0 - fy : fy);
       for (std::size_t c = 0; c < 3; ++c)
       {
@@ -139,24 +112,53 @@ Rgb Texture::Get(double u, double v) const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const Texture> TextureStore::Get(
-  const std::string& path, std::vector<std::string>& faults)
+Status TextureStore::Load(
+  const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings)
 {
-  const auto [place, isNew] = this->Known.try_emplace(path);
-  if (isNew)
+  std::vector<std::string> paths;
+  std::vector<ImageHeader> headers;
+  for (const std::string& path : ListTextures(data))
   {
-    const auto texture = std::make_shared<Texture>();
-    const Status status = texture->Read(path);
-    if (status.IsOk())
+    if (this->Known.count(path) == 0)
     {
-      place->second = texture;
-    }
-    else
-    {
-      faults.push_back(status.Message());
+      paths.push_back(path);
+      headers.emplace_back();
+      if (const Status status = ReadImageHeader(path, headers.back()); !status.IsOk())
+      {
+        return MakeTextureError(status);
+      }
     }
   }
-  return place->second;
+  if (paths.empty())
+  {
+    return {};
+  }
+  if (const Status status = CheckMemoryOf(headers); !status.IsOk())
+  {
+    return Status::Error(
+      paths.front() + (paths.size() > 1 ? " and others: " : ": ") + status.Message());
+  }
+  for (const std::string& path : paths)
+  {
+    const auto texture = std::make_shared<Texture>();
+    if (const Status status = texture->Read(path); !status.IsOk())
+    {
+      return status;
+    }
+    if (!texture->GetWarning().empty())
+    {
+      warnings.push_back(texture->GetWarning());
+    }
+    this->Known.emplace(path, texture);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const Texture> TextureStore::Find(const std::string& path) const
+{
+  const auto place = this->Known.find(path);
+  return place == this->Known.end() ? nullptr : place->second;
 }
 
 } // namespace helios

@@ -14,8 +14,12 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
+
 namespace helios
 {
+
+struct Image;
 
 /// Red, green, blue, [0..1].
 using Rgb = std::array<double, 3>;
@@ -24,30 +28,38 @@ using Rgb = std::array<double, 3>;
 class VTKHELIOSSCANNERCORE_EXPORT Texture
 {
 public:
-  /// Reads an image: PNG, JPEG, TIFF, BMP or PNM, of 8 or 16 bits, grey or coloured.
+  Texture();
+  ~Texture();
+
+  /// Reads an image of any format of ReadImage(). Errors tell what to do about map_Kd.
   Status Read(const std::string& path);
+
+  /// Of the image, such as an orientation that is not applied; empty: none.
+  const std::string& GetWarning() const;
 
   /// The colour at texture coordinates, bilinear between the centres of pixels: (0, 0) is the lower
   /// left corner of the image, (1, 1) the upper right one.
   Rgb Get(double u, double v) const;
 
 private:
-  const unsigned char* GetPixel(int column, int row) const;
-
-  int Width = 0;
-  int Height = 0;
-  std::vector<unsigned char> Pixels; // red green blue, from the lowest row
+  std::unique_ptr<Image> Pixels;
 };
 
-/// Images by path, each read once.
+/// The textures of scenes, each read once.
 class VTKHELIOSSCANNERCORE_EXPORT TextureStore
 {
 public:
-  /// Null if it cannot be read: then the first call adds the reason to the faults.
-  std::shared_ptr<const Texture> Get(const std::string& path, std::vector<std::string>& faults);
+  /**
+   * Reads those of the materials of data that it does not have, once their sizes fit into the memory
+   * together. Their warnings are added to a list.
+   */
+  Status Load(const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings);
+
+  /// Null: not loaded.
+  std::shared_ptr<const Texture> Find(const std::string& path) const;
 
 private:
-  std::map<std::string, std::shared_ptr<const Texture>> Known;
+  std::map<std::string, std::shared_ptr<const Texture>> Known; // by path
 };
 
 } // namespace helios

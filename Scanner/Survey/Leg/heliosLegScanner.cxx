@@ -165,6 +165,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
     this->MotionCaster = this->Motion.MakeRayCaster(this->Settings.RayCaster);
   }
   channel->SetRayCaster(this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster);
+  channel->SetTextures(this->Settings.Textures);
   SetUpReceiver(data, this->Settings.Options, channel);
   double position[3];
   double orientation[4];

@@ -12,6 +12,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class vtkPolyData;
 
 namespace helios
 {
+
+class TextureStore;
 
 struct RunSettings
 {
@@ -37,6 +40,7 @@ struct RunSettings
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
+  std::shared_ptr<TextureStore> Textures;           ///< of the scene; null: none are loaded
   vtkSmartPointer<vtkPolyData> Mesh; ///< that beams hit in place of the scene; null: none
 
   /// Of platforms that follow trajectories, in place of files; empty: none.

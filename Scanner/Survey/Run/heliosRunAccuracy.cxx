@@ -197,7 +197,8 @@ void RunAccuracy::Measure(const StepWatcher& onStep)
     }
     this->Compare(plan, ways);
   }
-  this->Runner.Prepare(this->Runner.GetPlans().back(), this->Settings.Options);
+  this->Runner.Prepare(this->Runner.GetPlans().back(), this->Settings.Options)
+    .SetOutputs(this->Settings.Wants);
   this->Log.Mute(false);
 }
 
@@ -210,6 +211,10 @@ void RunAccuracy::Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way)
   const vtkIdType samples = this->CountSamples(plan, way.Options.PulseStep);
   const int pieces = static_cast<int>((samples + PulsesPerPiece - 1) / PulsesPerPiece);
   LegScanner* scanner = pieces > 0 ? &this->Runner.Prepare(plan, way.Options) : nullptr;
+  if (scanner)
+  {
+    scanner->SetOutputs({}); // echoes alone are compared
+  }
   for (int piece = 0; this->Reason.empty() && piece < pieces; ++piece)
   {
     const double pulses = static_cast<double>(plan.NumberOfPulses) * piece / pieces;

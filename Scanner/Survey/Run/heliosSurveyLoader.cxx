@@ -7,6 +7,7 @@
 #include "heliosMessages.h"
 #include "heliosSceneInput.h"
 #include "heliosStatus.h"
+#include "heliosTexture.h"
 #include "heliosTrajectoryInput.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRayCasterFactory.h"
@@ -267,11 +268,13 @@ bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
     if (!(before == origin))
     {
       this->Builder.reset();
+      this->Textures.reset();
     }
     this->Scene = nullptr;
     this->Loaded = origin;
     this->LoadTime.Modified();
-    if (this->HasGivenScene() ? !this->UseGivenScene() : !this->BuildScene(onStep))
+    if (!(this->HasGivenScene() ? this->UseGivenScene() : this->BuildScene(onStep)) ||
+      !this->LoadTextures(onStep))
     {
       this->Scene = nullptr;
       this->Builder.reset();
@@ -280,6 +283,7 @@ bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
   }
   this->SetRayCaster(settings);
   settings.Grids = this->Grids;
+  settings.Textures = this->Textures;
   return true;
 }
 
@@ -300,6 +304,37 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
     this->Builder.reset(); // nothing of it is needed again
   }
   return this->Scene != nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the images on surfaces, for all scanners of a run; false after an error.
+bool SurveyLoader::LoadTextures(const StepCallback& onStep)
+{
+  if (!this->Inputs.Colors)
+  {
+    return true;
+  }
+  if (!onStep("reading textures"))
+  {
+    return false;
+  }
+  if (!this->Textures)
+  {
+    this->Textures = std::make_shared<TextureStore>();
+  }
+  std::vector<vtkDataObject*> data(this->Grids.begin(), this->Grids.end());
+  data.push_back(this->Scene);
+  std::vector<std::string> warnings;
+  const Status status = this->Textures->Load(data, warnings);
+  for (const std::string& warning : warnings)
+  {
+    this->Log.Warning(warning);
+  }
+  if (!status.IsOk())
+  {
+    this->Log.Error(status.Message());
+  }
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------

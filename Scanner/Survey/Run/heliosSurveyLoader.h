@@ -27,6 +27,7 @@ namespace helios
 {
 
 class Messages;
+class TextureStore;
 
 /// What a run is made from.
 struct RunInputs
@@ -100,6 +101,7 @@ private:
   void SetRayCaster(RunSettings& settings);
   bool BuildScene(const StepCallback& onStep);
   bool UseGivenScene();
+  bool LoadTextures(const StepCallback& onStep);
 
   Messages& Log;
   RunInputs Inputs;
@@ -109,6 +111,7 @@ private:
   std::unique_ptr<SceneBuilder> Builder; // of a survey with several epochs
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  std::shared_ptr<TextureStore> Textures;                   // of the scene, of all epochs
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
   std::string CasterName;                                   // as requested
   std::pair<vtkPolyData*, vtkMTimeType> TakenMesh;          // of the inputs

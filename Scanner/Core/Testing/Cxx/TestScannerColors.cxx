@@ -4,6 +4,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosScannerBench.h"
 #include "heliosTexture.h"
+#include "vtkHeliosMemoryLimit.h"
 #include "vtkHeliosScene.h"
 
 #include <vtkBMPWriter.h>
@@ -125,7 +126,7 @@ TEST_CASE("ScannerColors: images of other kinds, and those that are none")
   std::ofstream(text) << "no image";
   CHECK(texture.Read(text).Message() ==
     "texture " + text +
-      " is no image of 8 or 16 bits that can be read; give PNG, JPEG, TIFF, BMP or PNM");
+      " is no image that is read; give PNG, JPEG, TIFF, BMP or PNM, or remove map_Kd");
   CHECK(texture.Read(folder.GetPath("none.png")).Message() ==
     "texture " + folder.GetPath("none.png") + " does not exist; give it, or remove map_Kd");
 }
@@ -312,15 +313,94 @@ TEST_CASE("ScannerColors: a ghost has the colour of the surface behind the mirro
   CHECK(color[1] == Approx(0.5 * 4.0 * (15.0 - 0.5) / 255.0).margin(1e-3));
 }
 
-TEST_CASE("ScannerColors: a texture that cannot be read leaves the base colour, with a warning")
+TEST_CASE("ScannerColors: a texture that cannot be read is an error, not another colour")
 {
   const auto wall = MakeColoredWall({ { 0.25, 0.5, 1.0 }, "/none/brick.png" });
   AddCoordinates(wall, 64.0);
   Bench bench(wall);
   bench.Scanner->GenerateColorsOn();
-  CHECK(GetColor(bench.Run(), 0) == Rgb{ 0.25, 0.5, 1.0 });
-  CHECK(bench.Log->HasWarning("texture /none/brick.png does not exist; give it, or remove map_Kd; "
-                              "the base colour of its material is used"));
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
+  CHECK(bench.Log->HasError("texture /none/brick.png does not exist; give it, or remove map_Kd"));
+}
+
+namespace
+{
+
+/// Loads the textures of a scene, and checks the result.
+void CheckLoad(helios::TextureStore& store, vtkPolyData* scene, const std::string& fault)
+{
+  std::vector<std::string> warnings;
+  CHECK(store.Load({ scene }, warnings).Message() == fault);
+  CHECK(warnings.empty());
+}
+
+} // namespace
+
+TEST_CASE("ScannerColors: textures are read once, by all scanners of a scene")
+{
+  TextureFolder folder;
+  const std::string path = WriteRamp(folder);
+  const auto wall = MakeColoredWall({ { 1.0, 0.5, 1.0 }, path });
+  AddCoordinates(wall, 64.0);
+  const auto store = std::make_shared<helios::TextureStore>();
+  CheckLoad(*store, wall, "");
+  const auto texture = store->Find(path);
+  REQUIRE(texture != nullptr);
+  CHECK(store->Find("none") == nullptr);
+  std::filesystem::remove(path);
+  CheckLoad(*store, wall, "");
+  CHECK(store->Find(path) == texture);
+  for (int scanner = 0; scanner < 2; ++scanner)
+  {
+    Bench bench(wall, { 20.0, 0.0, 15.0 });
+    bench.Scanner->GenerateColorsOn();
+    bench.Scanner->SetTextures(store);
+    CheckRamp(GetColor(bench.Run(), 0), 20.0, 15.0);
+    bench.Scanner->SetTextures(nullptr); // its own
+    bench.Run();
+    CHECK(bench.Log->HasError("texture " + path + " does not exist"));
+  }
+}
+
+TEST_CASE("ScannerColors: textures are read again once the scene changes")
+{
+  TextureFolder folder;
+  const std::string path = folder.GetPath("a.png");
+  const auto write = [&path](int grey)
+  { WriteImage<vtkPNGWriter>(path, MakeImage(2, 2, 1, [grey](int, int, int) { return grey; })); };
+  write(51);
+  const auto wall = MakeColoredWall({ { 1.0, 1.0, 1.0 }, path });
+  AddCoordinates(wall, 64.0);
+  Bench bench(wall);
+  bench.Scanner->GenerateColorsOn();
+  CHECK(GetColor(bench.Run(), 0)[0] == Approx(0.2));
+  write(102);
+  bench.Scanner->Modified();
+  CHECK(GetColor(bench.Run(), 0)[0] == Approx(0.2));
+  wall->Modified();
+  CHECK(GetColor(bench.Run(), 0)[0] == Approx(0.4));
+}
+
+TEST_CASE("ScannerColors: the memory of all textures together is checked")
+{
+  TextureFolder folder;
+  const std::string first = folder.GetPath("a.png");
+  const std::string second = folder.GetPath("b.png");
+  const auto image = MakeImage(3000, 1000, 3, [](int, int, int) { return 7; });
+  WriteImage<vtkPNGWriter>(first, image);
+  WriteImage<vtkPNGWriter>(second, image);
+  const auto scene = MakeScene({ Wall(10.0) });
+  helios::Material materials[2];
+  materials[0].Color = { { 1.0, 1.0, 1.0 }, first };
+  materials[1].Color = { { 1.0, 1.0, 1.0 }, second };
+  helios::SetMaterials(scene, { materials[0], materials[1] });
+  vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() + 14.0); // one has 9 MB
+  helios::TextureStore store;
+  std::vector<std::string> warnings;
+  const helios::Status status = store.Load({ scene }, warnings);
+  vtkHeliosMemoryLimit::SetLimit(0.0);
+  CHECK(status.Message().find(first +
+          " and others: 6000000 pixels of 2 textures need about 18 MB of memory, and ") == 0);
 }
 
 TEST_CASE("ScannerColors: a scene without colours gives black, with a warning")

@@ -29,6 +29,8 @@ const std::string Materials = "newmtl brick\nKd 1 0.5 2\nmap_Kd images/red brick
                               "newmtl none\nhelios_reflectance 0.2\n"
                               "newmtl scaled\nKd 0.5 0.5 0.5\nmap_Kd -s 2 2 1 a.png\n";
 
+const std::string OnePixel = "P5 1 1 255\nx"; // the kind of an image is not that of its name
+
 std::vector<double> GetCoordinates(ObjReading& reading, vtkIdType cell)
 {
   vtkDataArray* array = reading.Scene()->GetCellData()->GetArray(names::TextureCoordinates);
@@ -46,6 +48,8 @@ TEST_CASE("ObjColors: Kd and map_Kd are the colour of a material, if asked", "[O
 {
   TestFolder folder;
   folder.Write("a.mtl", Materials);
+  folder.Write("a.png", OnePixel);
+  folder.Write("images/red brick.png", OnePixel);
   ObjReading reading(
     folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl brick\nf 1 2 3\n"));
   REQUIRE(reading.Read());
@@ -67,6 +71,29 @@ TEST_CASE("ObjColors: Kd and map_Kd are the colour of a material, if asked", "[O
     ":12: map_Kd of material \"scaled\" has options, which are not read: \"-s 2 2 1 a.png\", so "
     "its "
     "colour is Kd; give the name of an image alone"));
+}
+
+TEST_CASE(
+  "ObjColors: a texture that is no image is an error with the line of map_Kd", "[ObjColors]")
+{
+  TestFolder folder;
+  folder.Write("a.mtl", "newmtl brick\nKd 1 1 1\n\nmap_Kd brick.png\n");
+  const std::string place = folder.GetPath("a.mtl") + ":4: map_Kd of material \"brick\": texture " +
+    folder.GetPath("brick.png");
+  ObjReading reading(
+    folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl brick\nf 1 2 3\n"));
+  REQUIRE(reading.Read()); // without colours nothing of it is read
+  reading.Reader->ReadColorsOn();
+  CHECK_FALSE(reading.Read());
+  CHECK(reading.Log->HasError(place + " does not exist; give it, or remove map_Kd"));
+  folder.Write("brick.png", "P5 7 7 255\nx");
+  ObjReading damaged(folder.GetPath("a.obj"));
+  damaged.Reader->ReadColorsOn();
+  CHECK_FALSE(damaged.Read());
+  CHECK(damaged.Log->HasError(place +
+    ": PNM image is damaged: 7 x 7 pixels do not fit into a file of 12 bytes; get it again, or "
+    "save "
+    "it with another program, or remove map_Kd"));
 }
 
 TEST_CASE(
@@ -95,6 +122,7 @@ TEST_CASE(
 TEST_CASE("ObjColors: the writer keeps colours of materials without a lobe", "[ObjColors]")
 {
   TestFolder folder;
+  folder.Write("a.png", OnePixel);
   folder.Write(
     "a.mtl", "newmtl m\nKd 0.1 0.2 0.7\nmap_Kd a.png\nnewmtl n\nKd 0.5 0.25 0.25\nKs 0.5 0.5 0\n");
   ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl m\nf 1 2 3\n"));

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Images in files: PNG, JPEG, TIFF, BMP and PNM.
+
+#ifndef heliosImage_h
+#define heliosImage_h
+
+#include "heliosStatus.h"
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+namespace helios
+{
+
+struct FreeMemory
+{
+  void operator()(void* memory) const { std::free(memory); }
+};
+
+/// An image as it is seen: size and memory from its header.
+struct ImageHeader
+{
+  std::string Format; ///< such as PNG
+  int Width = 0;      ///< [pixels]
+  int Height = 0;
+  double BytesPerPixel = 3.0; ///< of memory while it is read, at most
+  std::string Warning;        ///< of what is not applied; empty: none
+
+  double CountPixels() const { return static_cast<double>(this->Width) * this->Height; }
+};
+
+/// Red, green and blue of all pixels, row by row from the lowest, 8 bits each; greys have them equal.
+struct Image
+{
+  ImageHeader Header;
+  std::unique_ptr<unsigned char, FreeMemory> Pixels;
+};
+
+/**
+ * Reads size and kind of an image. The kind is that of its first bytes, whatever its name. Errors
+ * begin with the path: a file that is missing, not regular, of another kind, damaged, or of a variant
+ * that is not read.
+ */
+VTKHELIOSFILTERSIO_EXPORT Status ReadImageHeader(const std::string& path, ImageHeader& header);
+
+/**
+ * Reads an image: upright as its format says, 16 bits rounded to 8, transparency ignored. Nothing is
+ * guessed: an image that is damaged or incomplete is an error, as is one that needs more memory than
+ * vtkHeliosMemoryLimit allows; it is not allocated.
+ */
+VTKHELIOSFILTERSIO_EXPORT Status ReadImage(const std::string& path, Image& image);
+
+/// An error of an image as one of a texture, with what to do about map_Kd.
+VTKHELIOSFILTERSIO_EXPORT Status MakeTextureError(const Status& status);
+
+} // namespace helios
+
+#endif
