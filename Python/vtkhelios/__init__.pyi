@@ -1676,6 +1676,60 @@ class vtkHeliosGroundVehiclePlatform(vtkHeliosPlatform):
     def SetTurnDeviation(self, _arg: float) -> None: ...
     def SetWheelbase(self, _arg: float) -> None: ...
 
+class vtkHeliosImageReader(vtkImageAlgorithm):
+    """vtkHeliosImageReader - read an image, as textures are read"""
+    abort_execute: int
+    """Set/Get the AbortExecute flag for the process object. Process
+    objects may handle premature termination of execution in
+    different ways.
+    """
+    @property
+    def error_code(self) -> int:
+        """The error code contains a possible error that occurred while
+        reading or writing the file.
+        """
+    file_name: Optional[str]
+    """Set/Get the file to read. Required."""
+    @property
+    def m_time(self) -> int:
+        """Return this object's modified time."""
+    @property
+    def number_of_input_ports(self) -> int:
+        """Get the number of input ports used by the algorithm."""
+    @property
+    def number_of_output_ports(self) -> int:
+        """Get the number of output ports provided by the algorithm."""
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
+    progress_text: Optional[str]
+    """Set the current text message associated with the progress state.
+    This may be used by a calling process/GUI. Note: Because
+    SetProgressText() is called from inside RequestData() it does not
+    modify the algorithm object. Algorithms are not allowed to modify
+    themselves from inside RequestData().
+    """
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __rshift__(self, right: Any) -> Pipeline: ...
+    def __rrshift__(self, left: Any) -> Pipeline: ...
+    def __call__(self, data: Any = None) -> Any: ...
+    def update(self) -> Any: ...
+    @property
+    def output(self) -> Any: ...
+    def GetFileName(self) -> str: ...
+    def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    def IsA(self, type: str) -> int: ...
+    @staticmethod
+    def IsTypeOf(type: str) -> int: ...
+    def NewInstance(self) -> vtkHeliosImageReader: ...
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkHeliosImageReader: ...
+    def SetFileName(self, _arg: str) -> None: ...
+
 class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     """vtkHeliosInstrument - the data sheet of a laser scanner: pulse, receiver, accuracy"""
     abort_execute: int
@@ -5696,9 +5750,11 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     the scene, else that of the point data RGB between the corners,
     else the base colour of the material (Material.Color) times its
     texture, bilinear (Material.Texture, and cell data
-    TextureCoordinates); black without. A warning names textures that
-    cannot be read. See ReadColors of vtkHeliosObjSceneReader and
-    PassColors of vtkHeliosSceneComposer. Default: off.
+    TextureCoordinates); black without. A texture that cannot be read
+    is an error; vtkHeliosImageReader lists the formats. They are
+    read again once the scene changes. See ReadColors of
+    vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
+    Default: off.
     """
     generate_columns: bool
     """Set/Get whether the echoes, and the pulses, have ColumnIds: the

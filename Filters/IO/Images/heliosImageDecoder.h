@@ -5,7 +5,6 @@
 #ifndef heliosImageDecoder_h
 #define heliosImageDecoder_h
 
-#include "heliosImage.h"
 #include "heliosStatus.h"
 
 #include <cstddef>

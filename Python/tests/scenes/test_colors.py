@@ -3,6 +3,10 @@
 """Colours and textures of OBJ files as RGB of echoes, read back by other programs."""
 
 import hashlib
+import json
+import os
+import struct
+import zlib
 
 import numpy as np
 import pytest
@@ -11,6 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import vtkhelios
+from vtkhelios import cli
 
 SIZE = 64  # pixels and metres of the ramp
 MESH = """\
@@ -142,12 +147,155 @@ def test_text_has_no_colours(room, command_line):
     assert "--colors needs --format las or vtp" in done.stderr
 
 
-def test_a_missing_texture_is_named(room, command_line):
-    (room / "ramp.png").unlink()
-    done = command_line("run", room / "survey.xml", "--output", room, "--format", "las", "--colors")
+def remove(path):
+    path.unlink()
+
+
+def make_folder(path):
+    path.unlink()
+    path.mkdir()
+
+
+def make_fifo(path):
+    path.unlink()
+    os.mkfifo(path)
+
+
+def link_to_device(path):
+    path.unlink()
+    path.symlink_to("/dev/zero")
+
+
+def truncate(path):
+    path.write_bytes(path.read_bytes()[:-30])
+
+
+def change(path):
+    data = bytearray(path.read_bytes())
+    data[-30] ^= 1
+    path.write_bytes(data)
+
+
+def write_text(path):
+    path.write_text("no image")
+
+
+def promise(path):
+    """64 million pixels in a small file that is whole."""
+    rows = zlib.compress(bytes(1001 * 8000), 9)  # of one bit
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", 8000, 8000, 1, 0, 0, 0, 0)), (b"IDAT", rows)]
+    data = b"\x89PNG\r\n\x1a\n"
+    for name, content in [*chunks, (b"IEND", b"")]:
+        data += struct.pack(">I", len(content)) + name + content
+        data += struct.pack(">I", zlib.crc32(name + content))
+    path.write_bytes(data)
+
+
+BAD = {
+    remove: " does not exist; give it",
+    make_folder: ": cannot be read: it is a folder; give the name of a file",
+    make_fifo: ": cannot be read: it is a FIFO, not a regular file; copy it to a file",
+    link_to_device: ": cannot be read: it is a character device, not a regular file",
+    truncate: ": PNG image cannot be read: ",
+    change: ": PNG image cannot be read: IDAT: CRC error; get it again",
+    write_text: " is no image that is read; give PNG, JPEG, TIFF, BMP or PNM",
+}
+
+
+@pytest.mark.parametrize("damage", BAD, ids=lambda damage: damage.__name__)
+def test_a_bad_texture_is_one_error_with_its_name(room, capfd, damage):
+    damage(room / "ramp.png")
+    told = f"texture {room / 'ramp.png'}{BAD[damage]}"
+    run = ["run", room / "survey.xml", "--output", room / "out", "--format", "las", "--colors"]
+    for options in [], ["--dry-run"]:
+        code, output = call(capfd, *run, *options)
+        assert code == 1, output.err
+        assert told in output.err and output.err.count("ramp.png") == 1
+        assert output.err.rstrip().endswith("or remove map_Kd")
+        assert not list(room.rglob("*.las*"))
+
+    code, output = call(capfd, "validate", room / "survey.xml", "--deep")
+    assert code == 0, output.out
+    (line,) = [line for line in output.out.splitlines() if "ramp.png" in line]
+    assert "warning: " in line and told in line
+    assert line.endswith("or remove map_Kd; only a run with --colors reads it")
+    code, output = call(capfd, "info", room / "room.obj", "--json")
+    assert code == 0, output.err
+    assert told in output.err and json.loads(output.out)["textures"] == []
+
+
+def call(capfd, *arguments):
+    """Runs a command in this process: its exit code, and what it printed."""
+    code = cli.main([str(each) for each in arguments])
+    return code, capfd.readouterr()
+
+
+def test_without_colours_no_texture_is_read(room, capfd):
+    make_fifo(room / "ramp.png")
+    code, output = call(
+        capfd, "run", room / "survey.xml", "--output", room / "out", "--no-accuracy-report", "--quiet"
+    )
+    assert (code, output.err) == (0, "")
+
+
+def test_info_lists_textures(room, command_line):
+    done = command_line("info", room / "room.obj")
+    assert f"texture    {room / 'ramp.png'}: 64 x 64 pixels\n" in done.stdout
+    assert not done.stderr
+    done = command_line("validate", room / "survey.xml", "--deep")
+    assert "0 errors, 0 warnings" in done.stdout
+
+
+def test_an_error_of_the_scene_is_one_with_and_without_colours(room, command_line):
+    (room / "room.obj").write_text(MESH + "f 1 2 99\n")
+    done = command_line("validate", room / "survey.xml", "--deep")
+    assert done.returncode == 1
+    assert done.stdout.count("room.obj:18") == 1 and "--colors" not in done.stdout
+
+
+def test_memory_counts_textures_by_their_headers(room, command_line):
+    """192 MB of pixels in a file of 8 kB."""
+    run = ["run", room / "survey.xml", "--output", room / "out", "--format", "las", "--colors"]
+    without = needed_memory(command_line, run)
+    promise(room / "ramp.png")
+    assert (room / "ramp.png").stat().st_size < 10_000
+    done = command_line(*run, "--memory", "180M")
+    assert done.returncode == 1
+    assert f"{room / 'ramp.png'}: 64000000 pixels of 1 texture need about 192 MB" in done.stderr
+    needed = needed_memory(command_line, run)
+    assert 150e6 < needed - without < 250e6  # --dry-run counts them, too
+    done = command_line(*run, "--memory", f"{needed + 100e6:.0f}", "--no-accuracy-report")
     assert done.returncode == 0, done.stderr
-    assert f"texture {room / 'ramp.png'} does not exist; give it, or remove map_Kd" in done.stderr
-    assert done.stderr.count("does not exist") == 1
+
+
+def needed_memory(command_line, run):
+    """What --dry-run estimates [bytes]."""
+    done = command_line(*run, "--dry-run", "--json")
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)["memory_bytes"]
+
+
+def test_textures_are_read_once_a_run(room):
+    """By all legs, and by the report on accuracy: the file is gone once the pulses begin."""
+    text = (room / "survey.xml").read_text()
+    leg = text[text.index("<leg>") : text.index("</survey>")]
+    (room / "survey.xml").write_text(text.replace(leg, leg * 2))
+    player = vtkhelios.vtkHeliosSurveyPlayer(source=vtkhelios.read_survey(room / "survey.xml").source())
+    player.SetOutputDirectory(str(room / "out"))
+    player.SetFormat("las")
+    player.WriteColorsOn()
+    player.SetPulsesPerBlock(30_000)
+    gone = []
+
+    def hide(*_):
+        if player.GetCount("pulses") > 0 and not gone:
+            (room / "ramp.png").unlink()
+            gone.append(player.GetCount("pulses"))
+
+    player.AddObserver("ProgressEvent", hide)
+    assert player.Run()
+    assert gone and gone[0] < player.GetCount("pulses")
+    assert "range" in json.dumps(json.loads(player.GetReport())["accuracy"])
 
 
 def test_meshes_of_other_libraries_keep_the_colours_of_their_vertices():

@@ -7,7 +7,7 @@ import json
 import pathlib
 import re
 
-from .._pipeline import SimilarMessages
+from .._pipeline import SimilarMessages, observe_messages, remove_observers
 from ..vtkHeliosScannerSurvey import vtkHeliosSurveySource
 from ._messages import Messages, say_error
 from ._optics import describe_optics
@@ -20,7 +20,7 @@ EPILOG = """\
 what it checks: every element and attribute, its type, unit and range; misspelt names; that all
 references exist: scanners, platforms, scenes, files of geometry and materials; that the scanner
 supports the settings of a leg. Files of geometry are not read, unless --deep loads the scene of a
-survey, as a run does. Everything in a file is checked, whether a
+survey, as a run does, with its textures. Everything in a file is checked, whether a
 survey uses it or not, and so is everything that a survey refers to.
 
 An error stops a run; a warning is about a difference between a run and what the file may mean, such
@@ -31,7 +31,7 @@ what it prints: file:line: error: the problem, the value, and the remedy; one li
 
 examples:
   vtkhelios validate survey.xml --assets my_scenes
-  vtkhelios validate survey.xml --deep        also read its meshes, rasters and clouds
+  vtkhelios validate survey.xml --deep        also read its meshes, rasters, clouds and textures
   vtkhelios validate *.xml --strict           warnings count as errors
   vtkhelios validate survey.xml --json        a list of {file, line, severity, message}
 
@@ -84,6 +84,11 @@ class Collector(Messages):
     def warning(self, text):
         self.add("warning", text)
 
+    def accept(self, other):
+        """Adds the findings of another one."""
+        self._errors += other.errors
+        self.findings += [found for found in other.findings if found not in self.findings]
+
     def add(self, severity, text):
         text = visible(text)
         place = PLACE.fullmatch(text)
@@ -119,12 +124,28 @@ def load_scene(reader, messages):
         return
     source = vtkHeliosSurveySource()
     source.SetSurvey(reader.GetSurvey())
-    messages.watch(source)
+    colored = load_into(source, messages.path, colors=True)
+    plain = load_into(source, messages.path, colors=False) if colored.errors else colored
+    messages.accept(plain)
+    for found in colored.findings:
+        if found.severity == "error" and found not in plain.findings:
+            found.severity = "warning"
+            found.message += "; only a run with --colors reads it"
+            messages.findings.append(found)
+    if not plain.errors:
+        for text in describe_optics(source.GetScene()):
+            messages.add("note", f"material {text}")
+
+
+def load_into(source, path, colors):
+    """Loads the scene of a source, with its colours or without; returns the messages."""
+    messages = Collector(path)
+    observers = observe_messages(source, messages.error, messages.warning)
+    source.SetGenerateColors(colors)
     if not source.Load():
         messages.error_unless_told("its scene cannot be loaded")
-        return
-    for text in describe_optics(source.GetScene()):
-        messages.add("note", f"material {text}")
+    remove_observers(observers)
+    return messages
 
 
 def merge_similar(findings):

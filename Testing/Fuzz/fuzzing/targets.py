@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All targets by name. To add one: a Target in a module of its kind, and in its make_targets()."""
 
-from . import targets_mesh, targets_points, targets_run, targets_scene, targets_survey
+from . import (
+    targets_image, targets_mesh, targets_points, targets_run, targets_scene, targets_survey,
+)  # fmt: skip
 
-MODULES = (targets_points, targets_scene, targets_mesh, targets_survey, targets_run)
+MODULES = (
+    targets_points, targets_scene, targets_mesh, targets_image, targets_survey, targets_run,
+)  # fmt: skip
 ALL = {target.name: target for module in MODULES for target in module.make_targets()}

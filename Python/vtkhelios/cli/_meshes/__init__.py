@@ -10,10 +10,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import vtkhelios
 
 from ..._paths import text_from_vtk, to_vtk
+from ..._pipeline import MessageLog
 
 from ...array_names import (
     CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
-    MATERIAL_REFLECTANCE,
+    MATERIAL_REFLECTANCE, MATERIAL_TEXTURE,
 )  # fmt: skip
 from ...formats import FormatError
 from ...scene import make_reader
@@ -42,9 +43,47 @@ def read(path, messages):
     return None
 
 
+def read_colored(path, messages):
+    """The triangles of a file with its colours, or without if only these have an error: a warning."""
+    reader = make_reader(path)
+    if not hasattr(reader, "SetReadColors"):
+        return read(path, messages)
+    reader.SetReadColors(True)
+    with MessageLog() as log:
+        log.watch(reader)
+        reader.Update()
+    if not log.errors:
+        for warning in log.warnings:
+            messages.warning(warning)
+        return reader.GetOutput()
+    mesh = read(path, messages)
+    for error in log.root_errors() if mesh else ():
+        messages.warning(f"{error}; only a run with --colors reads it")
+    return mesh
+
+
+def describe_textures(mesh, messages):
+    """File and size of each texture of a mesh; a warning of those that cannot be read."""
+    column = mesh.GetFieldData().GetAbstractArray(MATERIAL_TEXTURE)
+    rows = range(column.GetNumberOfValues()) if column else ()
+    for path in dict.fromkeys(column.GetValue(row) for row in rows):
+        if not path:
+            continue
+        reader = vtkhelios.vtkHeliosImageReader()
+        reader.SetFileName(path)
+        with MessageLog() as log:
+            log.watch(reader)
+            reader.Update()
+        for message in log.root_errors() + log.warnings:
+            messages.warning(f"texture {message}")
+        if not log.errors:
+            width, height, _ = reader.GetOutput().GetDimensions()
+            yield {"file": text_from_vtk(path), "width": width, "height": height}
+
+
 def inspect(path, messages):
     """Facts about a mesh, or None after an error."""
-    mesh = read(path, messages)
+    mesh = read_colored(path, messages)
     if mesh is None:
         return None
     kind = KINDS[vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path))]
@@ -62,6 +101,7 @@ def inspect(path, messages):
     facts["crs"] = find_crs(mesh)
     facts["area_m2"] = float(areas.sum())
     facts["materials"] = list(describe_materials(mesh, areas))
+    facts["textures"] = list(describe_textures(mesh, messages))
     return facts
 
 
@@ -139,6 +179,8 @@ def describe_lines(facts):
             + f"class {each['class']}"
             + (", ground" if each["ground"] else "")
         )
+    for each in facts["textures"]:
+        yield f"texture    {each['file']}: {each['width']} x {each['height']} pixels"
 
 
 def _none_if_nan(value):
