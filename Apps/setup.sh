@@ -13,7 +13,7 @@ helios_packages=(
   # libraries
   libvtk9-dev libembree-dev libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
-  coinor-libcbc-dev liblzf-dev libpcl-dev pybind11-dev libcli11-dev libx11-dev
+  coinor-libcbc-dev liblzf-dev libpng-dev libjpeg-dev libtiff-dev libpcl-dev pybind11-dev libcli11-dev libx11-dev
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   python3-jinja2
@@ -24,7 +24,8 @@ helios_packages=(
 )
 # What tests need besides.
 helios_test_packages=(
-  cloudcompare python3-pytest python3-gdal python3-lxml black codespell xdotool zsh fish
+  cloudcompare python3-pytest python3-gdal python3-pil imagemagick python3-lxml black codespell xdotool zsh
+  fish
 )
 
 # What differs by the release of Debian. A PyVista contemporary with its VTK, for the test of its

@@ -24,7 +24,8 @@ for_python=$work/python-$tag # what is built for that Python alone
 helios_packages=(
   g++ cmake ninja-build ccache pkgconf dpkg-dev
   libvtk9-dev python3-vtk9 libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
-  libgdal-dev libgeographiclib-dev libeigen3-dev liblzf-dev libsqlite3-dev sqlite3
+  libgdal-dev libgeographiclib-dev libeigen3-dev liblzf-dev libpng-dev libjpeg-dev libtiff-dev
+  libsqlite3-dev sqlite3
   python3-dev python3-venv
 )
 

@@ -404,6 +404,7 @@ void vtkHeliosScanner::SetTextures(std::shared_ptr<helios::TextureStore> texture
 {
   this->SharedTextures = std::move(textures);
   this->ColorTime = 0;
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

@@ -171,9 +171,13 @@ Status BmpDecoder::ReadFields()
     return Status::Error(
       "is damaged: its header has " + std::to_string(this->HeaderSize) + " bytes");
   }
-  this->Columns = isCore ? this->Get(4, 2) : static_cast<std::int32_t>(this->Get(4, 4));
-  const std::int64_t rows =
-    isCore ? std::int64_t(this->Get(6, 2)) : static_cast<std::int32_t>(this->Get(8, 4));
+  const auto getSide = [this, isCore](std::size_t coreAt, std::size_t at)
+  {
+    return isCore ? std::int64_t(this->Get(coreAt, 2))
+                  : std::int64_t(static_cast<std::int32_t>(this->Get(at, 4)));
+  };
+  this->Columns = getSide(4, 4);
+  const std::int64_t rows = getSide(6, 8);
   this->IsFromTop = rows < 0;
   this->Rows = rows < 0 ? -rows : rows;
   this->Bits = static_cast<int>(isCore ? this->Get(10, 2) : this->Get(14, 2));

@@ -40,16 +40,12 @@ Status TiffSamples::SetKind(int photometric, int count, int inkSet)
   }
   const bool hasBits =
     this->Bits == 1 || this->Bits == 2 || this->Bits == 4 || this->Bits == 8 || this->Bits == 16;
-  if (!hasBits || count < this->GetNumberOfInks())
-  {
-    return Status::Error("has " + std::to_string(count) + " samples of " +
-      std::to_string(this->Bits) + " bits, which are not read; give it RGB of 8 or 16 bits");
-  }
-  const bool hasPalette =
-    this->Colors.size() == std::size_t(1) << static_cast<unsigned>(this->Bits);
-  return this->Means != Kind::Palette || hasPalette
+  const bool hasColors = this->Means != Kind::Palette ||
+    (hasBits && this->Colors.size() == std::size_t(1) << static_cast<unsigned>(this->Bits));
+  return hasBits && hasColors && count >= this->GetNumberOfInks()
     ? Status()
-    : Status::Error("is damaged: it has no palette");
+    : Status::Error("has " + std::to_string(count) + " samples of " + std::to_string(this->Bits) +
+        " bits, which are not read; give it RGB of 8 or 16 bits");
 }
 
 //------------------------------------------------------------------------------

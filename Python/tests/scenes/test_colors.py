@@ -233,7 +233,13 @@ def call(capfd, *arguments):
 def test_without_colours_no_texture_is_read(room, capfd):
     make_fifo(room / "ramp.png")
     code, output = call(
-        capfd, "run", room / "survey.xml", "--output", room / "out", "--no-accuracy-report", "--quiet"
+        capfd,
+        "run",
+        room / "survey.xml",
+        "--output",
+        room / "out",
+        "--no-accuracy-report",
+        "--quiet",
     )
     assert (code, output.err) == (0, "")
 
@@ -280,7 +286,9 @@ def test_textures_are_read_once_a_run(room):
     text = (room / "survey.xml").read_text()
     leg = text[text.index("<leg>") : text.index("</survey>")]
     (room / "survey.xml").write_text(text.replace(leg, leg * 2))
-    player = vtkhelios.vtkHeliosSurveyPlayer(source=vtkhelios.read_survey(room / "survey.xml").source())
+    player = vtkhelios.vtkHeliosSurveyPlayer(
+        source=vtkhelios.read_survey(room / "survey.xml").source()
+    )
     player.SetOutputDirectory(str(room / "out"))
     player.SetFormat("las")
     player.WriteColorsOn()

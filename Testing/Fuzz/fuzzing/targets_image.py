@@ -117,7 +117,9 @@ class Bmp(Texture):
     def more_seeds(self):
         palette = bytes(range(64))
         runs = bytes([3, 1, 0, 4, 2, 3, 4, 5, 6, 7, 0, 0, 0, 2, 1, 0, 9, 15, 0, 0, 13, 2, 0, 1])
-        head = b"BM" + struct.pack("<IIIIiiHHIIIIII", 0, 0, 54 + 64, 40, 13, 3, 1, 8, 1, 0, 0, 0, 16, 0)
+        head = b"BM" + struct.pack(
+            "<IIIIiiHHIIIIII", 0, 0, 54 + 64, 40, 13, 3, 1, 8, 1, 0, 0, 0, 16, 0
+        )
         return [Seed("runs.bmp", head + palette + runs)]
 
     def is_comparable(self, image):
@@ -130,7 +132,7 @@ class Pnm(Texture):
         return [
             Seed("bits.pbm", b"P1\n# bits\n3 2\n1 0 1\n010\n"),
             Seed("grey.pgm", b"P2 3 2 15\n0 7 3\n15 1 2\n"),
-            Seed("wide.ppm", b"P6 2 1 1000\n" + bytes(range(12))),
+            Seed("wide.ppm", b"P6 2 1 1000\n" + struct.pack(">6H", 0, 200, 400, 600, 800, 1000)),
             Seed("text.ppm", b"P3\n2 1\n255\n1 2 3\n40 50 60\n"),
         ]
 

@@ -235,8 +235,8 @@ TEST_CASE("ImageFormats: greys and inks of TIFF", "[ImageFormats]")
   image.Pixels = ToBytes({ 0x1f });
   CHECK(ReadBytesAsImage(image.Write()) == "2x1: eeeeee 000000");
   image.Bits = 16;
-  image.Pixels = ToBytes(0x80ff, 2) + ToBytes(0, 2);
-  CHECK(ReadBytesAsImage(image.Write()) == "2x1: 7e7e7e ffffff");
+  image.Pixels = ToBytes(0x1ff, 2) + ToBytes(0, 2);
+  CHECK(ReadBytesAsImage(image.Write()) == "2x1: fdfdfd ffffff");
   image.Bits = 8;
   image.Samples = 4;
   image.Photometric = 5; // cyan magenta yellow black
@@ -249,10 +249,10 @@ TEST_CASE("ImageFormats: TIFF that is damaged, or not read, is an error", "[Imag
   TestTiff image;
   image.Pixels = std::string(18, '\1');
   const std::string whole = image.Write();
-  CHECK(ReadBytesAsImage(whole.substr(0, whole.size() - 1)) ==
-    Damaged("TIFF", "cannot be read: Read error on strip 0; got 17 bytes, expected 18"));
+  const std::string start = "image: TIFF image cannot be read: Read error"; // the rest by libtiff
+  CHECK(ReadBytesAsImage(whole.substr(0, whole.size() - 1)).find(start) == 0);
   image.Pixels.resize(12);
-  CHECK(ReadBytesAsImage(image.Write()).substr(0, 35) == "image: TIFF image cannot be read: Re");
+  CHECK(ReadBytesAsImage(image.Write()).find(start) == 0);
   image.Rows = 90000;
   image.Columns = 90000;
   CHECK(ReadBytesAsImage(image.Write()) ==
@@ -271,9 +271,11 @@ TEST_CASE("ImageFormats: TIFF that is damaged, or not read, is an error", "[Imag
   image.Photometric = 8; // CIE L*a*b*
   CHECK(ReadBytesAsImage(image.Write()) ==
     Damaged("TIFF", "has colours of kind 8, which are not read; give it RGB"));
-  image.Photometric = 3;
+  image.Photometric = 3; // a palette, which is missing
   image.Samples = 1;
-  CHECK(ReadBytesAsImage(image.Write()).find("cannot be read: ") != std::string::npos);
+  image.Bits = 4;
+  CHECK(ReadBytesAsImage(image.Write()).find("image: TIFF image cannot be read: ") == 0);
+  image.Bits = 8;
   image.Photometric = 5;
   CHECK(ReadBytesAsImage(image.Write()) ==
     Damaged("TIFF", "has 1 samples of 8 bits, which are not read; give it RGB of 8 or 16 bits"));

@@ -148,7 +148,7 @@ TEST_CASE(
   Reading reading(path);
   reading.Reader->Update();
   CHECK(
-    reading.Log->HasError(path + ": 25000000 pixels of a PNM image need about 75 MB of memory"));
+    reading.Log->HasError(path + ": 25000000 pixels of a PNM image need about 75.1 MB of memory"));
 }
 
 TEST_CASE("ImageReader: EXIF orientations are named, not applied", "[ImageReader]")
