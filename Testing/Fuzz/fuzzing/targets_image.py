@@ -123,8 +123,8 @@ class Bmp(Texture):
         return [Seed("runs.bmp", head + palette + runs)]
 
     def is_comparable(self, image):
-        """It takes colours beyond the palette for others, and runs in its own way."""
-        return image.mode == "RGB" and not image.info.get("compression")
+        """It reads moves in run lengths in its own way."""
+        return super().is_comparable(image) and not image.info.get("compression")
 
 
 class Pnm(Texture):
@@ -136,14 +136,10 @@ class Pnm(Texture):
             Seed("text.ppm", b"P3\n2 1\n255\n1 2 3\n40 50 60\n"),
         ]
 
-    def is_comparable(self, image):
-        """It scales other largest values in its own way."""
-        return False
-
 
 class Tiff(Texture):
     def is_comparable(self, image):
-        """What it guesses of damaged files is not compared."""
+        """Of an entry that is there twice, and of palettes that are too long, it takes another part."""
         return False
 
 
