@@ -247,7 +247,7 @@ def test_errors_of_a_worker_name_file_line_and_worker(workers, fence, tmp_path):
         fence.to_delayed()
     message = str(caught.value)
     assert "survey.xml: not the survey of the client, since" in message
-    assert "fence.obj has changed or is new; give all workers the same files" in message
+    assert "fence.obj has changed; give all workers the same files" in message
     assert "(on the worker tcp://127.0.0.1:" in message
     again = vtkhelios.read_survey(tmp_path / "fence/survey.xml")
     with pytest.raises(vtkhelios.PipelineError, match=r"fence\.obj:\d+: .*none.*\(on the worker"):

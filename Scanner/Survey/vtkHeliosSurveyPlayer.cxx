@@ -14,6 +14,7 @@
 #include "heliosRunFingerprint.h"
 #include "heliosRunFolder.h"
 #include "heliosRunFormat.h"
+#include "heliosRunInputs.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"
@@ -85,9 +86,11 @@ private:
   vtkPolyData* GetScene() const { return this->Player->Source->GetScene(); }
   bool FindEarlierRun();
   bool CheckEarlierRun(const Json::Value& then);
+  bool CheckFinishedRun(const Json::Value& then);
+  void CheckInput(const std::string& path, const std::string& stamp);
   bool CheckEarlierFiles();
   bool Load();
-  void HashScene();
+  bool HashScene();
   bool Plan();
   bool Begin();
   bool RunLegs();
@@ -112,6 +115,7 @@ private:
   std::unique_ptr<helios::RankWorker> Worker;     // of a rank other than 0
   std::unique_ptr<helios::LegRunner> Runner;
   Json::Value Fingerprint;
+  helios::InputFiles Inputs; // that were opened
   double LoadSeconds = 0.0;
   Json::Value Accuracy;
   double AccuracySeconds = 0.0;
@@ -262,11 +266,10 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   }
   if (player->Source->GetLoader().HasGivenScene()) // no file tells a change of it
   {
-    if (!this->Load())
+    if (!this->Load() || !this->Plan() || !this->HashScene())
     {
       return false;
     }
-    this->HashScene();
   }
   Json::Value summary;
   player->WasFinished =
@@ -282,7 +285,7 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
     return this->CheckEarlierRun(this->Journal->GetFingerprint());
   }
   status = helios::RunCheck(this->Settings.Folder).CheckSummary(summary);
-  if (!this->CheckEarlierRun(summary) || (!status.IsOk() && !this->Fail(status.Message())))
+  if (!this->CheckFinishedRun(summary) || (!status.IsOk() && !this->Fail(status.Message())))
   {
     return false;
   }
@@ -291,12 +294,29 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
 }
 
 //------------------------------------------------------------------------------
+/// Checks what is known before the scene is loaded, and its files by the names that they had.
 bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
 {
-  const std::string difference = helios::CompareFingerprints(then, this->Fingerprint);
+  Json::Value now = this->Fingerprint;
+  if (!helios::IsOfLoadedSurvey(now))
+  {
+    helios::AddEarlierInputs(then["inputs"], now["inputs"]);
+  }
+  const std::string difference = helios::CompareFingerprints(then, now);
   return difference.empty() ||
     this->Fail(this->Settings.Folder + ": the run there cannot be resumed, since " + difference +
       "; use the same inputs and options, or set Overwrite (--overwrite) to start again");
+}
+
+//------------------------------------------------------------------------------
+/// Loads the scene only if its files are not where they were.
+bool vtkHeliosSurveyPlayer::Internals::CheckFinishedRun(const Json::Value& then)
+{
+  Json::Value inputs = this->Fingerprint["inputs"];
+  const bool isKnown =
+    helios::IsOfLoadedSurvey(this->Fingerprint) || helios::AddEarlierInputs(then["inputs"], inputs);
+  return this->CheckEarlierRun(then) &&
+    (isKnown || (this->Load() && this->Plan() && this->HashScene() && this->CheckEarlierRun(then)));
 }
 
 //------------------------------------------------------------------------------
@@ -333,16 +353,21 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosSurveyPlayer::Internals::HashScene()
+/// Completes the fingerprint of a loaded and planned survey.
+bool vtkHeliosSurveyPlayer::Internals::HashScene()
 {
-  const bool isGiven = this->Player->Source->GetLoader().HasGivenScene();
-  this->Fingerprint["scene"] = helios::HashScene(this->GetScene(),
-    isGiven ? this->Settings.Grids : std::vector<vtkSmartPointer<vtkImageData>>());
+  this->ReportStep("hashing the files of the scene");
+  return this->Check(helios::AddLoadedSurvey(this->Player->Source->GetLoader(), *this->Runner,
+    this->Settings, this->Fingerprint, this->Inputs));
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Plan()
 {
+  if (this->Runner)
+  {
+    return true; // to compare it with an earlier run
+  }
   this->Runner = std::make_unique<helios::LegRunner>(
     this->GetSurvey(), this->GetScene(), this->Settings, this->Log);
   if (!this->Runner->Plan())
@@ -357,8 +382,7 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Begin()
 {
-  this->HashScene();
-  if (!this->FindBlocks())
+  if (!this->HashScene() || !this->FindBlocks())
   {
     return false;
   }
@@ -382,6 +406,8 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::RunLegs()
 {
+  const helios::InputWatch watch(
+    [this](const std::string& path, const std::string& stamp) { this->CheckInput(path, stamp); });
   const auto onBlock = [this](const helios::ScanCounts& counts) { return this->Count(counts); };
   for (const helios::LegPlan& plan : this->Runner->GetPlans())
   {
@@ -401,6 +427,20 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// An input that is opened during the run, as images are, is the one that was hashed before it.
+void vtkHeliosSurveyPlayer::Internals::CheckInput(const std::string& path, const std::string& stamp)
+{
+  const auto found = this->Inputs.find(path);
+  if (found != this->Inputs.end() && found->second != stamp)
+  {
+    this->Log.Error(path +
+      " was changed after the run had begun; run it again with Overwrite (--overwrite) when the "
+      "file "
+      "is complete");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -589,11 +629,10 @@ bool vtkHeliosSurveyPlayer::Internals::LoadForRank(int epoch)
   }
   this->Settings.Part = {}; // rank 0 says which blocks
   this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
-  if (!this->Load() || !this->Plan())
+  if (!this->Load() || !this->Plan() || !this->HashScene())
   {
     return false;
   }
-  this->HashScene();
   this->Worker = std::make_unique<helios::RankWorker>(
     helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), *this->Runner,
     this->Log);

@@ -59,6 +59,9 @@ public:
   /// Loads all changes and plans the legs; false after an error or an abort.
   bool Prepare();
 
+  /// The fingerprint of what was prepared, as JSON.
+  helios::Status ComputeFingerprint(std::string& text);
+
   /// Runs a pulse window into the outputs; false after an error.
   bool Run(vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
 
@@ -76,6 +79,8 @@ private:
   bool ReportProgress(double progress);
 
   vtkWeakPointer<vtkHeliosSurvey> Observed;
+  std::string Fingerprint;
+  vtkMTimeType FingerprintTime = 0; // when its legs were planned
 };
 
 //------------------------------------------------------------------------------
@@ -157,6 +162,26 @@ bool vtkHeliosSurveySource::Internals::Prepare()
   const auto onStep = [this](const std::string&) { return this->ReportProgress(0.0); };
   return this->CheckOptions(settings) && this->Survey.GetLoader().Load(onStep, settings) &&
     this->Survey.Plan(settings);
+}
+
+//------------------------------------------------------------------------------
+helios::Status vtkHeliosSurveySource::Internals::ComputeFingerprint(std::string& text)
+{
+  const vtkMTimeType time = this->Survey.GetPlanTime();
+  helios::Status status;
+  if (time != this->FingerprintTime)
+  {
+    helios::SurveyLoader& loader = this->Survey.GetLoader();
+    Json::Value fingerprint =
+      helios::MakeFingerprint(loader.GetSurvey(), this->Survey.GetSettings());
+    helios::InputFiles inputs;
+    status = helios::AddLoadedSurvey(
+      loader, *this->Survey.GetLegs(), this->Survey.GetSettings(), fingerprint, inputs);
+    this->Fingerprint = helios::ToLine(fingerprint);
+    this->FingerprintTime = status.IsOk() ? time : 0;
+  }
+  text = status.IsOk() ? this->Fingerprint : std::string();
+  return status;
 }
 
 //------------------------------------------------------------------------------
@@ -448,18 +473,33 @@ std::string vtkHeliosSurveySource::GetFingerprint()
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosSurveySource::ComputeLoadedFingerprint()
+{
+  std::string text;
+  const helios::Status status =
+    this->Load() ? this->Loaded->ComputeFingerprint(text) : helios::Status();
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosSurveySource::CompareFingerprint(const std::string& other)
 {
   Json::Value now;
   Json::Value then;
-  if (!helios::FromText(this->GetFingerprint(), now))
-  {
-    return "the survey is not valid";
-  }
   try
   {
-    return helios::FromText(other, then) ? helios::CompareFingerprints(then, now)
-                                         : "the other fingerprint is not valid";
+    const bool isValid = helios::FromText(other, then);
+    const bool isLoaded = isValid && helios::IsOfLoadedSurvey(then);
+    if (!helios::FromText(
+          isLoaded ? this->ComputeLoadedFingerprint() : this->GetFingerprint(), now))
+    {
+      return "the survey is not valid";
+    }
+    return isValid ? helios::CompareFingerprints(then, now) : "the other fingerprint is not valid";
   }
   catch (const std::exception& error) // a member of another type
   {

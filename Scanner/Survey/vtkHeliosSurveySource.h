@@ -198,10 +198,13 @@ public:
   /**
    * Get the versions, the options, and the files that the survey names with their SHA-256, as JSON;
    * reads these files, and does not load the scene. Empty after an error. Compare it with that of a
-   * source in another process: the differences as text, such as "plane.obj has changed or is new";
-   * empty if both have the same results.
+   * source in another process: the differences as text, such as "plane.obj has changed"; empty if
+   * both have the same results. ComputeLoadedFingerprint() loads the scene and plans the legs, and adds
+   * the files that other files name, and the digest of the scene; compared with such a one, another
+   * source loads its own.
    */
   std::string GetFingerprint();
+  std::string ComputeLoadedFingerprint();
   std::string CompareFingerprint(const std::string& other);
   ///@}
 

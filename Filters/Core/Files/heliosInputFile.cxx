@@ -4,7 +4,11 @@
 
 #include "heliosStatus.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <sys/stat.h>
+#include <time.h>
 
 namespace helios
 {
@@ -52,6 +56,20 @@ bool IsOfKernel(const struct stat& status)
   return hasRoot && (isOn("/proc") || isOn("/sys"));
 }
 
+std::string ToText(const timespec& time)
+{
+  return " " + std::to_string(time.tv_sec) + "." + std::to_string(time.tv_nsec);
+}
+
+std::string ToStamp(const struct stat& status)
+{
+  return std::to_string(status.st_size) + ToText(status.st_mtim) + ToText(status.st_ctim) + " " +
+    std::to_string(status.st_ino);
+}
+
+/// Called with the files that this thread opens; null: nobody wants them.
+thread_local const InputWatch::OpenCallback* CurrentWatch = nullptr;
+
 } // namespace
 
 Status CheckInputFile(const std::string& path)
@@ -66,7 +84,62 @@ Status CheckInputFile(const std::string& path)
   {
     kind = "a file of the kernel (/proc, /sys), not a regular file; copy it to a file";
   }
-  return kind.empty() ? Status() : Status::Error("cannot be read: it is " + kind);
+  if (!kind.empty())
+  {
+    return Status::Error("cannot be read: it is " + kind);
+  }
+  if (CurrentWatch)
+  {
+    (*CurrentWatch)(path, ToStamp(status));
+  }
+  return {};
+}
+
+std::string StampFile(const std::string& path)
+{
+  struct stat status;
+  return GetStatus(path, status) ? ToStamp(status) : std::string();
+}
+
+double GetAge(const std::string& path)
+{
+  struct stat status;
+  timespec now;
+  if (!GetStatus(path, status) || ::clock_gettime(CLOCK_REALTIME, &now) != 0)
+  {
+    return 0.0;
+  }
+  return static_cast<double>(now.tv_sec - status.st_ctim.tv_sec) +
+    1e-9 * static_cast<double>(now.tv_nsec - status.st_ctim.tv_nsec);
+}
+
+bool AreUnchanged(const InputFiles& files)
+{
+  return std::all_of(files.begin(), files.end(),
+    [](const auto& file) { return StampFile(file.first) == file.second; });
+}
+
+InputWatch::InputWatch(OpenCallback onOpen)
+  : OnOpen(std::move(onOpen))
+  , Before(CurrentWatch)
+{
+  CurrentWatch = &this->OnOpen;
+}
+
+InputWatch::InputWatch(InputFiles& files)
+  : InputWatch(
+      [&files](const std::string& path, const std::string& stamp) { files.emplace(path, stamp); })
+{
+}
+
+InputWatch::~InputWatch()
+{
+  CurrentWatch = this->Before;
+}
+
+bool InputWatch::IsOn()
+{
+  return CurrentWatch != nullptr;
 }
 
 } // namespace helios

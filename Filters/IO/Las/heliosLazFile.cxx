@@ -89,12 +89,14 @@ std::string ReadLastLine(const std::string& log, const std::string& path)
   return last;
 }
 
-/// What changes if a file does.
-std::string Describe(const std::string& path)
+/// The files that are converted, with their states. The program opens them: here they are only
+/// checked, as inputs.
+Status FindSource(const std::string& path, std::string& source)
 {
-  std::error_code ignored;
-  return path + " " + std::to_string(fs::file_size(path, ignored)) + " " +
-    std::to_string(fs::last_write_time(path, ignored).time_since_epoch().count());
+  const std::string packets = fs::path(path).replace_extension(".wdp").string();
+  source = path + " " + StampFile(path) + " " + StampFile(packets);
+  const Status status = CheckInputFile(packets);
+  return status.IsOk() ? Status() : Status::Error(packets + ": " + status.Message());
 }
 
 } // namespace
@@ -134,7 +136,11 @@ void LazFile::Remove()
 //------------------------------------------------------------------------------
 Status LazFile::Convert(const std::string& path)
 {
-  const std::string source = Describe(path);
+  std::string source;
+  if (const Status status = FindSource(path, source); !status.IsOk())
+  {
+    return status;
+  }
   if (source == this->Source)
   {
     return {};

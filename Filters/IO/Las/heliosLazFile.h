@@ -36,7 +36,7 @@ public:
 private:
   void Remove();
 
-  std::string Source; // path, size and time of the file converted
+  std::string Source; // the file converted, and its state
   std::string Folder;
   std::string LasPath;
 };

@@ -3,6 +3,7 @@
 #include "vtkHeliosLASReader.h"
 
 #include "heliosFiniteCheck.h"
+#include "heliosInputFile.h"
 #include "heliosLasArrays.h"
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
@@ -27,6 +28,7 @@
 #include <charconv>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -87,6 +89,21 @@ void SelectClasses(const std::vector<char>& isWanted, vtkPolyData* cloud)
   }
   cloud->SetPoints(points);
   cloud->GetPointData()->ShallowCopy(data);
+}
+
+/// What a file is converted to is no input.
+void Ignore(const std::string&, const std::string&) {}
+
+/// Opens the waveforms of the file with this name, or of what it was converted to.
+helios::Status OpenPackets(
+  const helios::LasFile& file, const std::string& name, helios::LasPackets& packets)
+{
+  std::optional<helios::InputWatch> ignore;
+  if (file.GetPath() != name)
+  {
+    ignore.emplace(Ignore);
+  }
+  return packets.Open(file);
 }
 
 /// Sets the field data of the file.
@@ -155,6 +172,7 @@ helios::Status vtkHeliosLASReader::Open(helios::LasFile& file)
   this->Converted =
     this->Converted ? std::move(this->Converted) : std::make_unique<helios::LazFile>();
   const helios::Status status = this->Converted->Convert(this->FileName);
+  const helios::InputWatch ignore(Ignore);
   return status.IsOk() ? file.Open(this->Converted->GetLasPath()) : status;
 }
 
@@ -172,7 +190,7 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   const bool hasWaves = this->ReadWaveforms && this->Classes.empty() &&
     helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
-  helios::Status status = hasWaves ? packets.Open(file) : helios::Status();
+  helios::Status status = hasWaves ? OpenPackets(file, this->FileName, packets) : helios::Status();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
   {
     this->WarnedName = file.GetPath(); // once, not per piece

@@ -3,6 +3,7 @@
 #include "heliosGdal.h"
 #include "heliosGdalDrivers.h"
 #include "heliosGdalExport.h"
+#include "heliosGdalFiles.h"
 #include "heliosGdalMessages.h"
 #include "heliosInputFile.h"
 #include "heliosRasterFile.h"
@@ -49,11 +50,6 @@ double GetNoData(GDALRasterBandH band)
   return isGiven ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-struct DatasetDeleter
-{
-  void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
-};
-
 /// A band of a GeoTIFF file.
 class GdalRasterFile final : public RasterFile
 {
@@ -89,7 +85,7 @@ private:
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
   void AddMessages(const GdalMessages& messages);
 
-  std::unique_ptr<void, DatasetDeleter> Dataset;
+  GdalDataset Dataset;
   GDALRasterBandH Band = nullptr;
   GDALRasterBandH Mask = nullptr; // of the dataset or its alpha band
   std::string Path;
@@ -125,9 +121,7 @@ Status GdalRasterFile::OpenDataset(const GdalMessages& messages)
   {
     return status;
   }
-  static const char* const drivers[] = { "GTiff", "VRT", nullptr };
-  this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
-    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr));
+  this->Dataset = OpenGdalDataset(this->Path, GDAL_OF_VERBOSE_ERROR);
   if (!this->Dataset)
   {
     return Status::Error("cannot be read as GeoTIFF or VRT: " + messages.Error +
@@ -135,7 +129,7 @@ Status GdalRasterFile::OpenDataset(const GdalMessages& messages)
   }
   this->Columns = GDALGetRasterXSize(this->Dataset.get());
   this->Rows = GDALGetRasterYSize(this->Dataset.get());
-  return {};
+  return InputWatch::IsOn() ? CheckGdalFiles(this->Path, this->Dataset.get()) : Status();
 }
 
 Status GdalRasterFile::FindBand(int number)

@@ -32,9 +32,9 @@ def make_delayed(survey, pulses, legs, options):
     delayed = need("dask").delayed
     pulses = check_pulses(pulses)
     task = make_task(survey, options)
-    windows, _ = delayed(find_windows, pure=False)(task, legs).compute()
-    compute = delayed(compute_block, pure=False)
-    return [compute(task, *window) for window in split_windows(windows, pulses)]
+    windows, _, loaded = delayed(find_windows, pure=False)(task, legs).compute()
+    compute, loaded = delayed(compute_block, pure=False), delayed(loaded)
+    return [compute(task, *window, loaded) for window in split_windows(windows, pulses)]
 
 
 def iterate_blocks(survey, client, pulses, progress, legs, options):
@@ -43,14 +43,15 @@ def iterate_blocks(survey, client, pulses, progress, legs, options):
     pulses = check_pulses(pulses)
     task = make_task(survey, options)
     with Progress(progress) as watched:
-        windows, total = client.submit(find_windows, task, legs, pure=False).result()
-        for (_, last), cloud in _compute_in_order(client, task, split_windows(windows, pulses)):
+        windows, total, loaded = client.submit(find_windows, task, legs, pure=False).result()
+        blocks = split_windows(windows, pulses)
+        for (_, last), cloud in _compute_in_order(client, task, loaded, blocks):
             if watched.callback:
                 watched.callback(None, last / total)
             yield cloud
 
 
-def _compute_in_order(client, task, windows):
+def _compute_in_order(client, task, loaded, windows):
     """Yields (window, cloud); tasks that are not wanted any more are cancelled."""
     name, windows, pending = f"vtkhelios-{uuid.uuid4()}", iter(windows), collections.deque()
     try:
@@ -58,7 +59,9 @@ def _compute_in_order(client, task, windows):
             free = BLOCKS_PER_WORKER * max(1, len(client.nthreads())) - len(pending)
             for first, last in itertools.islice(windows, max(0, free)):
                 key = f"{name}-{first}"
-                future = client.submit(compute_block, task, first, last, key=key, pure=False)
+                future = client.submit(
+                    compute_block, task, first, last, loaded, key=key, pure=False
+                )
                 pending.append(((first, last), future))
             if not pending:
                 return

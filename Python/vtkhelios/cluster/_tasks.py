@@ -12,7 +12,7 @@ import weakref
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from .._paths import from_vtk
-from .._pipeline import PipelineError
+from .._pipeline import MessageLog, PipelineError, conclude
 from ..survey import check_options, read_survey
 
 MOST_SURVEYS = 2  # that a worker keeps loaded
@@ -55,17 +55,52 @@ def _make_plain(value):
 
 
 def find_windows(task, legs):
-    """The ranges of pulse ids of legs, and the number of pulses of all legs."""
+    """The ranges of pulse ids of legs, the number of pulses of all legs, and what was loaded."""
     with _naming_worker():
         task = json.loads(task)
-        return _find_survey(task).pulse_windows(task["options"], legs)
+        survey = _find_survey(task)
+        windows, total = survey.pulse_windows(task["options"], legs)
+        with _watching(survey.source_of(task["options"])) as source:
+            return windows, total, from_vtk(source.ComputeLoadedFingerprint())
 
 
-def compute_block(task, first, last):
-    """The Cloud of the pulses first to last - 1."""
+def compute_block(task, first, last, loaded=None):
+    """The Cloud of the pulses first to last - 1, of the same files as those of find_windows()."""
     with _naming_worker():
         task = json.loads(task)
-        return _find_survey(task).run_window(task["options"], (first, last), _make_watch())
+        survey = _find_survey(task)
+        cloud = survey.run_window(task["options"], (first, last), _make_watch())
+        if loaded is not None:
+            _check_loaded(survey, task, loaded)
+        return cloud
+
+
+def _check_loaded(survey, task, loaded):
+    """Raises PipelineError if a file that was opened is not that of another worker; hashes once."""
+    with _watching(survey.source_of(task["options"])) as source:
+        if from_vtk(source.ComputeLoadedFingerprint()) == loaded:
+            return
+        difference = from_vtk(source.CompareFingerprint(loaded))
+    if difference:
+        raise _other_survey(task, "another worker", difference)
+
+
+@contextlib.contextmanager
+def _watching(source):
+    """Raises the errors of a source."""
+    with MessageLog() as log:
+        log.watch(source)
+        yield source
+    conclude(log)
+
+
+def _other_survey(task, other, difference):
+    return PipelineError(
+        [
+            f"{task['path']}: not the survey of {other}, since {difference}; give all workers "
+            "the same files and version, and read the survey again after a change"
+        ]
+    )
 
 
 def _find_survey(task):
@@ -90,12 +125,7 @@ def _read_survey(task):
     survey.warn = _find_warn()
     difference = from_vtk(survey.source().CompareFingerprint(task["fingerprint"]))
     if difference:
-        raise PipelineError(
-            [
-                f"{task['path']}: not the survey of the client, since {difference}; give all workers "
-                "the same files and version, and read the survey again after a change"
-            ]
-        )
+        raise _other_survey(task, "the client", difference)
     return survey
 
 

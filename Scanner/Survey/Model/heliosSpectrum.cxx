@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSpectrum.h"
 
+#include "heliosInputFile.h"
 #include "heliosMaterialTable.h"
 #include "heliosMessages.h"
 #include "heliosStatus.h"
@@ -49,21 +50,6 @@ bool ParseRow(const std::string& line, double row[2])
   return SkipBlanks(text, end) == end;
 }
 
-/// The file of a spectrum in the first folder that has it; empty: none.
-std::string FindSpectrum(const std::string& name, const std::vector<std::string>& folders)
-{
-  for (const std::string& folder : folders)
-  {
-    const std::filesystem::path path = std::filesystem::path(folder) / (name + ".txt");
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(path, ignored))
-    {
-      return path.string();
-    }
-  }
-  return {};
-}
-
 /// The reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
 double ReadReflectance(const std::string& name, const std::vector<std::string>& folders,
   double wavelength, Messages& log)
@@ -90,11 +76,6 @@ double ReadReflectance(const std::string& name, const std::vector<std::string>& 
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-bool NeedsSpectrum(const Material& material)
-{
-  return std::isnan(material.Reflectance) && !material.Spectrum.empty();
-}
-
 /// The reflectances of all spectra that materials need, by name.
 std::map<std::string, double> ReadReflectances(const MaterialTable& materials,
   const std::vector<std::string>& folders, double wavelength, Messages& log)
@@ -114,10 +95,35 @@ std::map<std::string, double> ReadReflectances(const MaterialTable& materials,
 } // namespace
 
 //------------------------------------------------------------------------------
+std::string FindSpectrum(const std::string& name, const std::vector<std::string>& folders)
+{
+  for (const std::string& folder : folders)
+  {
+    const std::filesystem::path path = std::filesystem::path(folder) / (name + ".txt");
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored))
+    {
+      return path.string();
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool NeedsSpectrum(const Material& material)
+{
+  return std::isnan(material.Reflectance) && !material.Spectrum.empty();
+}
+
+//------------------------------------------------------------------------------
 Status Spectrum::Read(const std::string& path)
 {
   this->Wavelengths.clear();
   this->Values.clear();
+  if (const Status status = CheckInputFile(path); !status.IsOk())
+  {
+    return Status::Error("(" + path + ") " + status.Message());
+  }
   std::ifstream file(path);
   std::string line;
   int number = 0;

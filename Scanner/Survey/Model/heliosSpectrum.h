@@ -19,6 +19,7 @@ namespace helios
 {
 
 class Messages;
+struct Material;
 
 /// A reflectance over wavelength, read from the text format of the ASTER library: any header, then
 /// rows of wavelength [um] and reflectance [percent].
@@ -36,6 +37,12 @@ private:
   std::vector<double> Wavelengths; // [um], ascending
   std::vector<double> Values;      // [percent]
 };
+
+/// The file of a spectrum, <name>.txt in the first folder that has it; empty: none.
+std::string FindSpectrum(const std::string& name, const std::vector<std::string>& folders);
+
+/// Whether the reflectance of a material is that of a spectrum.
+bool NeedsSpectrum(const Material& material);
 
 /**
  * A scene at several wavelengths: materials that have a spectrum and no reflectance get its value

@@ -4,9 +4,11 @@
 
 #include "heliosLegPlan.h"
 #include "heliosRunCheck.h"
+#include "heliosRunFolder.h"
 #include "heliosRunJournal.h"
 #include "vtkHeliosRunFiles.h"
 
+#include <filesystem>
 #include <utility>
 
 namespace helios
@@ -86,7 +88,29 @@ Status PartFolder::Read()
   {
     this->AddBlock(leg, progress);
   }
-  return {};
+  return this->CheckSummary();
+}
+
+//------------------------------------------------------------------------------
+/// The summary of a finished part, which is not needed, states the same as its journal.
+Status PartFolder::CheckSummary() const
+{
+  const RunFolder folder(this->Path);
+  Json::Value summary;
+  Status status = folder.HasSummary() ? folder.ReadSummary(summary) : Status();
+  if (status.IsOk() && folder.HasSummary())
+  {
+    for (const std::string& name : this->Fingerprint.getMemberNames())
+    {
+      if (status.IsOk() && ToLine(summary[name]) != ToLine(this->Fingerprint[name]))
+      {
+        status = Status::Error(
+          (std::filesystem::path(this->Path) / vtkHeliosRunFiles::GetSummaryName()).string() +
+          ": \"" + name + "\" is not that of " + vtkHeliosRunFiles::GetJournalName());
+      }
+    }
+  }
+  return status.IsOk() ? status : Status::Error(status.Message() + this->GetCure("--overwrite"));
 }
 
 //------------------------------------------------------------------------------

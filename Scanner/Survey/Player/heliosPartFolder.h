@@ -33,7 +33,7 @@ class PartFolder
 public:
   explicit PartFolder(const std::string& path);
 
-  /// Reads the journal.
+  /// Reads the journal, and the summary if there is one.
   Status Read();
 
   /// Checks the blocks against the legs of the run, and the sizes of the files.
@@ -53,6 +53,7 @@ public:
   std::string Describe() const;
 
 private:
+  Status CheckSummary() const;
   void AddBlock(std::size_t leg, const LegProgress& progress);
   std::string GetCure(const char* option) const;
 

@@ -57,6 +57,7 @@ LegRunner::~LegRunner() = default;
 //------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
+  const InputWatch watch(this->Inputs);
   const LegChance chance = { this->Settings.Options.Noise, this->Settings.Options.Seed };
   this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Settings.Trajectories, this->Log);
   vtkIdType shots = 0;

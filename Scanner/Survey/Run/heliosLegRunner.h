@@ -6,6 +6,7 @@
 #define heliosLegRunner_h
 
 #include "heliosBlockSource.h"
+#include "heliosInputFile.h"
 #include "heliosLegFiles.h"
 #include "heliosLegOutput.h"
 #include "heliosLegPlan.h"
@@ -58,6 +59,9 @@ public:
 
   /// Sets where blocks are from in place of the scanner; null: the scanner.
   void SetSource(BlockSource* source) { this->Source = source ? source : this; }
+
+  /// The files that Plan() has opened: trajectories, spectra, emitted pulses.
+  const InputFiles& GetInputs() const { return this->Inputs; }
 
   const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
@@ -137,6 +141,7 @@ private:
   vtkSmartPointer<vtkPolyData> Scene;
   LegScanner Scanner;
   std::vector<LegPlan> Plans;
+  InputFiles Inputs;
   BlockSource* Source = this;
   vtkIdType NumberOfPulses = 0;
   vtkIdType NumberOfPulsesToRun = 0;

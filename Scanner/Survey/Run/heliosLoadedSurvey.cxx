@@ -43,15 +43,17 @@ LoadedSurvey::LoadedSurvey(Messages& log)
 //------------------------------------------------------------------------------
 bool LoadedSurvey::Plan(const RunSettings& settings)
 {
-  const bool isPlanned = this->Runner && this->PlanTime == this->Loader.GetLoadTime() &&
+  const bool isPlanned = this->Runner && this->SceneTime == this->Loader.GetLoadTime() &&
     this->Settings.Options == settings.Options &&
-    this->Settings.Trajectories == settings.Trajectories && this->Settings.Mesh == settings.Mesh;
+    this->Settings.Trajectories == settings.Trajectories && this->Settings.Mesh == settings.Mesh &&
+    AreUnchanged(this->Runner->GetInputs());
   this->Settings = settings;
   if (isPlanned)
   {
     return true;
   }
-  this->PlanTime = this->Loader.GetLoadTime();
+  this->SceneTime = this->Loader.GetLoadTime();
+  this->PlanTime.Modified();
   this->Runner = std::make_unique<LegRunner>(
     this->Loader.GetSurvey(), this->Loader.GetScene(), this->Settings, this->Log);
   if (!this->Runner->Plan())

@@ -10,6 +10,8 @@
 #include "heliosRunSettings.h"
 #include "heliosSurveyLoader.h"
 
+#include <vtkTimeStamp.h>
+
 #include <functional>
 #include <memory>
 #include <vector>
@@ -39,6 +41,12 @@ public:
 
   /// Runs pulses [first, last) of all legs; false if it was stopped, or after an error.
   bool Run(vtkIdType first, vtkIdType last, const ProgressCallback& onProgress, Piles& piles);
+
+  ///@{
+  /// Of the last call of Plan(): its settings, and when it was not done already.
+  const RunSettings& GetSettings() const { return this->Settings; }
+  vtkMTimeType GetPlanTime() const { return this->PlanTime.GetMTime(); }
+  ///@}
 
   /// The legs; null before Plan().
   LegRunner* GetLegs() const { return this->Runner.get(); }
@@ -81,7 +89,8 @@ private:
   Messages& Log;
   SurveyLoader Loader;
   RunSettings Settings;
-  vtkMTimeType PlanTime = 0; // of the scene that the legs were planned in
+  vtkMTimeType SceneTime = 0; // of the scene that the legs were planned in
+  vtkTimeStamp PlanTime;
   std::unique_ptr<LegRunner> Runner;
 };
 

@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunFingerprint.h"
 
+#include "heliosInputDigest.h"
+#include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosRunInputs.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSettings.h"
 #include "heliosSha256.h"
 #include "heliosSurveyData.h"
+#include "heliosSurveyLoader.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScene.h"
 #include "vtkHeliosVersion.h"
 
@@ -21,8 +27,6 @@
 #include <vtkStringArray.h>
 #include <vtkVersion.h>
 
-#include <filesystem>
-#include <set>
 #include <utility>
 
 namespace helios
@@ -30,48 +34,6 @@ namespace helios
 
 namespace
 {
-
-/// All files that a survey names, each once. New kinds of files must be added here.
-std::set<std::string> GetInputFiles(const SurveyData& survey, const RunSettings& settings)
-{
-  std::set<std::string> files(survey.Documents.begin(), survey.Documents.end());
-  for (const PartData& part : survey.Scene.Parts)
-  {
-    files.insert(part.Files.begin(), part.Files.end());
-    files.insert(part.Material.File);
-    files.insert(part.Vegetation.LeafTable);
-  }
-  files.insert(survey.FileName);
-  for (const ScannerData& scanner : survey.Scanners)
-  {
-    for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
-    {
-      files.insert(scanner.GetChannel(k).Receiver.PulseFile);
-      files.insert(scanner.GetChannel(k).BeamFile);
-    }
-  }
-  for (const LegData& leg : survey.Legs)
-  {
-    files.insert(settings.Trajectories.empty() ? leg.Trajectory.File : "");
-  }
-  files.erase("");
-  return files;
-}
-
-Json::Value DescribeInputs(const SurveyData& survey, const RunSettings& settings)
-{
-  Json::Value inputs = Json::arrayValue;
-  for (const std::string& file : GetInputFiles(survey, settings))
-  {
-    std::error_code error;
-    const auto size = std::filesystem::file_size(file, error);
-    Json::Value& input = inputs.append(Json::objectValue);
-    input["file"] = file;
-    input["sha256"] = HashFile(file);
-    input["bytes"] = error ? Json::Int64(0) : Json::Int64(size);
-  }
-  return inputs;
-}
 
 Json::Value DescribePart(const RunPart& part)
 {
@@ -137,7 +99,10 @@ void AddArrays(vtkFieldData* data, Sha256& hash)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    AddArray(data->GetAbstractArray(i), hash);
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const bool isOfPaths =
+      array->GetName() && array->GetName() == std::string(vtkHeliosArrayNames::MaterialTexture);
+    AddArray(isOfPaths ? nullptr : array, hash); // the images count, wherever they are
   }
 }
 
@@ -152,17 +117,6 @@ std::string HashTrajectories(const std::vector<vtkSmartPointer<vtkPolyData>>& tr
     AddArrays(trajectory->GetFieldData(), hash);
   }
   return hash.Finish();
-}
-
-/// The digests of the inputs of a fingerprint with the names of their files.
-std::map<std::string, std::string> GetDigests(const Json::Value& fingerprint)
-{
-  std::map<std::string, std::string> digests;
-  for (const Json::Value& input : fingerprint["inputs"])
-  {
-    digests[input["sha256"].asString()] = input["file"].asString();
-  }
-  return digests;
 }
 
 /// The part of a fingerprint: "2/4"; empty: the whole run.
@@ -200,6 +154,12 @@ void CompareMembers(
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+bool IsOfLoadedSurvey(const Json::Value& fingerprint)
+{
+  return !fingerprint["scene"].asString().empty();
+}
 
 //------------------------------------------------------------------------------
 Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& settings)
@@ -258,7 +218,8 @@ void AddTriangles(vtkDataSet* data, Sha256& hash)
 
 } // namespace
 
-std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
+std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids,
+  const std::vector<std::string>& files)
 {
   Sha256 hash;
   AddTriangles(scene, hash);
@@ -277,29 +238,37 @@ std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkI
     AddArrays(grid->GetCellData(), hash);
     AddArrays(grid->GetFieldData(), hash);
   }
+  for (const std::string& file : files)
+  {
+    hash.Add(ComputeInputDigest(file).Sha256 + '\n');
+  }
   return hash.Finish();
+}
+
+//------------------------------------------------------------------------------
+Status AddLoadedSurvey(const SurveyLoader& loader, const LegRunner& legs,
+  const RunSettings& settings, Json::Value& fingerprint, InputFiles& inputs)
+{
+  using Grids = std::vector<vtkSmartPointer<vtkImageData>>;
+  const Grids& grids = loader.GetGrids();
+  const std::vector<std::string> materials = FindMaterialFiles(
+    settings.Mesh ? settings.Mesh.Get() : loader.GetScene(), grids, loader.GetSurvey(), settings);
+  inputs = loader.GetInputs();
+  inputs.insert(legs.GetInputs().begin(), legs.GetInputs().end());
+  for (const std::string& file : materials)
+  {
+    inputs.emplace(file, StampFile(file));
+  }
+  const bool isGiven = loader.HasGivenScene();
+  fingerprint["scene"] = HashScene(loader.GetScene(), isGiven ? grids : Grids(), materials);
+  return AddInputs(inputs, fingerprint["inputs"]);
 }
 
 //------------------------------------------------------------------------------
 std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
 {
-  std::vector<std::string> differences;
-  const auto before = GetDigests(then);
-  const auto after = GetDigests(now);
-  for (const auto& input : after)
-  {
-    if (before.count(input.first) == 0)
-    {
-      differences.push_back(input.second + " has changed or is new");
-    }
-  }
-  for (const auto& input : before)
-  {
-    if (after.count(input.first) == 0 && after.size() < before.size())
-    {
-      differences.push_back(input.second + " is no longer read");
-    }
-  }
+  const bool areLoaded = IsOfLoadedSurvey(now) == IsOfLoadedSurvey(then);
+  std::vector<std::string> differences = CompareInputs(then["inputs"], now["inputs"], areLoaded);
   CompareMembers(then["versions"], now["versions"], differences);
   CompareMembers(then["options"], now["options"], differences);
   const std::string part = DescribePart(now);
@@ -315,11 +284,10 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   {
     differences.emplace_back("the input mesh has changed");
   }
-  const std::string scene = now["scene"].asString();
-  if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)
+  if (differences.empty() && IsOfLoadedSurvey(now) && Quote(then["scene"]) != Quote(now["scene"]))
   {
     differences.emplace_back(
-      "the scene has changed: its input, or a file that its files refer to (materials, spectra)");
+      "the scene has changed: its input, or a file of PROJ that its coordinate systems need");
   }
   return Enumerate(differences);
 }

@@ -18,9 +18,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <iterator>
-#include <set>
 #include <tuple>
 
 namespace helios
@@ -29,20 +26,19 @@ namespace helios
 namespace
 {
 
-/// A file with its size and the time of its last change.
-std::string StampFile(const std::string& file)
-{
-  std::error_code ignored;
-  const auto size = std::filesystem::file_size(file, ignored);
-  const auto time = std::filesystem::last_write_time(file, ignored).time_since_epoch().count();
-  return file + " " + std::to_string(size) + " " + std::to_string(time);
-}
-
 /// Adds the files of a part in all epochs.
-void AddFiles(const PartData& part, std::set<std::string>& files)
+void AddFiles(const PartData& part, InputFiles& files)
 {
-  files.insert(part.Files.begin(), part.Files.end());
-  files.insert({ part.Material.File, part.Vegetation.LeafTable });
+  const auto add = [&files](const std::string& file)
+  {
+    if (const auto [place, isNew] = files.emplace(file, ""); isNew) // parts of a table share files
+    {
+      place->second = StampFile(file);
+    }
+  };
+  std::for_each(part.Files.begin(), part.Files.end(), add);
+  add(part.Material.File);
+  add(part.Vegetation.LeafTable);
   for (const SwapData& swap : part.Swaps)
   {
     AddFiles(swap.Part, files);
@@ -241,12 +237,10 @@ SurveyLoader::Origin SurveyLoader::FindOrigin() const
     inputs.Instances, inputs.Colors, inputs.Scene, FindTime(inputs), {} };
   if (!this->HasGivenScene())
   {
-    std::set<std::string> files; // each once: parts of a table have the same
     for (const PartData& part : inputs.Survey->Scene.Parts)
     {
-      AddFiles(part, files);
+      AddFiles(part, origin.Files);
     }
-    std::transform(files.begin(), files.end(), std::back_inserter(origin.Files), StampFile);
   }
   return origin;
 }
@@ -254,23 +248,25 @@ SurveyLoader::Origin SurveyLoader::FindOrigin() const
 //------------------------------------------------------------------------------
 bool SurveyLoader::IsLoaded() const
 {
-  return this->Scene && this->Loaded == this->FindOrigin();
+  return this->Scene && this->Loaded == this->FindOrigin() && AreUnchanged(this->SceneFiles);
 }
 
 //------------------------------------------------------------------------------
 bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
 {
   const Origin origin = this->FindOrigin();
-  if (!this->Scene || !(this->Loaded == origin))
+  const bool hasChanged = !AreUnchanged(this->SceneFiles);
+  if (!this->Scene || !(this->Loaded == origin) || hasChanged)
   {
     Origin before = this->Loaded;
     before.Epoch = origin.Epoch;
-    if (!(before == origin))
+    if (!(before == origin) || hasChanged)
     {
       this->Builder.reset();
       this->Textures.reset();
     }
     this->Scene = nullptr;
+    this->SceneFiles.clear();
     this->Loaded = origin;
     this->LoadTime.Modified();
     if (!(this->HasGivenScene() ? this->UseGivenScene() : this->BuildScene(onStep)) ||
@@ -299,6 +295,7 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
   }
   this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Epoch);
   this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();
+  this->SceneFiles = this->Builder->GetInputs();
   if (CountEpochs(this->Inputs.Survey->Scene) == 1)
   {
     this->Builder.reset(); // nothing of it is needed again

@@ -5,6 +5,7 @@
 #ifndef heliosSurveyLoader_h
 #define heliosSurveyLoader_h
 
+#include "heliosInputFile.h"
 #include "heliosRunSettings.h"
 #include "heliosSceneBuilder.h"
 #include "heliosStatus.h"
@@ -77,6 +78,9 @@ public:
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
 
+  /// The files that the scene was read from, also those that only other files name.
+  const InputFiles& GetInputs() const { return this->SceneFiles; }
+
 private:
   /// What the scene depends on.
   struct Origin
@@ -89,7 +93,7 @@ private:
     bool Colors = false;
     vtkDataObject* Scene = nullptr;
     vtkMTimeType SceneTime = 0;
-    std::vector<std::string> Files; ///< with size and time
+    InputFiles Files; ///< that the survey names
 
     bool operator==(const Origin& other) const;
   };
@@ -112,6 +116,7 @@ private:
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
   std::shared_ptr<TextureStore> Textures;                   // of the scene, of all epochs
+  InputFiles SceneFiles;
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
   std::string CasterName;                                   // as requested
   std::pair<vtkPolyData*, vtkMTimeType> TakenMesh;          // of the inputs

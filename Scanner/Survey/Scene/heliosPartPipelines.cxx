@@ -260,6 +260,7 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   EraseIf(this->MeshReaders, isUnused);
   EraseIf(this->RasterReaders, isUnused);
   EraseIf(this->Shared, isUnused);
+  EraseIf(this->Inputs, [&used](const auto& input) { return used.count(input.first) == 0; });
   this->Readers.erase(
     std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());
 }
@@ -361,6 +362,42 @@ void PartPipelines::Listen(vtkAlgorithm* filter, const std::string& where)
 {
   this->Log.Listen(filter, where);
   filter->AddObserver(vtkCommand::ProgressEvent, this, &PartPipelines::HandleProgress);
+  filter->AddObserver(vtkCommand::StartEvent, this, &PartPipelines::HandleStart);
+  filter->AddObserver(vtkCommand::EndEvent, this, &PartPipelines::HandleEnd);
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::HandleStart(vtkObject* caller, unsigned long, void*)
+{
+  this->Running = vtkAlgorithm::SafeDownCast(caller);
+  this->Inputs.erase(this->Running);
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::HandleEnd(vtkObject*, unsigned long, void*)
+{
+  this->Running = nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// What is opened before a filter runs, to describe its output, is opened again when it does.
+void PartPipelines::AddInput(const std::string& path, const std::string& stamp)
+{
+  if (this->Running)
+  {
+    this->Inputs[this->Running].emplace(path, stamp);
+  }
+}
+
+//------------------------------------------------------------------------------
+InputFiles PartPipelines::GetInputs() const
+{
+  InputFiles all;
+  for (const auto& [filter, files] : this->Inputs)
+  {
+    all.insert(files.begin(), files.end());
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosPartPipelines_h
 #define heliosPartPipelines_h
 
+#include "heliosInputFile.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
 
@@ -72,6 +73,12 @@ public:
   /// Reads all files; false after an error or if stopped.
   bool ReadFiles(const StepCallback& onStep);
 
+  ///@{
+  /// The files that the filters of all parts have opened; each is added when it is opened.
+  void AddInput(const std::string& path, const std::string& stamp);
+  InputFiles GetInputs() const;
+  ///@}
+
   /// The triangles of the readers of a filter; a mesh used twice is counted twice.
   static double CountTriangles(vtkAlgorithm* filter);
 
@@ -98,6 +105,8 @@ private:
   Filter Connect(Filter filter, const Filter& before);
   void Listen(vtkAlgorithm* filter, const std::string& where);
   void HandleProgress(vtkObject* caller, unsigned long, void*);
+  void HandleStart(vtkObject* caller, unsigned long, void*);
+  void HandleEnd(vtkObject* caller, unsigned long, void*);
 
   Messages& Log;
   vtkIdType Seed;
@@ -117,6 +126,8 @@ private:
   std::chrono::steady_clock::time_point LastProgress{};
   std::map<SceneReaderKey, Filter> MeshReaders;
   std::vector<std::pair<std::string, Filter>> Readers; // all, with the files they read
+  std::map<Filter, InputFiles> Inputs;                 // by the filter that opened them
+  Filter Running;                                      // null: none
 };
 
 } // namespace helios

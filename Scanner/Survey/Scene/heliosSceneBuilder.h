@@ -49,6 +49,9 @@ public:
   /// The turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
+  /// The files that were opened for the built scene and its voxels, also in an epoch before.
+  InputFiles GetInputs() const { return this->Pipelines.GetInputs(); }
+
 private:
   /// A part of the epoch. Instances have no filter that places them: many of one source are slow.
   struct Part
@@ -62,6 +65,7 @@ private:
     bool IsInstance() const { return this->Place == nullptr; }
   };
 
+  InputWatch::OpenCallback MakeWatch();
   bool ReadParts(const StepCallback& onStep, int epoch);
   void MakeParts(int epoch);
   void AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const;
