@@ -36,6 +36,19 @@ std::string FindFileOnDisk(const std::string& name)
   return name;
 }
 
+/// Has GDAL test the names of files beside a raster, in place of reading its folder for each tile.
+class NameTests
+{
+public:
+  NameTests() { CPLSetThreadLocalConfigOption(Option, "TRUE"); }
+  ~NameTests() { CPLSetThreadLocalConfigOption(Option, nullptr); }
+  NameTests(const NameTests&) = delete;
+  void operator=(const NameTests&) = delete;
+
+private:
+  static constexpr const char* Option = "GDAL_DISABLE_READDIR_ON_OPEN";
+};
+
 Status CheckFiles(GDALDatasetH raster, std::set<std::string>& known)
 {
   const auto release = [](char** names) { CSLDestroy(names); };
@@ -72,6 +85,7 @@ GdalDataset OpenGdalDataset(const std::string& path, unsigned int flags)
 //------------------------------------------------------------------------------
 Status CheckGdalFiles(const std::string& path, GDALDatasetH raster)
 {
+  const NameTests tests;
   const GdalMessages quiet; // most files beside a raster are no rasters
   std::set<std::string> known = { path };
   return CheckFiles(raster, known);

@@ -21,6 +21,7 @@ void* FindGdalFunction(const char* name);
 #define CPLPopErrorHandler HELIOS_GDAL(CPLPopErrorHandler)
 #define CPLPushErrorHandlerEx HELIOS_GDAL(CPLPushErrorHandlerEx)
 #define CPLSetConfigOption HELIOS_GDAL(CPLSetConfigOption)
+#define CPLSetThreadLocalConfigOption HELIOS_GDAL(CPLSetThreadLocalConfigOption)
 #define CSLDestroy HELIOS_GDAL(CSLDestroy)
 #define GDALClose HELIOS_GDAL(GDALClose)
 #define GDALDataTypeIsComplex HELIOS_GDAL(GDALDataTypeIsComplex)

@@ -367,26 +367,19 @@ void PartPipelines::Listen(vtkAlgorithm* filter, const std::string& where)
 }
 
 //------------------------------------------------------------------------------
+/// What a filter opens before it runs, to describe its output, it opens again then.
 void PartPipelines::HandleStart(vtkObject* caller, unsigned long, void*)
 {
-  this->Running = vtkAlgorithm::SafeDownCast(caller);
-  this->Inputs.erase(this->Running);
+  InputFiles& inputs = this->Inputs[vtkAlgorithm::SafeDownCast(caller)];
+  inputs.clear();
+  this->Watch.reset();
+  this->Watch.emplace(inputs);
 }
 
 //------------------------------------------------------------------------------
 void PartPipelines::HandleEnd(vtkObject*, unsigned long, void*)
 {
-  this->Running = nullptr;
-}
-
-//------------------------------------------------------------------------------
-/// What is opened before a filter runs, to describe its output, is opened again when it does.
-void PartPipelines::AddInput(const std::string& path, const std::string& stamp)
-{
-  if (this->Running)
-  {
-    this->Inputs[this->Running].emplace(path, stamp);
-  }
+  this->Watch.reset();
 }
 
 //------------------------------------------------------------------------------

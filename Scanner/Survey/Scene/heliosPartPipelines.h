@@ -14,6 +14,7 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -73,11 +74,8 @@ public:
   /// Reads all files; false after an error or if stopped.
   bool ReadFiles(const StepCallback& onStep);
 
-  ///@{
-  /// The files that the filters of all parts have opened; each is added when it is opened.
-  void AddInput(const std::string& path, const std::string& stamp);
+  /// The files that the filters of all parts have opened.
   InputFiles GetInputs() const;
-  ///@}
 
   /// The triangles of the readers of a filter; a mesh used twice is counted twice.
   static double CountTriangles(vtkAlgorithm* filter);
@@ -127,7 +125,7 @@ private:
   std::map<SceneReaderKey, Filter> MeshReaders;
   std::vector<std::pair<std::string, Filter>> Readers; // all, with the files they read
   std::map<Filter, InputFiles> Inputs;                 // by the filter that opened them
-  Filter Running;                                      // null: none
+  std::optional<InputWatch> Watch;                     // while a filter runs
 };
 
 } // namespace helios

@@ -105,7 +105,6 @@ SceneBuilder::~SceneBuilder() = default;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int epoch)
 {
-  const InputWatch watch(this->MakeWatch());
   this->Pipelines.SetOnProgress(&onStep);
   const bool isReady =
     this->ReadParts(onStep, epoch) && onStep("assembling the scene") && this->PlaceOnGround();
@@ -113,13 +112,6 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int
   this->Pipelines.SetOnProgress(nullptr);
   this->Log.Mute(false);
   return this->Pipelines.WasStopped() ? nullptr : scene;
-}
-
-//------------------------------------------------------------------------------
-InputWatch::OpenCallback SceneBuilder::MakeWatch()
-{
-  return [this](const std::string& path, const std::string& stamp)
-  { this->Pipelines.AddInput(path, stamp); };
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +157,6 @@ void SceneBuilder::MakeParts(int epoch)
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
 {
-  const InputWatch watch(this->MakeWatch());
   std::vector<vtkSmartPointer<vtkImageData>> all;
   for (const Part& part : this->Parts)
   {

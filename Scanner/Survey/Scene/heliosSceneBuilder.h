@@ -65,7 +65,6 @@ private:
     bool IsInstance() const { return this->Place == nullptr; }
   };
 
-  InputWatch::OpenCallback MakeWatch();
   bool ReadParts(const StepCallback& onStep, int epoch);
   void MakeParts(int epoch);
   void AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const;
