@@ -50,6 +50,25 @@ HOMES = {
     r"(coin/)?(Cbc|Clp|Osi|Coin)": "PlanningCbc",
 }
 
+# What opens a file to read it. A unit that does calls CheckInputFile() or OpenInput() first, so that
+# the file is an input of the run; except units that read other files.
+_OPENING = re.compile(
+    r"ifstream|\bfopen\(|\bO_RDONLY\b|\bGDALOpenEx\(|\bload_file\(|\bCanReadFile\(path"
+)
+_CHECKING = re.compile(r"\b(CheckInputFile|OpenInput)\(")
+READ_NO_INPUTS = {
+    "vtkHeliosMemoryLimit": "the kernel's limits",
+    "heliosChecksum": "written bytes of an output",
+    "heliosPartFile": "an output that is written",
+    "heliosTextFileSink": "an output that is written",
+    "vtkHeliosStreamWriter": "an output that is resumed",
+    "vtkHeliosPCDWriter": "an output that is resumed",
+    "vtkHeliosXMLPieceWriter": "an output that is resumed",
+    "heliosRunFolder": "the summary of a run",
+    "heliosRunJournal": "the journal of a run",
+    "heliosLoadedGdal": "names of functions",
+}
+
 USES = ("DEPENDS", "PRIVATE_DEPENDS", "OPTIONAL_DEPENDS")
 _INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
@@ -177,3 +196,16 @@ def find_include_faults(modules):
                     elif path.name.startswith("vtkHelios") and path.suffix == ".h":
                         faults.append(f"{path.name} is public and includes {header}")
     return faults
+
+
+def find_unchecked_files(modules):
+    """Units that open files which no run would have among its inputs."""
+    texts = {}
+    for _, folder in modules.values():
+        for path in sources_of(folder):
+            texts[path.stem] = texts.get(path.stem, "") + path.read_text()
+    return sorted(
+        unit
+        for unit, text in texts.items()
+        if unit not in READ_NO_INPUTS and _OPENING.search(text) and not _CHECKING.search(text)
+    )

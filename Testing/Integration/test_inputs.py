@@ -11,6 +11,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import zipfile
 
 import numpy as np
 import pytest
@@ -35,9 +36,9 @@ SCANNER = """\
 <document><!-- byte: 0 --><scanner id="own" optics="spinning" pulseFreqs_Hz="20000" rangeMin_m="0.1"
   wavelength_nm="905"><FWFSettings pulseShape="pulse.csv"/><beams file="beams.csv"/></scanner></document>
 """
-SCENE = f"""\
+SCENE = """\
 <document><!-- byte: 0 --><scene id="all">
-{{}}
+{}
 <partTable file="stand.csv"><model id="pole">
 <filter type="objloader"><param key="filepath" value="pole.obj"/></filter></model></partTable>
 </scene></document>
@@ -107,7 +108,16 @@ KINDS = {
     "hedge.vox": (b"0.4 0.5", b"0.3 0.5"),
 }
 
-OPTIONS = ["--format", "las", "--colors", "--pulses-per-block", "1000", "--seed", "1", "--no-accuracy-report"]
+OPTIONS = [
+    "--format",
+    "las",
+    "--colors",
+    "--pulses-per-block",
+    "1000",
+    "--seed",
+    "1",
+    "--no-accuracy-report",
+]
 
 
 def write_scene(folder):
@@ -178,9 +188,7 @@ def write_meshes(folder):
 def write_rasters(folder):
     (folder / "all.vrt").write_text(VRT.format(x=-20, name="inner.vrt"))
     (folder / "inner.vrt").write_text(VRT.format(x=-20, name="tile.tif"))
-    tile = gdal.GetDriverByName("GTiff").Create(
-        str(folder / "tile.tif"), 4, 4, 1, gdal.GDT_Float32
-    )
+    tile = gdal.GetDriverByName("GTiff").Create(str(folder / "tile.tif"), 4, 4, 1, gdal.GDT_Float32)
     tile.SetGeoTransform([-20, 1, 0, -20, 0, -1])
     tile.GetRasterBand(1).WriteArray(np.full((4, 4), 2.25, np.float32))
     del tile
@@ -377,6 +385,55 @@ def test_a_file_that_takes_precedence_is_new(folder, tmp_path, capsys):
     assert f"{first / 'spectra/clay.txt'} has changed" in capsys.readouterr().err
 
 
+def test_an_archive_is_an_input(folder, tmp_path, capsys):
+    """A tile in a ZIP file."""
+    copy = tmp_path / "copy"
+    shutil.copytree(folder.path, copy, ignore=shutil.ignore_patterns("all"))
+    with zipfile.ZipFile(copy / "tiles.zip", "w") as archive:
+        archive.write(copy / "tile.tif", "tile.tif")
+    text = (
+        (copy / "inner.vrt").read_text().replace('"1">tile.tif', '"0">/vsizip/tiles.zip/tile.tif')
+    )
+    (copy / "inner.vrt").write_text(text.replace("tiles.zip", f"{copy}/tiles.zip"))
+    run = ["run", copy / "survey.xml", "--assets", copy, *OPTIONS, "--output", copy / "out"]
+    assert vtkhelios_run(*run) == 0
+    with open(copy / "out/all/run_summary.json") as file:
+        names = {os.path.relpath(each["file"], copy) for each in json.load(file)["inputs"]}
+    assert names == set(KINDS) - {"tile.tif", "tile.tif.aux.xml"} | {"tiles.zip"}
+    with open(copy / "tiles.zip", "ab") as archive:
+        archive.write(b"more")
+    assert vtkhelios_run(*run, "--resume") == 1
+    assert f"{copy / 'tiles.zip'} has changed" in capsys.readouterr().err
+
+
+def test_epochs_have_the_files_that_they_read(folder, tmp_path):
+    """Whether the epoch before was loaded by the same process or not."""
+    copy = tmp_path / "copy"
+    shutil.copytree(folder.path, copy, ignore=shutil.ignore_patterns("all"))
+    for name in ("old", "new"):
+        mesh = f"mtllib {name}.mtl\nusemtl m\n{TRIANGLE.format(9)}f 1 2 3\n"
+        (copy / f"{name}.obj").write_text(mesh)
+        (copy / f"{name}.mtl").write_text("newmtl m\nhelios_reflectance 0.3\n")
+    load = '<filter type="objloader"><param key="filepath" value="{}.obj"/></filter>'
+    part = f'<part>{load.format("old")}<swap>{load.format("new")}</swap></part>'
+    scene = (copy / "scene.xml").read_text()
+    (copy / "scene.xml").write_text(scene.replace("<partTable", f"{part}<partTable"))
+    run = ["run", copy / "survey.xml", "--assets", copy, *OPTIONS, "--output"]
+    assert vtkhelios_run(*run, copy / "both") == 0
+    assert vtkhelios_run(*run, copy / "alone", "--epoch", "1") == 0
+
+    def inputs(output, epoch):
+        path = copy / output / "all" / epoch / "run_summary.json"
+        return json.loads(path.read_text())["inputs"]
+
+    def names(output, epoch):
+        return {os.path.relpath(each["file"], copy) for each in inputs(output, epoch)}
+
+    assert names("both", "play000") == set(KINDS) | {"old.obj", "old.mtl"}
+    assert names("both", "play001") == set(KINDS) | {"new.obj", "new.mtl"}
+    assert inputs("both", "play001") == inputs("alone", "play001")
+
+
 # Ranks and workers: each reads its own files.
 
 OTHER = ["ground.mtl", "grass.ppm", "spectra/clay.txt", "mesh.bin", "tile.tif", "pulse.csv"]
@@ -390,9 +447,9 @@ def test_workers_name_the_file(name, folder):
     task = _tasks.make_task(survey, options)
     _tasks._here.clear()  # as in another process
     windows, total, loaded = _tasks.find_windows(task, None)
-    assert {os.path.relpath(each["file"], folder.path) for each in json.loads(loaded)["inputs"]} == (
-        set(KINDS)
-    )
+    assert {
+        os.path.relpath(each["file"], folder.path) for each in json.loads(loaded)["inputs"]
+    } == (set(KINDS))
     assert len(_tasks.compute_block(task, 0, 1000, loaded))
     _tasks._loaded.clear()
     task = json.loads(task)

@@ -25,6 +25,21 @@ def test_includes_are_declared():
     assert layers.find_include_faults(layers.find_modules(ROOT)) == []
 
 
+def test_files_that_are_opened_are_inputs():
+    modules = layers.find_modules(ROOT)
+    assert layers.find_unchecked_files(modules) == []
+    units = {path.stem for _, folder in modules.values() for path in layers.sources_of(folder)}
+    assert set(layers.READ_NO_INPUTS) <= units
+
+
+def test_an_unchecked_file_is_found(made_up):
+    opens = "std::ifstream file(path);\n"
+    made_up("Scanner/Survey", "ScannerSurvey", "", opens)
+    modules = made_up("Filters/IO", "FiltersIO", "", f"CheckInputFile(path);\n{opens}")
+    (unit,) = layers.find_unchecked_files(modules)
+    assert "Survey" in unit
+
+
 MODULES = {name: folder for name, (_, folder) in layers.find_modules(ROOT).items()}
 MODULES["Viewer"] = ROOT / "Apps/Viewer"
 

@@ -187,7 +187,7 @@ Status AddInputs(const InputFiles& files, Json::Value& inputs)
   for (const auto& [file, stamp] : files)
   {
     const InputDigest digest = ComputeInputDigest(file);
-    if (digest.Stamp != stamp || digest.Sha256.empty())
+    if (digest.Stamp != stamp)
     {
       return Status::Error(file +
         " was changed while the survey was loaded; run the survey again when the file is complete");

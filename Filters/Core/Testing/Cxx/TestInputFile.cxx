@@ -9,11 +9,16 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 using helios::CheckInputFile;
+using helios::InputFiles;
+using helios::InputWatch;
+using helios::StampFile;
 
 namespace
 {
@@ -69,4 +74,64 @@ TEST_CASE("CheckInputFile: refuses all other kinds of paths", "[InputFile]")
   CHECK(CheckInputFile("/proc/self/status").Message() ==
     "cannot be read: it is a file of the kernel (/proc, /sys), not a regular file; copy it to a "
     "file");
+}
+
+TEST_CASE("InputWatch: receives the regular files that its thread checks", "[InputFile]")
+{
+  const Folder folder;
+  const std::string path = folder / "a.obj";
+  std::ofstream(path) << "v 0 0 0\n";
+  InputFiles files;
+  InputFiles inner;
+  CHECK_FALSE(InputWatch::IsOn());
+  CHECK(CheckInputFile(path).IsOk()); // nobody wants it
+  {
+    const InputWatch watch(files);
+    CHECK(InputWatch::IsOn());
+    CHECK(CheckInputFile(path).IsOk());
+    CHECK(CheckInputFile(folder / "none.obj").IsOk());
+    CHECK_FALSE(CheckInputFile(folder.Path).IsOk());
+    const InputWatch other(inner); // in place of the first
+    CHECK(CheckInputFile("/dev/../" + path).IsOk());
+    std::thread([&path] { CHECK(CheckInputFile(path).IsOk()); }).join();
+  }
+  CHECK_FALSE(InputWatch::IsOn());
+  CHECK(files == InputFiles{ { path, StampFile(path) } });
+  CHECK(inner == InputFiles{ { "/dev/../" + path, StampFile(path) } });
+  CHECK(helios::AreUnchanged(files));
+  const InputWatch watch(files);
+  std::ofstream(path) << "v 0 0 1\n";
+  CHECK(CheckInputFile(path).IsOk());
+  CHECK_FALSE(helios::AreUnchanged(files)); // the first state counts
+}
+
+TEST_CASE("StampFile: tells changes that keep size and time", "[InputFile]")
+{
+  const Folder folder;
+  const std::string path = folder / "a.obj";
+  CHECK(StampFile(path).empty());
+  CHECK(StampFile(std::string("/dev/zero\0.obj", 14)).empty());
+  std::ofstream(path) << "v 0 0 0\n";
+  const auto time = std::filesystem::last_write_time(path);
+  const std::string before = StampFile(path);
+  CHECK(before == StampFile(path));
+  CHECK(before.rfind("8 ", 0) == 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // a tick of the kernel's clock
+  std::ofstream(path) << "v 0 0 1\n";
+  std::filesystem::last_write_time(path, time);
+  CHECK(StampFile(path) != before);
+  std::ofstream(folder / "b.obj") << "v 0 0 0\n";
+  std::filesystem::rename(folder / "b.obj", path);
+  CHECK(StampFile(path) != before);
+}
+
+TEST_CASE("GetAge: the time since the last change, whatever the file's times say", "[InputFile]")
+{
+  const Folder folder;
+  std::ofstream(folder / "a.obj") << "v 0 0 0\n";
+  std::filesystem::last_write_time(folder / "a.obj", {});
+  const double age = helios::GetAge(folder / "a.obj");
+  CHECK(age > -1.0);
+  CHECK(age < 600.0);
+  CHECK(helios::GetAge(folder / "none.obj") == 0.0);
 }

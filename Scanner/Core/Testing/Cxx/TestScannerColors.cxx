@@ -129,6 +129,9 @@ TEST_CASE("ScannerColors: images of other kinds, and those that are none")
       " is no image that is read; give PNG, JPEG, TIFF, BMP or PNM, or remove map_Kd");
   CHECK(texture.Read(folder.GetPath("none.png")).Message() ==
     "texture " + folder.GetPath("none.png") + " does not exist; give it, or remove map_Kd");
+  const std::string place = folder.GetPath("");
+  CHECK(texture.Read(place).Message() ==
+    "texture " + place + " cannot be read: it is a folder; give the name of a file");
 }
 
 namespace

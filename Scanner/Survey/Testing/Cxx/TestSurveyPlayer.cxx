@@ -516,6 +516,10 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   files.Write("spectra/moss.txt", header + "2 101\n");
   CHECK(intensity("outside 0 to 100 %") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   fs::remove(files / "spectra/moss.txt");
+  fs::create_symlink("/proc/self/status", files / "spectra/moss.txt");
+  CHECK(intensity("cannot be read: it is a file of the kernel") ==
+    Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  fs::remove(files / "spectra/moss.txt");
   CHECK(intensity("Spectrum moss was not found in") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\nhelios_reflectance 0.1\n");
   CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // a given value has priority

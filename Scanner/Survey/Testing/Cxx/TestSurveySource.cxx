@@ -16,11 +16,14 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 namespace names = vtkHeliosArrayNames;
 using helios::ErrorObserver;
 using namespace helios::test;
+
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -285,8 +288,8 @@ TEST_CASE("SurveySource: fingerprints tell changed files and options", "[SurveyS
   CHECK(source.Filter->CompareFingerprint(before).find("is 7") != std::string::npos);
   source.Filter->GetOptions()->SetSeed(-1);
   files.Write("plane.obj", "v -50 -50 1\nv 50 -50 1\nv 50 50 1\nf 1 2 3\n");
-  CHECK(source.Filter->CompareFingerprint(before).find("plane.obj has changed") !=
-    std::string::npos);
+  CHECK(
+    source.Filter->CompareFingerprint(before).find("plane.obj has changed") != std::string::npos);
   CHECK(source.Filter->CompareFingerprint("{") == "the other fingerprint is not valid");
   CHECK(source.Filter->CompareFingerprint(R"({"inputs": [7]})").find("is not valid: ") !=
     std::string::npos);
@@ -295,6 +298,47 @@ TEST_CASE("SurveySource: fingerprints tell changed files and options", "[SurveyS
   CHECK(source.Filter->GetFingerprint().empty());
   CHECK(source.Log->HasError("Epoch is 3, but the survey has 1 epoch"));
   CHECK(source.Filter->CompareFingerprint(before) == "the survey is not valid");
+}
+
+TEST_CASE(
+  "SurveySource: loaded fingerprints have the files that other files name", "[SurveySource]")
+{
+  const Files files;
+  files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\n");
+  files.Replace("plane.obj", "v -50", "mtllib plane.mtl\nusemtl m\nv -50");
+  files.Write("spectra/moss.txt", "0.5 10\n2.5 90\n");
+  const Reading reading(files, Tripod, OneLeg);
+  Source source(reading);
+  Source other(reading);
+  const std::string before = source.Filter->ComputeLoadedFingerprint();
+  CHECK(source.Filter->GetScene() != nullptr);
+  for (const char* name : { "plane.obj", "plane.mtl", "moss.txt" })
+  {
+    CHECK(before.find(name) != std::string::npos);
+    CHECK((source.Filter->GetFingerprint().find(name) != std::string::npos) ==
+      (name == std::string("plane.obj")));
+  }
+  CHECK(source.Filter->ComputeLoadedFingerprint() == before);
+  CHECK(other.Filter->CompareFingerprint(before).empty());
+  CHECK(source.Filter->CompareFingerprint(other.Filter->GetFingerprint()).empty());
+  const auto time = fs::last_write_time(files / "spectra/moss.txt");
+  files.Write("spectra/moss.txt", "0.5 20\n2.5 90\n");
+  fs::last_write_time(files / "spectra/moss.txt", time);
+  CHECK(other.Filter->CompareFingerprint(before) == files / "spectra/moss.txt" + " has changed");
+  source.Filter->Modified();
+  source.Run(0, 10); // reads it again
+  CHECK(source.Filter->CompareFingerprint(before) == files / "spectra/moss.txt" + " has changed");
+  const vtkSmartPointer<vtkPolyData> scene = source.Filter->GetScene();
+  const auto timeOfMaterial = fs::last_write_time(files / "plane.mtl");
+  files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra mess\n");
+  fs::last_write_time(files / "plane.mtl", timeOfMaterial);
+  source.Filter->Modified();
+  source.Run(0, 10);
+  CHECK(source.Filter->GetScene() != scene);
+  CHECK(source.Filter->CompareFingerprint(before) ==
+    files / "plane.mtl" + " has changed and " + files / "spectra/moss.txt" + " is no longer read");
+  source.Filter->GetOptions()->SetEpoch(3);
+  CHECK(source.Filter->ComputeLoadedFingerprint().empty());
 }
 
 TEST_CASE("SurveySource: noise, seed and sampling are those requested", "[SurveySource]")

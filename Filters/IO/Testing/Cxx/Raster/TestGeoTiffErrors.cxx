@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of the GeoTIFF reader on bad files.
 #include "heliosGeoTiffTesting.h"
+#include "heliosInputFile.h"
 #include "heliosRasterFile.h"
 #include "heliosRasterMesh.h"
 #include "heliosRasterUnits.h"
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -123,6 +125,43 @@ TEST_CASE("GeoTiffErrors: files of other kinds are errors", "[GeoTiffErrors]")
   unnamed.Log->Clear();
   unnamed.Reader->SetFileName(nullptr);
   CheckError(unnamed, "FileName is not set");
+}
+
+TEST_CASE("GeoTiffErrors: tiles of a VRT are inputs, and folders are none", "[GeoTiffErrors]")
+{
+  TempFolder folder;
+  const auto writeVrt = [&folder](const std::string& name, const std::string& tile)
+  {
+    helios::WriteBytes(folder / name,
+      R"(<VRTDataset rasterXSize="3" rasterYSize="2"><GeoTransform>0, 1, 0, 0, 0, -1</GeoTransform>
+<VRTRasterBand dataType="Float32" band="1"><SimpleSource><SourceFilename relativeToVRT="1">)" +
+        tile +
+        R"(</SourceFilename><SourceProperties RasterXSize="3" RasterYSize="2" DataType="Float32"
+BlockXSize="3" BlockYSize="2"/><SourceBand>1</SourceBand><SrcRect xOff="0" yOff="0" xSize="3" ySize="2"/>
+<DstRect xOff="0" yOff="0" xSize="3" ySize="2"/></SimpleSource></VRTRasterBand></VRTDataset>)");
+  };
+  helios::WriteBytes(folder / "tile.tif", MakeGoodBytes());
+  helios::WriteBytes(folder / "tile.tif.aux.xml", "<PAMDataset></PAMDataset>");
+  writeVrt("inner.vrt", "tile.tif");
+  writeVrt("outer.vrt", "inner.vrt");
+  helios::InputFiles files;
+  const helios::InputWatch watch(files);
+  GeoTiffReading reading(folder / "outer.vrt");
+  CHECK(reading.Read());
+  std::vector<std::string> names;
+  for (const auto& file : files)
+  {
+    names.push_back(file.first);
+  }
+  CHECK(names ==
+    std::vector<std::string>{ folder / "inner.vrt", folder / "outer.vrt", folder / "tile.tif",
+      folder / "tile.tif.aux.xml" });
+  std::filesystem::create_directory(folder / "folder");
+  writeVrt("bad.vrt", "folder");
+  GeoTiffReading bad(folder / "bad.vrt");
+  CheckError(bad,
+    folder / "bad.vrt" + ": needs " + folder / "folder" +
+      ", which cannot be read: it is a folder; give the name of a file");
 }
 
 TEST_CASE("GeoTiffErrors: truncated files are errors", "[GeoTiffErrors]")

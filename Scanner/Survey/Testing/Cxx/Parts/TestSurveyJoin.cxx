@@ -281,6 +281,24 @@ TEST_CASE("SurveyJoin: folders that cannot be joined", "[SurveyJoin]")
     joined.AddFolders(files, 2);
     joined.CheckFails({ "part 1/2 cannot be joined, since", "plane.obj has changed" });
   }
+  SECTION("a damaged summary")
+  {
+    const std::string name = "parts/test/part001of002/run_summary.json";
+    const std::string text = ReadText(files / name);
+    joined.AddFolders(files, 2);
+    files.Replace(name, "\"points\" : ", "\"points\" : 1");
+    joined.CheckFails({ "part001of002/run_summary.json is damaged: it does not match its checksum",
+      "; run it with --part 1/2 --overwrite" });
+    files.Write(name, text.substr(0, text.size() / 2));
+    joined.CheckFails({ "part001of002/run_summary.json is damaged; run it with --part 1/2" });
+    fs::copy_file(files / "parts/test/part002of002/run_summary.json", files / name,
+      fs::copy_options::overwrite_existing);
+    joined.CheckFails(
+      { "part001of002/run_summary.json: \"part\" is not that of run.journal; run it "
+        "with --part 1/2 --overwrite" });
+    fs::remove(files / name); // it is not needed
+    CHECK(joined.Player->Run());
+  }
   SECTION("a damaged journal")
   {
     const std::string name = "parts/test/part001of002/run.journal";
