@@ -151,13 +151,16 @@ def test_a_worker_loads_the_scene_once(workers, fence, tmp_path):
     addresses = list(workers.scheduler_info()["workers"])
     for address in addresses:
         compute(workers, _tasks.make_task(fence, {}), workers=[address])
-    mesh = tmp_path / "fence/fence.obj"  # no worker can load it again; unnoticed until it is read
-    state = mesh.stat()
-    mesh.write_text("x" * state.st_size)
-    os.utime(mesh, ns=(state.st_atime_ns, state.st_mtime_ns))
     assert_same(dask.compute(*parts), expected)
     assert_same(list(fence.blocks(5_000, client=workers)), expected)
     assert count() == [1, 1]
+    mesh = tmp_path / "fence/fence.obj"
+    state, text = mesh.stat(), mesh.read_text()
+    mesh.write_text(text.replace(" 8\n", " 4\n"))  # the wall, with the same size and time
+    os.utime(mesh, ns=(state.st_atime_ns, state.st_mtime_ns))
+    other = r"not the survey of another worker, since \S+/fence\.obj has changed; .*\(on the worker"
+    with pytest.raises(vtkhelios.PipelineError, match=other):
+        dask.compute(*parts)
 
 
 def test_tasks_hold_texts_and_numbers_only(fence, tmp_path):
