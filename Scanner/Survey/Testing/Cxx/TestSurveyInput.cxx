@@ -284,7 +284,8 @@ TEST_CASE("SurveyInput: a player writes the echoes of its source", "[SurveyInput
   bench.Source->SetInputConnection(0, MakePlane(2.0)->GetOutputPort());
   const auto log = Observe(player);
   CHECK_FALSE(player->Run()); // the files are not those of this scene
-  CHECK(log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
+  CHECK(
+    log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
   log->Clear();
   bench.Source->SetInputConnection(0, MakePlane(1.0)->GetOutputPort());
   CHECK(player->Run());
@@ -292,5 +293,6 @@ TEST_CASE("SurveyInput: a player writes the echoes of its source", "[SurveyInput
   voxels->SetDimensions(2, 2, 2);
   bench.Source->AddInputDataObject(1, voxels);
   CHECK_FALSE(player->Run());
-  CHECK(log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
+  CHECK(
+    log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
 }
