@@ -109,7 +109,7 @@ def test_pulses_of_the_scanner(metadata, tmp_path):
         ({"beam_altitude_angles": []}, "beam_altitude_angles is not a list of one or more numbers"),
         (
             {"beam_azimuth_angles": [float("nan"), 1, 2]},
-            "beam_azimuth_angles[0] is nan; give a fin",
+            "is not valid JSON: NaN is not a valid JSON number; give the metadata",
         ),
         ({"lidar_mode": "fast"}, "lidar_mode is 'fast'; expected columns x revolutions/s"),
         ({"lidar_mode": "0x10"}, "lidar_mode is '0x10'; expected"),
@@ -119,6 +119,10 @@ def test_pulses_of_the_scanner(metadata, tmp_path):
         (
             {"beam_to_lidar_transform": [1, 2]},
             "beam_to_lidar_transform is not a list of 16 numbers",
+        ),
+        (
+            {"lidar_to_sensor_transform": [1, 0, 0, 2e4, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]},
+            "the lidar is 20000 mm from the origin; give at most 10000 mm",
         ),
         (
             {"lidar_to_sensor_transform": [1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1]},
@@ -136,10 +140,14 @@ def test_values_that_are_not_valid(metadata, changes, message):
 @pytest.mark.parametrize(
     "content, message",
     [
-        (b"{", "is not JSON: Expecting property name"),
-        (b"\xff\xfe{}", "is not JSON"),
+        (b"{", "is not valid JSON: Expecting property name"),
+        (b"\xff\xfe{}", "byte 0 is not UTF-8; give the metadata of the sensor"),
         (b"[1]", "is not a JSON object"),
-        (b"[" * 100000, "is not JSON"),
+        (
+            b'{"lidar_mode": "512x20", "beam_altitude_angles": [1e999]}',
+            r"beam_altitude_angles\[0\] is inf; give a finite",
+        ),
+        (b"[" * 100000, "is nested too deeply; give the metadata"),
     ],
 )
 def test_files_that_are_not_metadata(tmp_path, content, message):

@@ -215,7 +215,8 @@ def test_exception_of_a_callback_ends_the_run(three, tmp_path):
         ),
         (lambda s: s.run(tolerance=7), (ValueError, vtkhelios.PipelineError), "is 7"),
         (lambda s: s.run(tolerance=0.1, sub_rays=7), ValueError, "give one of them"),
-        (lambda s: s.run_to("x", hits=True), TypeError, "hits is no option"),
+        (lambda s: s.run_to("x", legs=0), TypeError, "legs is no option; options are: .*hits"),
+        (lambda s: s.run_to("x", truth=True), vtkhelios.PipelineError, "set Format to vtp"),
         (lambda s: s.run_to("x", format="pdf"), vtkhelios.PipelineError, "pdf"),
     ],
 )

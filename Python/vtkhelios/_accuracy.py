@@ -17,6 +17,7 @@ FEWER = 10  # the step of the sample, if nothing is hit
 WINDOWS, SHORTEST, GROWTH = 4, 32, 4  # of pulses that are timed
 REPEATS = 3  # of the timing; the shortest counts: other work on the computer only adds
 ENOUGH_SECONDS, LONGEST_WINDOW = 0.1, 16384
+SHORTEST_SECONDS = 1e-4  # that can be told from none, of a survey of few pulses
 MEASURES = (
     *("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented"),
     *("amplitudeRms", "widthRms_ns"),
@@ -141,7 +142,7 @@ class Sampler:
             seconds = measure()
             if seconds > ENOUGH_SECONDS or length >= min(LONGEST_WINDOW, self.total // 8):
                 seconds = min([seconds, *(measure() for _ in range(repeats - 1))])
-                return seconds / (WINDOWS * length)
+                return max(SHORTEST_SECONDS, seconds) / (WINDOWS * length)
             length *= GROWTH
 
     def _time_window(self, first, length, options):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a plan: its survey, its points, its summary."""
 
-import errno
 import importlib
 import json
 import os
@@ -11,15 +10,15 @@ import shutil
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from ._files import write_whole
 from ._paths import from_vtk, to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude
-from ._run_files import PART
 from .array_names import VISIBILITY
+from ._write import write_points
 from .scene import Scene
 
 __all__ = [
     "clear", "data_files", "has_plan", "picture_file", "refer", "survey_file", "summary_file",
-    "write_points",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
@@ -51,21 +50,6 @@ def data_files(plan, folder):
         data.GetPointData().RemoveArray(VISIBILITY)  # a bit per pair: as large as all else
         files.append(write_points(data, folder / name))
     return files
-
-
-def write_points(data, path):
-    """Writes a vtkPolyData as VTK XML; returns its path."""
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-    part = path.with_name(f"{path.name}{PART}")
-    writer = vtkXMLPolyDataWriter()
-    writer.SetFileName(to_vtk(part))
-    writer.SetInputData(data)
-    if not writer.Write() or writer.GetErrorCode():
-        part.unlink(missing_ok=True)
-        raise OSError(errno.ENOSPC, "the disk may be full", str(path))
-    os.replace(part, path)
-    return path
 
 
 def survey_file(plan, folder, name=SURVEY):
@@ -138,8 +122,6 @@ def picture_file(plan, folder):
 
 def summary_file(report, folder):
     """Writes the report; returns its path."""
-    from .cli._files import write_whole
-
     path = folder / SUMMARY
     write_whole(path, json.dumps(report, indent=2) + "\n")
     return path

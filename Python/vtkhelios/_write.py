@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes a cloud to a file; its ending selects the format."""
 
+import errno
 import importlib
 import os
 
+from ._files import drop_part, keep_part, make_part, naming
 from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude
 
 
 def write(cloud, path):
-    """Writes a Cloud to .xyz, .las or .vtp; raises PipelineError and ValueError."""
+    """Writes a Cloud to .xyz, .las or .vtp; raises PipelineError, ValueError and OSError."""
     ending = os.path.splitext(path)[1].lower()
     writers = {".xyz": _write_text, ".las": _write_las, ".vtp": _write_vtp}
     if ending not in writers:
@@ -43,14 +45,31 @@ def _write_block(writer, cloud, path, log):
     return False
 
 
-def _write_vtp(cloud, path, log):
+def _write_vtp(cloud, path, _log):
+    write_points(cloud.with_vertices().data, path)
+    return True
+
+
+def write_points(data, path):
+    """Writes a vtkPolyData as VTK XML; returns its path. Raises OSError."""
+    from vtkmodules.vtkCommonCore import vtkCommand
+    from vtkmodules.vtkCommonMisc import vtkErrorCode
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-    writer = vtkXMLPolyDataWriter()
-    log.watch(writer)
-    writer.SetFileName(to_vtk(path))
-    writer.SetInputData(cloud.with_vertices().data)
-    return writer.Write()
+    with naming(path):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(to_vtk(make_part(path)))
+        writer.SetInputData(data)
+        for reporter in (writer, writer.GetExecutive()):  # many lines about one reason
+            reporter.AddObserver(vtkCommand.ErrorEvent, lambda *_: None)
+        succeeded, number = writer.Write(), writer.GetErrorCode()
+        if succeeded and not number:
+            keep_part(path)
+            return path
+        drop_part(path)
+        if number < vtkErrorCode.FirstVTKErrorCode:
+            raise OSError(number or errno.EIO, os.strerror(number or errno.EIO))
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))  # the only one of this writer
 
 
 def _class(name):

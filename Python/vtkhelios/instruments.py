@@ -6,10 +6,11 @@
 >>> text = instruments.read_ouster("os1.json")  # of a file with one <scanner>
 """
 
-import json
 import math
 import re
 from xml.sax.saxutils import quoteattr
+
+from ._json import JsonError, parse_json
 
 __all__ = ["InstrumentError", "read_ouster"]
 
@@ -97,9 +98,9 @@ class _Metadata:
         with open(path, "rb") as file:
             text = file.read()
         try:
-            self._all = json.loads(text)
-        except (ValueError, RecursionError) as error:
-            self.fail(f"is not JSON: {error}; give the metadata of the sensor")
+            self._all = parse_json(text)
+        except JsonError as error:
+            self.fail(f"{error}; give the metadata of the sensor")
         if not isinstance(self._all, dict):
             self.fail("is not a JSON object; give the metadata of the sensor")
 
@@ -153,10 +154,13 @@ class _Metadata:
         else:
             offset = [self.find("lidar_origin_to_beam_origin_mm", 0.0)]
             origin = [*self.numbers("lidar_origin_to_beam_origin_mm", offset), 0.0]
-        for value in origin:
-            if abs(value) > 1e4:
-                self.fail(f"the beams start {value:g} mm from the origin; give at most 10000 mm")
+        self._check_lengths("the beams start", origin)
         return origin[0] / 1000, origin[1] / 1000
+
+    def _check_lengths(self, what, values):
+        for value in values:
+            if abs(value) > 1e4:
+                self.fail(f"{what} {value:g} mm from the origin; give at most 10000 mm")
 
     def mount(self):
         """The azimuth of the head at column 0 [deg], and where the lidar is [m], in our frame."""
@@ -165,5 +169,7 @@ class _Metadata:
         if max(abs(matrix[k] - (k == 10)) for k in (2, 6, 8, 9, 10)) > 1e-6:
             self.fail(f"{name} does not rotate about z; only such sensors are supported")
         turn = math.degrees(math.atan2(matrix[4], matrix[0]))
-        x, y, z = (matrix[k] / 1000 for k in (3, 7, 11))
+        lengths = [matrix[k] for k in (3, 7, 11)]
+        self._check_lengths("the lidar is", lengths)
+        x, y, z = (value / 1000 for value in lengths)
         return turn, (-y + 0.0, x, z)

@@ -9,7 +9,6 @@ it starts a virtual one, Xvfb.
 
 import argparse
 import ctypes
-import errno
 import os
 import pathlib
 import shutil
@@ -24,9 +23,9 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 
 from ._arrays import arrays
+from ._files import cannot_be_written, write_whole
 from ._run_files import TRAJECTORY, beside
 from .array_names import AMPLITUDE, CLASSIFICATION_IDS
-from .cli._files import cannot_be_written
 from .cli._streams import visible
 from .formats import FormatError, open_reader
 from .formats._base import rows_of
@@ -360,13 +359,10 @@ def write_png(rgb, output):
     image.SetDimensions(width, height, 1)
     image.GetPointData().SetScalars(numpy_to_vtk(pixels, deep=True))
     writer = vtkPNGWriter()
-    writer.SetFileName(str(output))
+    writer.WriteToMemoryOn()
     writer.SetInputData(image)
     writer.Write()
-    if writer.GetErrorCode():
-        if pathlib.Path(output).is_file():
-            pathlib.Path(output).unlink()  # incomplete
-        raise OSError(errno.ENOSPC, "the disk may be full", str(output))
+    write_whole(output, vtk_to_numpy(writer.GetResult()).tobytes())
 
 
 def find_marks(cloud):

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _native
+from ._outputs import in_files, in_memory
 from ._paths import from_vtk, text_from_vtk, to_vtk
 from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
 from ._properties import set_properties
@@ -45,19 +46,8 @@ _OPTIONS = {
     "pulse_step": "pulse_step",
     "accuracy_report": "accuracy_report",
 }
-# What a run returns besides echoes, and how it stores the scene: the properties of
-# vtkHeliosSurveySource.
-_OUTPUTS = {
-    "instances": "instances",
-    "waveforms": "generate_waveforms",
-    "pulses": "generate_pulses",
-    "hits": "generate_sub_rays",
-    "truth": "generate_truth",
-    "scan_flags": "generate_scan_flags",
-    "columns": "generate_columns",
-    "decibels": "generate_decibels",
-    "colors": "generate_colors",
-}
+# How a run stores the scene, and what it returns besides echoes: properties of vtkHeliosSurveySource.
+_OUTPUTS = {"instances": "instances", **in_memory()}
 
 
 def read_survey(path, assets=(), scene=None, trajectory=None):
@@ -272,15 +262,19 @@ class Survey:
         """Runs the survey and writes a folder with the survey's name below that folder; returns a
         report.
 
-        format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
-        sub_rays, detector, ray_caster and epoch as in run(); waveforms, pulses, decibels, colors (of las and vtp), split_by_channel,
-        overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer; instances
-        as in run(), but True by default, as of vtkhelios run. Memory
-        holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
-        and has the "folder".
+        format is "xyz", "las" or "vtp". The options are those of run() except for legs, with the
+        same outputs: hits are always VTK XML, colors need the format las or vtp, truth and columns
+        vtp; instances is True by default, as of vtkhelios run. Of files only:
+
+        waveforms_in_points, split_by_channel
+            as --waveforms-in-points and --split-by-channel of vtkhelios run.
+        overwrite, resume, bytes_to_check, pulses_per_block
+            as in vtkHeliosSurveyPlayer.
+
+        Memory holds a block of pulses at a time. The report (a dictionary) is that of
+        run_summary.json, and has the "folder".
         """
-        known = {name: f"write_{name}" for name in ("waveforms", "pulses", "decibels", "colors")}
-        known |= {name: name for name in _FILES}
+        known = {**in_files(), **{name: name for name in _FILES}}
         known_here = {**_OPTIONS, **known, "instances": "", MESH: ""}
         _translate(options, known_here)  # refuses any other
         options.setdefault("instances", True)
@@ -458,8 +452,8 @@ def check_options(options, wrong="no option"):
     _translate(options, {**_OPTIONS, **_OUTPUTS, MESH: "", "progress": "", "legs": ""}, wrong)
 
 
-# Options of files only, and properties of vtkHeliosSurveyPlayer.
-_FILES = ("split_by_channel", "overwrite", "resume", "bytes_to_check", "pulses_per_block")
+# Options of run_to() that are properties of vtkHeliosSurveyPlayer, of the same names.
+_FILES = ("overwrite", "resume", "bytes_to_check", "pulses_per_block")
 
 
 def _set_options(source, options):

@@ -491,8 +491,12 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   {
     this->MeasureAccuracy();
   }
-  const Json::Value summary = helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner,
+  Json::Value summary = helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner,
     this->Accuracy, this->LoadSeconds, this->AccuracySeconds);
+  if (this->Parts)
+  {
+    summary["timings"]["parts_s"] = this->Parts->GetSeconds();
+  }
   const helios::Status status = this->Folder->WriteSummary(summary);
   if (!status.IsOk())
   {

@@ -4,8 +4,8 @@
 
 #include "heliosAssets.h"
 #include "heliosMessages.h"
+#include "heliosPartFile.h"
 #include "heliosPlannerScan.h"
-#include "heliosRunJournal.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "heliosXmlFilter.h"

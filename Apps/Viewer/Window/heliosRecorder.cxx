@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRecorder.h"
 
+#include "heliosPartFile.h"
 #include "heliosStatus.h"
 
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkOggTheoraWriter.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <regex>
+#include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -45,12 +47,12 @@ Status WriteImage(vtkAlgorithmOutput* image, const std::string& fileName)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(image);
-  writer->SetFileName(fileName.c_str());
+  writer->WriteToMemoryOn();
   writer->Write();
-  return writer->GetErrorCode() == vtkErrorCode::NoError
-    ? Status()
-    : Status::Error(fileName +
-        ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  const auto size = static_cast<std::size_t>(bytes->GetNumberOfValues());
+  return WriteUnsynced(
+    fileName, std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), size));
 }
 
 } // namespace

@@ -22,8 +22,7 @@
 #include <json/json.h>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
+#include <sstream>
 
 namespace helios::viewer
 {
@@ -192,12 +191,9 @@ void ViewerState::Write(const std::string& fileName) const
   {
     return;
   }
-  const std::string part = fileName + PartEnding;
-  {
-    std::ofstream file(part);
-    file << this->Describe();
-  }
-  std::rename(part.c_str(), fileName.c_str());
+  std::ostringstream text;
+  text << this->Describe();
+  static_cast<void>(WriteUnsynced(fileName, text.str())); // of tests, which wait for it
 }
 
 } // namespace helios::viewer

@@ -144,6 +144,52 @@ void RemoveFile(const std::string& path)
   std::remove(path.c_str());
 }
 
+int CreatePart(const std::string& path)
+{
+  const std::string part = path + PartEnding;
+  if (::unlink(part.c_str()) != 0 && errno != ENOENT)
+  {
+    return -1;
+  }
+  return ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+}
+
+namespace
+{
+
+/// Removes what was written, and returns the reason.
+Status Remove(PartFile& file)
+{
+  const Status status = Status::Error(file.GetProblem());
+  file.Abandon();
+  RemoveFile(file.GetPartPath());
+  return status;
+}
+
+} // namespace
+
+Status WriteWhole(const std::string& path, const std::string& text)
+{
+  PartFile file;
+  const bool good = file.Open(path) && file.Append(text.data(), text.size()) && file.Close();
+  return good ? Status() : Remove(file);
+}
+
+Status WriteUnsynced(const std::string& path, const std::string& text)
+{
+  PartFile file;
+  if (!file.Open(path) || !file.Append(text.data(), text.size()) || !file.Abandon())
+  {
+    return Remove(file);
+  }
+  const Status status = RenameFile(file.GetPartPath(), path);
+  if (!status.IsOk())
+  {
+    RemoveFile(file.GetPartPath());
+  }
+  return status;
+}
+
 PartFile::~PartFile()
 {
   this->Abandon();
@@ -173,8 +219,7 @@ bool PartFile::Open(const std::string& path, Folders folders)
   {
     return false;
   }
-  this->Descriptor =
-    ::open(this->GetPartPath().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  this->Descriptor = CreatePart(path);
   return this->Descriptor >= 0 || this->Fail("opened", errno);
 }
 
@@ -202,7 +247,12 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
              : "it has " + std::to_string(found) + " bytes of " + std::to_string(size));
     return false;
   }
-  this->Descriptor = ::open(part.c_str(), O_WRONLY | O_CLOEXEC);
+  if (std::filesystem::is_symlink(part, error))
+  {
+    this->Problem = part + " cannot be resumed: it is a link to another file, which is kept";
+    return false;
+  }
+  this->Descriptor = ::open(part.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (this->Descriptor < 0)
   {
     return this->Fail("opened", errno);

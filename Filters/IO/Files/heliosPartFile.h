@@ -146,6 +146,17 @@ VTKHELIOSFILTERSIO_EXPORT Status SyncFile(const std::string& path);     ///< fsy
 VTKHELIOSFILTERSIO_EXPORT Status SyncFolderOf(const std::string& path); ///< its folder
 ///@}
 
+/// Creates an empty <path>.part and opens it for writing; returns its descriptor, or -1 with errno. A
+/// file or link of this name is removed first, and never followed.
+VTKHELIOSFILTERSIO_EXPORT int CreatePart(const std::string& path);
+
+///@{
+/// Writes a file that has its name when it is complete; the error has file and cause. WriteUnsynced()
+/// does not flush it to disk.
+VTKHELIOSFILTERSIO_EXPORT Status WriteWhole(const std::string& path, const std::string& text);
+VTKHELIOSFILTERSIO_EXPORT Status WriteUnsynced(const std::string& path, const std::string& text);
+///@}
+
 /// Size of a file [bytes] if its last bytes are the given ending; else -1.
 VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
   const std::string& path, const std::string& ending);

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include <stdio.h> // For fdopen()
+
 namespace helios
 {
 
@@ -35,7 +37,8 @@ std::string TextFileSink::Explain(int error) const
 Status TextFileSink::Open(const std::string& path)
 {
   this->Path = path;
-  this->File = std::fopen((path + PartEnding).c_str(), "wb");
+  const int descriptor = CreatePart(path);
+  this->File = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
   if (!this->File)
   {
     return Status::Error(this->Explain(errno));

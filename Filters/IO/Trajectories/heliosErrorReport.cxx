@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -18,25 +19,29 @@ namespace
 {
 
 constexpr double MinutesPerDegree = 60.0;
+constexpr double LargestError = 1e6; // [m, arc minutes]; squares of larger ones may overflow
 constexpr const char* Names[6] = { "EastPositionRMS", "NorthPositionRMS", "DownPositionRMS",
   "PitchRMS", "RollRMS", "HeadingRMS" };
 constexpr std::size_t BinaryColumns[6] = { 2, 1, 3, 8, 7, 9 };
 
 using Record = std::array<double, 10>;
 
-/// Adds the squares of a row; the name of a number that is not an RMS, or null.
-const char* AddRow(const std::array<double, 6>& row, ErrorReport& report)
+/// Adds the squares of a row; an error for a number that is no RMS.
+Status AddRow(const std::array<double, 6>& row, const std::string& place, ErrorReport& report)
 {
   for (std::size_t k = 0; k < 6; ++k)
   {
-    if (!std::isfinite(row[k]) || row[k] < 0.0)
+    if (!(row[k] >= 0.0 && row[k] <= LargestError))
     {
-      return Names[k];
+      std::ostringstream text;
+      text << place << Names[k] << " is " << row[k]
+           << ", not from 0 to 1e6; give RMS errors, or remove the row";
+      return Status::Error(text.str());
     }
     report.Squares[k] += row[k] * row[k];
   }
   ++report.Rows;
-  return nullptr;
+  return {};
 }
 
 std::string_view Trim(std::string_view text)
@@ -62,12 +67,6 @@ const char* FindColumns(std::string_view header, std::array<int, 6>& columns)
   }
   const auto missing = std::find(columns.begin(), columns.end(), -1);
   return missing == columns.end() ? nullptr : Names[missing - columns.begin()];
-}
-
-Status FailNumber(const std::string& place, const char* name)
-{
-  return Status::Error(
-    place + name + " is negative or not finite; give RMS errors, or remove the row");
 }
 
 Status CheckRows(const std::string& path, const ErrorReport& report)
@@ -133,9 +132,9 @@ Status ErrorReport::ReadText(const std::string& path)
     std::array<double, 6> values{};
     std::transform(columns.begin(), columns.end(), values.begin(),
       [&row](int column) { return row.GetValue(column); });
-    if (const char* name = AddRow(values, *this))
+    if (Status status = AddRow(values, file.GetPlace(), *this); !status.IsOk())
     {
-      return FailNumber(file.GetPlace(), name);
+      return status;
     }
   }
   return file.GetError().empty() ? CheckRows(path, *this) : Status::Error(file.GetError());
@@ -162,9 +161,9 @@ Status ErrorReport::ReadBinary(const std::string& path)
     std::transform(std::begin(BinaryColumns), std::end(BinaryColumns), values.begin(),
       [&record](std::size_t column) { return record[column]; });
     const std::string place = path + ", record " + std::to_string(this->Rows) + ": ";
-    if (const char* name = AddRow(values, *this))
+    if (Status status = AddRow(values, place, *this); !status.IsOk())
     {
-      return FailNumber(place, name);
+      return status;
     }
   }
   return CheckRows(path, *this);

@@ -113,6 +113,12 @@ def test_no_file_is_replaced_unasked(cloud, tmp_path, capsys, name):
     assert (tmp_path / name).read_text() == "of the user"
 
 
+def test_a_short_strip_is_an_error(tmp_path, capsys):
+    code, _, err = call(capsys, write(tmp_path / "a.las", seconds=0.5))
+    assert code == 1 and err.count("\n") == 1
+    assert "nothing can be fitted: strip 1 is left out: fewer than 10 of its scan lines" in err
+
+
 def test_errors(cloud, tmp_path, capsys):
     (tmp_path / "empty").mkdir()
     untimed = write(tmp_path / "untimed.las", times=False)

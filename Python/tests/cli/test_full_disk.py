@@ -5,13 +5,16 @@
 import errno
 import os
 import pathlib
+import re
+import runpy
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
-from vtkhelios import cli
-from vtkhelios.cli import _files
+import vtkhelios
+from vtkhelios import _files, cli
 
 
 def can_mount():
@@ -29,13 +32,15 @@ def small_disk(tmp_path):
     disk = tmp_path / "disk"
     disk.mkdir()
 
-    def call(size, *arguments):
+    def call(size, *arguments, into=None):
         words = " ".join(
             f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments]
         )
+        into = f" > '{into}'" if into else ""
+        left = "*" if arguments[0] in ("export", "fit", "tradeoff") else "*.part*"
         script = (
-            f"mount -t tmpfs -o size={size} none '{disk}' && {words}; code=$?; "
-            f"cd '{disk}' && find . -type f -name '*.part*'; exit $code"
+            f"mount -t tmpfs -o size={size} none '{disk}' && {words}{into}; code=$?; "
+            f"cd '{disk}' && find . -type f -name '{left}'; exit $code"
         )
         return subprocess.run(
             ["unshare", "-m", "sh", "-c", script],
@@ -67,6 +72,60 @@ def test_report(small_disk, small_runs):
 def test_schema(small_disk):
     disk, call = small_disk
     expect_full(call("8k", "schema", "--output", disk), disk / "helios.xsd")
+
+
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_standard_output(small_disk, unbuffered, monkeypatch):
+    """Also of python -u, whose text streams ignore that only a part was written."""
+    disk, call = small_disk
+    monkeypatch.setenv("PYTHONUNBUFFERED", unbuffered)
+    done = call("16k", "schema", into=disk / "helios.xsd")
+    assert done.returncode == 1 and done.stderr == (
+        "error: standard output: No space left on device: the output is lost; the files that the "
+        "command wrote are complete\n"
+    )
+
+
+@pytest.mark.parametrize("layout", ["kitti", "semantickitti", "s3dis", "mcap"])
+@pytest.mark.parametrize("size", ["4k", "16k"])
+def test_export(small_disk, small_runs, layout, size):
+    """Nothing is left, so that the command can be repeated."""
+    if layout == "mcap":
+        pytest.importorskip("mcap")
+    disk, call = small_disk
+    output = disk / "out"
+    done = call(size, "export", small_runs["las"], output, f"--{layout}", "--quiet")
+    assert done.returncode == 1 and done.stdout == "", done
+    assert re.fullmatch(
+        rf"error: {output}[^:]*: cannot be written: No space left on device; free space on its disk "
+        r"or give another OUT\n", done.stderr,
+    ), done.stderr  # fmt: skip
+
+
+@pytest.mark.parametrize("size", ["4k", "8k", "16k"])
+def test_fit(small_disk, size):
+    """All files, or none."""
+    disk, call = small_disk
+    write = runpy.run_path(pathlib.Path(__file__).with_name("test_fit.py"))["write"]
+    cloud = write(disk.parent / "a.las")
+    done = call(size, "fit", cloud, "--output", disk / "fitted", "--quiet")
+    expect_full_of_files(done, disk / "fitted")
+
+
+def test_tradeoff(small_disk, make_survey):
+    disk, call = small_disk
+    options = ("--pulses", "10", "--no-parts", "--quiet", "--output", disk)
+    done = call("8k", "tradeoff", make_survey(stop=5), *options)
+    expect_full_of_files(done, disk)
+
+
+def expect_full_of_files(done, folder):
+    """An error of one of several files, none of which is there."""
+    assert done.returncode == 1 and done.stdout == "", done
+    assert re.fullmatch(
+        rf"error: {folder}/\S+: cannot be written: No space left on device; free space on its disk "
+        r"or give another --output\n", done.stderr,
+    ), done.stderr  # fmt: skip
 
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "24k"])
@@ -103,20 +162,19 @@ def test_picture(small_disk):
         text=True,
         env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
     )
-    assert f"OSError: [Errno 28] the disk may be full: '{disk}/a.png'" in done.stderr
+    assert f"OSError: [Errno 28] No space left on device: '{disk}/a.png'" in done.stderr
     assert done.stdout == ""
+
+
+def raise_full(*_):
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
 
 def test_write_whole(tmp_path, monkeypatch):
     path = tmp_path / "a.html"
     path.write_text("the old one")
-
-    def write_half(self, _text, **_):
-        self.write_bytes(b"half")
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-
     with monkeypatch.context() as patch:
-        patch.setattr(pathlib.Path, "write_text", write_half)
+        patch.setattr(_files, "keep_part", raise_full)  # the .part is written
         with pytest.raises(OSError) as caught:
             _files.write_whole(path, "the new one")
     assert caught.value.filename == str(path) and caught.value.errno == errno.ENOSPC
@@ -124,6 +182,55 @@ def test_write_whole(tmp_path, monkeypatch):
     assert path.read_text() == "the old one"
     _files.write_whole(path, "größer")
     assert path.read_text(encoding="utf-8") == "größer"
+    _files.write_whole(path, b"\xff")
+    assert path.read_bytes() == b"\xff"
+
+
+def test_files_that_belong_together(tmp_path):
+    """If the second cannot be written, neither is there."""
+    (tmp_path / "b.txt.part").mkdir()
+    with pytest.raises(OSError) as caught:
+        _files.write_files(tmp_path, {"a.txt": "a", "b.txt": "b", "c.txt": "c"})
+    assert caught.value.filename == str(tmp_path / "b.txt")
+    assert [file.name for file in tmp_path.iterdir()] == ["b.txt.part"]
+    (tmp_path / "b.txt.part").rmdir()
+    paths = _files.write_files(tmp_path, {"a.txt": "a", "b.txt": "b"})
+    assert [path.read_text() for path in paths] == ["a", "b"]
+
+
+def test_a_part_is_not_written_through_a_link(tmp_path):
+    other = tmp_path / "other.txt"
+    other.write_text("of the user")
+    for link in (tmp_path / "a.txt.part", tmp_path / "a.vtp.part", tmp_path / "a.las.part"):
+        link.symlink_to(other)
+    _files.write_whole(tmp_path / "a.txt", "a")
+    cloud = vtkhelios.Cloud.from_arrays(np.zeros((3, 3)))
+    cloud.write(tmp_path / "a.vtp")
+    cloud.write(tmp_path / "a.las")
+    assert other.read_text() == "of the user"
+    names = {path.name for path in tmp_path.iterdir() if not path.is_symlink()}
+    assert names == {"a.txt", "a.vtp", "a.las", "other.txt"}
+
+
+@pytest.mark.parametrize("exists", [False, True])
+def test_new_folder(tmp_path, exists):
+    folder = tmp_path / "below/new"
+    if exists:
+        folder.mkdir(parents=True)
+    with pytest.raises(OSError) as caught, _files.new_folder(folder) as unfinished:
+        (unfinished / "a.txt").write_text("a")
+        (unfinished / "none/b.txt").write_text("b")
+    assert caught.value.filename == str(folder / "none/b.txt")
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+    assert folder.exists() == exists
+    with _files.new_folder(folder) as unfinished:
+        (unfinished / "a.txt").write_text("a")
+    assert [path.name for path in folder.iterdir()] == ["a.txt"]
+    assert [path.name for path in folder.parent.iterdir()] == ["new"]
+    (tmp_path / "file").touch()
+    with pytest.raises(NotADirectoryError, match="is not a folder: '.*file'"):
+        with _files.new_folder(tmp_path / "file/new"):
+            pass
 
 
 @pytest.mark.parametrize(
@@ -138,6 +245,12 @@ def test_message(number, cure):
     error = OSError(number, os.strerror(number))
     said = _files.cannot_be_written(error, "a.html", "--output")
     assert said == f"a.html: cannot be written: {os.strerror(number)}; {cure}"
+
+
+def test_message_without_a_number():
+    """Of numpy, for one."""
+    said = _files.cannot_be_written(OSError("673 written"), "a.bin", "OUT")
+    assert said == "a.bin: cannot be written: 673 written; give another OUT"
 
 
 def test_report_into_a_path_that_is_not_a_folder(small_runs, tmp_path, capsys):

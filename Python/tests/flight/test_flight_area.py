@@ -76,20 +76,34 @@ def test_contains_as_a_formula():
         ("POLYGON ((0 0, 1 1, 2 2))", "polygon 0 has no surface; give three or more corners"),
         ("POLYGON EMPTY", "is not a valid polygon in WKT: expected POLYGON"),
         ([(0, 0), (1, float("nan")), (1, 1)], "polygon 0 has a coordinate that is not finite"),
+        ([(0, 0), (1, 1e300), (1, 1)], "or beyond 1e+09 m; correct it"),
         (
             "nowhere.txt",
             "nowhere.txt: cannot be read: No such file or directory; give a polygon in",
         ),
         ("rows.txt", "rows.txt:2: '3;x' is not a corner: expected x y"),
-        ("broken.geojson", "broken.geojson: is not JSON"),
+        ("broken.geojson", "broken.geojson: is not valid JSON"),
         ("empty.geojson", "empty.geojson: has no polygon"),
         ("words.geojson", "words.geojson: has coordinates that are not numbers"),
+        ("deep.geojson", "deep.geojson: is nested too deeply; give a GeoJSON polygon"),
+        ("collections.geojson", "collections.geojson: has no polygon"),
+        ("large.geojson", "large.geojson: has coordinates that are not numbers"),
+        ("number.geojson", "number.geojson: has coordinates that are not numbers"),
+        ("without.geojson", "polygon 0 has no surface"),
     ],
 )
 def test_errors(area, message, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "rows.txt").write_text("0 0\n3;x\n")
     (tmp_path / "broken.geojson").write_text("{")
+    (tmp_path / "deep.geojson").write_text("[" * 100_000)
+    nested = '{"type": "GeometryCollection", "geometries": [' * 200 + "]}" * 200
+    (tmp_path / "collections.geojson").write_text(nested)
+    (tmp_path / "large.geojson").write_text(
+        f'{{"type": "Polygon", "coordinates": [[[1{"0" * 400}, 1], [1, 1]]]}}'
+    )
+    (tmp_path / "number.geojson").write_text('{"type": "MultiPolygon", "coordinates": 5}')
+    (tmp_path / "without.geojson").write_text('{"type": "Polygon", "coordinates": []}')
     (tmp_path / "empty.geojson").write_text('{"type": "FeatureCollection", "features": []}')
     (tmp_path / "words.geojson").write_text(
         '{"type": "Polygon", "coordinates": [[["a", 1], [1, 1]]]}'

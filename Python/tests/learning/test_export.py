@@ -231,7 +231,9 @@ def test_errors(small_runs, tmp_path, capsys):
     assert code == 1 and "already exists; give a new or empty folder" in err
     for text, message in (
         ("[1]", "is not a table of labels"), ('{"classes": {"2": 70000}}', "70000 is no label"),
-        ('{"colours": {}}', "colours is unknown; give classes, materials"), ("{", "is not a table"),
+        ('{"colours": {}}', "\"colours\" is unknown; give {"), ("{", "is not valid JSON"),
+        ("[" * 100_000, "is nested too deeply"), ('{"classes": [1]}', "classes is no object"),
+        ('{"classes": {"256": 1}}', 'class "256" is not from 0 to 255'),
     ):  # fmt: skip
         (tmp_path / "l.json").write_text(text)
         code, err = call(capsys, run, out, "--kitti", "--labels", tmp_path / "l.json")

@@ -3,13 +3,12 @@
 """Points of some files into another one: as LAS records where both ends are LAS, else as arrays."""
 
 import contextlib
-import os
 import pathlib
 
 import vtkhelios
 
 from .. import formats
-from .._run_files import PART
+from .._files import drop_part, keep_part, open_part
 from ..array_names import CRS, GPS_EPOCH, MATERIAL_NAME, PART_NAME
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 from ..formats._records import RecordReader, RecordWriter, same_form
@@ -248,7 +247,7 @@ class Output:
     def __enter__(self):
         self.path.parent.mkdir(parents=True, exist_ok=True)
         for path in self._paths:
-            self._files.append(open(f"{path}{PART}", "w+b"))  # noqa: SIM115
+            self._files.append(open_part(path))
         self.file = self._files[0]
         self.beside = self._files[-1]
         return self
@@ -259,13 +258,13 @@ class Output:
             return
         for path, file in zip(self._paths, self._files):
             file.close()
-            os.replace(f"{path}{PART}", path)
+            keep_part(path)
 
     def abandon(self):
         for path, file in zip(self._paths, self._files):
             with contextlib.suppress(OSError):  # of a full disk, already reported
                 file.close()
-            pathlib.Path(f"{path}{PART}").unlink(missing_ok=True)
+            drop_part(path)
 
 
 def _words(reader):

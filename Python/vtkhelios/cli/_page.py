@@ -12,7 +12,7 @@ from . import _charts
 from ._page_template import PAGE, STYLE
 from ._progress import duration
 from ._raster import Histogram, is_near
-from ._report import counted, describe_paths, readable
+from ._report import describe_paths, describe_time, readable
 from ._settings import describe_options
 
 MOST_ECHOES = 6  # larger counts share one bar
@@ -64,7 +64,7 @@ def write_page(summary, figures, reader, cloud=None):
 def _tiles(summary, figures):
     totals, timings = summary["totals"], summary["timings"]
     fired, hit = totals["pulsesFired"], totals["pulsesHit"]
-    seconds = timings["run_s"]
+    seconds = timings.get("parts_s", timings["run_s"])
     tiles = [
         (f"{figures.count:,}", "points"),
         (f"{fired:,}", "pulses fired"),
@@ -75,8 +75,10 @@ def _tiles(summary, figures):
     ]
     if figures.overlap() is not None:
         tiles.append((f"{100 * figures.overlap():.1f} %", "overlap: covered by two legs or more"))
+    is_joined = "parts_s" in timings
+    rate = f"{fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"
     tiles.append((duration(seconds) if seconds >= 60 else f"{seconds:.2f} s",
-                  f"run time, {fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"))  # fmt: skip
+                  "run time of the parts" if is_joined else f"run time, {rate}"))  # fmt: skip
     return tiles
 
 
@@ -158,14 +160,15 @@ def _bars(figures):
 
 
 def _legs(summary):
-    seconds = summary["timings"]["legs_s"]
+    timings = summary["timings"]
+    spent = ["in parts" if "parts_s" in timings else f"{each:.2f}" for each in timings["legs_s"]]
     return [
         (
             leg["leg"], f"{leg['start_s']:.3f}", f"{leg['duration_s']:.3f}",
             f"{leg['pulsesFired']:,}", f"{100 * leg['pulsesHit'] / max(1, leg['pulsesFired']):.1f}",
-            f"{leg['points']:,}", f"{spent:.2f}",
+            f"{leg['points']:,}", seconds,
         )
-        for leg, spent in zip(summary["legs"], seconds)
+        for leg, seconds in zip(summary["legs"], spent)
     ]  # fmt: skip
 
 
@@ -182,8 +185,7 @@ def _settings(summary):
         ("beam sampling", summary["sampling"]),
         ("pulses", describe_paths(summary["totals"])),
         ("ray caster", summary["rayCaster"]),
-        ("time", f"{timings['load_s']:.2f} s to load, {timings['run_s']:.2f} s to run, "
-                 f"{counted(timings['threads'], 'thread')}"),
+        ("time", f"{timings['load_s']:.2f} s to load; {describe_time(summary['totals'], timings)}"),
         *describe_options(options),
         ("scene (SHA-256 of its triangles)", {"code": summary["scene"]}),
     ]  # fmt: skip

@@ -22,8 +22,6 @@ COLUMNS = (  # of a table of legs: title, width, text
 def summary_lines(report, folder):
     """A finished run."""
     totals, timings = report["totals"], report["timings"]
-    seconds = max(timings["run_s"], 1e-9)
-    threads = timings["threads"]
     versions = report["versions"]
     yield (
         f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
@@ -31,19 +29,28 @@ def summary_lines(report, folder):
     )
     yield f"sampling {report['sampling']}"
     if len(report["legs"]) > 1:
-        yield from table_lines(report["legs"], [("time [s]", 10, timings["legs_s"])])
+        is_joined = "parts_s" in timings  # its legs were computed in the parts
+        times = [] if is_joined else [("time [s]", 10, timings["legs_s"])]
+        yield from table_lines(report["legs"], times)
     yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
     yield from unresolved_lines(totals)
     yield f"points   {totals['points']:,} ({totals['firstReturns']:,} first returns)"
-    yield (
-        f"time     {seconds:.2f} s with {counted(threads, 'thread')}: "
-        f"{totals['pulsesFired'] / seconds / 1e6:.2f} M pulses/s, "
-        f"{totals['points'] / seconds / 1e6:.2f} M points/s; "
-        f"{timings['load_s']:.2f} s to load the scene"
-    )
+    yield f"time     {describe_time(totals, timings)}; {timings['load_s']:.2f} s to load the scene"
     yield from file_lines(report["legs"], folder)
     if "accuracy" in report:
         yield from accuracy_lines(report["accuracy"])
+
+
+def describe_time(totals, timings):
+    """How long a run took, and its rates; one of parts was computed when they ran."""
+    seconds = max(timings["run_s"], 1e-9)
+    if "parts_s" in timings:
+        return f"{timings['parts_s']:.2f} s in the parts, {seconds:.2f} s to join them"
+    return (
+        f"{seconds:.2f} s with {counted(timings['threads'], 'thread')}: "
+        f"{totals['pulsesFired'] / seconds / 1e6:.2f} M pulses/s, "
+        f"{totals['points'] / seconds / 1e6:.2f} M points/s"
+    )
 
 
 def file_lines(legs, folder):
@@ -83,7 +90,8 @@ def join_reports(epochs, reports):
     names = reports[0]["totals"]
     joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
     times = [each.get("timings", each) for each in reports]
-    joined["timings"] = {name: sum(each[name] for each in times) for name in ("load_s", "run_s")}
+    names = [name for name in ("load_s", "run_s", "parts_s") if name in times[0]]
+    joined["timings"] = {name: sum(each[name] for each in times) for name in names}
     if "memory_bytes" in reports[0]:  # of estimates: epochs run one at a time
         joined["memory_bytes"] = max(each["memory_bytes"] for each in reports)
     return joined
@@ -99,7 +107,10 @@ def epochs_lines(joined):
     if "memory_bytes" in joined:
         yield f"files    {readable(totals['bytes'])}"
         yield f"memory   {readable(joined['memory_bytes'])}"
-    yield f"time     {duration(seconds)} ({seconds / 60:.2f} minutes)"
+    if "parts_s" in timings:
+        yield f"time     {timings['parts_s']:.2f} s in the parts, {seconds:.2f} s to join them"
+    else:
+        yield f"time     {duration(seconds)} ({seconds / 60:.2f} minutes)"
 
 
 def table_lines(legs, more):

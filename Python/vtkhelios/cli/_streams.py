@@ -9,6 +9,7 @@ written to ends no work: the rest of its text is dropped, and main() reports it 
 
 import contextlib
 import errno
+import io
 import os
 import re
 import sys
@@ -32,13 +33,17 @@ class Stream:
     """
 
     def __init__(self, raw, show=visible):
-        self._raw = raw
+        self._raw, self._is_unbuffered = raw, False
+        if isinstance(getattr(raw, "buffer", None), io.RawIOBase):  # python -u
+            self._raw, self._is_unbuffered = _buffered(raw), True
         self._show = show
         self.error = None
         self.unfiltered = self if show is _as_it_is else Stream(raw, _as_it_is)
 
     def write(self, text):
         self._attempt(lambda: self._raw.write(self._show(text, self.encoding)))
+        if self._is_unbuffered:
+            self.flush()
         return len(text)
 
     def flush(self):
@@ -66,6 +71,11 @@ class Stream:
 
     def __getattr__(self, name):
         return getattr(self._raw, name)
+
+
+def _buffered(raw):
+    """A text stream to the same file. One without a buffer drops what the system did not write."""
+    return open(raw.fileno(), "w", encoding=raw.encoding, errors=raw.errors, closefd=False)
 
 
 def _as_it_is(text, encoding):

@@ -11,7 +11,7 @@ from ..comparison import POINTS, SAMPLE
 from ..comparison._compare import compare_watched
 from . import _charts
 from ._compare_report import comparison_lines, write_comparison_page
-from ._files import cannot_be_written, write_whole
+from .._files import cannot_be_written, write_whole
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._page import load_template

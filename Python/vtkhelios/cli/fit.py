@@ -9,7 +9,7 @@ from .. import formats
 from ..fitting import POINTS
 from ..fitting._fit import fit_watched
 from ..fitting._write import FILES, write_fit
-from ._files import cannot_be_written
+from .._files import cannot_be_written
 from ._fit_report import fit_lines
 from ._interrupt import Interrupt
 from ._messages import Messages
@@ -137,7 +137,6 @@ def find_output(arguments):
 
 def write(result, folder, scene):
     try:
-        write_fit(result, folder, scene)
-        (folder / FIT_FILE).write_text(result.to_json() + "\n", encoding="utf-8")
+        write_fit(result, folder, scene, **{FIT_FILE: result.to_json()})
     except OSError as error:
         raise formats.FormatError(cannot_be_written(error, folder, "--output")) from error

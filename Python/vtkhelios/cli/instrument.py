@@ -6,7 +6,7 @@ import pathlib
 
 from .. import instruments, measured_pulse
 from ..formats import FormatError
-from ._files import cannot_be_written, write_whole
+from .._files import cannot_be_written, write_whole
 from ._messages import Messages
 
 SUMMARY = "write a scanner from the calibration of its manufacturer, or its recorded pulse"

@@ -3,10 +3,10 @@
 """vtkhelios join: makes a run of its parts."""
 
 import argparse
-import json
 import os
 import pathlib
 
+from .._json import parse_json
 from .._run_files import JOURNAL_NAME
 from ..formats import FormatError
 from . import run as run_command
@@ -104,7 +104,7 @@ def read_part(folder):
     path = folder / JOURNAL_NAME
     try:
         with open(path, encoding="utf-8") as file:
-            part = json.loads(file.readline())
+            part = parse_json(file.readline())
         if isinstance(part["part"], dict) and isinstance(part["options"], dict):
             return part
     except OSError as error:
@@ -117,7 +117,7 @@ def read_part(folder):
 def join_options(arguments, part, folder):
     """The arguments of vtkhelios run that make the whole run."""
     try:
-        command = json.loads(part["part"]["command"])
+        command = parse_json(str(part["part"]["command"]))
         there, options = pathlib.Path(command["folder"]), dict(command["options"])
         survey, assets = str(options["survey"]), [str(name) for name in options["assets"]]
     except (ValueError, KeyError, TypeError):

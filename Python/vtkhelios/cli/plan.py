@@ -15,9 +15,8 @@ from .._paths import from_vtk, require_utf8
 from .._pipeline import PipelineError
 from .._plan_files import clear, data_files, has_plan, picture_file, summary_file, survey_file
 from .._plan_settings import SettingError
-from .._run_files import PART
 from ..planning import Plan, PlanTask
-from ._files import cannot_be_written
+from .._files import cannot_be_written, find_unwritable
 from ._flight.options import add_flight_arguments, find_misplaced
 from ._interrupt import Interrupt
 from ._messages import Messages
@@ -166,13 +165,7 @@ def find_unusable(folder, overwrite):
             f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
             "replace them, or another --output"
         )
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / f"survey.xml{PART}").touch()
-        (folder / f"survey.xml{PART}").unlink()
-    except OSError as error:
-        return cannot_be_written(error, folder, "--output")
-    return None
+    return find_unwritable(folder, "--output")
 
 
 def print_plan(plan, messages):

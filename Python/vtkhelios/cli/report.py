@@ -11,7 +11,7 @@ from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
 from ..formats._summary import REPORT, check_summary
 from . import _charts
-from ._files import cannot_be_written, write_whole
+from .._files import cannot_be_written, write_whole
 from ._figures import Figures
 from ._interrupt import Interrupt
 from ._messages import Messages

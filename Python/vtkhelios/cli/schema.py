@@ -6,7 +6,7 @@ import pathlib
 
 import vtkhelios
 
-from ._files import cannot_be_written, write_whole
+from .._files import cannot_be_written, write_whole
 from ._messages import Messages
 
 SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or tables of it"

@@ -17,7 +17,7 @@ from .._plan_settings import SettingError
 from .._survey_text import with_ray_caster, with_sampling
 from .._tradeoff_run import make_tradeoff
 from ..planning import PLATFORM, SCANNER
-from ._files import cannot_be_written
+from .._files import cannot_be_written, write_files, write_whole
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._plan_options import option_of, value_of
@@ -265,31 +265,35 @@ def measure(found, arguments, messages):
 
 def write(result, folder, messages):
     """Writes the files; whether that succeeded."""
-    files = {
-        "tradeoff.json": result.to_json().encode(),
-        "tradeoff.csv": result.table.to_csv().encode(),
-    }
+    files = {"tradeoff.json": result.to_json(), "tradeoff.csv": result.table.to_csv()}
     if result.parts:
-        files["tradeoff_parts.csv"] = result.parts_table.to_csv().encode()
-    try:
-        files["tradeoff.png"] = make_picture(result)
-        if result.parts:
-            files["tradeoff_parts.png"] = make_parts_picture(result)
-    except ImportError:
-        messages.warning(
-            "no tradeoff.png: matplotlib is missing; apt-get install python3-matplotlib"
-        )
+        files["tradeoff_parts.csv"] = result.parts_table.to_csv()
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for name, content in files.items():
-            (folder / name).write_bytes(content)
+        write_files(folder, files)
+        pictures = draw(result, messages)
+        write_files(folder, pictures)
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return False
     messages.info("")
-    for index, name in enumerate(files):
+    for index, name in enumerate([*files, *pictures]):
         messages.info(f"{'' if index else 'files':8} {folder / name}")
     return True
+
+
+def draw(result, messages):
+    """The pictures, by name; none without matplotlib."""
+    try:
+        pictures = {"tradeoff.png": make_picture(result)}
+        if result.parts:
+            pictures["tradeoff_parts.png"] = make_parts_picture(result)
+    except ImportError:
+        messages.warning(
+            "no tradeoff.png: matplotlib is missing; apt-get install python3-matplotlib"
+        )
+        return {}
+    return pictures
 
 
 def recommend(result, found, arguments, messages):
@@ -359,7 +363,7 @@ def apply(row, found, arguments, messages):
     target = pathlib.Path(arguments.apply)
     try:
         data = with_settings(found.read_bytes(target.parent), row.options)
-        target.write_bytes(data)
+        write_whole(target, data)
     except OSError as error:
         messages.error(cannot_be_written(error, target, "--apply"))
         return 1

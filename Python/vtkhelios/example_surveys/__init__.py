@@ -10,12 +10,12 @@ of the kind, always the same bytes. To add a kind: its line in KINDS, a folder o
 survey.xml, scene.xml and README.md, and a module with ``write_geometry(folder)``.
 """
 
-import errno
 import importlib
 import os
 import pathlib
 import shutil
-import tempfile
+
+from .._files import new_folder
 
 __all__ = ["KINDS", "write_example"]
 
@@ -46,15 +46,8 @@ def write_example(kind, folder):
     folder = pathlib.Path(os.path.abspath(folder))
     if os.path.lexists(folder):
         raise FileExistsError(f"{folder}: exists and is kept; give another name, or remove it")
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-    except FileExistsError as error:
-        raise NotADirectoryError(errno.ENOTDIR, "is not a folder", error.filename) from None
-    with tempfile.TemporaryDirectory(prefix=".vtkhelios", dir=folder.parent) as scratch:
-        unfinished = pathlib.Path(scratch, "example")
-        unfinished.mkdir()
+    with new_folder(folder) as unfinished:
         _write_files(kind, folder.name, unfinished)
-        os.rename(unfinished, folder)
     return sorted(path for path in folder.rglob("*") if path.is_file())
 
 

@@ -73,7 +73,10 @@ def _fit_strip(flight, number, source, rows):
     track, by_lines = track
     mirror = find_mirror(track, pulses, period.value)
     if mirror is None:
-        return None, "fewer than 10 of its scan lines are found; give a longer strip"
+        return None, (
+            "fewer than 10 of its scan lines are found, or their angles are not regular; give a "
+            "longer strip"
+        )
     return Found(number, source, rows, pulses, period, track, by_lines, mirror), ""
 
 

@@ -173,7 +173,8 @@ def _find_lines(pulses, across, period):
     else:
         error = float(np.hypot(error, ROLL_RATE / rate / value))
         mirror = Mirror(ROTATING, 1 / value, error)
-        _fit_rotation(mirror, times, across, sets[1], step, gap)
+        if not _fit_rotation(mirror, times, across, sets[1], step, gap):
+            return None
     _find_limits(mirror, pulses, across, sets[1])
     return mirror
 
@@ -193,7 +194,8 @@ def _sample(times):
 
 def _fit_rotation(mirror, times, across, crossings, step, gap):
     """The angle of a period: its rate over the frequency; the roll is what is left. The rate is the sum
-    of the steps over that of their times, in which rounded coordinates and times cancel."""
+    of the steps over that of their times, in which rounded coordinates and times cancel. False if the
+    angles do not follow it."""
     rates = step / gap
     middle = np.median(rates)
     spread = 1.4826 * np.median(np.abs(rates - middle))
@@ -208,7 +210,10 @@ def _fit_rotation(mirror, times, across, crossings, step, gap):
     phase = (phase - centre + 0.5) % 1.0 - 0.5
     rest = across[rows] - rate / mirror.frequency * phase
     good = np.abs(rest - np.median(rest)) < 5.0
+    if np.count_nonzero(good) < ENOUGH:
+        return False
     _set_roll(mirror, times[rows][good], rest[good] - np.median(rest[good]))
+    return True
 
 
 def _phase(times, start, period):

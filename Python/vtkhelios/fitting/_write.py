@@ -7,6 +7,7 @@ import xml.sax.saxutils
 
 import numpy as np
 
+from .._files import write_files
 from ._mirror import OSCILLATING, ROTATING
 
 MARGIN = 0.5  # of the ground over its half width
@@ -18,8 +19,8 @@ PLATFORM = "Assets/platforms.xml#airplane_linearpath"
 FILES = ("survey.xml", "scanner.xml", "scene.xml", "ground.obj", "strip[0-9][0-9][0-9]*.csv")
 
 
-def write_fit(fit, folder, scene):
-    """Writes all files into a folder, which is created, and returns their paths."""
+def write_fit(fit, folder, scene, **more):
+    """Writes all files, and more texts by name, into a folder, which is created; returns their paths."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     texts = {"scanner.xml": scanner_text(fit), "survey.xml": survey_text(fit, scene)}
@@ -27,11 +28,7 @@ def write_fit(fit, folder, scene):
         texts[trajectory_name(strip)] = trajectory_text(strip)
     if scene is None:
         texts["scene.xml"], texts["ground.obj"] = SCENE, ground_text(fit)
-    paths = []
-    for name, text in texts.items():
-        paths.append(folder / name)
-        paths[-1].write_text(text, encoding="utf-8")
-    return paths
+    return write_files(folder, texts | {name: text + "\n" for name, text in more.items()})
 
 
 def _known(fit, name):

@@ -3,7 +3,6 @@
 """Areas of flight plans: polygons in WKT, GeoJSON, text, VTK XML, or arrays."""
 
 import importlib
-import json
 import os
 import pathlib
 import re
@@ -12,11 +11,13 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from .._json import JsonError, parse_json
 from .._paths import to_vtk
 from .._pipeline import update
 from .._plan_kinds import SettingError
 
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+FARTHEST = 1e9  # coordinate [m]
+NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 WKT = re.compile(r"\s*(?:SRID=\d+;)?\s*(MULTI)?POLYGON\b", re.I)
 KINDS = "a polygon in WKT, or a file of one: .geojson, .json, .wkt, .txt, .csv or .vtp"
 
@@ -146,31 +147,34 @@ def _parse_rows(text, path):
 
 def _parse_geojson(text, path):
     try:
-        document = json.loads(text)
-    except ValueError as error:
-        raise _error(path, f"is not JSON: {error}; give a GeoJSON polygon") from None
-    polygons = []
-    _collect(document, polygons)
-    try:
-        return [[np.array(ring, dtype=float)[:, :2] for ring in rings] for rings in polygons]
-    except (TypeError, ValueError, IndexError):
+        polygons = list(_find_polygons(parse_json(text)))
+        return [[_make_ring(ring) for ring in rings] for rings in polygons]
+    except JsonError as error:
+        raise _error(path, f"{error}; give a GeoJSON polygon") from None
+    except (TypeError, ValueError, IndexError, OverflowError):
         raise _error(path, "has coordinates that are not numbers; give x, y pairs") from None
 
 
-def _collect(item, polygons):
-    """The coordinates of all polygons in a GeoJSON object."""
-    if not isinstance(item, dict):
-        return
-    if item.get("type") == "Polygon":
-        polygons.append(item.get("coordinates"))
-    elif item.get("type") == "MultiPolygon":
-        polygons.extend(item.get("coordinates") or [])
-    for part in (
-        *(item.get("features") or []),
-        *(item.get("geometries") or []),
-        item.get("geometry"),
-    ):
-        _collect(part, polygons)
+def _find_polygons(item):
+    """Yields the coordinates of all polygons in a GeoJSON object."""
+    items = [item]
+    for each in items:
+        if not isinstance(each, dict):
+            continue
+        if each.get("type") == "Polygon":
+            yield each.get("coordinates")
+        elif each.get("type") == "MultiPolygon":
+            yield from each.get("coordinates") or []
+        items += [*(each.get("features") or []), *(each.get("geometries") or [])]
+        items.append(each.get("geometry"))
+
+
+def _make_ring(rows):
+    """The corners of a ring; TypeError for those that are no numbers."""
+    for row in rows:
+        if not all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in row):
+            raise TypeError
+    return np.array(rows, dtype=float)[:, :2]
 
 
 def _from_polydata(data):
@@ -192,9 +196,13 @@ def _check(polygons, where):
     if not checked:
         raise _error(where, "has no polygon")
     for number, rings in enumerate(checked):
-        if not all(np.isfinite(ring).all() for ring in rings):
-            raise _error(where, f"polygon {number} has a coordinate that is not finite; correct it")
-        if len(rings[0]) < 3 or _signed_area(rings[0]) == 0.0:
+        if not all((np.abs(ring) <= FARTHEST).all() for ring in rings):
+            raise _error(
+                where,
+                f"polygon {number} has a coordinate that is not finite, or beyond {FARTHEST:g} m; "
+                "correct it",
+            )
+        if not rings or len(rings[0]) < 3 or _signed_area(rings[0]) == 0.0:
             raise _error(
                 where, f"polygon {number} has no surface; give three or more corners, not in a line"
             )

@@ -7,7 +7,9 @@ import io
 import json
 import shutil
 
-from .._plan_files import SCENE, SUMMARY, SURVEY, write_points
+from .._files import write_whole
+from .._plan_files import SCENE, SUMMARY, SURVEY
+from .._write import write_points
 from ._follow import line_waypoints
 from ._picture import make_picture
 from ._survey import scene_file, write_survey
@@ -70,9 +72,7 @@ def data_files(plan, folder):
 
 def picture_file(plan, folder):
     """Draws the picture; returns its path."""
-    path = folder / PICTURE
-    path.write_bytes(make_picture(plan))
-    return path
+    return _write(folder / PICTURE, make_picture(plan))
 
 
 def page_file(plan, counts, folder):
@@ -116,8 +116,6 @@ def _feature(kind, coordinates, **properties):
     return {"type": "Feature", "properties": properties, "geometry": geometry}
 
 
-def _write(path, text):
-    from ..cli._files import write_whole
-
-    write_whole(path, text)
+def _write(path, content):
+    write_whole(path, content)
     return path

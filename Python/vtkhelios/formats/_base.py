@@ -15,9 +15,9 @@ from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
 
 from .. import _native
 from .._arrays import arrays
+from .._files import drop_part, keep_part, open_part, part_of
 from .._pipeline import MessageLog
 
-from .._run_files import PART
 
 from ..array_names import (
     AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, CRS,
@@ -293,25 +293,25 @@ class FileWriter(Writer):
 
     def __init__(self, path, header):
         super().__init__(path, header)
-        self.part = f"{path}{PART}"
+        self.part = str(part_of(path))
         self.file = None
 
     def open_part(self):
         try:
             pathlib.Path(self.part).parent.mkdir(parents=True, exist_ok=True)
-            self.file = open(self.part, "w+b")  # noqa: SIM115  closed by close() and abandon()
+            self.file = open_part(self.path)  # closed by close() and abandon()
         except OSError as error:
             self.fail(f"cannot be written: {error.strerror}; choose another folder")
 
     def keep_part(self):
         """Renames the finished file."""
-        os.replace(self.part, self.path)
+        keep_part(self.path)
 
     def abandon(self):
         if self.file is not None and not self.file.closed:
             with contextlib.suppress(OSError):  # of a full disk, already reported
                 self.file.close()
-        pathlib.Path(self.part).unlink(missing_ok=True)
+        drop_part(self.path)
 
 
 class StreamWriter(Writer):
@@ -338,8 +338,7 @@ class StreamWriter(Writer):
     def abandon(self):
         if self.stream.IsOpen():
             self.stream.Abandon()
-        path = pathlib.Path(self.path)
-        path.with_name(f"{path.name}{PART}").unlink(missing_ok=True)
+        drop_part(self.path)
 
 
 def find_problem(chunk):

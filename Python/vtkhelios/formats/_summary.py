@@ -6,6 +6,7 @@ import json
 
 import vtkhelios
 
+from .._json import JsonError, parse_json
 from ._base import FormatError, check_file
 
 CURE = "run the survey again"
@@ -80,7 +81,7 @@ WHOLE = {
     "scene": _text,
     "survey": _text,
     "timings": {"legs_s": [_number], "threads": _count,
-                **dict.fromkeys(("load_s", "run_s", "accuracy_s"), _number)},
+                **dict.fromkeys(("load_s", "run_s", "accuracy_s", "parts_s"), _number)},
     "totals": dict.fromkeys(_COUNTS, _count),
     "versions": {"VTK": _text, "vtkHelios": _text},
 }  # fmt: skip
@@ -121,14 +122,9 @@ def read_summary(path, needed=FILES):
 def parse_summary(data, path, needed=FILES):
     """The summary in text or bytes; messages name the file."""
     try:
-        text = data if isinstance(data, str) else data.decode()
-        summary = json.loads(text, object_pairs_hook=_unique, parse_constant=_refuse)
-    except UnicodeDecodeError as error:
-        raise FormatError(f"{path}: byte {error.start} is not UTF-8; {CURE}") from error
-    except RecursionError as error:
-        raise FormatError(f"{path}: is nested too deeply; {CURE}") from error
-    except ValueError as error:
-        raise FormatError(f"{path}: is not valid JSON: {error}; {CURE}") from error
+        summary = parse_json(data)
+    except JsonError as error:
+        raise FormatError(f"{path}: {error}; {CURE}") from error
     check_summary(summary, path, needed)
     return summary
 
@@ -180,19 +176,6 @@ def _check_lengths(summary):
             f"timings.legs_s has {len(times)} entries, but there are "
             f"{len(summary.get('legs', []))} legs"
         )
-
-
-def _unique(pairs):
-    entries = dict(pairs)
-    if len(entries) < len(pairs):
-        seen = set()
-        twice = next(key for key, _ in pairs if key in seen or seen.add(key))
-        raise ValueError(f"the key {_quote(twice)} is given twice")
-    return entries
-
-
-def _refuse(word):
-    raise ValueError(f"{word} is not a valid JSON number")
 
 
 def _quote(value):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK XML: .pvtp with pieces, streamed, and .vtp, in memory as a whole."""
 
-import os
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
@@ -14,8 +13,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
+from .._files import drop_part, keep_part, make_part
 from .._pipeline import MessageLog
-from .._run_files import PART
 from ._base import Header, Reader, StreamWriter, Writer
 from ._base import call, check_file, from_cloud, rows_of, select, to_cloud
 
@@ -115,7 +114,7 @@ class VtpWriter(Writer):
         self._add_vertices(cloud)
         pathlib.Path(self.path).parent.mkdir(parents=True, exist_ok=True)
         writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(f"{self.path}{PART}")
+        writer.SetFileName(str(make_part(self.path)))
         writer.SetInputData(cloud)
         writer.SetHeaderTypeToUInt64()
         with MessageLog() as log:  # VTK reports a full disk in many lines
@@ -125,7 +124,7 @@ class VtpWriter(Writer):
         if log.errors or writer.GetErrorCode():
             problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
             self.fail(f"cannot be written: {problem}; free space on its disk")
-        os.replace(f"{self.path}{PART}", self.path)
+        keep_part(self.path)
 
     def _add_vertices(self, cloud):
         """A vertex per point, so that viewers show it."""
@@ -139,4 +138,4 @@ class VtpWriter(Writer):
 
     def abandon(self):
         self._chunks.clear()
-        pathlib.Path(f"{self.path}{PART}").unlink(missing_ok=True)
+        drop_part(self.path)

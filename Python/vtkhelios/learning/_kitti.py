@@ -13,6 +13,7 @@ sequences/00/origin.txt            the pose of the first scan in the run, 4 x 4
 
 import numpy as np
 
+from .._files import write_table, write_whole
 from ._labels import find_instances, find_intensities
 
 # From the scanner (x forward, y left, z up) to the camera (x right, y down, z forward).
@@ -36,7 +37,7 @@ class KittiWriter:
         for number, scan in enumerate(scans):
             rows = np.empty((len(scan.arrays["points"]), 4), "<f4")
             rows[:, :3], rows[:, 3] = scan.points, find_intensities(scan.arrays)
-            rows.tofile(self.sequence / f"velodyne/{number:06}.bin")
+            write_whole(self.sequence / f"velodyne/{number:06}.bin", rows.tobytes())
             self.write_labels(number, scan)
             starts.append(scan.start)
             poses.append(scan.pose)
@@ -50,13 +51,13 @@ class KittiWriter:
     def _write_poses(self, starts, poses):
         first = np.linalg.inv(poses[0])
         rows = [(TO_CAMERA @ first @ pose @ TO_CAMERA.T)[:3].ravel() for pose in poses]
-        np.savetxt(self.folder / self.poses_file, rows, "%.9e")
-        np.savetxt(self.sequence / "times.txt", starts - starts[0], "%.6e")
-        np.savetxt(self.sequence / "origin.txt", poses[0], "%.17g")
+        write_table(self.folder / self.poses_file, rows, "%.9e")
+        write_table(self.sequence / "times.txt", starts - starts[0], "%.6e")
+        write_table(self.sequence / "origin.txt", poses[0], "%.17g")
         identity = " ".join(f"{value:.12e}" for value in np.eye(4)[:3].ravel())
         tr = " ".join(f"{value:.12e}" for value in TO_CAMERA[:3].ravel())
         lines = [f"P{index}: {identity}\n" for index in range(4)]
-        (self.sequence / "calib.txt").write_text("".join([*lines, f"Tr: {tr}\n"]))
+        write_whole(self.sequence / "calib.txt", "".join([*lines, f"Tr: {tr}\n"]))
 
 
 class SemanticKittiWriter(KittiWriter):
@@ -68,4 +69,4 @@ class SemanticKittiWriter(KittiWriter):
         (self.sequence / "labels").mkdir(exist_ok=True)
         words = find_instances(scan.arrays) << np.uint32(16)
         words |= self.labels.find(scan.arrays, self.fields)
-        words.astype("<u4").tofile(self.sequence / f"labels/{number:06}.label")
+        write_whole(self.sequence / f"labels/{number:06}.label", words.astype("<u4").tobytes())

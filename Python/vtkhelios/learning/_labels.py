@@ -3,8 +3,12 @@
 """Labels, instances and intensities of points."""
 
 import json
+import pathlib
+import re
 
 import numpy as np
+
+from .._json import JsonError, parse_json
 
 from ..array_names import (
     AMPLITUDE, CLASSIFICATION_IDS, INTENSITY, MATERIAL_IDS, MATERIAL_NAME, PART_IDS, RANGE,
@@ -40,22 +44,20 @@ class Labels:
     def read(cls, path):
         """Labels of a JSON file: {"classes": {"2": 72}, "materials": {"bark": 71, "3": 70}}."""
         try:
-            with open(path, encoding="utf-8") as file:
-                given = json.load(file)
-            classes = {int(key): _label(value) for key, value in given.pop("classes", {}).items()}
-            materials = {key: _label(value) for key, value in given.pop("materials", {}).items()}
+            given = parse_json(pathlib.Path(path).read_bytes())
+            if not isinstance(given, dict):
+                raise JsonError("is not a table of labels: it is no object")
+            classes = {_class(key): label for key, label in _labels(given, "classes")}
+            return cls(classes, dict(_labels(given, "materials")))
         except OSError as error:
             raise FormatError(
                 f"{path}: cannot be read: {error.strerror}; check its name"
             ) from error
-        except (ValueError, AttributeError, TypeError) as error:
+        except JsonError as error:
             raise FormatError(
-                f"{path}: is not a table of labels: {error}; give "
+                f"{path}: {error}; give "
                 '{"classes": {"2": 72}, "materials": {"bark": 71}}, labels from 0 to 65535'
             ) from error
-        if given:
-            raise FormatError(f"{path}: {next(iter(given))} is unknown; give classes, materials")
-        return cls(classes, materials)
 
     def find(self, arrays, fields):
         """The label of each point, uint16; 0: unlabelled. fields has the names of materials."""
@@ -78,10 +80,28 @@ class Labels:
         return next((self.materials[word] for word in words), None)
 
 
-def _label(value):
-    if not isinstance(value, int) or isinstance(value, bool) or not 0 <= value <= 65535:
-        raise ValueError(f"{value!r} is no label")
-    return value
+def _labels(given, name):
+    """Yields the names and labels of a table; JsonError for one that is not valid, or not known."""
+    for unknown in given.keys() - {"classes", "materials"}:
+        raise JsonError(f"{_short(unknown)} is unknown")
+    table = given.get(name, {})
+    if not isinstance(table, dict):
+        raise JsonError(f"is not a table of labels: {name} is no object")
+    for key, label in table.items():
+        if not isinstance(label, int) or isinstance(label, bool) or not 0 <= label <= 65535:
+            raise JsonError(f"is not a table of labels: {_short(label)} is no label")
+        yield key, label
+
+
+def _class(key):
+    if not re.fullmatch("[0-9]{1,3}", key) or int(key) > 255:
+        raise JsonError(f"is not a table of labels: class {_short(key)} is not from 0 to 255")
+    return int(key)
+
+
+def _short(value):
+    text = json.dumps(value)
+    return text if len(text) <= 60 else f"{text[:60]}..."
 
 
 def _name_of(fields, number):

@@ -14,6 +14,7 @@ A stamp is GpsTime, so GpsEpoch seconds are added by whoever needs wall-clock ti
 
 import numpy as np
 
+from .._files import naming
 from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
 from ..exchange import load
 from ._labels import find_intensities
@@ -42,7 +43,7 @@ class McapWriter:
     def write(self, scans):
         """Writes all scans; returns their number and that of points."""
         number, count = -1, 0
-        with open(self.path, "wb") as file:
+        with naming(self.path), open(self.path, "wb") as file:
             self.writer = self._mcap.Writer(file, compression=self._mcap.CompressionType.NONE)
             self.writer.start(profile="ros2", library="vtkhelios")
             for number, scan in enumerate(scans):

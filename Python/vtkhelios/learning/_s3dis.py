@@ -10,6 +10,7 @@ A room is a scan. Coordinates are relative to those of Area_1/origin.txt, whole 
 
 import numpy as np
 
+from .._files import write_table
 from ..array_names import CLASSIFICATION_IDS, PART_IDS, RGB
 from ._labels import find_intensities
 
@@ -17,6 +18,7 @@ NAMES = {
     2: "ground", 3: "lowvegetation", 4: "mediumvegetation", 5: "highvegetation", 6: "building",
     9: "water", 10: "rail", 11: "road", 17: "bridge",
 }  # fmt: skip
+ROW = "%.4f %.4f %.4f %d %d %d"
 
 
 class S3disWriter:
@@ -35,16 +37,12 @@ class S3disWriter:
             room = self.area / name
             (room / "Annotations").mkdir(parents=True)
             rows = np.column_stack([points - origin, _find_colours(scan.arrays)])
-            _save(room / f"{name}.txt", rows)
+            write_table(room / f"{name}.txt", rows, ROW)
             for title, mask in _find_objects(scan.arrays):
-                _save(room / f"Annotations/{title}.txt", rows[mask])
+                write_table(room / f"Annotations/{title}.txt", rows[mask], ROW)
             count += len(rows)
-        np.savetxt(self.area / "origin.txt", origin[np.newaxis], "%.0f")
+        write_table(self.area / "origin.txt", origin[np.newaxis], "%.0f")
         return number + 1, count
-
-
-def _save(path, rows):
-    np.savetxt(path, rows, "%.4f %.4f %.4f %d %d %d")
 
 
 def _find_objects(arrays):

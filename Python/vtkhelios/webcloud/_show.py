@@ -3,8 +3,8 @@
 """A cloud in a notebook: its page in a frame."""
 
 import html
-import pathlib
 
+from .._files import write_whole
 from ._contents import Contents
 
 LIMIT = 200_000  # points, as the notebook file holds the page
@@ -19,7 +19,7 @@ class CloudPage:
 
     def write(self, path):
         """Writes the page to a file, replacing it."""
-        pathlib.Path(path).write_text(self.text, encoding="utf-8")
+        write_whole(path, self.text)
 
     def _repr_html_(self):
         return (

@@ -5,7 +5,7 @@
 #include "heliosAssets.h"
 #include "heliosInputFile.h"
 #include "heliosMessages.h"
-#include "heliosRunJournal.h"
+#include "heliosPartFile.h"
 #include "heliosSceneBuilder.h"
 #include "heliosSceneReaders.h"
 #include "heliosStatus.h"

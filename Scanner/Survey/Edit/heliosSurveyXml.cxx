@@ -4,7 +4,7 @@
 
 #include "heliosAssets.h"
 #include "heliosMessages.h"
-#include "heliosRunJournal.h"
+#include "heliosPartFile.h"
 #include "heliosStatus.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlSurvey.h"

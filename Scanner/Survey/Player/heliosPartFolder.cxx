@@ -9,6 +9,7 @@
 #include "vtkHeliosRunFiles.h"
 
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 namespace helios
@@ -121,6 +122,7 @@ void PartFolder::AddBlock(std::size_t leg, const LegProgress& progress)
   {
     return; // a line at the end of a leg
   }
+  this->Seconds[leg] = progress.Seconds;
   PartBlock block{ leg, progress.Files, Subtract(progress.Counts, this->Counts) };
   this->Counts = progress.Counts;
   for (FileProgress& file : block.Files)
@@ -152,6 +154,13 @@ Status PartFolder::Check(const std::vector<LegPlan>& plans) const
 Status PartFolder::CheckBlock(const FileBlock& block) const
 {
   return RunCheck(this->Path, this->GetCure("--overwrite")).CheckBlock(block);
+}
+
+//------------------------------------------------------------------------------
+double PartFolder::GetSeconds() const
+{
+  return std::accumulate(this->Seconds.begin(), this->Seconds.end(), 0.0,
+    [](double sum, const auto& leg) { return sum + leg.second; });
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 
 #include <json/value.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ public:
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
   const std::vector<PartBlock>& GetBlocks() const { return this->Blocks; }
 
+  /// How long its blocks took [s].
+  double GetSeconds() const;
+
   /// The folder and the part, for messages.
   std::string Describe() const;
 
@@ -63,6 +67,7 @@ private:
   std::vector<PartBlock> Blocks;
   ScanCounts Counts;                        // of the blocks so far
   std::map<std::string, vtkIdType> Records; // of the files so far
+  std::map<std::size_t, double> Seconds;    // of the legs so far
 };
 
 } // namespace helios

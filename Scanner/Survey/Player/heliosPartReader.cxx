@@ -15,6 +15,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace helios
 {
@@ -146,6 +147,13 @@ Status PartReader::FindBlocks(const std::vector<LegPlan>& plans)
     first += static_cast<std::size_t>(plan.NumberOfBlocks);
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+double PartReader::GetSeconds() const
+{
+  return std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0,
+    [](double sum, const PartFolder& part) { return sum + part.GetSeconds(); });
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,9 @@ public:
   /// Checks that the parts have all blocks of the legs, and finds them.
   Status FindBlocks(const std::vector<LegPlan>& plans);
 
+  /// How long the blocks of all parts took [s].
+  double GetSeconds() const;
+
   bool Compute(const LegPlan& plan, vtkIdType block, vtkIdType count) override;
   LegPiece Collect(const LegOutputs& outputs) override;
   void Count(ScanCounts& counts) override;

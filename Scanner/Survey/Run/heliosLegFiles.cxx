@@ -18,6 +18,13 @@
 namespace helios
 {
 
+namespace
+{
+
+constexpr int Ports[] = { EchoPort, WaveformPort, PulsePort, HitPort };
+
+} // namespace
+
 //------------------------------------------------------------------------------
 LegFiles::LegFiles(const SurveyData& survey, const RunSettings& settings)
   : Survey(survey)
@@ -41,7 +48,7 @@ std::string LegFiles::MakeFileName(const LegPlan& plan, int kind, const std::str
 LegOutputs LegFiles::MakeOutputs(const LegPlan& plan) const
 {
   LegOutputs outputs;
-  for (const int port : { EchoPort, WaveformPort, PulsePort, HitPort })
+  for (const int port : Ports)
   {
     const bool isInPoints = port == WaveformPort && this->Settings.WaveformsInPoints;
     if (this->Settings.Wants.HasPort(port) && !isInPoints)
@@ -98,6 +105,18 @@ const LegOutput& FindOutput(const LegOutputs& files, const LegOutput& output)
 bool IsXml(const LegOutput& file)
 {
   return vtkHeliosXMLPieceWriter::SafeDownCast(file.Writer) != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool HasXml(const RunSettings& settings)
+{
+  bool hasXml = false;
+  for (const int port : Ports)
+  {
+    const bool isWritten = settings.Wants.HasPort(port);
+    hasXml = hasXml || (isWritten && IsXml({ MakeWriter(port, settings), port }));
+  }
+  return hasXml;
 }
 
 //------------------------------------------------------------------------------

@@ -45,6 +45,9 @@ const LegOutput& FindOutput(const LegOutputs& files, const LegOutput& output);
 /// Whether a file is an index of VTK XML.
 bool IsXml(const LegOutput& file);
 
+/// Whether the files of any output are VTK XML, with a file per piece.
+bool HasXml(const RunSettings& settings);
+
 /// The settings of the files of parts. Text is that of the run. LAS is VTK XML, which has the exact
 /// numbers: the header of a LAS file, by which its points are rounded, depends on all parts.
 RunSettings MakePartSettings(RunSettings settings);

@@ -26,7 +26,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache.
+/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache. Of VTK
+/// XML a piece is a block, as its files, and those of parts, depend on it.
 constexpr vtkIdType PulsesPerPiece = 32768;
 
 double Now()
@@ -254,10 +255,10 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
 vtkIdType LegRunner::GetPulsesPerPiece() const
 {
   const vtkIdType block = this->Settings.PulsesPerBlock;
-  const bool isWhole =
-    (this->Settings.Part.IsSet() ? MakePartSettings(this->Settings) : this->Settings).Format ==
-    "vtp";
-  return isWhole ? block : std::min(block, PulsesPerPiece);
+  const bool isPart = this->Settings.Part.IsSet();
+  return HasXml(isPart ? MakePartSettings(this->Settings) : this->Settings)
+    ? block
+    : std::min(block, PulsesPerPiece);
 }
 
 vtkIdType LegRunner::GetPiecesPerBlock() const

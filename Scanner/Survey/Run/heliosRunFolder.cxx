@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunFolder.h"
 
+#include "heliosPartFile.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"

@@ -22,19 +22,6 @@ constexpr const char* SealEnd = "\"}";
 } // namespace
 
 //------------------------------------------------------------------------------
-Status WriteWhole(const std::string& path, const std::string& text)
-{
-  PartFile file;
-  const bool good = file.Open(path) && file.Append(text.data(), text.size()) && file.Close();
-  if (!good)
-  {
-    file.Abandon();
-    RemoveFile(path + PartEnding);
-  }
-  return good ? Status() : Status::Error(file.GetProblem());
-}
-
-//------------------------------------------------------------------------------
 RunJournal::RunJournal(const std::string& folder)
   : Path((std::filesystem::path(folder) / vtkHeliosRunFiles::GetJournalName()).string())
 {

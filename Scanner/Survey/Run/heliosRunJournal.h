@@ -83,9 +83,6 @@ private:
   std::uint64_t Size = 0; // of the lines that were read
 };
 
-/// Writes a text file atomically: complete under its name, or not at all.
-Status WriteWhole(const std::string& path, const std::string& text);
-
 } // namespace helios
 
 #endif

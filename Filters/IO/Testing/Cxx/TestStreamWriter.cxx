@@ -14,6 +14,9 @@
 
 #include <algorithm>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace names = vtkHeliosArrayNames;
 namespace fs = std::filesystem;
 
@@ -25,6 +28,23 @@ vtkIdType CountLines(const std::string& path)
   const std::string text = helios::ReadText(path);
   CHECK((text.empty() || text.back() == '\n'));
   return std::count(text.begin(), text.end(), '\n');
+}
+
+/// Makes the descriptor of an open file that of another one.
+bool Redirect(const std::string& path, const char* to)
+{
+  for (const auto& entry : fs::directory_iterator("/proc/self/fd"))
+  {
+    std::error_code ignored;
+    if (fs::read_symlink(entry, ignored) == fs::canonical(path))
+    {
+      const int other = ::open(to, O_WRONLY | O_CLOEXEC);
+      const bool good = ::dup2(other, std::stoi(entry.path().filename().string())) >= 0;
+      ::close(other);
+      return good;
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -379,6 +399,49 @@ TEST_CASE("StreamWriter: resumes a file", "[StreamWriter]")
   CHECK(log->Errors.empty());
 }
 
+TEST_CASE("StreamWriter: a .part is not written through a link", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "points.xyz";
+  const std::string other = folder / "other.txt";
+  std::ofstream(other) << "of the user";
+  fs::create_symlink(other, path + ".part");
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  SECTION("of a new file")
+  {
+    REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(10)) && writer->Close()));
+    CHECK(CountLines(path) == 10);
+    CHECK_FALSE(fs::is_symlink(path));
+  }
+  SECTION("of a resumed file")
+  {
+    CHECK_FALSE(writer->Reopen(3, 1, 3));
+    CHECK(
+      log->HasError(path + ".part cannot be resumed: it is a link to another file, which is kept"));
+  }
+  SECTION("of a text")
+  {
+    CHECK(helios::WriteWhole(path, "whole").IsOk());
+    CHECK(helios::ReadText(path) == "whole");
+    fs::create_symlink(other, path + ".part");
+    CHECK(helios::WriteUnsynced(path, "again").IsOk());
+    CHECK(helios::ReadText(path) == "again");
+  }
+  SECTION("of a text that cannot be written")
+  {
+    fs::create_directories(path); // so that the .part cannot be renamed
+    fs::remove(path + ".part");
+    CHECK_THAT(helios::WriteWhole(path, "x").Message(), Catch::Contains("is a folder"));
+    CHECK_THAT(helios::WriteUnsynced(path, "x").Message(), Catch::Contains("is a folder"));
+    fs::create_directories(folder / "b.part/c");
+    CHECK_THAT(helios::WriteUnsynced(folder / "b", "x").Message(),
+      Catch::Contains("b.part cannot be opened"));
+  }
+  CHECK(helios::ReadText(other) == "of the user");
+}
+
 TEST_CASE("StreamWriter: copies rows of another file", "[StreamWriter]")
 {
   const helios::TempFolder folder;
@@ -488,11 +551,11 @@ TEST_CASE("StreamWriter: a disk that is full at the start", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
-  fs::create_symlink("/dev/full", path + ".part"); // cannot be truncated either
   vtkNew<vtkHeliosPointTextWriter> writer;
   const auto log = helios::WatchErrors(writer);
   writer->SetFileName(path.c_str());
   REQUIRE(writer->Open());
+  REQUIRE(Redirect(path + ".part", "/dev/full")); // which cannot be truncated either
   CHECK_FALSE(writer->Write(helios::MakeEchoes(10)));
   CHECK(log->HasError(path + ".part cannot be written: No space left on device"));
   CHECK(log->HasError("the first 0 records are safe in " + path + ".part, which has part"));

@@ -7,11 +7,10 @@ import pathlib
 import shlex
 
 from ..._paths import require_utf8
-from ..._run_files import PART
 from ...flight import FlightPlan
 from ...flight._check import Counts
 from ...flight._files import clear, data_files, has_plan, page_file, picture_file, summary_file
-from .._files import cannot_be_written
+from ..._files import cannot_be_written, find_unwritable
 from .._plan_check import read_strips, simulate
 from .._plan_report import file_lines
 from .options import given_flight_settings
@@ -47,13 +46,7 @@ def find_unusable(folder, overwrite):
             f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
             "replace them, or another --output"
         )
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / f"survey.xml{PART}").touch()
-        (folder / f"survey.xml{PART}").unlink()
-    except OSError as error:
-        return cannot_be_written(error, folder, "--output")
-    return None
+    return find_unwritable(folder, "--output")
 
 
 def write(arguments, plan, folder, messages):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of a run, as its summary has them, in words with units."""
 
+from ..._outputs import OUTPUTS
+
 FORMATS = {"xyz": "text (.xyz)", "las": "LAS 1.4 (.las)", "vtp": "VTK XML (.vtp)"}
 
 
@@ -69,15 +71,8 @@ _WORDS = {  # in the order of a page: title, text of a value
     "rayCaster": ("ray caster asked for", _text),
     "without": ("parts of the model left out", _text),
     "pulseStep": ("pulses computed", _step),
+    "weather": ("weather", _text),
     "play": ("epoch", str),
-    "waveforms": ("waveforms", _flag("written")),
-    "waveformsInPoints": ("waveforms in the files of points", _flag("yes")),
-    "pulses": ("pulses", _flag("written")),
-    "hits": ("hits of sub-rays", _flag("written")),
-    "scanFlags": ("scan direction and edge flags", _flag("written")),
-    "truth": ("points and normals without noise", _flag("written")),
-    "columns": ("columns of spinning optics", _flag("written")),
-    "decibels": ("amplitude and reflectance in dB", _flag("written")),
-    "splitByChannel": ("files", _flag("one per channel")),
+    **{output.key: (output.title, _flag(output.state)) for output in OUTPUTS},
     "pulsesPerBlock": ("pulses per block", _count("")),
 }

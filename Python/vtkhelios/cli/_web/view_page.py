@@ -8,7 +8,7 @@ import sys
 from ... import formats
 from ..._pipeline import PipelineError
 from ...webcloud import LIMIT, Contents
-from .._files import cannot_be_written, write_whole
+from ..._files import cannot_be_written, write_whole
 from .._interrupt import Interrupt
 from .._messages import Messages
 from .._parser import Parser, whole_number

@@ -7,7 +7,7 @@ import pathlib
 
 from ... import formats
 from ...formats._run import RunReader, is_run
-from .._files import cannot_be_written
+from ..._files import cannot_be_written, new_folder
 from .._interrupt import Interrupt
 from .._messages import Messages
 from .._progress import make_progress
@@ -36,6 +36,8 @@ examples:
   vtkhelios export output/street kitti --semantickitti
   vtkhelios export output/forest forest --s3dis --window leg
   vtkhelios export output/street street --mcap --window 0.05
+
+OUT appears when it is complete.
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
 """
@@ -96,17 +98,18 @@ def export(arguments, messages):
         raise formats.FormatError(f"{output}: already exists; give a new or empty folder")
     labels = learning.Labels.read(arguments.labels) if arguments.labels else learning.Labels()
     with RunReader(folder) as reader:
-        writer = learning.WRITERS[arguments.layout](output, labels, reader.header.fields)
-        output.mkdir(parents=True, exist_ok=True)
         task = Task("exporting", reader.count)
         with Interrupt(task, messages) as interrupt:
             try:
-                with make_progress(task, messages, quiet=arguments.quiet):
+                with make_progress(task, messages, quiet=arguments.quiet), new_folder(
+                    output
+                ) as new:
+                    writer = learning.WRITERS[arguments.layout](new, labels, reader.header.fields)
                     scans, points = writer.write(
                         counted_scans(learning.read_scans(reader, arguments.window), task)
                     )
             except Interrupted:
-                messages.error(f"interrupted; {output} is not complete, remove it")
+                messages.error(f"interrupted; {output} was not written")
                 return 128 + interrupt.signal
     messages.info(f"{arguments.layout} {output}: {scans:,} scans, {points:,} points")
     return 0

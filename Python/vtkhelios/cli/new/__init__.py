@@ -7,7 +7,7 @@ import pathlib
 import shlex
 
 from ...example_surveys import KINDS
-from .._files import cannot_be_written
+from ..._files import cannot_be_written
 from .._messages import Messages
 
 SUMMARY = "make a folder with a small scene, a survey and a README"

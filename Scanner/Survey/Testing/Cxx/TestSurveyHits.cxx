@@ -13,6 +13,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <string>
 
 using namespace helios::test;
@@ -53,6 +54,20 @@ TEST_CASE("SurveyHits: they are those of the scanner, in any format", "[SurveyHi
     }
     CHECK(isSame);
   }
+}
+
+TEST_CASE("SurveyHits: a file per block, also beside text and LAS", "[SurveyHits]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  const std::string format = GENERATE("xyz", "las", "vtp");
+  playing.Player->SetFormat(format.c_str());
+  playing.Player->SetWriteHits(true);
+  playing.Player->SetPulsesPerBlock(35000); // of 40000
+  REQUIRE(playing.Player->Run());
+  CHECK(std::filesystem::exists(files / "out/test/leg000_hits_0001.vtp"));
+  CHECK_FALSE(std::filesystem::exists(files / "out/test/leg000_hits_0002.vtp"));
 }
 
 TEST_CASE(

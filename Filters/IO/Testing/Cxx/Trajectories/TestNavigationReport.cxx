@@ -72,7 +72,7 @@ TEST_CASE("NavigationReport: binary records", "[NavigationReport]")
   CHECK(reading.FailsWith("", "smrmsg.out: has no rows", "smrmsg.out"));
   const double bad[10] = { 1, 0.1, NAN, 0.3, 9, 9, 9, 6, 12, 18 };
   CHECK(reading.FailsWith(bytes + std::string(reinterpret_cast<const char*>(bad), sizeof bad),
-    "smrmsg.out, record 1: EastPositionRMS is negative or not finite", "smrmsg.out"));
+    "smrmsg.out, record 1: EastPositionRMS is nan, not from 0 to 1e6", "smrmsg.out"));
 }
 
 TEST_CASE("NavigationReport: bad files are errors with file and line", "[NavigationReport]")
@@ -87,6 +87,8 @@ TEST_CASE("NavigationReport: bad files are errors with file and line", "[Navigat
     "a.txt:2: the row has 3 columns, fewer than the header; complete or remove it"));
   CHECK(reading.FailsWith(std::string(Header) + "1,x,0.3,0.5,9,0.6,6,12\n", "a.txt:2: "));
   CHECK(reading.FailsWith(std::string(Header) + "1,0.03,0.3,0.5,9,-0.6,6,12\n",
-    "a.txt:2: RollRMS is negative or not finite; give RMS errors, or remove the row"));
+    "a.txt:2: RollRMS is -0.6, not from 0 to 1e6; give RMS errors, or remove the row"));
+  CHECK(reading.FailsWith(std::string(Header) + "1,0.03,1e200,0.5,9,0.6,6,12\n",
+    "a.txt:2: EastPositionRMS is 1e+200, not from 0 to 1e6"));
   CHECK(reading.FailsWith(Header, "a.txt: has no rows; give an error report with a header"));
 }

@@ -25,6 +25,8 @@ struct Settings
   std::string Format;
   bool IsSplit = false;
   bool IsInPoints = false; // the waveforms of LAS
+  bool HasHits = false;
+  vtkIdType Block = 10000; // pulses
 };
 
 /// A player of parts, or of all.
@@ -38,6 +40,8 @@ struct PartRun : BlockRun
     this->Player->SetSplitByChannel(settings.IsSplit);
     this->Player->SetWaveformsInPoints(settings.IsInPoints);
     this->Player->SetWritePulses(true);
+    this->Player->SetWriteHits(settings.HasHits);
+    this->Player->SetPulsesPerBlock(settings.Block);
   }
 
   void SetPart(int part, int parts)
@@ -78,6 +82,14 @@ std::string ReadSummary(const std::string& folder)
 {
   const std::string text = ReadText(folder + "/run_summary.json");
   return text.substr(0, text.find("\"timings\"")) + text.substr(text.find("\"totals\""));
+}
+
+/// A number of the timings of a summary; 0: not there.
+double ReadTiming(const std::string& folder, const std::string& name)
+{
+  const std::string text = ReadText(folder + "/run_summary.json");
+  const std::size_t at = text.find("\"" + name + "\" : ");
+  return at == std::string::npos ? 0.0 : std::stod(text.substr(at + name.size() + 5));
 }
 
 /// Reports the files that differ.
@@ -133,6 +145,29 @@ TEST_CASE("SurveyJoin: legs", "[SurveyJoin]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   CheckJoin(files, reading, { GENERATE("las", "xyz", "vtp") });
+}
+
+TEST_CASE("SurveyJoin: hits of blocks larger than pieces of text", "[SurveyJoin]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  CheckJoin(files, reading, { GENERATE("las", "xyz", "vtp"), false, false, true, 35000 });
+}
+
+TEST_CASE("SurveyJoin: the time of the parts is in the summary", "[SurveyJoin]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  RunParts(files, reading, { "xyz" }, 2);
+  double seconds = 0.0;
+  for (int part = 1; part <= 2; ++part)
+  {
+    const std::string folder = "parts/test/" + vtkHeliosRunFiles::GetPartName(part, 2);
+    seconds += ReadTiming(files / folder, "run_s");
+  }
+  Join(files, reading, { "xyz" }, 2);
+  CHECK(seconds > 0.0);
+  CHECK(ReadTiming(files / "joined/test", "parts_s") == Approx(seconds));
 }
 
 TEST_CASE("SurveyJoin: LAS points with their waveforms", "[SurveyJoin]")
