@@ -384,6 +384,23 @@ def test_period_of_pulses_with_gaps():
     assert Lines(side, SIDE).period == pytest.approx(1e-5, rel=1e-3)
 
 
+@pytest.mark.parametrize("counts", [(1, 1), (1, 300), (300, 1), (2, 3)])
+def test_few_points(tmp_path, counts):
+    paths = [tmp_path / f"{name}.las" for name in "ab"]
+    for path, count in zip(paths, counts):
+        chunk = {
+            "points": np.random.default_rng(1).uniform(0, 9, (count, 3)),
+            "Intensity": np.full(count, 7, np.uint16),
+            "EchoWidth": np.full(count, 4.0),
+        }
+        with formats.open_writer(path, formats.Header()) as writer:
+            writer.write(chunk)
+    result = vtkhelios.compare(*paths)
+    assert [side["points"] for side in (result.a, result.b)] == list(counts)
+    assert any(row.name.startswith("median intensity") for row in result.rows)
+    json.loads(result.to_json())
+
+
 def test_progress_and_tables():
     seen = []
     result = vtkhelios.compare(make_survey(1), make_survey(2), sample=100, progress=seen.append)

@@ -42,6 +42,7 @@ def _write_block(writer, cloud, path, log):
     if writer.Open() and writer.Write(cloud.data) and writer.Close():
         return True
     writer.Abandon()
+    drop_part(path)
     return False
 
 
@@ -62,14 +63,16 @@ def write_points(data, path):
         writer.SetInputData(data)
         for reporter in (writer, writer.GetExecutive()):  # many lines about one reason
             reporter.AddObserver(vtkCommand.ErrorEvent, lambda *_: None)
+        writer.SetHeaderTypeToUInt64()
         succeeded, number = writer.Write(), writer.GetErrorCode()
         if succeeded and not number:
             keep_part(path)
             return path
         drop_part(path)
-        if number < vtkErrorCode.FirstVTKErrorCode:
-            raise OSError(number or errno.EIO, os.strerror(number or errno.EIO))
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))  # the only one of this writer
+        # A writer that cannot write more removes its file: ENOENT is of what it does then.
+        if number >= vtkErrorCode.FirstVTKErrorCode or number in (0, errno.ENOENT):
+            number = errno.ENOSPC
+        raise OSError(number, os.strerror(number))
 
 
 def _class(name):

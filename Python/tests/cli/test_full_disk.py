@@ -37,7 +37,7 @@ def small_disk(tmp_path):
             f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments]
         )
         into = f" > '{into}'" if into else ""
-        left = "*" if arguments[0] in ("export", "fit", "tradeoff") else "*.part*"
+        left = "*" if arguments[0] in ("export", "fit", "tradeoff", "convert") else "*.part*"
         script = (
             f"mount -t tmpfs -o size={size} none '{disk}' && {words}{into}; code=$?; "
             f"cd '{disk}' && find . -type f -name '{left}'; exit $code"
@@ -100,6 +100,39 @@ def test_export(small_disk, small_runs, layout, size):
         rf"error: {output}[^:]*: cannot be written: No space left on device; free space on its disk "
         r"or give another OUT\n", done.stderr,
     ), done.stderr  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "ending", ["xyz", "las", "laz", "copc.laz", "ply", "pcd", "vtp", "pvtp", "e57"]
+)
+def test_convert(small_disk, small_runs, ending):
+    """Nothing is left."""
+    pytest.importorskip(
+        {"laz": "lazrs", "copc.laz": "copclib", "e57": "pye57"}.get(ending, "numpy")
+    )
+    disk, call = small_disk
+    path = disk / f"a.{ending}"
+    done = call("60k", "convert", small_runs["las"], path, "--quiet")
+    assert done.returncode == 1 and done.stdout == "", done
+    assert done.stderr.startswith(f"error: {disk}/a") and done.stderr.count("\n") == 1
+    # libraries give their own reasons
+    assert re.search(
+        r"No space left on device|call write|write\(\) failed", done.stderr
+    ), done.stderr
+
+
+def test_compare(small_disk, small_runs):
+    disk, call = small_disk
+    page = disk / "a.html"
+    command = ("compare", small_runs["las"], small_runs["xyz"], "--output", page, "--quiet")
+    expect_full(call("60k", *command), page)
+
+
+def test_page_of_a_cloud(small_disk, small_runs):
+    disk, call = small_disk
+    done = call("60k", "view", small_runs["las"], "--html", disk / "a.html", "--quiet")
+    assert done.returncode == 1 and done.stdout == ""
+    assert "a.html: cannot be written: No space left on device; free space" in done.stderr
 
 
 @pytest.mark.parametrize("size", ["4k", "8k", "16k"])

@@ -149,13 +149,13 @@ class Measurement:
         if all(AMPLITUDE in side for side in self.sides):
             self._measure_values(AMPLITUDE, "amplitude", "dB", decibels)
         elif all(INTENSITY in side for side in self.sides):
-            self._measure_values(INTENSITY, "intensity", "", np.float64)
+            self._measure_values(INTENSITY, "intensity", "", _plain)
         else:
             names = [side.name for side in self.sides if AMPLITUDE not in side]
             self.absent.append(
                 f"amplitude: {names[0]} has no {AMPLITUDE}, and not both {INTENSITY}"
             )
-        self._measure_values(ECHO_WIDTH, "echo width", "ns", np.float64)
+        self._measure_values(ECHO_WIDTH, "echo width", "ns", _plain)
 
     def _measure_values(self, array, name, unit, convert):
         try:
@@ -326,6 +326,11 @@ def decibels(amplitude):
     amplitude = amplitude.astype(np.float64)
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.where(amplitude > 0, 10.0 * np.log10(1e9 * amplitude), np.nan)
+
+
+def _plain(values):
+    """As numbers of 64 bits; numpy's own float64() makes a scalar of one value."""
+    return values.astype(np.float64)
 
 
 def describe_shift(shift, rest):

@@ -124,7 +124,7 @@ class CopcWriter(FileWriter):
             folder = pathlib.Path(self.path).parent
             folder.mkdir(parents=True, exist_ok=True)
             self._scratch = tempfile.TemporaryFile(dir=folder)  # noqa: SIM115
-        records.tofile(self._scratch)
+        self._scratch.write(np.ascontiguousarray(records))
         self.count += len(records)
 
     def close(self):

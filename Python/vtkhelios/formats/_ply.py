@@ -211,7 +211,7 @@ class PlyWriter(FileWriter):
         vertices = np.empty(rows_of(chunk), self._type)
         for name, values in fields.items():
             vertices[name] = values
-        vertices.tofile(self.file)
+        self.file.write(np.ascontiguousarray(vertices))
         self.count += len(vertices)
 
     def _fields(self, chunk):

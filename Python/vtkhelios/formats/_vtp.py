@@ -8,13 +8,12 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
-from vtkmodules.vtkCommonMisc import vtkErrorCode
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import vtkhelios
 
-from .._files import drop_part, keep_part, make_part
-from .._pipeline import MessageLog
+from .._files import drop_part
+from .._write import write_points
 from ._base import Header, Reader, StreamWriter, Writer
 from ._base import call, check_file, from_cloud, rows_of, select, to_cloud
 
@@ -113,18 +112,10 @@ class VtpWriter(Writer):
         )
         self._add_vertices(cloud)
         pathlib.Path(self.path).parent.mkdir(parents=True, exist_ok=True)
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(str(make_part(self.path)))
-        writer.SetInputData(cloud)
-        writer.SetHeaderTypeToUInt64()
-        with MessageLog() as log:  # VTK reports a full disk in many lines
-            log.watch(writer)
-            log.watch(writer.GetExecutive())
-            writer.Write()
-        if log.errors or writer.GetErrorCode():
-            problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
-            self.fail(f"cannot be written: {problem}; free space on its disk")
-        keep_part(self.path)
+        try:
+            write_points(cloud, self.path)
+        except OSError as error:
+            self.fail(f"cannot be written: {error.strerror}; free space on its disk")
 
     def _add_vertices(self, cloud):
         """A vertex per point, so that viewers show it."""
