@@ -10,7 +10,7 @@ import math
 import re
 from xml.sax.saxutils import quoteattr
 
-from ._json import JsonError, parse_json
+from ._files._json import JsonError, parse_json
 
 __all__ = ["InstrumentError", "read_ouster"]
 

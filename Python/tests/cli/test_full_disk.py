@@ -117,7 +117,7 @@ def test_convert(small_disk, small_runs, ending):
     assert done.stderr.startswith(f"error: {disk}/a") and done.stderr.count("\n") == 1
     # libraries give their own reasons
     assert re.search(
-        r"No space left on device|call write|write\(\) failed", done.stderr
+        r"No space left on device|call write|LASwritePoint|write\(\) failed", done.stderr
     ), done.stderr
 
 

@@ -6,7 +6,7 @@ import argparse
 import os
 import pathlib
 
-from .._json import parse_json
+from .._files._json import parse_json
 from .._run_files import JOURNAL_NAME
 from ..formats import FormatError
 from . import run as run_command

@@ -11,14 +11,14 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .._json import JsonError, parse_json
+from .._files._json import JsonError, parse_json
 from .._paths import to_vtk
 from .._pipeline import update
 from .._plan_kinds import SettingError
 
 FARTHEST = 1e9  # coordinate [m]
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
-WKT = re.compile(r"\s*(?:SRID=\d+;)?\s*(MULTI)?POLYGON\b", re.I)
+WKT = re.compile(r"\s*(?:SRID=\d+;\s*)?(MULTI)?POLYGON\b", re.I)
 KINDS = "a polygon in WKT, or a file of one: .geojson, .json, .wkt, .txt, .csv or .vtp"
 
 

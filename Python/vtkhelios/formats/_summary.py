@@ -6,7 +6,7 @@ import json
 
 import vtkhelios
 
-from .._json import JsonError, parse_json
+from .._files._json import JsonError, parse_json
 from ._base import FormatError, check_file
 
 CURE = "run the survey again"

@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from .._json import JsonError, parse_json
+from .._files._json import JsonError, parse_json
 
 from ..array_names import (
     AMPLITUDE, CLASSIFICATION_IDS, INTENSITY, MATERIAL_IDS, MATERIAL_NAME, PART_IDS, RANGE,

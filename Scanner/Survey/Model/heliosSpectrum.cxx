@@ -6,6 +6,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosMessages.h"
 #include "heliosStatus.h"
+#include "heliosTextFile.h"
 
 #include <vtkDataObject.h>
 
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace helios
@@ -48,6 +50,27 @@ bool ParseRow(const std::string& line, double row[2])
     text = result.ptr;
   }
   return SkipBlanks(text, end) == end;
+}
+
+bool IsBlank(const std::string& line)
+{
+  const char* end = line.data() + line.size();
+  return SkipBlanks(line.data(), end) == end;
+}
+
+/// Whether several words, and all of them, start as numbers do: a row with an error, not a header.
+bool HasNumbers(const std::string& line)
+{
+  std::istringstream words(line);
+  int count = 0;
+  for (std::string word; words >> word; ++count)
+  {
+    if (std::string("+-.0123456789").find(word[0]) == std::string::npos)
+    {
+      return false;
+    }
+  }
+  return count > 1;
 }
 
 /// The reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
@@ -131,11 +154,17 @@ Status Spectrum::Read(const std::string& path)
   {
     ++number;
     double row[2];
-    if (!ParseRow(line, row))
+    const std::string where = "(" + path + ":" + std::to_string(number) + ") ";
+    const bool isRow = ParseRow(line, row);
+    if (!isRow && (this->Wavelengths.empty() ? HasNumbers(line) : !IsBlank(line)))
+    {
+      return Status::Error(where + "has " + Quote(line) +
+        " among its rows, which is not a wavelength [um] and a reflectance [%]");
+    }
+    if (!isRow)
     {
       continue; // header
     }
-    const std::string where = "(" + path + ":" + std::to_string(number) + ") ";
     if (!this->Wavelengths.empty() && row[0] < this->Wavelengths.back())
     {
       return Status::Error(where + "has wavelengths that do not ascend");

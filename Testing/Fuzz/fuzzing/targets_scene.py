@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Scene, trajectory and waveform files: the C++ readers alone, and detect."""
 
+import re
 import struct
 
 import numpy as np
@@ -11,7 +12,7 @@ import vtkhelios
 
 from . import small_files
 from .outcomes import check, check_count, check_fields, check_finite, check_polydata, plain_lines
-from .target import Seed, Target, command_line, pick, update
+from .target import Seed, Target, collect_warnings, command_line, pick, update
 
 
 class Obj(Target):
@@ -164,6 +165,9 @@ class Voxels(Target):
             check(not np.isinf(values).any(), f"{fields.GetArrayName(index)} is infinite")
 
 
+ROW = re.compile(rb"[-+.\d]\S*\s*[\s,]\s*[-+.\d]\S*")  # of a spectrum, or meant to be one
+
+
 class Spectrum(Target):
     """The spectrum of a material, and a survey run with it."""
 
@@ -174,12 +178,18 @@ class Spectrum(Target):
         return [Seed("wood.txt", small_files.SPECTRUM.encode(), survey_files(folder))]
 
     def run(self, path, data):
-        for name in ("spectra",):
-            (path.parent / name).mkdir(exist_ok=True)
-            (path.parent / name / "wood.txt").write_bytes(data)
-        from .targets_survey import run_in_memory
-
-        run_in_memory(path.with_name("survey.xml"))
+        (path.parent / "spectra").mkdir(exist_ok=True)
+        (path.parent / "spectra/wood.txt").write_bytes(data)
+        with collect_warnings() as warned:
+            survey = vtkhelios.read_survey(path.with_name("survey.xml"), assets=path.parent)
+            cloud = survey.run(noise=False)
+        check_polydata(cloud.polydata)
+        check_finite("amplitudes", cloud["Amplitude"])
+        if not warned:
+            lines = [line.strip(b" \t\r,") for line in data.split(b"\n")]
+            rows = [ROW.fullmatch(line) is not None for line in filter(None, lines)]
+            first = rows.index(True)
+            check(all(rows[first:]), "a line among the rows is not used, and no warning")
 
 
 def survey_files(folder):

@@ -121,7 +121,7 @@ class NavigationReport(Target):
         values = [report.GetRMS(k) for k in range(6)]
         check_finite("RMS", values)
         check(min(values) >= 0, f"RMS {values}")
-        lines = plain_lines(data, ()) if path.suffix == ".txt" else None
+        lines = plain_lines(data) if path.suffix == ".txt" else None
         rows = len(data) // 80 if path.suffix == ".out" else lines and len(lines) - 1
         check_count(report.GetNumberOfRows(), rows, (), "rows")
 

@@ -513,6 +513,12 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   CHECK(intensity("has no rows") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("spectra/moss.txt", header + "2 10\n1 20\n");
   CHECK(intensity("do not ascend") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header + "0.5 10\n1.0 2x\n\n1.1 30\n");
+  CHECK(intensity("moss.txt:6) has \"1.0 2x\" among its rows, which is not a wavelength") ==
+    Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", "Name: moss\n0.5 +10\n1.1 30\n");
+  CHECK(intensity("moss.txt:2) has \"0.5 +10\" among its rows") ==
+    Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("spectra/moss.txt", header + "2 101\n");
   CHECK(intensity("outside 0 to 100 %") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   fs::remove(files / "spectra/moss.txt");

@@ -13,7 +13,7 @@ import os
 import pathlib
 import tempfile
 
-from ._run_files import PART
+from .._run_files import PART
 
 _FULL = {errno.ENOSPC: "free space on its disk or ", errno.EDQUOT: "free space of your quota or "}
 
