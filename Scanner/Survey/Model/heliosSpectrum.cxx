@@ -41,7 +41,12 @@ bool ParseRow(const std::string& line, double row[2])
   const char* end = text + line.size();
   for (int k = 0; k < 2; ++k)
   {
-    text = SkipBlanks(text, end);
+    const char* begin = SkipBlanks(text, end);
+    if (k > 0 && begin == text)
+    {
+      return false; // 1.5.2 is not 1.5 and 0.2
+    }
+    text = begin;
     const auto result = std::from_chars(text, end, row[k]);
     if (result.ec != std::errc() || !std::isfinite(row[k]))
     {

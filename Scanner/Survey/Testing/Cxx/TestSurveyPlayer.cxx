@@ -516,6 +516,9 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   files.Write("spectra/moss.txt", header + "0.5 10\n1.0 2x\n\n1.1 30\n");
   CHECK(intensity("moss.txt:6) has \"1.0 2x\" among its rows, which is not a wavelength") ==
     Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header + "0.5 10\n1.0.2\n");
+  CHECK(intensity("moss.txt:6) has \"1.0.2\" among its rows") ==
+    Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("spectra/moss.txt", "Name: moss\n0.5 +10\n1.1 30\n");
   CHECK(intensity("moss.txt:2) has \"0.5 +10\" among its rows") ==
     Approx(from * 0.5 / 0.264).epsilon(1e-6));
