@@ -26,8 +26,17 @@ from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 from vtkhelios._pipeline import PipelineError
 from vtkhelios._tradeoff_run import confirm
+from vtkhelios._accuracy import Sampler
+from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
+from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
+from vtkhelios._pipeline import PipelineError
+from vtkhelios.cli._tradeoff.pictures import make_picture
 
 SETTINGS = ("survey", "sub-rays", "tolerance")  # that a survey can name; some ray casters, too
+ROOM = "".join(
+    f"v {x} {y} {z}\n" for z in (0, 9) for x, y in ((-20, -20), (20, -20), (20, 20), (-20, 20))
+)
+ROOM += "f 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
 WALL = "v -100 10 -100\nv 100 10 -100\nv 100 10 100\nv -100 10 100\nf 1 2 3\nf 1 3 4\n"
 
 
@@ -260,6 +269,30 @@ def test_bins_have_a_valid_range(fence):
 def test_too_few_pulses_are_refused(fence):
     with pytest.raises(ValueError, match="pulses is 3; give a whole number of 10 or more"):
         vtkhelios.read_survey(fence).tradeoff(pulses=3)
+
+
+def test_times_too_short_to_measure(make_survey, monkeypatch):
+    """Of surveys of few pulses: results and a picture, whose axes are logarithmic."""
+    monkeypatch.setattr(Sampler, "_time_window", lambda *_: 0.0)
+    result = vtkhelios.read_survey(make_survey(stop=1)).tradeoff(pulses=10, parts=False)
+    assert all(row.seconds > 0 for row in result.ways)
+    assert make_picture(result).startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("duration", [1e-5, 1e-4, 0.033])
+def test_few_pulses(make_survey, tmp_path, command_line, duration):
+    """One, ten, and 3,300."""
+    survey = make_survey()
+    (tmp_path / "plane.obj").write_text(ROOM)
+    text = survey.read_text().replace(
+        "Stop_deg", f'Stop_deg="30" maxDuration_s="{duration}" unused'
+    )
+    survey.write_text(text.replace(' unused="30"', ""))
+    command = ("tradeoff", survey, "--pulses", "10", "--no-parts", "--quiet", "--output", tmp_path)
+    done = command_line(*command)
+    assert done.returncode == 0, done.stderr
+    names = {path.name for path in (tmp_path / "plane").iterdir()}
+    assert names == {"tradeoff.json", "tradeoff.csv", "tradeoff.png"}
 
 
 def test_a_survey_without_echoes_is_an_error(make_survey):
