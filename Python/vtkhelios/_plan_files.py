@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a plan: its survey, its points, its summary."""
 
+import contextlib
 import importlib
 import json
 import os
@@ -18,7 +19,7 @@ from ._write import write_points
 from .scene import Scene
 
 __all__ = [
-    "clear", "data_files", "has_plan", "picture_file", "refer", "survey_file", "summary_file",
+    "data_files", "has_plan", "new_plan", "picture_file", "refer", "survey_file", "summary_file",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
@@ -33,10 +34,22 @@ def has_plan(folder, more=()):
     return any((folder / name).exists() for name in [*FILES, *more])
 
 
-def clear(folder):
-    """Makes a folder without the files of an earlier plan."""
+@contextlib.contextmanager
+def new_plan(folder, files=FILES):
+    """While entered, the files of a plan are written to a folder, which is made, without those of an
+    earlier one. After an error none is left, so that the plan can be written again."""
+    _clear(folder, files)
+    try:
+        yield
+    except (OSError, PipelineError):
+        with contextlib.suppress(OSError):
+            _clear(folder, files)
+        raise
+
+
+def _clear(folder, files):
     folder.mkdir(parents=True, exist_ok=True)
-    for name in reversed(FILES):  # the summary, which marks them complete, first
+    for name in reversed(files):  # the summary, which marks them complete, first
         (folder / name).unlink(missing_ok=True)
     shutil.rmtree(folder / "check", ignore_errors=True)
 

@@ -378,11 +378,11 @@ class Plan:
                 f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
                 "another folder"
             )
-        _plan_files.clear(folder)
-        files = [_plan_files.survey_file(self, folder), *_plan_files.data_files(self, folder)]
-        files += [_plan_files.picture_file(self, folder)] if picture else []
-        report = {**self.report, "files": [path.name for path in files]}
-        return [*files, _plan_files.summary_file(report, folder)]
+        with _plan_files.new_plan(folder, (*more, *_plan_files.FILES)):
+            files = [_plan_files.survey_file(self, folder), *_plan_files.data_files(self, folder)]
+            files += [_plan_files.picture_file(self, folder)] if picture else []
+            report = {**self.report, "files": [path.name for path in files]}
+            return [*files, _plan_files.summary_file(report, folder)]
 
     def __len__(self):
         return len(self.positions)

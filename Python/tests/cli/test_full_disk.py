@@ -37,7 +37,9 @@ def small_disk(tmp_path):
             f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments]
         )
         into = f" > '{into}'" if into else ""
-        left = "*" if arguments[0] in ("export", "fit", "tradeoff", "convert") else "*.part*"
+        left = (
+            "*" if arguments[0] in ("export", "fit", "tradeoff", "convert", "plan") else "*.part*"
+        )
         script = (
             f"mount -t tmpfs -o size={size} none '{disk}' && {words}{into}; code=$?; "
             f"cd '{disk}' && find . -type f -name '{left}'; exit $code"
@@ -172,7 +174,21 @@ def test_plan(small_disk, make_survey, size):
     assert "Traceback" not in done.stderr
     assert done.stderr.splitlines()[-1].startswith(f"error: {disk}/scene/")
     assert done.stderr.endswith("; free space on its disk or give another --output\n")
-    assert ".part" not in done.stdout
+    assert done.stdout == ""
+
+
+@pytest.mark.parametrize("size", ["8k", "100k"])
+def test_flight_plan(small_disk, make_survey, size):
+    disk, call = small_disk
+    make_survey()
+    scene = disk.parent / "plane.obj"
+    flight = ("--als", "--flying-height", "300", "--density", "2")
+    done = call(size, "plan", scene, *flight, "--output", disk, "--quiet")
+    assert done.returncode == 1 and done.stdout == "", done
+    assert done.stderr.startswith(f"error: {disk}/plane_als/"), done.stderr
+    assert done.stderr.endswith(
+        "No space left on device; free space on its disk or give another --output\n"
+    )
 
 
 def test_picture(small_disk):

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from .._paths import from_vtk, require_utf8
 from .._pipeline import PipelineError
-from .._plan_files import clear, data_files, has_plan, picture_file, summary_file, survey_file
+from .._plan_files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
 from .._plan_settings import SettingError
 from ..planning import Plan, PlanTask
 from .._files import cannot_be_written, find_unwritable
@@ -141,7 +141,8 @@ def make_plan(arguments, messages):
         return 128 + signal
     print_plan(plan, messages)
     try:
-        return write_plan(arguments, plan, folder, messages)
+        with new_plan(folder):
+            return write_plan(arguments, plan, folder, messages)
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return 1
@@ -188,7 +189,6 @@ def print_plan(plan, messages):
 
 def write_plan(arguments, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
-    clear(folder)
     files = data_files(plan, folder)
     survey = survey_file(plan, folder)
     files.insert(0, survey)

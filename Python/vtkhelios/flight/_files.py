@@ -5,10 +5,9 @@
 import csv
 import io
 import json
-import shutil
 
 from .._files import write_whole
-from .._plan_files import SCENE, SUMMARY, SURVEY
+from .._plan_files import SCENE, SUMMARY, SURVEY, new_plan
 from .._write import write_points
 from ._follow import line_waypoints
 from ._picture import make_picture
@@ -36,14 +35,6 @@ def has_plan(folder, more=()):
     return any((folder / name).exists() for name in [*FILES, *more])
 
 
-def clear(folder):
-    """Makes a folder without the files of an earlier plan."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in reversed(FILES):  # the summary, which marks them complete, first
-        (folder / name).unlink(missing_ok=True)
-    shutil.rmtree(folder / "check", ignore_errors=True)
-
-
 def write_plan(plan, folder, overwrite=False, picture=False):
     """Writes all files in a folder with the plan's name; returns their paths."""
     folder = folder / plan.name
@@ -53,10 +44,11 @@ def write_plan(plan, folder, overwrite=False, picture=False):
             f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
             "another folder"
         )
-    clear(folder)
-    files = data_files(plan, folder)
-    files += [picture_file(plan, folder), page_file(plan, None, folder)] if picture else []
-    return [*files, summary_file({**plan.report, "files": [each.name for each in files]}, folder)]
+    with new_plan(folder, (*more, *FILES)):
+        files = data_files(plan, folder)
+        files += [picture_file(plan, folder), page_file(plan, None, folder)] if picture else []
+        report = {**plan.report, "files": [each.name for each in files]}
+        return [*files, summary_file(report, folder)]
 
 
 def data_files(plan, folder):

@@ -9,7 +9,8 @@ import shlex
 from ..._paths import require_utf8
 from ...flight import FlightPlan
 from ...flight._check import Counts
-from ...flight._files import clear, data_files, has_plan, page_file, picture_file, summary_file
+from ..._plan_files import new_plan
+from ...flight._files import FILES, data_files, has_plan, page_file, picture_file, summary_file
 from ..._files import cannot_be_written, find_unwritable
 from .._plan_check import read_strips, simulate
 from .._plan_report import file_lines
@@ -33,7 +34,8 @@ def make_flight_plan(arguments, messages):
     for problem in lacks(plan.report):
         messages.warning(problem)
     try:
-        return write(arguments, plan, folder, messages)
+        with new_plan(folder, FILES):
+            return write(arguments, plan, folder, messages)
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return 1
@@ -51,7 +53,6 @@ def find_unusable(folder, overwrite):
 
 def write(arguments, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
-    clear(folder)
     files = data_files(plan, folder)
     report, code, counts = dict(plan.report), 0, None
     if arguments.check:
