@@ -21,16 +21,12 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
 from vtkhelios import _scene_meshes as meshes
-from vtkhelios._accuracy import MEASURES, Estimate
-from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
-from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
+from vtkhelios._accuracy import MEASURES, Estimate, Sampler
 from vtkhelios._pipeline import PipelineError
+from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
 from vtkhelios._tradeoff_run import confirm
-from vtkhelios._accuracy import Sampler
-from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
-from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
-from vtkhelios._pipeline import PipelineError
 from vtkhelios.cli._tradeoff.pictures import make_picture
+from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 
 SETTINGS = ("survey", "sub-rays", "tolerance")  # that a survey can name; some ray casters, too
 ROOM = "".join(
