@@ -2781,7 +2781,10 @@ class vtkHeliosObjSceneReader(vtkHeliosSceneReader):
     """Set/Get whether colours are read, for GenerateColors of
     vtkHeliosScanner: Kd and map_Kd of materials (columns
     Material.Color and Material.Texture), and texture coordinates
-    (cell data TextureCoordinates, u v of each corner). Default: off.
+    (cell data TextureCoordinates, u v of each corner). An image that
+    does not exist, or that vtkHeliosImageReader does not read, is an
+    error with the line of map_Kd; only its header is read here.
+    Default: off.
     """
     def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ..., read_colors: bool = ..., up_axis: Union[Literal["y", "z"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...

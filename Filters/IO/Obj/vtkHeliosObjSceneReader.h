@@ -53,7 +53,9 @@ public:
   /**
    * Set/Get whether colours are read, for GenerateColors of vtkHeliosScanner: Kd and map_Kd of
    * materials (columns Material.Color and Material.Texture), and texture coordinates (cell data
-   * TextureCoordinates, u v of each corner). Default: off.
+   * TextureCoordinates, u v of each corner). An image that does not exist, or that
+   * vtkHeliosImageReader does not read, is an error with the line of map_Kd; only its header is
+   * read here. Default: off.
    */
   vtkSetMacro(ReadColors, bool);
   vtkGetMacro(ReadColors, bool);

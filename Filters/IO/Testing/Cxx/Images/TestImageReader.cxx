@@ -22,7 +22,6 @@
 
 #include <sys/stat.h>
 
-using helios::Damaged;
 using helios::ErrorObserver;
 using helios::ImageSeeds;
 using helios::ReadBytesAsImage;
