@@ -11,6 +11,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios.cli._reading import make_reader
+from vtkhelios.cli._report import epochs_lines, join_reports
 from vtkhelios.cli.join import read_part
 
 from _command_line import expect_failure, start
@@ -63,6 +64,27 @@ def test_joined_parts_are_the_run(kind, run_parts, command_line, tmp_path):
     assert digests(parts) == whole
     joined = digests(elsewhere / "joined/plane")
     assert {**joined, "run_summary.json": whole["run_summary.json"]} == whole
+
+
+def test_the_time_is_that_of_the_parts(run_parts, command_line, tmp_path):
+    """join computes nothing: no rates of it, in the terminal and on the report page."""
+    parts = run_parts(2)
+    done = command_line("join", parts, cwd=tmp_path)
+    timings = json.loads((parts / "run_summary.json").read_text())["timings"]
+    spent = [
+        json.loads((parts / name / "run_summary.json").read_text())["timings"]["run_s"]
+        for name in ("part001of002", "part002of002")
+    ]
+    assert timings["parts_s"] == pytest.approx(sum(spent))
+    assert f"time     {sum(spent):.2f} s in the parts, " in done.stdout
+    assert "pulses/s" not in done.stdout.split("time ")[1]
+    pytest.importorskip("matplotlib")
+    assert command_line("report", parts, "--cloud-points", "0").returncode == 0
+    page = (parts / "report.html").read_text()
+    assert "run time of the parts" in page and "pulses/s" not in page and "in parts" in page
+    legs = {"points": 1, "pulses": 1, "pulsesFired": 1}
+    both = join_reports([0, 1], [{"totals": legs, "timings": timings}] * 2)
+    assert any(f"{2 * sum(spent):.2f} s in the parts" in line for line in epochs_lines(both))
 
 
 def test_a_killed_part_is_resumed(run_parts, command_line, make_survey, tmp_path):
