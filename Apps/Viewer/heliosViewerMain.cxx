@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosDisplay.h"
+#include "heliosSignals.h"
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerOptions.h"
@@ -56,6 +57,7 @@ private:
 
 int main(int argc, char** argv)
 {
+  helios::viewer::EndOnSignals();
   const VisibleText visible(std::cerr);
   helios::viewer::ViewerOptions options;
   const helios::viewer::OptionsResult result = helios::viewer::ReadOptions(argc, argv, options);

@@ -246,7 +246,7 @@ bool RunTarget(vtkObject* target, int argument)
 {
   if (auto* player = vtkHeliosSurveyPlayer::SafeDownCast(target))
   {
-    return player->Run();
+    return argument == 0 ? player->Run() : player->Estimate();
   }
   auto* source = vtkHeliosSurveySource::SafeDownCast(target);
   if (source && argument < 0)

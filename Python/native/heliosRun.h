@@ -9,8 +9,8 @@
 
 /**
  * run(target, argument, watched, on_progress, interval): Update(argument) of an algorithm, Load()
- * of a vtkHeliosSurveySource if argument is negative, Run() of a vtkHeliosSurveyPlayer. Every
- * object of watched is observed: at its ProgressEvent, at most every interval seconds, pending
+ * of a vtkHeliosSurveySource if argument is negative, Run() of a vtkHeliosSurveyPlayer, Estimate()
+ * of it if argument is not 0. Every object of watched is observed: at its ProgressEvent, at most every interval seconds, pending
  * signals are handled and on_progress (or None) is called with the object and its progress; if
  * either raises, all of them are aborted, and run() raises the same exception. The interpreter lock
  * is released meanwhile, unless watched includes a Python filter that does not acquire it (see

@@ -44,7 +44,7 @@ class Window:
         self.state_file = folder / "state.json"
         self.environment = {**os.environ, "DISPLAY": display}
         self.process = subprocess.Popen(
-            [*view.command(view.find_viewer(), [*map(str, arguments)], self.environment)]
+            [*view.command(view.find_viewer(), [*map(str, arguments)])]
             + ["--state", str(self.state_file), "--size", f"{WIDTH}x{HEIGHT}"],
             env=self.environment,
             cwd=folder,

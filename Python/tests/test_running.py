@@ -149,6 +149,17 @@ def test_interrupt_stops_a_run_and_the_next_is_complete(long_survey, blocks):
     assert (cloud.points == again.points).all()
 
 
+def test_interrupt_stops_slow_pulses(long_survey):
+    """The run would last for hours, and a million pulses for many minutes."""
+    long_survey.number_of_pulses
+    shares = []
+    timer = interrupt_after(1.0)
+    with pytest.raises(KeyboardInterrupt):
+        long_survey.run(progress=shares.append, sub_rays=20_000)
+    timer.join()
+    assert 0.0 < shares[-1] < 0.1
+
+
 def test_interrupted_files_are_resumed(long_survey, tmp_path):
     timer = interrupt_after(1.0)
     with pytest.raises(KeyboardInterrupt):

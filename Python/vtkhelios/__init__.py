@@ -40,6 +40,12 @@ The classes work with those of stock vtkmodules in one process:
 
 import importlib
 import pathlib
+import sys
+
+from ._process.start import handle_signals, is_command
+
+if is_command(sys.argv, sys.orig_argv):
+    handle_signals()
 
 from ._vtk import check_vtk
 

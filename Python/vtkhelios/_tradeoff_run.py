@@ -136,9 +136,7 @@ class _Run:
         """Measures of the reference against many sub-rays, and of these, of few pulses."""
         few = max(1, self._sampler.fired // CHECKED)
         check, half = (
-            self._sampler.run(
-                sub_rays=count, sub_ray_pattern="Vogel", every=few, **self._fine
-            )[0]
+            self._sampler.run(sub_rays=count, sub_ray_pattern="Vogel", every=few, **self._fine)[0]
             for count in (SUB_RAYS_OF_CHECK, SUB_RAYS_OF_CHECK // 2)
         )
         checked, _ = self._sampler.run(**self._finely(FINER, MOST_SUB_RAYS), every=few)

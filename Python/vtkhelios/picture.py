@@ -8,11 +8,7 @@ it starts a virtual one, Xvfb.
 """
 
 import argparse
-import ctypes
-import os
 import pathlib
-import shutil
-import subprocess
 import sys
 
 import numpy as np
@@ -24,6 +20,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ._arrays import arrays
 from ._files import cannot_be_written, write_whole
+from ._process.display import has_display, start_display
 from ._run_files import TRAJECTORY, beside
 from .array_names import AMPLITUDE, CLASSIFICATION_IDS
 from .cli._streams import visible
@@ -73,37 +70,7 @@ NO_DISPLAY = "no X display, and no Xvfb for a virtual one: apt-get install xvfb"
 
 def can_render():
     """Whether there is an X display, or a virtual one can be started. VTK exits if it finds none."""
-    return _connect() or (_start_display() and _connect())
-
-
-def _start_display():
-    """Starts Xvfb for this process and its children; it ends with the last of them."""
-    program = shutil.which("Xvfb")
-    if program is None:
-        return False
-    read, write = os.pipe()
-    with open(read) as numbers:
-        subprocess.Popen(
-            [program, "-displayfd", str(write), *SCREEN, "-terminate", "-nolisten", "tcp"],
-            pass_fds=[write], start_new_session=True,
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        )  # fmt: skip
-        os.close(write)
-        number = numbers.readline().strip()  # empty if it ends
-    if number:
-        os.environ["DISPLAY"] = f":{number}"
-    return bool(number)
-
-
-def _connect():
-    """Connects to the X display, for as long as the process lasts."""
-    try:
-        x11 = ctypes.CDLL("libX11.so.6")
-    except OSError:
-        return False
-    x11.XOpenDisplay.restype = ctypes.c_void_p
-    # Never closed: an Xvfb that loses its last client restarts or ends.
-    return bool(x11.XOpenDisplay(None))
+    return has_display() or (start_display(SCREEN) and has_display())
 
 
 def read_cloud(path):

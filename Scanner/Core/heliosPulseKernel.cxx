@@ -3,6 +3,7 @@
 #include "heliosPulseKernel.h"
 
 #include "heliosConstants.h"
+#include "heliosScanRun.h"
 #include "vtkHeliosBeamDeflector.h"
 
 #include <vtkMath.h>
@@ -31,20 +32,21 @@ PulseKernel::PulseKernel(const ScanModel& model)
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
+void PulseKernel::Run(vtkIdType first, vtkIdType last, ScanWatch& watch, ChunkResult& result)
 {
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
   const bool isAdaptive = this->Model.Path.IsAdaptive();
   const std::size_t rays = isAdaptive ? 1 : std::max<std::size_t>(1, this->Model.SubRays.size());
   const vtkIdType size = std::clamp<vtkIdType>(MostRays / rays, 1, MostPulses);
-  for (vtkIdType begin = first; begin < last; begin += size)
+  for (vtkIdType begin = first; begin < last && !watch.IsStopped(); begin += size)
   {
-    this->AimPulses(begin, std::min(last, begin + size));
+    const vtkIdType end = std::min(last, begin + size);
+    this->AimPulses(begin, end);
     if (!isAdaptive)
     {
       this->Tracer.Cast(this->Pulses, this->Counts);
     }
-    for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
+    for (std::size_t slot = 0; slot < this->Pulses.size() && !watch.IsStopped(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
       this->Echoes.clear();
@@ -54,6 +56,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
       this->DetectDarkCounts();
       this->StorePulse(slot, result);
     }
+    watch.Count(end - begin);
   }
 }
 

@@ -18,14 +18,16 @@
 namespace helios
 {
 
+class ScanWatch;
+
 /// One per thread; all its memory is scratch.
 class PulseKernel
 {
 public:
   explicit PulseKernel(const ScanModel& model);
 
-  /// Runs a chunk: the pulses [first, last) of the scan's sample.
-  void Run(vtkIdType first, vtkIdType last, ChunkResult& result);
+  /// Runs a chunk: the pulses [first, last) of the scan's sample; fewer if the watch has stopped.
+  void Run(vtkIdType first, vtkIdType last, ScanWatch& watch, ChunkResult& result);
 
   const ScanCounts& GetCounts() const { return this->Counts; }
 

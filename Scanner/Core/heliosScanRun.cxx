@@ -17,8 +17,8 @@ namespace
 {
 
 // Of a chunk.
-constexpr vtkIdType MostPulses = 256;
-constexpr vtkIdType FewestPulses = 32; // a group
+constexpr vtkIdType LargestChunk = 256;
+constexpr vtkIdType FewestPulses = 32; // a group; fewer if they are slow
 constexpr vtkIdType FewestChunks = 4;  // of a thread, in a scan of few pulses
 
 constexpr vtkIdType MostChunksPerThread = 64; // per batch, so that their records stay in the cache
@@ -27,6 +27,9 @@ constexpr vtkIdType MostChunksPerThread = 64; // per batch, so that their record
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.5;
 constexpr std::size_t ManyBytes = std::size_t(1) << 28;
+constexpr vtkIdType Growth = 4; // of fast batches
+
+constexpr std::chrono::milliseconds ReportInterval(100);
 
 std::size_t CountBytes(const std::vector<ChunkResult>& results)
 {
@@ -39,15 +42,16 @@ std::size_t CountBytes(const std::vector<ChunkResult>& results)
 }
 
 /// The pulses of a chunk: few enough that every thread has some, also of a small scan.
-vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads)
+vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads, vtkIdType most)
 {
-  return std::clamp(pulses / (FewestChunks * threads), FewestPulses, MostPulses);
+  return std::min(most, std::clamp(pulses / (FewestChunks * threads), FewestPulses, LargestChunk));
 }
 
 /// Runs chunks of the pulses [First, Last), each thread with its own kernel.
 struct ChunkFunctor
 {
   const ScanModel& Model;
+  ScanWatch& Watch;
   vtkIdType PulsesPerChunk;
   vtkIdType First;
   vtkIdType Last;
@@ -66,7 +70,7 @@ struct ChunkFunctor
       const vtkIdType from = this->First + c * this->PulsesPerChunk;
       ChunkResult& result = this->Results[static_cast<std::size_t>(c)];
       result.Clear();
-      kernel->Run(from, std::min(this->Last, from + this->PulsesPerChunk), result);
+      kernel->Run(from, std::min(this->Last, from + this->PulsesPerChunk), this->Watch, result);
     }
   }
 };
@@ -74,15 +78,39 @@ struct ChunkFunctor
 } // namespace
 
 //------------------------------------------------------------------------------
+bool ScanWatch::Report()
+{
+  const auto done = static_cast<double>(this->Done.load(std::memory_order_relaxed));
+  if (!this->IsStopped() && !this->GoesOn(done / static_cast<double>(this->Pulses)))
+  {
+    this->Stopped.store(true, std::memory_order_relaxed);
+  }
+  this->Last = std::chrono::steady_clock::now();
+  return !this->IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void ScanWatch::ReportAtIntervals()
+{
+  if (std::chrono::steady_clock::now() - this->Last > ReportInterval)
+  {
+    this->Report();
+  }
+}
+
+//------------------------------------------------------------------------------
 void BatchSize::Adapt(double seconds, std::size_t bytes)
 {
   if (seconds > LongSeconds || bytes > ManyBytes)
   {
-    this->ChunksPerThread = std::max<vtkIdType>(1, this->ChunksPerThread / 2);
+    vtkIdType& size = this->ChunksPerThread > 1 ? this->ChunksPerThread : this->MostPulses;
+    size = std::max<vtkIdType>(1, size / 2);
   }
   else if (seconds < ShortSeconds && bytes < ManyBytes / 4)
   {
-    this->ChunksPerThread = std::min(MostChunksPerThread, 4 * this->ChunksPerThread);
+    const bool isSmall = this->MostPulses < LargestChunk;
+    vtkIdType& size = isSmall ? this->MostPulses : this->ChunksPerThread;
+    size = std::min(isSmall ? LargestChunk : MostChunksPerThread, Growth * size);
   }
 }
 
@@ -91,12 +119,13 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, Batc
   const RunWatcher& goesOn, const ChunkSink& take)
 {
   const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  const vtkIdType size = ChooseChunkSize(last - first, threads);
-  ChunkFunctor functor{ model, size, first, first, {}, {} };
-  const auto count = static_cast<double>(last - first);
+  ScanWatch watch(goesOn, last - first);
+  ChunkFunctor functor{ model, watch, 0, first, first, {}, {} };
   batch.SetThreads(threads);
-  while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
+  while (functor.Last < last && watch.Report())
   {
+    const vtkIdType size = ChooseChunkSize(last - first, threads, batch.GetMostPulses());
+    functor.PulsesPerChunk = size;
     functor.First = functor.Last;
     functor.Last = std::min(last, functor.First + size * batch.GetChunks());
     using Clock = std::chrono::steady_clock;
@@ -104,6 +133,10 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, Batc
     const vtkIdType chunks = (functor.Last - functor.First + size - 1) / size;
     functor.Results.resize(static_cast<std::size_t>(chunks));
     vtkSMPTools::For(0, chunks, 1, functor);
+    if (watch.IsStopped())
+    {
+      break; // its records are incomplete
+    }
     take(functor.Results);
     batch.Adapt(
       std::chrono::duration<double>(Clock::now() - start).count(), CountBytes(functor.Results));

@@ -6,7 +6,7 @@
 //
 //   |<--------------------- block ---------------------->|<- ...   flushed to disk, journaled
 //   |<-------- piece -------->|<-------- piece --------->|         requested from the pipeline
-//   |<- batch ->|<-- batch -->|<- ...                              between checks for an abort
+//   |<- batch ->|<-- batch -->|<- ...                              appended to the output
 //   |  |  |  |  |  |  |  |  | chunk                                a task of a thread
 //   ||||||||                  group                                rays traced together
 //
@@ -15,9 +15,13 @@
 //   written while the next one is computed: 32768 pulses, or the whole block of VTK XML.
 // - A batch is as many chunks as take 0.05 to 0.5 s (BatchSize); then its records are appended to
 //   the output, and progress is reported.
-// - A chunk is 256 pulses, fewer in a small piece: PulseKernel::Run(), which fills one ChunkResult.
+// - A chunk is up to 256 pulses, fewer in a small piece or if pulses are slow: PulseKernel::Run(),
+//   which fills one ChunkResult.
 // - A group is up to 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
 //   sub-rays of each of its pulses are a bundle (BeamBundle).
+//
+// Pulses may become slower within a batch: ScanWatch also reports progress between its groups, and
+// ends the run after the pulse that each thread is at.
 //
 // The output is byte-identical for any of these sizes.
 
@@ -30,8 +34,11 @@
 
 #include <vtkType.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <thread>
 #include <vector>
 
 namespace helios
@@ -45,9 +52,47 @@ using RunWatcher = std::function<bool(double)>;
 /// Receives the records of some chunks, in order.
 using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
 
+/// Reports the progress of a run in the thread that started it, and lets all threads end early.
+class VTKHELIOSSCANNERCORE_EXPORT ScanWatch
+{
+public:
+  ScanWatch(const RunWatcher& goesOn, vtkIdType pulses)
+    : GoesOn(goesOn)
+    , Pulses(pulses)
+    , Caller(std::this_thread::get_id())
+  {
+  }
+
+  /// Whether the run ends; for any thread, once a pulse.
+  bool IsStopped() const { return this->Stopped.load(std::memory_order_relaxed); }
+
+  /// After some pulses; for any thread, which reports at most every 0.1 s.
+  void Count(vtkIdType pulses)
+  {
+    this->Done.fetch_add(pulses, std::memory_order_relaxed);
+    if (std::this_thread::get_id() == this->Caller)
+    {
+      this->ReportAtIntervals();
+    }
+  }
+
+  /// Reports the progress; false if the run ends.
+  bool Report();
+
+private:
+  void ReportAtIntervals();
+
+  const RunWatcher& GoesOn;
+  const vtkIdType Pulses;
+  const std::thread::id Caller;
+  std::atomic<vtkIdType> Done{ 0 };
+  std::atomic<bool> Stopped{ false };
+  std::chrono::steady_clock::time_point Last;
+};
+
 /**
- * The number of chunks between two checks for progress and abort: limited by the cache, and
- * smaller for slow or large chunks, so that any run can be stopped.
+ * The number of chunks of a batch, and the most pulses of a chunk: limited by the cache, and smaller
+ * for slow or large chunks, so that progress is reported often.
  */
 class VTKHELIOSSCANNERCORE_EXPORT BatchSize
 {
@@ -59,6 +104,7 @@ public:
 
   void SetThreads(vtkIdType threads) { this->Threads = threads; }
   vtkIdType GetChunks() const { return this->Threads * this->ChunksPerThread; }
+  vtkIdType GetMostPulses() const { return this->MostPulses; }
 
   /// After a batch.
   void Adapt(double seconds, std::size_t bytes);
@@ -66,6 +112,7 @@ public:
 private:
   vtkIdType Threads;
   vtkIdType ChunksPerThread = 1;
+  vtkIdType MostPulses = 16; // of a chunk; more once pulses are known to be fast
 };
 
 /// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts

@@ -370,6 +370,7 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
   }
   this->Runner = std::make_unique<helios::LegRunner>(
     this->GetSurvey(), this->GetScene(), this->Settings, this->Log);
+  this->Runner->SetOnProgress([this](double) { return this->ReportStep(this->Player->Message); });
   if (!this->Runner->Plan())
   {
     return this->Fail();

@@ -3,6 +3,7 @@
 #include "heliosRecorder.h"
 
 #include "heliosPartFile.h"
+#include "heliosSignals.h"
 #include "heliosStatus.h"
 
 #include <vtkImageData.h>
@@ -41,6 +42,16 @@ Status CheckFolder(const std::string& fileName)
 bool HasExtension(const std::string& fileName, const char* extension)
 {
   return fs::path(fileName).extension() == extension;
+}
+
+/// Gives a file that is complete its final name; or removes it.
+bool FinishFile(const std::string& fileName, bool isComplete)
+{
+  const std::string part = fileName + PartEnding;
+  std::error_code error;
+  isComplete ? fs::rename(part, fileName, error) : static_cast<void>(fs::remove(part, error));
+  SetUnfinished(part, false);
+  return isComplete && !error;
 }
 
 Status WriteImage(vtkAlgorithmOutput* image, const std::string& fileName)
@@ -114,12 +125,15 @@ Status Recorder::Open(vtkRenderWindow* window, const std::string& fileName, doub
   {
     this->Video = vtkSmartPointer<vtkOggTheoraWriter>::New();
     this->Video->SetInputConnection(this->Grabber->GetOutputPort());
-    this->Video->SetFileName(fileName.c_str());
+    RemoveFile(fileName + PartEnding); // it may be a link
+    SetUnfinished(fileName + PartEnding, true);
+    this->Video->SetFileName((fileName + PartEnding).c_str());
     this->Video->SetRate(static_cast<int>(std::lround(framesPerSecond)));
     this->Video->SetQuality(2);
     this->Video->Start();
     if (this->Video->GetError())
     {
+      FinishFile(fileName, false);
       return Status::Error(
         fileName + ": cannot be written; check the free space and permissions of its folder");
     }
@@ -162,8 +176,9 @@ Status Recorder::Close()
   this->Video->End();
   const bool isGood = !this->Video->GetError();
   this->Video = nullptr;
-  return isGood ? Status()
-                : Status::Error(this->FileName + ": cannot be finished; is the disk full?");
+  return FinishFile(this->FileName, isGood)
+    ? Status()
+    : Status::Error(this->FileName + ": cannot be finished; is the disk full?");
 }
 
 } // namespace helios::viewer

@@ -29,7 +29,7 @@ const char* const Epilog = R"(what can be shown:
 
 keys and mouse: press h in the window.
 
-without a display: with --offscreen, vtkhelios view starts xvfb-run itself.
+without a display: with --offscreen, vtkhelios view starts one itself (Xvfb).
 
 examples:
   vtkhelios view survey.xml

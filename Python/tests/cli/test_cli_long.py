@@ -18,6 +18,8 @@ import numpy as np
 import pytest
 
 import vtkhelios
+from vtkhelios import _native
+from vtkhelios._process.start import is_command
 from vtkhelios.cli._messages import Messages
 from vtkhelios.cli._reading import make_reader
 from vtkhelios.cli.run import run_epoch
@@ -71,7 +73,7 @@ def test_progress_on_a_terminal(make_survey, tmp_path):
     run.send_signal(signal.SIGINT)
     assert run.wait(timeout=60) == 130
     os.close(leader)
-    assert re.search(rb"M pulses/s.*points.*left", shown, re.S)
+    assert re.search(rb"pulses, [\d.,]+( M)? pulses/s.*points.*left", shown, re.S)
 
 
 def test_progress_elsewhere_is_lines(make_survey, tmp_path):
@@ -86,7 +88,7 @@ def test_progress_elsewhere_is_lines(make_survey, tmp_path):
     run.send_signal(signal.SIGINT)
     run.communicate(timeout=60)
     assert re.match(
-        r" *\d+ % leg 1 of 1, [\d.]+ M pulses, [\d.]+ M pulses/s, "
+        r" *\d+ % leg 1 of 1, [\d.,]+( M)? pulses, [\d.,]+( M)? pulses/s, "
         r"[\d,]+ points, \d+:\d\d left\n",
         line,
     )
@@ -215,8 +217,8 @@ def test_interrupted_epochs(number, command_line, make_epochs, tmp_path):
 
 def test_interrupt_between_epochs(make_epochs, capsys):
     with Messages() as messages:
-        interrupt = types.SimpleNamespace(signal=signal.SIGINT)
-        assert run_epoch(None, None, 2, messages, interrupt, []) == 130
+        request = types.SimpleNamespace(signal=signal.SIGINT)
+        assert run_epoch(None, None, 2, messages, request, []) == 130
     assert "interrupted before epoch 2: --resume continues with it" in capsys.readouterr().err
 
 
@@ -284,29 +286,81 @@ def test_reading_stops_before_the_end_of_a_file(make_survey, tmp_path):
 
 
 DEAF = """
-import sys
-from vtkhelios.cli._interrupt import Interrupt
-from vtkhelios.cli._messages import Messages
-from vtkhelios.cli._task import Task
-with Messages() as messages, Interrupt(Task("deaf"), messages):
+from vtkhelios.cli._stopping import Stopping, set_outcome
+from vtkhelios._process.unfinished import set_unfinished
+with Stopping():
+    set_outcome("a.txt was not written")
+    set_unfinished("a.txt.part")
+    open("a.txt.part", "w").close()
     print("ready", flush=True)
     sum(range(10**12))  # Python's handlers do not run meanwhile
 """
 
 
+@pytest.fixture
+def deaf(tmp_path):
+    """A process that does not respond to signals, and has an unfinished file."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", DEAF], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}, cwd=tmp_path,
+    )  # fmt: skip
+    assert process.stdout.readline() == "ready\n"
+    assert (tmp_path / "a.txt.part").exists()
+    time.sleep(0.5)  # until it sums
+    yield process
+    process.kill()
+    process.communicate()
+
+
+def check_end(process, number, folder):
+    _, errors = process.communicate(timeout=20)
+    assert process.returncode == 128 + number
+    assert errors == "error: interrupted; a.txt was not written\n"
+    assert list(folder.iterdir()) == []
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_what_does_not_respond(deaf, number, tmp_path):
+    deaf.send_signal(number)
+    with pytest.raises(subprocess.TimeoutExpired):
+        deaf.wait(timeout=0.3)
+    check_end(deaf, number, tmp_path)
+
+
 @pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("second", [signal.SIGINT, signal.SIGTERM])
-def test_a_second_signal_ends_at_once(first, second):
-    process = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE, text=True,
-                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
-    with process.stdout:
-        assert process.stdout.readline() == "ready\n"
-    try:
-        process.send_signal(first)
-        with pytest.raises(subprocess.TimeoutExpired):
-            process.wait(timeout=0.5)
-        process.send_signal(second)
-        assert process.wait(timeout=10) == -second
-    finally:
-        process.kill()
-        process.wait()
+def test_a_second_signal_ends_at_once(deaf, first, second, tmp_path):
+    deaf.send_signal(first)
+    time.sleep(0.1)
+    deaf.send_signal(second)
+    check_end(deaf, second, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "arguments, error, message",
+    [
+        (([70], 1.0), ValueError, "70 is not a signal number"),
+        (([0], 1.0), ValueError, "0 is not a signal number"),
+        (([signal.SIGINT], -1.0), ValueError, "seconds is not within 0 and 3600"),
+        ((3, 1.0), TypeError, "signals is not a sequence of signal numbers"),
+        ((["x"], 1.0), TypeError, "integer"),
+        (([signal.SIGKILL], 1.0), OSError, "Invalid argument"),
+    ],
+)
+def test_end_after_is_checked(arguments, error, message):
+    with pytest.raises(error, match=message):
+        _native.end_after(*arguments)
+
+
+@pytest.mark.parametrize(
+    "argv, words, expected",
+    [
+        (["-m"], ["python3", "-P", "-m", "vtkhelios", "run"], True),
+        (["-m"], ["python3", "-m", "pytest"], False),
+        (["/usr/bin/vtkhelios", "run"], ["python3", "/usr/bin/vtkhelios", "run"], True),
+        (["/home/a/script.py"], ["python3", "/home/a/script.py"], False),
+        ([], [], False),
+    ],
+)
+def test_who_is_the_command(argv, words, expected):
+    assert is_command(argv, words) is expected

@@ -118,7 +118,9 @@ def test_what_the_reference_cannot_tell_is_said(result):
     vague = dataclasses.replace(result, reference=own)
     assert vague.cheapest(missed=0.01) is None and vague.cheapest(missed=0.5) is not None
     text = explain_none(vague, arguments, 2)
-    assert text.startswith("--missed 1 %: missed and invented echoes cannot be told to better than 2 %")
+    assert text.startswith(
+        "--missed 1 %: missed and invented echoes cannot be told to better than 2 %"
+    )
 
 
 def test_a_check_replaces_the_error_of_a_reference_that_it_contradicts():

@@ -4,12 +4,12 @@
 
 import os
 import subprocess
+import sys
 
 import numpy as np
 import pytest
 from _viewer_window import HEIGHT, WIDTH, close_all, display, needs_window, opened  # noqa: F401
 
-from vtkhelios.cli import view
 
 pytestmark = needs_window
 
@@ -175,10 +175,9 @@ def test_failed_survey_shows_its_error(open_window, make_survey, tmp_path):
 def view_command(*arguments, **environment):
     """Runs the command line to the end without a display."""
     own = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-    words = view.command(view.find_viewer(), [*map(str, arguments)], {**own, **environment})
-    return subprocess.run(
-        words, capture_output=True, text=True, env={**own, **environment}, timeout=300
-    )
+    words = [sys.executable, "-P", "-m", "vtkhelios", "view", *map(str, arguments)]
+    own |= {"PYTHONPATH": os.pathsep.join(sys.path), **environment}
+    return subprocess.run(words, capture_output=True, text=True, env=own, timeout=300)
 
 
 def test_without_a_display(make_survey):

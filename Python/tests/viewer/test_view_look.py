@@ -7,13 +7,13 @@ import json
 import os
 import re
 import subprocess
+import sys
 import time
 
 import numpy as np
 import pytest
 from _viewer_window import HEIGHT, close_all, display, needs_window, opened  # noqa: F401
 
-from vtkhelios.cli import view
 
 pytestmark = needs_window
 
@@ -42,7 +42,8 @@ def still(make_survey, tmp_path, read_pixels):
         picture, state = tmp_path / "still.png", tmp_path / "still.json"
         words = [str(make_survey()), "--offscreen", "--still", str(picture), "--state", str(state)]
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-        command = view.command(view.find_viewer(), [*words, *arguments], environment)
+        environment["PYTHONPATH"] = os.pathsep.join(sys.path)
+        command = [sys.executable, "-P", "-m", "vtkhelios", "view", *words, *arguments]
         subprocess.run(command, check=True, env=environment, timeout=300)
         return read_pixels(picture), json.loads(state.read_text())
 

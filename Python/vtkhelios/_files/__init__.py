@@ -3,7 +3,8 @@
 """Files and folders that have their names when they are whole.
 
 A file is written under a name that ends in .part, and renamed. The .part is always a new file: one of
-that name is removed, and never written to, since it may be a link to another file.
+that name is removed, and never written to, since it may be a link to another file. A signal that ends
+the process removes it.
 """
 
 import contextlib
@@ -13,6 +14,7 @@ import os
 import pathlib
 import tempfile
 
+from .._process.unfinished import set_unfinished
 from .._run_files import PART
 
 _FULL = {errno.ENOSPC: "free space on its disk or ", errno.EDQUOT: "free space of your quota or "}
@@ -27,7 +29,12 @@ def open_part(path):
     """The .part of a file, new, open for reading and writing bytes."""
     part = part_of(path)
     part.unlink(missing_ok=True)
-    return open(str(part), "x+b")
+    set_unfinished(part)
+    try:
+        return open(str(part), "x+b")
+    except BaseException:
+        set_unfinished(part, False)
+        raise
 
 
 def make_part(path):
@@ -39,12 +46,14 @@ def make_part(path):
 def keep_part(path):
     """Gives a whole .part its name."""
     os.replace(part_of(path), path)
+    set_unfinished(part_of(path), False)
 
 
 def drop_part(path):
     """Removes the .part of a file, if there is one."""
     with contextlib.suppress(OSError):
         part_of(path).unlink()
+    set_unfinished(part_of(path), False)
 
 
 def write_whole(path, content):

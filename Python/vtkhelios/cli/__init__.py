@@ -13,6 +13,9 @@ or, where the arguments are another program's, instead of the last two
 
 start(arguments)        does it, given the arguments as words, and returns the exit code
 
+Signals end a command wherever it is (_stopping.py): what writes files calls set_outcome(), gives
+them their names when they are complete, and runs C++ that takes long by run_native() or update().
+
 Exit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted (143 terminated).
 """
 
@@ -23,6 +26,7 @@ import sys
 from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
+from ._stopping import Stopping, is_stopping, leave, report_stop
 from ._streams import standard_streams
 
 DESCRIPTION = (
@@ -88,17 +92,35 @@ def make_parser(names=None):
 
 
 def main(argv=None):
-    """Runs a command line and returns its exit code."""
-    argv = sys.argv[1:] if argv is None else list(argv)
-    with standard_streams() as results:
+    """Runs a command line and returns its exit code; without words, that of the process."""
+    is_process = argv is None
+    try:
+        code = main_in_streams(sys.argv[1:] if is_process else list(argv), is_process)
+    except KeyboardInterrupt as interruption:  # while the results are printed
+        code = report_stop(interruption)
+    if is_process and code > 128:
+        leave(code)
+    return code
+
+
+def main_in_streams(argv, is_process):
+    with standard_streams() as results, Stopping(is_process):
         try:
             code = run_command(argv)
+        except KeyboardInterrupt as interruption:
+            code = report_stop(interruption)
         except UnicodeEncodeError as error:
             text = error.object[max(0, error.start - 200) : error.end + 200]  # of a long one
             say_error(f"{text}: is not UTF-8, and not supported here; give it another name")
             code = 1
+        except Exception as error:
+            if not is_stopping():  # else a library has made it of the interruption
+                raise
+            code = report_stop(error)
         except SystemExit as end:  # of argparse
             raise SystemExit(written(results, end.code)) from None
+        if code and is_stopping():
+            code = report_stop(None)
         return written(results, code)
 
 

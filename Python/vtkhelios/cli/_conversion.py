@@ -39,7 +39,7 @@ class Conversion:
         return [path, *beside]
 
     def run(self, task):
-        """Converts; raises FormatError, OSError or Interrupted, and then writes no output."""
+        """Converts; if it raises anything, it writes no output."""
         paths = self._record_files()
         if paths and self._copy_records(paths, task):
             return
@@ -256,8 +256,9 @@ class Output:
         if kind is not None or self.file.closed:
             self.abandon()
             return
-        for path, file in zip(self._paths, self._files):
+        for file in self._files:
             file.close()
+        for path in reversed(self._paths):  # the points, which need the packets, last
             keep_part(path)
 
     def abandon(self):

@@ -12,6 +12,7 @@ from .._pipeline import (
     observe_messages,
     remove_observers,
 )
+from ._stopping import is_stopping
 from ._streams import visible
 
 
@@ -101,7 +102,8 @@ class Messages:
     def error(self, text):
         self.flush()
         self._errors += 1
-        self.write_error(visible(f"error: {text}"))
+        if not is_stopping():  # what is stopped may report that; the line of the stop says it
+            self.write_error(visible(f"error: {text}"))
 
     def error_unless_told(self, text):
         """Reports an error, unless its reason was already reported."""
@@ -110,7 +112,7 @@ class Messages:
 
     def warning(self, text):
         self.flush()
-        if not self.quiet:
+        if not self.quiet and not is_stopping():
             self.write_error(visible(f"warning: {text}"))
 
     def info(self, text):

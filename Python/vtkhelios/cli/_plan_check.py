@@ -14,9 +14,9 @@ import vtkhelios
 
 from .._run_files import POINTS, file_of_leg
 from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS, RETURN_NUMBER
-from ._interrupt import Interrupt
 from ._progress import make_progress
 from ._reading import make_reader
+from ._stopping import Interrupted, StopRequest, run_player, set_outcome
 
 SAME_PULSE = 1e-7  # rad, between the directions of the returns of a pulse
 STEEPEST = 0.02  # cosine of incidence; lower limit for the echo spacing at grazing incidence
@@ -36,14 +36,11 @@ def simulate(survey, arguments, folder, messages):
     player.SetFormat("vtp")
     player.GetOptions().SetNoise(False)
     player.SetOverwrite(True)
-    with Interrupt(player, messages) as interrupt:
-        with make_progress(player, messages, quiet=arguments.quiet):
-            succeeded = player.Run()
-    if interrupt.signal and not succeeded:
-        messages.error(
-            "interrupted during the simulation of the survey; the plan itself is written"
-        )
-        return 128 + interrupt.signal, None
+    set_outcome(" during the simulation of the survey; the plan itself is written")
+    with StopRequest(player) as request, make_progress(player, messages, quiet=arguments.quiet):
+        succeeded = run_player(player)
+    if request.signal:
+        raise Interrupted(request.signal)
     if not succeeded:
         messages.error_unless_told(player.GetMessage())
         return 1, None

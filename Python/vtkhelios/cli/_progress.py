@@ -4,14 +4,19 @@
 
 import collections
 import importlib.util
+import math
 import sys
+import threading
 import time
 
 from .._paths import from_vtk
+from ._stopping import is_stopping, set_terminal
 from ._streams import unfiltered, visible
 
-SECONDS_BETWEEN_LINES = 5.0
+SECONDS_BETWEEN_LINES = 2.0
 SECONDS_BETWEEN_BARS = 0.1
+LATE = 0.1  # s, of a report, before a line is repeated
+CLEAR_LINE, SHOW_CURSOR = "\r\033[K", "\033[?25h"
 
 
 class Pace:
@@ -46,6 +51,20 @@ def duration(seconds):
     whole = int(seconds + 0.5)
     hours, minutes = whole // 3600, whole // 60 % 60
     return f"{hours}:{minutes:02}:{whole % 60:02}" if hours else f"{minutes}:{whole % 60:02}"
+
+
+def amount(count):
+    """A number of pulses or points: 20,850, 1.23 M."""
+    return f"{count / 1e6:,.2f} M" if count >= 999_995 else f"{count:,}"
+
+
+def speed(rate):
+    """A rate, to three digits: 0.25, 3,900, 1.23 M."""
+    if rate >= 999_500:
+        return f"{rate / 1e6:,.2f} M"
+    if rate < 10:
+        return f"{rate:.2g}"
+    return f"{round(rate, 2 - math.floor(math.log10(rate))):,.0f}"
 
 
 class Progress:
@@ -85,13 +104,13 @@ class Progress:
         if player.GetCount("pulses") <= 0:
             return from_vtk(player.GetMessage()) or "loading"
         rate = self._fired.rate()
-        pace = f"{rate / 1e6:.2f}" if rate else "-"
+        pace = f"{speed(rate)} pulses/s, " if rate else ""
         fired, points = player.GetCount("pulsesFired"), player.GetCount("points")
-        left = duration(self._indices.remaining(player.GetNumberOfPulses()))
+        left = self._indices.remaining(player.GetNumberOfPulses())
+        remaining = "" if left is None else f", {duration(left)} left"
         return (
             f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "
-            f"{fired / 1e6:.2f} M pulses, {pace} M pulses/s, "
-            f"{points:,} points, {left} left"
+            f"{amount(fired)} pulses, {pace}{points:,} points{remaining}"
         )
 
     def show(self):
@@ -99,11 +118,46 @@ class Progress:
 
 
 class Lines(Progress):
-    """A line every few seconds."""
+    """A line every few seconds, also while nothing is reported.
+
+    A thread repeats the latest line then; it does not use the player, which is at work.
+    """
+
+    def __init__(self, player, messages):
+        super().__init__(player, messages)
+        self._latest = f"  0 % {from_vtk(player.GetMessage()) or 'loading'}"
+        self._lock = threading.Lock()
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._repeat, daemon=True)
+
+    def __enter__(self):
+        self._thread.start()
+        return super().__enter__()
+
+    def __exit__(self, *_):
+        self._ended.set()
+        super().__exit__()
+
+    def _on_progress(self, *_):
+        super()._on_progress()
+        percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
+        self._latest = f"{percent:3.0f} % {self.describe()}"
 
     def show(self):
         percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
-        print(f"{percent:3.0f} % {self.describe()}", file=sys.stderr, flush=True)
+        self._write(f"{percent:3.0f} % {self.describe()}")
+
+    def _write(self, line):
+        with self._lock:
+            if not is_stopping():
+                print(line, file=sys.stderr, flush=True)
+
+    def _repeat(self):
+        while not self._ended.wait(max(0.05, self._next - time.monotonic())):
+            now = time.monotonic()
+            if now >= self._next + LATE:  # else the next report is shown
+                self._next = now + self.seconds_between
+                self._write(self._latest)
 
 
 class PlainBar(Progress):
@@ -113,15 +167,17 @@ class PlainBar(Progress):
 
     def show(self):
         percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
+        set_terminal(CLEAR_LINE)
         _overwrite(f"{percent:3.0f} % {visible(self.describe())}")
 
     def __exit__(self, *_):
         super().__exit__()
         _overwrite("")
+        set_terminal("")
 
 
 def _overwrite(text):
-    print(f"\r\033[K{text}", end="", file=unfiltered(sys.stderr), flush=True)
+    print(f"{CLEAR_LINE}{text}", end="", file=unfiltered(sys.stderr), flush=True)
 
 
 class RichBar(Progress):
@@ -150,12 +206,14 @@ class RichBar(Progress):
         self._messages.write_error = lambda text: self._bar.console.print(
             text, markup=False, soft_wrap=True
         )
+        set_terminal(CLEAR_LINE + SHOW_CURSOR)
         self._bar.start()
 
     def __exit__(self, *_):
         super().__exit__()
         if self._bar:
             self._bar.stop()
+            set_terminal("")
             self._messages.write_error = self._write_error
 
     def show(self):

@@ -1,32 +1,22 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Work on many points as a player: what shows progress and what interrupts can watch it."""
+"""Work on many points as a player: what shows progress can watch it."""
 
 import time
 
-from ._progress import Pace, duration
-
-
-class Interrupted(Exception):
-    """Ctrl-C was pressed; raised between two chunks."""
+from ._progress import Pace, amount, duration, speed
 
 
 class Watched:
-    """What progress and interrupts need of a player, besides GetProgress() and GetMessage()."""
+    """What progress needs of a player, besides GetProgress() and GetMessage()."""
 
     def __init__(self):
-        self._stopped = False
         self._callback = None
 
     def report(self):
-        """Shows the progress; raises Interrupted if requested."""
+        """Shows the progress."""
         if self._callback:
             self._callback()
-        if self._stopped:
-            raise Interrupted
-
-    def Abort(self):
-        self._stopped = True
 
     def AddObserver(self, _event, callback):
         self._callback = callback
@@ -50,7 +40,7 @@ class Task(Watched):
         self._pace = Pace()
 
     def advance(self, count):
-        """Adds finished points; raises Interrupted if requested."""
+        """Adds finished points."""
         self.done += count
         self._pace.add(time.monotonic(), self.done)
         self.tell()
@@ -65,13 +55,13 @@ class Task(Watched):
 
     def GetMessage(self):
         rate = self._pace.rate()
-        pace = f", {rate / 1e6:.2f} M points/s" if rate else ""
+        pace = f", {speed(rate)} points/s" if rate else ""
         left = f", {duration(self._pace.remaining(self.total))} left" if self.total else ""
-        return f"{self.name}, {self.done / 1e6:.2f} M points{pace}{left}"
+        return f"{self.name}, {amount(self.done)} points{pace}{left}"
 
 
 class StepWatch(Watched):
-    """The current step as a player: what shows progress and what interrupts can watch it."""
+    """The current step as a player: what shows progress can watch it."""
 
     def __init__(self):
         super().__init__()
@@ -98,13 +88,13 @@ class PlanWatch(Watched):
         self._share = 0.0
 
     def begin(self, step):
-        """Called before a step; raises Interrupted if requested."""
+        """Called before a step."""
         self._name, self._share = step.name, 0.0
         self._pace = Pace() if step.is_even else None
         self.report()
 
     def on_progress(self, _algorithm, share):
-        """Called during a step with the fraction done; raises Interrupted if requested."""
+        """Called during a step with the fraction done."""
         self._share = share
         if self._pace:
             self._pace.add(time.monotonic(), share)

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios compare: two clouds by metrics with confidence intervals."""
 
-import contextlib
 import pathlib
 
 from .. import formats
@@ -12,11 +11,11 @@ from ..comparison._compare import compare_watched
 from . import _charts
 from ._compare_report import comparison_lines, write_comparison_page
 from .._files import cannot_be_written, write_whole
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._page import load_template
 from ._progress import make_progress
-from ._task import Interrupted, StepWatch
+from ._stopping import set_outcome
+from ._task import StepWatch
 from .plan import shown_warnings
 from ._parser import number, whole_number
 
@@ -133,10 +132,8 @@ def compare_files(arguments, messages):
     if files:
         _charts.load()  # before all points are read
         load_template()
-    result, signal = measure(arguments, messages)
-    if signal:
-        messages.error("interrupted; nothing was written")
-        return 128 + signal
+    set_outcome("nothing was written")
+    result = measure(arguments, messages)
     for note in result.notes:
         messages.warning(note)
     for line in comparison_lines(result):
@@ -145,6 +142,7 @@ def compare_files(arguments, messages):
         print(result.to_json())
     if files:
         write(result, files)
+        set_outcome(f"{files[0]} and {files[1]} are written")
         messages.info(f"written  {files[0]}, {files[1]}")
     return 0
 
@@ -164,13 +162,10 @@ def find_output(arguments):
 
 
 def measure(arguments, messages):
-    """The result, and the signal that ended it or 0."""
-    watch, result = StepWatch(), None
+    watch = StepWatch()
     options = {name: getattr(arguments, name) for name in OPTIONS}
-    with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
-        with make_progress(watch, messages, quiet=arguments.quiet):
-            result = compare_watched(arguments.a, arguments.b, watch.on_step, **options)
-    return result, interrupt.signal
+    with make_progress(watch, messages, quiet=arguments.quiet):
+        return compare_watched(arguments.a, arguments.b, watch.on_step, **options)
 
 
 def write(result, files):

@@ -10,12 +10,12 @@ from .. import formats
 from ..formats._run import RunReader, is_run
 from . import _meshes
 from ._conversion import Conversion
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._points import RETURNS, Selection
 from ._progress import make_progress
 from ._report import readable
-from ._task import Interrupted, Task
+from ._stopping import set_outcome
+from ._task import Task
 from ._parser import whole_number
 
 SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
@@ -212,13 +212,10 @@ def convert_all(conversions, arguments, messages):
     for conversion in conversions:
         task = Task(pathlib.Path(conversion.output).name)
         start = time.monotonic()
-        with Interrupt(task, messages) as interrupt:
-            try:
-                with make_progress(task, messages, quiet=arguments.quiet):
-                    conversion.run(task)
-            except Interrupted:
-                messages.error(f"interrupted; {conversion.output} was not written")
-                return 128 + interrupt.signal
+        set_outcome(f"{conversion.output} was not written")
+        with make_progress(task, messages, quiet=arguments.quiet):
+            conversion.run(task)
+        set_outcome(f"{conversion.output} is written")
         conclude(conversion, time.monotonic() - start, messages)
     return 0
 

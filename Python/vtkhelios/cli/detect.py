@@ -16,11 +16,13 @@ import vtkhelios
 from .. import formats
 from .._paths import to_vtk
 from .._run_files import PART
+from .._process.unfinished import set_unfinished
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
 from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
 from .run import detectors
 from ._parser import number, whole_number
+from ._stopping import set_outcome
 
 SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
 
@@ -172,13 +174,19 @@ def run(arguments):
         messages.watch(detection)
         writer = make_writer(arguments.output)
         messages.watch(writer)
+        set_outcome(f"{arguments.output} was not written")
+        set_unfinished(part_name(arguments))
         if messages.errors or not writer.Open():
             return 1
-        for piece in range(pieces):
-            detection.UpdatePiece(piece, pieces, 0)
-            if messages.errors or not writer.Write(complete(detection.GetOutput())):
-                return give_up(arguments, writer)
-        return conclude(arguments, writer, messages)
+        try:
+            for piece in range(pieces):
+                detection.UpdatePiece(piece, pieces, 0)
+                if messages.errors or not writer.Write(complete(detection.GetOutput())):
+                    return give_up(arguments, writer)
+            return conclude(arguments, writer, messages)
+        except KeyboardInterrupt:
+            give_up(arguments, writer)
+            raise
 
 
 def make_detection(arguments, reader):
@@ -215,10 +223,15 @@ def complete(echoes):
     return echoes
 
 
+def part_name(arguments):
+    return f"{arguments.output}{PART}"
+
+
 def give_up(arguments, writer):
     """Removes the incomplete output; returns the exit code."""
-    writer.Abandon()
-    pathlib.Path(f"{arguments.output}{PART}").unlink(missing_ok=True)
+    if writer.IsOpen():
+        writer.Abandon()
+    pathlib.Path(part_name(arguments)).unlink(missing_ok=True)
     return 1
 
 
@@ -232,5 +245,7 @@ def conclude(arguments, writer, messages):
         return give_up(arguments, writer)
     if not writer.Close():
         return 1
+    set_outcome(f"{arguments.output} is written")
+    set_unfinished(part_name(arguments), False)
     messages.info(f"points   {count:,} by {arguments.detector} in {arguments.output}")
     return 0

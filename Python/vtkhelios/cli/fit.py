@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios fit: the instrument and the flight of a real airborne cloud."""
 
-import contextlib
 import pathlib
 
 from .. import formats
@@ -11,10 +10,10 @@ from ..fitting._fit import fit_watched
 from ..fitting._write import FILES, write_fit
 from .._files import cannot_be_written
 from ._fit_report import fit_lines
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
-from ._task import Interrupted, StepWatch
+from ._stopping import set_outcome
+from ._task import StepWatch
 from ._parser import number, whole_number
 
 FIT_FILE = "fit.json"
@@ -98,13 +97,10 @@ def run(arguments):
 
 def fit_clouds(arguments, messages):
     folder = find_output(arguments)
-    watch, result = StepWatch(), None
-    with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
-        with make_progress(watch, messages, quiet=arguments.quiet):
-            result = fit_watched(arguments.clouds, watch.on_step, arguments.unit, arguments.points)
-    if interrupt.signal:
-        messages.error("interrupted; nothing was written")
-        return 128 + interrupt.signal
+    watch = StepWatch()
+    set_outcome("nothing was written")
+    with make_progress(watch, messages, quiet=arguments.quiet):
+        result = fit_watched(arguments.clouds, watch.on_step, arguments.unit, arguments.points)
     for note in result.notes:
         messages.warning(note)
     for line in fit_lines(result):
@@ -112,7 +108,9 @@ def fit_clouds(arguments, messages):
     if arguments.json:
         print(result.to_json())
     if folder:
+        set_outcome(f"the files in {folder} may be of several runs; give --overwrite")
         write(result, folder, arguments.scene)
+        set_outcome(f"{folder} is written")
         messages.info(f"written  {folder}; fly it: vtkhelios run {folder / 'survey.xml'}")
     return 0
 

@@ -9,11 +9,10 @@ from .. import formats
 from . import _meshes
 from ._meshes import describe_crs
 from ._inspect import Inspection, inspect_survey
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument
-from ._task import Interrupted, Task
+from ._task import Task
 from .list_ import list_entries
 
 SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"
@@ -82,16 +81,12 @@ def run(arguments):
             return tell(facts, [], arguments, messages) if facts else 1
         inspection = Inspection(arguments.path)
         task = Task("reading")
-        with Interrupt(task, messages) as interrupt:
-            try:
-                with make_progress(task, messages):
-                    inspection.run(task)
-            except Interrupted:
-                messages.error("interrupted")
-                return 128 + interrupt.signal
-            except (formats.FormatError, OSError) as error:
-                messages.error(str(error))
-                return 1
+        try:
+            with make_progress(task, messages):
+                inspection.run(task)
+        except (formats.FormatError, OSError) as error:
+            messages.error(str(error))
+            return 1
         return tell(inspection.facts, inspection.warnings, arguments, messages)
 
 

@@ -18,14 +18,14 @@ from .._plan_settings import SettingError
 from ..planning import Plan, PlanTask
 from .._files import cannot_be_written, find_unwritable
 from ._flight.options import add_flight_arguments, find_misplaced
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import add_plan_arguments, given_settings, option_of
 from ._plan_report import file_lines, print_table, result_lines
 from ._progress import make_progress
 from ._report import counted
-from ._task import Interrupted, PlanWatch
+from ._stopping import set_outcome
+from ._task import PlanWatch
 
 SUMMARY = "find scan positions for a scene, and write the survey that scans from them"
 
@@ -95,6 +95,7 @@ def add_arguments(parser):
 
 def run(arguments):
     require_utf8(arguments.input, arguments.output)  # the survey stores them as XML
+    set_outcome(" before the plan was made; nothing was written")
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         try:
@@ -135,10 +136,7 @@ def make_plan(arguments, messages):
         messages.error(problem)
         return 1
     messages.info(f"plan     {task.name} ({arguments.input}), {task.settings['method']}")
-    plan, signal = run_steps(task, arguments, messages)
-    if signal:
-        messages.error("interrupted before the plan was made; nothing was written")
-        return 128 + signal
+    plan = run_steps(task, arguments, messages)
     print_plan(plan, messages)
     try:
         with new_plan(folder):
@@ -149,14 +147,13 @@ def make_plan(arguments, messages):
 
 
 def run_steps(task, arguments, messages):
-    """The Plan of a task, and 0; or None and the signal that ended it."""
+    """The Plan of a task."""
     watch, seconds = PlanWatch(), {}
-    with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
-        with make_progress(watch, messages, quiet=arguments.quiet):
-            for step in task.steps():
-                watch.begin(step)
-                step.run(seconds, watch.on_progress)
-    return (None, interrupt.signal) if interrupt.signal else (Plan(task, seconds), 0)
+    with make_progress(watch, messages, quiet=arguments.quiet):
+        for step in task.steps():
+            watch.begin(step)
+            step.run(seconds, watch.on_progress)
+    return Plan(task, seconds)
 
 
 def find_unusable(folder, overwrite):
@@ -189,14 +186,18 @@ def print_plan(plan, messages):
 
 def write_plan(arguments, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
+    set_outcome(f"the plan in {folder} was not written")
     files = data_files(plan, folder)
     survey = survey_file(plan, folder)
     files.insert(0, survey)
+    set_outcome("the plan itself is written, other files are not")
     picture = draw(arguments, plan, folder, messages)
     files += [picture] if picture else []
     report = dict(plan.report)
     timings, code = report.pop("timings"), 0
     if arguments.check:
+        whole = {**report, "timings": timings, "files": [path.name for path in files]}
+        summary_file(whole, folder)  # complete, if the check is stopped
         code = check(arguments, plan, survey, folder, report, messages)
     report["timings"] = timings
     report["files"] = [path.name for path in files]

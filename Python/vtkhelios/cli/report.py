@@ -13,12 +13,12 @@ from ..formats._summary import REPORT, check_summary
 from . import _charts
 from .._files import cannot_be_written, write_whole
 from ._figures import Figures
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._page import load_template, write_page
 from ._progress import make_progress
 from ._report import readable
-from ._task import Interrupted, Task
+from ._stopping import set_outcome
+from ._task import Task
 from ._web import ReportCloud
 from ._parser import number, whole_number
 
@@ -95,6 +95,7 @@ def make_report(arguments, messages):
         problem = "is a file" if folder.is_file() else "no such folder"
         raise formats.FormatError(f"{folder}: {problem}; give the folder of a run")
     page = pathlib.Path(arguments.output or folder / "report.html")
+    set_outcome(f"{page} was not written")
     cloud_page = ReportCloud(page, arguments.cloud_points)
     for path in filter(None, (page, cloud_page.path)):
         if path.exists() and not arguments.overwrite:
@@ -107,16 +108,11 @@ def make_report(arguments, messages):
         task = Task("reading", reader.count)
         reader.keeps_invalid = True  # they are an error
         cloud_page.begin(reader)
-        with Interrupt(task, messages) as interrupt:
-            try:
-                with make_progress(task, messages, quiet=arguments.quiet):
-                    for chunk in reader.chunks():
-                        figures.add(chunk, reader)
-                        cloud_page.add(chunk)
-                        task.advance(rows_of(chunk))
-            except Interrupted:
-                messages.error(f"interrupted; {page} was not written")
-                return 128 + interrupt.signal
+        with make_progress(task, messages, quiet=arguments.quiet):
+            for chunk in reader.chunks():
+                figures.add(chunk, reader)
+                cloud_page.add(chunk)
+                task.advance(rows_of(chunk))
         if figures.count == 0:
             raise formats.FormatError(f"{folder}: has no points; run the survey again")
         try:
@@ -124,6 +120,7 @@ def make_report(arguments, messages):
             link = cloud_page.write()
             text = write_page(reader.summary, figures, reader, link)
             write_whole(page, text)
+            set_outcome(f"{page} is written")
         except OSError as error:
             raise formats.FormatError(cannot_be_written(error, page, "--output")) from error
     for note in reader.notes:

@@ -14,7 +14,6 @@ from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
 from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
 from ..vtkHeliosScannerSurvey import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
-from ._interrupt import Interrupt
 from ._messages import Messages, say_error
 from ._parser import number, part_of_run, whole_number
 from ._progress import make_progress
@@ -24,6 +23,7 @@ from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
 from ._run.help import EPILOG
 from ._run.outputs import add_output_arguments, set_outputs
 from ._run.ranks import NoMpi, count_threads, start_ranks
+from ._stopping import ESTIMATE, RUN, StopRequest, report_stop, run_player, set_outcome
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
@@ -293,10 +293,10 @@ def run_epochs(arguments, player, parts, messages):
     """Runs all epochs; returns the exit code."""
     epochs = sorted(parts) if parts else epochs_to_run(arguments, player, messages)
     reports = []
-    with Interrupt(player, messages) as interrupt:
+    with StopRequest(player) as request:
         for epoch in epochs:
             set_parts(player, parts[epoch] if parts else [])
-            code = run_epoch(arguments, player, epoch, messages, interrupt, reports)
+            code = run_epoch(arguments, player, epoch, messages, request, reports)
             if code:
                 return code
     if reports:
@@ -387,28 +387,31 @@ def epochs_to_run(arguments, player, messages):
     return range(count)
 
 
-def run_epoch(arguments, player, epoch, messages, interrupt, reports):
+def run_epoch(arguments, player, epoch, messages, request, reports):
     """Runs an epoch and adds its report to the others; returns an exit code."""
-    if interrupt.signal:
-        messages.error(f"interrupted before epoch {epoch}: --resume continues with it")
-        return 128 + interrupt.signal
+    if request.signal:
+        line = f"error: interrupted before epoch {epoch}: --resume continues with it"
+        return report_stop(request, line)
     player.GetOptions().SetEpoch(epoch)
     if player.GetSurvey().GetNumberOfEpochs() > 1:
         messages.info(
             f"epoch    {epoch} of {player.GetSurvey().GetNumberOfEpochs()}, counted from 0"
         )
-    with make_progress(player, messages, quiet=arguments.quiet):
-        succeeded = player.Estimate() if arguments.dry_run else player.Run()
     folder = pathlib.Path(from_vtk(player.GetRunFolder()))
-    if interrupt.signal and not succeeded:
+    observer = watch_outcome(arguments, player, folder)
+    with make_progress(player, messages, quiet=arguments.quiet):
+        succeeded = run_player(player, ESTIMATE if arguments.dry_run else RUN)
+    player.RemoveObserver(observer)
+    set_outcome("")
+    if request.signal and not succeeded:
         points = player.GetCount("points")
         kept = (
             f"the {points:,} points so far are kept in {folder}; --resume continues the run"
             if points
             else "no points yet"
         )
-        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
-        return 128 + interrupt.signal
+        line = f"error: interrupted at {100 * player.GetProgress():.0f} %: {kept}"
+        return report_stop(request, line)
     if not succeeded:
         messages.error_unless_told(from_vtk(player.GetMessage()))
         return 1
@@ -420,7 +423,23 @@ def run_epoch(arguments, player, epoch, messages, interrupt, reports):
     for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
         messages.info(line)
     reports.append(report)
+    if request.signal:
+        return report_stop(
+            request, f"error: interrupted; all points are written, and complete in {folder}"
+        )
     return 0
+
+
+def watch_outcome(arguments, player, folder):
+    """Sets what is said if the process is ended before the player stops; returns an observer's tag."""
+    kept = f" before its end: the points so far are kept in {folder}; --resume continues the run"
+    set_outcome(kept if arguments.resume else " at 0 %: no points yet")
+
+    def update(*_):
+        if player.GetCount("points"):
+            set_outcome(kept)
+
+    return player.AddObserver("ProgressEvent", update)
 
 
 def read_report(player, folder, messages):

@@ -7,6 +7,7 @@ import pathlib
 import vtkhelios
 
 from .._files import cannot_be_written, write_whole
+from ._stopping import set_outcome
 from ._messages import Messages
 
 SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or tables of it"
@@ -61,6 +62,7 @@ def run(arguments):
     if arguments.tables:
         print(vtkhelios.vtkHeliosDialect.GetTables(), end="")
         return 0
+    set_outcome("files with their final names are complete")
     files = make_files()
     if not arguments.output:
         print(files["helios.xsd"], end="")

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios tradeoff: what accuracy costs on a survey, and what its scene requires."""
 
-import argparse
 import contextlib
+import argparse
 import os
 import pathlib
 import re
@@ -18,12 +18,12 @@ from .._survey_text import with_ray_caster, with_sampling
 from .._tradeoff_run import make_tradeoff
 from ..planning import PLATFORM, SCANNER
 from .._files import cannot_be_written, write_files, write_whole
-from ._interrupt import Interrupt
 from ._messages import Messages
 from ._plan_options import option_of, value_of
 from ._progress import duration, make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory
-from ._task import Interrupted, StepWatch
+from ._stopping import set_outcome
+from ._task import StepWatch
 from ._tradeoff.input import open_input
 from ._tradeoff.pictures import make_parts_picture, make_picture
 from ._tradeoff.report import megabytes, result_lines
@@ -218,10 +218,9 @@ def make_and_report(arguments, messages):
     found = open_input(arguments, messages)
     if found is None:
         return 1
-    result, signal = measure(found, arguments, messages)
-    if signal:
-        messages.error("interrupted before all ways were measured; nothing was written")
-        return 128 + signal
+    set_outcome(" before all ways were measured; nothing was written")
+    result = measure(found, arguments, messages)
+    set_outcome("files with their final names are complete")
     for line in result_lines(result, count_threads(arguments)):
         messages.info(line)
     if arguments.json:
@@ -252,15 +251,11 @@ def find_contradiction(arguments):
 
 
 def measure(found, arguments, messages):
-    """The result, and the signal that ended it or 0."""
-    watch, result = StepWatch(), None
-    with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
-        with make_progress(watch, messages, quiet=arguments.quiet):
-            found.prepare(watch)
-            messages.info(found.describe())
-            parts = not arguments.no_parts
-            result = make_tradeoff(found.survey, arguments.pulses, parts, watch.on_step)
-    return result, interrupt.signal
+    watch = StepWatch()
+    with make_progress(watch, messages, quiet=arguments.quiet):
+        found.prepare(watch)
+        messages.info(found.describe())
+        return make_tradeoff(found.survey, arguments.pulses, not arguments.no_parts, watch.on_step)
 
 
 def write(result, folder, messages):

@@ -9,6 +9,7 @@ files in a temporary folder first, and the folder is removed after the viewer ha
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -16,12 +17,15 @@ import tempfile
 import vtkhelios
 
 from .._built_with import HAS_VIEWER, VTK_PACKAGE
+from .._process.display import end_with_parent, start_display
 from ._messages import say_error
+from ._stopping import SIGNALS, Interrupted, claim_line
 
 SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web pages (--html)"
 
 PROGRAM = "vtkhelios-viewer"
-SCREEN = "-screen 0 1280x1024x24 -noreset"
+SCREEN = ("-screen", "0", "1280x1024x24")
+SECONDS_TO_END = 0.4  # of the viewer, after a signal
 CONVERTED = (".pcd", ".e57")
 
 
@@ -34,15 +38,19 @@ def find_viewer():
     return str(found) if found else shutil.which(PROGRAM)
 
 
-def command(viewer, arguments, environment):
-    """The command of the viewer: with its own display if none is needed."""
+def command(viewer, arguments):
+    """The command of the viewer."""
     shipped = vtkhelios.data_directory()
     full = [viewer, *arguments]
     if arguments and not {"-h", "--help", "--version"} & set(arguments):
         full += ["--assets", f"{shipped}", "--assets", f"{shipped}/Assets"]
-    needs_screen = "--offscreen" in arguments and not environment.get("DISPLAY")
-    xvfb = shutil.which("xvfb-run") if needs_screen else None
-    return [xvfb, "-a", "-s", SCREEN, *full] if xvfb else full
+    return full
+
+
+def provide_display(arguments):
+    """Starts a display for a viewer without a window; if that fails, the viewer reports it."""
+    if "--offscreen" in arguments and not os.environ.get("DISPLAY"):
+        start_display(SCREEN)
 
 
 def explain_missing():
@@ -95,7 +103,25 @@ def view_converted(viewer, arguments):
         converted = convert_inputs(arguments, folder)
         if converted is None:
             return 1
-        return subprocess.run(command(viewer, converted, os.environ)).returncode
+        return run_viewer(command(viewer, converted))
+
+
+def run_viewer(full):
+    """Runs the viewer; returns its exit code. A signal is passed on to it, which reports the stop."""
+    process = subprocess.Popen([*end_with_parent(), *full], start_new_session=True)
+    try:
+        return process.wait()
+    except Interrupted as interruption:
+        process.send_signal(interruption.signal)
+        try:
+            code = process.wait(timeout=SECONDS_TO_END)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise
+        if code != 128 + interruption.signal:  # it had not begun
+            raise
+        claim_line()
+        return code
 
 
 def start(arguments):
@@ -107,8 +133,10 @@ def start(arguments):
     if viewer is None:
         say_error(explain_missing())
         return 1
+    provide_display(arguments)
     if any(map(needs_conversion, arguments)):
         return view_converted(viewer, arguments)
-    full = command(viewer, arguments, os.environ)
+    full = command(viewer, arguments)
     sys.stdout.flush()
+    signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)  # until the viewer handles them
     os.execv(full[0], full)

@@ -17,6 +17,7 @@ from .. import _native
 from .._arrays import arrays
 from .._files import drop_part, keep_part, open_part, part_of
 from .._pipeline import MessageLog
+from .._process.unfinished import set_unfinished
 
 
 from ..array_names import (
@@ -324,6 +325,7 @@ class StreamWriter(Writer):
 
     def put(self, chunk):
         if not self.stream.IsOpen():
+            set_unfinished(part_of(self.path))
             call(self, self.stream, self.stream.Open)
         cloud = to_cloud(chunk, self.header)
         call(self, self.stream, lambda: self.stream.Write(cloud))
@@ -334,6 +336,7 @@ class StreamWriter(Writer):
             self.abandon()
             self.fail("would have no points; change the selection")
         call(self, self.stream, self.stream.Close)
+        set_unfinished(part_of(self.path), False)
 
     def abandon(self):
         if self.stream.IsOpen():

@@ -7,8 +7,6 @@
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
-#include "heliosPulseCount.h"
-#include "heliosPulseSample.h"
 #include "heliosReceiver.h"
 #include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
@@ -24,9 +22,7 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -44,23 +40,6 @@ void SetPose(const Pose& pose, double position[3], double orientation[4])
 {
   std::copy_n(pose.Position.GetData(), 3, position);
   std::copy_n(pose.Orientation.GetData(), 4, orientation);
-}
-
-vtkIdType CountFirstReturns(vtkPolyData* echoes)
-{
-  auto* numbers =
-    vtkUnsignedCharArray::SafeDownCast(echoes->GetPointData()->GetArray(names::ReturnNumber));
-  const unsigned char* first = numbers ? numbers->GetPointer(0) : nullptr;
-  return first ? std::count(first, first + numbers->GetNumberOfTuples(), 1) : 0;
-}
-
-void AddCounts(const std::vector<vtkSmartPointer<vtkHeliosScanner>>& channels, ScanCounts& counts)
-{
-  for (vtkHeliosScanner* channel : channels)
-  {
-    counts.Add(channel->GetCounts());
-    counts.FirstReturns += CountFirstReturns(channel->GetOutput());
-  }
 }
 
 } // namespace
@@ -149,6 +128,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
 {
   auto channel = vtkSmartPointer<vtkHeliosScanner>::New();
   this->Log.Listen(channel);
+  channel->AddObserver(vtkCommand::ProgressEvent, this, &LegScanner::HandleProgress);
   const RunOptions& options = this->Settings.Options;
   std::vector<SpectralScenes> none;
   channel->SetInputDataObject(0, this->GetScene(data.Wavelength));
@@ -284,110 +264,6 @@ void LegScanner::ApplyWindow(vtkIdType first, vtkIdType last)
 }
 
 //------------------------------------------------------------------------------
-bool LegScanner::Update(int piece, int pieces)
-{
-  return this->Motion.IsMoving() ? this->UpdateMoving(piece, pieces)
-                                 : this->UpdateAll(piece, pieces);
-}
-
-//------------------------------------------------------------------------------
-/// Runs a piece in pulse windows of constant scene.
-bool LegScanner::UpdateMoving(int piece, int pieces)
-{
-  this->ReleaseOutput();
-  this->Gathered.assign(
-    this->Channels.size(), std::vector<PiecePile>(WantedOutputs::NumberOfPorts));
-  const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
-  const vtkIdType begin = std::max(this->FirstPulse,
-    helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate));
-  vtkIdType pulse = begin + SplitPulses(count, piece, pieces);
-  const vtkIdType end = begin + SplitPulses(count, piece + 1, pieces);
-  bool isGood = true;
-  do
-  {
-    pulse = std::min(end, this->FindSample(pulse));
-    const vtkIdType next = std::min(end, this->Motion.MoveTo(this->Clock, pulse));
-    this->ApplyParts();
-    this->ApplyWindow(pulse, next);
-    isGood = this->UpdateAll(0, 1);
-    this->Gather();
-    pulse = next;
-  } while (isGood && pulse < end);
-  this->ApplyWindow(this->FirstPulse, this->LastPulse);
-  for (std::vector<PiecePile>& ports : this->Gathered)
-  {
-    for (PiecePile& pile : ports)
-    {
-      pile.Finish();
-    }
-  }
-  return isGood;
-}
-
-//------------------------------------------------------------------------------
-/// The first pulse of the sample from a pulse on, of any channel.
-vtkIdType LegScanner::FindSample(vtkIdType pulse) const
-{
-  vtkIdType first = AllPulses;
-  for (vtkHeliosScanner* channel : this->Channels)
-  {
-    const PulseSample sample(channel->GetPulseStep(), channel->GetFirstPulseId());
-    first = std::min(first, sample.Get(sample.CountBelow(pulse)));
-  }
-  return first;
-}
-
-//------------------------------------------------------------------------------
-/// Updates the scene of all channels.
-void LegScanner::ApplyParts()
-{
-  const vtkMTimeType time = this->Motion.GetMoveTime();
-  if (time == this->MoveTime)
-  {
-    return;
-  }
-  this->MoveTime = time;
-  const ScannerData& scanner = this->Survey.Scanners[this->Scanner];
-  for (std::size_t k = 0; k < this->Channels.size(); ++k)
-  {
-    const auto scene = this->Motion.Move(this->GetScene(scanner.GetChannel(k).Wavelength));
-    this->Channels[k]->SetInputDataObject(0, scene);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Appends the output of the channels to that gathered.
-void LegScanner::Gather()
-{
-  AddCounts(this->Channels, this->GatheredCounts);
-  for (std::size_t k = 0; k < this->Channels.size(); ++k)
-  {
-    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
-    {
-      if (this->Settings.Wants.HasPort(port))
-      {
-        this->Gathered[k][static_cast<std::size_t>(port)].Add(
-          this->Channels[k]->GetOutputDataObject(port));
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-bool LegScanner::UpdateAll(int piece, int pieces)
-{
-  for (vtkHeliosScanner* channel : this->Channels)
-  {
-    channel->UpdatePiece(piece, pieces, 0);
-    if (this->Log.HasError())
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataObject> LegScanner::GetOutput(int port) const
 {
   std::vector<vtkDataObject*> outputs;
@@ -442,12 +318,6 @@ double LegScanner::GetSceneSize() const
     this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster;
   const auto scene = static_cast<double>(this->Scenes.GetPlain()->GetActualMemorySize());
   return BytesPerKibibyte * scene + (caster ? static_cast<double>(caster->GetMemorySize()) : 0.0);
-}
-
-//------------------------------------------------------------------------------
-void LegScanner::Count(ScanCounts& counts) const
-{
-  this->Motion.IsMoving() ? counts.Add(this->GatheredCounts) : AddCounts(this->Channels, counts);
 }
 
 //------------------------------------------------------------------------------

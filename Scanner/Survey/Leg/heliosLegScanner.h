@@ -16,6 +16,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <chrono>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ class vtkDataObject;
 class vtkHeliosRayCaster;
 class vtkHeliosScanner;
 class vtkImageData;
+class vtkObject;
 class vtkPolyData;
 
 namespace helios
@@ -57,8 +60,17 @@ public:
   /// The pulses of all channels in the windows.
   vtkIdType CountPulses();
 
-  /// Runs a piece of the leg; false after an error.
+  /// Called while a piece is run, with the fraction done of it; false stops it. Null: never stops.
+  void SetOnProgress(const std::function<bool(double)>& onProgress)
+  {
+    this->OnProgress = onProgress;
+  }
+
+  /// Runs a piece of the leg; false after an error, or if it is stopped.
   bool Update(int piece, int pieces);
+
+  /// Whether the last piece was stopped.
+  bool WasStopped() const { return this->IsStopped; }
 
   /// The port of all channels together, in pulse order; the port of one of them.
   vtkSmartPointer<vtkDataObject> GetOutput(int port) const;
@@ -94,6 +106,7 @@ private:
   vtkIdType FindSample(vtkIdType pulse) const;
   void ApplyParts();
   void Gather();
+  void HandleProgress(vtkObject* caller, unsigned long event, void* data);
 
   const SurveyData& Survey;
   RunSettings Settings;
@@ -105,6 +118,13 @@ private:
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;
   vtkIdType FirstPulse;
   vtkIdType LastPulse;
+
+  // While a piece is run: the range of the current update in it.
+  std::function<bool(double)> OnProgress;
+  std::chrono::steady_clock::time_point LastProgress;
+  double ShareBefore = 0.0;
+  double ShareAfter = 1.0;
+  bool IsStopped = false;
 
   // With moving parts: the leg's clock, the time window, and the output of its windows of constant
   // scene.

@@ -218,7 +218,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   {
     return false;
   }
-  this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
+  this->Counts = before.Blocks + before.Pieces > 0 ? before.Counts : this->Counts;
   const ScanCounts counts = this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
@@ -227,6 +227,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   bool good = this->OpenAll(outputs, journal) &&
     (!hasTrajectory || this->WriteTrajectory(plan, journal, onBlock, trajectory)) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
+  this->Scanner.SetOnProgress(this->OnProgress);
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
   {
@@ -235,7 +236,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
   {
-    this->Counts = done.Blocks > 0 ? done.Counts : counts; // what is safe
+    this->Counts = done.Blocks + done.Pieces > 0 ? done.Counts : counts; // what is safe
     return false;
   }
   done.IsDone = true;
@@ -278,24 +279,19 @@ bool LegRunner::RunBlocks(
       " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
     return false;
   }
-  LegProgress progress = journal.GetLeg(plan.Leg);
-  const double start = Now() - progress.Seconds;
+  const LegProgress before = journal.GetLeg(plan.Leg);
   LegWriting writing(outputs, journal, plan.Leg, this->Log);
-  for (vtkIdType block = plan.FirstBlock + progress.Blocks; block < plan.EndBlock; ++block)
+  LegRun run{ plan, outputs, writing, onBlock, Now() - before.Seconds, before };
+  const vtkIdType end = plan.EndBlock * parts;
+  vtkIdType piece = (plan.FirstBlock + before.Blocks) * parts + before.Pieces;
+  while (piece < end)
   {
-    const auto conclude = [&]
-    {
-      this->Counts.Pulses = plan.FirstPulse + plan.CountPulsesBefore(block + 1) - this->FirstPulse;
-      ++progress.Blocks;
-      progress.Counts = this->Counts;
-      progress.Seconds = Now() - start;
-      return progress;
-    };
-    if (!this->RunPieces(
-          plan, { block * parts, (block + 1) * parts, count }, outputs, writing, conclude))
+    const vtkIdType last = (piece / parts + 1) * parts;
+    if (!this->RunPieces({ piece, last, count }, run))
     {
       return false;
     }
+    piece = last;
     if (!onBlock(this->Counts))
     {
       writing.Finish();
@@ -306,25 +302,63 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
-/// Computes pieces, and has them written.
-bool LegRunner::RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
-  LegWriting& writing, const std::function<LegProgress()>& conclude)
+/// Computes pieces, up to the end of a block, and has them written.
+bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
 {
   for (vtkIdType piece = pieces.First; piece < pieces.Last; ++piece)
   {
-    if (!this->Source->Compute(plan, piece, pieces.Count))
+    this->WatchPiece(run, piece, pieces.Count);
+    if (!this->Source->Compute(run.Plan, piece, pieces.Count))
     {
+      if (!this->Log.HasError() && piece > pieces.First)
+      {
+        run.Writing.Finish(run.Progress);
+      }
       return false;
     }
-    LegPiece data = this->Source->Collect(outputs);
+    LegPiece data = this->Source->Collect(run.Files);
     this->Source->Count(this->Counts);
+    this->Counts.Pulses = this->CountPulsesBefore(run.Plan, piece + 1, pieces.Count);
     const bool isLast = piece + 1 == pieces.Last;
-    if (!writing.Write(std::move(data), isLast ? std::make_optional(conclude()) : std::nullopt))
+    run.Progress.Blocks += isLast ? 1 : 0;
+    run.Progress.Pieces = isLast ? 0 : run.Progress.Pieces + 1;
+    run.Progress.Counts = this->Counts;
+    run.Progress.Seconds = Now() - run.Start;
+    if (!run.Writing.Write(
+          std::move(data), isLast ? std::make_optional(run.Progress) : std::nullopt))
     {
       return false;
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// The pulses of the run before one of the count pieces of a leg.
+vtkIdType LegRunner::CountPulsesBefore(const LegPlan& plan, vtkIdType piece, vtkIdType count) const
+{
+  return plan.FirstPulse + SplitPulses(plan.NumberOfPulses, piece, count) - this->FirstPulse;
+}
+
+//------------------------------------------------------------------------------
+/// Reports the counts while the scanner computes a piece, with estimates of its pulses, which are
+/// fewer than all.
+void LegRunner::WatchPiece(const LegRun& run, vtkIdType piece, vtkIdType count)
+{
+  const vtkIdType before = this->CountPulsesBefore(run.Plan, piece, count);
+  const vtkIdType pulses = this->CountPulsesBefore(run.Plan, piece + 1, count) - before;
+  const double fired = this->Counts.Pulses > 0
+    ? static_cast<double>(this->Counts.PulsesFired) / static_cast<double>(this->Counts.Pulses)
+    : 1.0;
+  this->Scanner.SetOnProgress(
+    [this, &run, before, pulses, fired](double share)
+    {
+      ScanCounts counts = this->Counts;
+      const double done = share * static_cast<double>(pulses);
+      counts.Pulses = before + std::min(static_cast<vtkIdType>(done), pulses - 1);
+      counts.PulsesFired += static_cast<vtkIdType>(fired * done);
+      return run.OnBlock(counts);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,7 @@
 #include "heliosLegOutput.h"
 #include "heliosLegPlan.h"
 #include "heliosLegScanner.h"
+#include "heliosRunProgress.h"
 #include "heliosRunSettings.h"
 #include "heliosScanCounts.h"
 #include "heliosSurveyData.h"
@@ -30,9 +31,8 @@ namespace helios
 class LegWriting;
 class Messages;
 class RunJournal;
-struct LegProgress;
 
-/// Called after every block; false ends the run.
+/// Called after every block, and while pieces of it are computed; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
 
 /// Runs legs with blocks of its scanner, a source itself, or of another source.
@@ -71,9 +71,16 @@ public:
   bool HasError() const;
   void Listen(vtkHeliosStreamWriter* writer);
 
+  /// Called while the scanner computes a piece, other than those of Run(); false stops it.
+  void SetOnProgress(const std::function<bool(double)>& onProgress)
+  {
+    this->OnProgress = onProgress;
+    this->Scanner.SetOnProgress(onProgress);
+  }
+
   /// Runs one leg, or its rest according to the journal, and writes its files and the journal.
   /// Returns false after an error or if the callback stops it. The files written so far are then
-  /// valid and end in .part.
+  /// valid and end in .part; the journal has them up to the last piece that is complete.
   bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
 
   /// The scanner, set up for a leg.
@@ -122,6 +129,17 @@ private:
     vtkIdType Count;
   };
 
+  /// A leg that is run.
+  struct LegRun
+  {
+    const LegPlan& Plan;
+    const Outputs& Files;
+    LegWriting& Writing;
+    const BlockCallback& OnBlock;
+    double Start; ///< [s]
+    LegProgress Progress;
+  };
+
   void SelectPart();
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
@@ -130,8 +148,9 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool RunPieces(const LegPlan& plan, const PieceRange& pieces, const Outputs& outputs,
-    LegWriting& writing, const std::function<LegProgress()>& conclude);
+  bool RunPieces(const PieceRange& pieces, LegRun& run);
+  void WatchPiece(const LegRun& run, vtkIdType piece, vtkIdType count);
+  vtkIdType CountPulsesBefore(const LegPlan& plan, vtkIdType piece, vtkIdType count) const;
   vtkSmartPointer<vtkDataObject> CopyOutput(int port, std::size_t channel) const;
 
   const SurveyData& Survey;
@@ -140,6 +159,7 @@ private:
   LegFiles Files;
   vtkSmartPointer<vtkPolyData> Scene;
   LegScanner Scanner;
+  std::function<bool(double)> OnProgress;
   std::vector<LegPlan> Plans;
   InputFiles Inputs;
   BlockSource* Source = this;

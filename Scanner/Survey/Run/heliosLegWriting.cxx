@@ -98,10 +98,28 @@ LegWriting::Result LegWriting::WritePiece(
   {
     return { true, status };
   }
-  progress->Files = CollectProgress(this->Outputs, false);
-  this->Block = std::async(std::launch::async, CommitBlock, std::cref(this->Outputs),
-    std::ref(this->Journal), this->Leg, *progress);
+  this->BeginCommit(*progress);
   return { true, NeedsPause(this->Outputs) ? this->FinishBlock() : Status() };
+}
+
+//------------------------------------------------------------------------------
+/// Flushes what is written to the disk, and then journals it.
+void LegWriting::BeginCommit(LegProgress progress)
+{
+  progress.Files = CollectProgress(this->Outputs, false);
+  this->Block = std::async(std::launch::async, CommitBlock, std::cref(this->Outputs),
+    std::ref(this->Journal), this->Leg, progress);
+}
+
+//------------------------------------------------------------------------------
+bool LegWriting::Finish(const LegProgress& progress)
+{
+  if (!this->FinishPiece() || !CheckRun(this->FinishBlock(), this->Log))
+  {
+    return false;
+  }
+  this->BeginCommit(progress);
+  return this->Finish();
 }
 
 //------------------------------------------------------------------------------

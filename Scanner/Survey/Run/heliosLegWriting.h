@@ -41,6 +41,9 @@ public:
   /// Waits until all is written and flushed to disk; false after an error.
   bool Finish();
 
+  /// The same, and journals the pieces of a block that is not complete.
+  bool Finish(const LegProgress& progress);
+
 private:
   struct Result
   {
@@ -51,6 +54,7 @@ private:
   Result WritePiece(const LegPiece& piece, std::optional<LegProgress> progress);
   bool FinishPiece();
   Status FinishBlock();
+  void BeginCommit(LegProgress progress);
 
   const LegOutputs& Outputs;
   RunJournal& Journal;

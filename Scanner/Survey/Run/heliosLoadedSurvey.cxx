@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-constexpr vtkIdType PulsesPerStep = 1048576; // per progress event
+constexpr vtkIdType PulsesPerStep = 1048576;
 
 template <class Condition>
 const LegPlan* FindPlan(const LegRunner* runner, const Condition& condition)
@@ -154,8 +154,13 @@ bool LoadedSurvey::RunLeg(const LegPlan& plan, const Shots& shots, Progress& pro
   for (vtkIdType shot = shots.First; shot < shots.Last; shot += step)
   {
     const vtkIdType end = std::min(shots.Last, shot + step);
+    const auto pulses = static_cast<double>(channels * (end - shot));
     scanner.SetPulseWindow(shot, end);
-    if (!progress.GoesOn() || !scanner.Update(0, 1))
+    scanner.SetOnProgress(
+      [&progress, pulses](double share) { return progress.GoesOn(share * pulses); });
+    const bool isGood = progress.GoesOn() && scanner.Update(0, 1);
+    scanner.SetOnProgress(nullptr);
+    if (!isGood)
     {
       return false;
     }

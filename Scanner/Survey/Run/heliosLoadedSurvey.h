@@ -75,9 +75,11 @@ private:
     vtkIdType Pulses;
     vtkIdType Done = 0;
 
-    bool GoesOn() const
+    /// Reports it, with some more pulses; false: stop.
+    bool GoesOn(double more = 0.0) const
     {
-      return this->OnProgress(static_cast<double>(this->Done) / static_cast<double>(this->Pulses));
+      return this->OnProgress(
+        (static_cast<double>(this->Done) + more) / static_cast<double>(this->Pulses));
     }
   };
 

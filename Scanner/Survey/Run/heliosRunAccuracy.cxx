@@ -218,13 +218,13 @@ void RunAccuracy::Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way)
   for (int piece = 0; this->Reason.empty() && piece < pieces; ++piece)
   {
     const double pulses = static_cast<double>(plan.NumberOfPulses) * piece / pieces;
-    if (!onStep((static_cast<double>(plan.FirstPulse) + pulses) /
-          static_cast<double>(this->Runner.GetNumberOfPulses())))
+    const bool goesOn = onStep((static_cast<double>(plan.FirstPulse) + pulses) /
+      static_cast<double>(this->Runner.GetNumberOfPulses()));
+    if (!goesOn || (!scanner->Update(piece, pieces) && scanner->WasStopped()))
     {
       this->Reason = "it was stopped while it was measured";
       return;
     }
-    scanner->Update(piece, pieces);
     for (std::size_t k = 0; k < scanner->GetNumberOfChannels(); ++k)
     {
       auto* output = vtkPolyData::SafeDownCast(scanner->GetOutput(EchoPort, k));

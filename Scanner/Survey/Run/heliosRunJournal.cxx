@@ -180,10 +180,12 @@ Status RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) co
   const LegProgress& before = this->GetLeg(leg);
   const bool isNext =
     leg == this->Leg || (leg > this->Leg && this->GetLeg(this->Leg).IsDone) || this->Legs.empty();
-  if (!isNext || before.IsDone || progress.Blocks != before.Blocks + (progress.IsDone ? 0 : 1))
+  if (!isNext || !Follows(before, progress))
   {
     return Status::Error("\"leg\" " + std::to_string(leg) + " with \"blocks\" " +
-      std::to_string(progress.Blocks) + " does not follow from the lines before");
+      std::to_string(progress.Blocks) +
+      (progress.Pieces > 0 ? " and \"pieces\" " + std::to_string(progress.Pieces) : "") +
+      " does not follow from the lines before");
   }
   if (!HasGrown(this->Counts, progress.Counts))
   {

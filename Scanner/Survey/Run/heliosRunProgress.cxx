@@ -112,6 +112,17 @@ FileProgress FileFromJson(const Json::Value& value)
   return file;
 }
 
+int GetSmallCount(const Json::Value& value, const char* name)
+{
+  const vtkIdType count = GetCount(value, name);
+  if (count > VTK_INT_MAX)
+  {
+    throw BadJson(
+      std::string("\"") + name + "\" is " + std::to_string(count) + ", which is too large");
+  }
+  return static_cast<int>(count);
+}
+
 ScanCounts ReadCounts(const Json::Value& value)
 {
   ScanCounts counts;
@@ -205,6 +216,10 @@ Json::Value ToJson(const LegProgress& progress)
 {
   Json::Value value;
   value["blocks"] = progress.Blocks;
+  if (progress.Pieces > 0)
+  {
+    value["pieces"] = progress.Pieces;
+  }
   value["done"] = progress.IsDone;
   value["seconds"] = progress.Seconds;
   value["counts"] = ToJson(progress.Counts);
@@ -220,12 +235,8 @@ Json::Value ToJson(const LegProgress& progress)
 LegProgress ProgressFromJson(const Json::Value& value)
 {
   LegProgress progress;
-  const vtkIdType blocks = GetCount(value, "blocks");
-  if (blocks > VTK_INT_MAX)
-  {
-    throw BadJson("\"blocks\" is " + std::to_string(blocks) + ", which is too large");
-  }
-  progress.Blocks = static_cast<int>(blocks);
+  progress.Blocks = GetSmallCount(value, "blocks");
+  progress.Pieces = value.isMember("pieces") ? GetSmallCount(value, "pieces") : 0;
   progress.IsDone = GetFlag(value, "done");
   progress.Seconds = GetNumber(value, "seconds");
   progress.Counts = ReadCounts(Get(value, "counts", &Json::Value::isObject, "an object"));
@@ -234,6 +245,21 @@ LegProgress ProgressFromJson(const Json::Value& value)
     progress.Files.push_back(FileFromJson(file));
   }
   return progress;
+}
+
+//------------------------------------------------------------------------------
+bool Follows(const LegProgress& before, const LegProgress& after)
+{
+  const bool isWhole = after.Pieces == 0;
+  if (before.IsDone || after.Blocks < before.Blocks)
+  {
+    return false;
+  }
+  if (after.Blocks == before.Blocks)
+  {
+    return after.IsDone ? isWhole && before.Pieces == 0 : after.Pieces > before.Pieces;
+  }
+  return after.Blocks == before.Blocks + 1 && isWhole && !after.IsDone;
 }
 
 //------------------------------------------------------------------------------

@@ -33,11 +33,15 @@ struct FileProgress
 struct LegProgress
 {
   int Blocks = 0; ///< that are safe
+  int Pieces = 0; ///< of the next block, which are safe, too: the run was stopped within it
   bool IsDone = false;
   std::vector<FileProgress> Files;
   ScanCounts Counts;    ///< of the run so far
   double Seconds = 0.0; ///< computing and writing time, over all attempts
 };
+
+/// Whether one can be journaled after the other, of the same leg.
+bool Follows(const LegProgress& before, const LegProgress& after);
 
 /// Whether no count has decreased.
 bool HasGrown(const ScanCounts& before, const ScanCounts& after);

@@ -14,6 +14,7 @@ from ...flight._files import FILES, data_files, has_plan, page_file, picture_fil
 from ..._files import cannot_be_written, find_unwritable
 from .._plan_check import read_strips, simulate
 from .._plan_report import file_lines
+from .._stopping import set_outcome
 from .options import given_flight_settings
 from .report import check_lines, flight_lines, lacks, print_lines
 
@@ -53,9 +54,12 @@ def find_unusable(folder, overwrite):
 
 def write(arguments, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
+    set_outcome(f"the plan in {folder} was not written")
     files = data_files(plan, folder)
+    set_outcome("the plan itself is written, other files are not")
     report, code, counts = dict(plan.report), 0, None
     if arguments.check:
+        summary_file({**report, "files": [path.name for path in files]}, folder)  # if it is stopped
         code, counts = check(arguments, plan, files[0], folder, messages)
         report |= {"check": counts.compare()} if counts else {}
         for line in check_lines(report["check"]) if counts else ():

@@ -11,6 +11,8 @@ import vtkhelios
 
 from ..._paths import text_from_vtk, to_vtk
 from ..._pipeline import MessageLog
+from ..._run_files import PART
+from ..._process.unfinished import set_unfinished
 
 from ...array_names import (
     CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
@@ -19,6 +21,7 @@ from ...array_names import (
 from ...formats import FormatError
 from ...scene import make_reader
 from .._raster import FARTHEST
+from .._stopping import run_native, set_outcome
 
 KINDS = {
     "objloader": "OBJ", "geotiffloader": "GeoTIFF", "plyloader": "PLY", "stlloader": "STL",
@@ -35,7 +38,7 @@ def read(path, messages):
     """The triangles of a file, or None after an error."""
     reader = make_reader(path)
     messages.watch(reader)
-    reader.Update()
+    run_native(reader)
     mesh = reader.GetOutput()
     if mesh.GetPoints() is not None:
         return mesh
@@ -191,6 +194,7 @@ def _none_if_nan(value):
 def convert(arguments, messages):
     """Writes a mesh as OBJ; 0, or 1 after an error."""
     path = check_arguments(arguments)
+    set_outcome(f"{arguments.output} was not written")
     mesh = read(path, messages)
     if mesh is None:
         return 1
@@ -199,11 +203,22 @@ def convert(arguments, messages):
     writer = vtkhelios.vtkHeliosObjSceneWriter(file_name=to_vtk(arguments.output))
     writer.SetInputDataObject(mesh)
     messages.watch(writer)
+    parts = [f"{path}{PART}" for path in (arguments.output, material_file(arguments.output))]
+    for part in parts:
+        set_unfinished(part)
     if not writer.Write():
         messages.error_unless_told(f"{arguments.output}: cannot be written")
         return 1
+    for part in parts:
+        set_unfinished(part, False)
+    set_outcome(f"{arguments.output} is written")
     messages.info(f"output   {arguments.output}: {mesh.GetNumberOfPolys():,} triangles")
     return 0
+
+
+def material_file(output):
+    """The file of materials that belongs to an OBJ file."""
+    return pathlib.Path(output).with_suffix(".mtl")
 
 
 def check_arguments(arguments):
@@ -225,7 +240,7 @@ def check_arguments(arguments):
     ):  # fmt: skip
         if value != default:
             raise FormatError(f"{path}: {option} is for points, and this is a mesh; leave it out")
-    for written in (output, output.with_suffix(".mtl")):
+    for written in (output, material_file(output)):
         if written.exists() and written.resolve() == pathlib.Path(path).resolve():
             raise FormatError(f"{written}: is also an input; give another name")
         if written.exists() and not arguments.overwrite:

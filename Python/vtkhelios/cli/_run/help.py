@@ -78,5 +78,6 @@ examples:
   vtkhelios run survey.xml --part 2/4                    the second quarter; then vtkhelios join
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
-2 wrong usage, 130 interrupted (Ctrl-C: the files written so far are valid; --resume continues).
+2 wrong usage, 130 interrupted by Ctrl-C, 143 by SIGTERM, within a second (the files written so far
+are valid; --resume continues).
 """

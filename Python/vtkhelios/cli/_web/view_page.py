@@ -9,13 +9,13 @@ from ... import formats
 from ..._pipeline import PipelineError
 from ...webcloud import LIMIT, Contents
 from ..._files import cannot_be_written, write_whole
-from .._interrupt import Interrupt
 from .._messages import Messages
 from .._parser import Parser, whole_number
 from .._progress import make_progress
 from .._reading import add_assets_argument
 from .._report import readable
-from .._task import Interrupted, Task
+from .._stopping import set_outcome
+from .._task import Task
 from ._arrays import NAMES, find_array
 
 MOST_POINTS = 20_000_000
@@ -68,9 +68,6 @@ def start(words):
     with Messages(quiet=arguments.quiet) as messages:
         try:
             return _write(arguments, messages)
-        except Interrupted:
-            messages.error(f"interrupted; {arguments.html} was not written")
-            return 130
         except (formats.FormatError, PipelineError, FileNotFoundError) as error:
             messages.error(str(error))
         except OSError as error:
@@ -80,10 +77,12 @@ def start(words):
 
 def _write(arguments, messages):
     page = pathlib.Path(arguments.html)
+    set_outcome(f"{page} was not written")
     if page.exists() and not arguments.overwrite:
         raise formats.FormatError(f"{page}: already exists; give --overwrite to replace it")
     contents = _read(arguments, messages)
     write_page(contents, page, find_array(arguments.color_by, contents))
+    set_outcome(f"{page} is written")
     shown = min(contents.sample.limit, contents.sample.count)
     messages.info(
         f"page     {page} ({readable(page.stat().st_size)}), {shown:,} of {contents.sample.count:,} points"
@@ -123,7 +122,7 @@ def _read_points(arguments, names, messages):
     with formats.open_reader(arguments.input) as reader:
         contents = Contents.of_reader(reader, arguments.points, names)
         task = Task("reading", reader.count)
-        with Interrupt(task, messages), make_progress(task, messages, quiet=arguments.quiet):
+        with make_progress(task, messages, quiet=arguments.quiet):
             for chunk in reader.chunks():
                 task.advance(contents.add(chunk))
     for note in reader.notes:

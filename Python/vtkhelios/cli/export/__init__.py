@@ -8,10 +8,10 @@ import pathlib
 from ... import formats
 from ...formats._run import RunReader, is_run
 from ..._files import cannot_be_written, new_folder
-from .._interrupt import Interrupt
 from .._messages import Messages
 from .._progress import make_progress
-from .._task import Interrupted, Task
+from .._stopping import set_outcome
+from .._task import Task
 
 SUMMARY = "write a run as KITTI, SemanticKITTI, S3DIS or MCAP (ROS 2)"
 WINDOW = 0.1  # [s], of the 10 Hz of KITTI
@@ -99,18 +99,14 @@ def export(arguments, messages):
     labels = learning.Labels.read(arguments.labels) if arguments.labels else learning.Labels()
     with RunReader(folder) as reader:
         task = Task("exporting", reader.count)
-        with Interrupt(task, messages) as interrupt:
-            try:
-                with make_progress(task, messages, quiet=arguments.quiet), new_folder(
-                    output
-                ) as new:
-                    writer = learning.WRITERS[arguments.layout](new, labels, reader.header.fields)
-                    scans, points = writer.write(
-                        counted_scans(learning.read_scans(reader, arguments.window), task)
-                    )
-            except Interrupted:
-                messages.error(f"interrupted; {output} was not written")
-                return 128 + interrupt.signal
+        set_outcome(f"{output} was not written")
+        with new_folder(output) as new:
+            writer = learning.WRITERS[arguments.layout](new, labels, reader.header.fields)
+            with make_progress(task, messages, quiet=arguments.quiet):
+                scans, points = writer.write(
+                    counted_scans(learning.read_scans(reader, arguments.window), task)
+                )
+        set_outcome(f"{output} is written")
     messages.info(f"{arguments.layout} {output}: {scans:,} scans, {points:,} points")
     return 0
 

@@ -27,11 +27,14 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
@@ -573,10 +576,42 @@ TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "
   }
 }
 
+TEST_CASE(
+  "Scanner: a scan is watched by the thread that runs it, and stops all of them", "[Scanner]")
+{
+  std::vector<double> shares;
+  bool goesOn = true;
+  const helios::RunWatcher watcher = [&](double share)
+  {
+    shares.push_back(share);
+    return goesOn;
+  };
+  helios::ScanWatch watch(watcher, 200);
+  CHECK(watch.Report());
+  std::thread([&watch] { watch.Count(50); }).join(); // does not report
+  CHECK(shares == std::vector<double>{ 0.0 });
+  watch.Count(50); // at once: too early
+  CHECK(shares.size() == 1);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  goesOn = false;
+  watch.Count(20);
+  CHECK(shares == std::vector<double>{ 0.0, 0.6 });
+  CHECK(watch.IsStopped());
+  CHECK_FALSE(watch.Report()); // the watcher is not called again
+  CHECK(shares.size() == 2);
+}
+
 TEST_CASE("Scanner: batches grow while they are fast and small", "[Scanner]")
 {
   helios::BatchSize batch(2);
   CHECK(batch.GetChunks() == 2); // the first measures the cost of pulses
+  CHECK(batch.GetMostPulses() == 16);
+  for (vtkIdType pulses : { 64, 256 })
+  {
+    batch.Adapt(0.001, 1000);
+    CHECK(batch.GetMostPulses() == pulses);
+    CHECK(batch.GetChunks() == 2);
+  }
   for (vtkIdType chunks : { 8, 32, 128, 128 })
   {
     batch.Adapt(0.001, 1000);
@@ -588,9 +623,15 @@ TEST_CASE("Scanner: batches grow while they are fast and small", "[Scanner]")
   CHECK(batch.GetChunks() == 64);
   batch.Adapt(0.001, std::size_t(1) << 29);
   CHECK(batch.GetChunks() == 32);
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < 5; ++i)
   {
+    CHECK(batch.GetMostPulses() == 256);
     batch.Adapt(100.0, 0);
   }
   CHECK(batch.GetChunks() == 2);
+  for (vtkIdType pulses : { 64, 32, 16, 8, 4, 2, 1, 1 })
+  {
+    batch.Adapt(100.0, 0);
+    CHECK(batch.GetMostPulses() == pulses);
+  }
 }

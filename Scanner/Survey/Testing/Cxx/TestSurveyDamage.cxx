@@ -156,6 +156,13 @@ TEST_CASE("SurveyDamage: invalid content of lines with a correct checksum", "[Su
     { 2, "\"blocks\":2,", "\"blocks\":3000000000,", "\"blocks\" is 3000000000, which is too" },
     { 2, "\"blocks\":2,", "\"blocks\":3,",
       "line 3: \"leg\" 0 with \"blocks\" 3 does not follow from the lines before" },
+    { 2, "\"blocks\":2,", "\"blocks\":2,\"pieces\":3000000000,",
+      "\"pieces\" is 3000000000, which is too large" },
+    { 2, "\"blocks\":2,", "\"blocks\":2,\"pieces\":true,",
+      "\"pieces\" is true, not a whole number" },
+    { 2, "\"blocks\":2,", "\"blocks\":2,\"pieces\":1,",
+      "line 3: \"leg\" 0 with \"blocks\" 2 and \"pieces\" 1 does not follow from the lines "
+      "before" },
     { 2, "\"done\":false,", "", "\"done\" is missing" },
     { 2, "\"done\":false", "\"done\":0", "\"done\" is 0, not true or false" },
     { 2, "\"done\":false", "\"done\":true", "does not follow from the lines before" },

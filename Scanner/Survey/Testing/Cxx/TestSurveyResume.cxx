@@ -32,13 +32,43 @@ TEST_CASE("SurveyResume: a resumed run is byte-identical to an uninterrupted one
   REQUIRE(broken.Player->Run());
   CHECK_FALSE(broken.Player->GetWasFinished());
   // no block is repeated
-  CHECK(
-    *std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) == pulses + 10000);
+  CHECK(*std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) >= pulses);
   CHECK(broken.Player->GetCount("points") == 80000);
   const auto a = ReadAll(files / "whole/test");
   const auto b = ReadAll(files / "out/test");
   CHECK(a.size() >= 6);
   CHECK((a == b)); // too long to print
+}
+
+TEST_CASE("SurveyResume: a run that is stopped within a block keeps its pieces", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  const std::string format = GENERATE("xyz", "las", "vtp");
+  const auto prepare = [&format](BlockRun& run)
+  {
+    run.Player->SetFormat(format.c_str());
+    run.Player->SetPulsesPerBlock(100000); // 4 pieces of 10,000 pulses of each leg
+    run.Player->SetWriteWaveforms(false);
+    run.Player->GetOptions()->SetNumberOfSubRays(400); // several reports a piece
+    run.Player->GetOptions()->SetAccuracyReport(false);
+  };
+  BlockRun whole(files, reading, "whole");
+  prepare(whole);
+  REQUIRE(whole.Player->Run());
+  BlockRun broken(files, reading);
+  prepare(broken);
+  broken.AbortAfter(20001);
+  REQUIRE_FALSE(broken.Player->Run());
+  CHECK(broken.Log->Errors.empty());
+  const bool isWhole = format == "vtp"; // a block is a file
+  CHECK(broken.Player->GetCount("pulses") == (isWhole ? 0 : 20000));
+  CHECK((ReadText(files / Journal).find("\"blocks\":0,") != std::string::npos) == !isWhole);
+  CHECK((ReadText(files / Journal).find("\"pieces\":2,") != std::string::npos) == !isWhole);
+  broken.Player->SetResume(true);
+  broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
+  REQUIRE(broken.Player->Run());
+  CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
 }
 
 TEST_CASE("SurveyResume: legs that share files", "[SurveyResume]")
@@ -86,20 +116,20 @@ TEST_CASE("SurveyResume: a truncated or damaged journal", "[SurveyResume]")
   {
     files.Write(Journal, text.substr(0, text.size() - 40));
     CHECK(playing.Player->Run());
-    CHECK(playing.Blocks->Done.front() == 50000);
+    CHECK(playing.Blocks->Done.front() >= 40000);
     CHECK_FALSE(fs::exists(files / Journal));
   }
   SECTION("the last line has no line end")
   {
     files.Write(Journal, text.substr(0, text.size() - 1));
     CHECK(playing.Player->Run());
-    CHECK(playing.Blocks->Done.front() == 50000);
+    CHECK(playing.Blocks->Done.front() >= 40000);
   }
   SECTION("zeros where the last line was")
   {
     files.Write(Journal, text.substr(0, text.size() - 40) + std::string(39, '\0') + "\n");
     CHECK(playing.Player->Run());
-    CHECK(playing.Blocks->Done.front() == 50000);
+    CHECK(playing.Blocks->Done.front() >= 40000);
   }
   SECTION("another line is damaged")
   {

@@ -22,7 +22,7 @@ namespace helios
 namespace test
 {
 
-/// Calls a function after every block.
+/// Calls a function after every block, and of slow ones within them.
 class OnBlock : public vtkCommand
 {
 public:
