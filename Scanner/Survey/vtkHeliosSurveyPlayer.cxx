@@ -437,10 +437,8 @@ void vtkHeliosSurveyPlayer::Internals::CheckInput(const std::string& path, const
   const auto found = this->Inputs.find(path);
   if (found != this->Inputs.end() && found->second != stamp)
   {
-    this->Log.Error(path +
-      " was changed after the run had begun; run it again with Overwrite (--overwrite) when the "
-      "file "
-      "is complete");
+    this->Log.Error(path + " was changed after the run had begun; run it again with Overwrite " +
+      "(--overwrite) when the file is complete");
   }
 }
 
