@@ -42,7 +42,6 @@ def _write_block(writer, cloud, path, log):
     if writer.Open() and writer.Write(cloud.data) and writer.Close():
         return True
     writer.Abandon()
-    drop_part(path)
     return False
 
 

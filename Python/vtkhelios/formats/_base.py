@@ -7,6 +7,7 @@ import dataclasses
 import importlib
 import os
 import pathlib
+import re
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -399,6 +400,10 @@ def from_cloud(cloud):
     return chunk
 
 
+# What a writer of blocks says of its .part, which is removed here.
+KEPT = re.compile(r"; (?:the first )?\d+ records are safe in .*?(?=; make room)")
+
+
 def call(owner, vtk_object, action):
     """Returns the result of an action of a VTK object; its errors become FormatErrors of owner.path."""
     with MessageLog() as log:
@@ -408,7 +413,7 @@ def call(owner, vtk_object, action):
         result = action()
     owner.notes += [note for note in dict.fromkeys(log.warnings) if note not in owner.notes]
     if log.errors:
-        message = "; ".join(log.root_errors())
+        message = KEPT.sub("", "; ".join(log.root_errors()))
         raise FormatError(message if owner.path in message else f"{owner.path}: {message}")
     return result
 
