@@ -3,7 +3,7 @@
 #include "heliosPulseKernel.h"
 
 #include "heliosConstants.h"
-#include "heliosScanRun.h"
+#include "heliosWorkWatch.h"
 #include "vtkHeliosBeamDeflector.h"
 
 #include <vtkMath.h>
@@ -32,7 +32,7 @@ PulseKernel::PulseKernel(const ScanModel& model)
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::Run(vtkIdType first, vtkIdType last, ScanWatch& watch, ChunkResult& result)
+void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkResult& result)
 {
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
   const bool isAdaptive = this->Model.Path.IsAdaptive();

@@ -18,7 +18,7 @@
 namespace helios
 {
 
-class ScanWatch;
+class WorkWatch;
 
 /// One per thread; all its memory is scratch.
 class PulseKernel
@@ -27,7 +27,7 @@ public:
   explicit PulseKernel(const ScanModel& model);
 
   /// Runs a chunk: the pulses [first, last) of the scan's sample; fewer if the watch has stopped.
-  void Run(vtkIdType first, vtkIdType last, ScanWatch& watch, ChunkResult& result);
+  void Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkResult& result);
 
   const ScanCounts& GetCounts() const { return this->Counts; }
 

@@ -29,8 +29,6 @@ constexpr double LongSeconds = 0.5;
 constexpr std::size_t ManyBytes = std::size_t(1) << 28;
 constexpr vtkIdType Growth = 4; // of fast batches
 
-constexpr std::chrono::milliseconds ReportInterval(100);
-
 std::size_t CountBytes(const std::vector<ChunkResult>& results)
 {
   std::size_t samples = 0;
@@ -51,7 +49,7 @@ vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads, vtkIdType most)
 struct ChunkFunctor
 {
   const ScanModel& Model;
-  ScanWatch& Watch;
+  WorkWatch& Watch;
   vtkIdType PulsesPerChunk;
   vtkIdType First;
   vtkIdType Last;
@@ -78,27 +76,6 @@ struct ChunkFunctor
 } // namespace
 
 //------------------------------------------------------------------------------
-bool ScanWatch::Report()
-{
-  const auto done = static_cast<double>(this->Done.load(std::memory_order_relaxed));
-  if (!this->IsStopped() && !this->GoesOn(done / static_cast<double>(this->Pulses)))
-  {
-    this->Stopped.store(true, std::memory_order_relaxed);
-  }
-  this->Last = std::chrono::steady_clock::now();
-  return !this->IsStopped();
-}
-
-//------------------------------------------------------------------------------
-void ScanWatch::ReportAtIntervals()
-{
-  if (std::chrono::steady_clock::now() - this->Last > ReportInterval)
-  {
-    this->Report();
-  }
-}
-
-//------------------------------------------------------------------------------
 void BatchSize::Adapt(double seconds, std::size_t bytes)
 {
   if (seconds > LongSeconds || bytes > ManyBytes)
@@ -119,7 +96,7 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, Batc
   const RunWatcher& goesOn, const ChunkSink& take)
 {
   const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  ScanWatch watch(goesOn, last - first);
+  WorkWatch watch(goesOn, last - first);
   ChunkFunctor functor{ model, watch, 0, first, first, {}, {} };
   batch.SetThreads(threads);
   while (functor.Last < last && watch.Report())

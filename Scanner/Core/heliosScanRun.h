@@ -20,7 +20,7 @@
 // - A group is up to 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
 //   sub-rays of each of its pulses are a bundle (BeamBundle).
 //
-// Pulses may become slower within a batch: ScanWatch also reports progress between its groups, and
+// Pulses may become slower within a batch: WorkWatch also reports progress between its groups, and
 // ends the run after the pulse that each thread is at.
 //
 // The output is byte-identical for any of these sizes.
@@ -30,15 +30,13 @@
 
 #include "heliosScanCounts.h"
 #include "heliosScanRecords.h"
+#include "heliosWorkWatch.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>
 
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <functional>
-#include <thread>
 #include <vector>
 
 namespace helios
@@ -46,49 +44,8 @@ namespace helios
 
 struct ScanModel;
 
-/// The fraction done [0, 1]; false ends the run.
-using RunWatcher = std::function<bool(double)>;
-
 /// Receives the records of some chunks, in order.
 using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
-
-/// Reports the progress of a run in the thread that started it, and lets all threads end early.
-class VTKHELIOSSCANNERCORE_EXPORT ScanWatch
-{
-public:
-  ScanWatch(const RunWatcher& goesOn, vtkIdType pulses)
-    : GoesOn(goesOn)
-    , Pulses(pulses)
-    , Caller(std::this_thread::get_id())
-  {
-  }
-
-  /// Whether the run ends; for any thread, once a pulse.
-  bool IsStopped() const { return this->Stopped.load(std::memory_order_relaxed); }
-
-  /// After some pulses; for any thread, which reports at most every 0.1 s.
-  void Count(vtkIdType pulses)
-  {
-    this->Done.fetch_add(pulses, std::memory_order_relaxed);
-    if (std::this_thread::get_id() == this->Caller)
-    {
-      this->ReportAtIntervals();
-    }
-  }
-
-  /// Reports the progress; false if the run ends.
-  bool Report();
-
-private:
-  void ReportAtIntervals();
-
-  const RunWatcher& GoesOn;
-  const vtkIdType Pulses;
-  const std::thread::id Caller;
-  std::atomic<vtkIdType> Done{ 0 };
-  std::atomic<bool> Stopped{ false };
-  std::chrono::steady_clock::time_point Last;
-};
 
 /**
  * The number of chunks of a batch, and the most pulses of a chunk: limited by the cache, and smaller

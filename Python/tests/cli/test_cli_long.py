@@ -323,7 +323,7 @@ def check_end(process, number, folder):
 def test_a_signal_ends_what_does_not_respond(deaf, number, tmp_path):
     deaf.send_signal(number)
     with pytest.raises(subprocess.TimeoutExpired):
-        deaf.wait(timeout=0.3)
+        deaf.wait(timeout=0.1)
     check_end(deaf, number, tmp_path)
 
 

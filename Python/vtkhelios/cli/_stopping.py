@@ -20,7 +20,7 @@ from .._pipeline import SECONDS_BETWEEN_SIGNS, upstream
 from ._streams import unfiltered, visible
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
-LONGEST = 0.6  # s, from the signal to the end
+LONGEST = 0.4  # s, from the signal to the end
 RUN, ESTIMATE = 0, 1  # of a player
 
 

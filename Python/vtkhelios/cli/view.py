@@ -25,7 +25,7 @@ SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web 
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = ("-screen", "0", "1280x1024x24")
-SECONDS_TO_END = 0.4  # of the viewer, after a signal
+SECONDS_TO_END = 0.25  # of the viewer, after a signal
 CONVERTED = (".pcd", ".e57")
 
 

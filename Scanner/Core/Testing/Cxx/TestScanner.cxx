@@ -586,7 +586,7 @@ TEST_CASE(
     shares.push_back(share);
     return goesOn;
   };
-  helios::ScanWatch watch(watcher, 200);
+  helios::WorkWatch watch(watcher, 200);
   CHECK(watch.Report());
   std::thread([&watch] { watch.Count(50); }).join(); // does not report
   CHECK(shares == std::vector<double>{ 0.0 });
