@@ -113,6 +113,17 @@ def test_errors(area, message, tmp_path, monkeypatch):
     assert message in str(error.value)
 
 
+@pytest.mark.parametrize(
+    "text", ["1" * 300_000 + "x 1", " " * 300_000 + "x", "POLYGON ((1 " + "1" * 300_000]
+)
+def test_long_texts_take_linear_time(text, tmp_path):
+    """Quadratic time would be a quarter of an hour."""
+    path = tmp_path / "area.txt"
+    path.write_text(text)
+    with pytest.raises(SettingError, match="is not a"):
+        read_area(path)
+
+
 @pytest.mark.parametrize("area", [7, [1, 2, 3], [["a", "b"]]])
 def test_types(area):
     with pytest.raises(TypeError, match="area"):

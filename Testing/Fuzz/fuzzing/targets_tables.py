@@ -90,7 +90,7 @@ class Parts(SurveyTable):
 def count_rows(data):
     """Rows of a table below its names; None if ambiguous."""
     lines = plain_lines(data, ())
-    if lines is None or any(line.count(b'"') % 2 for line in lines):
+    if lines is None or b"\\" in data or any(line.count(b'"') % 2 for line in lines):
         return None
     rows = csv.reader(io.StringIO("\n".join(line.decode() for line in lines)))
     kept = [row for row in rows if not row[0].lstrip().startswith("#")]
