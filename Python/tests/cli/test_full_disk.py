@@ -124,6 +124,15 @@ def test_convert(small_disk, small_runs, ending):
     ), done.stderr
 
 
+def test_detect(small_disk, small_runs):
+    """What the error tells of is kept."""
+    disk, call = small_disk
+    waveforms = small_runs["vtp"] / "leg000_fullwave.pvtt"
+    done = call("40k", "detect", waveforms, "-o", disk / "a.xyz", "--quiet")
+    assert done.returncode == 1 and done.stdout == "./a.xyz.part\n", done
+    assert f"records are safe in {disk}/a.xyz.part; make room" in done.stderr
+
+
 def test_compare(small_disk, small_runs):
     disk, call = small_disk
     page = disk / "a.html"

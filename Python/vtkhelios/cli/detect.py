@@ -179,14 +179,22 @@ def run(arguments):
         if messages.errors or not writer.Open():
             return 1
         try:
-            for piece in range(pieces):
-                detection.UpdatePiece(piece, pieces, 0)
-                if messages.errors or not writer.Write(complete(detection.GetOutput())):
-                    return give_up(arguments, writer)
-            return conclude(arguments, writer, messages)
+            return detect(arguments, pieces, detection, writer, messages)
         except KeyboardInterrupt:
             give_up(arguments, writer)
             raise
+
+
+def detect(arguments, pieces, detection, writer, messages):
+    """Writes the echoes piece by piece; returns the exit code."""
+    for piece in range(pieces):
+        detection.UpdatePiece(piece, pieces, 0)
+        if messages.errors:
+            return give_up(arguments, writer)
+        if not writer.Write(complete(detection.GetOutput())):
+            writer.Abandon()  # its error says what is kept
+            return 1
+    return conclude(arguments, writer, messages)
 
 
 def make_detection(arguments, reader):
