@@ -49,7 +49,8 @@ def name_phase(stop):
 
 def measure(case, inputs, outputs, moments):
     """Prints the lines of a case; returns the number of faults."""
-    program = [sys.executable, "-P", "-c", PROGRAM]
+    blocked = ["env", "--block-signal=INT", "--block-signal=TERM"]  # as the launcher does
+    program = [*blocked, sys.executable, "-P", "-c", PROGRAM]
     life = case.life
     if not life:
         whole = Stop(case, inputs, outputs, 0, 0, program)
