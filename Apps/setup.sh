@@ -24,8 +24,8 @@ helios_packages=(
 )
 # What tests need besides.
 helios_test_packages=(
-  cloudcompare python3-pytest python3-gdal python3-pil imagemagick python3-lxml black codespell xdotool zsh
-  fish
+  cloudcompare python3-pytest python3-gdal python3-pil imagemagick python3-lxml black codespell strace
+  xdotool zsh fish
 )
 
 # What differs by the release of Debian. A PyVista contemporary with its VTK, for the test of its
