@@ -115,7 +115,7 @@ private:
   std::unique_ptr<SceneBuilder> Builder; // of a survey with several epochs
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
-  std::shared_ptr<TextureStore> Textures;                   // of the scene, of all epochs
+  std::shared_ptr<TextureStore> Textures; // of the scene, of all epochs
   InputFiles SceneFiles;
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
   std::string CasterName;                                   // as requested
