@@ -394,7 +394,7 @@ int ConeTest::CountNeighbors(int member, int edge) const
 
 //------------------------------------------------------------------------------
 /// Whether every direction in the cone meets one member. Across an edge with one neighbor their
-/// number does not change: it is that at the axis.
+/// number does not change: it is the same everywhere.
 bool ConeTest::IsSingleSurface() const
 {
   for (int i = 0; i < this->Count; ++i)
@@ -408,7 +408,7 @@ bool ConeTest::IsSingleSurface() const
       }
     }
   }
-  return this->CountAtAxis() == 1;
+  return this->CountNearAxis() == 1;
 }
 
 /// Sets the layer of the members, if they have one: the first of them, if it hides all others, or a
@@ -427,14 +427,16 @@ void ConeTest::FindLayer(ConeLayer& layer)
 }
 
 //------------------------------------------------------------------------------
-/// The members that the axis meets: without gaps, as many as anywhere in the cone.
-int ConeTest::CountAtAxis() const
+/// The members that a direction near the axis meets, which is rarely on an edge, as the axis may be.
+int ConeTest::CountNearAxis() const
 {
+  const double x = 0.0123 * this->Shape.GetTangent();
+  const double y = 0.0271 * this->Shape.GetTangent();
   return static_cast<int>(std::count_if(this->Members, this->Members + this->Count,
-    [](const Member& c)
+    [&](const Member& c)
     {
-      return c.Sign * c.Edges[0][2] > 0.0 && c.Sign * c.Edges[1][2] > 0.0 &&
-        c.Sign * c.Edges[2][2] > 0.0;
+      return std::all_of(c.Edges, c.Edges + 3,
+        [&](const double* e) { return c.Sign * (e[0] * x + e[1] * y + e[2]) > 0.0; });
     }));
 }
 

@@ -55,7 +55,7 @@ private:
   bool HasNoFreeEdges() const;
   int CountNeighbors(int member, int edge) const;
   bool IsSingleSurface() const;
-  int CountAtAxis() const;
+  int CountNearAxis() const;
   void FindLayer(ConeLayer& layer);
   void SetLayer(ConeLayer& layer) const;
 

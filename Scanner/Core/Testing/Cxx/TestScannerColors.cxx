@@ -131,7 +131,8 @@ TEST_CASE("ScannerColors: images of other kinds, and those that are none")
     "texture " + folder.GetPath("none.png") + " does not exist; give it, or remove map_Kd");
   const std::string place = folder.GetPath("");
   CHECK(texture.Read(place).Message() ==
-    "texture " + place + " cannot be read: it is a folder; give the name of a file");
+    "texture " + place +
+      ": cannot be read: it is a folder; give the name of a file, or remove map_Kd");
 }
 
 namespace

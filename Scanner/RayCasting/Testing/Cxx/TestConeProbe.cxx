@@ -499,12 +499,13 @@ namespace
 {
 
 /// The layer in a cone of 10 mm radius, from 10 m above (0.001, 0.002).
-helios::ConeLayer FindLayer(const Soup& soup, double distance)
+helios::ConeLayer FindLayer(const Soup& soup, double distance, double overlap = 0.0)
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   REQUIRE(caster->Build(soup.GetPolyData()));
   helios::PlaneLimits limits(1e-6);
   limits.OfLayer.Distance = distance;
+  limits.Overlap = overlap;
   const double from[3] = { 0.001, 0.002, 10 };
   const double axis[3] = { 0, 0, -1 };
   helios::ConeLayer layer;
@@ -546,6 +547,26 @@ TEST_CASE("ConeProbe: a layer is a surface without gaps, and without others near
   gap.AddTriangle({ 0, -9, 0 }, { 0, 9, 0 }, { -9, 0, 0 });
   gap.AddTriangle({ 1e-9, -9, 0 }, { 1e-9, 9, 0 }, { 9, 0, 1.8 });
   CHECK(FindLayer(gap, 0.01).Size == 0);
+}
+
+TEST_CASE("ConeProbe: a layer is what hides all others, but for an overlap", "[ConeProbe]")
+{
+  const auto findBeside = [](double height, double overlap)
+  {
+    Soup soup;
+    soup.AddTriangle({ -9, -9, 0 }, { 9, -9, 0 }, { 0, 18, 0 });
+    soup.AddTriangle({ 0.004, -1, height }, { 1, 0, height }, { 0.004, 1, height });
+    return FindLayer(soup, 0.01, overlap).Size;
+  };
+  CHECK(findBeside(-0.004, 0.0) == 1);
+  CHECK(findBeside(0.004, 0.0) == 0);
+  CHECK(findBeside(0.004, 0.005) == 1);
+  CHECK(findBeside(0.004, 0.003) == 0);
+
+  Soup fold;
+  AddFold(fold, 0, 0.2);
+  fold.AddTriangle({ 0, -9, 0 }, { 0, 9, 0 }, { 9, 0, 9 * 0.3 }); // a third one at the edge
+  CHECK(FindLayer(fold, 0.01).Size == 0);
 }
 
 TEST_CASE("ConeProbe: a fold counts as far as it is inside the cone", "[ConeProbe]")
