@@ -6,16 +6,14 @@
 
 A multicopter, an aeroplane, a tripod and a car scan the village; the viewer records each for
 SECONDS (default: 8) with a suitable camera, and a still of the end. Output: OUT/village_*.ogv and
-village_*.png. Without a display it uses its own (xvfb-run).
+village_*.png. Without a display it uses its own (Xvfb).
 """
 
-import os
 import pathlib
 import subprocess
 import sys
 
 import vtkhelios
-from vtkhelios.cli import view
 
 # Survey, camera, colours.
 FILMS = [
@@ -37,8 +35,8 @@ def make_scene(folder):
 
 def show(survey, *arguments):
     """Runs the viewer on a survey, without a window."""
-    words = [str(survey), "--offscreen", *map(str, arguments)]
-    subprocess.run(view.command(view.find_viewer(), words, os.environ), check=True)
+    words = ["view", survey, "--offscreen", *map(str, arguments)]
+    subprocess.run([sys.executable, "-P", "-m", "vtkhelios", *words], check=True)
 
 
 def film(survey, out, seconds, *look):

@@ -131,8 +131,8 @@ def test_street_ghosts(tmp_path, capsys):
 def test_figure_videos(make_survey, tmp_path):
     from vtkhelios.cli import view
 
-    if view.find_viewer() is None or not shutil.which("xvfb-run"):
-        pytest.skip("the viewer or xvfb-run is missing")
+    if view.find_viewer() is None or not shutil.which("Xvfb"):
+        pytest.skip("the viewer or Xvfb is missing")
     survey = make_survey(speed=600)  # the village takes minutes
     look = ["--size", "160x120", "--camera", "orbit"]
     video, still = load("figure_videos").film(survey, tmp_path, 0.08, *look)
