@@ -3,6 +3,7 @@
 """vtkhelios join: makes a run of its parts."""
 
 import argparse
+import json
 import os
 import pathlib
 
@@ -125,8 +126,7 @@ def join_options(arguments, part, folder):
             f"{folder}: was not run by the command line; join it with AddPartFolder() of "
             "vtkHeliosSurveyPlayer"
         ) from None
-    joined = default_options(survey)
-    vars(joined).update((name, value) for name, value in options.items() if name in vars(joined))
+    joined = default_options(survey, options, folder)
     joined.survey = arguments.survey or find_file(survey, there)
     joined.assets = arguments.assets + [find_file(name, there) for name in assets]
     joined.assets = [name for name in joined.assets if os.path.isdir(name)]
@@ -139,11 +139,36 @@ def join_options(arguments, part, folder):
     return joined
 
 
-def default_options(survey):
-    """The arguments of vtkhelios run without options."""
+def default_options(survey, options, folder):
+    """The arguments of vtkhelios run with options of a part; FormatError if one is not valid."""
     parser = Parser(add_help=False)
     run_command.add_arguments(parser)
-    return parser.parse_args([survey], argparse.Namespace())
+    joined = parser.parse_args([survey], argparse.Namespace())
+    for action in parser._actions:
+        if action.dest in options:
+            value = options[action.dest]
+            if not is_valid(value, action):
+                raise FormatError(
+                    f"{folder}: is damaged: {action.dest} is {json.dumps(value)[:60]}; run the part again"
+                )
+            setattr(joined, action.dest, value)
+    return joined
+
+
+def is_valid(value, action):
+    """Whether a value is one of an option of the command line."""
+    if isinstance(action.default, bool):
+        return isinstance(value, bool)
+    if isinstance(action.default, list):
+        return isinstance(value, list) and all(isinstance(each, str) for each in value)
+    if value is None or value == action.default:
+        return value == action.default
+    if action.type is None:
+        return isinstance(value, str) and (not action.choices or value in action.choices)
+    try:
+        return action.type(value if isinstance(value, str) else repr(value)) == value
+    except (argparse.ArgumentTypeError, TypeError, ValueError):
+        return False
 
 
 def find_file(name, there):

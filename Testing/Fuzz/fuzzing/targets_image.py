@@ -98,6 +98,8 @@ class Texture(Target):
 
 
 class Png(Texture):
+    """PNG images, some with their checksums repaired."""
+
     def repair(self, data, random):
         """The checksums, of half of the cases."""
         if random.random() < 0.5 or data[:8] != b"\x89PNG\r\n\x1a\n":
@@ -114,6 +116,8 @@ class Png(Texture):
 
 
 class Bmp(Texture):
+    """BMP images, also with run lengths."""
+
     def more_seeds(self):
         palette = bytes(range(64))
         runs = bytes([3, 1, 0, 4, 2, 3, 4, 5, 6, 7, 0, 0, 0, 2, 1, 0, 9, 15, 0, 0, 13, 2, 0, 1])
@@ -128,6 +132,8 @@ class Bmp(Texture):
 
 
 class Pnm(Texture):
+    """PNM images, of all kinds."""
+
     def more_seeds(self):
         return [
             Seed("bits.pbm", b"P1\n# bits\n3 2\n1 0 1\n010\n"),
@@ -138,6 +144,8 @@ class Pnm(Texture):
 
 
 class Tiff(Texture):
+    """TIFF images, whose damaged tags can be read in several ways."""
+
     def is_comparable(self, image):
         """Of an entry that is there twice, and of palettes that are too long, it takes another part."""
         return False
