@@ -87,7 +87,6 @@ private:
   bool FindEarlierRun();
   bool CheckEarlierRun(const Json::Value& then);
   bool CheckFinishedRun(const Json::Value& then);
-  void CheckInput(const std::string& path, const std::string& stamp);
   bool CheckEarlierFiles();
   bool Load();
   bool HashScene();
@@ -407,8 +406,6 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::RunLegs()
 {
-  const helios::InputWatch watch(
-    [this](const std::string& path, const std::string& stamp) { this->CheckInput(path, stamp); });
   const auto onBlock = [this](const helios::ScanCounts& counts) { return this->Count(counts); };
   for (const helios::LegPlan& plan : this->Runner->GetPlans())
   {
@@ -428,18 +425,6 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
     }
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-/// An input that is opened during the run, as images are, is the one that was hashed before it.
-void vtkHeliosSurveyPlayer::Internals::CheckInput(const std::string& path, const std::string& stamp)
-{
-  const auto found = this->Inputs.find(path);
-  if (found != this->Inputs.end() && found->second != stamp)
-  {
-    this->Log.Error(path + " was changed after the run had begun; run it again with Overwrite " +
-      "(--overwrite) when the file is complete");
-  }
 }
 
 //------------------------------------------------------------------------------

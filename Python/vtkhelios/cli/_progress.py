@@ -106,7 +106,7 @@ class Progress:
         rate = self._fired.rate()
         pace = f"{speed(rate)} pulses/s, " if rate else ""
         fired, points = player.GetCount("pulsesFired"), player.GetCount("points")
-        left = self._indices.remaining(player.GetNumberOfPulses())
+        left = self._indices.remaining(player.GetNumberOfPulses()) if rate else None
         remaining = "" if left is None else f", {duration(left)} left"
         return (
             f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "

@@ -41,10 +41,12 @@ class Stopping:
     def __init__(self, is_process=False):
         self._is_process = is_process
         self._previous = {}
+        self._hooks = None
 
     def __enter__(self):
         if threading.current_thread() is threading.main_thread():
             _state.reset()
+            self._hooks = sys.excepthook, sys.unraisablehook
             for number in SIGNALS:
                 self._previous[number] = signal.signal(number, _handle)
             _native.end_after(SIGNALS, LONGEST)
@@ -53,6 +55,7 @@ class Stopping:
     def __exit__(self, *_):
         if self._previous:
             _native.end_after((), 0.0)
+            sys.excepthook, sys.unraisablehook = self._hooks
             for number, handler in self._previous.items():
                 signal.signal(
                     number, signal.SIG_IGN if self._is_process else handler or signal.SIG_DFL
@@ -114,8 +117,13 @@ class _State:
 _state = _State()
 
 
+def _ignore(*_):
+    """Prints no exception: code that cannot pass one on would print that of a stop."""
+
+
 def _handle(number, _frame):
     _state.signal = _state.signal or number
+    sys.excepthook = sys.unraisablehook = _ignore
     if not _state.players:
         raise Interrupted(_state.signal)
     _state.players[-1].Abort()
