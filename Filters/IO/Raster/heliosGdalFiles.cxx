@@ -15,8 +15,8 @@ namespace helios
 namespace
 {
 
-/// The file of a name of GDAL, which may be that of a member of an archive, such as
-/// /vsizip/tiles.zip/a.tif; the name itself if there is none.
+/// Finds the file on disk that a name of GDAL means: the archive of a name such as
+/// /vsizip/tiles.zip/a.tif. Returns the name itself if no such file exists.
 std::string FindFileOnDisk(const std::string& name)
 {
   std::string path = name;
