@@ -7,10 +7,14 @@
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosArrayNames.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -35,6 +39,48 @@ std::vector<double> GetSamples(vtkPointSet* data)
     samples.insert(samples.end(), { b[corner % 2], b[2 + corner / 2], b[4] });
   }
   return samples;
+}
+
+/// Steps as fine as those of the source.
+helios::CoordinateSteps ConvertSteps(helios::CoordinateSteps steps,
+  const helios::CoordinateSystem& source, const helios::CoordinateSystem& target)
+{
+  constexpr double metresPerDegree = 111195.0; // of a sphere as large as the Earth
+  const auto getUnit = [](const helios::CoordinateSystem& system, int axis)
+  {
+    return axis == 2          ? system.GetHeightUnit()
+      : system.IsGeographic() ? metresPerDegree
+                              : system.GetUnit();
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    steps.Scale[axis] *= getUnit(source, axis) / getUnit(target, axis);
+  }
+  steps.HasOffset = false;
+  return steps;
+}
+
+/// The decimal year of a GPS time [s]; leap seconds do not matter here.
+double GetYear(double gpsTime)
+{
+  constexpr double first = 1980.0 + 5.0 / 366.0; // 6 January
+  constexpr double secondsPerYear = 365.2425 * 86400.0;
+  return first + gpsTime / secondsPerYear;
+}
+
+/// The epoch of points with times, a decimal year; 0: not known.
+double FindEpoch(vtkPointSet* data)
+{
+  vtkDataArray* epoch = data->GetFieldData()->GetArray(vtkHeliosArrayNames::GpsEpoch);
+  vtkDataArray* times = data->GetPointData()->GetArray(vtkHeliosArrayNames::GpsTime);
+  if (!epoch || !times || epoch->GetNumberOfValues() != 1 || times->GetNumberOfTuples() == 0)
+  {
+    return 0.0;
+  }
+  const double* range = times->GetRange();
+  const double year = GetYear(epoch->GetComponent(0, 0) + 0.5 * (range[0] + range[1]));
+  constexpr double last = 3000.0;
+  return year > GetYear(0.0) && year < last ? year : 0.0;
 }
 
 } // namespace
@@ -80,6 +126,31 @@ bool vtkHeliosReproject::FindSystems(
     vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", but the input has " << own
                     << "; SourceCRS is used");
   }
+  return this->SetHeightUnit(source);
+}
+
+//------------------------------------------------------------------------------
+/// Applies SourceHeightUnit, or warns if the unit of heights is a guess.
+bool vtkHeliosReproject::SetHeightUnit(helios::CoordinateSystem& source)
+{
+  if (this->SourceHeightUnit > 0.0)
+  {
+    const helios::CoordinateSystem stated = source.WithHeightUnit(this->SourceHeightUnit);
+    if (!stated.IsSet())
+    {
+      vtkErrorMacro(<< "SourceHeightUnit is " << this->SourceHeightUnit << ", but heights of "
+                    << source.GetName() << " are in metres; leave it 0");
+      return false;
+    }
+    source = stated;
+  }
+  const bool isGuess = !source.HasHeightUnit() && source.GetHeightUnit() != 1.0;
+  if (isGuess && !(this->Warned > this->GetMTime()))
+  {
+    vtkWarningMacro(<< source.GetName() << " does not state the unit of heights, which are read as "
+                    << source.GetUnitName() << ", like x and y; if they are not, give the system "
+                    << "with a vertical part, or SourceHeightUnit (metres: 1)");
+  }
   return true;
 }
 
@@ -120,10 +191,13 @@ int vtkHeliosReproject::RequestData(
   }
   output->ShallowCopy(input);
   helios::SetCRS(output, target.GetText());
+  transform.SetEpoch(this->Epoch > 0.0 ? this->Epoch : FindEpoch(input));
   if (transform.IsIdentity() || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
+  helios::SetCoordinateSteps(
+    output, ConvertSteps(helios::GetCoordinateSteps(input), source, target));
   this->Warn(input, transform);
   status = this->Transform(input, output, transform);
   if (!status.IsOk())
@@ -180,23 +254,11 @@ helios::Status vtkHeliosReproject::Transform(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosReproject::DescribeCRS(const char* text)
-{
-  helios::CoordinateSystem system;
-  return text && system.Set(text).IsOk() ? system.GetName() : std::string();
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosReproject::IsGeographicCRS(const char* text)
-{
-  helios::CoordinateSystem system;
-  return text && system.Set(text).IsOk() && system.IsGeographic();
-}
-
-//------------------------------------------------------------------------------
 void vtkHeliosReproject::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceCRS: " << (this->SourceCRS ? this->SourceCRS : "(the input's)") << "\n";
-  os << indent << "TargetCRS: " << (this->TargetCRS ? this->TargetCRS : "(none)") << "\n";
+  os << indent << "TargetCRS: " << (this->TargetCRS ? this->TargetCRS : "(none)") << "\n"
+     << indent << "Epoch: " << this->Epoch << "\n"
+     << indent << "SourceHeightUnit: " << this->SourceHeightUnit << "\n";
 }

@@ -18,11 +18,16 @@
  * Systems are "EPSG:n", WKT, PROJ strings, or "ENU latitude longitude height" for local axes at an
  * origin on WGS 84 [degrees, m]. GeographicLib computes systems on WGS 84 (UTM, UPS, geocentric,
  * local), to 5e-9 m; PROJ the rest. If one of the systems has no heights, heights pass unchanged,
- * except for the unit. If both systems are the same in any spelling, the output is the input. Works
- * on all threads; the output does not depend on their number.
+ * except for the unit, which is that of x and y (metres beside degrees) where the system does not
+ * state it. If both systems are the same in any spelling, the output is the input. Works on all
+ * threads; the output does not depend on their number.
+ *
+ * Transformations between plates depend on the epoch of the coordinates: Epoch, else the mean of
+ * point data GpsTime after field data GpsEpoch, else the reference epoch of the transformation.
  *
  * Warnings: a source that contradicts the input; an operation less accurate than another whose
- * grids PROJ does not find; several operations over the extent of the data, which tears surfaces.
+ * grids PROJ does not find; several operations over the extent of the data, which tears surfaces;
+ * an epoch that is needed and not known; heights in feet because x and y are.
  * Errors: no source, no target, a system unknown to PROJ, no transformation between them, a point
  * outside their domain.
  *
@@ -31,7 +36,7 @@
  * sagitta, about 2 cm towards local or geocentric axes.
  *
  * @sa
- * vtkHeliosSceneTransform vtkHeliosSceneComposer vtkHeliosGeoTiffSceneReader
+ * vtkHeliosCoordinateSystem vtkHeliosSceneTransform vtkHeliosSceneComposer vtkHeliosGeoTiffSceneReader
  */
 
 #ifndef vtkHeliosReproject_h
@@ -39,8 +44,6 @@
 
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPointSetAlgorithm.h"
-
-#include <string> // For error messages
 
 class vtkPointSet;
 
@@ -75,17 +78,23 @@ public:
   vtkGetStringMacro(TargetCRS);
   ///@}
 
+  ///@{
   /**
-   * Code and name of a coordinate system, "EPSG:32632 (WGS 84 / UTM zone 32N)", whatever its form;
-   * empty if it is not known to PROJ.
+   * Set/Get the epoch of the input's coordinates, a decimal year, such as 2026.5, for systems that
+   * move with a plate. Valid range: [0, 3000]. Default: 0, which takes the times of the input.
    */
-  static std::string DescribeCRS(const char* text);
+  vtkSetClampMacro(Epoch, double, 0.0, 3000.0);
+  vtkGetMacro(Epoch, double);
+  ///@}
 
+  ///@{
   /**
-   * Whether x and y in a coordinate system are longitude and latitude [deg]; false if it is not
-   * known to PROJ.
+   * Set/Get the metres per unit of the input's heights, in place of what its system states. Valid
+   * range: [0, 1000]. Default: 0, as the system states, else the unit of x and y.
    */
-  static bool IsGeographicCRS(const char* text);
+  vtkSetClampMacro(SourceHeightUnit, double, 0.0, 1000.0);
+  vtkGetMacro(SourceHeightUnit, double);
+  ///@}
 
 protected:
   vtkHeliosReproject() = default;
@@ -100,11 +109,14 @@ private:
 
   bool FindSystems(
     vtkPointSet* input, helios::CoordinateSystem& source, helios::CoordinateSystem& target);
+  bool SetHeightUnit(helios::CoordinateSystem& source);
   void Warn(vtkPointSet* input, helios::CoordinateTransform& transform);
   helios::Status Transform(
     vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform);
 
   vtkTimeStamp Warned; // once for all pieces
+  double Epoch = 0.0;
+  double SourceHeightUnit = 0.0;
   char* SourceCRS = nullptr;
   char* TargetCRS = nullptr;
 };

@@ -161,6 +161,10 @@ STRIP_DENSITY = "StripDensity"  # [1/m2], of the densest strip
 NUMBER_OF_STRIPS = "NumberOfStrips"  # that reach the cell
 FLYING_HEIGHT = "FlyingHeight"  # [m], of the nearest line above it
 
+# Field data: the steps of the three coordinates in the file, in their units, and, if the
+# coordinates are those of the file, its three offsets.
+COORDINATE_SCALE = "CoordinateScale"
+
 # Clouds of the PCL filters: point data.
 CLUSTER_IDS = "ClusterIds"  # from 0, the largest; -1: no cluster
 PLANE_IDS = "PlaneIds"  # from 0, in the order found; -1: no plane

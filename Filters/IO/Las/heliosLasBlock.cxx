@@ -255,36 +255,6 @@ Status LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
   return status.IsOk() && hasExtras ? this->ReadExtras(echoes) : status;
 }
 
-void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const
-{
-  double size = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
-    {
-      const double value = this->Points.GetNumber(i, axis);
-      least = std::isfinite(value) ? std::min(least, value) : least;
-      most = std::isfinite(value) ? std::max(most, value) : most;
-    }
-    const double first = this->NumberOfPoints > 0 ? this->Points.GetNumber(0, axis) : 0.0;
-    scaling.Offset[axis] = std::isfinite(first) ? std::round(first) + 0.0 : 0.0; // not -0
-    size = least <= most ? std::max(size, most - least) : size;
-  }
-  if (scale == 0.0)
-  {
-    // capacity for eight times the extent of the first block about its first point
-    int power = -6;
-    while (8.0 * size > LargestNumber * std::pow(10.0, power))
-    {
-      ++power;
-    }
-    scale = power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
-  }
-  scaling.Scale.fill(scale);
-}
-
 std::uint16_t LasBlock::GetIntensity(const LasScaling& scaling, vtkIdType row) const
 {
   double value = 0.0;

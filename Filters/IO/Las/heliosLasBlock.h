@@ -51,10 +51,6 @@ public:
   int GetPointLength() const { return this->Length; }
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
 
-  /// Replaces scale 0 by a power of ten that fits the points; the offset is the first point in
-  /// whole units, which is independent of the block size.
-  void ChooseScaling(LasScaling& scaling, double scale) const;
-
   /// Encodes points begin to end; false if a point cannot be encoded: see CheckRange().
   bool Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end, char* records);
 

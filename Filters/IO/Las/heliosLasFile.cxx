@@ -3,6 +3,7 @@
 #include "heliosLasFile.h"
 
 #include "heliosInputFile.h"
+#include "heliosLasGeoKeys.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
@@ -16,40 +17,6 @@ namespace helios
 
 namespace
 {
-
-///@{
-/// GeoTIFF keys of coordinate systems; values below Undefined are EPSG codes.
-constexpr int GeographicKey = 2048;
-constexpr int ProjectedKey = 3072;
-constexpr int VerticalKey = 4096;
-constexpr int UndefinedCode = 32767;
-///@}
-
-/// Value of a key; 0: missing.
-int GetGeoKey(const std::string& keys, int key)
-{
-  constexpr std::size_t entry = 8;
-  for (std::size_t at = entry; at + entry <= keys.size(); at += entry)
-  {
-    const char* bytes = keys.data() + at;
-    const int code = LoadLas<std::uint16_t>(bytes + 6);
-    if (LoadLas<std::uint16_t>(bytes) == key && LoadLas<std::uint16_t>(bytes + 2) == 0)
-    {
-      return code > 0 && code < UndefinedCode ? code : 0;
-    }
-  }
-  return 0;
-}
-
-std::string GetGeoKeysCrs(const std::string& keys)
-{
-  const int projected = GetGeoKey(keys, ProjectedKey);
-  const int code = projected ? projected : GetGeoKey(keys, GeographicKey);
-  const int vertical = GetGeoKey(keys, VerticalKey);
-  return code == 0
-    ? std::string()
-    : "EPSG:" + std::to_string(code) + (vertical ? "+" + std::to_string(vertical) : std::string());
-}
 
 } // namespace
 

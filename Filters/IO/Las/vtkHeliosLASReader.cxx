@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosLASReader.h"
 
+#include "heliosCoordinateSystem.h"
 #include "heliosFiniteCheck.h"
 #include "heliosInputFile.h"
 #include "heliosLasArrays.h"
@@ -107,9 +108,14 @@ helios::Status OpenPackets(
 }
 
 /// Sets the field data of the file.
-void SetFields(const helios::LasFile& file, vtkPolyData* output)
+void SetFields(const helios::LasFile& file, const std::string& crs, vtkPolyData* output)
 {
-  helios::SetCRS(output, file.GetCrs());
+  helios::SetCRS(output, crs);
+  helios::CoordinateSteps steps;
+  steps.Scale = file.GetHeader().Scale;
+  steps.Offset = file.GetHeader().Offset;
+  steps.HasOffset = true;
+  helios::SetCoordinateSteps(output, steps);
   if (file.GetHeader().Encoding & helios::LasHeader::StandardTime)
   {
     vtkNew<vtkDoubleArray> epoch;
@@ -226,7 +232,7 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   {
     SelectClasses(isWanted, output);
   }
-  SetFields(file, output);
+  SetFields(file, this->FindCrs(file), output);
   this->WarnOfValues(file.GetPath(), output);
   status = hasWaves ? packets.Read(output, waveforms) : helios::Status();
   if (!status.IsOk())
@@ -236,6 +242,30 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
     return helios::Status::Error(file.GetPath() + ": " + status.Message());
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// The coordinate system of a file; empty, with a warning, if PROJ does not know it.
+std::string vtkHeliosLASReader::FindCrs(const helios::LasFile& file)
+{
+  std::string crs = file.GetCrs();
+  helios::CoordinateSystem system;
+  if (crs.empty() || crs == this->KnownCrs)
+  {
+    return crs;
+  }
+  if (const helios::Status status = system.Set(crs); !status.IsOk())
+  {
+    if (this->WarnedCrs != file.GetPath())
+    {
+      this->WarnedCrs = file.GetPath();
+      vtkWarningMacro(<< file.GetPath() << ": its coordinate system is not known and is ignored: "
+                      << status.Message());
+    }
+    return {};
+  }
+  this->KnownCrs = crs;
+  return crs;
 }
 
 //------------------------------------------------------------------------------

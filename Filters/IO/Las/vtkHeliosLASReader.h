@@ -114,6 +114,7 @@ private:
 
   helios::Status Open(helios::LasFile& file);
   void WarnOfValues(const std::string& path, vtkPolyData* cloud);
+  std::string FindCrs(const helios::LasFile& file);
   helios::Status ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
     vtkPolyData* output, vtkTable* waveforms);
 
@@ -123,6 +124,8 @@ private:
   std::unique_ptr<helios::LazFile> Converted; // of a LAZ file; null: none was read
   std::string WarnedName;                     // file whose waveforms caused a warning
   std::string WarnedValues;                   // file whose values caused a warning
+  std::string WarnedCrs;                      // file whose system caused a warning
+  std::string KnownCrs;                       // by PROJ
 };
 
 #endif

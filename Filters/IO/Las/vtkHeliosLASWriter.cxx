@@ -5,6 +5,7 @@
 #include "heliosCoordinateSystem.h"
 #include "heliosLasBlock.h"
 #include "heliosLasEncoder.h"
+#include "heliosLasScaling.h"
 #include "heliosLasSheet.h"
 #include "heliosLasWaves.h"
 #include "heliosPartFile.h"
@@ -198,7 +199,9 @@ bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* ec
                     << " cannot be written as WKT; the file has no CRS");
   }
   sheet->Scaling.FullIntensity = this->FullIntensity;
-  block.ChooseScaling(sheet->Scaling, this->Scale);
+  helios::CoordinateSystem system;
+  static_cast<void>(system.Set(sheet->Crs)); // checked above; may be none
+  helios::ChooseLasScaling(echoes, system, this->Scale, sheet->Scaling);
   sheet->Header.Scale = sheet->Scaling.Scale;
   sheet->Header.Offset = sheet->Scaling.Offset;
   const helios::Status status = sheet->Header.CheckScaling();

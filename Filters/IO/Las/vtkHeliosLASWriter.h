@@ -13,7 +13,7 @@
  * - x, y, z: 32-bit multiples of Scale relative to an offset, the first point
  *   of the file in whole units; rounded to nearest. The bounding box in the
  *   header is that of the rounded points. The file is byte-identical for any
- *   division of the points into blocks, except with Scale 0.
+ *   division of the points into blocks, except with Scale 0, and in degrees.
  * - intensity: the array Intensity if present; else from the amplitude A: 1000
  *   log10(A / 1 fW), in 0.01 dB, or 65535 A / FullIntensity.
  * - ReturnNumber, NumberOfReturns; values above 15 become 15, with a warning.
@@ -75,7 +75,10 @@ public:
   /**
    * Set/Get the step of coordinates [units of the points], applied at the first block. 0: the
    * finest power of ten, from 1e-6 up, that can hold eight times the extent of the first block; it
-   * depends on the block size. Use 1e-8 for degrees. Valid range: 0, [1e-9, 1000]. Default: 0.0001.
+   * depends on the block size. Valid range: 0, [1e-9, 1000]. Default: 0.0001, which stands for 0.1
+   * mm or the next finer power of ten in the unit of each axis, and 1e-9 degrees, or as fine as
+   * eight times the extent of the first block allows; points that a file stored (field data
+   * CoordinateScale) keep its scale and offset, or get no coarser steps.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1000.0);
   vtkGetMacro(Scale, double);

@@ -36,6 +36,15 @@ bool HasMetres(const std::string& wkt)
   return !system.Set(wkt).IsOk() || system.GetHeightUnit() == 1.0;
 }
 
+// Adds heights in metres to a map in feet, if it has no vertical part; else an empty text.
+std::string AddMetres(const std::string& wkt)
+{
+  CoordinateSystem system;
+  const bool isPlane = system.Set(wkt).IsOk() && !system.HasHeightUnit();
+  const CoordinateSystem metric = isPlane ? system.WithHeightUnit(1.0) : CoordinateSystem();
+  return metric.IsSet() ? metric.GetText() : std::string();
+}
+
 std::string GetAttribute(OGRSpatialReferenceH system, const char* name)
 {
   const char* text = OSRGetAttrValue(system, name, 0);
@@ -85,6 +94,10 @@ std::string MakeHeightsMetric(const std::string& wkt)
   if (HasMetres(wkt))
   {
     return wkt;
+  }
+  if (std::string metric = AddMetres(wkt); !metric.empty())
+  {
+    return metric;
   }
   const std::unique_ptr<void, void (*)(OGRSpatialReferenceH)> system(
     OSRNewSpatialReference(wkt.c_str()), OSRDestroySpatialReference);

@@ -20,8 +20,8 @@ HELIOSGDAL_EXPORT double GetUnitInMetres(const std::string& name);
 std::string ToWkt(OGRSpatialReferenceH system);
 
 /**
- * Returns the same system (WKT) with heights in metres, if it has any. The vertical part then says
- * so in its name and has no code. Empty on failure.
+ * Returns the same system (WKT) with heights in metres. The vertical part of a system in feet then
+ * says so in its name and has no code. Empty on failure.
  */
 HELIOSGDAL_EXPORT std::string MakeHeightsMetric(const std::string& wkt);
 

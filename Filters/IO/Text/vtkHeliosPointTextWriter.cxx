@@ -3,7 +3,9 @@
 #include "vtkHeliosPointTextWriter.h"
 
 #include "heliosColumn.h"
+#include "heliosCoordinateSystem.h"
 #include "heliosPointColumns.h"
+#include "heliosSceneCrs.h"
 #include "heliosTextFormat.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -41,6 +43,25 @@ struct EchoLines
 {
   helios::Column Columns[helios::NumberOfPointColumns]; // x, y and z: the points
   std::vector<std::string> PartNames;
+  bool IsFine[3] = { false, false, false }; // coordinates need 9 decimals
+
+  /// Coordinates of degrees, and of files with finer steps than 0.1 mm.
+  void SetDecimals(vtkPolyData* points)
+  {
+    constexpr double coarse = 0.99e-4; // within 4 decimals
+    const std::string text = helios::GetCRS(points);
+    helios::CoordinateSystem system;
+    if (!text.empty())
+    {
+      static_cast<void>(system.Set(text)); // an unknown one has metres
+    }
+    const helios::CoordinateSteps steps = helios::GetCoordinateSteps(points);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->IsFine[axis] =
+        std::min(helios::GetResolution(system, axis), steps.Scale[axis]) < coarse;
+    }
+  }
 
   /// Sets the names, each as one word.
   void SetPartNames(vtkStringArray* parts)
@@ -72,7 +93,12 @@ struct EchoLines
   {
     constexpr helios::PointColumn column = helios::PointColumns[Index];
     constexpr int axis = Index < helios::FirstArrayColumn ? Index : 0;
-    if constexpr (column.Decimals > 0)
+    if constexpr (Index < helios::FirstArrayColumn)
+    {
+      const double value = this->Columns[Index].GetNumber(row, axis);
+      this->IsFine[axis] ? text.AppendFixed<9>(value) : text.AppendFixed<column.Decimals>(value);
+    }
+    else if constexpr (column.Decimals > 0)
     {
       text.AppendFixed<column.Decimals>(column.Factor * this->Columns[Index].GetNumber(row, axis));
     }
@@ -161,6 +187,7 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
     : this->WriteScanFlags                ? helios::NumberOfFlagColumns
                                           : helios::NumberOfBasicColumns;
   EchoLines lines;
+  lines.SetDecimals(echoes);
   lines.SetPartNames(
     vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName)));
   vtkNew<vtkPointData> data;

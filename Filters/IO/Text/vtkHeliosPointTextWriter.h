@@ -5,7 +5,7 @@
  * @brief   write echoes in HELIOS text columns
  *
  * One echo per line, columns separated by blanks, no header:
- * - x y z [m], 4 decimals
+ * - x y z [m], 4 decimals; 9 of degrees, and of points that a file stored with finer steps
  * - intensity: the amplitude [nW], 4 decimals
  * - echo width: full width at half maximum, two-way [ns], 4 decimals
  * - return number, from 1

@@ -9,7 +9,8 @@ import vtkhelios
 
 from .. import formats
 from .._files import drop_part, keep_part, open_part
-from ..array_names import CRS, GPS_EPOCH, MATERIAL_NAME, PART_NAME
+from .._systems import find_system
+from ..array_names import COORDINATE_SCALE, CRS, GPS_EPOCH, MATERIAL_NAME, PART_NAME
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
@@ -21,11 +22,15 @@ NAMES = {PART_NAME, MATERIAL_NAME}  # field arrays stored only in VTK files
 class Conversion:
     """One output and its inputs."""
 
-    def __init__(self, inputs, output, selection, crs=None, waveforms=None):
+    def __init__(
+        self, inputs, output, selection, crs=None, waveforms=None, height_unit=None, epoch=None
+    ):
         self.inputs = inputs
         self.output = str(output)
         self.selection = selection
         self.crs = crs
+        self.height_unit = height_unit
+        self.epoch = epoch
         self.waveforms = waveforms
         self.kinds = []  # of inputs: path, kind, count
         self.notes = []
@@ -55,7 +60,8 @@ class Conversion:
 
     def _record_files(self):
         """The files whose records can be copied; empty if arrays are needed."""
-        if formats.ending(self.output) not in (".las", ".laz") or self.crs:
+        is_changed = self.crs or self.height_unit
+        if formats.ending(self.output) not in (".las", ".laz") or is_changed:
             return []
         paths = []
         for each in self.inputs:
@@ -176,11 +182,11 @@ class Conversion:
     def _check_headers(self, readers):
         first = readers[0]
         for other in readers[1:]:
-            if other.header.crs != first.header.crs and not (self.crs and not other.header.crs):
+            one, another = find_system(first.header.crs), find_system(other.header.crs)
+            if not one.is_same(another.text) and not (self.crs and not another.text):
                 raise formats.FormatError(
-                    f"{other.path}: has the coordinate system {other.header.crs[:60] or 'none'}, "
-                    f"and {first.path} {first.header.crs[:60] or 'none'}; convert one of them "
-                    "first, with --crs"
+                    f"{other.path}: has the coordinate system {another.label}, "
+                    f"and {first.path} {one.label}; convert one of them first, with --crs"
                 )
             if other.header.epoch != first.header.epoch:
                 raise formats.FormatError(
@@ -191,6 +197,10 @@ class Conversion:
 
     def _make_move(self, header):
         """A converter of chunks to the output coordinate system."""
+        if self.height_unit and (header.crs or self.crs):
+            header.crs = self._state_height_unit(header.crs or self.crs)
+            if not self.crs or header.crs == self.crs:
+                return lambda chunk: chunk
         if not self.crs or self.crs == header.crs:
             return lambda chunk: chunk
         source = formats.Header(header.fields)
@@ -199,13 +209,23 @@ class Conversion:
             return lambda chunk: chunk  # assigned, not converted
         reproject = vtkhelios.vtkHeliosReproject()
         reproject.SetTargetCRS(self.crs)
+        reproject.SetEpoch(self.epoch or 0.0)
+        header.fields.RemoveArray(COORDINATE_SCALE)
 
         def move(chunk):
             reproject.SetInputData(to_cloud(chunk, source))
             call(self, reproject, reproject.Update)
+            if steps := reproject.GetOutput().GetFieldData().GetArray(COORDINATE_SCALE):
+                header.fields.AddArray(steps)
             return from_cloud(reproject.GetOutput())
 
         return move
+
+    def _state_height_unit(self, crs):
+        try:
+            return find_system(crs).with_height_unit(self.height_unit)
+        except ValueError as error:
+            raise formats.FormatError(f"{self.output}: {error}; leave --height-unit out") from error
 
     @property
     def path(self):

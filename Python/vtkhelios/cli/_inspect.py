@@ -5,6 +5,7 @@
 import numpy as np
 
 from .. import formats
+from .._systems import Metres
 
 from ..array_names import (
     CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, UNITS,
@@ -21,8 +22,10 @@ POINTS_A_CELL = 8  # for the point spacing
 class Inspection:
     """Reads all points once; ``facts`` is the --json output, ``warnings`` the problems."""
 
-    def __init__(self, path):
+    def __init__(self, path, height_unit=None):
         self.path = path
+        self._height_unit = height_unit
+        self._metres = None  # of the file's system
         self.facts = {}
         self.warnings = []
         self._low = np.full(3, np.inf)
@@ -39,6 +42,7 @@ class Inspection:
         with formats.open_reader(self.path) as reader:
             task.total = reader.count
             reader.keeps_invalid = True  # they are counted
+            self._metres = Metres(reader.header.crs, self._height_unit)
             arrays = None
             for chunk in reader.chunks():
                 arrays = arrays or {name: values[:0] for name, values in chunk.items()}
@@ -48,6 +52,10 @@ class Inspection:
         if not is_run(self.path) and formats.ending(self.path) in RECORDS:
             self._tell_head()
         self._check(reader)
+        if self._metres.guess:
+            self.warnings.append(self._metres.guess)
+        if self._count and (problem := self._metres.refuse_degrees(self._low)):
+            self.warnings.append(f"spacing and density are not measured: {problem}")
 
     def _add(self, chunk, scan):
         points = chunk["points"]
@@ -58,9 +66,8 @@ class Inspection:
         if len(points):
             self._low = np.minimum(self._low, points.min(axis=0))
             self._high = np.maximum(self._high, points.max(axis=0))
-            near = is_near(points)
-            self._far += int(np.count_nonzero(~near))
-            self._raster.add(points[near, :2], scan)
+            if not self._metres.is_geographic:
+                self._add_cells(self._metres.convert(points), scan)
         if RETURN_NUMBER in chunk:
             self._returns += tally(chunk[RETURN_NUMBER])
             if NUMBER_OF_RETURNS in chunk:
@@ -75,6 +82,11 @@ class Inspection:
             with np.errstate(all="ignore"):  # of times that are not finite
                 self._add_times(chunk[GPS_TIME].reshape(rows_of(chunk), -1)[:, 0])
 
+    def _add_cells(self, points, scan):
+        near = is_near(points)
+        self._far += int(np.count_nonzero(~near))
+        self._raster.add(points[near, :2], scan)
+
     def _add_times(self, times):
         self._times = [min(self._times[0], times.min()), max(self._times[1], times.max())]
         self._backward += int(np.count_nonzero(np.diff(times) < 0) + (times[0] < self._last_time))
@@ -88,7 +100,9 @@ class Inspection:
         if self._count > self._invalid:
             facts["bounds"] = {"minimum": self._low.tolist(), "maximum": self._high.tolist()}
             facts["spacing_m"] = self._spacing() if self._raster.counts.size else None
+            facts["density_m2"] = facts["spacing_m"] and facts["spacing_m"] ** -2
         facts["crs"] = reader.header.crs or None
+        facts["unit_m"], _, facts["heightUnit_m"] = self._metres.factors.tolist()
         if reader.header.epoch:
             facts["gpsEpoch_s"] = reader.header.epoch
         if np.isfinite(self._times).all():

@@ -6,6 +6,7 @@ import pathlib
 
 from .. import formats
 from .._pipeline import PipelineError
+from .._systems import add_height_unit_argument
 from ..comparison import POINTS, SAMPLE
 from ..comparison._compare import compare_watched
 from . import _charts
@@ -55,7 +56,7 @@ exit codes: 0 done, also if the clouds differ; 1 failed (the reason is on standa
 usage, 130 interrupted (nothing is written).
 """
 
-OPTIONS = ("mesh", "cell", "points", "sample", "seed")
+OPTIONS = ("mesh", "cell", "points", "sample", "seed", "height_unit")
 
 
 def add_arguments(parser):
@@ -98,6 +99,7 @@ def add_arguments(parser):
         default=0,
         help="of tiles, samples and intervals (default: %(default)s)",
     )
+    add_height_unit_argument(parser)
     parser.add_argument(
         "--output", metavar="FILE.html", help="write a page, and its JSON beside it"
     )

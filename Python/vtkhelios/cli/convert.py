@@ -7,6 +7,7 @@ import pathlib
 import time
 
 from .. import formats
+from .._systems import add_height_unit_argument
 from ..formats._run import RunReader, is_run
 from . import _meshes
 from ._conversion import Conversion
@@ -16,7 +17,7 @@ from ._progress import make_progress
 from ._report import readable
 from ._stopping import set_outcome
 from ._task import Task
-from ._parser import whole_number
+from ._parser import number, whole_number
 
 SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
 
@@ -84,6 +85,14 @@ def add_arguments(parser):
         help="the coordinate system of the output (EPSG:n ...): points in another one are "
         "transformed; an input without one is assumed to be in this one",
     )
+    parser.add_argument(
+        "--epoch",
+        metavar="YEAR",
+        type=number(1900, 2200),
+        help="epoch of the coordinates for --crs between systems that move with plates, a decimal "
+        "year (default: from the GPS times, if these are not seconds of the week)",
+    )
+    add_height_unit_argument(parser)
     parser.add_argument(
         "--returns",
         choices=RETURNS,
@@ -188,7 +197,10 @@ def make_conversion(arguments, inputs, output):
     selection = Selection(
         arguments.returns, arguments.classes, arguments.every, arguments.skip_invalid
     )
-    return Conversion(inputs, output, selection, arguments.crs, arguments.waveforms)
+    return Conversion(
+        inputs, output, selection, arguments.crs, arguments.waveforms, arguments.height_unit,
+        arguments.epoch,
+    )  # fmt: skip
 
 
 def refuse(conversions, overwrite):

@@ -6,6 +6,7 @@ import json
 import pathlib
 
 from .. import formats
+from .._systems import add_height_unit_argument
 from . import _meshes
 from ._meshes import describe_crs
 from ._inspect import Inspection, inspect_survey
@@ -58,6 +59,7 @@ def add_arguments(parser):
         help="list the scanners of the catalogue that have these words (default: all)",
     )
     add_assets_argument(parser)
+    add_height_unit_argument(parser)
     parser.add_argument("--json", action="store_true", help="print it as a JSON object")
 
 
@@ -79,7 +81,7 @@ def run(arguments):
         if _meshes.is_mesh(arguments.path):
             facts = _meshes.inspect(arguments.path, messages)
             return tell(facts, [], arguments, messages) if facts else 1
-        inspection = Inspection(arguments.path)
+        inspection = Inspection(arguments.path, arguments.height_unit)
         task = Task("reading")
         try:
             with make_progress(task, messages):
@@ -114,7 +116,10 @@ def point_lines(facts):
     if "bounds" in facts:
         yield from _meshes.bounds_lines(facts)
         if facts["spacing_m"] is not None:
-            yield f"spacing    about {facts['spacing_m']:.3g} m, in plan view"
+            yield (
+                f"spacing    about {facts['spacing_m']:.3g} m, in plan view: "
+                f"{facts['density_m2']:.3g} points/m²"
+            )
     yield f"crs        {describe_crs(facts['crs'])}"
     if "gpsTime_s" in facts:
         first, last = facts["gpsTime_s"].values()

@@ -16,12 +16,15 @@ __all__ = ["Comparison", "Histogram", "Row", "compare"]
 POINTS, SAMPLE = 5_000_000, 20_000  # defaults
 
 
-def compare(a, b, mesh=None, cell=None, points=POINTS, sample=SAMPLE, seed=0, progress=None):
+def compare(
+    a, b, mesh=None, cell=None, points=POINTS, sample=SAMPLE, seed=0, progress=None, height_unit=None
+):
     """Measures two clouds and returns a Comparison.
 
     a, b
         a file or the folder of a run, or a folder of files and runs; or a Cloud, a vtkPolyData
-        or an array of (n, 3) [m].
+        or an array of (n, 3) [m]. Clouds in feet are converted to metres, those in degrees
+        refused.
     mesh
         triangles, to which distances are measured: an OBJ or GeoTIFF file, a Scene or a
         vtkPolyData. Default: none.
@@ -37,6 +40,9 @@ def compare(a, b, mesh=None, cell=None, points=POINTS, sample=SAMPLE, seed=0, pr
         of tiles, samples and intervals, 0 or more; equal seeds give equal results. Default: 0.
     progress
         True for a line on standard error, or a function of the fraction done. Default: none.
+    height_unit
+        unit of the heights of both [m], above 0. Default: as their coordinate systems state, else
+        that of x and y.
 
     Raises FormatError (a ValueError) for files that cannot be read, clouds without points and
     different coordinate systems, ValueError for settings outside their range.
@@ -44,6 +50,7 @@ def compare(a, b, mesh=None, cell=None, points=POINTS, sample=SAMPLE, seed=0, pr
     from ._compare import compare_watched  # reads files: needs the whole package
 
     settings = {"mesh": mesh, "cell": cell, "points": points, "sample": sample, "seed": seed}
+    settings["height_unit"] = height_unit
     with Progress(progress) as watched:
         tell = watched.callback or (lambda *_: None)
         return compare_watched(a, b, lambda _name, share: tell(None, share), **settings)

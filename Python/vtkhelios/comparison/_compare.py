@@ -8,19 +8,20 @@ import numpy as np
 
 from ..cloud import data_of
 from ..formats import FormatError
+from .._systems import find_difference
 from ..scene import Scene, flatten
 from ._blocks import DRAWS
 from ._ground import Ground, choose_cell, choose_tile, draw_tiles
-from ._inputs import Source, find_difference, is_path
+from ._inputs import Source, is_path
 from ._measure import Measurement
 from .result import Comparison
 
 
-def compare_watched(a, b, on_step, mesh, cell, points, sample, seed):
+def compare_watched(a, b, on_step, mesh, cell, points, sample, seed, height_unit=None):
     """As compare(); on_step(name, fraction done) is called during all work, and may raise."""
     _check_settings(cell, points, sample, seed)
     mesh = None if mesh is None else read_mesh(mesh)
-    sources = [Source(each, points, on_step) for each in (a, b)]
+    sources = [Source(each, points, on_step, height_unit) for each in (a, b)]
     sides = [source.read() for source in sources]
     if problem := find_difference(*(source.crs or "" for source in sources)):
         raise FormatError(

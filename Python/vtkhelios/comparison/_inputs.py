@@ -3,12 +3,12 @@
 """The points of a side of a comparison: from files, runs, folders of these, clouds or arrays."""
 
 import pathlib
-import re
 
 import numpy as np
 
 from .. import formats
 from .._run_files import POINTS, SUMMARY_NAME, kind_of
+from .._systems import Metres, find_difference
 
 from ..array_names import (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INTENSITY, LEG_IDS,
@@ -61,8 +61,8 @@ class Side:
 class Source:
     """An input that can be read repeatedly."""
 
-    def __init__(self, given, limit, on_step):
-        self._limit, self._on_step = limit, on_step
+    def __init__(self, given, limit, on_step, height_unit=None):
+        self._limit, self._on_step, self._height_unit = limit, on_step, height_unit
         self._paths = list_files(given) if is_path(given) else None
         self._chunk, self._header = (None, None) if self._paths else chunk_of(given)
         self.name = str(given) if self._paths else describe(given)
@@ -75,7 +75,8 @@ class Source:
         kept, fits = [], True
         self.total = 0
         for source, chunk in self._chunks():
-            points = self._check(chunk)
+            points = self._to_metres(self._check(chunk))
+            chunk = {**chunk, "points": points}
             self.total += len(points)
             if len(points):
                 self.low = np.minimum(self.low, points.min(axis=0))
@@ -109,6 +110,15 @@ class Source:
             raise FormatError(
                 f"{self.name}: its files have different coordinate systems: {problem}"
             )
+
+    def _to_metres(self, points):
+        metres = Metres(self.crs, self._height_unit)
+        if len(points) and (problem := metres.refuse_degrees(points[0])):
+            raise FormatError(f"{self.name}: {problem}")
+        note = f"{self.name}: {metres.note}"
+        if metres.note and note not in self.notes:
+            self.notes.append(note)
+        return metres.convert(points)
 
     def _check(self, chunk):
         points = chunk["points"]
@@ -191,21 +201,3 @@ def chunk_of(given):
 def describe(given):
     chunk, _ = chunk_of(given)
     return f"{type(given).__name__} of {rows_of(chunk):,} points"
-
-
-def find_difference(first, second):
-    """How two known coordinate systems differ, or None."""
-    if not first or not second or first == second:
-        return None
-    codes = code_of(first), code_of(second)
-    if None in codes or codes[0] == codes[1]:
-        return None
-    return f"{codes[0]} and {codes[1]}; convert one of them with vtkhelios convert --crs {codes[0]}"
-
-
-def code_of(crs):
-    """EPSG:n of a coordinate system, of WKT the last code, which is that of the whole; or None."""
-    if re.fullmatch(r"EPSG:[0-9+]+", crs, re.IGNORECASE):
-        return crs.upper()
-    found = re.search(r'(?:AUTHORITY|ID)\["EPSG", *"?([0-9]+)"?[] ]*$', crs)
-    return f"EPSG:{found[1]}" if found else None

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The points of a flight, in metres and in the order of their times, and its strips."""
 
-import re
-
 import numpy as np
 
 from .. import formats
@@ -12,7 +10,8 @@ from ..array_names import (
     CHANNEL_IDS, CLASSIFICATION_IDS, EDGE_OF_FLIGHT_LINE, GPS_TIME, INTENSITY, AMPLITUDE, LEG_IDS,
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
-from ..comparison._inputs import chunk_of, describe, find_difference, is_path, list_files
+from .._systems import Metres, find_difference
+from ..comparison._inputs import chunk_of, describe, is_path, list_files
 from ..formats import FormatError
 
 KEPT = (
@@ -22,8 +21,6 @@ KEPT = (
 FARTHEST = 1e12  # of coordinates; larger ones are damaged
 GAP = 10.0  # without a point [s], between strips
 FEWEST = 1000  # pulses of a strip
-LINEAR = re.compile(r'(?:LENGTH)?UNIT\["([^"]*)", *([0-9.eE+-]+)')
-LENGTHS = re.compile(r"met(re|er)|foot|feet|ft|yard|chain|link|kilom", re.IGNORECASE)
 
 
 class Flight:
@@ -90,12 +87,18 @@ def _join(name, parts, crs, notes, unit):
     common = [key for key in parts[0] if all(key in part for part in parts)]
     columns = {key: np.concatenate([part[key] for part in parts]) for key in common}
     _check(name, columns)
-    horizontal, vertical = units_of(name, crs) if unit is None else (unit, unit)
-    if (horizontal, vertical) != (1.0, 1.0):
-        columns["points"] = columns["points"] * [horizontal, horizontal, vertical]
-        heights = "" if horizontal == vertical else f", heights of {vertical:g} m"
-        notes = [*notes, f"{name}: coordinates have units of {horizontal:g} m{heights}; they are "
-                         "converted to metres"]  # fmt: skip
+    if unit is None:
+        metres = Metres(crs)
+        if problem := metres.refuse_degrees(columns["points"][0]):
+            raise FormatError(f"{name}: {problem}")
+        columns["points"] = metres.convert(columns["points"])
+        notes = [*notes, f"{name}: {metres.note}"] if metres.note else notes
+    elif unit != 1:
+        columns["points"] = columns["points"] * unit
+        notes = [
+            *notes,
+            f"{name}: coordinates have units of {unit:.9g} m; they are converted to metres",
+        ]
     order = np.argsort(columns[GPS_TIME], kind="stable")
     columns = {key: values[order] for key, values in columns.items()}
     return Flight(name, columns, crs, notes)
@@ -125,20 +128,6 @@ def _check(name, columns):
         )
     if not finite.all():
         columns.update({key: values[finite] for key, values in columns.items()})
-
-
-def units_of(name, crs):
-    """Units of the horizontal and the vertical axes of a coordinate system [m]; 1 if unknown."""
-    parts = re.split(r"VERT_?(?:CS|CRS)", crs)
-    found = [[float(size) for unit, size in LINEAR.findall(part) if LENGTHS.search(unit)]
-             for part in parts]  # fmt: skip
-    if re.match(r"\s*(GEOGCS|GEOGCRS|GEODCRS)|EPSG:(4326|4979|4258)\b", crs):
-        raise FormatError(
-            f"{name}: its coordinates are longitudes and latitudes; convert it to a map projection "
-            "with vtkhelios convert --crs"
-        )
-    horizontal = found[0][-1] if found[0] else 1.0
-    return horizontal, (found[-1][-1] if len(found) > 1 and found[-1] else horizontal)
 
 
 def find_strips(flight):

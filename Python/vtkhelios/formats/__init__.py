@@ -75,7 +75,9 @@ def open_reader(path):
     kind = _find(path, 1)
     check_file(path)
     with guarded(path):
-        return kind(path)
+        reader = kind(path)
+        reader.check_system()
+        return reader
 
 
 def open_writer(path, header=None):

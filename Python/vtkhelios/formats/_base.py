@@ -19,6 +19,7 @@ from .._arrays import arrays
 from .._files import drop_part, keep_part, open_part, part_of
 from .._pipeline import MessageLog
 from .._process.unfinished import set_unfinished
+from .._systems import find_system
 
 
 from ..array_names import (
@@ -228,6 +229,14 @@ class Reader(_Closing):
                 note = f"{name} is not finite at {count:,} of {seen:,} points, and is kept so"
             if count and f"{self.path}: {note}" not in self.notes:
                 self.notes.append(f"{self.path}: {note}")
+
+    def check_system(self):
+        """Ignores a coordinate system that PROJ does not know, with a note."""
+        if problem := find_system(self.header.crs).problem:
+            self.notes.append(
+                f"{self.path}: its coordinate system is not known and is ignored: {problem}"
+            )
+            self.header.crs = ""
 
     def close(self):
         """Ends the reading."""

@@ -237,6 +237,8 @@ struct CrsData
   std::string Where;
   std::string Source; ///< empty: that of the file
   std::string Target;
+  double Epoch = 0.0;      ///< of the coordinates, a decimal year; 0: not known
+  double HeightUnit = 0.0; ///< of the file [m]; 0: as its system states
 };
 
 struct SwapData;

@@ -526,6 +526,8 @@ PartPipelines::Filter PartPipelines::AddCrs(const PartData& part, Filter before)
     auto reproject = vtkSmartPointer<vtkHeliosReproject>::New();
     reproject->SetSourceCRS(crs.Source.empty() ? nullptr : crs.Source.c_str());
     reproject->SetTargetCRS(crs.Target.c_str());
+    reproject->SetEpoch(crs.Epoch);
+    reproject->SetSourceHeightUnit(crs.HeightUnit);
     before = this->Connect(reproject, before);
   }
   return before;

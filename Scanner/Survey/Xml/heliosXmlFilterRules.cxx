@@ -177,6 +177,8 @@ std::vector<XmlElementRule> MakeFilterRules()
     {
       Text("source", "source coordinate system").Default("that of the file").At<&CrsData::Source>(),
       Text("target", "target coordinate system").Required().At<&CrsData::Target>(),
+      Number("epoch", "epoch of the coordinates, a decimal year, for systems that move with a plate").In("", { 0.0, 3000.0 }).At<&CrsData::Epoch>(),
+      Number("heightUnit", "metres per unit of the heights of the file; 0: as its system states, else that of x and y").In("m", { 0.0, 1000.0 }).At<&CrsData::HeightUnit>(),
     },
     {} },
 

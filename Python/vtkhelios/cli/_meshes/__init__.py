@@ -13,6 +13,7 @@ from ..._paths import text_from_vtk, to_vtk
 from ..._pipeline import MessageLog
 from ..._run_files import PART
 from ..._process.unfinished import set_unfinished
+from ..._systems import HEIGHT_UNITS, find_system
 
 from ...array_names import (
     CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
@@ -115,11 +116,19 @@ def find_crs(mesh):
 
 def bounds_lines(facts):
     """Bounds to the millimetre, of longitude and latitude to 1e-8 degrees."""
-    crs = facts["crs"]
-    is_geographic = crs and vtkhelios.vtkHeliosReproject.IsGeographicCRS(to_vtk(crs))
-    for axis, low, high in zip("xyz", *facts["bounds"].values()):
-        digits, unit = (8, "deg") if is_geographic and axis != "z" else (3, "m")
-        yield f"{axis:10} {_fixed(low, digits)} to {_fixed(high, digits)} {unit}"
+    system = find_system(facts["crs"] or "")
+    units = (system.unit, system.unit, facts.get("heightUnit_m", system.height_unit))
+    for axis, unit, low, high in zip("xyz", units, *facts["bounds"].values()):
+        digits = 3 if unit else 8
+        yield f"{axis:10} {_fixed(low, digits)} to {_fixed(high, digits)} {name_unit(unit)}"
+
+
+def name_unit(metres):
+    """The name of a unit in metres; degrees are 0."""
+    for name, size in {"deg": 0.0, **HEIGHT_UNITS}.items():
+        if abs(metres - size) <= 1e-9 * size:
+            return name
+    return f"x {metres:g} m"
 
 
 def _fixed(value, digits):
@@ -130,8 +139,7 @@ def describe_crs(crs):
     """Code and name of a coordinate system; of one that PROJ does not know, the begin of its text."""
     if not crs:
         return "not known"
-    known = text_from_vtk(vtkhelios.vtkHeliosReproject.DescribeCRS(to_vtk(crs)))
-    return known or " ".join(crs.split())[:100]
+    return find_system(crs).name or " ".join(crs.split())[:100]
 
 
 def compute_areas(mesh, points):

@@ -372,10 +372,72 @@ TEST_CASE("LASReader: coordinate systems of other programs", "[LASReader]")
     std::string record(60, '\0');
     record.replace(2, 15, "LASF_Projection");
     SetNumber<std::uint16_t>(record, 18, 2112);
-    SetNumber<std::uint64_t>(record, 20, 4);
-    CHECK(FailsWith(bytes + record + "wkt", "has an extended record of 4 bytes at byte"));
-    CHECK(read(bytes + record + "wkt!") == "wkt!");
+    SetNumber<std::uint64_t>(record, 20, 10);
+    CHECK(FailsWith(bytes + record + "EPSG:2583", "has an extended record of 10 bytes at byte"));
+    CHECK(read(bytes + record + "EPSG:25832") == "EPSG:25832");
   }
+}
+
+TEST_CASE("LASReader: vertical keys and units of other programs", "[LASReader]")
+{
+  const auto read = [](std::vector<std::uint16_t> keys)
+  {
+    std::vector<std::uint16_t> words{ 1, 1, 0, static_cast<std::uint16_t>(keys.size() / 2) };
+    for (std::size_t i = 0; i + 1 < keys.size(); i += 2)
+    {
+      words.insert(words.end(), { keys[i], 0, 1, keys[i + 1] });
+    }
+    std::string record(2 * words.size(), '\0');
+    std::memcpy(record.data(), words.data(), record.size());
+    std::string bytes = MakeOld(2, 0, 1, 20);
+    AddRecord(bytes, "LASF_Projection", 34735, record);
+    WriteFile(bytes);
+    LasReading reading(Path);
+    REQUIRE(reading.Read());
+    return helios::GetCRS(reading.Cloud());
+  };
+  const auto unitOf = [](const std::string& crs)
+  {
+    helios::CoordinateSystem system;
+    CAPTURE(crs);
+    REQUIRE(system.Set(crs).Message() == "");
+    CHECK(system.HasHeightUnit());
+    CHECK(system.GetUnit() == Approx(1200.0 / 3937.0));
+    return system.GetHeightUnit();
+  };
+  CHECK(read({ 3072, 2263 }) == "EPSG:2263");
+  CHECK(unitOf(read({ 3072, 2263, 4099, 9001 })) == 1.0);
+  CHECK(unitOf(read({ 3072, 2263, 4099, 9002 })) == 0.3048);
+  CHECK(unitOf(read({ 3072, 2263, 4099, 9003 })) == Approx(1200.0 / 3937.0).epsilon(1e-12));
+  CHECK(read({ 3072, 2263, 4096, 5703 }) == "EPSG:2263+5703");
+  CHECK(read({ 3072, 2263, 4096, 5703, 4099, 9001 }) == "EPSG:2263+5703");
+  CHECK(read({ 3072, 2263, 4096, 5703, 4099, 9003 }) == "EPSG:2263+6360");
+  CHECK(read({ 3072, 2263, 4096, 5703, 4099, 9002 }) == "EPSG:2263+8228");
+  CHECK(read({ 3072, 2263, 4096, 5103 }) == "EPSG:2263+5703"); // GeoTIFF 1.0
+  CHECK(read({ 3072, 2263, 4096, 5103, 4099, 9003 }) == "EPSG:2263+6360");
+  CHECK(unitOf(read({ 3072, 2263, 4096, 5702, 4099, 9001 })) == 1.0); // NGVD29 is in feet
+  CHECK(read({ 3072, 25832, 4096, 5030 }) == "EPSG:25832");           // above the ellipsoid
+  CHECK(read({ 3072, 25832, 4096, 32767 }) == "EPSG:25832");
+  CHECK(read({ 3072, 25832, 4099, 9001 }).find("COMPOUNDCRS[") == 0);
+  // a map by parameters is not its geographic base
+  CHECK(read({ 1024, 1, 2048, 4269, 3072, 32767 }).empty());
+  CHECK(read({ 1024, 1, 2048, 4269 }).empty());
+  CHECK(read({ 1024, 2, 2048, 4269 }) == "EPSG:4269");
+}
+
+TEST_CASE("LASReader: a record that is no WKT is no system", "[LASReader]")
+{
+  std::string bytes = MakeOld(2, 0, 4, 20);
+  AddRecord(bytes, "LASF_Projection", 2112, std::string("\"\"\0", 3));
+  WriteFile(bytes);
+  LasReading reading(Path);
+  reading.Reader->UpdatePiece(0, 2, 0);
+  CHECK(helios::GetCRS(reading.Cloud()).empty());
+  CHECK(reading.Log->HasWarning("its coordinate system is not known and is ignored: \"\"\"\" is "
+                                "not a coordinate system known to PROJ"));
+  reading.Log->Clear();
+  reading.Reader->UpdatePiece(1, 2, 0); // once a file
+  CHECK_FALSE(reading.Log->HasWarning("coordinate system"));
 }
 
 TEST_CASE("LASReader: damaged files are errors", "[LASReader]")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCoordinateSystem.h"
 #include "heliosLasTesting.h"
+#include "heliosSceneCrs.h"
 #include "vtkHeliosLASWriter.h"
 
 #include <vtkSMPTools.h>
@@ -290,6 +291,40 @@ TEST_CASE("LASWriter: scale and offset", "[LASWriter]")
   CHECK_FALSE(writing.WriteAll(MakePoints({ { 1e16, 0, 0 } })));
   CHECK(writing.Log->HasError(
     "a block has a scale of 1e-06 and an offset of 1e+16, which give no valid coordinates"));
+}
+
+TEST_CASE("LASWriter: steps by the unit of an axis, and by the file of the points", "[LASWriter]")
+{
+  LasWriting writing;
+  using Triple = std::array<double, 3>;
+  const auto get = [&writing](const std::string& crs, double size, const Triple& scale,
+                     const Triple* offset = nullptr)
+  {
+    const auto points = MakePoints({ { 8.7, 49.4, 0 }, { 8.7 + size, 49.4, 0 } });
+    helios::SetCRS(points, crs);
+    helios::CoordinateSteps steps;
+    steps.Scale = scale;
+    steps.HasOffset = offset != nullptr;
+    steps.Offset = offset ? *offset : Triple();
+    helios::SetCoordinateSteps(points, steps);
+    REQUIRE(writing.WriteAll(points));
+    const std::string bytes = writing.Bytes();
+    return Triple{ GetNumber<double>(bytes, 131), GetNumber<double>(bytes, 139),
+      GetNumber<double>(bytes, 147) };
+  };
+  const double none = std::numeric_limits<double>::infinity();
+  const Triple unknown{ none, none, none };
+  CHECK(get("EPSG:25832", 1.0, unknown) == Triple{ 1e-4, 1e-4, 1e-4 });
+  CHECK(get("EPSG:2263", 1.0, unknown) == Triple{ 1e-4, 1e-4, 1e-4 });
+  CHECK(get("EPSG:4326", 0.01, unknown) == Triple{ 1e-9, 1e-9, 1e-4 });
+  CHECK(get("EPSG:4326", 2.0, unknown) == Triple{ 1e-8, 1e-9, 1e-4 }); // room for 16 degrees
+  CHECK(get("EPSG:4326", 0.01, { 1e-7, 1e-7, 1e-5 }) == Triple{ 1e-9, 1e-9, 1e-5 });
+  CHECK(get("EPSG:25832", 1.0, { 0.01, 0.00025, 2e-5 }) == Triple{ 1e-4, 1e-4, 1e-5 });
+  const Triple offset{ 8.5, 49.25, 0.125 };
+  CHECK(get("", 0.1, { 1e-7, 2e-7, 0.01 }, &offset) == Triple{ 1e-7, 2e-7, 0.01 });
+  CHECK(GetNumber<double>(writing.Bytes(), 155) == 8.5);
+  writing.Writer->SetScale(0.001); // as wanted
+  CHECK(get("EPSG:25832", 1.0, { 1e-5, 1e-5, 1e-5 }, &offset) == Triple{ 0.001, 0.001, 0.001 });
 }
 
 TEST_CASE("LASWriter: colours make format 7", "[LASWriter]")

@@ -30,12 +30,14 @@ struct CoordinateSystemData
   std::string Text;
   std::string Label;
   std::string Name;
+  std::string Code;
   std::string UnitName;
-  std::string HeightUnitName;           // empty: no vertical part
+  std::string HeightUnitName;           // empty: not stated
   double Unit = 1.0;                    // [m]; 0: degrees
   double HeightUnit = 1.0;              // [m]
   bool IsCompound = false;              // with a vertical part
-  bool IsPlane = false;                 // no vertical part
+  bool IsPlane = false;                 // no vertical part, or one that only states the unit
+  bool IsCut = false;                   // PROJ gets the horizontal part
   bool IsLocal = false;                 // unknown to PROJ
   double Origin[3] = { 0.0, 0.0, 0.0 }; // of a local one: latitude, longitude [deg], height [m]
   AxisOrder Axes;

@@ -4,12 +4,14 @@
 
 #include "heliosCoordinateSystemData.h"
 #include "heliosProj.h"
+#include "heliosProjGrids.h"
 #include "heliosStatus.h"
 
 #include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -36,9 +38,9 @@ void FromProj(const AxisOrder& axes, const PJ_COORD& in, double out[3])
   }
 }
 
-PJ_COORD ToProj(const AxisOrder& axes, const double in[3])
+PJ_COORD ToProj(const AxisOrder& axes, const double in[3], double epoch)
 {
-  PJ_COORD out = proj_coord(0.0, 0.0, 0.0, HUGE_VAL);
+  PJ_COORD out = proj_coord(0.0, 0.0, 0.0, epoch > 0.0 ? epoch : HUGE_VAL);
   for (int k = 0; k < 3; ++k)
   {
     out.v[axes.From[k]] = in[k] / axes.Factor[k];
@@ -51,82 +53,24 @@ ProjObject MakeEnd(
   const ProjContext& context, const CoordinateSystemData& system, const CoordinateSystemData& other)
 {
   ProjObject crs = MakeProjCRS(context, system.IsLocal ? Geographic3D : system.Text);
-  const bool isCut = system.IsCompound && other.IsPlane;
+  const bool isCut = system.IsCut || (system.IsCompound && other.IsPlane);
   return crs && isCut ? GetHorizontalPart(context, crs.get()) : std::move(crs);
 }
 
-struct Grids
-{
-  std::string Missing; // names, separated by commas
-  double Accuracy = -1.0;
-};
+///@{
+/// Epochs at which the motion of the Earth's plates is measured [years].
+constexpr double SomeYear = 2020.0;
+constexpr double YearsApart = 10.0;
+///@}
 
-Grids GetGrids(const ProjContext& context, const PJ* operation)
+/// The distance of two near points of a system [m].
+double GetLength(const CoordinateSystem& system, const double a[3], const double b[3])
 {
-  std::set<std::string> missing;
-  const int count = proj_coordoperation_get_grid_used_count(context.Get(), operation);
-  for (int i = 0; i < count; ++i)
-  {
-    const char* name = nullptr;
-    int isAvailable = 0;
-    proj_coordoperation_get_grid_used(context.Get(), operation, i, &name, nullptr, nullptr, nullptr,
-      nullptr, nullptr, &isAvailable);
-    if (!isAvailable && name)
-    {
-      missing.insert(name);
-    }
-  }
-  Grids grids;
-  for (const std::string& name : missing)
-  {
-    grids.Missing += (grids.Missing.empty() ? "" : ", ") + name;
-  }
-  grids.Accuracy = proj_coordoperation_get_accuracy(context.Get(), operation);
-  return grids;
-}
-
-bool IsInArea(const ProjContext& context, const PJ* operation, const double place[2])
-{
-  double west = 0.0;
-  double south = 0.0;
-  double east = 0.0;
-  double north = 0.0;
-  if (!proj_get_area_of_use(context.Get(), operation, &west, &south, &east, &north, nullptr) ||
-    west < -180.0)
-  {
-    return true; // not stated
-  }
-  const double longitude = std::remainder(place[0], 360.0);
-  const bool isBetween =
-    west <= east ? west <= longitude && longitude <= east : west <= longitude || longitude <= east;
-  return isBetween && south <= place[1] && place[1] <= north;
-}
-
-/// Finds the most accurate operation with grids that are not installed, at a point if given.
-Grids FindMissingGrids(
-  const ProjContext& context, const PJ* source, const PJ* target, const double* place)
-{
-  const ProjFactory factory(proj_create_operation_factory_context(context.Get(), nullptr));
-  proj_operation_factory_context_set_allow_ballpark_transformations(
-    context.Get(), factory.get(), false);
-  proj_operation_factory_context_set_spatial_criterion(
-    context.Get(), factory.get(), PROJ_SPATIAL_CRITERION_PARTIAL_INTERSECTION);
-  proj_operation_factory_context_set_grid_availability_use(
-    context.Get(), factory.get(), PROJ_GRID_AVAILABILITY_IGNORED);
-  const ProjList list(proj_create_operations(context.Get(), source, target, factory.get()));
-  Grids best;
-  for (int i = 0; list && i < proj_list_get_count(list.get()); ++i)
-  {
-    const ProjObject operation(proj_list_get(context.Get(), list.get(), i));
-    const Grids grids = GetGrids(context, operation.get());
-    const bool isBetter = best.Missing.empty() ||
-      (grids.Accuracy >= 0.0 && (grids.Accuracy < best.Accuracy || best.Accuracy < 0.0));
-    if (!grids.Missing.empty() && isBetter && (!place || IsInArea(context, operation.get(), place)))
-    {
-      best = grids;
-    }
-  }
-  return best;
+  constexpr double metresPerDegree = 111195.0; // of a sphere as large as the Earth
+  const double unit = system.IsGeographic() ? metresPerDegree : system.GetUnit();
+  const double parallel = system.IsGeographic() ? std::cos(vtkMath::RadiansFromDegrees(a[1])) : 1.0;
+  return std::hypot(
+    parallel * unit * (b[0] - a[0]), unit * (b[1] - a[1]), system.GetHeightUnit() * (b[2] - a[2]));
 }
 
 const char* const InstallGrids =
@@ -142,7 +86,12 @@ struct CoordinateTransform::Internals
   std::shared_ptr<const CoordinateSystemData> From;
   std::shared_ptr<const CoordinateSystemData> To;
   bool IsIdentity = false;
-  double HeightFactor = 1.0; // if PROJ does not transform heights
+  ///@{
+  /// To metres before, from metres after, of heights that PROJ does not transform.
+  double HeightUnit = 1.0;
+  double HeightFactor = 1.0;
+  ///@}
+  double Epoch = 0.0; // 0: not known
 
   std::unique_ptr<ProjContext> Context; // null: without PROJ
   ProjObject Operation;
@@ -203,11 +152,13 @@ void CoordinateTransform::Internals::Apply(const double from[3], double to[3])
     this->To->Projection->FromGeographic(place, to);
     return;
   }
+  p[2] *= this->HeightUnit;
   if (this->From->IsLocal)
   {
     this->From->Projection->ToGeographic(from, p);
   }
-  const PJ_COORD image = proj_trans(this->Operation.get(), PJ_FWD, ToProj(this->From->Axes, p));
+  const PJ_COORD image =
+    proj_trans(this->Operation.get(), PJ_FWD, ToProj(this->From->Axes, p, this->Epoch));
   FromProj(this->To->Axes, image, to);
   to[2] *= this->HeightFactor;
   if (this->To->IsLocal)
@@ -235,7 +186,9 @@ CoordinateTransform::CoordinateTransform(const CoordinateTransform& other)
   this->State->From = from.From;
   this->State->To = from.To;
   this->State->IsIdentity = from.IsIdentity;
+  this->State->HeightUnit = from.HeightUnit;
   this->State->HeightFactor = from.HeightFactor;
+  this->State->Epoch = from.Epoch;
   if (from.Context)
   {
     // Without an operation, Forward() fails for every point.
@@ -265,7 +218,8 @@ Status CoordinateTransform::Set(const CoordinateSystem& source, const Coordinate
   if (!state->IsIdentity && (!from.Projection || !to.Projection))
   {
     const bool isCut = (from.IsCompound && to.IsPlane) || (from.IsPlane && to.IsCompound);
-    state->HeightFactor = isCut ? from.HeightUnit / to.HeightUnit : 1.0;
+    state->HeightUnit = from.IsPlane || isCut ? from.HeightUnit : 1.0;
+    state->HeightFactor = to.IsPlane || isCut ? 1.0 / to.HeightUnit : 1.0;
     status = state->MakeOperation();
   }
   if (status.IsOk())
@@ -279,6 +233,28 @@ Status CoordinateTransform::Set(const CoordinateSystem& source, const Coordinate
 bool CoordinateTransform::IsIdentity() const
 {
   return this->State->IsIdentity;
+}
+
+//------------------------------------------------------------------------------
+void CoordinateTransform::SetEpoch(double year)
+{
+  this->State->Epoch = year;
+}
+
+//------------------------------------------------------------------------------
+double CoordinateTransform::GetYearlyMotion(const double point[3])
+{
+  CoordinateTransform one(*this);
+  CoordinateTransform other(*this);
+  one.SetEpoch(SomeYear);
+  other.SetEpoch(SomeYear + YearsApart);
+  double a[3];
+  double b[3];
+  if (!this->State->Operation || one.Forward(point, a, 1) == 0 || other.Forward(point, b, 1) == 0)
+  {
+    return 0.0;
+  }
+  return GetLength(this->State->Target, a, b) / YearsApart;
 }
 
 //------------------------------------------------------------------------------
@@ -379,9 +355,37 @@ std::string CoordinateTransform::GetWarning(const double* points, vtkIdType coun
   {
     return {};
   }
-  const std::string seam = this->DescribeSeam(points, count);
-  const std::string grids = this->DescribeMissingGrids(points);
-  return seam + (seam.empty() || grids.empty() ? "" : ". ") + grids;
+  std::string warning;
+  for (const std::string& part : { this->DescribeSeam(points, count),
+         this->DescribeMissingGrids(points), this->DescribeEpoch(points) })
+  {
+    warning += (warning.empty() || part.empty() ? "" : ". ") + part;
+  }
+  return warning;
+}
+
+//------------------------------------------------------------------------------
+std::string CoordinateTransform::DescribeEpoch(const double point[3])
+{
+  constexpr double noticed = 1e-5; // [m per year]
+  const double motion = this->State->Epoch > 0.0 ? 0.0 : this->GetYearlyMotion(point);
+  CoordinateTransform dated(*this);
+  dated.SetEpoch(SomeYear);
+  double still[3];
+  double moved[3];
+  if (motion < noticed || this->Forward(point, still, 1) == 0 ||
+    dated.Forward(point, moved, 1) == 0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "From " << this->State->Source.GetName() << " to " << this->State->Target.GetName()
+       << " coordinates move by " << 100.0 * motion << " cm a year, and their epoch is not known: "
+       << "the result is " << GetLength(this->State->Target, still, moved)
+       << " m off for coordinates of " << std::fixed << std::setprecision(0) << SomeYear
+       << "; give the epoch, a decimal year";
+  return text.str();
 }
 
 //------------------------------------------------------------------------------
@@ -455,22 +459,28 @@ std::string CoordinateTransform::DescribeFailure(vtkIdType index, const double p
 }
 
 //------------------------------------------------------------------------------
-Status CheckMetric(const CoordinateSystem& system, const double point[3])
+std::string FindMetric(const CoordinateSystem& system, const double point[3])
 {
-  if (system.IsMetric())
-  {
-    return {};
-  }
   CoordinateSystem geographic;
   CoordinateTransform toPlace;
   double place[3];
   const bool isPlaced = geographic.Set("EPSG:4326").IsOk() &&
     toPlace.Set(system, geographic).IsOk() && toPlace.Forward(point, place, 1) < 0 &&
     std::abs(place[1]) <= 90.0;
-  const std::string target =
-    isPlaced ? "EPSG:" + std::to_string(GetUTMCode(place[1], place[0])) : "a UTM zone";
+  return isPlaced ? "EPSG:" + std::to_string(GetUTMCode(place[1], place[0])) : std::string();
+}
+
+//------------------------------------------------------------------------------
+Status CheckMetric(const CoordinateSystem& system, const double point[3])
+{
+  if (system.IsMetric())
+  {
+    return {};
+  }
+  const std::string target = FindMetric(system, point);
   return Status::Error(system.GetName() + " is in " + system.GetUnitName() +
-    "; reproject it to a metric system, e.g. <filter type=\"crs\"> with target " + target);
+    "; reproject it to a metric system, e.g. <filter type=\"crs\"> with target " +
+    (target.empty() ? "a UTM zone" : target));
 }
 
 } // namespace helios

@@ -24,10 +24,11 @@ struct CoordinateSystemData;
  *   the ellipsoid [m] of WGS 84.
  *
  * Coordinates are always in the order east, north, up (geocentric: X, Y, Z), whatever the axis
- * order and signs of the definition; angles are degrees, lengths in the units of the system. A
- * system without a vertical part has heights in metres.
+ * order and signs of the definition; angles are degrees, lengths in the units of the system.
+ * Without a vertical part, heights have the unit of x and y, or are metres if these are degrees.
  *
- * Immutable, cheap to copy, thread-safe.
+ * Immutable, cheap to copy, thread-safe. The owner of what a system is: readers, writers, filters
+ * and measures ask here whether two systems are the same, and for units and resolutions.
  */
 class VTKHELIOSFILTERSCORE_EXPORT CoordinateSystem
 {
@@ -45,6 +46,9 @@ public:
   const std::string& GetName() const;
   ///@}
 
+  /// "EPSG:25832", "EPSG:25832+7837" of horizontal and vertical part; empty if one has no code.
+  const std::string& GetCode() const;
+
   /// WKT of 2001 (WKT 1) as in LAS files, or of 2019 if WKT 1 cannot express the system; empty for
   /// a local system.
   std::string GetWkt() const;
@@ -55,8 +59,15 @@ public:
   /// Metres per unit of x and y; 0 for degrees.
   double GetUnit() const;
 
-  /// Metres per unit of z; 1 if the system has no vertical part.
+  /// Metres per unit of z.
   double GetHeightUnit() const;
+
+  /// Whether the system states the unit of z: by a vertical part, or as a system of three axes.
+  bool HasHeightUnit() const;
+
+  /// The horizontal part, with heights above an unknown surface in a unit [m], as WKT; not set if
+  /// PROJ cannot make it.
+  CoordinateSystem WithHeightUnit(double metres) const;
 
   /// Whether distances are in metres: projected, geocentric or local, and not in feet.
   bool IsMetric() const;
@@ -74,6 +85,10 @@ private:
   friend class CoordinateTransform;
   std::shared_ptr<const CoordinateSystemData> Data;
 };
+
+/// Largest step for stored coordinates of an axis, in its unit: 1e-9 degrees (0.1 mm), or the power
+/// of ten next to 0.1 mm or below. A system that is not set has metres.
+VTKHELIOSFILTERSCORE_EXPORT double GetResolution(const CoordinateSystem& system, int axis);
 
 } // namespace helios
 

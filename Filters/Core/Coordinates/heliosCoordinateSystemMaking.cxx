@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosCoordinateSystem.h"
+#include "heliosCoordinateSystemMaking.h"
 
-#include "heliosCoordinateSystemData.h"
 #include "heliosProj.h"
 #include "heliosStatus.h"
 
@@ -78,7 +77,7 @@ Status MakeLocalSystem(CoordinateSystemData& data)
       "(latitude -90 to 90) and metres, e.g. \"ENU 49.4 8.7 110\"");
   }
   data.IsLocal = true;
-  data.Label = data.Name = data.Text;
+  data.Label = data.Name = data.Code = data.Text;
   data.UnitName = data.HeightUnitName = "metre";
   data.Projection = MakeLocal(origin[0], origin[1], origin[2]);
   return {};
@@ -225,15 +224,38 @@ MapProjectionPointer FindProjection(
   }
 }
 
-void SetName(const PJ* crs, CoordinateSystemData& data)
+/// "EPSG:n"; empty without a code.
+std::string GetId(const PJ* crs)
 {
   const char* authority = proj_get_id_auth_name(crs, 0);
   const char* code = proj_get_id_code(crs, 0);
+  return authority && code ? std::string(authority) + ":" + code : std::string();
+}
+
+/// The code of the whole, or of both parts, which have the same authority: "EPSG:25832+7837".
+std::string FindCode(const ProjContext& context, const PJ* crs)
+{
+  const ProjObject vertical = GetVerticalPart(context, crs);
+  const ProjObject horizontal = GetHorizontalPart(context, crs);
+  const std::string whole = GetId(crs);
+  const std::string map = horizontal ? GetId(horizontal.get()) : std::string();
+  const std::string heights = vertical ? GetId(vertical.get()) : std::string();
+  const std::size_t colon = map.find(':');
+  if (!whole.empty() || !vertical)
+  {
+    return whole.empty() ? map : whole;
+  }
+  const bool isOfOne =
+    colon != std::string::npos && heights.compare(0, colon + 1, map, 0, colon + 1) == 0;
+  return isOfOne ? map + "+" + heights.substr(colon + 1) : std::string();
+}
+
+void SetName(const ProjContext& context, const PJ* crs, CoordinateSystemData& data)
+{
   const std::string name = proj_get_name(crs);
   const bool isPage = data.Text.size() > LongestShown && !name.empty() && name != "unknown";
-  data.Label = authority && code ? std::string(authority) + ":" + code
-    : isPage                     ? name
-                                 : Shorten(data.Text);
+  data.Code = FindCode(context, crs);
+  data.Label = !data.Code.empty() ? data.Code : isPage ? name : Shorten(data.Text);
   data.Name = data.Label;
   if (!name.empty() && name != "unknown" && name != data.Label)
   {
@@ -254,6 +276,35 @@ void SetHeights(const ProjContext& context, const PJ* crs, CoordinateSystemData&
   }
 }
 
+/// Whether a vertical part states no more than a unit.
+bool HasUnknownSurface(const ProjContext& context, const PJ* crs)
+{
+  const ProjObject vertical = GetVerticalPart(context, crs);
+  const ProjObject datum(vertical ? proj_crs_get_datum(context.Get(), vertical.get()) : nullptr);
+  return datum && vtksys::SystemTools::LowerCase(proj_get_name(datum.get())) == UnknownSurface;
+}
+
+/// "EPSG:2263, heights in metre (NAD83 / New York Long Island (ftUS))" of a stated unit only.
+void SetNameOfUnit(const PJ* map, CoordinateSystemData& data)
+{
+  const std::string id = GetId(map);
+  const std::string name = proj_get_name(map);
+  data.Label = (id.empty() ? name : id) + ", heights in " + data.HeightUnitName;
+  data.Name = data.Label + (id.empty() ? "" : " (" + name + ")");
+}
+
+/// Heights of a system without a vertical part.
+void SetPlane(const std::vector<Axis>& axes, bool hasUnknownSurface, CoordinateSystemData& data)
+{
+  data.IsPlane = axes.size() == 2 && (!data.IsCompound || hasUnknownSurface);
+  data.IsCut = data.IsPlane && data.IsCompound;
+  data.IsCompound = data.IsCompound && !data.IsCut;
+  if (data.IsPlane && !data.IsCut)
+  {
+    data.HeightUnit = data.Unit > 0.0 ? data.Unit : 1.0;
+  }
+}
+
 Status MakeProjSystem(CoordinateSystemData& data)
 {
   ProjContext context;
@@ -264,7 +315,7 @@ Status MakeProjSystem(CoordinateSystemData& data)
     return Status::Error("\"" + Shorten(data.Text) + "\" is not a coordinate system known to PROJ" +
       (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms);
   }
-  SetName(crs.get(), data);
+  SetName(context, crs.get(), data);
   const ProjObject horizontal = GetHorizontalPart(context, crs.get());
   const ProjObject ordered(
     horizontal ? proj_normalize_for_visualization(context.Get(), horizontal.get()) : nullptr);
@@ -290,7 +341,11 @@ Status MakeProjSystem(CoordinateSystemData& data)
     data.HeightUnitName = axes[2].UnitName;
   }
   SetHeights(context, crs.get(), data);
-  data.IsPlane = axes.size() == 2 && !data.IsCompound;
+  SetPlane(axes, HasUnknownSurface(context, crs.get()), data);
+  if (data.IsCut)
+  {
+    SetNameOfUnit(horizontal.get(), data);
+  }
   if (proj_get_type(crs.get()) == type)
   {
     data.Projection = FindProjection(context, crs.get(), data);
@@ -298,133 +353,19 @@ Status MakeProjSystem(CoordinateSystemData& data)
   return {};
 }
 
-bool IsSameLocal(const CoordinateSystemData& a, const CoordinateSystemData& b)
-{
-  return a.Origin[0] == b.Origin[0] && a.Origin[2] == b.Origin[2] &&
-    std::remainder(a.Origin[1] - b.Origin[1], 360.0) == 0.0;
-}
-
-bool IsSameProj(const CoordinateSystemData& a, const CoordinateSystemData& b)
-{
-  const ProjContext context;
-  const auto make = [&](const std::string& text)
-  {
-    const ProjObject crs = MakeProjCRS(context, text);
-    ProjObject ordered(proj_normalize_for_visualization(context.Get(), crs.get()));
-    return ordered ? std::move(ordered) : MakeProjCRS(context, text);
-  };
-  return proj_is_equivalent_to_with_ctx(
-    context.Get(), make(a.Text).get(), make(b.Text).get(), PJ_COMP_EQUIVALENT);
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
-Status CoordinateSystem::Set(const std::string& text)
+Status MakeSystem(const std::string& text, CoordinateSystemData& data)
 {
-  this->Data = nullptr;
-  auto data = std::make_shared<CoordinateSystemData>();
   const std::string blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string::npos)
   {
     return Status::Error(std::string("The name of the coordinate system is empty; ") + Forms);
   }
-  data->Text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-  Status status = IsLocalText(data->Text) ? MakeLocalSystem(*data) : MakeProjSystem(*data);
-  if (status.IsOk())
-  {
-    this->Data = data;
-  }
-  return status;
-}
-
-//------------------------------------------------------------------------------
-const std::string& CoordinateSystem::GetText() const
-{
-  return this->Data->Text;
-}
-
-//------------------------------------------------------------------------------
-const std::string& CoordinateSystem::GetLabel() const
-{
-  return this->Data->Label;
-}
-
-//------------------------------------------------------------------------------
-const std::string& CoordinateSystem::GetName() const
-{
-  return this->Data->Name;
-}
-
-//------------------------------------------------------------------------------
-std::string CoordinateSystem::GetWkt() const
-{
-  if (this->Data->IsLocal)
-  {
-    return {};
-  }
-  const ProjContext context;
-  const ProjObject crs = MakeProjCRS(context, this->Data->Text);
-  const char* const options[] = { "MULTILINE=NO", nullptr };
-  for (const PJ_WKT_TYPE type : { PJ_WKT1_GDAL, PJ_WKT2_2019 })
-  {
-    const char* wkt = proj_as_wkt(context.Get(), crs.get(), type, options);
-    if (wkt)
-    {
-      return wkt;
-    }
-  }
-  return {};
-}
-
-//------------------------------------------------------------------------------
-bool CoordinateSystem::IsGeographic() const
-{
-  return this->Data->Unit == 0.0;
-}
-
-//------------------------------------------------------------------------------
-double CoordinateSystem::GetUnit() const
-{
-  return this->Data->Unit;
-}
-
-//------------------------------------------------------------------------------
-double CoordinateSystem::GetHeightUnit() const
-{
-  return this->Data->HeightUnit;
-}
-
-//------------------------------------------------------------------------------
-bool CoordinateSystem::IsMetric() const
-{
-  return this->Data->Unit == 1.0 && this->Data->HeightUnit == 1.0;
-}
-
-//------------------------------------------------------------------------------
-std::string CoordinateSystem::GetUnitName() const
-{
-  const CoordinateSystemData& data = *this->Data;
-  const bool isSame = data.HeightUnitName.empty() || data.HeightUnitName == data.UnitName ||
-    (data.Unit == 0.0 && data.HeightUnit == 1.0);
-  return isSame ? data.UnitName : data.UnitName + ", with heights in " + data.HeightUnitName;
-}
-
-//------------------------------------------------------------------------------
-bool CoordinateSystem::operator==(const CoordinateSystem& other) const
-{
-  const CoordinateSystemData* a = this->Data.get();
-  const CoordinateSystemData* b = other.Data.get();
-  if (!a || !b || a->Text == b->Text)
-  {
-    return (!a && !b) || (a && b);
-  }
-  if (a->IsLocal || b->IsLocal)
-  {
-    return a->IsLocal && b->IsLocal && IsSameLocal(*a, *b);
-  }
-  return IsSameProj(*a, *b);
+  data.Text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  return IsLocalText(data.Text) ? MakeLocalSystem(data) : MakeProjSystem(data);
 }
 
 } // namespace helios

@@ -21,7 +21,8 @@ namespace helios
  * GeographicLib, to 5e-9 m. All others use PROJ: the most accurate operation for a location whose
  * grids are installed, never a "ballpark" one that ignores the datum.
  *
- * Heights: if one of the systems has no vertical part, heights are unchanged except for the unit.
+ * Heights: if one of the systems has no vertical part, heights are unchanged except for the unit
+ * (CoordinateSystem says which).
  * Heights above a geoid are a vertical part; converting them to ellipsoidal heights needs the geoid
  * grid. Between a system without vertical part and a geocentric or local one, heights are above the
  * ellipsoid of WGS 84.
@@ -42,6 +43,13 @@ public:
 
   /// Whether both systems are the same: points are unchanged.
   bool IsIdentity() const;
+
+  /// Sets the epoch of the coordinates, a decimal year, for transformations that depend on time; 0,
+  /// as after Set(): not known, and PROJ takes the reference epoch of the transformation.
+  void SetEpoch(double year);
+
+  /// How fast the image of a point moves with the epoch [m per year]; 0: it does not.
+  double GetYearlyMotion(const double point[3]);
 
   /**
    * Transforms count points, x y z interleaved; from and to may be the same. Returns the first
@@ -68,7 +76,7 @@ public:
   /**
    * Returns warnings about transforming points, empty without any: a better operation exists for
    * the first point, but its grids are not installed; PROJ uses different operations for the
-   * points, which tears surfaces.
+   * points, which tears surfaces; the image of the first point depends on an epoch that is not set.
    */
   std::string GetWarning(const double* points, vtkIdType count);
 
@@ -77,11 +85,16 @@ public:
 
 private:
   std::string DescribeSeam(const double* points, vtkIdType count);
+  std::string DescribeEpoch(const double point[3]);
   std::string DescribeMissingGrids(const double point[3]);
 
   struct Internals;
   std::unique_ptr<Internals> State;
 };
+
+/// The code of the UTM or UPS zone of a point, "EPSG:32632"; empty if it is not on the Earth.
+VTKHELIOSFILTERSCORE_EXPORT std::string FindMetric(
+  const CoordinateSystem& system, const double point[3]);
 
 /**
  * Returns an error if distances in the system are not in metres: "EPSG:4326 (WGS 84) is in degrees;
