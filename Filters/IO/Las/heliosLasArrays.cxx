@@ -16,7 +16,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
+#include <limits>
 #include <new>
+#include <sstream>
 
 namespace helios
 {
@@ -30,6 +32,40 @@ namespace
 constexpr int ArrayTypes[] = { VTK_VOID, VTK_TYPE_UINT8, VTK_TYPE_INT8, VTK_TYPE_UINT16,
   VTK_TYPE_INT16, VTK_TYPE_UINT32, VTK_TYPE_INT32, VTK_TYPE_UINT64, VTK_TYPE_INT64,
   VTK_TYPE_FLOAT32, VTK_TYPE_FLOAT64 };
+
+///@{
+/// Types of Extra Bytes.
+constexpr int FirstLongType = 7;
+constexpr int FloatType = 9;
+constexpr int DoubleType = 10;
+///@}
+
+bool IsFloat(int type)
+{
+  return type == FloatType || type == DoubleType;
+}
+
+/// Whether double does not hold all numbers of a type.
+bool IsLong(int type)
+{
+  return type >= FirstLongType && type < FloatType;
+}
+
+/// Replaces the values that stand for none by NaN, in an array that is filled before.
+template <typename T>
+auto MakeNoDataFill(T* values, const LasExtra& extra)
+{
+  return [values, extra](const char*, vtkIdType first, vtkIdType count)
+  {
+    for (vtkIdType i = first * extra.Components; i < (first + count) * extra.Components; ++i)
+    {
+      if (values[i] == static_cast<T>(extra.NoData[i % extra.Components]))
+      {
+        values[i] = std::numeric_limits<T>::quiet_NaN();
+      }
+    }
+  };
+}
 
 /// Reads one number of Extra Bytes.
 double GetExtra(const char* bytes, int type)
@@ -71,7 +107,7 @@ bool IsVector(const std::vector<LasExtra>& extras, std::size_t at)
   {
     const LasExtra& extra = extras[at + k];
     if (extra.Name != stem + "XYZ"[k] || extra.Type == 0 || extra.Type != extras[at].Type ||
-      extra.Components != 1 || extra.IsScaled)
+      extra.Components != 1 || extra.IsScaled || extra.HasNoData)
     {
       return false;
     }
@@ -126,9 +162,11 @@ void LasArrays::AddField(const char* name, GetT get)
     });
 }
 
-LasArrays::LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras, vtkIdType count)
+LasArrays::LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras,
+  const LasColorBits& colors, vtkIdType count)
   : Header(header)
   , Form(GetLasPointForm(header.Format))
+  , Colors(colors)
   , Count(count)
 {
   this->AddPoints();
@@ -179,8 +217,8 @@ void LasArrays::AddFields()
   if (this->Form.Infrared >= 0)
   {
     this->AddField<vtkUnsignedShortArray>(names::NearInfrared,
-      [place = this->Form.Infrared](const char* record)
-      { return LoadLas<std::uint16_t>(record + place); });
+      [place = this->Form.Infrared, scale = this->Colors.GetInfraredScale()](const char* record)
+      { return scale * LoadLas<std::uint16_t>(record + place); });
   }
 }
 
@@ -223,22 +261,29 @@ void LasArrays::AddShortFields()
 void LasArrays::AddColors(int place)
 {
   float* values = this->Add<vtkFloatArray>(names::RGB, 3);
+  if (this->Colors.AreColors8)
+  {
+    this->Notes.emplace_back(
+      "its colours have 8 bits: they are scaled by 257 to the 16 bits of LAS");
+  }
   this->Fills.push_back(
-    [values, place, length = this->Header.PointLength](
+    [values, place, length = this->Header.PointLength,
+      full = 65535.0F / static_cast<float>(this->Colors.GetColorScale())](
       const char* records, vtkIdType first, vtkIdType count)
     {
       for (vtkIdType i = 0; i < 3 * count; ++i)
       {
         const char* bytes = records + i / 3 * length + place + 2 * (i % 3);
-        values[3 * first + i] = static_cast<float>(LoadLas<std::uint16_t>(bytes)) / 65535.0F;
+        values[3 * first + i] = static_cast<float>(LoadLas<std::uint16_t>(bytes)) / full;
       }
     });
 }
 
-/// Undocumented bytes are ignored.
+/// Undocumented bytes are counted.
 void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
 {
   int place = this->Form.Length;
+  int unknown = this->Header.PointLength - place;
   for (std::size_t i = 0; i < extras.size();)
   {
     const std::size_t fields = IsVector(extras, i) ? 3 : 1;
@@ -252,37 +297,48 @@ void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
     if (extra.Type != 0 && !extra.Name.empty())
     {
       this->AddExtra(extra, place);
+      unknown -= extra.Size;
     }
     place += extra.Size;
     i += fields;
+  }
+  if (unknown > 0)
+  {
+    this->Notes.push_back("its points have " + std::to_string(unknown) +
+      " bytes that no Extra Bytes record describes by type and name; they are not read");
   }
 }
 
 void LasArrays::AddExtra(const LasExtra& extra, int place)
 {
-  const int type = extra.IsScaled ? VTK_DOUBLE : ArrayTypes[extra.Type];
+  const bool isLong = IsLong(extra.Type);
+  const bool isDouble = extra.IsScaled || (extra.HasNoData && !isLong && !IsFloat(extra.Type));
+  const int type = isDouble ? VTK_DOUBLE : ArrayTypes[extra.Type];
   const auto array = MakeArray(
     type, GetLasArray(extra.Name, extra.Description).c_str(), extra.Components, this->Count);
   this->Arrays.push_back(array);
-  const int length = this->Header.PointLength;
-  if (!extra.IsScaled)
+  if (isDouble)
   {
-    auto* values = static_cast<char*>(array->GetVoidPointer(0));
-    this->Fills.push_back(
-      [values, length, place, size = static_cast<std::size_t>(extra.Size)](
-        const char* records, vtkIdType first, vtkIdType count)
-      {
-        char* to = values + first * static_cast<vtkIdType>(size);
-        for (vtkIdType i = 0; i < count; ++i, to += size)
-        {
-          std::memcpy(to, records + i * length + place, size);
-        }
-      });
+    this->AddNumbers(extra, place, static_cast<double*>(array->GetVoidPointer(0)));
     return;
   }
-  auto* values = static_cast<double*>(array->GetVoidPointer(0));
+  this->AddBytes(extra, place, array);
+  if (extra.HasNoData && isLong)
+  {
+    std::ostringstream number;
+    number.precision(19);
+    number << extra.NoData[0];
+    this->Notes.push_back("Extra Bytes \"" + extra.Name + "\" have " + number.str() +
+      " where there is no value; it is read as a number, since these integers have 64 bits");
+  }
+}
+
+/// Numbers with their scale; NaN where there is no value.
+void LasArrays::AddNumbers(const LasExtra& extra, int place, double* values)
+{
   this->Fills.push_back(
-    [values, length, place, extra](const char* records, vtkIdType first, vtkIdType count)
+    [values, length = this->Header.PointLength, place, extra](
+      const char* records, vtkIdType first, vtkIdType count)
     {
       const int size = extra.Size / extra.Components;
       for (vtkIdType i = 0; i < count; ++i)
@@ -290,10 +346,36 @@ void LasArrays::AddExtra(const LasExtra& extra, int place)
         for (int k = 0; k < extra.Components; ++k)
         {
           const double number = GetExtra(records + i * length + place + k * size, extra.Type);
-          values[(first + i) * extra.Components + k] = number * extra.Scale[k] + extra.Offset[k];
+          values[(first + i) * extra.Components + k] = extra.HasNoData && number == extra.NoData[k]
+            ? std::numeric_limits<double>::quiet_NaN()
+            : number * extra.Scale[k] + extra.Offset[k];
         }
       }
     });
+}
+
+/// Numbers as they are.
+void LasArrays::AddBytes(const LasExtra& extra, int place, vtkDataArray* array)
+{
+  auto* values = static_cast<char*>(array->GetVoidPointer(0));
+  this->Fills.push_back(
+    [values, length = this->Header.PointLength, place, size = static_cast<std::size_t>(extra.Size)](
+      const char* records, vtkIdType first, vtkIdType count)
+    {
+      char* to = values + first * static_cast<vtkIdType>(size);
+      for (vtkIdType i = 0; i < count; ++i, to += size)
+      {
+        std::memcpy(to, records + i * length + place, size);
+      }
+    });
+  if (extra.HasNoData && extra.Type == FloatType)
+  {
+    this->Fills.push_back(MakeNoDataFill(static_cast<float*>(array->GetVoidPointer(0)), extra));
+  }
+  else if (extra.HasNoData && extra.Type == DoubleType)
+  {
+    this->Fills.push_back(MakeNoDataFill(static_cast<double*>(array->GetVoidPointer(0)), extra));
+  }
 }
 
 void LasArrays::Decode(const char* records, vtkIdType first, vtkIdType count)

@@ -5,12 +5,14 @@
 #ifndef heliosLasArrays_h
 #define heliosLasArrays_h
 
+#include "heliosLasColors.h"
 #include "heliosLasFormat.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -23,13 +25,17 @@ class LasArrays
 {
 public:
   /// Allocates arrays for the points of a file.
-  LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras, vtkIdType count);
+  LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras,
+    const LasColorBits& colors, vtkIdType count);
 
   /// Decodes points from their bytes; first is the destination index.
   void Decode(const char* records, vtkIdType first, vtkIdType count);
 
   /// Moves the points and arrays to a cloud.
   void MoveTo(vtkPolyData* cloud);
+
+  /// What is not read, or read as another number: "its points have ...".
+  const std::vector<std::string>& GetNotes() const { return this->Notes; }
 
 private:
   /// Fills a range of array values from the bytes of points.
@@ -46,13 +52,17 @@ private:
   void AddColors(int place);
   void AddExtras(const std::vector<LasExtra>& extras);
   void AddExtra(const LasExtra& extra, int place);
+  void AddNumbers(const LasExtra& extra, int place, double* values);
+  void AddBytes(const LasExtra& extra, int place, vtkDataArray* array);
 
   LasHeader Header;
   LasPointForm Form;
+  LasColorBits Colors;
   vtkIdType Count;
   vtkSmartPointer<vtkDataArray> Points;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
   std::vector<Fill> Fills;
+  std::vector<std::string> Notes;
 };
 
 } // namespace helios

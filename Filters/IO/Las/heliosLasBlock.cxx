@@ -31,10 +31,14 @@ constexpr double IntensityPerDecade = 1000.0;
 constexpr int LargestReturn = 15;
 constexpr std::size_t LongestName = 32;
 
-/// Whether an array is fully stored in the standard LAS fields.
-bool IsField(const std::string& name)
+/// Whether an array is fully stored in the standard LAS fields; intensities are if they have 16 bits.
+bool IsField(const std::string& name, int type)
 {
-  const char* const fields[] = { names::Intensity, names::ReturnNumber, names::NumberOfReturns,
+  if (name == names::Intensity)
+  {
+    return type == VTK_UNSIGNED_SHORT || type == VTK_UNSIGNED_CHAR;
+  }
+  const char* const fields[] = { names::ReturnNumber, names::NumberOfReturns,
     names::ClassificationFlags, names::ScanDirectionFlag, names::EdgeOfFlightLine,
     names::ClassificationIds, names::UserData, names::ScanAngle, names::LegIds, names::GpsTime,
     names::RGB, names::NearInfrared };
@@ -159,14 +163,15 @@ Status LasBlock::ReadFields(vtkPolyData* echoes)
     bool IsInteger;
     Column& Values;
   } fields[] = { { names::Amplitude, false, this->Amplitude },
-    { names::Intensity, true, this->Intensity }, { names::ReturnNumber, true, this->ReturnNumber },
+    { names::Intensity, false, this->Intensity }, { names::ReturnNumber, true, this->ReturnNumber },
     { names::NumberOfReturns, true, this->NumberOfReturns },
     { names::ClassificationFlags, true, this->Flags }, { names::ChannelIds, true, this->Channel },
     { names::ScanDirectionFlag, true, this->Direction },
     { names::EdgeOfFlightLine, true, this->Edge }, { names::ClassificationIds, true, this->Class },
     { names::UserData, true, this->UserData }, { names::ScanAngle, false, this->ScanAngle },
     { names::LegIds, true, this->Leg }, { names::GpsTime, false, this->Time },
-    { names::RGB, false, this->Color }, { names::WaveformIds, true, this->WaveformIds } };
+    { names::RGB, false, this->Color }, { names::NearInfrared, true, this->Infrared },
+    { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
     Status status = this->ReadColumn(echoes, field.Name, field.IsInteger, field.Values);
@@ -227,7 +232,8 @@ Status LasBlock::ReadExtras(vtkPolyData* echoes)
       return Status::Error(std::string("the array ") + (name ? name : "without a name") +
         " of a block is not numeric or has no name");
     }
-    Status status = IsField(name) ? Status() : this->AddExtra(array, hasDecibels);
+    Status status =
+      IsField(name, array->GetDataType()) ? Status() : this->AddExtra(array, hasDecibels);
     if (!status.IsOk())
     {
       return status;
@@ -252,6 +258,8 @@ Status LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
   const LasPointForm form = GetLasPointForm(this->GetFormat());
   this->Length = form.Length;
   this->WavePlace = form.Wave;
+  this->InfraredPlace = form.Infrared;
+  this->HasColors = form.Color >= 0;
   return status.IsOk() && hasExtras ? this->ReadExtras(echoes) : status;
 }
 
@@ -260,7 +268,7 @@ std::uint16_t LasBlock::GetIntensity(const LasScaling& scaling, vtkIdType row) c
   double value = 0.0;
   if (this->Intensity.IsSet())
   {
-    value = static_cast<double>(this->Intensity.GetInteger(row));
+    value = this->Intensity.GetNumber(row);
   }
   else if (this->Amplitude.IsSet())
   {
@@ -277,11 +285,15 @@ void LasBlock::EncodeColor(vtkIdType row, char* record) const
 {
   for (int k = 0; k < 3; ++k)
   {
-    StoreLas(record + 30 + 2 * k, GetColor(this->Color.GetNumber(row, k) / this->FullColor));
+    const double color =
+      this->Color.IsSet() ? this->Color.GetNumber(row, k) / this->FullColor : 0.0;
+    StoreLas(record + 30 + 2 * k, GetColor(color));
   }
-  if (this->Waves)
+  if (this->InfraredPlace >= 0)
   {
-    StoreLas(record + 36, std::uint16_t(0)); // near infrared
+    const vtkTypeInt64 value = GetInteger(this->Infrared, row, 0);
+    StoreLas(record + this->InfraredPlace,
+      static_cast<std::uint16_t>(std::clamp<vtkTypeInt64>(value, 0, 65535)));
   }
 }
 
@@ -338,7 +350,7 @@ bool LasBlock::Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end,
     {
       return false;
     }
-    if (this->Color.IsSet())
+    if (this->HasColors)
     {
       this->EncodeColor(row, record);
     }

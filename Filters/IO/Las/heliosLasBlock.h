@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes as the points of a LAS file, format 6 or 7, with waveforms 9 or 10, and the options for
+// Echoes as the points of a LAS file, format 6, 7 or 8, with waveforms 9 or 10, and the options for
 // writing them.
 
 #ifndef heliosLasBlock_h
@@ -46,7 +46,9 @@ public:
 
   int GetFormat() const
   {
-    return this->Waves ? (this->Color.IsSet() ? 10 : 9) : (this->Color.IsSet() ? 7 : 6);
+    const bool hasInfrared = this->Infrared.IsSet();
+    return this->Waves ? (this->Color.IsSet() || hasInfrared ? 10 : 9)
+                       : (hasInfrared ? 8 : (this->Color.IsSet() ? 7 : 6));
   }
   int GetPointLength() const { return this->Length; }
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
@@ -83,9 +85,11 @@ private:
   std::string ExplainRow(const LasScaling& scaling, vtkIdType row) const;
 
   Column Points, Amplitude, Intensity, ReturnNumber, NumberOfReturns, Flags, Channel, Direction,
-    Edge, Class, UserData, ScanAngle, Leg, Time, Color, WaveformIds;
+    Edge, Class, UserData, ScanAngle, Leg, Time, Color, Infrared, WaveformIds;
   const LasWaves* Waves = nullptr;
   int WavePlace = -1;
+  int InfraredPlace = -1;
+  bool HasColors = false;
   double FullColor = 1.0;
   int Length = 30;
   vtkIdType NumberOfPoints = 0;

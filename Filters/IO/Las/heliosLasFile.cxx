@@ -46,7 +46,7 @@ Status LasFile::OpenFile()
     return Status::Error("cannot be read: " + std::generic_category().message(errno));
   }
   this->Size = std::filesystem::file_size(this->Path, error);
-  std::string bytes(error ? 0 : std::min<std::uint64_t>(LasHeader::Size14, this->Size), '\0');
+  std::string bytes(error ? 0 : std::min<std::uint64_t>(LasHeader::LargestSize, this->Size), '\0');
   if (!this->ReadBytes(0, bytes.size(), bytes.data()))
   {
     return Status::Error("cannot be read");

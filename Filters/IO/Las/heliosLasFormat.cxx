@@ -40,11 +40,14 @@ constexpr std::size_t AtExtendedBegin = 235;
 constexpr std::size_t AtNumberOfExtended = 243;
 constexpr std::size_t AtCount = 247;
 constexpr std::size_t AtByReturn = 255;
+constexpr std::size_t AtTimeOffset = 391;
 ///@}
 
 constexpr std::size_t TextSize = 32;
 constexpr std::string_view Signature = "LASF";
-constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375 }; // of 1.0 to 1.4
+constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375, 393 }; // of 1.0 to 1.5
+constexpr int LargestMinor = 5;
+constexpr double TimeOffsetUnit = 1e6; // [s]
 
 ///@{
 /// Coordinates outside this range are damaged: all identical, or beyond unit precision of double.
@@ -60,9 +63,11 @@ constexpr std::size_t ExtraSize = 192;
 constexpr std::size_t AtExtraType = 2;
 constexpr std::size_t AtExtraOptions = 3;
 constexpr std::size_t AtExtraName = 4;
+constexpr std::size_t AtExtraNoData = 40;
 constexpr std::size_t AtExtraScale = 112;
 constexpr std::size_t AtExtraOffset = 136;
 constexpr std::size_t AtExtraDescription = 160;
+constexpr int NoDataOption = 1;
 constexpr int ScaleOption = 8;
 constexpr int OffsetOption = 16;
 constexpr int TypeSizes[] = { 1, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
@@ -95,6 +100,21 @@ std::string Show(double value)
 bool IsFinite(double value)
 {
   return std::isfinite(value);
+}
+
+/// The values of 8 bytes that stand for no value: integers with or without sign, or double.
+std::array<double, 3> GetNoData(std::string_view entry, int type)
+{
+  constexpr int firstFloat = 9;
+  std::array<double, 3> values{};
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    const std::size_t at = AtExtraNoData + 8 * k;
+    values[k] = type >= firstFloat ? Get<double>(entry, at)
+      : type % 2 == 1              ? static_cast<double>(Get<std::uint64_t>(entry, at))
+                                   : static_cast<double>(Get<std::int64_t>(entry, at));
+  }
+  return values;
 }
 
 std::array<double, 3> GetTriple(std::string_view bytes, std::size_t at)
@@ -200,10 +220,10 @@ Status LasHeader::Decode(std::string_view bytes)
   }
   const int major = static_cast<unsigned char>(bytes[AtVersion]);
   this->Minor = static_cast<unsigned char>(bytes[AtVersion + 1]);
-  if (major != 1 || this->Minor > 4)
+  if (major != 1 || this->Minor > LargestMinor)
   {
     return Status::Error("is LAS " + std::to_string(major) + "." + std::to_string(this->Minor) +
-      "; versions 1.0 to 1.4 can be read");
+      "; versions 1.0 to 1.5 can be read");
   }
   this->HeaderSize = Get<std::uint16_t>(bytes, AtHeaderSize);
   if (this->HeaderSize < HeaderSizes[this->Minor])
@@ -222,7 +242,9 @@ Status LasHeader::Decode(std::string_view bytes)
     return Status::Error(
       "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las");
   }
-  this->Encoding = Get<std::uint16_t>(bytes, AtEncoding);
+  // the bytes are reserved in LAS 1.0 and 1.1
+  this->Encoding = this->Minor < 2 ? 0 : Get<std::uint16_t>(bytes, AtEncoding);
+  this->Epoch = this->DecodeEpoch(bytes);
   this->System = GetLasText(bytes.substr(AtSystem, TextSize));
   this->Software = GetLasText(bytes.substr(AtSoftware, TextSize));
   this->CreationDay = Get<std::uint16_t>(bytes, AtDay);
@@ -242,6 +264,18 @@ bool HasCompressedPoints(std::string_view header)
 {
   return header.size() > AtFormat && header.substr(0, Signature.size()) == Signature &&
     (header[AtFormat] & CompressedBits) != 0;
+}
+
+//------------------------------------------------------------------------------
+double LasHeader::DecodeEpoch(std::string_view bytes) const
+{
+  if (!(this->Encoding & StandardTime))
+  {
+    return 0.0;
+  }
+  return this->Minor >= LargestMinor && (this->Encoding & OffsetTime)
+    ? TimeOffsetUnit * Get<std::uint16_t>(bytes, AtTimeOffset)
+    : StandardTimeOffset;
 }
 
 //------------------------------------------------------------------------------
@@ -352,6 +386,11 @@ Status DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras)
     if (options & ScaleOption)
     {
       extra.Scale = GetTriple(data, AtExtraScale);
+    }
+    extra.HasNoData = type != 0 && (options & NoDataOption) != 0;
+    if (extra.HasNoData)
+    {
+      extra.NoData = GetNoData(data, extra.Type);
     }
     if (options & OffsetOption)
     {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Structures of a LAS file: header, records, point formats. Source: ASPRS LAS specification 1.4,
-// revision 15.
+// Structures of a LAS file: header, records, point formats. Sources: ASPRS LAS specifications
+// 1.4, revision 15, and 1.5.
 
 #ifndef heliosLasFormat_h
 #define heliosLasFormat_h
@@ -68,6 +68,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 {
   static constexpr int Size10 = 227; ///< of LAS 1.0
   static constexpr int Size14 = 375;
+  static constexpr int LargestSize = 393;           ///< of LAS 1.5
   static constexpr double StandardTimeOffset = 1e9; ///< [s]
 
   ///@{
@@ -75,6 +76,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   static constexpr int StandardTime = 1; ///< GPS time minus StandardTimeOffset
   static constexpr int ExternalWaves = 4;
   static constexpr int HasWkt = 16;
+  static constexpr int OffsetTime = 64; ///< LAS 1.5: standard time minus an offset of its own
   ///@}
 
   int Minor = 4;
@@ -93,12 +95,13 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   std::uint64_t WavesBegin = 0; ///< of the packet record in the file itself
   std::uint64_t ExtendedBegin = 0;
   std::uint32_t NumberOfExtended = 0;
-  LasSummary Points; ///< when reading: only the count
+  double Epoch = 0.0; ///< GPS time at which the times begin [s], when reading; 0: unknown
+  LasSummary Points;  ///< when reading: only the count
 
   /// Encodes a header of LAS 1.4, with the counts of older versions 0.
   std::string Encode() const;
 
-  /// Decodes the first bytes of a file (Size14, or all).
+  /// Decodes the first bytes of a file (LargestSize, or all).
   Status Decode(std::string_view bytes);
 
   /// Checks scale and offset.
@@ -111,6 +114,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 
 private:
   Status DecodeCounts(std::string_view bytes);
+  double DecodeEpoch(std::string_view bytes) const;
   Status CheckNumbers() const;
 };
 
@@ -139,6 +143,8 @@ struct LasExtra
   bool IsScaled = false;
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
+  bool HasNoData = false;
+  std::array<double, 3> NoData{}; ///< values before scaling that stand for no value
 };
 
 ///@{

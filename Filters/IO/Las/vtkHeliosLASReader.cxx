@@ -6,6 +6,7 @@
 #include "heliosFiniteCheck.h"
 #include "heliosInputFile.h"
 #include "heliosLasArrays.h"
+#include "heliosLasColors.h"
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
 #include "heliosLazFile.h"
@@ -66,19 +67,22 @@ helios::Status ParseClasses(const std::string& text, std::vector<char>& isWanted
   return {};
 }
 
-/// Removes the points of other classes.
-void SelectClasses(const std::vector<char>& isWanted, vtkPolyData* cloud)
+/// Whether a point has one of these classes.
+bool HasClass(const std::vector<char>& isWanted, vtkDataArray* classes, vtkIdType i)
 {
-  vtkDataArray* classes = cloud->GetPointData()->GetArray(vtkHeliosArrayNames::ClassificationIds);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; classes && i < classes->GetNumberOfTuples(); ++i)
-  {
-    const double value = classes->GetComponent(i, 0);
-    if (value >= 0.0 && value < 256.0 && isWanted[static_cast<std::size_t>(value)])
-    {
-      ids->InsertNextId(i);
-    }
-  }
+  const double value = classes->GetComponent(i, 0);
+  return value >= 0.0 && value < 256.0 && isWanted[static_cast<std::size_t>(value)];
+}
+
+bool IsWithheld(vtkDataArray* flags, vtkIdType i)
+{
+  constexpr int withheld = 4;
+  return (static_cast<int>(flags->GetComponent(i, 0)) & withheld) != 0;
+}
+
+/// Copies the points with these indices over all points.
+void CopyPoints(vtkIdList* ids, vtkPolyData* cloud)
+{
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   cloud->GetPoints()->GetPoints(ids, points);
@@ -116,11 +120,11 @@ void SetFields(const helios::LasFile& file, const std::string& crs, vtkPolyData*
   steps.Offset = file.GetHeader().Offset;
   steps.HasOffset = true;
   helios::SetCoordinateSteps(output, steps);
-  if (file.GetHeader().Encoding & helios::LasHeader::StandardTime)
+  if (file.GetHeader().Epoch != 0.0)
   {
     vtkNew<vtkDoubleArray> epoch;
     epoch->SetName(vtkHeliosArrayNames::GpsEpoch);
-    epoch->InsertNextValue(helios::LasHeader::StandardTimeOffset);
+    epoch->InsertNextValue(file.GetHeader().Epoch);
     output->GetFieldData()->AddArray(epoch);
   }
 }
@@ -146,7 +150,8 @@ void vtkHeliosLASReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
      << indent << "ReadWaveforms: " << this->ReadWaveforms << "\n"
-     << indent << "Classes: " << this->Classes << "\n";
+     << indent << "Classes: " << this->Classes << "\n"
+     << indent << "SkipWithheld: " << this->SkipWithheld << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -193,8 +198,9 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   {
     return parsed;
   }
-  const bool hasWaves = this->ReadWaveforms && this->Classes.empty() &&
-    helios::GetLasPointForm(header.Format).Wave >= 0;
+  const bool isSelected = !this->Classes.empty() || this->SkipWithheld;
+  const bool hasWaves =
+    this->ReadWaveforms && !isSelected && helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
   helios::Status status = hasWaves ? OpenPackets(file, this->FileName, packets) : helios::Status();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
@@ -202,7 +208,9 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
     this->WarnedName = file.GetPath(); // once, not per piece
     vtkWarningMacro(<< packets.GetWarning());
   }
-  helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
+  helios::LasColorBits colors;
+  status = status.IsOk() ? this->FindColors(file, colors) : status;
+  helios::LasArrays arrays(header, file.GetExtras(), colors, static_cast<vtkIdType>(end - begin));
   std::vector<char> bytes(
     std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));
   for (std::uint64_t first = begin; first < end && status.IsOk();)
@@ -228,9 +236,10 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
     return status;
   }
   arrays.MoveTo(output);
-  if (!this->Classes.empty())
+  this->WarnOfNotes(file.GetPath(), arrays);
+  if (isSelected)
   {
-    SelectClasses(isWanted, output);
+    this->SelectPoints(isWanted, output);
   }
   SetFields(file, this->FindCrs(file), output);
   this->WarnOfValues(file.GetPath(), output);
@@ -266,6 +275,76 @@ std::string vtkHeliosLASReader::FindCrs(const helios::LasFile& file)
   }
   this->KnownCrs = crs;
   return crs;
+}
+
+//------------------------------------------------------------------------------
+/// Finds the bits of the colours, once for all pieces of a file.
+helios::Status vtkHeliosLASReader::FindColors(helios::LasFile& file, helios::LasColorBits& colors)
+{
+  const std::string state = file.GetPath() + " " + helios::StampFile(file.GetPath());
+  if (state != this->ColorsFile)
+  {
+    if (const helios::Status status = helios::FindColorBits(file, colors); !status.IsOk())
+    {
+      return status;
+    }
+    this->ColorsFile = state;
+    this->AreColors8 = colors.AreColors8;
+    this->IsInfrared8 = colors.IsInfrared8;
+  }
+  colors.AreColors8 = this->AreColors8;
+  colors.IsInfrared8 = this->IsInfrared8;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// Removes the points of other classes, and withheld points with SkipWithheld, which are counted.
+void vtkHeliosLASReader::SelectPoints(const std::vector<char>& isWanted, vtkPolyData* cloud)
+{
+  vtkPointData* data = cloud->GetPointData();
+  vtkDataArray* classes = data->GetArray(vtkHeliosArrayNames::ClassificationIds);
+  vtkDataArray* flags = data->GetArray(vtkHeliosArrayNames::ClassificationFlags);
+  const bool skips = this->SkipWithheld && flags;
+  const vtkIdType count = cloud->GetNumberOfPoints();
+  vtkIdType withheld = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (!this->Classes.empty() && !(classes && HasClass(isWanted, classes, i)))
+    {
+      continue;
+    }
+    if (skips && IsWithheld(flags, i))
+    {
+      ++withheld;
+      continue;
+    }
+    ids->InsertNextId(i);
+  }
+  if (ids->GetNumberOfIds() < count)
+  {
+    CopyPoints(ids, cloud);
+  }
+  if (withheld > 0)
+  {
+    vtkWarningMacro(<< this->FileName << ": " << withheld << " of " << count
+                    << " points are withheld; they are left out");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Warns once per file, not per piece.
+void vtkHeliosLASReader::WarnOfNotes(const std::string& path, const helios::LasArrays& arrays)
+{
+  if (this->WarnedNotes == path)
+  {
+    return;
+  }
+  for (const std::string& note : arrays.GetNotes())
+  {
+    this->WarnedNotes = path;
+    vtkWarningMacro(<< path << ": " << note);
+  }
 }
 
 //------------------------------------------------------------------------------

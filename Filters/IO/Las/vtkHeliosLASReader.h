@@ -4,7 +4,7 @@
  * @class   vtkHeliosLASReader
  * @brief   read points from a LAS file, piece by piece
  *
- * LAS 1.0 to 1.4, point formats 0 to 10. LAZ is converted to LAS in the temporary folder, by the
+ * LAS 1.0 to 1.5, point formats 0 to 10. LAZ is converted to LAS in the temporary folder, by the
  * program vtkhelios; the file exists as long as the reader. Output 0 is a
  * vtkPolyData without cells: double points, and the point arrays
  * - GpsTime [s] (double), if the format has it;
@@ -13,17 +13,21 @@
  * - ClassificationIds (int), ScanAngle (double) [deg];
  * - LegIds (int), the point source id minus 1: -1 if it is 0;
  * - ChannelIds (int), the scanner channel, formats 6 to 10;
- * - RGB (float, 3, each in [0..1]), NearInfrared (unsigned short), if the
- *   format has them;
- * - each field of the Extra Bytes by its name and type, as double if it is scaled. Three fields of
+ * - RGB (float, 3, each in [0..1]), NearInfrared (unsigned short), if the format has them. Colours
+ *   of 8 bits, none of the whole file above 255, are scaled by 257, with a warning; files of
+ *   vtkHeliosLASWriter always have 16 bits;
+ * - each field of the Extra Bytes by its name and type, as double if it is scaled.
+ *   Where it has its no_data value, it is NaN (integers become double; those of 64 bits stay, with a
+ *   warning). Bytes that are not described are not read, with a warning. Three fields of
  *   one type whose names end in X, Y, Z become one array of three components. A field with the name
  *   of another array replaces it.
  *
  * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) if the file has one;
- * GpsEpoch, 1e9 if the times are adjusted standard time: GpsEpoch + GpsTime are
+ * GpsEpoch, 1e9 if the times are adjusted standard time, the offset of LAS 1.5 if they have one: GpsEpoch + GpsTime are
  * seconds of GPS time. Data written by vtkHeliosLASWriter are read back unchanged.
  *
- * With Classes, only points of these classes are read.
+ * With Classes, only points of these classes are read; with SkipWithheld, only points that are not
+ * withheld.
  *
  * Piece i of n is the i-th of n equal ranges of the points.
  *
@@ -55,13 +59,16 @@
 #include <cstdint> // For numbers of points
 #include <memory>  // For the converted file
 #include <string>  // For names and messages
+#include <vector>  // For classes
 
 class vtkTable;
 
 namespace helios
 {
+class LasArrays;
 class LasFile;
 class LazFile;
+struct LasColorBits;
 class Status;
 }
 
@@ -98,6 +105,16 @@ public:
   vtkGetMacro(Classes, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether withheld points (bit 4 of ClassificationFlags) are left out; a warning counts
+   * them. Waveforms are not read then. Default: off.
+   */
+  vtkSetMacro(SkipWithheld, bool);
+  vtkGetMacro(SkipWithheld, bool);
+  vtkBooleanMacro(SkipWithheld, bool);
+  ///@}
+
 protected:
   vtkHeliosLASReader();
   ~vtkHeliosLASReader() override;
@@ -113,6 +130,9 @@ private:
   void operator=(const vtkHeliosLASReader&) = delete;
 
   helios::Status Open(helios::LasFile& file);
+  helios::Status FindColors(helios::LasFile& file, helios::LasColorBits& colors);
+  void SelectPoints(const std::vector<char>& isWanted, vtkPolyData* cloud);
+  void WarnOfNotes(const std::string& path, const helios::LasArrays& arrays);
   void WarnOfValues(const std::string& path, vtkPolyData* cloud);
   std::string FindCrs(const helios::LasFile& file);
   helios::Status ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
@@ -121,11 +141,16 @@ private:
   char* FileName = nullptr;
   bool ReadWaveforms = false;
   std::string Classes;
+  bool SkipWithheld = false;
   std::unique_ptr<helios::LazFile> Converted; // of a LAZ file; null: none was read
   std::string WarnedName;                     // file whose waveforms caused a warning
   std::string WarnedValues;                   // file whose values caused a warning
   std::string WarnedCrs;                      // file whose system caused a warning
   std::string KnownCrs;                       // by PROJ
+  std::string WarnedNotes;                    // file whose notes were warnings
+  std::string ColorsFile;                     // file whose colours are known, with its state
+  bool AreColors8 = false;                    // of that file
+  bool IsInfrared8 = false;                   // of that file
 };
 
 #endif

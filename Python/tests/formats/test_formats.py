@@ -187,6 +187,7 @@ def test_plyfile_reads_every_property(tmp_path):
 def test_pye57_reads_the_scan(tmp_path):
     pye57 = pytest.importorskip("pye57")
     chunk = make_chunk()
+    chunk["RGB"] = np.rint(chunk["RGB"] * 255) / np.float32(255)  # it reads no others
     half = np.sqrt(0.5)
     scan = formats.Scan("tripod", (476050.0, 5473050.0, 120.0), (half, 0.0, 0.0, half), True)
     writer = write(tmp_path / "a.e57", chunk, scan=scan)

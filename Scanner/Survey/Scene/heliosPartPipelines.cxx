@@ -443,6 +443,7 @@ PartPipelines::Filter PartPipelines::MakeLasReaders(const PartData& part)
     auto reader = vtkSmartPointer<vtkHeliosLASReader>::New();
     reader->SetFileName(file.c_str());
     reader->SetClasses(part.Voxels.Classes);
+    reader->SkipWithheldOn();
     this->Listen(reader, this->Where);
     last = this->AddCrs(part, reader);
     joiner->AddInputConnection(last->GetOutputPort());

@@ -39,6 +39,56 @@ void SetNumber(std::string& bytes, std::size_t at, T value)
   std::memcpy(bytes.data() + at, &value, sizeof(T));
 }
 
+/// A header of an old version, and zero-filled points.
+inline std::string MakeOld(int minor, int format, std::uint32_t count, std::uint16_t length)
+{
+  const std::uint16_t sizes[] = { 227, 227, 227, 235, 375, 393 };
+  const std::uint16_t size = sizes[minor];
+  std::string bytes(size + count * length, '\0');
+  bytes.replace(0, 4, "LASF");
+  bytes[24] = 1;
+  bytes[25] = static_cast<char>(minor);
+  SetNumber<std::uint16_t>(bytes, 94, size);
+  SetNumber<std::uint32_t>(bytes, 96, size);
+  bytes[104] = static_cast<char>(format);
+  SetNumber<std::uint16_t>(bytes, 105, length);
+  SetNumber<std::uint32_t>(bytes, 107, count);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    SetNumber(bytes, 131 + 8 * k, 0.01);
+    SetNumber(bytes, 155 + 8 * k, 100.0 * static_cast<double>(k));
+  }
+  if (minor >= 4)
+  {
+    SetNumber<std::uint64_t>(bytes, 247, count);
+  }
+  return bytes;
+}
+
+/// Inserts a variable length record after the header.
+inline void AddRecord(
+  std::string& bytes, const std::string& user, std::uint16_t id, const std::string& data)
+{
+  std::string record(54, '\0');
+  record.replace(2, user.size(), user);
+  SetNumber(record, 18, id);
+  SetNumber(record, 20, static_cast<std::uint16_t>(data.size()));
+  record += data;
+  const auto begin = GetNumber<std::uint32_t>(bytes, 96);
+  SetNumber(bytes, 96, begin + static_cast<std::uint32_t>(record.size()));
+  SetNumber(bytes, 100, GetNumber<std::uint32_t>(bytes, 100) + 1);
+  bytes.insert(begin, record);
+}
+
+inline std::string MakeExtra(const std::string& name, char type, char options = 0)
+{
+  std::string entry(192, '\0');
+  entry[2] = type;
+  entry[3] = options;
+  entry.replace(4, name.size(), name);
+  return entry;
+}
+
 inline void AddVectors(vtkPolyData* echoes, vtkDataArray* array, const char* name, double value)
 {
   array->SetName(name);
