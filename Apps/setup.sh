@@ -78,7 +78,7 @@ helios_make_venv() {
   done
   # LAS, LAZ, COPC and E57 files; Debian has no packages for them.
   helios_pip 'import laspy, lazrs' "laspy: LAS and LAZ files in vtkhelios convert" \
-    --no-deps 'laspy>=2.5,<3' 'lazrs<1'
+    --no-deps 'laspy>=2.7,<3' 'lazrs<1'
   helios_pip 'import copclib, laszip, pye57, plyfile' "copclib and others: COPC, E57, LAZ with waveforms" \
     --no-deps copclib laszip pye57 pyquaternion plyfile
 }

@@ -10,10 +10,13 @@ import vtkhelios
 from .. import formats
 from .._files import drop_part, keep_part, open_part
 from .._systems import find_system
-from ..array_names import COORDINATE_SCALE, CRS, GPS_EPOCH, MATERIAL_NAME, PART_NAME
+from ..array_names import (
+    COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, MATERIAL_NAME, PART_NAME,
+)  # fmt: skip
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
+from ..formats._union import explain_missing, fill, join_layouts, layout_of
 
 RECORDS = (".las", ".laz", ".copc.laz")
 NAMES = {PART_NAME, MATERIAL_NAME}  # field arrays stored only in VTK files
@@ -86,6 +89,7 @@ class Conversion:
         packets = [reader.packets() for reader in readers]
         if self.waveforms and not all(packets):
             raise formats.FormatError(f"{paths[0]}: has no waveforms; leave --waveforms out")
+        self.notes += filter(None, (reader.find_new_version() for reader in readers))
         task.total = sum(reader.header.point_count for reader in readers)
         self.kinds = [(r.path, _words(r), r.header.point_count) for r in readers]
         with Output(self.output, self._is_internal(packets)) as output:
@@ -144,15 +148,19 @@ class Conversion:
         ]
         for reader in readers:
             reader.keeps_invalid = True  # the selection handles them
-        self._check_headers(readers)
+            reader.fills_missing = not self._keeps_scans
+        layouts = self._find_layouts()
+        self._check_headers(readers, layouts)
         counts = [reader.count for reader in readers]
         task.total = None if None in counts else sum(counts)
         header = readers[0].header
         move = self._make_move(header)
+        union = self._join_layouts(layouts)
         try:
             with formats.open_writer(self.output, header) as writer:
                 for reader in readers:
-                    self._convert_file(reader, writer, move, task)
+                    shift = self._find_shift(reader, header)
+                    self._convert_file(reader, writer, (shift, move, union), task)
                 self._check_count()
                 task.tell("finishing")
             self.lost |= writer.lost
@@ -163,7 +171,37 @@ class Conversion:
                 reader.close()
         self._note_lost(readers)
 
-    def _convert_file(self, reader, writer, move, task):
+    @property
+    def _keeps_scans(self):
+        """Whether the output holds scans with unlike arrays."""
+        return formats.ending(self.output) == ".e57"
+
+    def _find_layouts(self):
+        """The arrays of every input, by the path; empty for one input."""
+        layouts = {}
+        for each in self.inputs if len(self.inputs) > 1 else ():
+            path = each.path if isinstance(each, RunReader) else str(each)
+            with formats.open_reader(path) as reader:
+                reader.keeps_invalid = True
+                layouts[path] = layout_of(next(reader.chunks(1)))
+        return layouts
+
+    def _join_layouts(self, layouts):
+        """The arrays of the output, with notes on inputs without some of them; None: as they are."""
+        if self._keeps_scans or not layouts:
+            return None
+        union = join_layouts(layouts.items())
+        notes = (explain_missing(path, layout, union) for path, layout in layouts.items())
+        self.notes += filter(None, notes)
+        return union
+
+    def _find_shift(self, reader, header):
+        """What moves the times of a reader to the epoch of the output [s]."""
+        epoch = reader.header.epoch
+        return epoch - header.epoch if epoch and header.epoch else 0.0
+
+    def _convert_file(self, reader, writer, steps, task):
+        shift, move, union = steps
         scan, count = None, 0
         for chunk in reader.chunks():
             if scan != reader.scan:
@@ -172,15 +210,21 @@ class Conversion:
             total = rows_of(chunk)
             mask = self.selection.of_chunk(chunk, reader.path)
             chunk = chunk if mask is None else select(chunk, mask)
+            if shift and GPS_TIME in chunk:
+                chunk = {**chunk, GPS_TIME: chunk[GPS_TIME] + shift}
             if rows_of(chunk):
-                writer.write(move(chunk))
+                chunk = move(chunk)
+                writer.write(chunk if union is None else fill(chunk, union))
             self.count += rows_of(chunk)
             count += total
             task.advance(total)
         self.kinds.append((reader.path, reader.kind, count))
 
-    def _check_headers(self, readers):
+    def _check_headers(self, readers, layouts):
         first = readers[0]
+        timed = [reader for reader in readers if GPS_TIME in layouts.get(reader.path, (GPS_TIME,))]
+        if timed:
+            first.header.epoch = timed[0].header.epoch
         for other in readers[1:]:
             one, another = find_system(first.header.crs), find_system(other.header.crs)
             if not one.is_same(another.text) and not (self.crs and not another.text):
@@ -188,7 +232,8 @@ class Conversion:
                     f"{other.path}: has the coordinate system {another.label}, "
                     f"and {first.path} {one.label}; convert one of them first, with --crs"
                 )
-            if other.header.epoch != first.header.epoch:
+            unknown = 0.0 in (other.header.epoch, first.header.epoch)
+            if other in timed and unknown and other.header.epoch != first.header.epoch:
                 raise formats.FormatError(
                     f"{other.path}: its times count from {other.header.epoch:.17g} s of GPS time, "
                     f"and those of {first.path} from {first.header.epoch:.17g} s; convert each to a "
@@ -291,4 +336,4 @@ class Output:
 def _words(reader):
     header = reader.header
     kind = "LAZ" if header.are_points_compressed else "LAS"
-    return f"{kind} {header.version}, point format {header.point_format.id}"
+    return f"{kind} {reader.version}, point format {header.point_format.id}"

@@ -18,13 +18,19 @@ from .._run_files import PART
 from ..points import _find_crs
 from ._base import FileWriter, FormatError, Header, Reader, StreamWriter
 from ._base import call, check_file, from_cloud, need, to_cloud
+from ._las_check import HEADER_BYTES
 from ._records import RecordReader, RecordWriter
+
+OWN_SOFTWARE = b"vtkHelios "  # colours of its files have 16 bits
+COLOURS = ("red", "green", "blue")
+SCALE_OF_8 = 257  # of colours of 8 bits, as in heliosLasColors.h
+ROWS_OF_SEARCH = 50_000
 
 
 def _head(path):
     """Header data: number of points, version and format as text, whether waveforms."""
     with open(path, "rb") as file:
-        start = file.read(375).ljust(375, b"\0")
+        start = file.read(HEADER_BYTES).ljust(HEADER_BYTES, b"\0")
     old, new = struct.unpack_from("<I", start, 107)[0], struct.unpack_from("<Q", start, 247)[0]
     form = start[104] & 63
     count = new if start[25] >= 4 and (new or form >= 6) else old
@@ -85,6 +91,7 @@ class LazReader(Reader):
         if self.count == 0:
             self.fail("has no points; give a file with points")
         self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
+        self._short = None  # fields of 8 bits
         first = next(RecordReader(path).chunks(1))
         self.header = Header(self._to_cloud(first).GetFieldData())
         self.header.crs = self.header.crs or self._find_crs()
@@ -101,16 +108,44 @@ class LazReader(Reader):
             writer = RecordWriter(file, self.records, compress=False)
             writer.write(records)
             writer.close(bare=True)
+            file.seek(58)
+            file.write(OWN_SOFTWARE)  # colours are scaled here
         reader = vtkhelios.vtkHeliosLASReader()
         reader.SetFileName(str(path))
+        known = len(self.notes)
         _call(self, reader, reader.Update)
+        new = [note.replace(str(path), self.path) for note in self.notes[known:]]
+        self.notes[known:] = [note for note in new if note not in self.notes[:known]]
         return reader.GetOutput()
 
     def read_chunks(self, rows):
+        if self._short is None:
+            self._short = self._find_short()
         reader = RecordReader(self.path)
         for records in reader.chunks(rows):
+            for name in self._short:
+                records[name] *= SCALE_OF_8
             yield from_cloud(self._to_cloud(records))
         reader.close()
+
+    def _find_short(self):
+        """The fields of colours of 8 bits: none of the whole file is above 255."""
+        names = self.records.header.point_format.dtype().names
+        if "red" not in names or self.records.start[58:].startswith(OWN_SOFTWARE):
+            return []
+        reader, colours, infrared = RecordReader(self.path), 0, 0
+        for records in reader.chunks(ROWS_OF_SEARCH):
+            colours = max(colours, *(int(records[name].max()) for name in COLOURS))
+            infrared = max(infrared, int(records["nir"].max()) if "nir" in names else 0)
+            if colours > 255:
+                break
+        reader.close()
+        if not 0 < colours <= 255:
+            return []
+        self.notes.append(
+            f"{self.path}: its colours have 8 bits: they are scaled by 257 to the 16 bits of LAS"
+        )
+        return [*COLOURS, "nir"] if 0 < infrared <= 255 else list(COLOURS)
 
     def close(self):
         self.records.close()

@@ -12,6 +12,7 @@ import numpy as np
 
 from ._base import memory_limit
 
+HEADER_BYTES = 393  # of LAS 1.5, the longest
 LASZIP = (b"laszip encoded", 22204)
 TABLE_AT_END = -1  # the last 8 bytes of the file hold the chunk table offset
 VARIABLE = 2**32 - 1  # the chunk size of variable chunks
@@ -31,13 +32,13 @@ class Damage(Exception):
 
 
 def check_header(start, size):
-    """The error in the first 375 bytes of a file of a size, or None."""
+    """The error in the first bytes of a file of a size (HEADER_BYTES), or None."""
     if len(start) < 227 or start[:4] != b"LASF":
         return "it does not start with LASF"
-    if start[24] != 1 or start[25] > 4:
-        return f"its version is {start[24]}.{start[25]}; only 1.0 to 1.4 can be read"
+    if start[24] != 1 or start[25] > 5:
+        return f"its version is {start[24]}.{start[25]}; only 1.0 to 1.5 can be read"
     header_size, begin, records = struct.unpack_from("<HII", start, 94)
-    least = {3: 235, 4: 375}.get(start[25], 227)
+    least = {3: 235, 4: 375, 5: HEADER_BYTES}.get(start[25], 227)
     if header_size < least or len(start) < least or not header_size <= begin <= size:
         return f"its header has {header_size} bytes, and its points begin at byte {begin} of {size}"
     if records * 54 > begin - header_size:

@@ -12,12 +12,14 @@ import numpy as np
 
 from .._run_files import PART
 from ._base import ROWS, FormatError, check_file, is_failure, need
-from ._las_check import Damage, check_header, check_points
+from ._las_check import HEADER_BYTES, Damage, check_header, check_points
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
 NOT_KEPT = (b"laszip encoded", b"copc")  # users of the point compression records
 HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
 INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: location of packets
+STANDARD_TIME, OFFSET_TIME = 1, 64  # its bits of times
+WRITTEN = {0: 2, 5: 4}  # versions 1.x whose records are copied to those of another one
 DESCRIPTORS = range(100, 355)  # numbers of the waveform packet descriptor records
 TO_SCANNER = b"waveform [W], to the scanner"  # descriptor text in heliosLasWaves.h, and
 FROM_SCANNER = b"waveform [W]"  # that of earlier versions, whose vectors had the opposite sign
@@ -39,6 +41,8 @@ class RecordReader:
             self._reader = laspy.open(self.path, read_evlrs=False)
             self.header = copy.deepcopy(self._reader.header)
             self._make_plain(self.header)
+            self.header.version = laspy.header.Version(1, self.minor)
+            self.header.global_encoding.value = self.encoding
             self.header.vlrs = [
                 each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
             ]
@@ -53,6 +57,13 @@ class RecordReader:
             need("lazrs", "LAZ files")
             self._check_points()
         self._check_size()
+
+    def find_new_version(self):
+        """A note if the records are written to another version of LAS, or None."""
+        written = f"1.{self.minor}"
+        if written == self.version:
+            return None
+        return f"{self.path}: is LAS {self.version}; its records are copied to LAS {written}"
 
     def fail(self, problem):
         raise FormatError(f"{self.path}: {problem}")
@@ -72,18 +83,34 @@ class RecordReader:
 
     def _take_head(self):
         with open(self.path, "rb") as file:
-            start = file.read(375)
+            start = file.read(HEADER_BYTES)
             if problem := check_header(start, self._size):
                 raise Damage(problem)
-            self.minor = start[25]
-            self.encoding = struct.unpack_from("<H", start, 6)[0]
-            self.start = start
+            self._set_start(bytearray(start))
             header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
             file.seek(header_size)
             data = file.read(self._points_begin - header_size)
             self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
             self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
             self.extended = self._find_extended(file, start) if self.minor >= 4 else []
+
+    def _set_start(self, start):
+        """The head as it is written: of LAS 1.0 as 1.2, of LAS 1.5 as 1.4."""
+        minor = start[25]
+        if minor < 2:
+            start[6:8] = bytes(2)  # reserved there
+        if minor < 1:
+            start[4:6] = bytes(2)
+        self.minor = start[25] = WRITTEN.get(minor, minor)
+        self.encoding = struct.unpack_from("<H", start, 6)[0]
+        self._time_shift = 0.0
+        if minor == 5 and self.encoding & OFFSET_TIME:
+            if self.encoding & STANDARD_TIME:
+                self._time_shift = 1e6 * struct.unpack_from("<H", start, 391)[0] - 1e9
+            self.encoding &= ~OFFSET_TIME
+            struct.pack_into("<H", start, 6, self.encoding)
+        self.start = bytes(start)
+        self.version = f"1.{minor}"
 
     def _turn_descriptors(self):
         """Waveform vectors of earlier versions point away from the scanner: chunks() inverts them
@@ -192,6 +219,8 @@ class RecordReader:
             if len(records) != count:
                 self.fail(f"ends after {done + len(records)} of {total} points; copy it again")
             done += count
+            if self._time_shift:
+                records["gps_time"] += self._time_shift
             if self._is_turned:
                 for name in ("x_t", "y_t", "z_t"):
                     records[name] = -records[name]
