@@ -23,7 +23,7 @@ _EXECUTIVE = re.compile(
 )
 # What similar messages differ by: "scanner vlp16, channel 3", "scene.xml:12: part oak_07".
 _MEMBER = re.compile(r"\b(channel|part) (\"[^\"]*\"|[^\s,:;()]+)")
-_LINE = re.compile(r"^([^\s:]+):\d+: ")
+_LINE = re.compile(r"^([^\s:]+):\d+(?::\d+)?: ")
 # The strategies of an algorithm report their own errors.
 _STRATEGIES = ("RayCaster", "BeamDeflector", "BeamSampler", "EchoDetector")
 

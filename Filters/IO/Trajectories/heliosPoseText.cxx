@@ -66,7 +66,14 @@ bool PoseTextParser::Read(LineFile& file, RecordedPath& path)
     return this->Report.Fail(file.GetPath() + ": has no rows; give a " + this->Columns.Name +
       " file with rows " + this->Columns.Order);
   }
-  return true;
+  const auto getPlace = [&](std::size_t i)
+  {
+    std::string_view ignored;
+    file.SetRange(path.Rows[i].LineStart, path.Rows[i].LineStart + 1);
+    file.NextLine(ignored);
+    return file.GetPlace();
+  };
+  return CheckRowTimes(path.Rows, getPlace, this->Report);
 }
 
 bool PoseTextParser::ReadRow(std::string_view line, RecordedPath& path)
@@ -95,7 +102,11 @@ bool PoseTextParser::AddPose(RecordedPath& path)
       "; give unit quaternions, and rows " + this->Columns.Order);
   }
   TrajectoryRow row{};
-  row.Time = get(0) * this->Columns.TimeUnit;
+  row.Time = this->Clock.Continue(get(0) * this->Columns.TimeUnit);
+  if (this->Clock.IsFirstContinued())
+  {
+    this->Report.Warn(this->File->GetPlace() + this->Clock.DescribeEnd());
+  }
   row.Position = { get(1), get(2), get(3) };
   row.LineStart = this->File->GetLineStart();
   if (!path.Rows.empty() && !(row.Time > path.Rows.back().Time))

@@ -6,6 +6,7 @@
 #define heliosPoseText_h
 
 #include "heliosLineFile.h"
+#include "heliosRecordTimes.h"
 #include "heliosRecordedPath.h"
 #include "heliosTextFile.h"
 #include "heliosTextRow.h"
@@ -47,6 +48,7 @@ private:
   const PoseColumns& Columns;
   TextReport& Report;
   TextRow Row;
+  RecordClock Clock;
   LineFile* File = nullptr;
 };
 

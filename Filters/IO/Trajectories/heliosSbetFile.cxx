@@ -84,8 +84,14 @@ Status CheckSize(const std::string& path, std::int64_t size)
 //------------------------------------------------------------------------------
 Status SbetReader::Fail(const std::string& message) const
 {
-  return Status::Error(this->Path + ", record " + std::to_string(this->Index) + " (byte " +
-    std::to_string(this->Index * SbetRecordSize) + "): " + message);
+  return Status::Error(this->MakePlace(this->Index) + message);
+}
+
+//------------------------------------------------------------------------------
+std::string SbetReader::MakePlace(std::int64_t record) const
+{
+  return this->Path + ", record " + std::to_string(record) + " (byte " +
+    std::to_string(record * SbetRecordSize) + "): ";
 }
 
 //------------------------------------------------------------------------------
@@ -176,7 +182,7 @@ Status SbetReader::Add(const SbetRecord& record, RecordedPath& path)
 
 //------------------------------------------------------------------------------
 Status SbetReader::Read(
-  const std::string& fileCrs, const std::string& targetCrs, RecordedPath& path)
+  const std::string& fileCrs, const std::string& targetCrs, RecordedPath& path, TextReport& report)
 {
   InputFile file;
   std::int64_t size = 0;
@@ -193,7 +199,12 @@ Status SbetReader::Read(
     }
     for (std::size_t k = 0; status.IsOk() && k < read && this->Index < count; ++k)
     {
-      const SbetRecord& record = block[k];
+      SbetRecord& record = block[k];
+      record[SbetTime] = this->Clock.Continue(record[SbetTime]);
+      if (this->Clock.IsFirstContinued())
+      {
+        report.Warn(this->MakePlace(this->Index) + this->Clock.DescribeEnd());
+      }
       status = this->Check(record);
       if (status.IsOk() && this->Index == 0)
       {
@@ -219,7 +230,10 @@ Status SbetReader::Read(
     path.Velocities.clear(); // programs without velocities write zeros
   }
   path.Crs = this->Target.IsSet() ? this->Target.GetText() : std::string();
-  return status;
+  const auto getPlace = [this](std::size_t i)
+  { return this->MakePlace(static_cast<std::int64_t>(i)); };
+  return status.IsOk() && !CheckRowTimes(path.Rows, getPlace, report) ? Status::Error(report.Error)
+                                                                     : status;
 }
 
 } // namespace helios

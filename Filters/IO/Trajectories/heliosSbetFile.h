@@ -7,6 +7,7 @@
 
 #include "heliosCoordinateSystem.h"
 #include "heliosCoordinateTransform.h"
+#include "heliosRecordTimes.h"
 #include "heliosRecordedPath.h"
 #include "heliosStatus.h"
 
@@ -62,17 +63,20 @@ public:
    * Reads all records. The file's positions are in the system named by fileCrs; the rows are in
    * that named by targetCrs (empty: the UTM zone, on WGS 84, of the first record).
    */
-  Status Read(const std::string& fileCrs, const std::string& targetCrs, RecordedPath& path);
+  Status Read(const std::string& fileCrs, const std::string& targetCrs, RecordedPath& path,
+    TextReport& report);
 
 private:
   Status SetSystems(const std::string& fileCrs, const std::string& targetCrs, const SbetRecord& r);
   Status Check(const SbetRecord& record) const;
+  std::string MakePlace(std::int64_t record) const;
   Status Add(const SbetRecord& record, RecordedPath& path);
   Status Fail(const std::string& message) const;
 
   std::string Path;
   std::int64_t Index = 0;  // of the record
   double LastTime = 0.0;   // of the record before
+  RecordClock Clock;
   CoordinateSystem Target; // set with the first record
   CoordinateTransform Transform;
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectoryParser.h"
 
+#include "heliosRecordedPath.h"
+
 #include <algorithm>
 #include <charconv>
 #include <system_error>
@@ -98,13 +100,36 @@ bool TrajectoryParser::Read(LineFile& file, std::vector<TrajectoryRow>& rows)
     return this->Report.Fail(
       file.GetPath() + ": has no rows; give a file with rows of time, attitude and position");
   }
+  this->Sort(rows);
+  return this->CheckTimes(rows) &&
+    CheckRowTimes(rows, [this, &rows](std::size_t i) { return this->GetPlaceOf(rows[i]); },
+      this->Report);
+}
+
+/// Sorts rows by time, with a warning if they are not.
+void TrajectoryParser::Sort(std::vector<TrajectoryRow>& rows)
+{
   const auto isEarlier = [](const TrajectoryRow& a, const TrajectoryRow& b)
   { return a.Time < b.Time; };
-  if (!std::is_sorted(rows.begin(), rows.end(), isEarlier))
+  const auto early = std::is_sorted_until(rows.begin(), rows.end(), isEarlier);
+  if (early != rows.end())
   {
+    this->Report.Warn(this->GetPlaceOf(*early) + "time is " + PrintExactly(early->Time) +
+      " s, before that of the row before, " + PrintExactly(std::prev(early)->Time) +
+      " s; the rows are used in order of time: sort them, and remove those of other flights");
     std::stable_sort(rows.begin(), rows.end(), isEarlier);
   }
-  return this->CheckTimes(rows);
+}
+
+/// The time of a row, continued over the ends of weeks and days.
+double TrajectoryParser::ReadTime(double time)
+{
+  const double continued = this->Clock.Continue(time);
+  if (this->Clock.IsFirstContinued())
+  {
+    this->Report.Warn(this->File->GetPlace() + this->Clock.DescribeEnd());
+  }
+  return continued;
 }
 
 bool TrajectoryParser::ReadRow(std::string_view line, std::vector<TrajectoryRow>& rows)
@@ -125,7 +150,7 @@ bool TrajectoryParser::ReadRow(std::string_view line, std::vector<TrajectoryRow>
   }
   const auto get = [this](int column)
   { return this->Row.GetValue(this->Columns[static_cast<std::size_t>(column)]); };
-  TrajectoryRow row{ get(TimeOf), { get(XOf), get(YOf), get(ZOf) }, { 0.0, 0.0, 0.0 },
+  TrajectoryRow row{ this->ReadTime(get(TimeOf)), { get(XOf), get(YOf), get(ZOf) }, { 0.0, 0.0, 0.0 },
     this->File->GetLineStart() };
   if (this->Format.HasAttitude)
   {

@@ -7,6 +7,7 @@
 
 #include "heliosLineFile.h"
 #include "heliosPose.h"
+#include "heliosRecordTimes.h"
 #include "heliosTextFile.h"
 #include "heliosTextRow.h"
 
@@ -69,6 +70,8 @@ private:
   bool FindColumns(TrajectoryColumns& columns);
   bool SetColumns();
   bool ReadRow(std::string_view line, std::vector<TrajectoryRow>& rows);
+  double ReadTime(double time);
+  void Sort(std::vector<TrajectoryRow>& rows);
   bool CheckTimes(const std::vector<TrajectoryRow>& rows);
   bool HasGivenColumns() const;
   bool IsNeeded(int column) const;
@@ -85,6 +88,7 @@ private:
   bool HasHeader = false;
   bool KnowsColumns = false;
   TrajectoryColumns Columns{};
+  RecordClock Clock;
 };
 
 } // namespace helios

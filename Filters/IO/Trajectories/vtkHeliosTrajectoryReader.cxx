@@ -115,7 +115,7 @@ bool vtkHeliosTrajectoryReader::ReadSbet(helios::TextReport& report, helios::Rec
     this->UpdateProgress(fraction);
     return !this->AbortExecute;
   };
-  const helios::Status status = reader.Read(this->FileCRS, this->TargetCRS, path);
+  const helios::Status status = reader.Read(this->FileCRS, this->TargetCRS, path, report);
   return status.IsOk() || report.Fail(status.Message());
 }
 

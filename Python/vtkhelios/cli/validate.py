@@ -27,32 +27,37 @@ An error stops a run; a warning is about a difference between a run and what the
 as an attribute that is unknown, or not modelled. With --deep notes tell what materials do that reflect
 or transmit light.
 
-what it prints: file:line: error: the problem, the value, and the remedy; one line each.
+what it prints: file:line: error: the problem, the value, and the remedy; one line each. With
+several elements in a line, file:line:column for those after the first.
 
 examples:
   vtkhelios validate survey.xml --assets my_scenes
   vtkhelios validate survey.xml --deep        also read its meshes, rasters, clouds and textures
   vtkhelios validate *.xml --strict           warnings count as errors
-  vtkhelios validate survey.xml --json        a list of {file, line, severity, message}
+  vtkhelios validate survey.xml --json        a list of {file, line, column, severity, message}
 
 exit codes: 0 no error, 1 errors (with --strict, or warnings), 2 wrong usage.
 """
 
-PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
+PLACE = re.compile(
+    r"(?P<file>.+?):(?P<line>\d+)(?::(?P<column>\d+))?: (?P<message>.*)", re.S
+)
 
 
 @dataclasses.dataclass
 class Finding:
-    """An error, warning or note; line is None if it concerns the whole file."""
+    """An error, warning or note; line is None if it concerns the whole file, and column for the
+    first element of a line."""
 
     file: str
     line: int | None
+    column: int | None
     severity: str
     message: str
 
     def __str__(self):
-        place = self.file if self.line is None else f"{self.file}:{self.line}"
-        return f"{place}: {self.severity}: {self.message}"
+        numbers = (number for number in (self.line, self.column) if number is not None)
+        return f"{':'.join([self.file, *map(str, numbers)])}: {self.severity}: {self.message}"
 
 
 def add_arguments(parser):
@@ -94,8 +99,10 @@ class Collector(Messages):
         place = PLACE.fullmatch(text)
         text = text if place else text.removeprefix(f"{self.path}: ")
         file = place["file"] if place else self.path
-        line = int(place["line"]) if place else None
-        finding = Finding(file, line, severity, place["message"] if place else text)
+        line, column = (
+            int(place[name]) if place and place[name] else None for name in ("line", "column")
+        )
+        finding = Finding(file, line, column, severity, place["message"] if place else text)
         if finding not in self.findings:
             self.findings.append(finding)
 
@@ -115,7 +122,7 @@ def check(path, assets, deep=False):
             load_scene(reader, messages)
     files = list(dict.fromkeys([shown, *(found.file for found in messages.findings)]))
     findings = merge_similar(messages.findings)
-    return sorted(findings, key=lambda found: (files.index(found.file), found.line or 0))
+    return sorted(findings, key=lambda found: (files.index(found.file), found.line or 0, found.column or 0))
 
 
 def load_scene(reader, messages):
@@ -149,10 +156,10 @@ def load_into(source, path, colors):
 
 
 def merge_similar(findings):
-    """The findings; those of a line that differ only by a channel or part as one with their count."""
+    """The findings; those of a place that differ only by a channel or part as one with their count."""
     places = {}
     for found in findings:
-        place = (found.file, found.line, found.severity)
+        place = (found.file, found.line, found.column, found.severity)
         places.setdefault(place, []).append(found.message)
     return [
         Finding(*place, text)

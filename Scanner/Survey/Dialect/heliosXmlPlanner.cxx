@@ -251,9 +251,9 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   this->CheckHeight(data);
   data.SceneReference = this->Request.HasScene
     ? std::string()
-    : MakeReference(data.Survey.Scene.Where, data.Survey.Scene.Id);
-  data.PlatformReference = MakeReference(platform.Where, platform.Id);
-  data.ScannerReference = MakeReference(scanner.Where, scanner.Id);
+    : MakeReference(data.Survey.Scene.File, data.Survey.Scene.Id);
+  data.PlatformReference = MakeReference(platform.File, platform.Id);
+  data.ScannerReference = MakeReference(scanner.File, scanner.Id);
   this->WarnOfScene(data.Survey.Scene);
   data.Survey = MakeEpoch(data.Survey, 0);
 }
@@ -400,9 +400,9 @@ void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log)
 }
 
 //------------------------------------------------------------------------------
-std::string MakeReference(const std::string& where, const std::string& id)
+std::string MakeReference(const std::string& file, const std::string& id)
 {
-  return where.substr(0, where.rfind(':')) + "#" + id;
+  return file + "#" + id;
 }
 
 } // namespace helios

@@ -24,8 +24,8 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log);
 /// Checks a <surveyPlanner> and its references.
 void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log);
 
-/// A file.xml#id for an element read at a place (file:line).
-std::string MakeReference(const std::string& where, const std::string& id);
+/// The reference file.xml#id to an element.
+std::string MakeReference(const std::string& file, const std::string& id);
 
 } // namespace helios
 

@@ -100,6 +100,7 @@ PlatformData ReadPlatform(const XmlElement& element)
 {
   PlatformData platform;
   platform.Where = element.Where();
+  platform.File = element.GetDocument().GetPath();
   element.CheckNames();
   element.ReadStored(platform);
   platform.Name = element.Has("name") ? platform.Name : platform.Id;

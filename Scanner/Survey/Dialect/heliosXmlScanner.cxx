@@ -106,6 +106,7 @@ ScannerData ReadScanner(const XmlElement& element, const Assets& files)
 {
   ScannerData scanner;
   scanner.Where = element.Where();
+  scanner.File = element.GetDocument().GetPath();
   scanner.Id = element.GetText("id");
   scanner.Name = element.Has("name") ? element.GetText("name") : scanner.Id;
   if (!element.Has("optics"))

@@ -255,6 +255,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
 {
   SceneData scene;
   scene.Where = element.Where();
+  scene.File = element.GetDocument().GetPath();
   element.ReadStored(scene);
   scene.Name = element.Has("name") ? scene.Name : scene.Id;
   scene.SpectraFolders = FindSpectraFolders(element.GetDocument(), assets);

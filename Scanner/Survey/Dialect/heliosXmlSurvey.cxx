@@ -51,8 +51,8 @@ private:
   Assets& Files;
   Messages& Log;
   XmlElement Survey;
-  std::map<std::string, std::size_t> Scanners; // by their place in the file
-  std::map<std::string, std::size_t> Platforms;
+  std::map<const void*, std::size_t> Scanners; // by their element; null: none was found
+  std::map<const void*, std::size_t> Platforms;
   Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the following legs
   bool StartsScan = false;
   std::set<std::size_t> BadScanners; // with errors of their own
@@ -109,8 +109,7 @@ XmlElement SurveyReader::FindRequired(const XmlElement& from, const char* tag)
 std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
 {
   const XmlElement element = this->FindRequired(from, "scanner");
-  const std::string where = element ? element.Where() : "";
-  const auto known = this->Scanners.find(where);
+  const auto known = this->Scanners.find(element.GetIdentity());
   if (known != this->Scanners.end())
   {
     return known->second;
@@ -128,7 +127,7 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
     this->BadScanners.insert(data.Scanners.size());
   }
   data.Scanners.push_back(scanner);
-  return this->Scanners[where] = data.Scanners.size() - 1;
+  return this->Scanners[element.GetIdentity()] = data.Scanners.size() - 1;
 }
 
 //------------------------------------------------------------------------------
@@ -136,8 +135,8 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
 {
   const bool isInterpolated = from.GetText("platform") == "interpolated";
   const XmlElement element = isInterpolated ? XmlElement() : this->FindRequired(from, "platform");
-  const std::string where = isInterpolated ? "interpolated" : element ? element.Where() : "";
-  const auto known = this->Platforms.find(where);
+  const void* const identity = (isInterpolated ? this->Survey : element).GetIdentity();
+  const auto known = this->Platforms.find(identity);
   if (known != this->Platforms.end())
   {
     return known->second;
@@ -153,7 +152,7 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
     this->BadPlatforms.insert(data.Platforms.size());
   }
   data.Platforms.push_back(platform);
-  return this->Platforms[where] = data.Platforms.size() - 1;
+  return this->Platforms[identity] = data.Platforms.size() - 1;
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 #include "heliosSceneEdit.h"
 
 #include "heliosAssets.h"
-#include "heliosInputFile.h"
 #include "heliosMessages.h"
 #include "heliosPartFile.h"
 #include "heliosSceneBuilder.h"
@@ -164,7 +163,7 @@ class SceneEdit::Internals
 public:
   pugi::xml_node GetScene() const { return this->Document.document_element(); }
   pugi::xml_node GetPart(int part) const;
-  bool Read(const XmlElement& scene, Assets& assets);
+  void Read(const XmlElement& scene, Assets& assets);
   void Spread(const XmlElement& element, pugi::xml_node part, const XmlElement& scene,
     Assets& assets, int& count);
   void FindFiles(pugi::xml_node node, const XmlDocument& from, Assets& assets);
@@ -192,24 +191,10 @@ pugi::xml_node SceneEdit::Internals::GetPart(int part) const
 }
 
 //------------------------------------------------------------------------------
-bool SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
+void SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
 {
-  pugi::xml_document file;
-  const std::string path = scene.GetDocument().GetPath();
-  if (CheckInputFile(path).IsOk())
-  {
-    file.load_file(path.c_str());
-  }
-  const pugi::xml_node found =
-    file.document_element().find_child_by_attribute("scene", "id", scene.GetText("id").c_str());
-  const pugi::xml_node source = found ? found : file.document_element().child("scene");
-  if (!source)
-  {
-    scene.GetMessages().Error(path + ": its scene cannot be read again; has it changed?");
-    return false;
-  }
   this->Document.reset();
-  pugi::xml_node copy = this->Document.append_copy(source);
+  pugi::xml_node copy = scene.CopyTo(this->Document);
   if (!copy.attribute("id"))
   {
     copy.prepend_attribute("id") = UsualId;
@@ -229,7 +214,6 @@ bool SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
   {
     this->FindFiles(table, scene.GetDocument(), assets);
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -328,7 +312,11 @@ bool SceneEdit::Load(const std::string& scene, const std::string& folder,
   const XmlElement element = file ? file->GetRoot().GetChild("scene")
     : isFirst                     ? XmlElement()
               : assets.FindElement("scene", { "scene", scene, here->GetPath() }, *here);
-  return element && this->Inside->Read(element, assets) && log.GetNumberOfErrors() == before;
+  if (element)
+  {
+    this->Inside->Read(element, assets);
+  }
+  return element && log.GetNumberOfErrors() == before;
 }
 
 //------------------------------------------------------------------------------

@@ -45,12 +45,6 @@ std::string MakeWhole(const std::string& path)
   return whole.empty() ? path : whole.string();
 }
 
-/// The file of "file:line".
-std::string GetFile(const std::string& where)
-{
-  return where.substr(0, where.rfind(':'));
-}
-
 /// The id of a scanner, without that of its channel.
 std::string GetScannerId(const ScannerData& scanner)
 {
@@ -75,15 +69,15 @@ void AddEntries(const XmlElement& root, const char* tag, const std::string& refe
   }
 }
 
-/// The entry read from the same place; else a reference to it.
+/// The entry read from the same file; else a reference to it.
 template <typename T>
 std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
-  const std::string& where, const std::string& id, const std::string& path)
+  const std::string& file, const std::string& id, const std::string& path)
 {
   for (const auto& entry : entries)
   {
     const bool isSame = entry.first.substr(entry.first.rfind('#') + 1) == id;
-    if (isSame && MakeWhole(GetFile(entry.second.Where)) == MakeWhole(GetFile(where)))
+    if (isSame && MakeWhole(entry.second.File) == MakeWhole(file))
     {
       return entry.first;
     }
@@ -189,20 +183,20 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
   const std::string& surveyFolder, const std::vector<std::string>& assetDirectories,
   SurveyEdit& edit)
 {
-  const auto refer = [&](const std::string& where)
-  { return ReferTo(GetFile(where), surveyFolder, assetDirectories); };
+  const auto refer = [&](const std::string& file)
+  { return ReferTo(file, surveyFolder, assetDirectories); };
   Sentence left;
   edit = SurveyEdit();
   edit.Name = survey.Name;
-  edit.Scene = refer(survey.Scene.Where) + "#" + survey.Scene.Id;
+  edit.Scene = refer(survey.Scene.File) + "#" + survey.Scene.Id;
   CopySurvey(survey.FileName, edit);
   edit.PlatformModel = survey.Platforms.front();
   edit.ScannerModel = survey.Scanners.front();
-  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.Where,
-    edit.PlatformModel.Id, refer(edit.PlatformModel.Where));
+  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.File,
+    edit.PlatformModel.Id, refer(edit.PlatformModel.File));
   const std::string id = GetScannerId(edit.ScannerModel);
   edit.Scanner =
-    FindReference(catalogue.Scanners, edit.ScannerModel.Where, id, refer(edit.ScannerModel.Where));
+    FindReference(catalogue.Scanners, edit.ScannerModel.File, id, refer(edit.ScannerModel.File));
   std::size_t count = 0;
   for (std::size_t i = 0; i < survey.Legs.size(); ++i)
   {

@@ -76,6 +76,7 @@ struct ScannerData
   std::string Id;
   std::string Name;
   std::string Where;
+  std::string File;    ///< that it was read from; empty: none
   std::string Channel; ///< id; empty: the only one
   Optics Type = Optics::RotatingMirror;
   std::vector<double> PulseFrequencies; ///< [Hz], supported; the first is the default
@@ -169,6 +170,7 @@ struct PlatformData
   std::string Id;
   std::string Name;
   std::string Where;
+  std::string File; ///< that it was read from; empty: none
   PlatformType Type = PlatformType::Static;
   Pose Mount; ///< of the scanner
   VehicleData Vehicle;
@@ -289,6 +291,7 @@ struct SceneData
   std::string Id;
   std::string Name;
   std::string Where;
+  std::string File; ///< that it was read from; empty: none
   std::string Crs; ///< of parts without their own; empty: a local frame, in metres
   std::vector<PartData> Parts;
   std::vector<std::string> SpectraFolders; ///< searched for spectra, in order

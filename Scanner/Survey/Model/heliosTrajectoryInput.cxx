@@ -3,6 +3,7 @@
 #include "heliosTrajectoryInput.h"
 
 #include "heliosMessages.h"
+#include "heliosRecordTimes.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -95,8 +96,12 @@ private:
     const double before = row > 0 ? this->Times->GetComponent(row - 1, 0) : -INFINITY;
     if (time < before)
     {
+      const double period = FindEndedPeriod(before, time);
       text << names::GpsTime << " is " << time << ", before that of row " << row - 1 << ", "
-           << before << "; sort the rows by " << names::GpsTime;
+           << before << "; ";
+      period > 0.0 ? text << NamePeriod(period) << " ends there: add " << period
+                          << " s to the rows from this one on"
+                   : text << "sort the rows by " << names::GpsTime;
     }
     else if (row > 1 && time == before && time == this->Times->GetComponent(row - 2, 0))
     {
@@ -109,6 +114,31 @@ private:
   vtkDataArray* Times;
   vtkDataArray* Orientations;
 };
+
+/// Whether times can be seconds of one clock; warns of missing rows.
+bool CheckTimes(vtkPolyData* data, vtkDataArray* times, const std::string& name, Messages& log)
+{
+  const auto getPosition = [data](std::size_t row)
+  {
+    Vec3 position;
+    data->GetPoint(static_cast<vtkIdType>(row), position.GetData());
+    return position;
+  };
+  const TimeFinding finding =
+    CheckRecordTimes({ static_cast<std::size_t>(data->GetNumberOfPoints()),
+      [times](std::size_t row) { return times->GetComponent(static_cast<vtkIdType>(row), 0); },
+      getPosition });
+  const std::string text = name + ", row " + std::to_string(finding.Row) + ": " + finding.Message;
+  if (finding.IsError)
+  {
+    log.Error(text);
+  }
+  else if (!finding.Message.empty())
+  {
+    log.Warning(text);
+  }
+  return !finding.IsError;
+}
 
 } // namespace
 
@@ -138,7 +168,7 @@ bool CheckTrajectoryInput(vtkPolyData* data, const std::string& name, Messages& 
       return false;
     }
   }
-  return true;
+  return CheckTimes(data, times, name, log);
 }
 
 } // namespace helios

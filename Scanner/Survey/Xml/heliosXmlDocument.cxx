@@ -61,6 +61,20 @@ std::string FindDuplicate(const pugi::xml_node& node)
   return {};
 }
 
+/// The ends of lines, by LF, CR LF or CR.
+std::vector<std::ptrdiff_t> FindLineEnds(const std::string& text)
+{
+  std::vector<std::ptrdiff_t> ends;
+  for (std::size_t end = text.find_first_of("\r\n"); end != std::string::npos;
+       end = text.find_first_of("\r\n", end + 1))
+  {
+    const bool isPair = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
+    end += isPair ? 1 : 0;
+    ends.push_back(static_cast<std::ptrdiff_t>(end));
+  }
+  return ends;
+}
+
 /// The next node in document order, children first; none after the last.
 pugi::xml_node NextNode(pugi::xml_node node)
 {
@@ -106,7 +120,7 @@ std::unique_ptr<XmlDocument> XmlDocument::Make(
   {
     return nullptr;
   }
-  document->CheckAttributes();
+  document->CheckElements();
   return document;
 }
 
@@ -140,10 +154,7 @@ bool XmlDocument::Parse(std::string text)
   {
     text = Latin1ToUtf8(text);
   }
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1))
-  {
-    this->LineEnds.push_back(static_cast<std::ptrdiff_t>(end));
-  }
+  this->LineEnds = FindLineEnds(text);
   const pugi::xml_parse_result result = this->Tree.load_buffer(
     text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
   const bool isEmpty = result.status == pugi::status_no_document_element;
@@ -188,8 +199,16 @@ bool XmlDocument::CheckRoot()
 }
 
 //------------------------------------------------------------------------------
-void XmlDocument::CheckAttributes()
+/// Finds where elements begin, and duplicate attributes.
+void XmlDocument::CheckElements()
 {
+  for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
+  {
+    if (node.type() == pugi::node_element)
+    {
+      this->Elements.push_back(node.offset_debug());
+    }
+  }
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
   {
     const std::string duplicate = FindDuplicate(node);
@@ -211,7 +230,11 @@ XmlElement XmlDocument::GetRoot() const
 std::string XmlDocument::Where(std::ptrdiff_t offset) const
 {
   const auto line = std::lower_bound(this->LineEnds.begin(), this->LineEnds.end(), offset);
-  return this->Path + ":" + std::to_string(line - this->LineEnds.begin() + 1);
+  const std::ptrdiff_t start = line == this->LineEnds.begin() ? 0 : *std::prev(line) + 1;
+  const auto first = std::lower_bound(this->Elements.begin(), this->Elements.end(), start);
+  const bool isAfterElement = first != this->Elements.end() && *first < offset;
+  return this->Path + ":" + std::to_string(line - this->LineEnds.begin() + 1) +
+    (isAfterElement ? ":" + std::to_string(offset - start) : std::string());
 }
 
 } // namespace helios

@@ -20,6 +20,18 @@ const Vec3 AxisX(1.0, 0.0, 0.0);
 const Vec3 AxisY(0.0, 1.0, 0.0);
 const Vec3 AxisZ(0.0, 0.0, 1.0);
 
+/// The text of a node, whose pieces comments and CDATA sections separate.
+std::string JoinText(pugi::xml_node node)
+{
+  std::string text;
+  for (const pugi::xml_node piece : node.children())
+  {
+    const bool isText = piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata;
+    text += isText ? piece.value() : "";
+  }
+  return text;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -302,7 +314,7 @@ bool XmlElement::FindValue(const char* name, XmlValue& value) const
   {
     return false;
   }
-  std::string text = attribute.empty() ? child.Node.text().get() : attribute.value();
+  std::string text = attribute.empty() ? JoinText(child.Node) : attribute.value();
   text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   value = { name, text, attribute.empty() ? child.Where() : this->Where() };

@@ -43,19 +43,21 @@ public:
 
   bool HasLines() const { return !this->IsMade; }
 
-  /// "file:line" of an offset in the file.
+  /// "file:line" of an offset in the file; "file:line:column" if an element begins before it in
+  /// its line. Columns count bytes.
   std::string Where(std::ptrdiff_t offset) const;
 
 private:
   XmlDocument() = default;
   bool Parse(std::string text);
   bool CheckRoot();
-  void CheckAttributes();
+  void CheckElements();
 
   std::string Path;
   Messages* Log = nullptr;
   pugi::xml_document Tree;
   std::vector<std::ptrdiff_t> LineEnds;
+  std::vector<std::ptrdiff_t> Elements; // where they begin, in order
   bool IsMade = false; // not from a file
 };
 
@@ -79,7 +81,16 @@ public:
 
   explicit operator bool() const { return !this->Node.empty(); }
   std::string GetTag() const { return this->Node.name(); }
+
+  /// What tells it from all other elements, whatever their places and ids; null: no element.
+  const void* GetIdentity() const { return this->Node.internal_object(); }
+
+  /// Its place, for messages only: "file:line", or "file:line:column" after another on its line.
   std::string Where() const;
+
+  /// Adds a copy of the element to a node, and returns it.
+  pugi::xml_node CopyTo(pugi::xml_node parent) const { return parent.append_copy(this->Node); }
+
   const XmlDocument& GetDocument() const { return *this->Document; }
   Messages& GetMessages() const { return this->Document->GetMessages(); }
 
