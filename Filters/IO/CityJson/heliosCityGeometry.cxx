@@ -33,6 +33,7 @@ CityGeometry::CityGeometry(const JsonFile& file, SceneMesh& mesh)
   : File(file)
   , Mesh(mesh)
   , Materials(mesh.Materials)
+  , Polygons(mesh)
 {
 }
 
@@ -114,12 +115,7 @@ Status CityGeometry::AddSurface(const Json::Value& surface, const Json::Value& v
         " triangles; split "
         "the file into several scene parts");
   }
-  if (!this->Triangulator.Triangulate(this->Mesh.Points.GetValues(), this->Rings) &&
-    this->NumberOfCrossed++ == 0)
-  {
-    this->FirstCrossed = this->Fail(surface, "").Message();
-  }
-  this->AddTriangles(row);
+  this->Polygons.Add(this->Rings, row, [&] { return this->Fail(surface, "").Message(); });
   return {};
 }
 
@@ -166,16 +162,6 @@ Status CityGeometry::ReadRing(const Json::Value& ring)
     corners.push_back((*this->Ids)[static_cast<std::size_t>(index)]);
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-void CityGeometry::AddTriangles(int row)
-{
-  const std::vector<vtkTypeInt32>& corners = this->Triangulator.GetCorners();
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-  {
-    this->Mesh.AddTriangle(corners[i], corners[i + 1], corners[i + 2], row);
-  }
 }
 
 } // namespace helios

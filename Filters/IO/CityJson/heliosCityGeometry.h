@@ -6,8 +6,8 @@
 #define heliosCityGeometry_h
 
 #include "heliosCitySurfaces.h"
-#include "heliosPolygonTriangulator.h"
 #include "heliosSceneMesh.h"
+#include "heliosScenePolygons.h"
 #include "heliosStatus.h"
 
 #include <cstdint>
@@ -39,9 +39,8 @@ public:
   /// Adds a geometry; ids gives the point of each of its vertices.
   Status Add(const Json::Value& geometry, const std::vector<vtkTypeInt32>& ids);
 
-  /// Surfaces whose rings cross, and the place of the first.
-  std::int64_t GetNumberOfCrossed() const { return this->NumberOfCrossed; }
-  const std::string& GetFirstCrossed() const { return this->FirstCrossed; }
+  /// Warns of surfaces whose rings cross.
+  void Warn(TextReport& report) const { this->Polygons.Warn(report); }
 
   /// An error at a value of the current object.
   Status Fail(const Json::Value& value, const std::string& message) const;
@@ -51,7 +50,6 @@ private:
   Status AddSurface(const Json::Value& surface, const Json::Value& value);
   Status ReadRing(const Json::Value& ring);
   Status FindRow(const Json::Value& value, int& row);
-  void AddTriangles(int row);
 
   const JsonFile& File;
   SceneMesh& Mesh;
@@ -61,9 +59,7 @@ private:
   const Json::Value* Surfaces = nullptr;          // semantics of the current geometry
   const std::vector<vtkTypeInt32>* Ids = nullptr; // likewise
   PolygonRings Rings;                             // of the current surface
-  PolygonTriangulator Triangulator;
-  std::int64_t NumberOfCrossed = 0;
-  std::string FirstCrossed;
+  ScenePolygons Polygons;
 };
 
 } // namespace helios

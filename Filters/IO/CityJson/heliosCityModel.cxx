@@ -99,7 +99,7 @@ Status CityModel::ReadFile(const std::string& path)
   if (status.IsOk())
   {
     this->ReadCrs();
-    this->WarnOfSurfaces();
+    this->Geometry.Warn(this->Report);
   }
   return status;
 }
@@ -315,19 +315,6 @@ void CityModel::ReadCrs()
     this->Report.Warn(this->File.GetPlace(given) + "referenceSystem " + Describe(given) +
       " is not understood and not used: expected https://www.opengis.net/def/crs/EPSG/0/7415; the "
       "scene has no coordinate system");
-  }
-}
-
-//------------------------------------------------------------------------------
-void CityModel::WarnOfSurfaces()
-{
-  if (this->Geometry.GetNumberOfCrossed() > 0)
-  {
-    this->Report.Warn(this->Geometry.GetFirstCrossed() +
-      "the rings of a surface cross, so its "
-      "triangles may be wrong (" +
-      std::to_string(this->Geometry.GetNumberOfCrossed()) +
-      " such surfaces in this file); correct it");
   }
 }
 

@@ -50,7 +50,6 @@ private:
   std::string ChooseLevel(const Json::Value& object) const;
   void ReadCrs();
   Status CheckLevels();
-  void WarnOfSurfaces();
 
   SceneMesh& Mesh;
   TextReport& Report;

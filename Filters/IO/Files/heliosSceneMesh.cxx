@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneMesh.h"
 
+#include "heliosTriangleArea.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -18,33 +19,6 @@ namespace helios
 
 namespace
 {
-
-// True if the cross product of two sides is indistinguishable from zero: each coordinate and each
-// operation is assumed to have a rounding error of half an ulp.
-bool IsFlat(const double* a, const double* b, const double* c)
-{
-  constexpr double unit = std::numeric_limits<double>::epsilon() / 2.0;
-  double u[3], v[3], uError[3], vError[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = b[i] - a[i];
-    v[i] = c[i] - a[i];
-    uError[i] = 4.0 * unit * (std::abs(a[i]) + std::abs(b[i]));
-    vError[i] = 4.0 * unit * (std::abs(a[i]) + std::abs(c[i]));
-  }
-  static constexpr int planes[3][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 } };
-  for (const auto& [i, j] : planes)
-  {
-    const double cross = u[i] * v[j] - u[j] * v[i];
-    const double error = uError[i] * std::abs(v[j]) + std::abs(u[i]) * vError[j] +
-      uError[j] * std::abs(v[i]) + std::abs(u[j]) * vError[i];
-    if (!(std::abs(cross) <= error))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 
 // Minimum and maximum coordinates: x0 x1 y0 y1 z0 z1.
 void FindBounds(const double* points, vtkIdType count, double bounds[6])

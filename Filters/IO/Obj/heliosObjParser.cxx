@@ -59,12 +59,17 @@ bool ObjParser::Read(const std::string& path)
     this->Report.Warn(this->FirstUnknown + ", ignored (" + std::to_string(this->UnknownCount) +
       " such lines in this file)");
   }
-  const bool isGood = !this->File.IsStopped() && this->CheckIndices();
-  if (isGood && this->ReadsTextures)
+  if (this->File.IsStopped() || !this->CheckIndices())
+  {
+    return false;
+  }
+  this->Faces.Finish();
+  this->Faces.Warn(this->Report);
+  if (this->ReadsTextures)
   {
     this->PlaceTextures();
   }
-  return isGood;
+  return true;
 }
 
 bool ObjParser::ReadLine(std::string_view line)
@@ -186,8 +191,8 @@ bool ObjParser::FailNumber(std::string_view keyword, TextWords::Number status, T
 
 bool ObjParser::ReadFace(TextWords& words)
 {
-  this->Face.clear();
-  this->FaceTextures.clear();
+  this->Face.Vertices.clear();
+  this->Face.Textures.clear();
   while (words.HasMore())
   {
     if (!this->ReadCorner(words))
@@ -195,12 +200,12 @@ bool ObjParser::ReadFace(TextWords& words)
       return false;
     }
   }
-  if (this->Face.size() < 3)
+  if (this->Face.Vertices.size() < 3)
   {
-    return this->Fail("face has " + std::to_string(this->Face.size()) +
+    return this->Fail("face has " + std::to_string(this->Face.Vertices.size()) +
       " corners; it needs three or more: f 1 2 3");
   }
-  return this->AddTriangles();
+  return this->AddFace();
 }
 
 // v, v/t, v//n or v/t/n
@@ -229,15 +234,15 @@ bool ObjParser::ReadCorner(TextWords& words)
     }
     if (isVertex)
     {
-      this->Face.push_back(index - 1);
+      this->Face.Vertices.push_back(index - 1);
     }
     if (this->ReadsTextures && isVertex)
     {
-      this->FaceTextures.push_back(0);
+      this->Face.Textures.push_back(0);
     }
     if (this->ReadsTextures && &element == this->Elements + 1 && isGiven)
     {
-      this->FaceTextures.back() = index;
+      this->Face.Textures.back() = index;
     }
     if (words.IsAtWordEnd())
     {
@@ -252,7 +257,8 @@ bool ObjParser::ReadCorner(TextWords& words)
     " is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3");
 }
 
-// Converts an index to one that counts from the first element, from 1.
+// Converts an index to one that counts from the first element, from 1. Of texture coordinates and
+// normals, 0 stands for those that are not there.
 bool ObjParser::Resolve(Element& element, int& index)
 {
   if (index > element.Count && index > element.Largest)
@@ -264,39 +270,64 @@ bool ObjParser::Resolve(Element& element, int& index)
   {
     return true;
   }
-  if (index == 0)
+  const int given = index;
+  const bool isKnown = index < 0 && -static_cast<std::int64_t>(index) <= element.Count;
+  index = isKnown ? static_cast<int>(element.Count + index + 1) : 0;
+  if (!isKnown && &element != this->Elements)
   {
-    return this->Fail(std::string("face refers to ") + element.Name +
-      " 0; indices count from 1, or backwards from -1");
+    element.Absent = element.AbsentLine == 0 ? given : element.Absent;
+    element.AbsentLine = element.AbsentLine == 0 ? this->File.GetLine() : element.AbsentLine;
+    return true;
   }
-  if (-static_cast<std::int64_t>(index) > element.Count)
+  if (given == 0)
   {
-    return this->Fail(std::string("face refers to ") + element.Name + ' ' + std::to_string(index) +
-      ", but only " + std::to_string(element.Count) + " come before it; correct the index");
+    return this->Fail("face refers to vertex 0; indices count from 1, or backwards from -1");
   }
-  index = static_cast<int>(element.Count + index + 1);
-  return true;
+  return isKnown ||
+    this->Fail("face refers to vertex " + std::to_string(given) + ", but only " +
+      std::to_string(element.Count) + " come before it; correct the index");
 }
 
 bool ObjParser::CheckIndices()
 {
-  for (const Element& element : this->Elements)
+  const Element& vertices = this->Elements[0];
+  if (vertices.Largest > vertices.Count)
   {
-    if (element.Largest > element.Count)
-    {
-      return this->Report.Fail(Place(this->File.GetPath(), element.LargestLine) +
-        "face refers to " + element.Name + ' ' + std::to_string(element.Largest) +
-        ", but the file has " + std::to_string(element.Count) + "; correct the index");
-    }
+    return this->Report.Fail(Place(this->File.GetPath(), vertices.LargestLine) +
+      "face refers to vertex " + std::to_string(vertices.Largest) + ", but the file has " +
+      std::to_string(vertices.Count) + "; correct the index");
   }
+  this->WarnOfAbsent();
   return true;
 }
 
-// Adds a triangle fan about the first corner.
-bool ObjParser::AddTriangles()
+// One warning for texture coordinates and normals.
+void ObjParser::WarnOfAbsent()
 {
-  const vtkIdType count = static_cast<vtkIdType>(this->Face.size()) - 2;
-  if (this->Mesh.Corners.GetSize() + 3 * count > this->MaximumNumberOfCorners)
+  std::string text;
+  std::int64_t line = 0;
+  for (const Element& element : { this->Elements[1], this->Elements[2] })
+  {
+    const bool isBeyond = element.Largest > element.Count;
+    if (element.AbsentLine > 0 || isBeyond)
+    {
+      line = line > 0 ? line : element.AbsentLine > 0 ? element.AbsentLine : element.LargestLine;
+      text += (text.empty() ? "" : " and ") + std::string(element.Name) + ' ' +
+        std::to_string(element.AbsentLine > 0 ? element.Absent : element.Largest) +
+        " (the file has " + std::to_string(element.Count) + ')';
+    }
+  }
+  if (!text.empty())
+  {
+    this->Report.Warn(Place(this->File.GetPath(), line) + "faces refer to " + text +
+      ": they are read without; correct these indices, or leave them out");
+  }
+}
+
+bool ObjParser::AddFace()
+{
+  const auto count = static_cast<std::int64_t>(this->Face.Vertices.size()) - 2;
+  if (3 * (this->Faces.GetLargestCount() + count) > this->MaximumNumberOfCorners)
   {
     return this->Fail("more than " + std::to_string(this->MaximumNumberOfCorners / 3) +
       " triangles; split the file into several scene parts");
@@ -305,20 +336,9 @@ bool ObjParser::AddTriangles()
   {
     this->CurrentUse = this->AddUse({}, 0);
   }
-  vtkTypeInt32* corners = this->Mesh.Corners.Append(3 * count);
-  int* useIds = this->Mesh.MaterialIds.Append(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    corners[3 * i] = this->Face[0];
-    corners[3 * i + 1] = this->Face[i + 1];
-    corners[3 * i + 2] = this->Face[i + 2];
-    useIds[i] = this->CurrentUse;
-  }
-  for (std::size_t i = 1; this->ReadsTextures && i + 1 < this->FaceTextures.size(); ++i)
-  {
-    this->TriangleTextures.push_back(
-      { this->FaceTextures[0], this->FaceTextures[i], this->FaceTextures[i + 1] });
-  }
+  this->Face.Material = this->CurrentUse;
+  this->Face.Line = this->File.GetLine();
+  this->Faces.Add(this->Face, this->File.GetPath());
   return true;
 }
 
@@ -330,12 +350,14 @@ void ObjParser::PlaceTextures()
     return;
   }
   constexpr float none = std::numeric_limits<float>::quiet_NaN();
-  for (const std::array<int, 3>& triangle : this->TriangleTextures)
+  for (const std::array<int, 3>& triangle : this->Faces.GetTextures())
   {
     float* to = this->Mesh.TextureCoordinates.Append(6);
     for (const int index : triangle)
     {
-      const std::array<float, 2> point = index > 0
+      const bool isKnown =
+        index > 0 && static_cast<std::size_t>(index) <= this->TexturePoints.size();
+      const std::array<float, 2> point = isKnown
         ? this->TexturePoints[static_cast<std::size_t>(index) - 1]
         : std::array<float, 2>{ none, none };
       to = std::copy(point.begin(), point.end(), to);

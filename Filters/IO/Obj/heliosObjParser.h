@@ -5,6 +5,7 @@
 #ifndef heliosObjParser_h
 #define heliosObjParser_h
 
+#include "heliosObjFaces.h"
 #include "heliosSceneMesh.h"
 #include "heliosTextFile.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
@@ -23,8 +24,8 @@ namespace helios
 
 /**
  * Reads v, vn, vt, f, mtllib and usemtl; recognizes and ignores o, g, s, l, p and similar. Faces
- * with more than three corners become triangle fans about their first corner. Every line is
- * checked, and every index against the whole file.
+ * may be concave. Every line is checked, and every index against the whole file: an unknown vertex
+ * is an error; one warning names unknown texture coordinates and normals, which are not used.
  */
 class VTKHELIOSFILTERSIO_EXPORT ObjParser
 {
@@ -59,6 +60,8 @@ private:
     std::int64_t Count = 0;
     int Largest = 0; ///< largest index beyond the elements read at that point
     std::int64_t LargestLine = 0;
+    int Absent = 0; ///< first index below 1; its line is 0 if there is none
+    std::int64_t AbsentLine = 0;
   };
 
   bool ReadLine(std::string_view line);
@@ -69,23 +72,23 @@ private:
   bool ReadCorner(TextWords& words);
   bool Resolve(Element& element, int& index);
   bool ReadTexturePoint(TextWords& words);
-  bool AddTriangles();
+  bool AddFace();
   void PlaceTextures();
   int AddUse(std::string_view name, std::int64_t line);
   void AddLibrary(std::string_view names);
   void Use(std::string_view name);
   void CountUnknown(std::string_view keyword);
   bool CheckIndices();
+  void WarnOfAbsent();
   bool Fail(const std::string& message);
   bool FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words);
 
   TextReport& Report;
   Element Elements[3] = { { "vertex" }, { "texture coordinate" }, { "normal" } };
-  std::vector<vtkTypeInt32> Face;
+  ObjFaces Faces{ this->Mesh };
+  ObjFaces::Face Face;
   bool ReadsTextures = false;
-  std::vector<std::array<float, 2>> TexturePoints;  // vt
-  std::vector<int> FaceTextures;                    // of the corners of a face, from 1; 0: none
-  std::vector<std::array<int, 3>> TriangleTextures; // likewise
+  std::vector<std::array<float, 2>> TexturePoints; // vt
   std::unordered_map<std::string, int> UseRows;
   int CurrentUse = -1;
   std::int64_t UnknownCount = 0;

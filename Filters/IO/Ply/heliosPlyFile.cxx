@@ -41,7 +41,7 @@ bool PlyFile::Read(const std::string& path)
       return false;
     }
   }
-  this->WarnOfPolygons();
+  this->Polygons.Warn(this->Report);
   this->WarnOfRest();
   return true;
 }
@@ -253,29 +253,8 @@ bool PlyFile::AddFace()
     this->Mesh.AddTriangle(ring[0], ring[1], ring[2], 0);
     return true;
   }
-  if (!this->Triangulator.Triangulate(this->Mesh.Points.GetValues(), this->Rings) &&
-    this->CrossedPolygons++ == 0)
-  {
-    this->FirstCrossed = this->GetPlace();
-  }
-  const std::vector<vtkTypeInt32>& corners = this->Triangulator.GetCorners();
-  for (std::size_t i = 0; i < corners.size(); i += 3)
-  {
-    this->Mesh.AddTriangle(corners[i], corners[i + 1], corners[i + 2], 0);
-  }
+  this->Polygons.Add(this->Rings, 0, [this] { return this->GetPlace(); });
   return true;
-}
-
-//------------------------------------------------------------------------------
-void PlyFile::WarnOfPolygons()
-{
-  if (this->CrossedPolygons > 0)
-  {
-    this->Report.Warn(this->FirstCrossed +
-      "the sides of the polygon cross, so its triangles may be "
-      "wrong (" +
-      std::to_string(this->CrossedPolygons) + " such faces in this file); correct it");
-  }
 }
 
 //------------------------------------------------------------------------------

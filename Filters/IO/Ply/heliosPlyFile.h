@@ -7,8 +7,8 @@
 
 #include "heliosPlyHeader.h"
 #include "heliosPlySource.h"
-#include "heliosPolygonTriangulator.h"
 #include "heliosSceneMesh.h"
+#include "heliosScenePolygons.h"
 #include "heliosTextFile.h"
 
 #include <cstdint>
@@ -27,6 +27,7 @@ public:
   PlyFile(SceneMesh& mesh, TextReport& report)
     : Mesh(mesh)
     , Report(report)
+    , Polygons(mesh)
   {
   }
 
@@ -50,7 +51,6 @@ private:
   bool ReportRow();
   std::string GetPlace() const;
   bool Fail(const std::string& message);
-  void WarnOfPolygons();
   void WarnOfRest();
 
   SceneMesh& Mesh;
@@ -63,9 +63,7 @@ private:
   double DoneRows = 0.0;      // of all elements
   std::vector<double> Values; // of the last property: one, or a list
   PolygonRings Rings{ {} };
-  PolygonTriangulator Triangulator;
-  std::int64_t CrossedPolygons = 0;
-  std::string FirstCrossed; // its place
+  ScenePolygons Polygons;
 };
 
 } // namespace helios

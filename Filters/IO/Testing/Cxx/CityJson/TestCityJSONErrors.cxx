@@ -113,8 +113,8 @@ TEST_CASE("CityJSONErrors: warnings", "[CityJSONErrors]")
   Reading outside("a.json", MakeYard("[[[0,1,2,3],[12,13,14]]]"));
   CHECK(outside.Read());
   CHECK(outside.Log->HasWarning(outside.Path +
-    ":4: object \"yard\": the rings of a surface cross, so its triangles may be wrong (1 such "
-    "surfaces in this file); correct it"));
+    ":4: object \"yard\": the sides of the polygon cross, so its triangles may be wrong (1 such "
+    "polygons in this file); correct it"));
   Reading empty("a.json", MakeFile(""));
   CHECK(empty.Read());
   CHECK(empty.Log->HasWarning(

@@ -79,12 +79,12 @@ TEST_CASE("ObjSceneReader: decimals are rounded to the nearest double", "[ObjSce
   {
     text += "v " + numbers[i] + " " + numbers[i + 1] + "\t" + numbers[i + 2] + "\n";
   }
-  text += "f";
-  for (std::size_t i = 1; i <= numbers.size() / 3; ++i)
+  for (std::size_t i = 3; i <= numbers.size() / 3; ++i)
   {
-    text += " " + std::to_string(i);
+    text +=
+      "f " + std::to_string(i - 2) + ' ' + std::to_string(i - 1) + ' ' + std::to_string(i) + '\n';
   }
-  ObjReading reading(folder.Write("a.obj", text + "\n"));
+  ObjReading reading(folder.Write("a.obj", text));
   REQUIRE(reading.Read());
   REQUIRE(reading.Scene()->GetPoints()->GetDataType() == VTK_DOUBLE);
   REQUIRE(reading.Scene()->GetNumberOfPoints() == static_cast<vtkIdType>(numbers.size() / 3));
@@ -126,7 +126,7 @@ TEST_CASE("ObjSceneReader: all notations of a face corner", "[ObjSceneReader]")
   }
 }
 
-TEST_CASE("ObjSceneReader: a polygon is a fan about its first corner", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: a convex polygon is a fan about its first corner", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj",

@@ -51,8 +51,8 @@ TEST_CASE("PLYSceneReader: warnings", "[PLYSceneReader]")
     MakeHead("ascii", 4, 1) + "0 0 0 0\n3 2 0 0\n3 0 0 0\n0 1 0 0\n0 4 0 1 2 3\n0\n1 2 3\n4 5 6\n");
   CHECK(crossed.Read());
   CHECK(crossed.Log->HasWarning(crossed.Path +
-    ":20: the sides of the polygon cross, so its triangles may be wrong (1 such faces in this "
-    "file); correct it"));
+    ":20: the sides of the polygon cross, so its triangles may be wrong (1 such polygons "
+    "in this file); correct it"));
   CHECK(crossed.Log->HasWarning(
     crossed.Path + ": 2 lines after the last element are not read; correct the counts"));
   Reading more("a.ply", MakeBinary(false) + "abc");
