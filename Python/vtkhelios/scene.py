@@ -231,7 +231,7 @@ def _read_mesh(source):
     if isinstance(data, vtkPolyData):
         return (
             (data, None)
-            if has_instances(data) or not data.GetNumberOfPolys()
+            if has_instances(data) or not data.GetNumberOfPolys() + data.GetNumberOfStrips()
             else triangulate(data)
         )
     made = read_polydata(data)

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of other libraries as a vtkPolyData of triangles; see Scene."""
 
+import importlib
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_ID_TYPE, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
+from .._pipeline import update
 from ._meshes import Mesh, read_parts
 
 FACE_IDS = "FaceIds"  # of the polygons that triangles are made of, while a mesh is converted
@@ -31,21 +34,17 @@ def read_polydata(source):
 
 def triangulate(mesh):
     """(mesh of triangles, polygon of each triangle); the mesh itself and None if it has nothing else."""
-    polys = mesh.GetPolys()
-    if mesh.GetNumberOfCells() == polys.GetNumberOfCells() and polys.IsHomogeneous() in (0, 3):
+    cutter = getattr(importlib.import_module("vtkhelios"), "vtkHeliosTriangulate")()
+    if cutter.HasOnlyTriangles(mesh):
         return mesh, None
     numbered = vtkPolyData()
     numbered.ShallowCopy(mesh)
     ids = numpy_to_vtk(np.arange(mesh.GetNumberOfCells()), deep=1)
     ids.SetName(FACE_IDS)
     numbered.GetCellData().AddArray(ids)
-    cutter = vtkTriangleFilter()
-    cutter.PassVertsOff()
-    cutter.PassLinesOff()
     cutter.SetInputDataObject(numbered)
-    cutter.Update()
     triangles = vtkPolyData()
-    triangles.ShallowCopy(cutter.GetOutput())
+    triangles.ShallowCopy(update(cutter))
     faces = vtk_to_numpy(triangles.GetCellData().GetArray(FACE_IDS)).copy()
     triangles.GetCellData().RemoveArray(FACE_IDS)
     return triangles, faces

@@ -214,7 +214,7 @@ bool SurveyLoader::SetMesh(RunSettings& settings)
   if (now != this->TakenMesh)
   {
     this->TakenMesh = {};
-    this->Mesh = input ? MakeTriangles(input) : nullptr;
+    this->Mesh = input ? MakeTriangles(input, "the input mesh", this->Log) : nullptr;
     const bool isEmpty = !this->Mesh ||
       (this->Mesh->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(this->Mesh));
     if (input && isEmpty)
@@ -338,8 +338,8 @@ bool SurveyLoader::LoadTextures(const StepCallback& onStep)
 /// Takes the scene of the inputs in place of the survey's.
 bool SurveyLoader::UseGivenScene()
 {
-  this->Scene =
-    this->Inputs.Scene ? MakeTriangles(this->Inputs.Scene) : vtkSmartPointer<vtkPolyData>::New();
+  this->Scene = this->Inputs.Scene ? MakeTriangles(this->Inputs.Scene, "the input scene", this->Log)
+                                   : vtkSmartPointer<vtkPolyData>::New();
   this->Grids.assign(this->Inputs.Grids.begin(), this->Inputs.Grids.end());
   if (!this->Scene ||
     (this->Scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(this->Scene) &&

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneInput.h"
 
+#include "heliosMessages.h"
+#include "vtkHeliosTriangulate.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>
 #include <vtkCompositeDataGeometryFilter.h>
@@ -9,20 +12,14 @@
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkTriangleFilter.h>
 
 namespace helios
 {
 
 namespace
 {
-
-bool HasOnlyTriangles(vtkPolyData* mesh)
-{
-  return mesh->GetNumberOfCells() == mesh->GetNumberOfPolys() &&
-    (mesh->GetNumberOfPolys() == 0 || mesh->GetPolys()->IsHomogeneous() == 3);
-}
 
 template <typename FilterT>
 vtkSmartPointer<vtkPolyData> Pass(FilterT* filter, vtkDataObject* data)
@@ -56,16 +53,16 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeTriangles(vtkDataObject* data)
+vtkSmartPointer<vtkPolyData> MakeTriangles(
+  vtkDataObject* data, const std::string& name, Messages& log)
 {
   const vtkSmartPointer<vtkPolyData> surface = MakeSurface(data);
-  if (!surface || HasOnlyTriangles(surface))
+  if (!surface || vtkHeliosTriangulate::HasOnlyTriangles(surface))
   {
-    return surface;
+    return surface; // with its instances
   }
-  auto filter = vtkSmartPointer<vtkTriangleFilter>::New();
-  filter->PassVertsOff();
-  filter->PassLinesOff();
+  vtkNew<vtkHeliosTriangulate> filter;
+  log.Listen(filter.Get(), name + ": ");
   return Pass(filter.Get(), surface);
 }
 

@@ -7,17 +7,23 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+
 class vtkDataObject;
 class vtkPolyData;
 
 namespace helios
 {
 
+class Messages;
+
 /**
  * The surfaces of a vtkPolyData, another vtkDataSet or a composite data set as triangles, with their
- * cell data. The arrays of a mesh that has only triangles are shared. Null for other data.
+ * cell data. The arrays of a mesh that has only triangles are shared. Null for other data. Warnings
+ * start with its name.
  */
-vtkSmartPointer<vtkPolyData> MakeTriangles(vtkDataObject* data);
+vtkSmartPointer<vtkPolyData> MakeTriangles(
+  vtkDataObject* data, const std::string& name, Messages& log);
 
 } // namespace helios
 
