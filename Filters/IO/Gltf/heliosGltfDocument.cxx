@@ -26,9 +26,16 @@ constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
 constexpr std::int64_t LargestNumber = std::int64_t(1) << 53;
 
-/// Extensions that change the look only, or that are read.
-constexpr const char* Extensions[] = { "EXT_mesh_gpu_instancing", "KHR_mesh_quantization",
-  "KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_", "KHR_xmp" };
+/// Extensions that are read.
+constexpr const char* ReadExtensions[] = { "EXT_mesh_gpu_instancing", "KHR_mesh_quantization",
+  "KHR_node_visibility" };
+
+/// Words of extensions that change nothing of the default scene's triangles, of any vendor: looks,
+/// data about objects, behaviour.
+constexpr const char* HarmlessWords[] = { "_material", "_texture", "_light", "_xmp", "metadata",
+  "feature", "_audio", "animation", "interactiv", "physics", "rigid", "collider", "_shapes",
+  "outline", "_lod", "packing", "image", "environment", "_sky", "annotation", "selectab", "hover",
+  "license", "blend", "techniques", "ngon", "manifold", "_bim", "VRM", "camera", "articulation" };
 
 std::uint32_t ReadUnsigned(std::string_view bytes, std::size_t at)
 {
@@ -36,10 +43,14 @@ std::uint32_t ReadUnsigned(std::string_view bytes, std::size_t at)
   return byte(0) | byte(1) << 8 | byte(2) << 16 | static_cast<std::uint32_t>(byte(3)) << 24;
 }
 
+/// Compression is none of looks, whatever of.
 bool IsSupported(const std::string& extension)
 {
-  return std::any_of(std::begin(Extensions), std::end(Extensions),
-    [&extension](const char* known) { return extension.rfind(known, 0) == 0; });
+  const auto has = [&extension](const char* word)
+  { return extension.find(word) != std::string::npos; };
+  return std::find(std::begin(ReadExtensions), std::end(ReadExtensions), extension) !=
+    std::end(ReadExtensions) ||
+    (!has("compression") && std::any_of(std::begin(HarmlessWords), std::end(HarmlessWords), has));
 }
 
 } // namespace
@@ -116,7 +127,9 @@ Status GltfDocument::CheckExtensions() const
     if (!required[i].isString() || !IsSupported(required[i].asString()))
     {
       return this->Fail(ElementPath("extensionsRequired", i),
-        Describe(required[i]) + " is not supported; export without it (without compression)");
+        Describe(required[i]) +
+          " is not supported, and may change the geometry; export without it (without "
+          "compression)");
     }
   }
   return {};

@@ -32,8 +32,9 @@ enum Mode : std::int64_t
 class PrimitiveReader
 {
 public:
-  PrimitiveReader(GltfDocument& document, GltfMesh& mesh)
+  PrimitiveReader(GltfDocument& document, const std::vector<double>& weights, GltfMesh& mesh)
     : Document(document)
+    , Weights(weights)
     , Mesh(mesh)
   {
   }
@@ -76,7 +77,8 @@ private:
       return this->Document.Fail(where, "is missing; write the file again");
     }
     GltfNumbers points;
-    const Status status = ReadAccessor(this->Document, value, where, "VEC3", points);
+    Status status = ReadAccessor(this->Document, value, where, "VEC3", points);
+    status = status.IsOk() ? this->AddTargets(primitive, path, points) : status;
     if (!status.IsOk())
     {
       return status;
@@ -96,6 +98,45 @@ private:
       ? Status()
       : this->Document.Fail(
           where, "the mesh has more than " + std::to_string(MostCorners) + " vertices; split it");
+  }
+
+  /// Moves vertices by weight times displacement of each morph target.
+  Status AddTargets(const Json::Value& primitive, const std::string& path, GltfNumbers& points)
+  {
+    const Json::Value& targets = GetMember(primitive, "targets");
+    const std::size_t count = targets.isArray() ? targets.size() : 0;
+    if (!this->Weights.empty() && this->Weights.size() != count)
+    {
+      return this->Document.Fail(path + ".targets",
+        "has " + std::to_string(count) + " morph targets, and the mesh is placed with " +
+          std::to_string(this->Weights.size()) + " weights; correct weights, or add targets");
+    }
+    for (std::size_t i = 0; i < this->Weights.size(); ++i)
+    {
+      const std::string where =
+        ElementPath((path + ".targets").c_str(), static_cast<std::int64_t>(i)) + ".POSITION";
+      const Json::Value& value = GetMember(targets[static_cast<Json::ArrayIndex>(i)], "POSITION");
+      if (this->Weights[i] == 0.0 || value.isNull())
+      {
+        continue;
+      }
+      GltfNumbers moves;
+      const Status status = ReadAccessor(this->Document, value, where, "VEC3", moves);
+      if (!status.IsOk())
+      {
+        return status;
+      }
+      if (moves.GetCount() != points.GetCount())
+      {
+        return this->Document.Fail(where,
+          "has " + std::to_string(moves.GetCount()) + " elements, and the primitive has " +
+            std::to_string(points.GetCount()) + " vertices; write the file again");
+      }
+      std::transform(points.Values.begin(), points.Values.end(), moves.Values.begin(),
+        points.Values.begin(),
+        [weight = this->Weights[i]](double x, double move) { return x + weight * move; });
+    }
+    return {};
   }
 
   Status ReadIndices(const Json::Value& primitive, const std::string& path)
@@ -156,6 +197,7 @@ private:
   }
 
   GltfDocument& Document;
+  const std::vector<double>& Weights;
   GltfMesh& Mesh;
   int Material = -1; // of the current primitive
   std::int64_t FirstPoint = 0;
@@ -166,7 +208,8 @@ private:
 } // namespace
 
 //------------------------------------------------------------------------------
-Status ReadGltfMesh(GltfDocument& document, std::int64_t index, GltfMesh& mesh)
+Status ReadGltfMesh(
+  GltfDocument& document, std::int64_t index, const std::vector<double>& weights, GltfMesh& mesh)
 {
   const Json::Value& primitives = GetMember(document.GetElement("meshes", index), "primitives");
   const std::string path = ElementPath("meshes", index) + ".primitives";
@@ -175,7 +218,7 @@ Status ReadGltfMesh(GltfDocument& document, std::int64_t index, GltfMesh& mesh)
     return document.Fail(
       path, "is " + Describe(primitives) + ", not a list of primitives; write the file again");
   }
-  PrimitiveReader reader(document, mesh);
+  PrimitiveReader reader(document, weights, mesh);
   for (Json::ArrayIndex i = 0; i < primitives.size(); ++i)
   {
     const std::string where = ElementPath(path.c_str(), i);

@@ -32,7 +32,9 @@ struct GltfMesh
 };
 
 /// Reads the primitives of a mesh that are triangles, strips or fans; points and lines are skipped.
-Status ReadGltfMesh(GltfDocument& document, std::int64_t index, GltfMesh& mesh);
+/// Vertices are moved by the morph targets that have a weight; without weights, by none.
+Status ReadGltfMesh(
+  GltfDocument& document, std::int64_t index, const std::vector<double>& weights, GltfMesh& mesh);
 
 } // namespace helios
 

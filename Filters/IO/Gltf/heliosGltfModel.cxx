@@ -45,6 +45,7 @@ Status GltfModel::ReadFile(const std::string& path)
   if (status.IsOk())
   {
     this->WarnOfMotion();
+    WarnOfCutouts(this->Mesh, this->Cutouts, this->Report);
   }
   return status;
 }
@@ -76,8 +77,25 @@ Status GltfModel::ReadMaterials()
       material.Reflectance = GetLuminance(factors);
     }
     this->Mesh.Materials.push_back(material);
+    this->FindCutout(i);
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// A texture whose transparency is shown.
+void GltfModel::FindCutout(std::int64_t material)
+{
+  const Json::Value& given = this->Document.GetElement("materials", material);
+  const std::string mode = GetText(given, "alphaMode");
+  const Json::Value& texture =
+    GetMember(GetMember(given, "pbrMetallicRoughness"), "baseColorTexture");
+  if ((mode == "MASK" || mode == "BLEND") && !texture.isNull())
+  {
+    this->Cutouts.push_back({ static_cast<int>(material), this->Document.GetPath() + ": ",
+      ElementPath("materials", material) + ".alphaMode: " + mode + " of material " +
+        Quote(this->Mesh.Materials.back().Name) });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -85,9 +103,10 @@ Status GltfModel::ReadMeshes()
 {
   for (const GltfPlacement& placement : this->Placements)
   {
-    const auto [mesh, isNew] = this->Meshes.emplace(placement.Mesh, GltfMesh());
-    const Status status =
-      isNew ? ReadGltfMesh(this->Document, placement.Mesh, mesh->second) : Status();
+    const auto [mesh, isNew] = this->Meshes.emplace(GetKey(placement), GltfMesh());
+    const Status status = isNew
+      ? ReadGltfMesh(this->Document, placement.Mesh, placement.Weights, mesh->second)
+      : Status();
     if (!status.IsOk())
     {
       return status;
@@ -104,7 +123,7 @@ Status GltfModel::CheckSize() const
   double points = 0.0;
   for (const GltfPlacement& placement : this->Placements)
   {
-    const GltfMesh& mesh = this->Meshes.at(placement.Mesh);
+    const GltfMesh& mesh = this->Meshes.at(GetKey(placement));
     triangles += static_cast<double>(mesh.Materials.size());
     points += static_cast<double>(mesh.Points.size()) / 3.0;
   }
@@ -143,7 +162,7 @@ Status GltfModel::AddMeshes()
 /// A mirrored mesh is turned outside again.
 Status GltfModel::AddMesh(const GltfPlacement& placement)
 {
-  const GltfMesh& mesh = this->Meshes.at(placement.Mesh);
+  const GltfMesh& mesh = this->Meshes.at(GetKey(placement));
   const auto first = static_cast<vtkTypeInt32>(this->Mesh.GetNumberOfPoints());
   for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
   {

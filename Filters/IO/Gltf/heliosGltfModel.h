@@ -5,6 +5,7 @@
 #ifndef heliosGltfModel_h
 #define heliosGltfModel_h
 
+#include "heliosCutouts.h"
 #include "heliosGltfDocument.h"
 #include "heliosGltfMesh.h"
 #include "heliosGltfNodes.h"
@@ -16,6 +17,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -38,6 +40,14 @@ public:
   bool Read(const std::string& path);
 
 private:
+  /// A mesh, and the weights of its morph targets.
+  using MeshKey = std::pair<std::int64_t, std::vector<double>>;
+
+  static MeshKey GetKey(const GltfPlacement& placement)
+  {
+    return { placement.Mesh, placement.Weights };
+  }
+  void FindCutout(std::int64_t material);
   Status ReadFile(const std::string& path);
   Status ReadMaterials();
   Status ReadMeshes();
@@ -51,8 +61,9 @@ private:
   TextReport& Report;
   GltfDocument Document;
   std::vector<GltfPlacement> Placements;
-  std::map<std::int64_t, GltfMesh> Meshes; // that are placed
-  int DefaultRow = -1;                     // of triangles without material; -1: none yet
+  std::map<MeshKey, GltfMesh> Meshes; // that are placed
+  std::vector<Cutout> Cutouts;
+  int DefaultRow = -1; // of triangles without material; -1: none yet
 };
 
 } // namespace helios

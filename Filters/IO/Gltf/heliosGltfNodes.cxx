@@ -15,6 +15,7 @@ namespace
 {
 
 constexpr const char* Instancing = "EXT_mesh_gpu_instancing";
+constexpr const char* Visibility = "KHR_node_visibility";
 
 bool IsRotation(const double* q)
 {
@@ -114,8 +115,10 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   this->IsVisited[static_cast<std::size_t>(index)] = true;
   const Json::Value& node = this->Document.GetElement("nodes", index);
   GltfTransform local;
-  Status status = this->ReadPlace(node, where, local);
-  if (!status.IsOk())
+  bool isVisible = true;
+  Status status = this->ReadVisibility(node, where, isVisible);
+  status = status.IsOk() ? this->ReadPlace(node, where, local) : status;
+  if (!status.IsOk() || !isVisible)
   {
     return status;
   }
@@ -130,6 +133,7 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   if (!mesh.isNull())
   {
     status = this->Document.FindIndex("meshes", mesh, where + ".mesh", placement.Mesh);
+    status = status.IsOk() ? this->ReadWeights(node, placement) : status;
     if (status.IsOk() && instances.isObject())
     {
       status = this->AddInstances(
@@ -143,6 +147,45 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   return status.IsOk()
     ? this->AddNodes(GetMember(node, "children"), where + ".children", placement.Place, visits)
     : status;
+}
+
+//------------------------------------------------------------------------------
+Status GltfNodes::ReadVisibility(
+  const Json::Value& node, const std::string& where, bool& isVisible) const
+{
+  const Json::Value& value =
+    GetMember(GetMember(GetMember(node, "extensions"), Visibility), "visible");
+  isVisible = !value.isBool() || value.asBool();
+  return value.isNull() || value.isBool()
+    ? Status()
+    : this->Document.Fail(where + ".extensions." + Visibility + ".visible",
+        "is " + Describe(value) + ", not true or false; correct it");
+}
+
+//------------------------------------------------------------------------------
+/// The weights of morph targets: those of the node, else of its mesh.
+Status GltfNodes::ReadWeights(const Json::Value& node, GltfPlacement& placement) const
+{
+  const Json::Value& own = GetMember(node, "weights");
+  const Json::Value& given =
+    own.isNull() ? GetMember(this->Document.GetElement("meshes", placement.Mesh), "weights") : own;
+  if (given.isNull())
+  {
+    return {};
+  }
+  placement.Weights.resize(given.isArray() ? given.size() : 0);
+  if (!given.isArray() || !ReadNumbers(given, placement.Weights.data(), placement.Weights.size()))
+  {
+    return this->Document.Fail(own.isNull() ? ElementPath("meshes", placement.Mesh) + ".weights"
+                                            : ElementPath("nodes", placement.Node) + ".weights",
+      "is " + Describe(given) + ", not a list of finite numbers; correct it");
+  }
+  const auto& all = placement.Weights;
+  if (std::all_of(all.begin(), all.end(), [](double weight) { return weight == 0.0; }))
+  {
+    placement.Weights.clear();
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

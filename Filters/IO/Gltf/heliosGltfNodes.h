@@ -23,9 +23,11 @@ struct GltfPlacement
   std::int64_t Mesh = 0;
   std::int64_t Node = 0;
   GltfTransform Place;
+  std::vector<double> Weights{}; ///< of the morph targets of the mesh; empty: all 0
 };
 
-/// Finds the placements of the default scene; without scenes, of all nodes.
+/// Finds the placements of the default scene; without scenes, of all nodes. Nodes that are not
+/// visible are left out, with their children.
 class GltfNodes
 {
 public:
@@ -45,6 +47,8 @@ private:
   Status AddNodes(const Json::Value& list, const std::string& where, const GltfTransform& parent,
     std::vector<Visit>& visits) const;
   Status AddNode(const Visit& visit, std::vector<Visit>& visits);
+  Status ReadVisibility(const Json::Value& node, const std::string& where, bool& isVisible) const;
+  Status ReadWeights(const Json::Value& node, GltfPlacement& placement) const;
   Status ReadPlace(const Json::Value& node, const std::string& where, GltfTransform& place) const;
   Status AddInstances(
     const Json::Value& attributes, const std::string& where, const GltfPlacement& node);

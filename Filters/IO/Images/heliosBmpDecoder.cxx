@@ -26,6 +26,7 @@ constexpr std::size_t InfoHeaderSize = 40; // of Windows
 constexpr std::size_t LongestHeader = 124;
 constexpr std::size_t MasksAt = 40; // in a header, or behind it
 constexpr std::size_t MaskBytes = 12;
+constexpr std::size_t AlphaMaskAt = 52;  // of headers that have one
 constexpr int ColorsUsed = 32;           // its place in a header
 constexpr double MostRowsPerByte = 64.0; // of runs, which can leave out pixels: 255 rows by a move,
 constexpr double MostPixelsPerByte = 1e4; // or the rest of a row
@@ -276,6 +277,8 @@ Status BmpDecoder::ReadHeader(StoredImage& stored)
   {
     return Status::Error(this->Fault);
   }
+  stored.HasAlpha =
+    this->HasMasks() && this->HeaderSize >= AlphaMaskAt + 4 && this->Get(AlphaMaskAt, 4) != 0;
   stored.Columns = this->Columns;
   stored.Rows = this->Rows;
   const std::int64_t rowBytes = this->GetRowSize();

@@ -160,6 +160,7 @@ void OpenImage::SetHeader()
   this->Header.Height = static_cast<int>(isTransposed ? s.Columns : s.Rows);
   this->Header.BytesPerPixel =
     (HasRows(s.Orientation) ? 1.0 : 2.0) * Channels + s.ExtraBytesPerPixel;
+  this->Header.HasAlpha = s.HasAlpha;
   if (s.ExifOrientation != 1)
   {
     this->Header.Warning = this->Path + ": EXIF orientation " + std::to_string(s.ExifOrientation) +

@@ -28,6 +28,7 @@ struct ImageHeader
   int Width = 0;      ///< [pixels]
   int Height = 0;
   double BytesPerPixel = 3.0; ///< of memory while it is read, at most
+  bool HasAlpha = false;      ///< transparency, which is ignored
   std::string Warning;        ///< of what is not applied; empty: none
 
   double CountPixels() const { return static_cast<double>(this->Width) * this->Height; }

@@ -46,6 +46,7 @@ struct StoredImage
   double ExtraBytesPerPixel = 0.0; ///< of memory beside the 3 of the pixels, while it is read
   double LeastBytes = 0.0;         ///< that the pixels have in any file
   int ExifOrientation = 1;         ///< which is not applied
+  bool HasAlpha = false;           ///< which is ignored
 
   double CountPixels() const
   {

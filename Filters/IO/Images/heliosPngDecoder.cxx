@@ -118,6 +118,8 @@ Status PngDecoder::ReadHeader(StoredImage& stored)
   stored.Columns = png_get_image_width(this->Png, this->Info);
   stored.Rows = png_get_image_height(this->Png, this->Info);
   stored.LeastBytes = this->CountLeastBytes();
+  stored.HasAlpha = (png_get_color_type(this->Png, this->Info) & PNG_COLOR_MASK_ALPHA) != 0 ||
+    png_get_valid(this->Png, this->Info, PNG_INFO_tRNS) != 0;
   stored.ExtraBytesPerPixel = static_cast<double>(sizeof(png_bytep)) /
     static_cast<double>(stored.Columns > 0 ? stored.Columns : 1);
   return {};

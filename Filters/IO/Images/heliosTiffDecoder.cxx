@@ -82,6 +82,7 @@ private:
   bool ReadBlock(std::int64_t column, std::int64_t row, std::int64_t rowCount);
   Status MakeError() const;
   std::uint16_t GetShort(std::uint32_t tag) const;
+  bool HasAlpha() const;
   bool IsTiled() const { return TIFFIsTiled(this->Tiff.get()) != 0; }
 
   ImageFile File;
@@ -227,6 +228,16 @@ Status TiffDecoder::FindLayout()
   return {};
 }
 
+bool TiffDecoder::HasAlpha() const
+{
+  std::uint16_t count = 0;
+  std::uint16_t* kinds = nullptr;
+  return TIFFGetFieldDefaulted(this->Tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds) != 0 &&
+    std::any_of(kinds, kinds + count,
+      [](std::uint16_t kind)
+      { return kind == EXTRASAMPLE_ASSOCALPHA || kind == EXTRASAMPLE_UNASSALPHA; });
+}
+
 Status TiffDecoder::ReadHeader(StoredImage& stored)
 {
   if (!this->Open())
@@ -255,6 +266,7 @@ Status TiffDecoder::ReadHeader(StoredImage& stored)
     planes * stored.CountPixels() / (isPlain ? 1.0 : LargestRatio);
   stored.ExtraBytesPerPixel =
     static_cast<double>(planes) * static_cast<double>(this->BlockSize) / stored.CountPixels();
+  stored.HasAlpha = this->HasAlpha();
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include "heliosMtlFile.h"
 
 #include "heliosImage.h"
+#include "heliosMtlCutout.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
@@ -132,6 +133,10 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
 {
   TextWords words(line);
   const std::string_view key = words.Next();
+  if (this->Started)
+  {
+    FindMtlCutout(file, key, words, this->CurrentColors.Shape);
+  }
   if (this->ReadsColors && this->Started && key == "map_Kd")
   {
     return this->ReadTexture(file, words);
@@ -368,6 +373,12 @@ bool MtlFile::Finish(const std::string& path)
     this->Report.Warn(Place(path, this->StartLine) + "material " + Quote(this->Current.Name) +
       " was defined differently before; this definition is used");
     this->Materials[place->second] = this->Current;
+  }
+  if (!this->CurrentColors.Shape.What.empty())
+  {
+    this->CurrentColors.Shape.What += " of material " + Quote(this->Current.Name);
+    this->CurrentColors.Shape.Row = place->second;
+    this->Cutouts.push_back(this->CurrentColors.Shape);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #ifndef heliosMtlFile_h
 #define heliosMtlFile_h
 
+#include "heliosCutouts.h"
 #include "heliosMaterialTable.h"
 #include "heliosMtlOptics.h"
 #include "heliosTextFile.h"
@@ -47,6 +48,9 @@ public:
    */
   int Find(std::string_view name) const;
 
+  /// Materials with map_d, or a map_Kd that has transparency.
+  const std::vector<Cutout>& GetCutouts() const { return this->Cutouts; }
+
 private:
   struct Colors
   {
@@ -54,6 +58,7 @@ private:
     std::array<double, 3> Specular{};
     bool HasDiffuse = false;
     std::string Texture; // path; empty: none
+    Cutout Shape;        // of map_d, or of a texture with transparency; What is empty: none
   };
 
   bool ReadLine(TextFile& file, std::string_view line);
@@ -76,6 +81,7 @@ private:
   std::unordered_map<std::string, int> FirstWordRows; // -1: ambiguous
 
   bool ReadsColors = false;
+  std::vector<Cutout> Cutouts;
 
   // The current material.
   bool Started = false;

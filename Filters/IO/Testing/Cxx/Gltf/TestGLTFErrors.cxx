@@ -70,8 +70,14 @@ TEST_CASE("GLTFErrors: files that are no glTF 2.0", "[GLTFErrors]")
     { Change("\"scene\":0",
         "\"extensionsRequired\":[\"KHR_lights_punctual\",\"KHR_draco_mesh_"
         "compression\"]"),
-      ": extensionsRequired[1]: \"KHR_draco_mesh_compression\" is not supported; export without it "
-      "(without compression)" } });
+      ": extensionsRequired[1]: \"KHR_draco_mesh_compression\" is not supported, and may change "
+      "the geometry; export without it (without compression)" },
+    { Change("\"scene\":0", "\"extensionsRequired\":[\"ACME_tubes\"]"),
+      ": extensionsRequired[0]: \"ACME_tubes\" is not supported, and may change the geometry" },
+    { Change("\"scene\":0", "\"extensionsRequired\":[\"EXT_texture_compression\"]"),
+      ": extensionsRequired[0]: \"EXT_texture_compression\" is not supported" },
+    { Change("\"scene\":0", "\"extensionsRequired\":[7]"),
+      ": extensionsRequired[0]: 7 is not supported" } });
 }
 
 TEST_CASE("GLTFErrors: containers", "[GLTFErrors]")
