@@ -151,7 +151,8 @@ void FillAttributes(EchoArrays& arrays, pcl::PointCloud<PointEcho>& cloud)
   Fill(
     cloud, arrays.Get({ names::GpsTime }), [](PointEcho& p, double value) { p.gps_time = value; });
   Fill(cloud, arrays.Get({ names::ClassificationIds }),
-    [](PointEcho& p, double value) { p.classification = ToWhole<std::int32_t>(value); });
+    [](PointEcho& p, double value)
+    { p.classification = static_cast<std::uint32_t>(ToWhole<std::int32_t>(value)); });
   Fill(cloud, arrays.Get({ names::ReturnNumber }),
     [](PointEcho& p, double value) { p.return_number = ToWhole<std::uint8_t>(value); });
   Fill(cloud, arrays.Get({ names::NumberOfReturns }),
@@ -217,8 +218,8 @@ void AddAttributes(const pcl::PointCloud<PointEcho>& cloud, vtkPolyData* echoes)
     cloud, echoes, names::GpsTime, [](const PointEcho& p) { return p.gps_time; });
   AddArray<vtkTypeInt64Array>(
     cloud, echoes, names::PulseIds, [](const PointEcho& p) { return p.pulse_id; });
-  AddArray<vtkIntArray>(
-    cloud, echoes, names::ClassificationIds, [](const PointEcho& p) { return p.classification; });
+  AddArray<vtkIntArray>(cloud, echoes, names::ClassificationIds,
+    [](const PointEcho& p) { return static_cast<std::int32_t>(p.classification); });
   AddArray<vtkUnsignedCharArray>(
     cloud, echoes, names::ReturnNumber, [](const PointEcho& p) { return p.return_number; });
   AddArray<vtkUnsignedCharArray>(

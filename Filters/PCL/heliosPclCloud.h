@@ -26,8 +26,8 @@ class vtkPolyData;
 namespace helios
 {
 
-/// An echo with the attributes of a real scanner. Its PCD fields have the names of the vtkHelios
-/// arrays, so pcl::io::loadPCDFile reads files of vtkHeliosPCDWriter.
+/// An echo with the attributes of a real scanner. Its PCD fields have the names that
+/// vtkHeliosPCDWriter gives the arrays, so pcl::io::loadPCDFile reads its files.
 struct EIGEN_ALIGN16 PointEcho
 {
   PCL_ADD_POINT4D
@@ -35,7 +35,7 @@ struct EIGEN_ALIGN16 PointEcho
   float width = 0.0F;                 ///< full width at half maximum [ns]
   double gps_time = 0.0;              ///< [s]
   std::int64_t pulse_id = 0;          ///< over the run
-  std::int32_t classification = 0;    ///< LAS class
+  std::uint32_t classification = 0;   ///< LAS class; the label of PCL
   std::uint8_t return_number = 0;     ///< from 1
   std::uint8_t number_of_returns = 0; ///< of the pulse
 
@@ -67,7 +67,7 @@ void FromPcl(const pcl::PointCloud<PointT>& cloud, const double origin[3], vtkPo
 POINT_CLOUD_REGISTER_POINT_STRUCT(helios::PointEcho,
   (float, x, x)(float, y, y)(float, z, z)(float, intensity, intensity)(float, width, EchoWidth)(
     double, gps_time, GpsTime)(std::int64_t, pulse_id, PulseIds)(
-    std::int32_t, classification, ClassificationIds)(std::uint8_t, return_number, ReturnNumber)(
+    std::uint32_t, classification, label)(std::uint8_t, return_number, ReturnNumber)(
     std::uint8_t, number_of_returns, NumberOfReturns))
 
 #endif

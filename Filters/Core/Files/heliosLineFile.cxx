@@ -19,9 +19,10 @@ namespace
 {
 
 constexpr std::size_t BlockSize = std::size_t(1) << 20;
+constexpr std::size_t HeadSize = std::size_t(1) << 16;
 
 /// Counts the line ends in the first bytes of a file.
-std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
+std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes, char lineBreak)
 {
   InputFile file(std::fopen(path.c_str(), "rb"));
   std::vector<char> block(BlockSize);
@@ -30,7 +31,8 @@ std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
   {
     const std::size_t size = static_cast<std::size_t>(std::min<std::int64_t>(bytes, BlockSize));
     const std::size_t read = std::fread(block.data(), 1, size, file.get());
-    count += std::count(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(read), '\n');
+    count +=
+      std::count(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(read), lineBreak);
     bytes = read > 0 ? bytes - static_cast<std::int64_t>(read) : 0;
   }
   return count;
@@ -62,10 +64,35 @@ Status OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
                : Status();
 }
 
+Status CheckEncoding(std::string_view bytes)
+{
+  const auto isZero = [bytes](std::size_t at) { return at < bytes.size() && bytes[at] == '\0'; };
+  const bool isMarked = bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF";
+  const bool isPlain = bytes.size() >= 4 && isZero(0) == isZero(2) && isZero(1) == isZero(3) &&
+    isZero(0) != isZero(1); // of ASCII characters
+  return isMarked || isPlain
+    ? Status::Error(
+        "is text of UTF-16 or UTF-32; save it as UTF-8, such as by iconv -f UTF-16 -t UTF-8")
+    : Status();
+}
+
 Status LineFile::Open(const std::string& path)
 {
   this->Path = path;
-  return OpenInput(path, this->File, this->Size);
+  const Status status = OpenInput(path, this->File, this->Size);
+  return status.IsOk() ? this->ReadHead() : status;
+}
+
+Status LineFile::ReadHead()
+{
+  std::vector<char> head(HeadSize);
+  const std::string_view bytes(
+    head.data(), std::fread(head.data(), 1, head.size(), this->File.get()));
+  const bool isOld = bytes.find('\n') == std::string_view::npos &&
+    bytes.substr(0, bytes.size() - (bytes.empty() ? 0 : 1)).find('\r') != std::string_view::npos;
+  this->LineBreak = isOld ? '\r' : '\n';
+  const Status status = CheckEncoding(bytes);
+  return status.IsOk() ? status : Status::Error(this->Path + ": " + status.Message());
 }
 
 void LineFile::SetRange(std::int64_t begin, std::int64_t end)
@@ -117,7 +144,8 @@ bool LineFile::FindLineEnd()
   for (;;)
   {
     const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
-    this->LineEnd = static_cast<char*>(std::memchr(this->Begin + searched, '\n', left - searched));
+    this->LineEnd =
+      static_cast<char*>(std::memchr(this->Begin + searched, this->LineBreak, left - searched));
     if (!this->LineEnd && this->AtEnd && left > 0)
     {
       this->LineEnd = this->End; // last line without line end
@@ -182,7 +210,7 @@ bool LineFile::NextLine(std::string_view& line)
 
 std::string LineFile::GetPlace() const
 {
-  return Place(this->Path, 1 + CountLineEnds(this->Path, this->LineStart));
+  return Place(this->Path, 1 + CountLineEnds(this->Path, this->LineStart, this->LineBreak));
 }
 
 } // namespace helios

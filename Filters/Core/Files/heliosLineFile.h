@@ -22,6 +22,9 @@ namespace helios
 /// "path:line: ", the start of a message.
 VTKHELIOSFILTERSCORE_EXPORT std::string Place(const std::string& path, std::int64_t line);
 
+/// An error if the first bytes of a text file are UTF-16 or UTF-32.
+VTKHELIOSFILTERSCORE_EXPORT Status CheckEncoding(std::string_view bytes);
+
 struct FileCloser
 {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -43,7 +46,7 @@ public:
   /// Called after every block with the total number of bytes read; returning false stops reading.
   std::function<bool(std::int64_t)> OnBlock;
 
-  /// Opens a file. Call SetRange before NextLine.
+  /// Opens a file, which is not UTF-16, and finds what ends its lines. Call SetRange before NextLine.
   Status Open(const std::string& path);
 
   std::int64_t GetSize() const { return this->Size; }
@@ -58,8 +61,9 @@ public:
   void SetLongestLine(std::size_t length) { this->LongestLine = length; }
 
   /**
-   * The next line without its end (LF or CR LF) and without a byte-order mark; valid until the next
-   * call. False at the end of the range, after an error and when stopped.
+   * The next line without its end (LF or CR LF; CR in files that begin with such lines, as of old
+   * Macintosh) and without a byte-order mark; valid until the next call. False at the end of the
+   * range, after an error and when stopped.
    */
   bool NextLine(std::string_view& line);
 
@@ -75,6 +79,7 @@ public:
   const std::string& GetError() const { return this->Error; }
 
 private:
+  Status ReadHead();
   bool ReadBlock();
   bool FindLineEnd();
   void SkipLine();
@@ -82,6 +87,7 @@ private:
   std::string Path;
   std::string Error;
   InputFile File;
+  char LineBreak = '\n';
   std::int64_t Size = 0;
   std::int64_t Stop = 0; // lines that start here or later are not read
   std::int64_t Next = 0; // file position of Begin

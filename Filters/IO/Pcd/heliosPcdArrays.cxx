@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <new>
 
 namespace names = vtkHeliosArrayNames;
@@ -48,11 +49,6 @@ int GetVtkType(const PcdField& field)
     default:
       return isSigned ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
   }
-}
-
-int GetNormalAxis(const std::string& name)
-{
-  return name == "normal_x" ? 0 : name == "normal_y" ? 1 : name == "normal_z" ? 2 : -1;
 }
 
 template <typename T>
@@ -113,33 +109,28 @@ PcdArrays::PcdArrays(const PcdHeader& header)
 
 PcdArrays::~PcdArrays() = default;
 
-bool PcdArrays::HasNormals() const
+std::string PcdArrays::GetArrayName(const PcdField& field, PcdMeaning meaning) const
 {
-  const int x = this->Header.Find("normal_x");
-  for (const char* name : { "normal_x", "normal_y", "normal_z" })
+  switch (meaning)
   {
-    const int i = this->Header.Find(name);
-    if (i < 0 || this->Header.Fields[static_cast<std::size_t>(i)].Type != 'F' ||
-      this->Header.Fields[static_cast<std::size_t>(i)].Count != 1 ||
-      this->Header.Fields[static_cast<std::size_t>(i)].Size !=
-        this->Header.Fields[static_cast<std::size_t>(x)].Size)
-    {
-      return false;
-    }
+    case PcdMeaning::Normal:
+      return names::Normals;
+    case PcdMeaning::Color:
+      return names::RGB;
+    case PcdMeaning::Label:
+      return names::ClassificationIds;
+    case PcdMeaning::Curvature:
+      return CurvatureName;
+    case PcdMeaning::Intensity:
+      return this->Header.HasAmplitude ? names::Amplitude : names::Intensity;
+    default:
+      return field.Name;
   }
-  return this->Header.Find(names::Normals) < 0;
 }
 
-std::string PcdArrays::FindName(const std::string& field) const
+vtkDataArray* PcdArrays::AddArray(int type, const std::string& name, int components)
 {
-  const char* own = this->Header.HasAmplitude ? names::Amplitude : names::Intensity;
-  return field == "intensity" && this->Header.Find(own) < 0 ? own : field;
-}
-
-vtkDataArray* PcdArrays::AddArray(const PcdField& field, const std::string& name, int components)
-{
-  auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVtkType(field)));
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   const auto count = static_cast<vtkIdType>(this->Header.GetNumberOfPoints());
@@ -153,28 +144,66 @@ vtkDataArray* PcdArrays::AddArray(const PcdField& field, const std::string& name
 
 PcdArrays::Column PcdArrays::MakeColumn(const PcdField& field)
 {
+  const PcdRole role = GetPcdRole(this->Header, field);
+  const std::string name = this->GetArrayName(field, role.Meaning);
   Column column;
-  if (field.Name == "x" || field.Name == "y" || field.Name == "z")
-  {
-    column.Axis = field.Name[0] - 'x';
-    return column;
-  }
-  if (field.Name == "_")
-  {
-    return column;
-  }
-  const int axis = GetNormalAxis(field.Name);
-  if (axis >= 0 && this->HasNormals())
-  {
-    this->Normals = this->Normals ? this->Normals : this->AddArray(field, names::Normals, 3);
-    column.Array = this->Normals;
-    column.To = static_cast<std::size_t>(axis) * field.GetBytes();
-    column.TupleSize = 3 * field.GetBytes();
-    return column;
-  }
-  column.Array = this->AddArray(field, this->FindName(field.Name), field.Count);
+  column.Meaning = role.Meaning;
   column.TupleSize = field.GetBytes();
+  switch (role.Meaning)
+  {
+    case PcdMeaning::Padding:
+    case PcdMeaning::ColorCopy:
+      return column;
+    case PcdMeaning::Coordinate:
+      column.Axis = role.Axis;
+      return column;
+    case PcdMeaning::Normal:
+      this->Normals = this->Normals ? this->Normals : this->AddArray(GetVtkType(field), name, 3);
+      column.Array = this->Normals;
+      column.To = static_cast<std::size_t>(role.Axis) * field.GetBytes();
+      column.TupleSize = 3 * field.GetBytes();
+      return column;
+    case PcdMeaning::Color:
+      column.Array = this->AddArray(VTK_FLOAT, name, 3);
+      return column;
+    case PcdMeaning::Intensity:
+      if (this->Header.HasWholeIntensity && !this->Header.HasAmplitude && field.Type == 'F' &&
+        field.Count == 1)
+      {
+        column.Array = this->AddArray(VTK_UNSIGNED_SHORT, name, 1);
+        return column;
+      }
+      column.Meaning = PcdMeaning::Array;
+      break;
+    case PcdMeaning::Label: // negative classes have the bits of an int
+      column.Array = this->AddArray(field.Size == 4 ? VTK_INT : GetVtkType(field), name, 1);
+      return column;
+    default:
+      break;
+  }
+  column.Array = this->AddArray(GetVtkType(field), name, field.Count);
   return column;
+}
+
+/// Blue, green, red and alpha, as PCL packs them into the four bytes of a float or integer.
+void PcdArrays::StoreColor(const Column& column, const char* from)
+{
+  unsigned char bytes[4];
+  std::memcpy(bytes, from, sizeof(bytes));
+  auto* color = static_cast<float*>(column.Array->GetVoidPointer(0)) + 3 * this->Row;
+  for (int k = 0; k < 3; ++k)
+  {
+    color[k] = this->HasNoColor ? std::numeric_limits<float>::quiet_NaN()
+                                : static_cast<float>(bytes[2 - k]) / 255.0F;
+  }
+  this->NumberOfTransparent += !this->HasNoColor && bytes[3] != 0 && bytes[3] != 255;
+}
+
+void PcdArrays::StoreWhole(const Column& column, const char* from, int size) const
+{
+  const double value = std::clamp(std::round(ReadReal(from, size)), 0.0, 65535.0);
+  static_cast<unsigned short*>(column.Array->GetVoidPointer(0))[this->Row] =
+    std::isfinite(value) ? static_cast<unsigned short>(value) : 0;
 }
 
 void PcdArrays::Append(const char* row, const double point[3])
@@ -190,7 +219,15 @@ void PcdArrays::Append(const char* row, const double point[3])
   for (std::size_t i = 0; i < this->Columns.size(); ++i)
   {
     const Column& column = this->Columns[i];
-    if (column.Array)
+    if (column.Meaning == PcdMeaning::Color)
+    {
+      this->StoreColor(column, row + column.From);
+    }
+    else if (column.Meaning == PcdMeaning::Intensity)
+    {
+      this->StoreWhole(column, row + column.From, this->Header.Fields[i].Size);
+    }
+    else if (column.Array)
     {
       char* tuples = static_cast<char*>(column.Array->GetVoidPointer(0));
       std::memcpy(tuples + static_cast<std::size_t>(this->Row) * column.TupleSize + column.To,
@@ -219,6 +256,7 @@ Status PcdArrays::AddLine(std::string_view line)
   double point[3];
   std::int64_t number = 0;
   TextWords words(line);
+  this->HasNoColor = false;
   for (std::size_t i = 0; i < this->Columns.size(); ++i)
   {
     const PcdField& field = this->Header.Fields[i];
@@ -241,6 +279,9 @@ Status PcdArrays::AddLine(std::string_view line)
         return Status::Error(Quote(word) + " is not a number of type " + field.Type + " and size " +
           std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it");
       }
+      this->HasNoColor = this->HasNoColor ||
+        (this->Columns[i].Meaning == PcdMeaning::Color && field.Type == 'F' &&
+          std::isnan(ReadReal(to, field.Size)));
     }
   }
   if (!words.NextName().empty())

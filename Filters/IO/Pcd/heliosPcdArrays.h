@@ -6,6 +6,7 @@
 #define heliosPcdArrays_h
 
 #include "heliosPcdHeader.h"
+#include "heliosPcdNames.h"
 #include "heliosStatus.h"
 
 #include <vtkSmartPointer.h>
@@ -39,6 +40,8 @@ public:
 
   vtkIdType GetNumberOfRows() const { return this->Row + this->NumberOfDropped; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
+  /// The points whose colour has an alpha other than 0 and 255.
+  vtkIdType GetNumberOfTransparent() const { return this->NumberOfTransparent; }
 
   void MoveTo(vtkPolyData* output);
 
@@ -46,18 +49,20 @@ private:
   /// Destination of a field: an array and a byte offset in its tuple.
   struct Column
   {
-    vtkDataArray* Array = nullptr; // null: one of x y z, or padding
-    int Axis = -1;                 // of x y z
-    std::size_t From = 0;          // offset in the row
-    std::size_t To = 0;            // offset in the tuple
+    vtkDataArray* Array = nullptr; // null: one of x y z, or not read
+    PcdMeaning Meaning = PcdMeaning::Array;
+    int Axis = -1;        // of x y z
+    std::size_t From = 0; // offset in the row
+    std::size_t To = 0;   // offset in the tuple
     std::size_t TupleSize = 0;
   };
 
   Column MakeColumn(const PcdField& field);
-  vtkDataArray* AddArray(const PcdField& field, const std::string& name, int components);
-  std::string FindName(const std::string& field) const;
-  bool HasNormals() const;
+  vtkDataArray* AddArray(int type, const std::string& name, int components);
+  std::string GetArrayName(const PcdField& field, PcdMeaning meaning) const;
   void Append(const char* row, const double point[3]);
+  void StoreColor(const Column& column, const char* from);
+  void StoreWhole(const Column& column, const char* from, int size) const;
 
   const PcdHeader& Header;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
@@ -66,6 +71,8 @@ private:
   vtkSmartPointer<vtkDoubleArray> Points;
   vtkIdType Row = 0;
   vtkIdType NumberOfDropped = 0;
+  vtkIdType NumberOfTransparent = 0;
+  bool HasNoColor = false; // of a line: its colour is nan
   std::vector<char> Bytes; // of a line
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPcdHeader.h"
 
+#include "heliosPcdNames.h"
 #include "heliosStatus.h"
 #include "heliosTextFile.h"
 
@@ -21,6 +22,7 @@ constexpr std::string_view OriginMark = "# vtkHelios origin:";
 constexpr std::string_view EpochMark = "# vtkHelios GpsEpoch:";
 constexpr std::string_view CrsMark = "# vtkHelios CRS:";
 constexpr std::string_view AmplitudeMark = "# vtkHelios intensity: Amplitude";
+constexpr std::string_view WholeMark = "# vtkHelios intensity: Intensity, 16 bits";
 constexpr std::uint64_t MostPoints = std::uint64_t(1) << 40;
 constexpr int LargestCount = 100000;
 constexpr std::size_t LongestLine = 1 << 20;
@@ -71,10 +73,6 @@ public:
   /// Parses a line.
   Status ReadLine(std::string_view line)
   {
-    if (!line.empty() && line.back() == '\r')
-    {
-      line.remove_suffix(1);
-    }
     if (!line.empty() && line[0] == '#')
     {
       return this->ReadComment(line);
@@ -128,7 +126,7 @@ public:
     }
     for (const char* name : { "x", "y", "z" })
     {
-      const int field = header.Find(name);
+      const int field = FindPclField(header, name);
       if (field < 0)
       {
         return Status::Error(std::string("FIELDS has no ") + name + "; points need x, y and z");
@@ -179,11 +177,12 @@ private:
       if (!words.empty())
       {
         const char* end = words.back().data() + words.back().size();
-        header.Crs.assign(
-          words.front().data(), static_cast<std::size_t>(end - words.front().data()));
+        header.Crs = UnescapeText(
+          std::string(words.front().data(), static_cast<std::size_t>(end - words.front().data())));
       }
     }
     header.HasAmplitude = header.HasAmplitude || StartsWith(line, AmplitudeMark);
+    header.HasWholeIntensity = header.HasWholeIntensity || StartsWith(line, WholeMark);
     return {};
   }
 
@@ -225,8 +224,7 @@ private:
     }
     if (key == "VIEWPOINT")
     {
-      double numbers[7];
-      return words.size() == 7 && this->ToFinite(words, numbers)
+      return words.size() == 7 && this->ToFinite(words, this->Header.Viewpoint)
         ? Status()
         : Status::Error("VIEWPOINT is not seven numbers; without one write 0 0 0 1 0 0 0");
     }
@@ -253,7 +251,7 @@ private:
     for (const std::string_view word : words)
     {
       PcdField field;
-      field.Name = word;
+      field.Name = UnescapeText(std::string(word));
       if (field.Name != "_" && this->Header.Find(field.Name) >= 0)
       {
         return Status::Error("FIELDS has " + Quote(word) + " twice; rename one");
@@ -329,13 +327,19 @@ private:
   std::uint64_t Points = 0;
 };
 
-/// Reads a line without its end, truncated to the maximum length of a header line.
-bool GetLine(std::istream& file, std::string& line)
+/// Reads a line without its end (LF, CR LF or, of old Macintosh files, CR), truncated to the maximum
+/// length of a header line; adds its bytes to a position.
+bool GetLine(std::istream& file, std::string& line, std::uint64_t& position)
 {
   line.clear();
   for (int c = file.get(); c != std::char_traits<char>::eof(); c = file.get())
   {
-    if (c == '\n')
+    ++position;
+    if (c == '\r' && file.peek() == '\n')
+    {
+      continue;
+    }
+    if (c == '\n' || c == '\r')
     {
       return true;
     }
@@ -349,6 +353,12 @@ bool GetLine(std::istream& file, std::string& line)
 }
 
 } // namespace
+
+bool PcdHeader::IsPlainViewpoint() const
+{
+  const double plain[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
+  return std::equal(plain, plain + 7, this->Viewpoint);
+}
 
 std::size_t PcdHeader::GetRowSize() const
 {
@@ -384,13 +394,21 @@ int PcdHeader::Find(const std::string& name) const
 
 Status PcdHeader::Read(const std::string& path, std::istream& file)
 {
+  char head[4] = {};
+  file.read(head, sizeof(head));
+  const auto known = static_cast<std::size_t>(file.gcount());
+  file.clear();
+  file.seekg(0);
+  if (const Status encoding = CheckEncoding({ head, known }); !encoding.IsOk())
+  {
+    return Status::Error(path + ": " + encoding.Message());
+  }
   HeaderParser parser(*this);
   std::string line;
   std::int64_t number = 0;
-  while (!parser.IsAtData() && GetLine(file, line))
+  while (!parser.IsAtData() && GetLine(file, line, this->DataBegin))
   {
     const Status status = parser.ReadLine(line);
-    this->DataBegin += line.size() + 1;
     ++number;
     if (!status.IsOk())
     {
@@ -415,7 +433,7 @@ std::string PcdHeader::Format() const
   std::string counts = "COUNT";
   for (const PcdField& field : this->Fields)
   {
-    names += ' ' + field.Name;
+    names += ' ' + EscapeText(field.Name);
     sizes += ' ' + std::to_string(field.Size);
     types += std::string(" ") + field.Type;
     counts += ' ' + std::to_string(field.Count);
@@ -427,8 +445,10 @@ std::string PcdHeader::Format() const
       FormatNumber(this->Origin[1]) + ' ' + FormatNumber(this->Origin[2]) + '\n';
   }
   text += this->HasEpoch ? std::string(EpochMark) + ' ' + FormatNumber(this->Epoch) + '\n' : "";
-  text += this->Crs.empty() ? "" : std::string(CrsMark) + ' ' + this->Crs + '\n';
-  text += this->HasAmplitude ? std::string(AmplitudeMark) + " [W]\n" : "";
+  text += this->Crs.empty() ? "" : std::string(CrsMark) + ' ' + EscapeText(this->Crs) + '\n';
+  text += this->HasAmplitude  ? std::string(AmplitudeMark) + " [W]\n"
+    : this->HasWholeIntensity ? std::string(WholeMark) + '\n'
+                              : "";
   std::string number = std::to_string(this->GetNumberOfPoints());
   number.resize(std::max<std::size_t>(number.size(), 15), ' ');
   const char* storage = this->Storage == PcdStorage::Ascii ? "ascii" : "binary";

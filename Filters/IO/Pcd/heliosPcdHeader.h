@@ -53,24 +53,29 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   /// Stored in comments, so other programs can read the file.
   double Origin[3] = { 0.0, 0.0, 0.0 }; ///< to be added to x y z
   bool HasEpoch = false;
-  double Epoch = 0.0;        ///< epoch of GpsTime
-  std::string Crs;           ///< one line
-  bool HasAmplitude = false; ///< the field intensity is the amplitude [W]
+  double Epoch = 0.0;             ///< epoch of GpsTime
+  std::string Crs;                ///< one line
+  bool HasAmplitude = false;      ///< the field intensity is the amplitude [W]
+  bool HasWholeIntensity = false; ///< the field intensity has whole numbers of 16 bits
   ///@}
+
+  double Viewpoint[7] = { 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 };
 
   std::uint64_t DataBegin = 0; ///< first byte after the header
   std::int64_t DataLine = 0;   ///< its line, from 1
 
+  /// Whether VIEWPOINT is that of a cloud without one.
+  bool IsPlainViewpoint() const;
   std::uint64_t GetNumberOfPoints() const { return this->Width * this->Height; }
   std::size_t GetRowSize() const;
   std::int64_t GetNumberOfColumns() const;
-  /// The index of a field, or -1.
+  /// The index of the field with exactly this name, or -1.
   int Find(const std::string& name) const;
 
   /// Reads the header of a file. An error has path:line.
   Status Read(const std::string& path, std::istream& file);
 
-  /// Formats the header; its length is constant for any number of points below 1e15.
+  /// Formats the header in ASCII; its length is constant for any number of points below 1e15.
   std::string Format() const;
 };
 

@@ -4,6 +4,7 @@
 
 #include "heliosFiniteCheck.h"
 #include "heliosInputFile.h"
+#include "heliosLineFile.h"
 #include "heliosPcdArrays.h"
 #include "heliosStatus.h"
 #include "heliosTextFile.h"
@@ -23,6 +24,7 @@
 #include <fstream>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCDReader);
@@ -31,7 +33,8 @@ namespace
 {
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
-constexpr std::uint64_t MostLzfRatio = 100; // 3 bytes encode at most 264
+constexpr std::uint64_t LargestPage = 1 << 16; // [bytes]
+constexpr std::uint64_t MostLzfRatio = 100;    // 3 bytes encode at most 264
 
 } // namespace
 
@@ -85,6 +88,8 @@ public:
 
   helios::PcdArrays& GetArrays() { return *this->Arrays; }
 
+  const helios::PcdHeader& GetHeader() const { return this->Header; }
+
   /// Warning about bytes after the last point; empty: none.
   std::string Warning;
 
@@ -128,12 +133,19 @@ private:
 
   helios::Status ReadLines()
   {
+    helios::LineFile file;
+    const helios::Status opened = file.Open(this->Path);
+    if (!opened.IsOk())
+    {
+      return opened;
+    }
     const std::uint64_t count = this->Header.GetNumberOfPoints();
     std::uint64_t done = 0;
     std::int64_t number = this->Header.DataLine;
-    for (std::string line; std::getline(this->File, line); ++number)
+    file.SetRange(static_cast<std::int64_t>(this->Header.DataBegin), file.GetSize());
+    for (std::string_view line; file.NextLine(line); ++number)
     {
-      if (line.find_first_not_of(" \t\r") == std::string::npos)
+      if (line.find_first_not_of(" \t\r") == std::string_view::npos)
       {
         continue;
       }
@@ -150,6 +162,10 @@ private:
       {
         return helios::Status::Error(this->DescribeAbort(done));
       }
+    }
+    if (!file.GetError().empty())
+    {
+      return helios::Status::Error(file.GetError());
     }
     return done == count ? helios::Status()
                          : helios::Status::Error(helios::Place(this->Path, number) +
@@ -243,9 +259,24 @@ private:
     return {};
   }
 
+  /// Zeros up to the end of a page follow the points in files that PCL writes by mapping memory.
+  bool IsPadding(std::uint64_t size)
+  {
+    if (size >= LargestPage)
+    {
+      return false;
+    }
+    std::vector<char> rest(size);
+    const std::streampos place = this->File.tellg();
+    this->File.seekg(-static_cast<std::streamoff>(size), std::ios::end);
+    this->File.read(rest.data(), static_cast<std::streamsize>(size));
+    this->File.seekg(place);
+    return std::all_of(rest.begin(), rest.end(), [](char c) { return c == 0; });
+  }
+
   void WarnOfRest(std::uint64_t used)
   {
-    if (used < this->DataSize)
+    if (used < this->DataSize && !this->IsPadding(this->DataSize - used))
     {
       this->Warning = this->Path + ": " + std::to_string(this->DataSize - used) +
         " bytes after the last point are ignored; is POINTS right?";
@@ -298,6 +329,16 @@ bool vtkHeliosPCDReader::Read(vtkPolyData* output)
   {
     vtkWarningMacro(<< this->FileName << ": " << arrays.GetNumberOfDropped() << " of "
                     << arrays.GetNumberOfRows() << " points are not finite: dropped");
+  }
+  if (arrays.GetNumberOfTransparent() > 0)
+  {
+    vtkWarningMacro(<< this->FileName << ": the alpha of " << arrays.GetNumberOfTransparent()
+                    << " colours is dropped");
+  }
+  if (!work.GetHeader().IsPlainViewpoint())
+  {
+    vtkWarningMacro(<< this->FileName << ": its VIEWPOINT is not applied, as in PCL; x y z are "
+                    << "those of the file");
   }
   const vtkIdType kept = arrays.GetNumberOfRows() - arrays.GetNumberOfDropped();
   arrays.MoveTo(output);

@@ -45,7 +45,8 @@ void vtkHeliosPCDWriter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Precision: " << (this->Precision == Float ? "Float" : "Double") << "\n"
      << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
      << "\n"
-     << indent << "UseOrigin: " << this->UseOrigin << "\n";
+     << indent << "UseOrigin: " << this->UseOrigin << "\n"
+     << indent << "Resolution: " << this->Resolution << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -66,6 +67,7 @@ bool vtkHeliosPCDWriter::Open()
 {
   this->Header.reset();
   this->HasWarnedFar = false;
+  this->HasWarnedColors = false;
   const double* o = this->Origin;
   if (!std::isfinite(o[0]) || !std::isfinite(o[1]) || !std::isfinite(o[2]))
   {
@@ -82,6 +84,7 @@ bool vtkHeliosPCDWriter::Reopen(
 {
   this->Header.reset();
   this->HasWarnedFar = false;
+  this->HasWarnedColors = false;
   if (!this->Superclass::Reopen(fileSize, numberOfRecords, numberOfBytes))
   {
     return false;
@@ -105,20 +108,61 @@ bool vtkHeliosPCDWriter::Reopen(
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosPCDWriter::ChooseOrigin(const helios::PcdBlock& block, double origin[3]) const
+{
+  block.GetMiddle(origin);
+  if (this->UseOrigin)
+  {
+    std::copy(this->Origin, this->Origin + 3, origin);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Sets the first block, which decides on the types of the fields.
+helios::Status vtkHeliosPCDWriter::SetFirst(vtkPolyData* echoes, helios::PcdBlock& block) const
+{
+  helios::PcdBlock::Types types;
+  types.IsText = this->Storage == Ascii;
+  types.HasFloats = types.HasFloatPoints = this->Precision == Float;
+  types.HasFullColors = !types.HasFloats;
+  helios::Status status = block.Set(echoes, types);
+  if (!status.IsOk() || !types.HasFloats)
+  {
+    return status;
+  }
+  types.HasFullColors = block.HasFineColors();
+  if (this->Resolution > 0.0)
+  {
+    double origin[3];
+    this->ChooseOrigin(block, origin);
+    types.HasFloatPoints = block.FindLargestError(origin) <= 0.5 * this->Resolution;
+  }
+  return block.Set(echoes, types);
+}
+
+//------------------------------------------------------------------------------
+helios::Status vtkHeliosPCDWriter::SetNext(vtkPolyData* echoes, helios::PcdBlock& block) const
+{
+  helios::PcdBlock::Types types;
+  types.IsText = this->Header->Storage == helios::PcdStorage::Ascii;
+  types.HasFloatPoints = this->Header->Fields[0].Size == 4;
+  types.HasFloats = this->Precision == Float;
+  types.HasFullColors = this->Header->Find(vtkHeliosArrayNames::RGB) >= 0;
+  return block.Set(echoes, types);
+}
+
+//------------------------------------------------------------------------------
 /// Creates the header from the first block.
 bool vtkHeliosPCDWriter::MakeHeader(vtkPolyData* echoes, const helios::PcdBlock& block)
 {
   auto header = std::make_unique<helios::PcdHeader>();
   header->Fields = block.GetFields();
   header->HasAmplitude = block.HasAmplitude();
+  header->HasWholeIntensity = block.HasWholeIntensity();
   header->Storage = this->Storage == Ascii ? helios::PcdStorage::Ascii : helios::PcdStorage::Binary;
-  if (this->Precision == Float)
+  if (header->Fields[0].Size == 4)
   {
-    block.GetMiddle(header->Origin);
-    if (this->UseOrigin)
-    {
-      std::copy(this->Origin, this->Origin + 3, header->Origin);
-    }
+    this->ChooseOrigin(block, header->Origin);
   }
   header->Crs = helios::GetCRS(echoes);
   std::replace_if(
@@ -165,7 +209,23 @@ void vtkHeliosPCDWriter::Warn(const helios::PcdBlock& block, vtkIdType count)
     vtkWarningMacro(<< this->GetOpenName() << ": " << block.GetNumberOfDropped() << " of " << count
                     << " points of a block are not finite: left out");
   }
-  if (block.GetLargestError() >= LargestError && !this->HasWarnedFar)
+  if (block.HasFineColors() && !this->HasWarnedColors &&
+    this->Header->Find(vtkHeliosArrayNames::RGB) < 0)
+  {
+    this->HasWarnedColors = true;
+    vtkWarningMacro(<< this->GetOpenName() << ": colours are stored in 8 bits, as those of the "
+                    << "first block; set Precision to Double for all bits");
+  }
+  const double limit = this->Resolution > 0.0 ? 0.5 * this->Resolution : LargestError;
+  if (block.GetLargestError() > limit && this->Resolution > 0.0 && !this->HasWarnedFar)
+  {
+    this->HasWarnedFar = true;
+    vtkWarningMacro(<< this->GetOpenName() << ": as float, a coordinate is "
+                    << block.GetLargestError() << " off, more than half of the Resolution "
+                    << this->Resolution << ", which the first block kept; set Precision to Double. "
+                    << "Further ones are not reported");
+  }
+  if (block.GetLargestError() >= limit && !this->HasWarnedFar)
   {
     this->HasWarnedFar = true;
     vtkWarningMacro(<< this->GetOpenName() << ": as float, a coordinate is "
@@ -188,8 +248,8 @@ bool vtkHeliosPCDWriter::Write(vtkDataObject* data)
     return true;
   }
   helios::PcdBlock block;
-  const bool isFloat = this->Header ? this->Header->Fields[0].Size == 4 : this->Precision == Float;
-  const helios::Status status = block.Set(echoes, isFloat);
+  const helios::Status status =
+    this->Header ? this->SetNext(echoes, block) : this->SetFirst(echoes, block);
   if (!status.IsOk())
   {
     return this->Refuse(status.Message());

@@ -8,17 +8,20 @@
  * - x, y, z; with Precision Float relative to an origin, which the header gives in a comment that
  *   other programs skip: "# vtkHelios origin: x y z". The point types of PCL are float, and UTM
  *   northings in float are off by half a metre;
- * - intensity: Amplitude [W]; a comment states so;
- * - normal_x, normal_y, normal_z: Normals;
+ * - intensity: Amplitude [W], else Intensity; a comment states which;
+ * - rgb: RGB in 8 bits, packed as PCL does; if the first block has finer colours, or with Precision
+ *   Double, RGB is a further field;
+ * - label: ClassificationIds, 32 bits; normal_x, normal_y, normal_z: Normals; curvature: Curvature;
  * - every other numeric point array, by its name (with _ for blanks) and type, COUNT its
- *   components. Bit and string arrays are dropped.
- * With Precision Float, x y z, intensity, the normals and EchoWidth are float, as required by the
- * PCL point types and helios::PointEcho; other arrays keep their type, such as the 64 bits of
- * GpsTime. With Double all arrays keep their type, x y z are absolute, and vtkHeliosPCDReader
- * restores the same bits (also from text, which is the shortest that does); PCL then reads x y z
- * into custom types only.
+ *   components: PCL ignores them. Bit and string arrays are dropped.
+ * With Precision Float, x y z, intensity, the normals, curvature and EchoWidth are float, as
+ * required by the PCL point types and helios::PointEcho; other arrays keep their type, such as the
+ * 64 bits of GpsTime. With Double all arrays keep their type, x y z are absolute, and
+ * vtkHeliosPCDReader restores the same bits (also from text, which is the shortest that does).
+ * PCL reads x y z of 64 bits into custom types only: pcl::PointXYZ gets zeros, with a warning.
  *
- * Additional comments: "# vtkHelios CRS: ...", "# vtkHelios GpsEpoch: ..." from the field data.
+ * Additional comments: "# vtkHelios CRS: ...", "# vtkHelios GpsEpoch: ..." from the field data. The
+ * header is ASCII: a character beyond it is \\u and four hexadecimal digits.
  *
  * Blocks: vtkPolyData with double points. Every block has the point arrays of the first; CRS and
  * GpsEpoch are those of the first. Points with non-finite coordinates are dropped, with a warning.
@@ -40,6 +43,7 @@
 namespace helios
 {
 class PcdBlock;
+class Status;
 struct PcdHeader;
 }
 
@@ -93,6 +97,16 @@ public:
   vtkBooleanMacro(UseOrigin, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the resolution that coordinates keep, in their unit: with Precision Float, x y z are of
+   * 64 bits and absolute if those of the first block were off by more than half of it. 0: they are
+   * float. Valid range: [0, infinity). Default: 0.
+   */
+  vtkSetClampMacro(Resolution, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Resolution, double);
+  ///@}
+
   bool Open() override;
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
@@ -115,6 +129,9 @@ private:
 
   bool Refuse(const std::string& problem);
   bool MakeHeader(vtkPolyData* echoes, const helios::PcdBlock& block);
+  helios::Status SetFirst(vtkPolyData* echoes, helios::PcdBlock& block) const;
+  helios::Status SetNext(vtkPolyData* echoes, helios::PcdBlock& block) const;
+  void ChooseOrigin(const helios::PcdBlock& block, double origin[3]) const;
   bool WriteHeader();
   bool WritePoints(helios::PcdBlock& block, vtkIdType count, vtkIdType start);
   void Warn(const helios::PcdBlock& block, vtkIdType count);
@@ -123,8 +140,10 @@ private:
   int Precision = Float;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   bool UseOrigin = false;
+  double Resolution = 0.0;
   std::unique_ptr<helios::PcdHeader> Header; // null before the first block
   bool HasWarnedFar = false;
+  bool HasWarnedColors = false;
 };
 
 #endif
