@@ -14,7 +14,6 @@
 #include "vtkHeliosPointXMLReader.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosTrajectoryReader.h"
-#include "vtkHeliosXyzReader.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
@@ -42,8 +41,8 @@ namespace
 
 constexpr vtkIdType BlockSize = 1 << 17; // points
 constexpr double PieceBytes = 32.0 * 1024.0 * 1024.0;
-constexpr const char* Kinds =
-  "give .xyz, .txt, .asc, .las, .vtp, .pvtp, .ply or the folder of a finished run";
+constexpr const char* Kinds = "give .xyz, .txt, .asc, .csv, .pts, .ptx, .las, .vtp, .pvtp, .ply or "
+                              "the folder of a finished run";
 
 std::string GetEnding(const std::string& path)
 {
@@ -55,7 +54,8 @@ std::string GetEnding(const std::string& path)
 
 bool IsText(const std::string& ending)
 {
-  return ending == ".xyz" || ending == ".txt" || ending == ".asc";
+  return ending == ".xyz" || ending == ".txt" || ending == ".asc" || ending == ".csv" ||
+    ending == ".pts" || ending == ".ptx";
 }
 
 int CountPieces(const std::string& path)
@@ -300,30 +300,11 @@ Status CloudReader::ReadCloud(const std::string& path)
 //------------------------------------------------------------------------------
 Status CloudReader::ReadText(const std::string& path)
 {
-  if (vtkHeliosPointTextReader::CanReadFile(path.c_str()))
-  {
-    return this->ReadEchoes(path);
-  }
   std::error_code ignored;
   if (fs::file_size(path, ignored) == 0)
   {
     return {}; // reported as an empty cloud
   }
-  vtkNew<vtkHeliosXyzReader> reader;
-  reader->SetFileName(path.c_str());
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  if (line.find_first_of(",;") != std::string::npos)
-  {
-    reader->SetSeparators(line.find(';') != std::string::npos ? ";" : ",");
-  }
-  return this->ReadPieces(reader, path, CountPieces(path));
-}
-
-//------------------------------------------------------------------------------
-Status CloudReader::ReadEchoes(const std::string& path)
-{
   vtkNew<vtkHeliosPointTextReader> reader;
   std::string error;
   ObserveErrors(reader, error);

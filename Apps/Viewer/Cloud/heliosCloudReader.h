@@ -54,7 +54,6 @@ private:
   Status ReadRun(const std::string& folder);
   Status ReadCloud(const std::string& path);
   Status ReadText(const std::string& path);
-  Status ReadEchoes(const std::string& path);
   Status ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
   Status ReadTrajectory(const std::string& path);
 

@@ -15,9 +15,10 @@ namespace helios
 namespace
 {
 
-const char* SkipBlanks(const char* at, const char* end)
+/// The first character that is no blank, nor a quote if these are skipped, too.
+const char* SkipBlanks(const char* at, const char* end, bool skipsQuotes = false)
 {
-  while (at != end && (*at == ' ' || *at == '\t'))
+  while (at != end && (*at == ' ' || *at == '\t' || (skipsQuotes && *at == '"')))
   {
     ++at;
   }
@@ -53,6 +54,7 @@ TextRow::TextRow(const std::string& separators)
     this->BlankSeparates = this->BlankSeparates || c == ' ' || c == '\t';
   }
   this->Classes[' '] = this->Classes['\t'] = Blank;
+  this->Classes['"'] = this->BlankSeparates ? this->Classes['"'] : Blank;
 }
 
 void TextRow::Need(int column)
@@ -91,7 +93,7 @@ TextRow::Result TextRow::ReadColumns(const char* at, const char* const end)
   const int count = this->GetNumberOfColumns();
   for (int column = 0; column < count; ++column)
   {
-    at = SkipBlanks(at, end);
+    at = SkipBlanks(at, end, !this->BlankSeparates);
     if (at == end || IsComment(at, end))
     {
       this->Column = column;
@@ -102,8 +104,9 @@ TextRow::Result TextRow::ReadColumns(const char* at, const char* const end)
     const bool isNeeded = this->Needed[static_cast<std::size_t>(column)];
     const bool isGood = !isNeeded || ParseNumber(at, end, value);
     const char* const wordEnd = isNeeded ? at : this->SkipWord(at, end);
-    at = SkipBlanks(wordEnd, end);
-    if (!isGood || !this->IsWordEnd(wordEnd, at, end) || (isNeeded && !std::isfinite(value)))
+    at = SkipBlanks(wordEnd, end, !this->BlankSeparates);
+    if (!isGood || !this->IsWordEnd(wordEnd, at, end) ||
+      (isNeeded && !this->KeepInvalid && !std::isfinite(value)))
     {
       this->Column = column;
       this->Word = word;
@@ -122,7 +125,7 @@ std::string TextRow::DescribeFault(const char* kind) const
     --wordEnd;
   }
   const std::string_view text(this->Word, static_cast<std::size_t>(wordEnd - this->Word));
-  const std::string column = "column " + std::to_string(this->Column);
+  const std::string column = "column " + std::to_string(this->Column + this->FirstNumber);
   double value = 0.0;
   const char* at = this->Word;
   if (text.empty())

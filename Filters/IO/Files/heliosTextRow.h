@@ -17,12 +17,17 @@ namespace helios
 /**
  * Reads the requested columns, strictly and correctly rounded. Separators is the set of characters
  * between columns: a blank or a tab stands for any run of blanks and tabs, and blanks beside a
- * separator are ignored. A word that starts with # or // starts a comment.
+ * separator are ignored, as are double quotes without a blank as separator. A word that starts with # or // starts a comment.
  */
 class TextRow
 {
 public:
   explicit TextRow(const std::string& separators);
+
+  /// The number of the first column, for messages. Default: 0.
+  void SetFirstNumber(int number) { this->FirstNumber = number; }
+  /// Whether numbers that are not finite are valid. Default: off.
+  void SetKeepInvalid(bool keeps) { this->KeepInvalid = keeps; }
 
   /// Whether a character is a valid separator: not a digit, letter, + - . # or /.
   static bool IsSeparator(char c)
@@ -73,6 +78,8 @@ private:
 
   std::array<CharacterClass, 256> Classes;
   bool BlankSeparates = false;
+  bool KeepInvalid = false;
+  int FirstNumber = 0;
   std::vector<char> Needed;   // per column
   std::vector<double> Values; // of the row, per column
   int Column = 0;

@@ -75,19 +75,6 @@ void AddArray(vtkPointData* data, const char* name, const std::vector<T>& values
 
 } // namespace
 
-bool FindFirstRow(LineFile& file, std::string_view& row)
-{
-  file.SetRange(0, file.GetSize());
-  while (file.NextLine(row))
-  {
-    if (!IsAtEnd(TextWords(row)))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 int CountColumns(std::string_view row)
 {
   TextWords words(row);
@@ -120,11 +107,6 @@ bool PointParser::Read(LineFile& file, vtkIdType maximum)
     }
   }
   return file.GetError().empty() ? !file.IsStopped() : this->Report.Fail(file.GetError());
-}
-
-bool PointParser::IsRow(std::string_view line)
-{
-  return GetColumnsToRead(CountColumns(line)) > FirstArrayColumn && this->ReadRow(line);
 }
 
 bool PointParser::ReadRow(std::string_view line)

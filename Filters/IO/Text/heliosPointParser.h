@@ -23,9 +23,6 @@ class vtkPolyData;
 namespace helios
 {
 
-/// Finds the first row of a file, not a comment; false without any, or after an error.
-bool FindFirstRow(LineFile& file, std::string_view& row);
-
 /// The columns of a row, without a comment that begins with # or //.
 int CountColumns(std::string_view row);
 
@@ -40,9 +37,6 @@ public:
   bool Read(LineFile& file, vtkIdType maximum);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->Reals[0].size()); }
-
-  /// Whether a line is a row of all columns, which are valid.
-  bool IsRow(std::string_view line);
 
   /// Moves the points and their arrays to a cloud.
   void MoveTo(vtkPolyData* cloud);

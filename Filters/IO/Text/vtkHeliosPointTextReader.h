@@ -2,28 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPointTextReader
- * @brief   read echoes in HELIOS text columns
+ * @brief   read points from text: HELIOS columns, XYZ, CSV, PTS, PTX
  *
  * Output 0 is a vtkPolyData without cells:
  * - points, double;
- * - of a file whose first row has the eleven columns of vtkHeliosPointTextWriter, point data
- *   Amplitude [W], EchoWidth [ns] and GpsTime [s], double; ReturnNumber and NumberOfReturns,
+ * - of a file whose first row has the eleven columns of vtkHeliosPointTextWriter between blanks, point
+ *   data Amplitude [W], EchoWidth [ns] and GpsTime [s], double; ReturnNumber and NumberOfReturns,
  *   unsigned char; PulseIds, 64 bits; PartIds and ClassificationIds, int; with thirteen columns also
  *   ScanDirectionFlag and EdgeOfFlightLine, with fifteen RelativeAmplitude and Reflectance [dB];
+ * - of a file whose first row is names, x, y and z among them, or whose last comment before the first
+ *   row is (CloudCompare: //X Y Z R G B): the arrays of the columns with known names, such as RGB,
+ *   Normals, Intensity, ClassificationIds, GpsTime (GetArrayOfColumn());
+ * - of PTS, which begins with the number of its points: x y z, Intensity, RGB; of PTX: the same in
+ *   the world, by the matrix of each scan. Its points 0 0 0 have no return and are dropped;
  * - field data Part.Name: the names of parts by PartIds, if parts have names.
  *
  * Of other files with three or more columns, the first three are read as x y z.
  *
- * Lines may end in CR LF; a byte-order mark is skipped; # and // at the beginning of a word start a
- * comment. A part is a name, which gets the next free number, or a number. Names keep their numbers
- * over all updates and files until SetPartNames().
+ * Columns are separated by blanks and tabs, else by semicolons, commas or bars, as the first row is.
+ * Between semicolons, a comma is a decimal point. Lines end in LF, CR LF or CR; a byte-order mark is
+ * skipped; # and // at the beginning of a word start a comment. RGB is of 8 bits, or of 16 if a colour
+ * of the file is above 255, or a fraction. Intensity is double, as in the file. A part is a name,
+ * which gets the next free number, or a number. Names keep their numbers over all updates and files
+ * until SetPartNames().
  *
  * A file larger than memory is read in parts: set MaximumNumberOfPoints, and Begin to GetEnd() of
- * the update before, until GetEnd() is GetFileSize().
+ * the update before, until GetEnd() is GetFileSize(). The points of an update are of one scan.
  *
  * Errors, without output: a row with too few or too many columns; a word that is not a
  * number, or not one of its array's type; NaN and infinities, unless KeepInvalid is on; a file that
- * cannot be read or has no rows. Messages start with file:line.
+ * cannot be read or has no rows, UTF-16, decimal commas between blanks. Messages start with
+ * file:line. Warnings: header lines and columns that are not used.
  *
  * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
  *
@@ -37,7 +46,7 @@
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For the numbers of parts
+#include <memory> // For the numbers of parts and the layout
 
 class vtkStringArray;
 
@@ -56,14 +65,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The number of columns in the first row of a file; 0 if it cannot be read or has no rows.
+   * The array that a column with a name is read as, such as Intensity; empty for coordinates, null if
+   * the name is not known. GetCommonName() is the name of an array in files of other programs.
    */
-  static int CountColumns(const char* fileName);
-
-  /**
-   * Whether the first row of a file has eleven, thirteen or fifteen valid columns.
-   */
-  static bool CanReadFile(const char* fileName);
+  static const char* GetArrayOfColumn(const char* name);
+  static const char* GetCommonName(const char* array);
 
   ///@{
   /**
@@ -101,6 +107,48 @@ public:
   ///@}
 
   /**
+   * Read how the file is laid out, as an update does; false after an error. Colours and intensities
+   * of the whole file are read for it.
+   */
+  bool ReadLayout();
+
+  ///@{
+  /**
+   * Of the layout: the number of columns, and the kind of the file: echoes, x y z, named columns, PTS
+   * or PTX.
+   */
+  int GetNumberOfColumns() const;
+  const char* GetKind() const;
+  ///@}
+
+  ///@{
+  /**
+   * Of the layout: the number of scans, and the matrix from the frame of a scanner to the world; false
+   * without one, as in files that are not PTX.
+   */
+  int GetNumberOfScans() const;
+  bool GetScanMatrix(int scan, double matrix[16]) const;
+  ///@}
+
+  ///@{
+  /**
+   * Of the layout: the smallest and largest intensity, and whether all are whole numbers.
+   */
+  vtkGetVector2Macro(IntensityRange, double);
+  vtkGetMacro(HasWholeIntensities, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of the last update: the scan of its points, the points of PTX without a return, which are dropped,
+   * and the sum of the numbers of points that PTS gives.
+   */
+  vtkGetMacro(Scan, int);
+  vtkGetMacro(NumberOfDropped, vtkIdType);
+  vtkGetMacro(NumberOfCounted, double);
+  ///@}
+
+  /**
    * Forget all names of parts, and start with the names of the parts 0, 1, ... of a scene, which
    * files also give by number; null: none.
    */
@@ -125,7 +173,13 @@ private:
   vtkHeliosPointTextReader(const vtkHeliosPointTextReader&) = delete;
   void operator=(const vtkHeliosPointTextReader&) = delete;
 
+  class Layout;
+  bool FindLayout(helios::LineFile& file, helios::TextReport& report);
+  void FindRanges(helios::LineFile& file);
   bool ReadFile(helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report);
+  bool ReadEchoes(helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report);
+  bool ReadColumns(helios::LineFile& file, vtkPolyData* cloud, helios::TextReport& report);
+  bool Report(bool isRead, helios::TextReport& report);
   void AddPartNames(vtkPolyData* cloud) const;
 
   char* FileName = nullptr;
@@ -134,7 +188,13 @@ private:
   bool KeepInvalid = false;
   vtkIdType End = 0;
   vtkIdType FileSize = 0;
+  double IntensityRange[2] = { 0.0, 0.0 };
+  bool HasWholeIntensities = true;
+  int Scan = 0;
+  vtkIdType NumberOfDropped = 0;
+  double NumberOfCounted = 0.0;
   std::unique_ptr<helios::PartNumbers> Parts;
+  std::unique_ptr<Layout> Known; // of the file that was read last
 };
 
 #endif

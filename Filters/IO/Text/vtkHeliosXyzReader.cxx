@@ -16,6 +16,8 @@
 #include <cmath>
 #include <memory>
 #include <new>
+#include <string_view>
+#include <utility>
 
 vtkStandardNewMacro(vtkHeliosXyzReader);
 
@@ -36,6 +38,8 @@ vtkHeliosXyzReader::vtkHeliosXyzReader()
 {
   this->SetNumberOfInputPorts(0);
 }
+
+vtkHeliosXyzReader::~vtkHeliosXyzReader() = default;
 
 void vtkHeliosXyzReader::SetFileName(const char* name)
 {
@@ -76,8 +80,7 @@ bool vtkHeliosXyzReader::CheckProperties()
     vtkErrorMacro(<< "FileName is not set; give the file of points with SetFileName");
     return false;
   }
-  if (this->Separators.empty() ||
-    !std::all_of(this->Separators.begin(), this->Separators.end(), helios::TextRow::IsSeparator))
+  if (!std::all_of(this->Separators.begin(), this->Separators.end(), helios::TextRow::IsSeparator))
   {
     vtkErrorMacro(<< "Separators is \"" << this->Separators
                   << "\"; give characters other than letters, digits and + - . # /, such as \",\"");
@@ -92,20 +95,57 @@ bool vtkHeliosXyzReader::CheckProperties()
   return true;
 }
 
-helios::XyzFormat vtkHeliosXyzReader::MakeFormat() const
+/// Replaces the columns of a layout by those that are read: with names of the file, else as set.
+void vtkHeliosXyzReader::SetColumns(helios::TextLayout& layout) const
 {
-  helios::XyzFormat format;
-  format.Separators = this->Separators;
-  format.HasNormals = this->ReadNormals;
-  format.NormalColumns[0] = this->NormalXIndex;
-  format.NormalColumns[1] = this->NormalYIndex;
-  format.NormalColumns[2] = this->NormalZIndex;
-  format.HasColors = this->ReadColors;
-  format.ColorColumns[0] = this->RgbRIndex;
-  format.ColorColumns[1] = this->RgbGIndex;
-  format.ColorColumns[2] = this->RgbBIndex;
-  format.MaximumColor = this->MaximumColorValue;
-  return format;
+  const struct
+  {
+    bool IsRead;
+    const char* Names[3];
+    int Indices[3];
+  } wanted[] = { { this->ReadNormals, { "nx", "ny", "nz" },
+                   { this->NormalXIndex, this->NormalYIndex, this->NormalZIndex } },
+    { this->ReadColors, { "red", "green", "blue" },
+      { this->RgbRIndex, this->RgbGIndex, this->RgbBIndex } } };
+  const std::vector<helios::TextColumn> named = std::move(layout.Columns);
+  layout.Columns.clear();
+  for (const auto& array : wanted)
+  {
+    for (int k = 0; array.IsRead && k < 3; ++k)
+    {
+      helios::TextColumn column{ array.Indices[k], helios::FindNamedColumn(array.Names[k]) };
+      for (const helios::TextColumn& known : named)
+      {
+        const bool isSame = std::string_view(known.Column.Array) == column.Column.Array;
+        column.Index = isSame && known.Column.Component == k ? known.Index : column.Index;
+      }
+      layout.Columns.push_back(column);
+    }
+  }
+}
+
+/// Finds the layout of a file once after a change, since pieces may be read several times.
+bool vtkHeliosXyzReader::FindLayout(helios::LineFile& file, helios::TextReport& report)
+{
+  if (this->LayoutTime < this->GetMTime())
+  {
+    this->Layouts.clear();
+    this->LayoutTime = this->GetMTime();
+  }
+  const auto [found, isNew] = this->Layouts.try_emplace(file.GetPath());
+  const helios::Status status = isNew
+    ? helios::FindTextLayout(file, this->Separators, found->second, report)
+    : helios::Status();
+  if (!status.IsOk())
+  {
+    this->Layouts.erase(found);
+    return report.Fail(status.Message());
+  }
+  if (isNew)
+  {
+    this->SetColumns(found->second);
+  }
+  return true;
 }
 
 int vtkHeliosXyzReader::RequestInformation(
@@ -136,6 +176,10 @@ bool vtkHeliosXyzReader::ReadPiece(
   std::int64_t start = 0; // offset of the file in the total bytes
   for (const auto& file : files)
   {
+    if (!this->FindLayout(*file, report))
+    {
+      return false;
+    }
     const vtkIdType known = parser.GetNumberOfPoints();
     const std::int64_t done = std::max<std::int64_t>(start - begin, 0);
     file->OnBlock = [this, done, length = static_cast<double>(end - begin)](std::int64_t bytes)
@@ -143,13 +187,18 @@ bool vtkHeliosXyzReader::ReadPiece(
       this->UpdateProgress(std::min(1.0, static_cast<double>(done + bytes) / length));
       return !this->AbortExecute;
     };
-    const std::int64_t from = std::max<std::int64_t>(begin - start, 0);
-    const std::int64_t to = std::min(end - start, file->GetSize());
-    if (from < to && !parser.Read(*file, from, to))
+    const helios::TextLayout& layout = this->Layouts.at(file->GetPath());
+    parser.SetLayout(layout);
+    for (const helios::TextScan& scan : layout.Scans)
     {
-      return file->IsStopped()
-        ? report.Fail(file->GetPlace() + "reading was aborted here; update again to read it")
-        : false;
+      const std::int64_t from = std::max(begin - start, scan.Begin);
+      const std::int64_t to = std::min(end - start, scan.End);
+      if (from < to && !parser.Read(*file, scan, from, to))
+      {
+        return file->IsStopped()
+          ? report.Fail(file->GetPlace() + "reading was aborted here; update again to read it")
+          : false;
+      }
     }
     if (file->GetSize() == 0 || (count == 1 && parser.GetNumberOfPoints() == known))
     {
@@ -193,7 +242,10 @@ int vtkHeliosXyzReader::RequestData(
   {
     return 1; // no part of the file
   }
-  const helios::XyzFormat format = this->MakeFormat();
+  helios::XyzFormat format;
+  format.MaximumColor = this->MaximumColorValue;
+  format.ColorCure = "MaximumColorValue, " + helios::FormatPlain(this->MaximumColorValue) +
+    "; set MaximumColorValue, or the column of the colour";
   helios::TextReport report;
   bool isRead = false;
   try

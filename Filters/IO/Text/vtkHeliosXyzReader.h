@@ -5,15 +5,20 @@
  * @brief   read points from text files, piece by piece
  *
  * Output 0 is a vtkPolyData without cells:
- * - points: x, y, z of columns 0, 1, 2, double and correctly rounded;
+ * - points: x, y, z of the columns with these names, else of columns 0, 1, 2, double and correctly
+ *   rounded;
  * - point data Normals (double, 3) with ReadNormals;
  * - point data RGB (float, 3, each in [0..1]) with ReadColors.
  *
- * A row is a line. Lines may end in CR LF; the last one may lack its end; a byte-order mark is
- * skipped. A word that starts with # or // starts a comment. Separators is the set of characters
- * between columns; blanks and tabs beside a separator are ignored. Only the requested columns of a
- * row are read, and strictly: 1,5 is not a number, and nan is not a coordinate. If the first row of
- * a file has no numbers at all, it is skipped as a header, with a warning.
+ * The layout of a file is found as in vtkHeliosPointTextReader: separators, a header line of names,
+ * numbers of points (PTS), scans with poses (PTX). Columns with the names of normals and colours are
+ * these; without names, they are those set here.
+ *
+ * A row is a line. Lines end in LF, CR LF or CR; the last one may lack its end; a byte-order mark is
+ * skipped. A word that starts with # or // starts a comment. Blanks and tabs beside a separator are
+ * ignored, and so are quotes. Only the requested columns of a row are read, and strictly: 1,5 is a
+ * number between semicolons only, and nan is not a coordinate. If the first row of a file has no
+ * numbers and no names x, y, z, it is skipped as a header, with a warning.
  *
  * Piece i of n (UPDATE_PIECE_NUMBER) is the rows that start in the i-th of n equal byte ranges of
  * all files: the pieces in order are the whole. A cloud larger than memory can therefore be
@@ -36,14 +41,16 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // For positions in files
+#include <map>     // For the layouts of files
 #include <string>  // For the names of files
 #include <vector>  // For the names of files
 
 namespace helios
 {
+class LineFile;
 class XyzParser;
+struct TextLayout;
 struct TextReport;
-struct XyzFormat;
 }
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosXyzReader : public vtkPolyDataAlgorithm
@@ -68,8 +75,8 @@ public:
   ///@{
   /**
    * Set/Get the characters that separate columns. A blank or a tab stands for any run of blanks and
-   * tabs; two adjacent other separators enclose an empty column. Valid range: no digits, letters, +
-   * - . # /. Default: blank and tab.
+   * tabs; two adjacent other separators enclose an empty column. Empty: found from the first row:
+   * blanks, or semicolons, commas or bars. Valid range: no digits, letters, + - . # /. Default: empty.
    */
   vtkSetMacro(Separators, std::string);
   vtkGetMacro(Separators, std::string);
@@ -117,7 +124,7 @@ public:
 
 protected:
   vtkHeliosXyzReader();
-  ~vtkHeliosXyzReader() override = default;
+  ~vtkHeliosXyzReader() override;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -129,13 +136,14 @@ private:
   void operator=(const vtkHeliosXyzReader&) = delete;
 
   bool CheckProperties();
-  helios::XyzFormat MakeFormat() const;
+  bool FindLayout(helios::LineFile& file, helios::TextReport& report);
+  void SetColumns(helios::TextLayout& layout) const;
   bool ReadPiece(
     helios::XyzParser& parser, helios::TextReport& report, std::int64_t piece, std::int64_t count);
   void WarnOnce(const std::vector<std::string>& warnings);
 
   std::vector<std::string> FileNames;
-  std::string Separators = " \t";
+  std::string Separators;
   bool ReadNormals = false;
   int NormalXIndex = 3;
   int NormalYIndex = 4;
@@ -147,6 +155,8 @@ private:
   double MaximumColorValue = 255.0;
   std::vector<std::string> Warned; // since the last change: pieces may be read several times
   vtkMTimeType WarnedTime = 0;
+  std::map<std::string, helios::TextLayout> Layouts; // by file, since the last change
+  vtkMTimeType LayoutTime = 0;
 };
 
 #endif

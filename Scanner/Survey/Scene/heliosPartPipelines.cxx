@@ -59,7 +59,7 @@ vtkSmartPointer<vtkHeliosXyzReader> MakePointReader(const PartData& part)
   {
     reader->AddFileName(file.c_str());
   }
-  reader->SetSeparators(voxels.Separators + " \t");
+  reader->SetSeparators(voxels.Separators.empty() ? std::string() : voxels.Separators + " \t");
   reader->SetReadNormals(voxels.ReadNormals);
   reader->SetNormalXIndex(voxels.NormalIndex[0]);
   reader->SetNormalYIndex(voxels.NormalIndex[1]);

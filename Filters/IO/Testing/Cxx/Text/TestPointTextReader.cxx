@@ -57,8 +57,8 @@ TEST_CASE("PointTextReader: reads what the writer writes", "[PointTextReader]")
   writer->SetFileName(reading.Reader->GetFileName());
   REQUIRE((writer->Open() && writer->Write(echoes) && writer->Close()));
 
-  CHECK(vtkHeliosPointTextReader::CountColumns(reading.Reader->GetFileName()) == 11);
-  CHECK(vtkHeliosPointTextReader::CanReadFile(reading.Reader->GetFileName()));
+  CHECK(reading.CountColumns() == 11);
+  CHECK(reading.Kind() == "echoes");
   REQUIRE(reading.Read());
   REQUIRE(reading.CountPoints() == count);
   REQUIRE(reading.Cloud()->GetPoints()->GetDataType() == VTK_DOUBLE);
@@ -151,7 +151,8 @@ TEST_CASE("PointTextReader: parts by name and by number", "[PointTextReader]")
 TEST_CASE("PointTextReader: thirteen columns have the flags of scan lines", "[PointTextReader]")
 {
   PointTextReading reading("1 2 3 4 5 1 1 7 roof 2 0.5 1 0\n1 2 3 4 5 1 1 7 roof 2 0.5 0 1\n");
-  CHECK(vtkHeliosPointTextReader::CanReadFile(reading.Reader->GetFileName()));
+  CHECK(reading.CountColumns() == 13);
+  CHECK(reading.Kind() == "echoes");
   REQUIRE(reading.Read());
   REQUIRE(reading.CountPoints() == 2);
   vtkPointData* data = reading.Cloud()->GetPointData();
@@ -169,27 +170,35 @@ TEST_CASE("PointTextReader: thirteen columns have the flags of scan lines", "[Po
 TEST_CASE("PointTextReader: other text is x y z", "[PointTextReader]")
 {
   PointTextReading reading("\xEF\xBB\xBF# x y z n\n1 2 3 4\r\n\n5 +6e1 7 8 // another\n9 10 11");
-  const char* path = reading.Reader->GetFileName();
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 4);
-  CHECK_FALSE(vtkHeliosPointTextReader::CanReadFile(path));
+  CHECK(reading.CountColumns() == 4);
+  CHECK(reading.Kind() == "named columns");
   REQUIRE(reading.Read());
   REQUIRE(reading.CountPoints() == 3);
   CHECK(reading.Cloud()->GetPoint(1)[1] == 60.0);
   CHECK(reading.Cloud()->GetPointData()->GetNumberOfArrays() == 0);
 
-  reading.Set("1 2 3 4 5 1 1 x part 2 0.5\n"); // eleven, and not ours
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 11);
-  CHECK_FALSE(vtkHeliosPointTextReader::CanReadFile(path));
+  for (const char* row : { "1 2 3 4 5 1 1 x part 2 0.5\n", "1 2 3 4 5 0.5 1 1 part 2 0.5\n" })
+  {
+    reading.Set(row); // eleven, and not ours
+    CHECK(reading.CountColumns() == 11);
+    CHECK(reading.Kind() == "x y z");
+    REQUIRE(reading.Read());
+    CHECK(reading.Cloud()->GetPointData()->GetNumberOfArrays() == 0);
+  }
   reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5\n");
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 11);
+  CHECK(reading.CountColumns() == 11);
   reading.Set("1 2 3 4 5 1 1 7 # 2 words\n");
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 8);
+  CHECK(reading.CountColumns() == 8);
   reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5 1 0\n");
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 13);
+  CHECK(reading.CountColumns() == 13);
   reading.Set("1 2 3 4 5 1 1 7 #part 2 0.5 1\n");
-  CHECK(vtkHeliosPointTextReader::CountColumns(path) == 8);
-  CHECK(vtkHeliosPointTextReader::CountColumns("/none") == 0);
-  CHECK_FALSE(vtkHeliosPointTextReader::CanReadFile(nullptr));
+  CHECK(reading.CountColumns() == 8);
+  reading.Reader->SetFileName("/none");
+  CHECK_FALSE(reading.Reader->ReadLayout());
+  CHECK(reading.Log->HasError("/none: "));
+  reading.Reader->SetFileName(nullptr);
+  CHECK_FALSE(reading.Reader->ReadLayout());
+  CHECK(reading.Log->HasError("FileName is not set"));
 }
 
 TEST_CASE("PointTextReader: numbers in other forms", "[PointTextReader]")

@@ -18,6 +18,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -39,11 +40,12 @@ struct PointTextReading
     this->Set(text);
   }
 
-  /// Replaces the text of the file.
-  void Set(const std::string& text)
+  /// Replaces the file by one with this text.
+  void Set(const std::string& text, const std::string& name = "a.xyz")
   {
-    std::ofstream(this->Folder / "a.xyz", std::ios::binary) << text;
-    this->Reader->SetFileName((this->Folder / "a.xyz").c_str());
+    std::filesystem::remove(this->Folder / name);
+    std::ofstream(this->Folder / name, std::ios::binary) << text;
+    this->Reader->SetFileName((this->Folder / name).c_str());
     this->Reader->SetBegin(0);
     this->Reader->Modified();
     this->Log->Clear();
@@ -61,6 +63,9 @@ struct PointTextReading
     this->Set(text);
     return !this->Read() && this->Log->HasError(part) && this->CountPoints() == 0;
   }
+
+  int CountColumns() { return this->Reader->ReadLayout() ? this->Reader->GetNumberOfColumns() : 0; }
+  std::string Kind() { return this->Reader->GetKind(); }
 
   vtkPolyData* Cloud() { return this->Reader->GetOutput(); }
   vtkIdType CountPoints() { return this->Cloud()->GetNumberOfPoints(); }

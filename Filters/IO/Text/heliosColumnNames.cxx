@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosColumnNames.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkType.h>
+
+#include <cctype>
+#include <string>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+struct KnownColumn
+{
+  const char* Words; ///< names, lower case, with a blank before and after each
+  NamedColumn Column;
+};
+
+// The names of PDAL, CloudCompare, LAStools, MeshLab, ParaView and pandas; those of our arrays.
+const KnownColumn KnownColumns[] = {
+  { " x easting xcoord xcoordinate points:0 points0 ", { "", 0, 3, VTK_DOUBLE } },
+  { " y northing ycoord ycoordinate points:1 points1 ", { "", 1, 3, VTK_DOUBLE } },
+  { " z elevation zcoord zcoordinate points:2 points2 ", { "", 2, 3, VTK_DOUBLE } },
+  { " r red diffusered rgb:0 rgb0 ", { names::RGB, 0, 3, VTK_FLOAT } },
+  { " g green diffusegreen rgb:1 rgb1 ", { names::RGB, 1, 3, VTK_FLOAT } },
+  { " b blue diffuseblue rgb:2 rgb2 ", { names::RGB, 2, 3, VTK_FLOAT } },
+  { " rf ", { names::RGB, 0, 3, VTK_FLOAT, true } },
+  { " gf ", { names::RGB, 1, 3, VTK_FLOAT, true } },
+  { " bf ", { names::RGB, 2, 3, VTK_FLOAT, true } },
+  { " nx normalx normals:0 normals0 normalsx ", { names::Normals, 0, 3, VTK_DOUBLE } },
+  { " ny normaly normals:1 normals1 normalsy ", { names::Normals, 1, 3, VTK_DOUBLE } },
+  { " nz normalz normals:2 normals2 normalsz ", { names::Normals, 2, 3, VTK_DOUBLE } },
+  { " intensity i refl ", { names::Intensity, 0, 1, VTK_DOUBLE } },
+  { " classification class classificationids classid label ",
+    { names::ClassificationIds, 0, 1, VTK_INT } },
+  { " returnnumber rn ", { names::ReturnNumber, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " numberofreturns numreturns nr ", { names::NumberOfReturns, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " gpstime time ", { names::GpsTime, 0, 1, VTK_DOUBLE } },
+  { " pointsourceid pointsource legids ", { names::LegIds, 0, 1, VTK_INT } },
+  { " userdata ", { names::UserData, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " scananglerank scanangle ", { names::ScanAngle, 0, 1, VTK_DOUBLE } },
+  { " scandirectionflag ", { names::ScanDirectionFlag, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " edgeofflightline ", { names::EdgeOfFlightLine, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " infrared nir nearinfrared ", { names::NearInfrared, 0, 1, VTK_UNSIGNED_SHORT } },
+  { " scanchannel scannerchannel channelids ", { names::ChannelIds, 0, 1, VTK_INT } },
+  { " classificationflags ", { names::ClassificationFlags, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " pulseids ", { names::PulseIds, 0, 1, VTK_TYPE_INT64 } },
+  { " partids ", { names::PartIds, 0, 1, VTK_INT } },
+  { " materialids ", { names::MaterialIds, 0, 1, VTK_INT } },
+  { " amplitude ", { names::Amplitude, 0, 1, VTK_DOUBLE } },
+  { " echowidth ", { names::EchoWidth, 0, 1, VTK_DOUBLE } },
+  { " range ", { names::Range, 0, 1, VTK_DOUBLE } },
+  { " reflectance ", { names::Reflectance, 0, 1, VTK_DOUBLE } },
+  { " relativeamplitude ", { names::RelativeAmplitude, 0, 1, VTK_DOUBLE } },
+  { " deviation ", { names::Deviation, 0, 1, VTK_DOUBLE } },
+  { " incidenceangle ", { names::IncidenceAngle, 0, 1, VTK_DOUBLE } },
+};
+
+struct CommonName
+{
+  const char* Array;
+  const char* Name;
+};
+
+const CommonName CommonNames[] = {
+  { names::ClassificationIds, "Classification" },
+  { names::LegIds, "PointSourceId" },
+  { names::NearInfrared, "Infrared" },
+  { names::ChannelIds, "ScanChannel" },
+};
+
+/// Lower case without quotes, blanks, _ and -, up to a unit in brackets.
+std::string Normalize(std::string_view name)
+{
+  std::string word;
+  for (const char c : name.substr(0, name.find_first_of("[(")))
+  {
+    if (std::string_view(" \t\"'_-").find(c) == std::string_view::npos)
+    {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  constexpr std::string_view prefix = "scalar";
+  return word.size() > prefix.size() && word.substr(0, prefix.size()) == prefix
+    ? word.substr(prefix.size())
+    : word;
+}
+
+} // namespace
+
+NamedColumn FindNamedColumn(std::string_view name)
+{
+  const std::string word = ' ' + Normalize(name) + ' ';
+  for (const KnownColumn& known : KnownColumns)
+  {
+    if (word.size() > 2 && std::string_view(known.Words).find(word) != std::string_view::npos)
+    {
+      return known.Column;
+    }
+  }
+  return {};
+}
+
+const char* GetCommonName(std::string_view array)
+{
+  for (const CommonName& common : CommonNames)
+  {
+    if (array == common.Array)
+    {
+      return common.Name;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace helios
