@@ -6,10 +6,10 @@ import json
 
 import numpy as np
 import pytest
+from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
 from vtkhelios import formats
-from vtkhelios.fitting._inputs import units_of
 from vtkhelios.fitting._mirror import oscillation
 from vtkhelios.fitting._noise import most_frequent
 from vtkhelios.fitting._periods import find_pulse_period, refine_period
@@ -208,6 +208,16 @@ def test_strips_by_sources_and_gaps(flown):
     assert len(fit.strips) == 1 and "is left out; 1000 are needed" in fit.notes[0]
 
 
+def make_cloud(cloud, points, crs):
+    """A cloud with other points in a coordinate system."""
+    made = vtkhelios.Cloud.from_arrays(points, **{name: cloud[name] for name in cloud.names})
+    text = vtkStringArray()
+    text.SetName("CRS")
+    text.InsertNextValue(crs)
+    made.data.GetFieldData().AddArray(text)
+    return made
+
+
 def test_feet(flown):
     cloud = flown["oscillating"]
     feet = vtkhelios.Cloud.from_arrays(
@@ -216,11 +226,10 @@ def test_feet(flown):
     fit = vtkhelios.fit(feet, unit=0.3048)
     expect(fit.of_strip("height above ground", 1), HEIGHT, 0.1)
     assert "units of 0.3048 m; they are converted to metres" in fit.notes[0]
-    foot = 'PROJCS["x",GEOGCS["y",UNIT["degree",0.0174532925]],UNIT["foot",0.3048]]'
-    assert units_of("a", foot) == (0.3048, 0.3048)
-    both = f'COMPD_CS["z",{foot},VERT_CS["v",UNIT["metre",1.0]]]'
-    assert units_of("a", both) == (0.3048, 1.0)
-    assert units_of("a", "EPSG:25832") == (1.0, 1.0) == units_of("a", "")
+    foot = 1200 / 3937
+    fit = vtkhelios.fit(make_cloud(cloud, cloud.points / foot, "EPSG:2263"))
+    expect(fit.of_strip("height above ground", 1), HEIGHT, 0.1)
+    assert "the unit of heights is not stated" in fit.notes[0]
 
 
 def test_a_fit_is_flown_again(flown, tmp_path):
@@ -391,8 +400,8 @@ def test_wrong_settings(flown, tmp_path):
     ):
         with pytest.raises(error, match=message):
             vtkhelios.fit(*arguments, **settings)
-    with pytest.raises(formats.FormatError, match="longitudes and latitudes; convert it to a map"):
-        units_of("a", 'GEOGCS["WGS 84",UNIT["degree",0.0174532925]]')
+    with pytest.raises(formats.FormatError, match="longitudes and latitudes .*; convert it first"):
+        vtkhelios.fit(make_cloud(cloud, cloud.points / 1e5, "EPSG:4326"))
 
 
 def test_different_coordinate_systems(tmp_path, flown):

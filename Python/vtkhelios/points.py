@@ -106,8 +106,8 @@ class _LasSource(VTKPythonAlgorithmBase):
         with self._open() as reader:
             header = reader.header
             self._count = header.point_count
-            self._crs = _find_crs(reader)
             names = set(header.point_format.dimension_names)
+        self._crs = self._find_crs()
         if self._count == 0:
             raise ValueError(f"{self._path} has no points; give a file with points")
         if colors and not {"red", "green", "blue"} <= names:
@@ -123,6 +123,14 @@ class _LasSource(VTKPythonAlgorithmBase):
         except FormatError as error:
             words = str(error).removeprefix(f"{self._path}: ")
             raise ValueError(f"{self._path} cannot be read: {words}") from error
+
+    def _find_crs(self):
+        from .formats import open_reader
+
+        if self._count == 0:
+            return None
+        with open_reader(self._path) as reader:
+            return reader.header.crs
 
     def _open(self):
         laspy = _laspy()
@@ -162,23 +170,3 @@ class _LasSource(VTKPythonAlgorithmBase):
             raise ValueError("coordinates are not finite; correct scale and offset in the header")
         rgb = np.column_stack([rows.red, rows.green, rows.blue]) if self._colors else None
         return points_from_arrays(xyz, rgb=rgb, crs=self._crs)
-
-
-def _find_crs(reader):
-    """The coordinate system in a LAS header, as WKT or EPSG code, or None."""
-    records = list(reader.header.vlrs) + list(reader.evlrs or [])
-    for record in records:
-        if type(record).__name__ == "WktCoordinateSystemVlr" and record.string:
-            text = record.string  # bytes if not valid text
-            text = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
-            return text.rstrip("\0")
-    projected, geographic = 3072, 2048  # keys of GeoTIFF, with an EPSG code in place
-    codes = {
-        key.id: key.value_offset
-        for record in records
-        if type(record).__name__ == "GeoKeyDirectoryVlr"
-        for key in record.geo_keys
-        if key.tiff_tag_location == 0 and 0 < key.value_offset < 32767
-    }
-    code = codes.get(projected, codes.get(geographic))
-    return f"EPSG:{code}" if code else None

@@ -63,7 +63,7 @@ def write_scans(path, *scans):
 def fields_of(count=3, **others):
     """Points 0, 1, 2 ... on the diagonal, with other fields."""
     numbers = np.arange(count, dtype=float)
-    return {**{name: ("double", numbers) for name in XYZ}, **others}
+    return {**dict.fromkeys(XYZ, ("double", numbers)), **others}
 
 
 def limits_of(name, low, high, kind="double"):
@@ -222,7 +222,7 @@ def test_quaternions_are_normalised(tmp_path, length):
 
 
 def test_a_quaternion_without_direction_is_an_error(tmp_path):
-    pose = {"rotation": {part: ("double", 0) for part in "wxyz"}}
+    pose = {"rotation": dict.fromkeys("wxyz", ("double", 0))}
     write_scans(tmp_path / "a.e57", (fields_of(), {"pose": pose}))
     with pytest.raises(FormatError, match='a.e57: the rotation of scan "scan000" is the quat'):
         formats.open_reader(tmp_path / "a.e57")

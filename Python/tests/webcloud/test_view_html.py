@@ -49,7 +49,7 @@ def test_page_of_a_run(small_runs, view_html, kind):
     assert np.abs(points[back] - echoes["points"][order]).max() <= 0.5001e-4
     assert np.allclose(values["Amplitude"][back], echoes["Amplitude"][order], rtol=1.6e-5, atol=0)
     assert page.meta["title"] == "fence" and page.meta["crs"] == (
-        {"xyz": "", "vtp": "EPSG:25832", "las": "ETRS89 / UTM zone 32N"}[kind]
+        "" if kind == "xyz" else "EPSG:25832 (ETRS89 / UTM zone 32N)"
     )
     waves = page.meta["waveforms"]
     assert waves["of"] == len(np.unique(echoes["PulseIds"])) == waves["count"]

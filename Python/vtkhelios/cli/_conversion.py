@@ -10,6 +10,7 @@ import vtkhelios
 from .. import formats
 from .._files import drop_part, keep_part, open_part
 from .._systems import find_system
+
 from ..array_names import (
     COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, MATERIAL_NAME, PART_NAME,
 )  # fmt: skip

@@ -39,9 +39,7 @@ examples:
 exit codes: 0 no error, 1 errors (with --strict, or warnings), 2 wrong usage.
 """
 
-PLACE = re.compile(
-    r"(?P<file>.+?):(?P<line>\d+)(?::(?P<column>\d+))?: (?P<message>.*)", re.S
-)
+PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+)(?::(?P<column>\d+))?: (?P<message>.*)", re.S)
 
 
 @dataclasses.dataclass
@@ -122,7 +120,9 @@ def check(path, assets, deep=False):
             load_scene(reader, messages)
     files = list(dict.fromkeys([shown, *(found.file for found in messages.findings)]))
     findings = merge_similar(messages.findings)
-    return sorted(findings, key=lambda found: (files.index(found.file), found.line or 0, found.column or 0))
+    return sorted(
+        findings, key=lambda found: (files.index(found.file), found.line or 0, found.column or 0)
+    )
 
 
 def load_scene(reader, messages):

@@ -17,7 +17,15 @@ POINTS, SAMPLE = 5_000_000, 20_000  # defaults
 
 
 def compare(
-    a, b, mesh=None, cell=None, points=POINTS, sample=SAMPLE, seed=0, progress=None, height_unit=None
+    a,
+    b,
+    mesh=None,
+    cell=None,
+    points=POINTS,
+    sample=SAMPLE,
+    seed=0,
+    progress=None,
+    height_unit=None,
 ):
     """Measures two clouds and returns a Comparison.
 

@@ -34,7 +34,7 @@ def read_polydata(source):
 
 def triangulate(mesh):
     """(mesh of triangles, polygon of each triangle); the mesh itself and None if it has nothing else."""
-    cutter = getattr(importlib.import_module("vtkhelios"), "vtkHeliosTriangulate")()
+    cutter = importlib.import_module("vtkhelios").vtkHeliosTriangulate()
     if cutter.HasOnlyTriangles(mesh):
         return mesh, None
     numbered = vtkPolyData()

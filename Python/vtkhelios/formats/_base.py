@@ -23,7 +23,8 @@ from .._systems import find_system
 
 
 from ..array_names import (
-    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, CRS,
+    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS,
+    COORDINATE_SCALE, CRS,
     DEVIATION, ECHO_WIDTH, EDGE_OF_FLIGHT_LINE, GPS_EPOCH, GPS_TIME, INCIDENCE_ANGLE,
     INTENSITY, LEG_IDS, MATERIAL_IDS, NEAR_INFRARED, NUMBER_OF_RETURNS, PART_IDS, PART_NAME,
     PULSE_IDS, RANGE, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG, USER_DATA, WAVEFORM_IDS,
@@ -132,6 +133,12 @@ class Header:
             array.SetName(GPS_EPOCH)
             array.InsertNextValue(seconds)
             self.fields.AddArray(array)
+
+    @property
+    def steps(self):
+        """The steps of x, y and z in the file, in their units, or None."""
+        array = self.fields.GetArray(COORDINATE_SCALE)
+        return tuple(array.GetValue(axis) for axis in range(3)) if array else None
 
     @property
     def part_names(self):

@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """E57 by pye57: the points of its scans, in world coordinates."""
 
+import dataclasses
+
 import numpy as np
+
+from .._systems import Metres
 
 from ..array_names import (
     AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, RETURN_NUMBER, RGB,
@@ -50,6 +54,26 @@ class E57Reader(Reader):
             for header, scan, start in zip(headers, self.scans, starts)
         ]
         self._note_rest(starts, headers)
+        self._set_unit()
+
+    def _set_unit(self):
+        """E57 stores metres: coordinates are converted to the unit of their system."""
+        metres = Metres(self.header.crs)
+        self._factors = None if metres.is_identity or metres.is_geographic else metres.factors
+        if metres.is_geographic:
+            self.notes.append(
+                f"{self.path}: its coordinate system is in degrees, but E57 stores metres: "
+                "coordinates are read as they are"
+            )
+        if self._factors is not None:
+            self.notes.append(
+                f"{self.path}: its metres are converted to the units of its coordinate system: "
+                f"{metres.factors[0]:.9g} m, heights {metres.factors[2]:.9g} m"
+            )
+            self.scans = [
+                dataclasses.replace(scan, translation=tuple(scan.translation / self._factors))
+                for scan in self.scans
+            ]
 
     def _note_rest(self, starts, headers):
         """Notes on what is not read, and on scans without a start."""
@@ -108,6 +132,8 @@ class E57Reader(Reader):
         counts = {}
         for self.scan, points in enumerate(self._points):
             for chunk in points.chunks(rows, counts):
+                if self._factors is not None:
+                    chunk["points"] = chunk["points"] / self._factors
                 yield fill(chunk, union) if self.fills_missing else chunk
         self._note_counts(counts)
 

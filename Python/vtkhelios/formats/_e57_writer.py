@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """E57 by pye57: a scan per leg or file, in scanner coordinates, with its pose."""
 
+import dataclasses
 import pathlib
 import uuid
 
@@ -12,6 +13,7 @@ import vtkhelios
 from ..array_names import (
     AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, PULSE_IDS, RETURN_NUMBER, RGB,
 )  # fmt: skip
+from .._systems import Metres
 from ._base import ROWS, FileWriter, need, rows_of
 from ._e57_fields import COLOURS, DIRECTION_ONLY, FULL, OTHERS, OURS, XYZ, rotation_matrix
 from ._grid import find_grid
@@ -29,10 +31,14 @@ class E57Writer(FileWriter):
         self._image = None  # of libE57Format
         self._writer = None  # of the points of a scan
         self._rows = 0  # capacity of the buffers
+        self._metres = Metres(header.crs)  # the unit of all E57 files
+        if self._metres.note:
+            self.notes.append(f"{self.path}: {self._metres.note}, as E57 stores them")
 
     def begin(self, scan):
         self._try(self._end_scan)
-        self.scan = scan
+        place = np.asarray(scan.translation, float)
+        self.scan = dataclasses.replace(scan, translation=tuple(self._metres.convert(place)))
 
     def put(self, chunk):
         self._try(lambda: self._write(chunk))
@@ -46,6 +52,9 @@ class E57Writer(FileWriter):
             self.fail(f"cannot be written: {words}; free space on its disk")
 
     def _write(self, chunk):
+        if rows_of(chunk) and (problem := self._metres.refuse_degrees(chunk["points"][0])):
+            self.fail(f"E57 stores metres: {problem}")
+        chunk = {**chunk, "points": self._metres.convert(chunk["points"])}
         if self._image is None:
             self._open()
         for name in chunk:

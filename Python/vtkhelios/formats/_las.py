@@ -15,16 +15,16 @@ import numpy as np
 import vtkhelios
 
 from .._run_files import PART
-from ..points import _find_crs
 from ._base import FileWriter, FormatError, Header, Reader, StreamWriter
 from ._base import call, check_file, from_cloud, need, to_cloud
 from ._las_check import HEADER_BYTES
-from ._records import RecordReader, RecordWriter
+from ._records import EXTENDED_HEAD, RecordReader, RecordWriter
 
 OWN_SOFTWARE = b"vtkHelios "  # colours of its files have 16 bits
 COLOURS = ("red", "green", "blue")
 SCALE_OF_8 = 257  # of colours of 8 bits, as in heliosLasColors.h
 ROWS_OF_SEARCH = 50_000
+WKT = (b"LASF_Projection", 2112)  # the record of a coordinate system
 
 
 def _head(path):
@@ -97,10 +97,14 @@ class LazReader(Reader):
         self.header.crs = self.header.crs or self._find_crs()
 
     def _find_crs(self):
-        import laspy
-
-        with laspy.open(self.path) as reader:  # with extended records
-            return _find_crs(reader)
+        """The WKT of an extended record, or an empty text."""
+        for user, number, place, size in self.records.extended:
+            if (user, number) == WKT:
+                with open(self.path, "rb") as file:
+                    file.seek(place + EXTENDED_HEAD)
+                    text = file.read(size - EXTENDED_HEAD)
+                return text.split(b"\0")[0].decode("utf-8", "replace")
+        return ""
 
     def _to_cloud(self, records):
         path = pathlib.Path(self._folder.name) / "points.las"

@@ -7,7 +7,10 @@ Binary, x y z as floats relative to an origin in a comment: as in PCL's point ty
 
 import vtkhelios
 
+from .._systems import find_system
 from ._base import Header, Reader, StreamWriter, call, from_cloud, rows_of, select
+
+COARSEST = 1e-3  # [m] of points whose file is not known
 
 
 class PcdReader(Reader):
@@ -34,4 +37,20 @@ class PcdReader(Reader):
 class PcdWriter(StreamWriter):
     def __init__(self, path, header):
         super().__init__(path, header, vtkhelios.vtkHeliosPCDWriter())
-        self.notes.append("coordinates are stored as floats relative to an origin")
+        self.notes.append(
+            "coordinates are stored as floats relative to an origin, or as doubles where floats "
+            "would be too coarse"
+        )
+
+    def put(self, chunk):
+        if not self.stream.IsOpen():
+            self.stream.SetResolution(self._find_resolution())
+        super().put(chunk)
+
+    def _find_resolution(self):
+        """The step that coordinates keep: of degrees, of the file they are from, or 1 mm."""
+        system = find_system(self.header.crs)
+        if system.is_geographic:
+            return system.resolution[0]
+        steps = self.header.steps
+        return min(steps) if steps else COARSEST / system.unit

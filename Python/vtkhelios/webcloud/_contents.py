@@ -8,6 +8,7 @@ import pathlib
 import numpy as np
 
 from .._arrays import arrays
+from .._systems import Metres, find_system
 from ..formats._base import FormatError, Header, rows_of, select
 from ..formats._run import RunReader
 from ..formats._waveforms import find_waveforms, waveform_tables
@@ -32,7 +33,7 @@ class Contents:
         contents.header = Header(cloud.data.GetFieldData())
         chunk = {"points": cloud.points, **arrays(cloud.data)}
         finite = np.isfinite(cloud.points).all(axis=1)
-        contents.sample.add(chunk if finite.all() else select(chunk, finite))
+        contents.add(chunk if finite.all() else select(chunk, finite))
         if cloud.waveforms is not None:
             contents.tables = [arrays(cloud.waveforms)]
         return contents
@@ -45,14 +46,26 @@ class Contents:
         contents.tables = _tables(reader)
         return contents
 
+    @property
+    def note(self):
+        """What is said of the unit of the coordinates, or an empty text."""
+        return Metres(self.header.crs).note
+
     def add(self, chunk):
-        """Adds the points of a chunk of a reader; returns their number."""
-        self.sample.add(chunk)
+        """Adds the points of a chunk of a reader, in metres; returns their number."""
+        metres = Metres(self.header.crs)
+        if rows_of(chunk) and (problem := metres.refuse_degrees(chunk["points"][0])):
+            raise FormatError(f"{self.title}: {problem}")
+        self.sample.add({**chunk, "points": metres.convert(chunk["points"])})
         return rows_of(chunk)
 
     def column_names(self):
         """The names of the arrays that the page shows, besides Height."""
         return [column.name for column in make_columns(self.sample.columns())]
+
+    def _describe_system(self):
+        name = find_system(self.header.crs).name
+        return f"{name}, in metres" if self.note else name
 
     def make_page(self, colour_by=None):
         """The HTML text; FormatError without points, KeyError without that array."""
@@ -60,7 +73,7 @@ class Contents:
         if len(columns["points"]) == 0:
             raise FormatError(f"{self.title}: has no points; give a cloud with points")
         return make_page(
-            columns, self.title, total=self.sample.count, crs=self.header.crs,
+            columns, self.title, total=self.sample.count, crs=self._describe_system(),
             part_names=self.header.part_names, tables=self.tables, colour_by=colour_by,
         )  # fmt: skip
 

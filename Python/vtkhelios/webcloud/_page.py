@@ -38,7 +38,7 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
     total
         the number of points that these are a sample of (default: n)
     crs, part_names
-        the coordinate system, for display, and the names of the scene parts, by PartIds
+        the name of the coordinate system, for display, and the names of the scene parts, by PartIds
     tables
         waveforms: dicts of the columns and Samples of vtkTables; points refer to them by PulseIds,
         else by WaveformIds, else by GpsTime
@@ -60,7 +60,7 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
     meta = _pack_points(points, columns, store)
     waves = _pack_waveforms(pulses, tables, store)
     meta |= {
-        "title": title, "crs": _short(crs), "total": len(points) if total is None else total,
+        "title": title, "crs": crs, "total": len(points) if total is None else total,
         "shown": len(points), "columns": [column.describe() for column in columns],
         "waveforms": waves, "lengths": store.lengths, "colourBy": _first(columns, colour_by),
         "licences": licences(),
@@ -114,12 +114,6 @@ def _first(columns, colour_by):
     if classes and len(classes.categories) > 1:
         return CLASSIFICATION_IDS
     return next((column.name for column in columns if column.role == "colour"), "Height")
-
-
-def _short(crs):
-    """The name of a coordinate system: EPSG:n, or that in its WKT."""
-    named = re.match(r'\s*\w+\[\s*"([^"]*)"', crs or "")
-    return named[1] if named else crs
 
 
 def _fill(title, meta, streams):

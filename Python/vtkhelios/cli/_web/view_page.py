@@ -125,7 +125,7 @@ def _read_points(arguments, names, messages):
         with make_progress(task, messages, quiet=arguments.quiet):
             for chunk in reader.chunks():
                 task.advance(contents.add(chunk))
-    for note in reader.notes:
+    for note in [*reader.notes, *filter(None, [contents.note])]:
         messages.warning(note)
     if dropped := contents.sample.dropped:
         messages.warning(
