@@ -343,7 +343,7 @@ void vtkHeliosLASReader::WarnOfNotes(const std::string& path, const helios::LasA
   for (const std::string& note : arrays.GetNotes())
   {
     this->WarnedNotes = path;
-    vtkWarningMacro(<< path << ": " << note);
+    vtkWarningMacro(<< this->FileName << ": " << note);
   }
 }
 
@@ -358,7 +358,7 @@ void vtkHeliosLASReader::WarnOfValues(const std::string& path, vtkPolyData* clou
   this->WarnedValues = path;
   for (const auto& [name, count] : counts)
   {
-    vtkWarningMacro(<< path << ": " << name << " is not finite at " << count << " of "
+    vtkWarningMacro(<< this->FileName << ": " << name << " is not finite at " << count << " of "
                     << cloud->GetNumberOfPoints()
                     << " points, and is kept so; is the file damaged? Those of further pieces are "
                     << "not reported");

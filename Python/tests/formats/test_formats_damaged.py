@@ -49,7 +49,7 @@ def laz(tmp_path):
 @pytest.mark.parametrize(
     "place, form, value, message",
     [
-        (24, "B", 7, r"its version is 7.4; only 1.0 to 1.4 can be read; write it again"),
+        (24, "B", 7, r"its version is 7.4; only 1.0 to 1.5 can be read; write it again"),
         (94, "<H", 9, "its header has 9 bytes, and its points begin at byte"),
         (100, "<I", 2**32 - 1, "it counts 4294967295 header records, more than fit into it"),
         (131, "<d", 0.0, "it has a scale of 0 and an offset of .*, which give no valid coord"),
@@ -136,10 +136,21 @@ def test_laz_texts_beyond_ascii(laz):
     assert isinstance(reader.header.crs, str)
 
 
-def test_laz_that_laspy_does_not_write(laz):
+def test_laz_of_a_version_without_its_format(laz):
     path, _, _ = laz
     patch(path, 25, "B", 0)
     patch(path, 107, "<I", 5000)
+    assert len(read(path)[1]["points"]) == 5000
+
+
+def test_laz_that_laspy_does_not_write(laz, monkeypatch):
+    import laspy
+
+    def refuse(*_, **__):
+        raise laspy.errors.FileVersionNotSupported("1.0")
+
+    path, _, _ = laz
+    monkeypatch.setattr(laspy, "LasWriter", refuse)
     fails(
         path, "its records cannot be copied by laspy: FileVersionNotSupported 1.0; convert it with"
     )

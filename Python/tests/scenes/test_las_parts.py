@@ -10,7 +10,7 @@ from _real_data import real_file
 
 import vtkhelios
 from vtkhelios import cli, formats
-from vtkhelios.array_names import CLASSIFICATION_IDS
+from vtkhelios.array_names import CLASSIFICATION_FLAGS, CLASSIFICATION_IDS
 
 SURVEY = """\
 <document>
@@ -103,6 +103,21 @@ def test_real_laz_has_the_points_of_laspy(name):
     assert np.array_equal(cloud[CLASSIFICATION_IDS], truth.classification)
     assert np.array_equal(cloud["GpsTime"], truth.gps_time)
     assert np.array_equal(cloud["Intensity"], truth.intensity)
+
+
+def test_withheld_points_are_left_out_and_counted(write, tmp_path, capsys):
+    survey = write()
+    with formats.open_reader(tmp_path / "a.las") as reader:
+        chunk = next(reader.chunks())
+    upper = chunk["points"][:, 2] > 2
+    flags = np.where(upper, 4, 1).astype(np.uint8)  # withheld above, synthetic below
+    with formats.open_writer(tmp_path / "a.las") as writer:
+        writer.write({**chunk, CLASSIFICATION_FLAGS: flags})
+    mesh, (low, high) = scene_of(survey)
+    assert high[2] == pytest.approx(1.1) and area(mesh) == pytest.approx(BOX)
+    cli.main(["validate", str(survey), "--deep"])
+    said = capsys.readouterr()
+    assert "a.las: 128 of 256 points are withheld; they are left out" in said.out + said.err
 
 
 def test_several_files(write):

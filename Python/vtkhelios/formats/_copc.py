@@ -23,6 +23,7 @@ FEW = 20_000  # points that are not divided further
 
 
 INFO = 375 + 54  # offset of the record that locates the octree
+TIMES = 56  # offset in it of the range of GPS times
 ENTRY = struct.Struct("<4iQii")  # of a page: key, offset, bytes, points; -1 points: another page
 
 
@@ -145,11 +146,18 @@ class CopcWriter(FileWriter):
                 data = records[np.sort(order[places])]
                 writer.AddNode(self._copc.VoxelKey(*key), self._copc.VectorChar(data.view(np.int8)))
             writer.Close()
+            self._write_times(records["gps_time"])
         except RuntimeError as error:  # of copclib
             self.fail(f"cannot be written: {error}; free space on its disk")
         self._encoder.close()
         self._scratch.close()
         self.keep_part()
+
+    def _write_times(self, times):
+        """The range of the times in the record that locates the octree, which copclib leaves 0."""
+        with open(self.part, "r+b") as file:
+            file.seek(INFO + TIMES)
+            file.write(struct.pack("<2d", times.min(), times.max()))
 
     def _cube_size(self, extent, scales):
         """The side of the cube [m]: slightly more than the points need."""

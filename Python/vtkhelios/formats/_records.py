@@ -20,6 +20,7 @@ HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
 INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: location of packets
 STANDARD_TIME, OFFSET_TIME = 1, 64  # its bits of times
 WRITTEN = {0: 2, 5: 4}  # versions 1.x whose records are copied to those of another one
+LEAST = {0: 0, 1: 0, 2: 2, 3: 2, 4: 3, 5: 3}  # versions 1.x of the first formats; of others 4
 DESCRIPTORS = range(100, 355)  # numbers of the waveform packet descriptor records
 TO_SCANNER = b"waveform [W], to the scanner"  # descriptor text in heliosLasWaves.h, and
 FROM_SCANNER = b"waveform [W]"  # that of earlier versions, whose vectors had the opposite sign
@@ -86,22 +87,25 @@ class RecordReader:
             start = file.read(HEADER_BYTES)
             if problem := check_header(start, self._size):
                 raise Damage(problem)
+            minor = start[25]
             self._set_start(bytearray(start))
             header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
             file.seek(header_size)
             data = file.read(self._points_begin - header_size)
             self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
-            self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
-            self.extended = self._find_extended(file, start) if self.minor >= 4 else []
+            self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if minor >= 3 else 0
+            self.extended = self._find_extended(file, start) if minor >= 4 else []
 
     def _set_start(self, start):
-        """The head as it is written: of LAS 1.0 as 1.2, of LAS 1.5 as 1.4."""
-        minor = start[25]
+        """The head as it is written: of LAS 1.0 as 1.2, of LAS 1.5 as 1.4, of formats that the
+        version does not have as the first one that has them.
+        """
+        minor, form = start[25], start[104] & 63
         if minor < 2:
             start[6:8] = bytes(2)  # reserved there
         if minor < 1:
             start[4:6] = bytes(2)
-        self.minor = start[25] = WRITTEN.get(minor, minor)
+        self.minor = start[25] = max(WRITTEN.get(minor, minor), LEAST.get(form, 4))
         self.encoding = struct.unpack_from("<H", start, 6)[0]
         self._time_shift = 0.0
         if minor == 5 and self.encoding & OFFSET_TIME:

@@ -79,4 +79,4 @@ def explain_missing(owner, layout, union):
     if not values:
         return None
     words = "; ".join(f"{value} for {', '.join(names)}" for value, names in values.items())
-    return f"{owner}: has no such arrays as the others, its points get {words}"
+    return f"{owner}: has not all arrays of the others; its points get {words}"
