@@ -3,6 +3,7 @@
 #include "heliosPlyPoints.h"
 
 #include "heliosStatus.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -235,6 +236,7 @@ public:
       }
       else
       {
+        array->SetName(name == "intensity" ? vtkHeliosArrayNames::Intensity : name.c_str());
         cloud->GetPointData()->AddArray(array);
       }
     }

@@ -56,6 +56,12 @@ const char* vtkHeliosPCDWriter::GetBlockSource() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosPCDWriter::GetHasFloatPoints() const
+{
+  return this->Header ? this->Header->Fields[0].Size == 4 : this->Precision == Float;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosPCDWriter::Refuse(const std::string& problem)
 {
   vtkErrorMacro(<< this->GetOpenName() << ": " << problem);

@@ -107,6 +107,11 @@ public:
   vtkGetMacro(Resolution, double);
   ///@}
 
+  /**
+   * Whether x, y, z are float in the file that was opened last.
+   */
+  bool GetHasFloatPoints() const;
+
   bool Open() override;
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 

@@ -43,7 +43,8 @@ const KnownColumn KnownColumns[] = {
   { " returnnumber rn ", { names::ReturnNumber, 0, 1, VTK_UNSIGNED_CHAR } },
   { " numberofreturns numreturns nr ", { names::NumberOfReturns, 0, 1, VTK_UNSIGNED_CHAR } },
   { " gpstime time ", { names::GpsTime, 0, 1, VTK_DOUBLE } },
-  { " pointsourceid pointsource legids ", { names::LegIds, 0, 1, VTK_INT } },
+  { " legids ", { names::LegIds, 0, 1, VTK_INT } },
+  { " pointsourceid pointsource ", { names::LegIds, 0, 1, VTK_INT, false, -1.0 } }, // as in LAS
   { " userdata ", { names::UserData, 0, 1, VTK_UNSIGNED_CHAR } },
   { " scananglerank scanangle ", { names::ScanAngle, 0, 1, VTK_DOUBLE } },
   { " scandirectionflag ", { names::ScanDirectionFlag, 0, 1, VTK_UNSIGNED_CHAR } },
@@ -71,7 +72,6 @@ struct CommonName
 
 const CommonName CommonNames[] = {
   { names::ClassificationIds, "Classification" },
-  { names::LegIds, "PointSourceId" },
   { names::NearInfrared, "Infrared" },
   { names::ChannelIds, "ScanChannel" },
 };

@@ -18,6 +18,7 @@ struct NamedColumn
   int Components = 1;
   int Type = 0;            ///< of the array
   bool IsFraction = false; ///< a colour in [0, 1]
+  double Offset = 0.0;     ///< added to the number in the file
 };
 
 /// Finds a column by its name, in any case, without quotes, blanks, units in brackets, _ and -, and

@@ -208,7 +208,7 @@ bool XyzParser::AppendValues(Values& values)
   double* numbers = values.Numbers.Append(count);
   for (int k = 0; k < count; ++k)
   {
-    numbers[k] = this->Row.GetValue(values.Indices[k]);
+    numbers[k] = this->Row.GetValue(values.Indices[k]) + values.Column.Offset;
     if (!this->CheckValue(values, k, numbers[k]))
     {
       return false;

@@ -70,6 +70,11 @@ const char* vtkHeliosPointTextReader::GetArrayOfColumn(const char* name)
   return name ? helios::FindNamedColumn(name).Array : nullptr;
 }
 
+int vtkHeliosPointTextReader::GetComponentOfColumn(const char* name)
+{
+  return name ? helios::FindNamedColumn(name).Component : 0;
+}
+
 const char* vtkHeliosPointTextReader::GetCommonName(const char* array)
 {
   return array ? helios::GetCommonName(array) : nullptr;

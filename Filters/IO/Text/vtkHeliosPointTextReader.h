@@ -66,9 +66,11 @@ public:
 
   /**
    * The array that a column with a name is read as, such as Intensity; empty for coordinates, null if
-   * the name is not known. GetCommonName() is the name of an array in files of other programs.
+   * the name is not known; and the component of the array. GetCommonName() is the name of an array
+   * in files of other programs.
    */
   static const char* GetArrayOfColumn(const char* name);
+  static int GetComponentOfColumn(const char* name);
   static const char* GetCommonName(const char* array);
 
   ///@{

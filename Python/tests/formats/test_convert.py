@@ -469,7 +469,7 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
     [
         (["none.las", "b.laz"], "none.las: no such file or folder; check its name"),
         (["a.las", "b.shp"], "b.shp: its ending is not of a known format"),
-        (["notes.txt", "b.las"], "notes.txt: its ending is not of a known format"),
+        (["notes.dat", "b.las"], "notes.dat: its ending is not of a known format"),
         (["a.las", "a.las"], "a.las: is also an input; give another name"),
         (["a.las", "there.laz"], "there.laz: already exists; give --overwrite to replace it"),
         (["a.las", "there.laz", "b.laz"], "b.laz: is one file for 2 inputs; give --merge"),
@@ -506,7 +506,7 @@ def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     for folder in ("folder", "begun", "plays/play000", "broken", "other", "bare"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(las, "folder/a.las")
-    for name in ("there.laz", "notes.txt", "begun/run.journal", "plays/play000/run_summary.json"):
+    for name in ("there.laz", "notes.dat", "begun/run.journal", "plays/play000/run_summary.json"):
         (tmp_path / name).write_text("")
     (tmp_path / "broken/run_summary.json").write_text("{")
     (tmp_path / "other/run_summary.json").write_text("[1]")
@@ -599,7 +599,7 @@ def test_replacing(las, convert, tmp_path):
     assert len(read(tmp_path / "b.ply")["points"]) > 1000
 
 
-@pytest.mark.parametrize("ending", [kind[1:] for kind in formats.FORMATS])
+@pytest.mark.parametrize("ending", [kind[1:] for kind in formats.WRITTEN])
 def test_full_disks(small_runs, tmp_path, ending):
     """A file that cannot grow beyond 200 kB: an error that names it, and no files left."""
     for package in {

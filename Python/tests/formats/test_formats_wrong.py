@@ -272,8 +272,8 @@ def test_points_that_are_not_finite(tmp_path):
 
 
 def test_names(tmp_path):
-    with pytest.raises(FormatError, match="cloud.txt: its ending is not of a known format; "):
-        formats.open_reader(tmp_path / "cloud.txt")
+    with pytest.raises(FormatError, match="cloud.dat: its ending is not of a known format; "):
+        formats.open_reader(tmp_path / "cloud.dat")
     with pytest.raises(FormatError, match="none.las: no such file; check its name"):
         formats.open_reader(tmp_path / "none.las")
     (tmp_path / "file").write_text("")

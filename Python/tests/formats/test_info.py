@@ -282,6 +282,6 @@ def test_strips(tmp_path, info):
 def test_wrong_names(tmp_path, info):
     code, _, err = info(tmp_path / "none.las")
     assert code == 1 and "none.las: no such file or folder; check its name" in err
-    (tmp_path / "a.txt").write_text("")
-    code, _, err = info(tmp_path / "a.txt")
-    assert code == 1 and "a.txt: its ending is not of a known format" in err
+    (tmp_path / "a.dat").write_text("")
+    code, _, err = info(tmp_path / "a.dat")
+    assert code == 1 and "a.dat: its ending is not of a known format" in err

@@ -295,7 +295,7 @@ class Conversion:
             kept = {PART_NAME} if kind == ".xyz" else set()
             for name in sorted((NAMES & fields) - kept):
                 self.lost[name] = "points keep the numbers; only VTK files store the names"
-        if kind == ".xyz" and fields & {CRS, GPS_EPOCH}:
+        if kind in (".xyz", ".csv") and fields & {CRS, GPS_EPOCH}:
             self.lost |= {name: "text has no header" for name in (CRS, GPS_EPOCH) if name in fields}
 
 

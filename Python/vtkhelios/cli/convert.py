@@ -23,7 +23,9 @@ SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole r
 
 EPILOG = """\
 formats, by the end of a name, in and out:
-  .xyz        text, the eleven columns of vtkhelios run (input: any text that begins with x y z)
+  .xyz        text, the eleven columns of vtkhelios run
+  .csv        text with a line of names, every array a column
+              input also .txt .asc .pts .ptx: named columns, or any that begin with x y z
   .las .laz   LAS and LAZ (compressed); LAZ needs laspy and lazrs
   .copc.laz   COPC, LAZ in an octree for viewers; also needs copclib
   .pvtp .vtp  VTK XML, in pieces, or in one file (held in memory as a whole)
@@ -74,7 +76,7 @@ def add_arguments(parser):
     parser.add_argument("output", metavar="OUTPUT", help="a file; with --format, a folder")
     parser.add_argument(
         "--format",
-        choices=[kind[1:] for kind in formats.FORMATS],
+        choices=[kind[1:] for kind in formats.WRITTEN],
         help="OUTPUT is a folder: one file of this format per input, or per leg of a run",
     )
     parser.add_argument("--merge", action="store_true", help="merge several inputs into one file")

@@ -177,7 +177,9 @@ def is_cloud(path):
     """Whether a member of a folder is a run, or a file of points."""
     if path.is_dir():
         return (path / SUMMARY_NAME).exists()
-    known = any(path.name.lower().endswith(end) for end in formats.FORMATS)
+    known = any(
+        path.name.lower().endswith(end) for end in formats.FORMATS if end not in formats.TABLES
+    )
     return known and kind_of(path) in (POINTS, -1)
 
 

@@ -27,21 +27,29 @@ from ._pulsewaves import PulseWaves, read_pulsewaves
 from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
-__all__ += ["FORMATS", "ending", "open_reader", "open_writer"]
+__all__ += ["FORMATS", "TABLES", "WRITTEN", "ending", "open_reader", "open_writer"]
 __all__ += ["PulseWaves", "check_waveforms", "read_pulsewaves"]
 
-# By the end of a name, the longest first: module, reader, writer.
+# By the end of a name, the longest first: module, reader, writer (None: it is read only).
 FORMATS = {
     ".copc.laz": ("_copc", "CopcReader", "CopcWriter"),
     ".las": ("_las", "LasReader", "LasWriter"),
     ".laz": ("_las", "LazReader", "LazWriter"),
     ".xyz": ("_text", "TextReader", "TextWriter"),
+    ".csv": ("_csv", "TextReader", "CsvWriter"),
+    ".txt": ("_text", "TextReader", None),
+    ".asc": ("_text", "TextReader", None),
+    ".pts": ("_text", "TextReader", None),
+    ".ptx": ("_text", "TextReader", None),
     ".pvtp": ("_vtp", "PiecesReader", "PiecesWriter"),
     ".vtp": ("_vtp", "VtpReader", "VtpWriter"),
     ".ply": ("_ply", "PlyReader", "PlyWriter"),
     ".pcd": ("_pcd", "PcdReader", "PcdWriter"),
     ".e57": ("_e57", "E57Reader", "E57Writer"),
 }
+
+WRITTEN = tuple(known for known, entry in FORMATS.items() if entry[2])
+TABLES = (".txt", ".csv")  # often other tables than points
 
 _ONLY_UTF8 = {".copc.laz", ".e57"}  # names accepted by their libraries
 
@@ -64,6 +72,10 @@ def _find(path, index):
             raise FormatError(
                 f"{path}: its name is not UTF-8, and {ending(path)} files need that; give it another name"
             ) from error
+    if module[index] is None:
+        raise FormatError(
+            f"{path}: {ending(path)} is read, not written; written are: {', '.join(WRITTEN)}"
+        )
     return getattr(importlib.import_module(f"{__name__}.{module[0]}"), module[index])
 
 

@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """PCD of the Point Cloud Library, by vtkHeliosPCDReader and vtkHeliosPCDWriter.
 
-Binary, x y z as floats relative to an origin in a comment: as in PCL's point types.
+Binary, x y z as floats relative to an origin in a comment, as in PCL's point types, unless that is
+coarser than a resolution; rgb, intensity, label and normals as PCL has them.
 """
 
 import vtkhelios
 
 from .._systems import find_system
+from ..array_names import INTENSITY
 from ._base import Header, Reader, StreamWriter, call, from_cloud, rows_of, select
+from ._intensity import IntensityScale
 
 COARSEST = 1e-3  # [m] of points whose file is not known
 
@@ -21,13 +24,17 @@ class PcdReader(Reader):
     def __init__(self, path):
         super().__init__(path)
         reader = vtkhelios.vtkHeliosPCDReader()
-        reader.SetFileName(self.path)
+        reader.SetFileName(to_vtk(self.path))
         call(self, reader, reader.Update)
         self._chunk = from_cloud(reader.GetOutput())
         self.header = Header(reader.GetOutput().GetFieldData())
         self.count = rows_of(self._chunk)
         if self.count == 0:
             self.fail("has no points; give a file with points")
+        if INTENSITY in self._chunk and self._chunk[INTENSITY].dtype.kind == "f":
+            scale = IntensityScale.of(self._chunk[INTENSITY])
+            scale.apply(self._chunk)
+            self.notes += [f"{self.path}: {scale.note}"] if scale.note else []
 
     def read_chunks(self, rows):
         for begin in range(0, self.count, rows):
@@ -37,10 +44,6 @@ class PcdReader(Reader):
 class PcdWriter(StreamWriter):
     def __init__(self, path, header):
         super().__init__(path, header, vtkhelios.vtkHeliosPCDWriter())
-        self.notes.append(
-            "coordinates are stored as floats relative to an origin, or as doubles where floats "
-            "would be too coarse"
-        )
 
     def put(self, chunk):
         if not self.stream.IsOpen():
@@ -54,3 +57,12 @@ class PcdWriter(StreamWriter):
             return system.resolution[0]
         steps = self.header.steps
         return min(steps) if steps else COARSEST / system.unit
+
+    def close(self):
+        super().close()
+        self.notes.append(
+            "coordinates are stored as floats relative to an origin"
+            if self.stream.GetHasFloatPoints()
+            else "coordinates are stored in 64 bits, since floats are too coarse: PCL's own point "
+            "types do not have them"
+        )

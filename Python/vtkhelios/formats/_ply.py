@@ -8,8 +8,9 @@ so reading and writing are a header and copies.
 
 import numpy as np
 
-from ..array_names import NORMALS, RGB
+from ..array_names import INTENSITY, NORMALS, RGB
 from ._base import ROWS, FileWriter, Reader, rows_of
+from ._ply_names import PlyNames, from_ascii, to_ascii
 
 TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
@@ -20,8 +21,9 @@ WORDS = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int"
 WORDS |= {"f4": "float", "f8": "double"}
 MARK = "vtkhelios"  # of comments with data that PLY cannot store
 
-# Names used by other programs.
+# Names that other programs read.
 NORMAL_FIELDS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
+INTENSITY_FIELD = "intensity"
 LARGEST = 2**53  # integers exact in doubles
 COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
@@ -36,7 +38,8 @@ class PlyReader(Reader):
             self._begin = file.tell()
             file.seek(0, 2)
             size = file.tell() - self._begin
-        if self.count is None or not {"x", "y", "z"} <= {name for name, _ in self._properties}:
+        self._names = PlyNames(dict(self._properties))
+        if self.count is None or None in self._names.axes:
             self.fail("has no vertices with x, y and z; give a file with points")
         if self.count == 0:
             self.fail("has no points; give a file with points")
@@ -53,7 +56,7 @@ class PlyReader(Reader):
                 f"has {self.count} points, but only {size} bytes after the header; " "copy it again"
             )
         self.kind = f"PLY {self._form}"
-        self.header.crs = self._marks.get("crs", "")
+        self.header.crs = from_ascii(self._marks.get("crs", ""))
         self.header.epoch = self._read_epoch()
 
     def _read_head(self, file):
@@ -97,7 +100,7 @@ class PlyReader(Reader):
         if words[2] == "points" or words[2] in dict(self._properties):
             why = "that is reserved for coordinates" if words[2] == "points" else "twice"
             self.fail(f'has a property "{words[2]}" {why}; give each property a unique name')
-        self._properties.append((words[2], TYPES[words[1]]))
+        self._properties.append((from_ascii(words[2]), TYPES[words[1]]))
 
     def _read_epoch(self):
         """The time origin in our comment, 0: none."""
@@ -113,12 +116,20 @@ class PlyReader(Reader):
         return epoch
 
     def read_chunks(self, rows):
+        wanted = self._names.wanted()
+        for vertices in self._read_vertices(rows) if wanted else ():
+            for name in wanted:
+                self._names.add_range(name, vertices[name])
+        for vertices in self._read_vertices(rows):
+            yield self._to_chunk(vertices)
+
+    def _read_vertices(self, rows):
         done = 0
         with open(self.path, "rb") as file:
             file.seek(self._begin)
             while done < self.count:
                 number = min(rows, self.count - done)
-                yield self._to_chunk(self._take(file, number, done))
+                yield self._take(file, number, done)
                 done += number
 
     def _take(self, file, number, done):
@@ -153,13 +164,12 @@ class PlyReader(Reader):
     def _to_chunk(self, vertices):
         fields = {name: vertices[name].astype(vertices[name].dtype.newbyteorder("="))
                   for name, _ in self._properties}  # fmt: skip
-        chunk = {"points": _stack(fields, ("x", "y", "z")).astype(np.float64)}
-        if all(name in fields for name in NORMAL_FIELDS):
-            chunk[NORMALS] = _stack(fields, NORMAL_FIELDS)
-        if all(name in fields for name in COLOURS):
-            colours = _stack(fields, COLOURS)
-            full = np.iinfo(colours.dtype).max if colours.dtype.kind in "iu" else 1.0
-            chunk[RGB] = (colours / full).astype(np.float32)
+        names = self._names
+        chunk = {"points": _stack(fields, names.axes).astype(np.float64)}
+        if names.normals:
+            chunk[NORMALS] = _stack(fields, names.normals)
+        if names.colours:
+            chunk[RGB] = (_stack(fields, names.colours) / names.full_colour()).astype(np.float32)
         for name in list(fields):
             if name in fields:
                 self._add(chunk, fields, name)
@@ -173,11 +183,22 @@ class PlyReader(Reader):
                 self.fail(f'has a property "{name}" beside {name[:-1]}; leave one out')
             chunk[name[:-1]] = _stack(fields, three)
             return
-        values = fields.pop(name)
+        source = name
+        name, values = self._names.convert(name, fields.pop(name))
         if name in chunk:
             self.fail(f'has a property "{name}" in addition to {name}; leave one out')
-        wide = self._marks.get(f"type:{name}")
+        wide = self._marks.get(f"type:{to_ascii(name)}")
         chunk[name] = self._widen(name, values, wide) if wide in ("int64", "uint64") else values
+        if name == INTENSITY and self._names.wants_scale(source):
+            self._scale(chunk, source)
+
+    def _scale(self, chunk, source):
+        """Intensities of other types as 16 bits."""
+        scale = self._names.scale(source)
+        scale.apply(chunk)
+        note = f"{self.path}: {scale.note}"
+        if scale.note and note not in self.notes:
+            self.notes.append(note)
 
     def _widen(self, name, values, kind):
         """Integers stored as doubles by the writer."""
@@ -188,6 +209,11 @@ class PlyReader(Reader):
 
 def _stack(fields, names):
     return np.column_stack([fields.pop(name) for name in names])
+
+
+def _word(name):
+    """A name as one word of ASCII."""
+    return to_ascii("_".join(name.split()) or "_")
 
 
 class PlyWriter(FileWriter):
@@ -224,6 +250,8 @@ class PlyWriter(FileWriter):
                 yield from zip(NORMAL_FIELDS, values.T)
             elif name == RGB:
                 yield from zip(COLOURS, self._colours(values).T)
+            elif name == INTENSITY and values.ndim == 1 and INTENSITY_FIELD not in chunk:
+                yield INTENSITY_FIELD, self._fit(name, values)
             elif values.ndim == 2 and values.shape[1] == 3:
                 yield from zip([name + axis for axis in "XYZ"], self._fit(name, values).T)
             elif values.ndim == 2:
@@ -254,14 +282,14 @@ class PlyWriter(FileWriter):
         lines = ["ply", "format binary_little_endian 1.0"]
         lines.append("comment " + "." * (COUNT_WIDTH - len(text)))
         if self.header.crs:
-            lines.append(f"comment {MARK} crs {' '.join(self.header.crs.split())}")
+            lines.append(f"comment {MARK} crs {to_ascii(' '.join(self.header.crs.split()))}")
         if self.header.epoch:
             lines.append(f"comment {MARK} epoch {self.header.epoch!r}")
-        lines += [f"comment {MARK} type:{name} {kind}" for name, kind in self._wide.items()]
+        lines += [f"comment {MARK} type:{_word(name)} {kind}" for name, kind in self._wide.items()]
         lines.append(f"element vertex {text}")
-        lines += [f"property {WORDS[kind.str[1:]]} {name}" for name, (kind, _) in
+        lines += [f"property {WORDS[kind.str[1:]]} {_word(name)}" for name, (kind, _) in
                   self._type.fields.items()]  # fmt: skip
-        return ("\n".join([*lines, "end_header"]) + "\n").encode()
+        return ("\n".join([*lines, "end_header"]) + "\n").encode("ascii")
 
     def close(self):
         if not self.count:

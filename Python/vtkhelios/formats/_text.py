@@ -1,14 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Text: the columns of vtkHeliosPointTextWriter, or any that start with x y z."""
+"""Text: the columns of vtkHeliosPointTextWriter, named columns, PTS and PTX, or any that start with
+x y z, by vtkHeliosPointTextReader.
+"""
+
+import pathlib
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkMath
 
 import vtkhelios
 
 from .._paths import to_vtk
 from ..array_names import AMPLITUDE, INTENSITY
-from ._base import Header, Reader, StreamWriter, call, check_file, from_cloud
+from ._base import Header, Reader, Scan, StreamWriter, call, check_file, from_cloud, rows_of
+from ._intensity import IntensityScale
 
 COLUMNS = (11, 13, 15)  # the basic ones, with flags of scan lines, with decibels
+PLAIN, ECHOES, PTS, PTX = "x y z", "echoes", "PTS", "PTX"
+RIGID = 1e-4  # error of a rotation in text
 
 
 class TextReader(Reader):
@@ -19,26 +29,74 @@ class TextReader(Reader):
         super().__init__(path)
         check_file(path)
         self._reader = reader or vtkhelios.vtkHeliosPointTextReader()
-        columns = self._reader.CountColumns(to_vtk(self.path))
-        self.kind = f"text, {columns} columns"
-        if columns < 3:
-            self._update(0, 1)  # says what is wrong
-        if columns not in (3, *COLUMNS):
+        self._reader.SetFileName(to_vtk(self.path))
+        call(self, self._reader, self._reader.ReadLayout)
+        columns, self._layout = self._reader.GetNumberOfColumns(), self._reader.GetKind()
+        plain = (PLAIN, ECHOES)
+        self.kind = f"text, {'' if self._layout in plain else self._layout + ', '}{columns} columns"
+        if self._layout == PLAIN and columns > 3:
             self.notes.append(
-                f"{self.path}: has {columns} columns instead of the {COLUMNS[0]} of vtkhelios run: "
-                "only the first three are read, as x y z"
+                f"{self.path}: has {columns} columns instead of the {COLUMNS[0]} of vtkhelios run, "
+                "and no line of names: only the first three are read, as x y z"
             )
+        if self._layout == PTX:
+            self.scans = [
+                self._make_scan(index) for index in range(self._reader.GetNumberOfScans())
+            ]
+        self._scale = IntensityScale(
+            *self._reader.GetIntensityRange(),
+            self._reader.GetHasWholeIntensities(),
+            self._layout == PTS,
+        )
+
+    def _make_scan(self, index):
+        """A scan of PTX, with the pose of its scanner."""
+        name = f"{pathlib.Path(self.path).stem}_{index + 1}"
+        matrix = np.eye(4)
+        rows = matrix.ravel().tolist()
+        self._reader.GetScanMatrix(index, rows)
+        matrix = np.reshape(rows, (4, 4))
+        turn = matrix[:3, :3]
+        if np.abs(turn @ turn.T - np.eye(3)).max() > RIGID or np.linalg.det(turn) < 0:
+            self.notes.append(
+                f"{self.path}: the matrix of scan {index + 1} is no rotation: points are placed by "
+                "it, the scan has no pose"
+            )
+            return Scan(name)
+        rotation = [0.0] * 4
+        vtkMath.Matrix3x3ToQuaternion(turn.tolist(), rotation)
+        return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True)
 
     def read_chunks(self, rows):
-        begin, size = 0, 1
+        begin, size, counted, seen, dropped = 0, 1, 0, 0, 0
         while begin < size:
             cloud = self._update(begin, rows)
             begin, size = self._reader.GetEnd(), self._reader.GetFileSize()
+            counted += self._reader.GetNumberOfCounted()
+            dropped += self._reader.GetNumberOfDropped()
+            self.scan = self._reader.GetScan()
             names = Header(cloud.GetFieldData()).part_names
             if names:
                 self.header.part_names = names
             if cloud.GetNumberOfPoints() > 0:
-                yield from_cloud(cloud)
+                chunk = from_cloud(cloud)
+                seen += rows_of(chunk)
+                if INTENSITY in chunk:
+                    self._scale.apply(chunk)
+                yield chunk
+        self._note_counts(counted, seen, dropped)
+
+    def _note_counts(self, counted, seen, dropped):
+        notes = [self._scale.note] if self._scale.note else []
+        if counted and counted != seen:
+            notes.append(
+                f"has {seen:,} points, but its lines of numbers count {counted:,.0f}; is it whole?"
+            )
+        if dropped:
+            notes.append(f"{dropped:,} points without a return (0 0 0) are dropped")
+        self.notes += [
+            f"{self.path}: {note}" for note in notes if f"{self.path}: {note}" not in self.notes
+        ]
 
     def _update(self, begin, rows):
         self._reader.SetFileName(to_vtk(self.path))

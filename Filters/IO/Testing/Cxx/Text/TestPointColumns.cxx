@@ -79,7 +79,7 @@ TEST_CASE("PointColumns: names become arrays", "[PointColumns]")
   CHECK(reading.Get(names::NumberOfReturns)->GetDataType() == VTK_UNSIGNED_CHAR);
   CHECK(reading.Get(names::ClassificationIds, 0) == 6);
   CHECK(reading.Get(names::ScanAngle, 0) == -12.5);
-  CHECK(reading.Get(names::LegIds, 0) == 7);
+  CHECK(reading.Get(names::LegIds, 0) == 6); // point sources of LAS begin at 1
   CHECK(reading.Get(names::GpsTime, 0) == 245380.78254962614);
   CHECK(GetColor(reading, 0, 0) == Approx(256.0 / 65535.0)); // of 16 bits
   CHECK(GetColor(reading, 0, 2) == 1.0);
@@ -111,7 +111,9 @@ TEST_CASE("PointColumns: names become arrays", "[PointColumns]")
   CHECK(vtkHeliosPointTextReader::GetArrayOfColumn("scalar_Classification") ==
     std::string(names::ClassificationIds));
   CHECK(vtkHeliosPointTextReader::GetArrayOfColumn("other") == nullptr);
-  CHECK(vtkHeliosPointTextReader::GetCommonName(names::LegIds) == std::string("PointSourceId"));
+  CHECK(vtkHeliosPointTextReader::GetComponentOfColumn("ny") == 1);
+  CHECK(vtkHeliosPointTextReader::GetCommonName(names::ClassificationIds) ==
+    std::string("Classification"));
 }
 
 TEST_CASE("PointColumns: the loader of scenes finds normals and colours by name", "[PointColumns]")
