@@ -8,6 +8,7 @@ coarser than a resolution; rgb, intensity, label and normals as PCL has them.
 
 import vtkhelios
 
+from .._paths import to_vtk
 from .._systems import find_system
 from ..array_names import INTENSITY
 from ._base import Header, Reader, StreamWriter, call, from_cloud, rows_of, select
