@@ -148,11 +148,22 @@ def test_plyfile_reads_a_header_in_ascii(tmp_path):
     write(tmp_path / "a.ply", chunk, header)
     vertices = plyfile.PlyData.read(str(tmp_path / "a.ply"))["vertex"]
     assert vertices["intensity"].tolist() == [0, 1, 2]
+    assert vertices["intensity"].dtype == "<f4"  # Open3D does not read ushort
     reader, back = read(tmp_path / "a.ply")
     assert reader.header.crs == DEGREES
     assert back["Höhe_über_Null"].tolist() == [0, 1, 2]
     assert back["Höhe_über_Null"].dtype == np.int64
     assert back["Intensity"].dtype == np.uint16
+
+
+def test_damaged_intensities_of_ply(tmp_path):
+    write(tmp_path / "a.ply", {"points": np.zeros((1, 3)), "Intensity": np.ones(1, np.uint16)})
+    data = (tmp_path / "a.ply").read_bytes()
+    assert data.endswith(np.float32(1.0).tobytes())
+    for value in (0.5, -1.0, 65536.0, np.nan):
+        (tmp_path / "a.ply").write_bytes(data[:-4] + np.float32(value).tobytes())
+        with pytest.raises(FormatError, match="Intensity that are not whole numbers to 65535; cor"):
+            read(tmp_path / "a.ply")
 
 
 def test_escapes():

@@ -24,7 +24,8 @@ MARK = "vtkhelios"  # of comments with data that PLY cannot store
 # Names that other programs read.
 NORMAL_FIELDS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
 INTENSITY_FIELD = "intensity"
-LARGEST = 2**53  # integers exact in doubles
+# Integers that are stored as floats, by type: the largest that are exact.
+LARGEST = {"int64": 2**53, "uint64": 2**53, "uint16": 65535}
 COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
 
@@ -38,7 +39,8 @@ class PlyReader(Reader):
             self._begin = file.tell()
             file.seek(0, 2)
             size = file.tell() - self._begin
-        self._names = PlyNames(dict(self._properties))
+        marked = {name for name, _ in self._properties if f"type:{to_ascii(name)}" in self._marks}
+        self._names = PlyNames(dict(self._properties), marked)
         if self.count is None or None in self._names.axes:
             self.fail("has no vertices with x, y and z; give a file with points")
         if self.count == 0:
@@ -187,8 +189,8 @@ class PlyReader(Reader):
         name, values = self._names.convert(name, fields.pop(name))
         if name in chunk:
             self.fail(f'has a property "{name}" in addition to {name}; leave one out')
-        wide = self._marks.get(f"type:{to_ascii(name)}")
-        chunk[name] = self._widen(name, values, wide) if wide in ("int64", "uint64") else values
+        kind = self._marks.get(f"type:{to_ascii(source)}")
+        chunk[name] = self._to_whole(name, values, kind) if kind in LARGEST else values
         if name == INTENSITY and self._names.wants_scale(source):
             self._scale(chunk, source)
 
@@ -200,10 +202,13 @@ class PlyReader(Reader):
         if scale.note and note not in self.notes:
             self.notes.append(note)
 
-    def _widen(self, name, values, kind):
-        """Integers stored as doubles by the writer."""
-        if not ((np.abs(values) <= LARGEST) & (np.rint(values) == values)).all():
-            self.fail(f"has values of {name} that are not whole numbers to 2^53; correct them")
+    def _to_whole(self, name, values, kind):
+        """Integers stored as floats by the writer."""
+        exact = np.rint(values) == values
+        low = 0 if kind == "uint16" else -LARGEST[kind]
+        if not (exact & (values >= low) & (values <= LARGEST[kind])).all():
+            limit = "65535" if kind == "uint16" else "2^53"
+            self.fail(f"has values of {name} that are not whole numbers to {limit}; correct them")
         return values.astype(kind)
 
 
@@ -220,7 +225,7 @@ class PlyWriter(FileWriter):
     def __init__(self, path, header):
         super().__init__(path, header)
         self._type = None
-        self._wide = {}  # arrays of 64 bits: type
+        self._wide = {}  # arrays that are stored as floats: type
 
     def put(self, chunk):
         fields = dict(self._fields(chunk))
@@ -250,8 +255,9 @@ class PlyWriter(FileWriter):
                 yield from zip(NORMAL_FIELDS, values.T)
             elif name == RGB:
                 yield from zip(COLOURS, self._colours(values).T)
-            elif name == INTENSITY and values.ndim == 1 and INTENSITY_FIELD not in chunk:
-                yield INTENSITY_FIELD, self._fit(name, values)
+            elif name == INTENSITY and values.dtype == np.uint16 and INTENSITY_FIELD not in chunk:
+                self._wide[INTENSITY_FIELD] = values.dtype.name
+                yield INTENSITY_FIELD, values.astype(np.float32)  # Open3D reads no ushort
             elif values.ndim == 2 and values.shape[1] == 3:
                 yield from zip([name + axis for axis in "XYZ"], self._fit(name, values).T)
             elif values.ndim == 2:
@@ -270,7 +276,7 @@ class PlyWriter(FileWriter):
         """64-bit integers as doubles, exact up to 2^53."""
         if values.dtype.itemsize < 8 or values.dtype.kind == "f":
             return values
-        if len(values) and max(abs(int(values.min())), abs(int(values.max()))) > LARGEST:
+        if len(values) and max(abs(int(values.min())), abs(int(values.max()))) > LARGEST["int64"]:
             self.fail(f"PLY stores whole numbers to 2^53, but {name} has larger ones; leave it out")
         if values.ndim == 1:
             self._wide[name] = values.dtype.name

@@ -32,10 +32,10 @@ def _find(name):
 
 
 class PlyNames:
-    """``kinds``: the types of the properties by name."""
+    """``kinds``: the types of the properties by name; ``marked``: those with a type in a comment."""
 
-    def __init__(self, kinds):
-        self._kinds = kinds
+    def __init__(self, kinds, marked=()):
+        self._kinds, self._marked = kinds, marked
         self.axes = [self._pick(axis) for axis in "xyz"]
         self.normals = self._find_three(NORMALS)
         self.colours = self._find_three(RGB)
@@ -66,7 +66,8 @@ class PlyNames:
 
     def wants_scale(self, name):
         """Whether a property is intensities that are not of 8 or 16 bits."""
-        return self.scalars.get(name) == INTENSITY and self._kinds[name] not in ("u1", "u2")
+        is_wide = self._kinds[name] not in ("u1", "u2") and name not in self._marked
+        return self.scalars.get(name) == INTENSITY and is_wide
 
     def wanted(self):
         """The properties whose range over the whole file decides on their type or scale."""
