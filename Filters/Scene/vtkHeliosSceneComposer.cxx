@@ -5,6 +5,7 @@
 #include "heliosCoordinateSystem.h"
 #include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
+#include "heliosObjectParts.h"
 #include "heliosPartMaterials.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
@@ -93,6 +94,30 @@ int vtkHeliosSceneComposer::GetPartId(int part) const
 {
   const auto index = static_cast<std::size_t>(part);
   return part >= 0 && index < this->PartIds.size() ? this->PartIds[index] : -1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::SetPartIsSplit(int part, bool isSplit)
+{
+  if (part < 0)
+  {
+    vtkErrorMacro("Part " << part << " does not exist; parts are counted from 0");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(part);
+  this->AreSplit.resize(std::max(this->AreSplit.size(), index + 1), false);
+  if (this->AreSplit[index] != isSplit)
+  {
+    this->AreSplit[index] = isSplit;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::GetPartIsSplit(int part) const
+{
+  const auto index = static_cast<std::size_t>(part);
+  return part >= 0 && index < this->AreSplit.size() && this->AreSplit[index];
 }
 
 //------------------------------------------------------------------------------
@@ -203,6 +228,7 @@ bool vtkHeliosSceneComposer::Compose(const ConnectionList& connections, vtkPolyD
   output->GetCellData()->AddArray(helios::MakePartIds(parts));
   this->AddSurfaceArrays(parts, output);
   this->AddPartNames(output, static_cast<int>(parts.size()));
+  helios::SplitParts(parts, this->AreSplit, output);
   return true;
 }
 
@@ -275,6 +301,7 @@ bool vtkHeliosSceneComposer::ComposeInstances(
   }
   output->SetInstances(split.MakeInstances(rows));
   this->AddPartNames(output, split, instances);
+  helios::SplitParts(parts, this->AreSplit, output);
   return true;
 }
 

@@ -82,6 +82,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether a part, by connection index (from 0), consists of objects that become parts of
+   * the scene: its own PartIds, with the names of its own Part.Name. Their ids come after all others;
+   * that of the part has no triangles then. Default: off.
+   */
+  void SetPartIsSplit(int part, bool isSplit);
+  bool GetPartIsSplit(int part) const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether colours are passed: cell data TextureCoordinates and RGB, NaN for parts
    * without, for GenerateColors of vtkHeliosScanner. Default: off.
    */
@@ -122,6 +132,7 @@ private:
 
   std::vector<std::string> PartNames;
   std::vector<int> PartIds; // -1: the default
+  std::vector<bool> AreSplit;
   bool PassColors = false;
 };
 

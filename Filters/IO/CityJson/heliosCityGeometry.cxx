@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace helios
 {
@@ -30,11 +31,17 @@ int GetCityDepth(const Json::Value& geometry)
 
 //------------------------------------------------------------------------------
 CityGeometry::CityGeometry(const JsonFile& file, SceneMesh& mesh)
-  : File(file)
+  : File(&file)
   , Mesh(mesh)
   , Materials(mesh.Materials)
   , Polygons(mesh)
 {
+}
+
+//------------------------------------------------------------------------------
+const JsonFile& CityGeometry::SetFile(const JsonFile& file)
+{
+  return *std::exchange(this->File, &file);
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +55,7 @@ void CityGeometry::SetObject(const std::string& name, const std::string& type)
 Status CityGeometry::Fail(const Json::Value& value, const std::string& message) const
 {
   return Status::Error(
-    this->File.GetPlace(value) + "object " + Quote(this->ObjectName) + ": " + message);
+    this->File->GetPlace(value) + "object " + Quote(this->ObjectName) + ": " + message);
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,9 @@ class CityGeometry
 public:
   CityGeometry(const JsonFile& file, SceneMesh& mesh);
 
+  /// The text that the values of geometries and errors are of from here on; returns the last one.
+  const JsonFile& SetFile(const JsonFile& file);
+
   /// The object that geometries belong to from here on.
   void SetObject(const std::string& name, const std::string& type);
 
@@ -51,7 +54,7 @@ private:
   Status ReadRing(const Json::Value& ring);
   Status FindRow(const Json::Value& value, int& row);
 
-  const JsonFile& File;
+  const JsonFile* File;
   SceneMesh& Mesh;
   CityMaterials Materials;
   std::string ObjectName;

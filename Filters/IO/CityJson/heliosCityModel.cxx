@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCityModel.h"
 
+#include "heliosLineFile.h"
+
 #include <json/json.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numeric>
 
@@ -17,6 +21,7 @@ namespace
 {
 
 constexpr Json::ArrayIndex ObjectsPerBlock = 256;
+constexpr std::size_t LongestLine = std::size_t(1) << 30; // a feature, or all of a small city
 
 /// Levels of detail are ordered as numbers: 1.3 is above 1.2 and 1.
 double ToNumber(const std::string& level)
@@ -34,6 +39,15 @@ bool IsLower(const std::string& a, const std::string& b)
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// One value per line.
+bool IsSequence(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".jsonl";
 }
 
 bool AreFinite(const double* point)
@@ -91,16 +105,92 @@ bool CityModel::Read(const std::string& path)
 //------------------------------------------------------------------------------
 Status CityModel::ReadFile(const std::string& path)
 {
-  Status status = this->File.Read(path);
-  status = status.IsOk() ? this->CheckVersion() : status;
-  status = status.IsOk() ? this->ReadVertices() : status;
-  status = status.IsOk() ? this->ReadObjects() : status;
+  Status status;
+  if (IsSequence(path))
+  {
+    status = this->ReadLines(path);
+  }
+  else
+  {
+    status = this->File.Read(path);
+    status = status.IsOk() ? this->ReadHeader() : status;
+  }
   status = status.IsOk() ? this->CheckLevels() : status;
   if (status.IsOk())
   {
     this->ReadCrs();
     this->Geometry.Warn(this->Report);
   }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+Status CityModel::ReadHeader()
+{
+  Status status = this->CheckVersion();
+  status = status.IsOk() ? this->ReadTransform() : status;
+  status = status.IsOk() ? this->ReadVertices(this->File) : status;
+  return status.IsOk() ? this->ReadObjects(this->File) : status;
+}
+
+//------------------------------------------------------------------------------
+Status CityModel::ReadLines(const std::string& path)
+{
+  LineFile file;
+  if (Status status = file.Open(path); !status.IsOk())
+  {
+    return status;
+  }
+  file.SetLongestLine(LongestLine);
+  file.SetRange(0, file.GetSize());
+  std::string_view text;
+  std::int64_t line = 0;
+  while (file.NextLine(text))
+  {
+    ++line;
+    const bool isBlank = std::all_of(text.begin(), text.end(), TextWords::IsBlank);
+    const Status status = isBlank ? Status() : this->ReadLine(path, text, line);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    if (line % ObjectsPerBlock == 0 && this->OnBlock &&
+      !this->OnBlock(static_cast<double>(file.GetNextLine()) / static_cast<double>(file.GetSize())))
+    {
+      return Status::Error(Place(path, line) + "reading was aborted here; update again to read it");
+    }
+  }
+  if (!file.GetError().empty())
+  {
+    return Status::Error(file.GetError());
+  }
+  return this->HasHeader
+    ? Status()
+    : Status::Error(path + ": is empty; its first line must be the metadata, of type \"CityJSON\"");
+}
+
+//------------------------------------------------------------------------------
+/// The metadata, or a feature, whose vertices are its own.
+Status CityModel::ReadLine(const std::string& path, std::string_view text, std::int64_t line)
+{
+  if (!this->HasHeader)
+  {
+    this->HasHeader = true;
+    const Status status = this->File.Parse(path, std::string(text), line);
+    return status.IsOk() ? this->ReadHeader() : status;
+  }
+  JsonFile feature;
+  Status status = feature.Parse(path, std::string(text), line);
+  if (status.IsOk() && GetText(feature.GetRoot(), "type") != "CityJSONFeature")
+  {
+    return Status::Error(feature.GetPlace(feature.GetRoot()) + "type is " +
+      Quote(GetText(feature.GetRoot(), "type")) +
+      ", not \"CityJSONFeature\"; only the first line is the metadata: write the file again");
+  }
+  status = status.IsOk() ? this->ReadVertices(feature) : status;
+  status = status.IsOk() ? this->ReadObjects(feature) : status;
+  this->Geometry.SetFile(this->File);
+  this->Objects = nullptr;
   return status;
 }
 
@@ -114,7 +204,9 @@ Status CityModel::CheckVersion()
   {
     return Status::Error(this->File.GetPlace(GetMember(root, "type")) + "type is " + Quote(type) +
       ", not \"CityJSON\"; give a file of CityJSON" +
-      (type == "CityJSONFeature" ? ", to which cjio collects features" : ""));
+      (type == "CityJSONFeature"
+          ? ", or a text sequence (.city.jsonl) whose first line is the metadata"
+          : ""));
   }
   if (version != "1.1" && version != "2.0")
   {
@@ -125,53 +217,57 @@ Status CityModel::CheckVersion()
 }
 
 //------------------------------------------------------------------------------
-/// Every vertex becomes a point: scale times integer plus translation, in double precision.
-Status CityModel::ReadVertices()
+Status CityModel::ReadTransform()
 {
-  const Json::Value& root = this->File.GetRoot();
-  const Json::Value& transform = GetMember(root, "transform");
-  const Json::Value& vertices = GetMember(root, "vertices");
-  double scale[3];
-  double shift[3];
-  if (!ReadNumbers(GetMember(transform, "scale"), scale, 3) ||
-    !ReadNumbers(GetMember(transform, "translate"), shift, 3))
+  const Json::Value& transform = GetMember(this->File.GetRoot(), "transform");
+  return ReadNumbers(GetMember(transform, "scale"), this->Scale, 3) &&
+      ReadNumbers(GetMember(transform, "translate"), this->Translation, 3)
+    ? Status()
+    : Status::Error(this->File.GetPlace(transform) +
+        "transform has no scale and translate of three numbers each; write the file again");
+}
+
+//------------------------------------------------------------------------------
+/// Every vertex becomes a point: scale times integer plus translation, in double precision.
+Status CityModel::ReadVertices(const JsonFile& file)
+{
+  const Json::Value& vertices = GetMember(file.GetRoot(), "vertices");
+  const std::int64_t first = this->Mesh.GetNumberOfPoints();
+  if (!vertices.isArray() || first + static_cast<std::int64_t>(vertices.size()) > MostCorners)
   {
-    return Status::Error(this->File.GetPlace(transform) +
-      "transform has no scale and translate of three numbers each; write the file again");
-  }
-  if (!vertices.isArray() || static_cast<std::int64_t>(vertices.size()) > MostCorners)
-  {
-    return Status::Error(this->File.GetPlace(vertices) + "vertices are " + Describe(vertices) +
-      ", not a list of at most " + std::to_string(MostCorners) + "; write the file again");
+    return Status::Error(file.GetPlace(vertices) + "vertices are " + Describe(vertices) +
+      ", not a list of at most " + std::to_string(MostCorners - first) + "; write the file again");
   }
   for (const Json::Value& vertex : vertices)
   {
     double p[3] = { 0.0, 0.0, 0.0 };
     const bool isRead = ReadNumbers(vertex, p, 3);
-    std::transform(p, p + 3, scale, p, std::multiplies<>());
-    std::transform(p, p + 3, shift, p, std::plus<>());
+    std::transform(p, p + 3, this->Scale, p, std::multiplies<>());
+    std::transform(p, p + 3, this->Translation, p, std::plus<>());
     if (!isRead || !AreFinite(p))
     {
-      return Status::Error(this->File.GetPlace(vertex) + "vertex " +
-        std::to_string(this->Mesh.GetNumberOfPoints()) + " is " + Describe(vertex) +
+      return Status::Error(file.GetPlace(vertex) + "vertex " +
+        std::to_string(this->Mesh.GetNumberOfPoints() - first) + " is " + Describe(vertex) +
         ", not three numbers that are finite after the transform; correct it");
     }
     this->Mesh.AddPoint(p[0], p[1], p[2]);
   }
   this->Ids.resize(vertices.size());
-  std::iota(this->Ids.begin(), this->Ids.end(), 0);
+  std::iota(this->Ids.begin(), this->Ids.end(), static_cast<vtkTypeInt32>(first));
   return {};
 }
 
 //------------------------------------------------------------------------------
-Status CityModel::ReadObjects()
+Status CityModel::ReadObjects(const JsonFile& file)
 {
-  const Json::Value& objects = GetMember(this->File.GetRoot(), "CityObjects");
+  const Json::Value& objects = GetMember(file.GetRoot(), "CityObjects");
   if (!objects.isObject())
   {
-    return Status::Error(this->File.GetPlace(objects) + "CityObjects are " + Describe(objects) +
+    return Status::Error(file.GetPlace(objects) + "CityObjects are " + Describe(objects) +
       ", not an object; write the file again");
   }
+  this->Geometry.SetFile(file);
+  this->Objects = &objects;
   Json::ArrayIndex done = 0;
   for (auto object = objects.begin(); object != objects.end(); ++object)
   {
@@ -183,7 +279,7 @@ Status CityModel::ReadObjects()
     if (++done % ObjectsPerBlock == 0 && this->OnBlock &&
       !this->OnBlock(static_cast<double>(done) / objects.size()))
     {
-      return Status::Error(this->File.GetPath() + ": reading was aborted at object " +
+      return Status::Error(file.GetPath() + ": reading was aborted at object " +
         std::to_string(done) + "; update again to read it");
     }
   }
@@ -213,6 +309,7 @@ Status CityModel::AddObject(const std::string& name, const Json::Value& object)
     }
     if (!own.empty() && own == level)
     {
+      isUsed ? void() : this->Mesh.StartPart(name);
       isUsed = true;
       const Status status = this->AddGeometry(geometries[i]);
       if (!status.IsOk())
@@ -267,7 +364,7 @@ std::string CityModel::ChooseLevel(const Json::Value& object) const
     return this->LevelOfDetail;
   }
   const std::string own = this->FindHighestLevel(object);
-  const Json::Value& objects = GetMember(this->File.GetRoot(), "CityObjects");
+  const Json::Value& objects = *this->Objects;
   const Json::Value& children = GetMember(object, "children");
   for (Json::ArrayIndex i = 0; children.isArray() && i < children.size(); ++i)
   {

@@ -15,12 +15,16 @@
 #include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace helios
 {
 
-/// Adds the surfaces of a file, at one level of detail, to an empty mesh.
+/**
+ * Adds the surfaces of a file, at one level of detail, to an empty mesh, each object as a part. Text
+ * sequences (.jsonl: CityJSONSeq) have the metadata in their first line, and a feature in each other.
+ */
 class CityModel
 {
 public:
@@ -40,9 +44,13 @@ public:
 
 private:
   Status ReadFile(const std::string& path);
+  Status ReadLines(const std::string& path);
+  Status ReadLine(const std::string& path, std::string_view text, std::int64_t line);
+  Status ReadHeader();
   Status CheckVersion();
-  Status ReadVertices();
-  Status ReadObjects();
+  Status ReadTransform();
+  Status ReadVertices(const JsonFile& file);
+  Status ReadObjects(const JsonFile& file);
   Status AddObject(const std::string& name, const Json::Value& object);
   Status AddGeometry(const Json::Value& geometry);
   std::string FindLevel(const Json::Value& geometry) const;
@@ -53,11 +61,15 @@ private:
 
   SceneMesh& Mesh;
   TextReport& Report;
-  JsonFile File;
+  JsonFile File;                        // with the metadata
+  bool HasHeader = false;               // of a sequence
+  const Json::Value* Objects = nullptr; // of the current text
+  double Scale[3] = { 1.0, 1.0, 1.0 };  // of vertices
+  double Translation[3] = { 0.0, 0.0, 0.0 };
   CityGeometry Geometry;
   CityTemplates Templates;
   std::string Crs;
-  std::vector<vtkTypeInt32> Ids;    // points of the vertices of the file
+  std::vector<vtkTypeInt32> Ids;    // points of the vertices of the current text
   std::set<std::string> Levels;     // all in the file
   std::int64_t NumberOfObjects = 0; // with surfaces
   std::int64_t NumberOfUsed = 0;    // at the level of detail

@@ -89,7 +89,14 @@ Status CityTemplates::Add(const Json::Value& instance, const std::vector<vtkType
     this->Mesh.Points.GetValues() + 3 * std::int64_t(ids[static_cast<std::size_t>(place)]), 3,
     point);
   status = this->AddVertices(instance, *shape, matrix, point);
-  return status.IsOk() ? this->Geometry.Add(this->Find(instance), this->Ids) : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  const JsonFile& file = this->Geometry.SetFile(this->File);
+  status = this->Geometry.Add(this->Find(instance), this->Ids);
+  this->Geometry.SetFile(file);
+  return status;
 }
 
 //------------------------------------------------------------------------------

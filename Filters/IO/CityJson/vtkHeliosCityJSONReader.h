@@ -4,11 +4,13 @@
  * @class   vtkHeliosCityJSONReader
  * @brief   read a city model in CityJSON as a scene
  *
- * CityJSON 2.0 and 1.1. Output 0 is that of vtkHeliosSceneReader:
+ * CityJSON 2.0 and 1.1, and text sequences of features (.jsonl: CityJSONSeq), whose first line has
+ * the metadata. Output 0 is that of vtkHeliosSceneReader:
  * - points: scale times integer plus translation of the file's transform, in double;
  * - triangles of the surfaces of MultiSurface, CompositeSurface, Solid, MultiSolid, CompositeSolid,
  *   and of templates (GeometryInstance), in the order of the objects' names. Surfaces may be concave
  *   and have holes. Points and lines are not read;
+ * - cell data PartIds (int), the objects with triangles, and their ids in the field data Part.Name;
  * - one material for each kind of surface, named like its semantic type (RoofSurface, WallSurface,
  *   ...), else like its object (Road, PlantCover, ...). Classes are those of LAS 1.4: Building* 6,
  *   Bridge* 17, Road and TransportSquare 11, Railway 10, Water* 9, LandUse and TINRelief 2,
@@ -22,7 +24,7 @@
  *
  * Errors, without output: text that is not JSON, another version, a vertex that is malformed, an
  * index out of range, a level of detail that no object has. Messages start with file:line and name
- * the object. Warnings: surfaces whose rings cross, objects without the LevelOfDetail, a
+ * the object. Warnings: surfaces whose sides cross, objects without the LevelOfDetail, a
  * referenceSystem that is not understood, degenerate triangles (dropped).
  *
  * @warning

@@ -21,7 +21,7 @@ namespace
 constexpr double BytesPerByte = 65.0; // of memory per byte of a file; measured: 25 to 64
 
 /// Of "* Line 3, Column 5\n  Missing ',' ..." the line and the words.
-Status DescribeFault(const std::string& path, const std::string& errors)
+Status DescribeFault(const std::string& path, const std::string& errors, std::int64_t first)
 {
   int line = 0;
   int column = 0;
@@ -33,8 +33,8 @@ Status DescribeFault(const std::string& path, const std::string& errors)
   const std::string rest = errors.substr(std::min(begin + 1, errors.size()));
   std::string words = rest.substr(0, rest.find('\n'));
   words.erase(0, std::min(words.find_first_not_of(' '), words.size()));
-  return Status::Error(Place(path, line) + "is not valid JSON at column " + std::to_string(column) +
-    ": " + words + "; correct it, or write the file again");
+  return Status::Error(Place(path, first - 1 + line) + "is not valid JSON at column " +
+    std::to_string(column) + ": " + words + "; correct it, or write the file again");
 }
 
 } // namespace
@@ -57,8 +57,9 @@ Status JsonFile::Read(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-Status JsonFile::Parse(const std::string& path, std::string text)
+Status JsonFile::Parse(const std::string& path, std::string text, std::int64_t line)
 {
+  this->Line = line;
   this->Path = path;
   this->Text = std::move(text);
   Json::CharReaderBuilder builder;
@@ -71,7 +72,7 @@ Status JsonFile::Parse(const std::string& path, std::string text)
     const char* begin = this->Text.data();
     if (!reader->parse(begin, begin + this->Text.size(), this->Root.get(), &errors))
     {
-      return DescribeFault(path, errors);
+      return DescribeFault(path, errors, line);
     }
   }
   catch (const Json::Exception& fault) // nested too deep
@@ -88,7 +89,8 @@ std::string JsonFile::GetPlace(const Json::Value& value) const
 {
   const auto at = std::clamp<std::ptrdiff_t>(
     value.getOffsetStart(), 0, static_cast<std::ptrdiff_t>(this->Text.size()));
-  return Place(this->Path, 1 + std::count(this->Text.begin(), this->Text.begin() + at, '\n'));
+  return Place(
+    this->Path, this->Line + std::count(this->Text.begin(), this->Text.begin() + at, '\n'));
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,8 @@ public:
   /// Reads a file; a root that is no object is an error.
   Status Read(const std::string& path);
 
-  /// Parses a text that comes from a file.
-  Status Parse(const std::string& path, std::string text);
+  /// Parses a text that comes from a file, from a line on.
+  Status Parse(const std::string& path, std::string text, std::int64_t line = 1);
 
   const Json::Value& GetRoot() const { return *this->Root; }
   const std::string& GetPath() const { return this->Path; }
@@ -44,6 +44,7 @@ public:
 private:
   std::string Path;
   std::string Text;
+  std::int64_t Line = 1;
   std::unique_ptr<Json::Value> Root;
 };
 

@@ -7,8 +7,10 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -85,6 +87,10 @@ void SceneMesh::AddTriangle(vtkTypeInt32 a, vtkTypeInt32 b, vtkTypeInt32 c, int 
   corner[1] = b;
   corner[2] = c;
   *this->MaterialIds.Append(1) = material;
+  if (!this->PartNames.empty())
+  {
+    *this->PartIds.Append(1) = static_cast<int>(this->PartNames.size()) - 1;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -96,6 +102,7 @@ void SceneMesh::DropFlatTriangles(const std::string& path, TextReport& report)
   int* ids = this->MaterialIds.GetValues();
   float* textures =
     this->TextureCoordinates.GetSize() > 0 ? this->TextureCoordinates.GetValues() : nullptr;
+  int* parts = this->PartIds.GetSize() > 0 ? this->PartIds.GetValues() : nullptr;
   this->IsUsed.assign(static_cast<std::size_t>(this->Points.GetSize() / 3), 0);
 
   vtkIdType kept = 0;
@@ -117,11 +124,16 @@ void SceneMesh::DropFlatTriangles(const std::string& path, TextReport& report)
     {
       std::copy_n(textures + 6 * i, 6, textures + 6 * kept);
     }
+    if (parts)
+    {
+      parts[kept] = parts[i];
+    }
     ids[kept++] = ids[i];
   }
   this->Corners.Truncate(3 * kept);
   this->TextureCoordinates.Truncate(textures ? 6 * kept : 0);
   this->MaterialIds.Truncate(kept);
+  this->PartIds.Truncate(parts ? kept : 0);
   this->DroppedTriangles = count - kept;
   if (this->DroppedTriangles > 0)
   {
@@ -223,6 +235,19 @@ void SceneMesh::MoveTo(vtkPolyData* scene)
     vtkFloatArray* coordinates = this->TextureCoordinates.Finish(6);
     coordinates->SetName(vtkHeliosArrayNames::TextureCoordinates);
     scene->GetCellData()->AddArray(coordinates);
+  }
+  if (!this->PartNames.empty())
+  {
+    vtkIntArray* partIds = this->PartIds.Finish(1);
+    partIds->SetName(vtkHeliosArrayNames::PartIds);
+    scene->GetCellData()->AddArray(partIds);
+    vtkNew<vtkStringArray> partNames;
+    partNames->SetName(vtkHeliosArrayNames::PartName);
+    for (const std::string& name : this->PartNames)
+    {
+      partNames->InsertNextValue(name);
+    }
+    scene->GetFieldData()->AddArray(partNames);
   }
   SetMaterials(scene, this->Materials);
 }

@@ -44,7 +44,11 @@ public:
   GrowingArray<vtkIntArray> MaterialIds;   ///< row of Materials per triangle
   /// u v of the three corners per triangle; empty if not read
   GrowingArray<vtkFloatArray> TextureCoordinates;
+  GrowingArray<vtkIntArray> PartIds; ///< index into PartNames per triangle; empty: no parts
   MaterialTable Materials;
+
+  /// Triangles from here on are of a part with a name: of each, PartIds; call it before the first.
+  void StartPart(const std::string& name) { this->PartNames.push_back(name); }
 
   void AddPoint(double x, double y, double z);
   void AddTriangle(vtkTypeInt32 a, vtkTypeInt32 b, vtkTypeInt32 c, int material);
@@ -73,6 +77,7 @@ public:
   vtkIdType GetNumberOfDroppedTriangles() const { return this->DroppedTriangles; }
 
 private:
+  std::vector<std::string> PartNames;
   std::vector<unsigned char> IsUsed; // per vertex
   vtkIdType DroppedTriangles = 0;
 };

@@ -8,6 +8,7 @@
  * - points: the vertices used by triangles, in file order, double;
  * - polys: the triangles in file order, in 32-bit storage;
  * - cell data MaterialIds (int): row index into the material columns;
+ * - cell data PartIds (int), of files with objects: row index into the field data Part.Name;
  * - field data: the material columns (Material.Name, Material.Reflectance, ...), and CRS if the file
  *   has one.
  *

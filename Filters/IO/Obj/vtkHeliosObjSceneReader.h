@@ -12,25 +12,22 @@
  *   material of the libraries (mtllib), used or not, in file order.
  *
  * Keywords read: v, vn, vt, f, mtllib and usemtl; o, g, s, l, p and vertex colours are ignored. A
- * face with more than three corners becomes a triangle fan about its first corner. Negative indices
- * count backwards. A backslash continues a line. mtllib names one file, blanks included, or
+ * face with more than three corners becomes a triangle fan about its first corner if it is convex;
+ * others are triangulated, also if they touch themselves. Negative indices count backwards. A backslash continues a line. mtllib names one file, blanks included, or
  * several, in the folder of the OBJ file. Material files have Kd, Ks, Ns and the keys
  * helios_reflectance [0..1], helios_isGround, helios_classification and helios_spectra; the
  * specularity of a material is sum Ks / (sum Kd + sum Ks). Material names may contain blanks; a
  * name that is not found as a whole is searched by its first word.
  *
  * The file is checked line by line. Errors, without output: a malformed number, a coordinate that
- * is NaN or infinite, an index out of range (of vertices, texture coordinates or normals), a face
- * with fewer than three corners, a reflectance outside [0, 100]. Warnings: degenerate triangles
- * (dropped), vertices 1e7 m away from the others, unknown keywords, a reflectance above 1
+ * is NaN or infinite, an index of a vertex out of range, a face with fewer than three corners, a
+ * reflectance outside [0, 100]. Warnings: indices of texture coordinates or normals out of range,
+ * which are not used, faces whose sides cross, images that cut shapes out of triangles (map_d, or
+ * the transparency of map_Kd), which are scanned as opaque, degenerate triangles (dropped), vertices 1e7 m away from the others, unknown keywords, a reflectance above 1
  * (interpreted as percent), a missing material file and unknown materials (both get default
  * properties), a file without faces. Messages start with file:line.
  *
  * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
- *
- * @warning
- * The fan is correct for convex faces, and for concave ones that are star-shaped about their first
- * corner. Other concave faces must be triangulated by the program that writes them.
  *
  * @sa
  * vtkHeliosObjSceneWriter vtkHeliosSceneComposer

@@ -23,7 +23,7 @@ constexpr struct
   Loader Type;
 } Endings[] = { { ".obj", Loader::Obj }, { ".tif", Loader::GeoTiff }, { ".tiff", Loader::GeoTiff },
   { ".ply", Loader::Ply }, { ".stl", Loader::Stl }, { ".json", Loader::CityJson },
-  { ".gltf", Loader::Gltf }, { ".glb", Loader::Gltf } };
+  { ".jsonl", Loader::CityJson }, { ".gltf", Loader::Gltf }, { ".glb", Loader::Gltf } };
 
 /// Resolves aliases of filter types.
 std::string FindType(const std::string& given)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMeshKey.h"
 
+#include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
 
 #include <ios>
@@ -13,7 +14,9 @@ namespace helios
 
 std::string GetMeshKey(const PartData& part)
 {
-  if (part.Type == Loader::Xyz || part.Type == Loader::Las || part.Type == Loader::Vegetation)
+  const bool hasPoints =
+    part.Type == Loader::Xyz || part.Type == Loader::Las || part.Type == Loader::Vegetation;
+  if (hasPoints || HasObjects(part)) // objects are parts, instances are one each
   {
     return {};
   }

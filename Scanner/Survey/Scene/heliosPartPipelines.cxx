@@ -405,6 +405,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
   this->Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
+    composer->SetPartIsSplit(composer->GetNumberOfInputConnections(0), HasObjects(part));
     composer->AddInputConnection(this->GetReader(part, file)->GetOutputPort());
   }
   return composer;

@@ -222,6 +222,7 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
       composer->AddInputConnection(part.Place->GetOutputPort());
       composer->SetPartName(connection, part.Name->c_str());
       composer->SetPartId(connection, id);
+      composer->SetPartIsSplit(connection, HasObjects(*part.Data) && !part.Data->Motion.IsMoving());
     }
     else
     {

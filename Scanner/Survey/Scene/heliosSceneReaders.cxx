@@ -91,6 +91,12 @@ vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
 }
 
 //------------------------------------------------------------------------------
+bool HasObjects(const PartData& part)
+{
+  return part.Type == Loader::CityJson;
+}
+
+//------------------------------------------------------------------------------
 bool HasOwnMaterials(const PartData& part)
 {
   return part.Type == Loader::CityJson || part.Type == Loader::Gltf;

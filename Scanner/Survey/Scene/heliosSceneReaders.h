@@ -28,6 +28,9 @@ vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
 /// Whether the file of a part has materials of its own, which the material file replaces by name.
 bool HasOwnMaterials(const PartData& part);
 
+/// Whether the file of a part has objects that become parts of the scene.
+bool HasObjects(const PartData& part);
+
 } // namespace helios
 
 #endif

@@ -241,7 +241,7 @@ TEST_CASE("SurveyReader: meshes by the endings of their files", "[SurveyReader]"
   CHECK(vtkHeliosDialect::FindLoader("a.glb") == "gltfloader");
   CHECK(vtkHeliosDialect::FindLoader("a.dxf").empty());
   CHECK(vtkHeliosDialect::FindLoader("obj").empty());
-  CHECK(vtkHeliosDialect::GetMeshEndings() == ".obj, .tif, .tiff, .ply, .stl, .json, .gltf, .glb");
+  CHECK(vtkHeliosDialect::GetMeshEndings() == ".obj, .tif, .tiff, .ply, .stl, .json, .jsonl, .gltf, .glb");
   CHECK(vtkHeliosDialect::IsMesh("none.stl"));
 }
 
