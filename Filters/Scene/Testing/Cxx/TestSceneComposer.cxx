@@ -325,3 +325,83 @@ TEST_CASE("SceneComposer: large parts keep every point and triangle", "[SceneCom
   }
   CHECK(different == 0);
 }
+
+TEST_CASE("SceneComposer: objects of parts that are split come after all parts", "[SceneComposer]")
+{
+  const auto makeCity = [](const std::vector<int>& ids, const std::vector<std::string>& objects)
+  {
+    auto city = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> polys;
+    polys->Use32BitStorage();
+    vtkNew<vtkIntArray> parts;
+    parts->SetName(names::PartIds);
+    for (const int id : ids)
+    {
+      const vtkIdType first = points->InsertNextPoint(id, 0, 0);
+      points->InsertNextPoint(id + 1, 0, 0);
+      points->InsertNextPoint(id, 1, 0);
+      polys->InsertNextCell({ first, first + 1, first + 2 });
+      parts->InsertNextValue(id);
+    }
+    vtkNew<vtkStringArray> given;
+    given->SetName(names::PartName);
+    for (const std::string& object : objects)
+    {
+      given->InsertNextValue(object);
+    }
+    city->SetPoints(points);
+    city->SetPolys(polys);
+    city->GetCellData()->AddArray(parts);
+    city->GetFieldData()->AddArray(given);
+    return city;
+  };
+  const auto ids = [](vtkPolyData* scene)
+  {
+    vtkIntArray* array = helios::GetIds(scene, names::PartIds);
+    return std::vector<int>(array->GetPointer(0), array->GetPointer(array->GetNumberOfValues()));
+  };
+  vtkNew<vtkHeliosSceneComposer> composer;
+  const auto log = Watch(composer);
+  composer->AddInputData(makeCity({ 2, 0, 2 }, { "a", "bare", "c" }));
+  composer->AddInputData(helios::MakeTriangle(7.0, { Wall }));
+  composer->AddInputData(makeCity({ 0, 5 }, { "d" }));
+  composer->SetPartName(0, "city");
+  composer->SetPartIsSplit(0, true);
+  composer->SetPartIsSplit(1, true); // has no objects
+  composer->SetPartIsSplit(2, true);
+  composer->Update();
+  vtkPolyData* scene = composer->GetOutput();
+  CHECK(ids(scene) == std::vector<int>{ 4, 3, 4, 1, 5, 6 });
+  const char* expected[] = { "city", "1", "2", "a", "c", "d", "5" };
+  for (int i = 0; i < 7; ++i)
+  {
+    CHECK(GetText(scene, names::PartName, i) == expected[i]);
+  }
+  composer->SetPartIsSplit(0, false);
+  composer->SetPartIsSplit(2, false);
+  composer->Update();
+  CHECK(ids(composer->GetOutput()) == std::vector<int>{ 0, 0, 0, 1, 2, 2 });
+  CHECK_FALSE(composer->GetPartIsSplit(0));
+  CHECK(composer->GetPartIsSplit(1));
+
+  composer->SetPartIsSplit(0, true);
+  vtkNew<vtkPolyData> instances; // of the wall: parts 2 and 3, before the objects
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(0, 0, 0);
+  places->InsertNextPoint(9, 0, 0);
+  vtkNew<vtkIntArray> prototypes;
+  prototypes->SetName(names::PrototypeIds);
+  prototypes->InsertNextValue(1);
+  prototypes->InsertNextValue(1);
+  instances->SetPoints(places);
+  instances->GetPointData()->AddArray(prototypes);
+  composer->SetInputData(1, instances);
+  composer->Update();
+  CHECK(ids(composer->GetOutput()) == std::vector<int>{ 5, 4, 5, 1, 1 });
+  CHECK(GetText(composer->GetOutput(), names::PartName, 5) == "c");
+
+  composer->SetPartIsSplit(-1, true);
+  CHECK(log->HasError("Part -1 does not exist; parts are counted from 0"));
+}

@@ -42,31 +42,32 @@ std::string MakeTree(const std::string& members, const std::string& vertices)
 TEST_CASE("CityJSONErrors: files that are no CityJSON", "[CityJSONErrors]")
 {
   const std::string good = MakeHouse();
-  Check({ { "",
-            ":1: is not valid JSON at column 1: Syntax error: value, object or array expected" },
-    { "[1, 2]", ": is JSON, but no object; check the name of the file" },
-    { "{\"type\": \"CityJSON\",\n \"version\" \"2.0\"}", ":2: is not valid JSON at column 12: " },
-    { "{} {}", ":1: is not valid JSON at column 4: Extra non-whitespace after JSON value" },
-    { "{\"a\": " + std::string(2000, '['),
-      ": is not valid JSON: Exceeded stackLimit in readValue" },
-    { "{\"type\": \"Feature\"}",
-      ":1: type is \"Feature\", not \"CityJSON\"; give a file of CityJSON" },
-    { "{\"type\": \"CityJSONFeature\"}",
-      ":1: type is \"CityJSONFeature\", not \"CityJSON\"; give a file of CityJSON, to which cjio" },
-    { Replace(good, "2.0", "1.0"),
-      ":1: version \"1.0\" is not supported: expected 1.1 or 2.0; upgrade the file" },
-    { Replace(good, "\"scale\"", "\"size\""),
-      ":2: transform has no scale and translate of three numbers each; write the file again" },
-    { Replace(good, "\"vertices\":", "\"vertices\":{},\"points\":"),
-      ":7: vertices are an object, not a list of at most 2147483647" },
-    { Replace(good, "[400,0,0]", "[400,\"0\",0]"),
-      ":7: vertex 1 is a list of 3, not three numbers that are finite after" },
-    { Replace(Replace(good, "[400,0,0]", "[1e308,0,0]"), "[0.01,", "[1000,"),
-      ":7: vertex 1 is a list of 3, not three numbers that are finite after the transform" },
-    { Replace(good, "\"CityObjects\":", "\"CityObjects\":[],\"Objects\":"),
-      ":3: CityObjects are a list of 0, not an object; write the file again" },
-    { Replace(good, "\"LandUse\"", "7"),
-      ":5: object \"yard\": has no type; write the file again" } });
+  Check(
+    { { "", ":1: is not valid JSON at column 1: Syntax error: value, object or array expected" },
+      { "[1, 2]", ": is JSON, but no object; check the name of the file" },
+      { "{\"type\": \"CityJSON\",\n \"version\" \"2.0\"}", ":2: is not valid JSON at column 12: " },
+      { "{} {}", ":1: is not valid JSON at column 4: Extra non-whitespace after JSON value" },
+      { "{\"a\": " + std::string(2000, '['),
+        ": is not valid JSON: Exceeded stackLimit in readValue" },
+      { "{\"type\": \"Feature\"}",
+        ":1: type is \"Feature\", not \"CityJSON\"; give a file of CityJSON" },
+      { "{\"type\": \"CityJSONFeature\"}",
+        ":1: type is \"CityJSONFeature\", not \"CityJSON\"; give a file of CityJSON, or a text "
+        "sequence" },
+      { Replace(good, "2.0", "1.0"),
+        ":1: version \"1.0\" is not supported: expected 1.1 or 2.0; upgrade the file" },
+      { Replace(good, "\"scale\"", "\"size\""),
+        ":2: transform has no scale and translate of three numbers each; write the file again" },
+      { Replace(good, "\"vertices\":", "\"vertices\":{},\"points\":"),
+        ":7: vertices are an object, not a list of at most 2147483647" },
+      { Replace(good, "[400,0,0]", "[400,\"0\",0]"),
+        ":7: vertex 1 is a list of 3, not three numbers that are finite after" },
+      { Replace(Replace(good, "[400,0,0]", "[1e308,0,0]"), "[0.01,", "[1000,"),
+        ":7: vertex 1 is a list of 3, not three numbers that are finite after the transform" },
+      { Replace(good, "\"CityObjects\":", "\"CityObjects\":[],\"Objects\":"),
+        ":3: CityObjects are a list of 0, not an object; write the file again" },
+      { Replace(good, "\"LandUse\"", "7"),
+        ":5: object \"yard\": has no type; write the file again" } });
 }
 
 TEST_CASE("CityJSONErrors: surfaces", "[CityJSONErrors]")
