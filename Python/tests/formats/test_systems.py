@@ -280,6 +280,55 @@ def wkt2_of_utm():
     )
 
 
+def test_merge_moves_every_input_from_its_own_system(run, tmp_path):
+    points = make_points(50)
+    write(tmp_path / "a.vtp", points, UTM)
+    write(tmp_path / "b.vtp", points, "EPSG:25833")
+    write(tmp_path / "c.vtp", points)  # in that of --crs
+    inputs = [tmp_path / f"{name}.vtp" for name in "abc"]
+    code, _, err = run("convert", "--merge", *inputs, tmp_path / "m.vtp", "--crs", "EPSG:25833")
+    assert code == 0, err
+    made = read(tmp_path / "m.vtp")[0]
+    assert np.array_equal(made[50:100], points) and np.array_equal(made[100:], points)
+    assert np.abs(made[:50, 0] - 45000).max() < 5000  # 6 degrees to the west
+    assert run("convert", tmp_path / "a.vtp", tmp_path / "d.vtp", "--crs", "EPSG:25833")[0] == 0
+    assert np.array_equal(read(tmp_path / "d.vtp")[0], made[:50])
+
+
+def test_merged_points_keep_the_finest_steps(run, tmp_path):
+    laspy = pytest.importorskip("laspy")
+    for name, scale in (("a", 0.01), ("b", 0.001)):
+        head = laspy.LasHeader(point_format=6, version="1.4")
+        head.scales, head.offsets = [scale] * 3, [478000.005, 5473000, 0]
+        las = laspy.LasData(head)
+        las.x, las.y, las.z = make_points(40).T
+        las.write(tmp_path / f"{name}.las")
+    code, _, err = run(
+        "convert", "--merge", tmp_path / "a.las", tmp_path / "b.las", tmp_path / "m.las"
+    )
+    assert code == 0, err
+    both = np.concatenate([read(tmp_path / f"{name}.las")[0] for name in "ab"])
+    assert np.abs(read(tmp_path / "m.las")[0] - both).max() < 0.6e-4
+
+
+def test_the_pose_of_a_scan_moves_with_its_points(run, tmp_path):
+    pytest.importorskip("pye57")
+    header = formats.Header()
+    header.crs = UTM
+    scan = formats.Scan("s", (478000.0, 5473000.0, 102.0), (1.0, 0.0, 0.0, 0.0), True)
+    with formats.open_writer(tmp_path / "a.e57", header) as writer:
+        writer.begin(scan)
+        writer.write({"points": make_points(40)})
+    assert run("convert", tmp_path / "a.e57", tmp_path / "b.e57", "--crs", "EPSG:25833")[0] == 0
+    write(tmp_path / "p.vtp", [scan.translation], UTM)
+    run("convert", tmp_path / "p.vtp", tmp_path / "q.vtp", "--crs", "EPSG:25833")
+    moved = read(tmp_path / "b.e57")[1].scans[0]
+    assert np.abs(np.array(moved.translation) - read(tmp_path / "q.vtp")[0][0]).max() < 1e-6
+    angle = 2 * np.degrees(np.arctan2(moved.rotation[3], moved.rotation[0]))
+    convergence = 6 * np.sin(np.radians(49.4))  # of two meridians 6 degrees apart
+    assert abs(abs(angle) - convergence) < 0.02
+
+
 @pytest.mark.parametrize(
     ("crs", "height_unit", "guess"),
     [("EPSG:6539", SURVEY_FOOT, True), ("EPSG:6539+6360", SURVEY_FOOT, False),

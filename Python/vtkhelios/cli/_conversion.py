@@ -3,7 +3,10 @@
 """Points of some files into another one: as LAS records where both ends are LAS, else as arrays."""
 
 import contextlib
+import dataclasses
 import pathlib
+
+import numpy as np
 
 import vtkhelios
 
@@ -12,7 +15,7 @@ from .._files import drop_part, keep_part, open_part
 from .._systems import find_system
 
 from ..array_names import (
-    COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, MATERIAL_NAME, PART_NAME,
+    COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, MATERIAL_NAME, ORIENTATION, PART_NAME,
 )  # fmt: skip
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 from ..formats._records import RecordReader, RecordWriter, same_form
@@ -154,12 +157,14 @@ class Conversion:
         self._check_headers(readers, layouts)
         counts = [reader.count for reader in readers]
         task.total = None if None in counts else sum(counts)
-        header = readers[0].header
-        move = self._make_move(header)
+        target = self._find_target(readers)
+        moves = [self._make_move(reader, target) for reader in readers]
+        header = formats.Header(readers[0].header.fields)
+        self._set_header(header, target, moves, readers)
         union = self._join_layouts(layouts)
         try:
             with formats.open_writer(self.output, header) as writer:
-                for reader in readers:
+                for reader, move in zip(readers, moves):
                     shift = self._find_shift(reader, header)
                     self._convert_file(reader, writer, (shift, move, union), task)
                 self._check_count()
@@ -207,14 +212,15 @@ class Conversion:
         for chunk in reader.chunks():
             if scan != reader.scan:
                 scan = reader.scan
-                writer.begin(reader.scans[scan])
+                found = reader.scans[scan]
+                writer.begin(move.move_scan(found) if move else found)
             total = rows_of(chunk)
             mask = self.selection.of_chunk(chunk, reader.path)
             chunk = chunk if mask is None else select(chunk, mask)
             if shift and GPS_TIME in chunk:
                 chunk = {**chunk, GPS_TIME: chunk[GPS_TIME] + shift}
             if rows_of(chunk):
-                chunk = move(chunk)
+                chunk = move(chunk) if move else chunk
                 writer.write(chunk if union is None else fill(chunk, union))
             self.count += rows_of(chunk)
             count += total
@@ -228,7 +234,7 @@ class Conversion:
             first.header.epoch = timed[0].header.epoch
         for other in readers[1:]:
             one, another = find_system(first.header.crs), find_system(other.header.crs)
-            if not one.is_same(another.text) and not (self.crs and not another.text):
+            if not self.crs and not one.is_same(another.text):
                 raise formats.FormatError(
                     f"{other.path}: has the coordinate system {another.label}, "
                     f"and {first.path} {one.label}; convert one of them first, with --crs"
@@ -241,31 +247,13 @@ class Conversion:
                     "file of its own"
                 )
 
-    def _make_move(self, header):
-        """A converter of chunks to the output coordinate system."""
-        if self.height_unit and (header.crs or self.crs):
-            header.crs = self._state_height_unit(header.crs or self.crs)
-            if not self.crs or header.crs == self.crs:
-                return lambda chunk: chunk
-        if not self.crs or self.crs == header.crs:
-            return lambda chunk: chunk
-        source = formats.Header(header.fields)
-        header.crs = self.crs
-        if not source.crs:
-            return lambda chunk: chunk  # assigned, not converted
-        reproject = vtkhelios.vtkHeliosReproject()
-        reproject.SetTargetCRS(self.crs)
-        reproject.SetEpoch(self.epoch or 0.0)
-        header.fields.RemoveArray(COORDINATE_SCALE)
-
-        def move(chunk):
-            reproject.SetInputData(to_cloud(chunk, source))
-            call(self, reproject, reproject.Update)
-            if steps := reproject.GetOutput().GetFieldData().GetArray(COORDINATE_SCALE):
-                header.fields.AddArray(steps)
-            return from_cloud(reproject.GetOutput())
-
-        return move
+    def _find_target(self, readers):
+        """The coordinate system of the output: that of --crs, else of the inputs."""
+        known = next((reader.header.crs for reader in readers if reader.header.crs), "")
+        if not self.height_unit or (self.crs and known):
+            return self.crs or known
+        target = known or self.crs
+        return target and self._state_height_unit(target)
 
     def _state_height_unit(self, crs):
         try:
@@ -273,10 +261,27 @@ class Conversion:
         except ValueError as error:
             raise formats.FormatError(f"{self.output}: {error}; leave --height-unit out") from error
 
-    @property
-    def path(self):
-        """Path named in errors of the reprojection."""
-        return self.output
+    def _make_move(self, reader, target):
+        """A Move of the points of a reader to a system; None if they stay."""
+        source = formats.Header(reader.header.fields)
+        if self.height_unit and source.crs:
+            source.crs = self._state_height_unit(source.crs)
+        if not source.crs or find_system(source.crs).is_same(target):
+            return None  # assigned, not converted
+        return Move(source, target, self.epoch, self)
+
+    def _set_header(self, header, target, moves, readers):
+        """The system of the output, and the steps of its coordinates."""
+        header.crs = target or ""
+        steps = [reader.header.fields.GetArray(COORDINATE_SCALE) for reader in readers]
+        header.fields.RemoveArray(COORDINATE_SCALE)
+        if any(moves):
+            if len(moves) == 1:
+                moves[0].header = header
+        elif len(steps) == 1 and steps[0]:
+            header.fields.AddArray(steps[0])
+        elif known := [each for each in steps if each]:
+            header.set_steps([min(each.GetValue(axis) for each in known) for axis in range(3)])
 
     def _check_count(self):
         if self.count == 0:
@@ -297,6 +302,51 @@ class Conversion:
                 self.lost[name] = "points keep the numbers; only VTK files store the names"
         if kind in (".xyz", ".csv") and fields & {CRS, GPS_EPOCH}:
             self.lost |= {name: "text has no header" for name in (CRS, GPS_EPOCH) if name in fields}
+
+
+class Move:
+    """Moves points and scans to another coordinate system, by vtkHeliosReproject."""
+
+    def __init__(self, source, target, epoch, owner):
+        self._source = source
+        self._owner = owner  # of the notes
+        self.path = owner.output  # of errors
+        self._filter = vtkhelios.vtkHeliosReproject()
+        self._filter.SetTargetCRS(target)
+        self._filter.SetEpoch(epoch or 0.0)
+        self.header = None  # gets the steps of the moved coordinates
+
+    @property
+    def notes(self):
+        return self._owner.notes
+
+    @notes.setter
+    def notes(self, notes):
+        self._owner.notes = notes
+
+    def __call__(self, chunk):
+        self._filter.SetInputData(to_cloud(chunk, self._source))
+        call(self, self._filter, self._filter.Update)
+        steps = self._filter.GetOutput().GetFieldData().GetArray(COORDINATE_SCALE)
+        if self.header is not None and steps:
+            self.header.fields.AddArray(steps)
+        return from_cloud(self._filter.GetOutput())
+
+    def move_scan(self, scan):
+        """A scan with its pose and its pulses moved."""
+        if not scan.has_pose:
+            return scan
+        pose = {
+            "points": np.array([scan.translation], float),
+            ORIENTATION: np.array([scan.rotation], float),
+        }
+        moved = self(pose)
+        return dataclasses.replace(
+            scan,
+            translation=tuple(moved["points"][0]),
+            rotation=tuple(moved[ORIENTATION][0]),
+            pulses=scan.pulses and (lambda: (self(chunk) for chunk in scan.pulses())),
+        )
 
 
 class Output:

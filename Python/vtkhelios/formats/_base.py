@@ -140,6 +140,14 @@ class Header:
         array = self.fields.GetArray(COORDINATE_SCALE)
         return tuple(array.GetValue(axis) for axis in range(3)) if array else None
 
+    def set_steps(self, steps):
+        """Sets the steps of x, y and z that writers keep at least, in their units."""
+        array = vtkDoubleArray()
+        array.SetName(COORDINATE_SCALE)
+        for step in steps:
+            array.InsertNextValue(float(step))
+        self.fields.AddArray(array)
+
     @property
     def part_names(self):
         """The names of scene parts, by PartIds."""
