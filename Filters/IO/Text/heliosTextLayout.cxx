@@ -70,6 +70,13 @@ std::string FindSeparators(std::string_view row)
   return BlankSeparators;
 }
 
+/// The first word of a line between blanks, which is empty if the line is blanks and quotes.
+std::string_view GetFirstWord(std::string_view line)
+{
+  const auto words = SplitColumns(line, BlankSeparators);
+  return words.empty() ? std::string_view() : words[0];
+}
+
 bool HasNoNumbers(std::string_view line, const std::string& separators)
 {
   const std::string all = separators.empty() ? " \t,;|" : separators;
@@ -136,7 +143,7 @@ public:
     }
     if (this->Separators.empty() && HasDecimalCommas(this->Row))
     {
-      return Status::Error(this->RowPlace + Quote(SplitColumns(this->Row, " \t")[0]) +
+      return Status::Error(this->RowPlace + Quote(GetFirstWord(this->Row)) +
         " has a decimal comma, which separates columns, too; write a point, or separate columns "
         "by semicolons");
     }
@@ -173,7 +180,7 @@ private:
         this->HeaderPlace = this->File.GetPlace();
         continue;
       }
-      if (isFirst && IsDigits(SplitColumns(line, " \t")[0]) &&
+      if (isFirst && IsDigits(GetFirstWord(line)) &&
         SplitColumns(line, " \t,;|").size() == 1)
       {
         this->CountStart = this->File.GetLineStart();
@@ -201,13 +208,13 @@ private:
   bool IsPtx()
   {
     return this->CountStart >= 0 && this->Lines.size() == 3 &&
-      IsDigits(SplitColumns(this->Lines[1], " \t")[0]) &&
+      IsDigits(GetFirstWord(this->Lines[1])) &&
       SplitColumns(this->Row, " \t").size() == 3;
   }
 
   bool IsRaster() const
   {
-    std::string word(SplitColumns(this->Row, " \t")[0]);
+    std::string word(GetFirstWord(this->Row));
     std::transform(word.begin(), word.end(), word.begin(),
       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return word == "ncols";

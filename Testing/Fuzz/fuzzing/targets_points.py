@@ -33,6 +33,10 @@ def one_number(pattern, data):
     return int(found[0]) if len(found) == 1 and len(found[0]) < 18 else None
 
 
+PTX = b"2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n" \
+    b"1 2 3 0.5 255 0 9\n0 0 0 0.5 0 0 0\n"  # fmt: skip
+
+
 def expected_count(kind, data):
     """The number of points by an independent method; None: ambiguous."""
     if kind in ("las", "laz", "copc"):
@@ -45,8 +49,16 @@ def expected_count(kind, data):
         return one_number(rb'<Piece [^<>]*NumberOfPoints="(\d+)"', data)
     if kind == "xyz":
         lines = plain_lines(data)
-        return None if lines is None else len(lines)
+        return len(lines) if lines and is_row(lines[0]) else None
     return None
+
+
+def is_row(line):
+    """Whether a line begins with three numbers: it is neither names nor a number of points."""
+    try:
+        return len([float(word) for word in line.split()[:3]]) == 3
+    except ValueError:
+        return False
 
 
 def read_points(path, rows=37):
@@ -111,6 +123,11 @@ class Points(Target):
         if self.key == "xyz":
             return [
                 Seed("three.xyz", b"1 2 3\n4.5 -6e1 7\n476000.123 5473000.456 110.5\n"),
+                Seed(
+                    "named.xyz", b"X,Y,Z,Intensity,Red,Green,Blue\n1,2,3,7,255,0,9\n4,5,6,8,1,2,3\n"
+                ),
+                Seed("counted.xyz", b"2\n1 2 3 -2048 255 0 9\n4 5 6 2047 1 2 3\n"),
+                Seed("scans.xyz", PTX + PTX),
                 Seed("five.xyz", b"# a comment\n1 2 3 4 5\n4.5 -6e1 7 x y\n0 0 1 // end\n"),
             ]
         return []
