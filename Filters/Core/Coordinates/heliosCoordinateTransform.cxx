@@ -357,7 +357,7 @@ std::string CoordinateTransform::GetWarning(const double* points, vtkIdType coun
   }
   std::string warning;
   for (const std::string& part : { this->DescribeSeam(points, count),
-         this->DescribeMissingGrids(points), this->DescribeEpoch(points) })
+         this->DescribeMissingGrids(points), this->GetEpochWarning(points) })
   {
     warning += (warning.empty() || part.empty() ? "" : ". ") + part;
   }
@@ -365,7 +365,7 @@ std::string CoordinateTransform::GetWarning(const double* points, vtkIdType coun
 }
 
 //------------------------------------------------------------------------------
-std::string CoordinateTransform::DescribeEpoch(const double point[3])
+std::string CoordinateTransform::GetEpochWarning(const double point[3])
 {
   constexpr double noticed = 1e-5; // [m per year]
   const double motion = this->State->Epoch > 0.0 ? 0.0 : this->GetYearlyMotion(point);

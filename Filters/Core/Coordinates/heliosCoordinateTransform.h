@@ -80,12 +80,14 @@ public:
    */
   std::string GetWarning(const double* points, vtkIdType count);
 
+  /// The part of GetWarning() about the epoch.
+  std::string GetEpochWarning(const double point[3]);
+
   /// Describes why a point has no image.
   std::string DescribeFailure(vtkIdType index, const double point[3]) const;
 
 private:
   std::string DescribeSeam(const double* points, vtkIdType count);
-  std::string DescribeEpoch(const double point[3]);
   std::string DescribeMissingGrids(const double point[3]);
 
   struct Internals;

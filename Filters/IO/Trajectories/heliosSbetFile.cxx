@@ -159,6 +159,20 @@ Status SbetReader::SetSystems(
 }
 
 //------------------------------------------------------------------------------
+/// Records have seconds of a week: positions that move with the epoch are those of an unknown one.
+void SbetReader::WarnOfEpoch(const SbetRecord& record, TextReport& report)
+{
+  const double first[3] = { vtkMath::DegreesFromRadians(record[SbetLongitude]),
+    vtkMath::DegreesFromRadians(record[SbetLatitude]), record[SbetAltitude] };
+  const std::string warning = this->Transform.GetEpochWarning(first);
+  if (!warning.empty())
+  {
+    report.Warn(this->Path + ": " + warning +
+      ": convert the trajectory before, or name the datum of the scene as its system (FileCRS)");
+  }
+}
+
+//------------------------------------------------------------------------------
 /// Appends a record in the target system; the rotation contains the meridian convergence.
 Status SbetReader::Add(const SbetRecord& record, RecordedPath& path)
 {
@@ -210,6 +224,7 @@ Status SbetReader::Read(
       {
         status = this->SetSystems(fileCrs, targetCrs, record);
         status = status.IsOk() ? status : Status::Error(this->Path + ": " + status.Message());
+        this->WarnOfEpoch(record, report);
         path.Rows.reserve(static_cast<std::size_t>(count));
         path.Attitudes.reserve(static_cast<std::size_t>(count));
         path.Velocities.reserve(static_cast<std::size_t>(count));
@@ -233,7 +248,7 @@ Status SbetReader::Read(
   const auto getPlace = [this](std::size_t i)
   { return this->MakePlace(static_cast<std::int64_t>(i)); };
   return status.IsOk() && !CheckRowTimes(path.Rows, getPlace, report) ? Status::Error(report.Error)
-                                                                     : status;
+                                                                      : status;
 }
 
 } // namespace helios

@@ -67,6 +67,7 @@ public:
     TextReport& report);
 
 private:
+  void WarnOfEpoch(const SbetRecord& record, TextReport& report);
   Status SetSystems(const std::string& fileCrs, const std::string& targetCrs, const SbetRecord& r);
   Status Check(const SbetRecord& record) const;
   std::string MakePlace(std::int64_t record) const;
@@ -74,8 +75,8 @@ private:
   Status Fail(const std::string& message) const;
 
   std::string Path;
-  std::int64_t Index = 0;  // of the record
-  double LastTime = 0.0;   // of the record before
+  std::int64_t Index = 0; // of the record
+  double LastTime = 0.0;  // of the record before
   RecordClock Clock;
   CoordinateSystem Target; // set with the first record
   CoordinateTransform Transform;

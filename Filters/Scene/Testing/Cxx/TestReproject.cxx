@@ -8,6 +8,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
@@ -397,4 +398,80 @@ TEST_CASE("Reproject: prints its properties", "[Reproject]")
   reproject->Print(text);
   CHECK(text.str().find("SourceCRS: (the input's)") != std::string::npos);
   CHECK(text.str().find("TargetCRS: EPSG:32632") != std::string::npos);
+}
+
+TEST_CASE("Reproject: heights in feet become metres with x and y", "[Reproject]")
+{
+  constexpr double foot = 1200.0 / 3937.0;
+  const auto input = MakePoints({ { 984000.0, 200000.0, 100.0 } });
+  const auto reproject = MakeFilter(input, "EPSG:2263", "EPSG:32618");
+  const auto log = Watch(reproject);
+  const auto getHeight = [&]
+  {
+    log->Clear();
+    reproject->Update();
+    CHECK(log->Errors == "");
+    return reproject->GetOutput()->GetPoint(0)[2];
+  };
+  CHECK(getHeight() == Approx(100.0 * foot).epsilon(1e-12));
+  CHECK(
+    log->HasWarning("EPSG:2263 (NAD83 / New York Long Island (ftUS)) does not state the unit of "
+                    "heights, which are read as US survey foot, like x and y; if they are not, "
+                    "give the system with a vertical part, or SourceHeightUnit (metres: 1)"));
+  reproject->SetSourceHeightUnit(1.0);
+  CHECK(getHeight() == Approx(100.0).epsilon(1e-12));
+  CHECK(log->Warnings == "");
+  reproject->SetSourceHeightUnit(0.0);
+  reproject->SetSourceCRS("EPSG:2263+6360");
+  CHECK(getHeight() == Approx(100.0 * foot).epsilon(1e-12));
+  CHECK(log->Warnings == "");
+  reproject->SetSourceCRS("ENU 40 -74 0");
+  reproject->SetSourceHeightUnit(0.3048);
+  reproject->Update();
+  CHECK(log->HasError("SourceHeightUnit is 0.3048, but heights of ENU 40 -74 0 are in metres"));
+}
+
+TEST_CASE("Reproject: the epoch is given, or that of the points", "[Reproject]")
+{
+  const auto input = MakePoints({ { 8.44, 49.32, 150.0 } });
+  const auto reproject = MakeFilter(input, "EPSG:7912", "EPSG:25832"); // ITRF2014, ETRS89
+  const auto log = Watch(reproject);
+  const auto getEast = [&]
+  {
+    log->Clear();
+    reproject->Modified();
+    reproject->Update();
+    CHECK(log->Errors == "");
+    return reproject->GetOutput()->GetPoint(0)[0];
+  };
+  const double unknown = getEast();
+  CHECK(log->HasWarning("coordinates move by 2.5 cm a year, and their epoch is not known"));
+  reproject->SetEpoch(2026.0);
+  const double given = getEast();
+  CHECK(log->Warnings == "");
+  CHECK(std::abs(given - unknown) > 0.2);
+  reproject->SetEpoch(0.0);
+  input->GetPointData()->AddArray(MakeArray(names::GpsTime, { 4.5199e8 })); // begin of 2026
+  CHECK(getEast() == unknown); // seconds of an unknown week
+  input->GetFieldData()->AddArray(MakeArray(names::GpsEpoch, { 1e9 }));
+  CHECK(getEast() == Approx(given).margin(1e-3));
+  CHECK(log->Warnings == "");
+}
+
+TEST_CASE("Reproject: steps of a file are as fine in the other system", "[Reproject]")
+{
+  const auto input = MakePoints({ { 478000.0, 5473000.0, 110.0 } });
+  helios::CoordinateSteps steps;
+  steps.Scale = { 0.01, 0.001, 1e-5 };
+  steps.HasOffset = true;
+  helios::SetCoordinateSteps(input, steps);
+  const auto reproject = MakeFilter(input, "EPSG:25832", "EPSG:4258");
+  reproject->Update();
+  const helios::CoordinateSteps moved = helios::GetCoordinateSteps(reproject->GetOutput());
+  CHECK_FALSE(moved.HasOffset);
+  CHECK(moved.Scale[0] == Approx(0.01 / 111195.0));
+  CHECK(moved.Scale[2] == 1e-5);
+  reproject->SetTargetCRS("EPSG:25832");
+  reproject->Update();
+  CHECK(helios::GetCoordinateSteps(reproject->GetOutput()).HasOffset); // the same points
 }

@@ -257,6 +257,20 @@ TEST_CASE("SBET: unsuitable systems are errors", "[SBET]")
   CHECK(reading.FailsWith({ MakeRecord(0), MakeRecord(1, 49.0, 120.0) }, "record 1 (byte 136)"));
 }
 
+TEST_CASE("SBET: a system that moves against that of the scene is named", "[SBET]")
+{
+  Reading reading;
+  reading.Reader->SetFileCRS("EPSG:7912"); // ITRF2014
+  reading.Reader->SetTargetCRS("EPSG:25832");
+  REQUIRE(reading.Read({ MakeRecord(0), MakeRecord(1) }));
+  CHECK(reading.Log->HasWarning("coordinates move by 2.5 cm a year, and their epoch is not known"));
+  CHECK(reading.Log->HasWarning("convert the trajectory before, or name the datum of the scene"));
+  reading.Reader->SetFileCRS("EPSG:4937"); // ETRS89
+  reading.Log->Clear();
+  REQUIRE(reading.Read({ MakeRecord(0), MakeRecord(1) }));
+  CHECK_FALSE(reading.Log->HasWarning("epoch"));
+}
+
 TEST_CASE("SBET: the format is found by the ending of the name", "[SBET]")
 {
   vtkNew<vtkHeliosTrajectoryReader> reader;
