@@ -22,6 +22,7 @@ class System:
     text: str
     problem: str = ""  # why it is not known
     code: str = ""  # EPSG:25832+7837
+    short: str = ""  # the code, or the begin of the name
     name: str = ""  # code and name
     unit: float = 1.0  # of x and y [m]; 0: degrees
     height_unit: float = 1.0  # [m]
@@ -40,7 +41,7 @@ class System:
     @property
     def label(self):
         """The code, or the begin of the name, for messages; "none" without a text."""
-        shown = self.code or self.name or " ".join(self.text.split())
+        shown = self.short or " ".join(self.text.split())
         return (shown if len(shown) <= LONGEST else f"{shown[:LONGEST]}...") or "none"
 
     def is_same(self, text):
@@ -76,9 +77,10 @@ def find_system(text):
     if problem := text_from_vtk(system.GetProblem()):
         return System(text, problem)
     return System(
-        text, "", text_from_vtk(system.GetCode()), text_from_vtk(system.GetName()),
-        system.GetUnit(), system.GetHeightUnit(), system.HasHeightUnit(),
-        text_from_vtk(system.GetUnitName()), tuple(system.GetResolution(axis) for axis in range(3)),
+        text, "", text_from_vtk(system.GetCode()), text_from_vtk(system.GetLabel()),
+        text_from_vtk(system.GetName()), system.GetUnit(), system.GetHeightUnit(),
+        system.HasHeightUnit(), text_from_vtk(system.GetUnitName()),
+        tuple(system.GetResolution(axis) for axis in range(3)),
     )  # fmt: skip
 
 

@@ -48,6 +48,12 @@ std::string vtkHeliosCoordinateSystem::GetCode() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosCoordinateSystem::GetLabel() const
+{
+  return this->System->IsSet() ? this->System->GetLabel() : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosCoordinateSystem::GetName() const
 {
   return this->System->IsSet() ? this->System->GetName() : std::string();

@@ -58,6 +58,11 @@ public:
   std::string GetCode() const;
 
   /**
+   * Get the label in messages: the code, or the begin of the name.
+   */
+  std::string GetLabel() const;
+
+  /**
    * Get code and name, "EPSG:32632 (WGS 84 / UTM zone 32N)".
    */
   std::string GetName() const;

@@ -39,9 +39,16 @@ int FindPower(double extent, int finest)
   return power;
 }
 
-/// The extents of finite points; the first one in whole units.
-std::array<double, 3> Measure(vtkPoints* points, std::array<double, 3>& offset)
+bool IsAngle(const CoordinateSystem& system, int axis)
 {
+  return system.IsSet() && system.IsGeographic() && axis < 2;
+}
+
+/// The extents of finite points; the first one in whole units, or in thousandths of degrees.
+std::array<double, 3> Measure(
+  vtkPoints* points, const CoordinateSystem& system, std::array<double, 3>& offset)
+{
+  constexpr double partsOfDegree = 1000.0;
   std::array<double, 3> extents{};
   const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -60,7 +67,9 @@ std::array<double, 3> Measure(vtkPoints* points, std::array<double, 3>& offset)
     {
       points->GetPoint(0, first);
     }
-    offset[axis] = std::isfinite(first[axis]) ? std::round(first[axis]) + 0.0 : 0.0; // not -0
+    const double parts = IsAngle(system, axis) ? partsOfDegree : 1.0;
+    offset[axis] =
+      std::isfinite(first[axis]) ? std::round(parts * first[axis]) / parts + 0.0 : 0.0; // not -0
     extents[axis] = least <= most ? most - least : 0.0;
   }
   return extents;
@@ -69,13 +78,15 @@ std::array<double, 3> Measure(vtkPoints* points, std::array<double, 3>& offset)
 /// The step of an axis by its unit, no coarser than the given one.
 double ChooseStep(const CoordinateSystem& system, int axis, double given, double extent)
 {
+  constexpr double finer = 0.5; // 1e-9 degrees are 0.1 mm
   const double resolution = GetResolution(system, axis);
-  const bool isAngle = system.IsSet() && system.IsGeographic() && axis < 2;
-  if (!isAngle && !(given < resolution))
+  const bool isAngle = IsAngle(system, axis);
+  const bool isFiner = given < (isAngle ? finer : 1.0) * resolution;
+  if (!isAngle && !isFiner)
   {
     return resolution;
   }
-  const int finest = static_cast<int>(std::floor(std::log10(std::min(given, resolution)) + 1e-9));
+  const int finest = static_cast<int>(std::floor(std::log10(isFiner ? given : resolution) + 1e-9));
   const double step = ToPower(FindPower(extent, finest));
   return isAngle ? step : std::min(step, resolution);
 }
@@ -85,7 +96,7 @@ double ChooseStep(const CoordinateSystem& system, int axis, double given, double
 void ChooseLasScaling(
   vtkPolyData* points, const CoordinateSystem& system, double scale, LasScaling& scaling)
 {
-  const std::array<double, 3> extents = Measure(points->GetPoints(), scaling.Offset);
+  const std::array<double, 3> extents = Measure(points->GetPoints(), system, scaling.Offset);
   const CoordinateSteps steps = GetCoordinateSteps(points);
   if (scale == 0.0)
   {

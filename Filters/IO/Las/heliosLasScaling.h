@@ -18,8 +18,8 @@ class CoordinateSystem;
 constexpr double DefaultLasScale = 1e-4;
 
 /**
- * Chooses both from the first block of a file. The offset is the first point in whole units, which
- * is independent of the block size. The scale:
+ * Chooses both from the first block of a file. The offset is the first point in whole units, or
+ * thousandths of degrees, which is independent of the block size. The scale:
  * - of points as a file had them (field data CoordinateScale with offsets): that of the file, and
  *   its offset;
  * - DefaultLasScale: by the system and the axis, and no coarser than that of a file the points are
