@@ -60,7 +60,21 @@ def test_info_of_a_mesh_as_text(call):
         "area       12 m²",
         "material   Building: 1 triangles, 6 m², class 6",
         "material   Road: 1 triangles, 6 m², class 11, ground",
+        "parts      2",
+        "part       Building: 1 triangles, 6 m²",
+        "part       Road: 1 triangles, 6 m²",
     ]
+
+
+def test_info_of_many_parts_shows_the_first(call, tmp_path):
+    objects = {f"house {i:02}": CITY["CityObjects"]["Building"] for i in range(13)}
+    (tmp_path / "many.city.json").write_text(json.dumps({**CITY, "CityObjects": objects}))
+    lines = call("info", "many.city.json")[1].splitlines()
+    assert lines[-12:-10] == ["parts      13", "part       house 00: 1 triangles, 6 m²"]
+    assert lines[-1] == "           and 3 more; --json lists all"
+    facts = json.loads(call("info", "many.city.json", "--json")[1])
+    assert len(facts["parts"]) == 13
+    assert facts["parts"][12] == {"id": 12, "name": "house 12", "triangles": 1, "area_m2": 6.0}
 
 
 def test_info_of_a_mesh_as_json(call):
@@ -105,6 +119,7 @@ def test_convert_writes_obj(call, tmp_path):
     assert out == "output   town.obj: 2 triangles\n"
     assert err == (
         "warning: town.city.json: its coordinate system EPSG:7415 is dropped: OBJ has none\n"
+        "warning: town.city.json: the names of its 2 parts are dropped: OBJ has none\n"
     )
     scene = vtkhelios.Scene.read(tmp_path / "town.obj")
     assert len(scene) == 2

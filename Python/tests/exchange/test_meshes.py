@@ -7,6 +7,7 @@ import types
 import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
 import vtkhelios
@@ -240,3 +241,51 @@ def test_data_that_are_no_surface():
     grid = thing(IsA=None, GetCellData=None)
     with pytest.raises(TypeError, match=r"is not a surface; give what extract_surface\(\)"):
         _meshes.read_parts(grid)
+
+
+# An L of 7 m² from each of its corners, a square with a hole, and two squares that share a corner.
+GRID = np.array([(x, y, 0) for y in range(5) for x in range(5)], dtype=float)
+POLYGONS = {
+    **{f"L{k}": (list(np.roll([0, 4, 9, 6, 21, 20], k)), 7.0) for k in range(6)},
+    "hole": ([0, 4, 24, 20, 0, 6, 16, 18, 8, 6], 12.0),
+    "pinch": ([0, 1, 6, 12, 13, 18, 17, 12, 11, 5], None),
+    "corner": ([0, 2, 12, 14, 24, 22, 12, 10], 8.0),
+    "comb": ([0, 4, 24, 13, 23, 12, 22, 11, 21], None),
+}  # fmt: skip
+
+
+def shoelace(corners):
+    x, y = GRID[corners, :2].T
+    return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+
+
+@pytest.mark.parametrize("name", POLYGONS)
+@pytest.mark.parametrize("kind", ["thing", "polydata", "meshio"])
+def test_polygons_of_every_kind_keep_their_area(name, kind):
+    corners, expected = POLYGONS[name]
+    expected = shoelace(corners) if expected is None else expected
+    points = GRID @ np.linalg.qr(np.arange(9).reshape(3, 3) ** 2 + np.eye(3))[0] + [5e5, 5e6, 100]
+    if kind == "polydata":
+        mesh = _polydata._make_polydata(_meshes._make_mesh(points, [corners]))
+    elif kind == "meshio":
+        block = thing(type="polygon", data=np.array([corners]))
+        mesh = thing(points=points, cells=[block], cell_data={})
+    else:
+        mesh = thing(points=points, faces=[corners])
+    scene = vtkhelios.Scene(mesh, reflectance=[0.3])
+    assert area(scene) == pytest.approx(expected, rel=1e-8)
+
+
+def test_polygons_that_cross_are_a_warning():
+    with pytest.warns(
+        RuntimeWarning, match="The sides of polygon 1 cross, so its triangles may be"
+    ):
+        vtkhelios.Scene(thing(points=GRID, faces=[[0, 4, 24, 20], [0, 4, 20, 24]]))
+
+
+def test_strips_are_triangles():
+    cells_of_strip = vtkCellArray()
+    cells_of_strip.InsertNextCell(5, [0, 5, 1, 6, 2])
+    mesh = _polydata._make_polydata(_meshes._make_mesh(GRID, np.empty((0, 3), int)))
+    mesh.SetStrips(cells_of_strip)
+    assert area(vtkhelios.Scene(mesh)) == pytest.approx(1.5)

@@ -17,13 +17,14 @@ from ..._systems import HEIGHT_UNITS, find_system
 
 from ...array_names import (
     CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
-    MATERIAL_REFLECTANCE, MATERIAL_TEXTURE,
+    MATERIAL_REFLECTANCE, MATERIAL_TEXTURE, PART_IDS, PART_NAME,
 )  # fmt: skip
 from ...formats import FormatError
 from ...scene import make_reader
 from .._raster import FARTHEST
 from .._stopping import run_native, set_outcome
 
+SHOWN_PARTS = 10
 KINDS = {
     "objloader": "OBJ", "geotiffloader": "GeoTIFF", "plyloader": "PLY", "stlloader": "STL",
     "cityjsonloader": "CityJSON", "gltfloader": "glTF",
@@ -105,6 +106,7 @@ def inspect(path, messages):
     facts["crs"] = find_crs(mesh)
     facts["area_m2"] = float(areas.sum())
     facts["materials"] = list(describe_materials(mesh, areas))
+    facts["parts"] = list(describe_parts(mesh, areas))
     facts["textures"] = list(describe_textures(mesh, messages))
     return facts
 
@@ -174,6 +176,24 @@ def describe_materials(mesh, areas):
         }
 
 
+def describe_parts(mesh, areas):
+    """Of each object of a file that has objects."""
+    names = mesh.GetFieldData().GetAbstractArray(PART_NAME)
+    ids = mesh.GetCellData().GetArray(PART_IDS)
+    if names is None or ids is None:
+        return
+    ids = vtk_to_numpy(ids)
+    counts = np.bincount(ids, minlength=names.GetNumberOfValues())
+    sums = np.bincount(ids, areas, minlength=names.GetNumberOfValues())
+    for row in np.flatnonzero(counts):
+        yield {
+            "id": int(row),
+            "name": text_from_vtk(names.GetValue(int(row))),
+            "triangles": int(counts[row]),
+            "area_m2": float(sums[row]),
+        }
+
+
 def describe_lines(facts):
     """The facts as text."""
     yield f"format     {facts['format']}"
@@ -190,6 +210,12 @@ def describe_lines(facts):
             + f"class {each['class']}"
             + (", ground" if each["ground"] else "")
         )
+    if facts["parts"]:
+        yield f"parts      {len(facts['parts']):,}"
+    for each in facts["parts"][:SHOWN_PARTS]:
+        yield f"part       {each['name']}: {each['triangles']:,} triangles, {each['area_m2']:,.6g} m²"
+    if len(facts["parts"]) > SHOWN_PARTS:
+        yield f"           and {len(facts['parts']) - SHOWN_PARTS:,} more; --json lists all"
     for each in facts["textures"]:
         yield f"texture    {each['file']}: {each['width']} x {each['height']} pixels"
 
@@ -208,6 +234,9 @@ def convert(arguments, messages):
         return 1
     if crs := find_crs(mesh):
         messages.warning(f"{path}: its coordinate system {crs} is dropped: OBJ has none")
+    if names := mesh.GetFieldData().GetAbstractArray(PART_NAME):
+        count = names.GetNumberOfValues()
+        messages.warning(f"{path}: the names of its {count:,} parts are dropped: OBJ has none")
     writer = vtkhelios.vtkHeliosObjSceneWriter(file_name=to_vtk(arguments.output))
     writer.SetInputDataObject(mesh)
     messages.watch(writer)
