@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPcdHeader.h"
 
-#include "heliosPcdNames.h"
+#include "heliosAsciiText.h"
 #include "heliosStatus.h"
 #include "heliosTextFile.h"
 
@@ -126,7 +126,7 @@ public:
     }
     for (const char* name : { "x", "y", "z" })
     {
-      const int field = FindPclField(header, name);
+      const int field = header.FindPcl(name);
       if (field < 0)
       {
         return Status::Error(std::string("FIELDS has no ") + name + "; points need x, y and z");
@@ -390,6 +390,26 @@ int PcdHeader::Find(const std::string& name) const
     }
   }
   return -1;
+}
+
+std::string ToLowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  return text;
+}
+
+int PcdHeader::FindPcl(const std::string& name) const
+{
+  const int exact = this->Find(name);
+  for (std::size_t i = 0; exact < 0 && i < this->Fields.size(); ++i)
+  {
+    if (ToLowerCase(this->Fields[i].Name) == name)
+    {
+      return static_cast<int>(i);
+    }
+  }
+  return exact;
 }
 
 Status PcdHeader::Read(const std::string& path, std::istream& file)

@@ -42,6 +42,9 @@ enum class PcdStorage
   Compressed ///< field by field, in LZF
 };
 
+/// Letters of ASCII in lower case.
+std::string ToLowerCase(std::string text);
+
 struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
 {
   std::vector<PcdField> Fields;
@@ -71,6 +74,8 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   std::int64_t GetNumberOfColumns() const;
   /// The index of the field with exactly this name, or -1.
   int Find(const std::string& name) const;
+  /// The index of a field of PCL, in upper case if there is none in lower case, or -1.
+  int FindPcl(const std::string& name) const;
 
   /// Reads the header of a file. An error has path:line.
   Status Read(const std::string& path, std::istream& file);

@@ -7,8 +7,6 @@
 
 #include "vtkHeliosArrayNames.h"
 
-#include <string>
-
 namespace helios
 {
 
@@ -39,17 +37,7 @@ struct PcdRole
   int Axis = -1;
 };
 
-/// The index of a field of PCL, in upper case if there is none in lower case, or -1.
-int FindPclField(const PcdHeader& header, const std::string& name);
-
 PcdRole GetPcdRole(const PcdHeader& header, const PcdField& field);
-
-///@{
-/// Text as ASCII without backslashes, characters beyond it as \u and four hexadecimal digits (in
-/// UTF-16), and back. Text that is not UTF-8 is escaped byte by byte, as Latin-1.
-std::string EscapeText(const std::string& text);
-std::string UnescapeText(const std::string& text);
-///@}
 
 } // namespace helios
 

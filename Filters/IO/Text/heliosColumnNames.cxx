@@ -34,9 +34,9 @@ const KnownColumn KnownColumns[] = {
   { " rf ", { names::RGB, 0, 3, VTK_FLOAT, true } },
   { " gf ", { names::RGB, 1, 3, VTK_FLOAT, true } },
   { " bf ", { names::RGB, 2, 3, VTK_FLOAT, true } },
-  { " nx normalx normals:0 normals0 normalsx ", { names::Normals, 0, 3, VTK_DOUBLE } },
-  { " ny normaly normals:1 normals1 normalsy ", { names::Normals, 1, 3, VTK_DOUBLE } },
-  { " nz normalz normals:2 normals2 normalsz ", { names::Normals, 2, 3, VTK_DOUBLE } },
+  { " nx normals:0 normals0 normalsx ", { names::Normals, 0, 3, VTK_DOUBLE } },
+  { " ny normals:1 normals1 normalsy ", { names::Normals, 1, 3, VTK_DOUBLE } },
+  { " nz normals:2 normals2 normalsz ", { names::Normals, 2, 3, VTK_DOUBLE } },
   { " intensity i refl ", { names::Intensity, 0, 1, VTK_DOUBLE } },
   { " classification class classificationids classid label ",
     { names::ClassificationIds, 0, 1, VTK_INT } },
@@ -87,10 +87,17 @@ std::string Normalize(std::string_view name)
       word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
   }
-  constexpr std::string_view prefix = "scalar";
-  return word.size() > prefix.size() && word.substr(0, prefix.size()) == prefix
-    ? word.substr(prefix.size())
-    : word;
+  constexpr std::string_view prefix = "scalar"; // of CloudCompare
+  if (word.size() > prefix.size() && word.substr(0, prefix.size()) == prefix)
+  {
+    word.erase(0, prefix.size());
+  }
+  constexpr std::string_view normal = "normal"; // before x, y or z
+  if (word.size() == normal.size() + 1 && word.substr(0, normal.size()) == normal)
+  {
+    word.erase(1, normal.size() - 1);
+  }
+  return word;
 }
 
 } // namespace

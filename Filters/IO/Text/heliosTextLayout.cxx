@@ -180,8 +180,7 @@ private:
         this->HeaderPlace = this->File.GetPlace();
         continue;
       }
-      if (isFirst && IsDigits(GetFirstWord(line)) &&
-        SplitColumns(line, " \t,;|").size() == 1)
+      if (isFirst && IsDigits(GetFirstWord(line)) && SplitColumns(line, " \t,;|").size() == 1)
       {
         this->CountStart = this->File.GetLineStart();
         continue;
@@ -208,8 +207,7 @@ private:
   bool IsPtx()
   {
     return this->CountStart >= 0 && this->Lines.size() == 3 &&
-      IsDigits(GetFirstWord(this->Lines[1])) &&
-      SplitColumns(this->Row, " \t").size() == 3;
+      IsDigits(GetFirstWord(this->Lines[1])) && SplitColumns(this->Row, " \t").size() == 3;
   }
 
   bool IsRaster() const
