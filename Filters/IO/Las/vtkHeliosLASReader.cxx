@@ -13,6 +13,7 @@
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPointNames.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -242,6 +243,7 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
     this->SelectPoints(isWanted, output);
   }
   SetFields(file, this->FindCrs(file), output);
+  this->ReadNames(static_cast<vtkIdType>(header.Points.Count), output);
   this->WarnOfValues(file.GetPath(), output);
   status = hasWaves ? packets.Read(output, waveforms) : helios::Status();
   if (!status.IsOk())
@@ -329,6 +331,19 @@ void vtkHeliosLASReader::SelectPoints(const std::vector<char>& isWanted, vtkPoly
   {
     vtkWarningMacro(<< this->FileName << ": " << withheld << " of " << count
                     << " points are withheld; they are left out");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds the names of parts and materials, if there is a file of them.
+void vtkHeliosLASReader::ReadNames(vtkIdType points, vtkPolyData* cloud)
+{
+  const std::string problem =
+    vtkHeliosPointNames::Read(this->FileName, points, cloud->GetFieldData());
+  if (!problem.empty() && this->WarnedNames != problem)
+  {
+    this->WarnedNames = problem; // once, not per piece
+    vtkWarningMacro(<< problem);
   }
 }
 

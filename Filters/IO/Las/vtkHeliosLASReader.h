@@ -24,7 +24,8 @@
  *
  * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) if the file has one;
  * GpsEpoch, 1e9 if the times are adjusted standard time, the offset of LAS 1.5 if they have one: GpsEpoch + GpsTime are
- * seconds of GPS time. Data written by vtkHeliosLASWriter are read back unchanged.
+ * seconds of GPS time. Part.Name and Material.Name, if vtkHeliosPointNames finds a file of them; a
+ * warning if it cannot be read. Data written by vtkHeliosLASWriter are read back unchanged.
  *
  * With Classes, only points of these classes are read; with SkipWithheld, only points that are not
  * withheld.
@@ -132,6 +133,7 @@ private:
   helios::Status Open(helios::LasFile& file);
   helios::Status FindColors(helios::LasFile& file, helios::LasColorBits& colors);
   void SelectPoints(const std::vector<char>& isWanted, vtkPolyData* cloud);
+  void ReadNames(vtkIdType points, vtkPolyData* cloud);
   void WarnOfNotes(const std::string& path, const helios::LasArrays& arrays);
   void WarnOfValues(const std::string& path, vtkPolyData* cloud);
   std::string FindCrs(const helios::LasFile& file);
@@ -147,6 +149,7 @@ private:
   std::string WarnedValues;                   // file whose values caused a warning
   std::string WarnedCrs;                      // file whose system caused a warning
   std::string KnownCrs;                       // by PROJ
+  std::string WarnedNames;                    // the warning about names
   std::string WarnedNotes;                    // file whose notes were warnings
   std::string ColorsFile;                     // file whose colours are known, with its state
   bool AreColors8 = false;                    // of that file

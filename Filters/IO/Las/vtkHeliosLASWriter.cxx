@@ -5,6 +5,7 @@
 #include "heliosCoordinateSystem.h"
 #include "heliosLasBlock.h"
 #include "heliosLasEncoder.h"
+#include "heliosLasNamesFile.h"
 #include "heliosLasScaling.h"
 #include "heliosLasSheet.h"
 #include "heliosLasWaves.h"
@@ -33,7 +34,10 @@ constexpr std::size_t LongestRecord = 65535;
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkHeliosLASWriter::vtkHeliosLASWriter() = default;
+vtkHeliosLASWriter::vtkHeliosLASWriter()
+  : Names(std::make_unique<helios::LasNamesFile>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkHeliosLASWriter::~vtkHeliosLASWriter()
@@ -71,8 +75,9 @@ void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
 
 //------------------------------------------------------------------------------
 /// Initialization shared by Open() and Reopen().
-void vtkHeliosLASWriter::Start()
+void vtkHeliosLASWriter::Start(bool isResumed)
 {
+  this->Names->Begin(this->GetOpenName(), isResumed);
   this->Sheet.reset();
   this->HasWarnedReturns = this->HasWarnedClasses = false;
   this->Packets = this->WriteWaveforms ? std::make_unique<helios::PartFile>() : nullptr;
@@ -91,7 +96,7 @@ bool vtkHeliosLASWriter::Open()
   {
     return false;
   }
-  this->Start();
+  this->Start(false);
   if (!this->Packets)
   {
     return true;
@@ -118,7 +123,7 @@ bool vtkHeliosLASWriter::Reopen(
   {
     return false;
   }
-  this->Start();
+  this->Start(true);
   std::uint64_t packetsEnd = helios::LasRecord::ExtendedHeadSize;
   helios::Status status;
   if (fileSize > 0)
@@ -146,6 +151,21 @@ bool vtkHeliosLASWriter::RefusePoints(const std::string& problem)
 {
   vtkErrorMacro(<< this->GetOpenName() << ": " << problem);
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::RefuseNames(const std::string& problem)
+{
+  vtkErrorMacro(<< problem);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::AddNames(vtkPolyData* echoes)
+{
+  const helios::Status status =
+    this->CountOnly ? helios::Status() : this->Names->Add(echoes->GetFieldData());
+  return status.IsOk() || this->RefuseNames(status.Message());
 }
 
 //------------------------------------------------------------------------------
@@ -378,7 +398,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
   }
   helios::LasBlock points;
   helios::LasWaves waves;
-  if (!this->SetBlock(echoes, points, waves))
+  if (!this->SetBlock(echoes, points, waves) || !this->AddNames(echoes))
   {
     return false;
   }
@@ -495,7 +515,13 @@ bool vtkHeliosLASWriter::Close()
     this->Superclass::Abandon();
     return false;
   }
-  return this->Superclass::Close();
+  const vtkIdType count = this->NumberOfRecords;
+  if (!this->Superclass::Close())
+  {
+    return false;
+  }
+  const helios::Status status = this->CountOnly ? helios::Status() : this->Names->Finish(count);
+  return status.IsOk() || this->RefuseNames(status.Message());
 }
 
 //------------------------------------------------------------------------------

@@ -24,10 +24,13 @@
  * - GPS time: GpsTime [s] unchanged; with a field array GpsEpoch (seconds of
  *   GPS time since 6 January 1980, not 0) adjusted standard time, GpsEpoch +
  *   GpsTime - 1e9, flagged in the header.
- * - ClassificationFlags, ScanDirectionFlag, EdgeOfFlightLine, UserData, RGB.
+ * - ClassificationFlags, ScanDirectionFlag, EdgeOfFlightLine, UserData, RGB, NearInfrared.
  * - Extra Bytes: every other array, exactly, with its own name and type
  *   (Amplitude, EchoWidth, Range, PulseIds ...), including ChannelIds. An array
- *   of three components becomes three fields: TruePointX, TruePointY, TruePointZ.
+ *   of three components becomes three fields: TruePointX, TruePointY, TruePointZ. An Intensity that
+ *   is not of 16 bits is stored there, too.
+ * - names of parts and materials (field arrays Part.Name, Material.Name): in a file beside it, see
+ *   vtkHeliosPointNames.
  *
  * With WriteWaveforms, each waveform of a block is one packet of 32-bit samples in a file named
  * .wdp instead of .las; every point of the pulse refers to it. The samples keep 23 bits relative to
@@ -60,6 +63,7 @@ class vtkTable;
 namespace helios
 {
 class LasBlock;
+class LasNamesFile;
 class LasWaves;
 struct LasSheet;
 }
@@ -161,7 +165,7 @@ private:
   vtkHeliosLASWriter(const vtkHeliosLASWriter&) = delete;
   void operator=(const vtkHeliosLASWriter&) = delete;
 
-  void Start();
+  void Start(bool isResumed);
   std::string GetPacketsName() const;
   bool SetBlock(vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves);
   bool CheckSpacing(const helios::LasWaves& waves);
@@ -175,6 +179,8 @@ private:
   bool WriteHead();
   bool WritePoints(helios::LasBlock& block, vtkIdType count);
   void Warn(const helios::LasBlock& block);
+  bool AddNames(vtkPolyData* echoes);
+  bool RefuseNames(const std::string& problem);
 
   double Scale = 0.0001;
   double FullIntensity = 0.0;
@@ -183,10 +189,11 @@ private:
   int CreationDay = 0;
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
-  std::unique_ptr<helios::LasSheet> Sheet;   // layout of the file; null before its first block
-  std::unique_ptr<helios::PartFile> Packets; // null: points have no waveforms
-  vtkSmartPointer<vtkTable> Waveforms;       // of the next block
-  bool HasWarnedReturns = false;             // since Open()
+  std::unique_ptr<helios::LasSheet> Sheet;     // layout of the file; null before its first block
+  std::unique_ptr<helios::LasNamesFile> Names; // of parts and materials
+  std::unique_ptr<helios::PartFile> Packets;   // null: points have no waveforms
+  vtkSmartPointer<vtkTable> Waveforms;         // of the next block
+  bool HasWarnedReturns = false;               // since Open()
   bool HasWarnedClasses = false;
 };
 

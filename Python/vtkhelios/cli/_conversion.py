@@ -15,15 +15,19 @@ from .._files import drop_part, keep_part, open_part
 from .._systems import find_system
 
 from ..array_names import (
-    COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, MATERIAL_NAME, ORIENTATION, PART_NAME,
+    COORDINATE_SCALE, CRS, GPS_EPOCH, GPS_TIME, ORIENTATION, PART_NAME,
 )  # fmt: skip
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
+
+from ..formats._names import (
+    NAMES, NameUnion, add_names, check_names, names_file, renumber, tables_of, write_names,
+)  # fmt: skip
 from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
 from ..formats._union import explain_missing, fill, join_layouts, layout_of
 
 RECORDS = (".las", ".laz", ".copc.laz")
-NAMES = {PART_NAME, MATERIAL_NAME}  # field arrays stored only in VTK files
+NAMED = (".vtp", ".pvtp", *RECORDS)  # formats that store names of parts and materials
 
 
 class Conversion:
@@ -47,8 +51,9 @@ class Conversion:
     def files(self):
         """All files of the output."""
         path = pathlib.Path(self.output)
-        beside = [path.with_suffix(".wdp")] if formats.ending(path) in (".las", ".laz") else []
-        return [path, *beside]
+        kind = formats.ending(path)
+        beside = [path.with_suffix(".wdp")] if kind in (".las", ".laz") else []
+        return [path, *beside, *([names_file(path)] if kind in RECORDS else [])]
 
     def run(self, task):
         """Converts; if it raises anything, it writes no output."""
@@ -90,6 +95,9 @@ class Conversion:
                     "header records of other programs are not kept"
                 )
                 return False
+        names = self._find_names(readers)
+        if names is None:
+            return False
         packets = [reader.packets() for reader in readers]
         if self.waveforms and not all(packets):
             raise formats.FormatError(f"{paths[0]}: has no waveforms; leave --waveforms out")
@@ -109,7 +117,24 @@ class Conversion:
             self._check_count()
             task.tell("finishing")
             writer.close(output.internal, output.beside)
+        write_names(self.output, self.count, names)
         return True
+
+    def _find_names(self, readers):
+        """A header with the names of the points of all files; None: they have unlike ones."""
+        headers = [formats.Header() for _ in readers]
+        for reader, header in zip(readers, headers):
+            if note := add_names(reader.path, reader.header.point_count, header):
+                self.notes.append(note)
+        for reader, header in zip(readers, headers):
+            if tables_of(header) != tables_of(headers[0]):
+                self.notes.append(
+                    f"{reader.path}: has other names of parts or materials than {readers[0].path}: "
+                    "points are converted as arrays; header records of other programs are not kept"
+                )
+                return None
+        check_names(self.output, headers[0])
+        return headers[0]
 
     def _is_internal(self, packets):
         """Whether packets are stored in the file; None: there are none."""
@@ -162,11 +187,14 @@ class Conversion:
         header = formats.Header(readers[0].header.fields)
         self._set_header(header, target, moves, readers)
         union = self._join_layouts(layouts)
+        names = NameUnion()
+        moved = [names.add(reader.header) for reader in readers]
+        names.set_names(header)
         try:
             with formats.open_writer(self.output, header) as writer:
-                for reader, move in zip(readers, moves):
-                    shift = self._find_shift(reader, header)
-                    self._convert_file(reader, writer, (shift, move, union), task)
+                for reader, move, numbers in zip(readers, moves, moved):
+                    steps = (self._find_shift(reader, header), numbers, move, union)
+                    self._convert_file(reader, writer, steps, task)
                 self._check_count()
                 task.tell("finishing")
             self.lost |= writer.lost
@@ -207,7 +235,7 @@ class Conversion:
         return epoch - header.epoch if epoch and header.epoch else 0.0
 
     def _convert_file(self, reader, writer, steps, task):
-        shift, move, union = steps
+        shift, numbers, move, union = steps
         scan, count = None, 0
         for chunk in reader.chunks():
             if scan != reader.scan:
@@ -220,6 +248,7 @@ class Conversion:
             if shift and GPS_TIME in chunk:
                 chunk = {**chunk, GPS_TIME: chunk[GPS_TIME] + shift}
             if rows_of(chunk):
+                chunk = renumber(chunk, numbers) if numbers else chunk
                 chunk = move(chunk) if move else chunk
                 writer.write(chunk if union is None else fill(chunk, union))
             self.count += rows_of(chunk)
@@ -296,10 +325,10 @@ class Conversion:
         kind = formats.ending(self.output)
         fields = {reader.header.fields.GetArrayName(i) for reader in readers
                   for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
-        if kind not in (".vtp", ".pvtp"):
+        if kind not in NAMED:
             kept = {PART_NAME} if kind == ".xyz" else set()
-            for name in sorted((NAMES & fields) - kept):
-                self.lost[name] = "points keep the numbers; only VTK files store the names"
+            for name in sorted((set(NAMES.values()) & fields) - kept):
+                self.lost[name] = "points keep the numbers; LAS, LAZ, COPC and VTK store the names"
         if kind in (".xyz", ".csv") and fields & {CRS, GPS_EPOCH}:
             self.lost |= {name: "text has no header" for name in (CRS, GPS_EPOCH) if name in fields}
 

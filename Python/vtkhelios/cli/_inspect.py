@@ -8,9 +8,11 @@ from .. import formats
 from .._systems import Metres
 
 from ..array_names import (
-    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, UNITS,
+    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS,
+    RETURN_NUMBER, UNITS,
 )  # fmt: skip
 from ..formats._base import rows_of
+from ..formats._names import NAMES
 from ..formats._records import RecordReader
 from ..formats._run import is_run
 from ._raster import FARTHEST, Raster, is_near, tally
@@ -33,6 +35,7 @@ class Inspection:
         self._returns = np.zeros(256, np.int64)
         self._classes = np.zeros(256, np.int64)
         self._legs = {}
+        self._named = {ids: {} for ids in NAMES}  # points by number
         self._times = [np.inf, -np.inf]
         self._last_time = -np.inf
         self._backward = self._invalid = self._impossible = self._count = self._far = 0
@@ -76,8 +79,10 @@ class Inspection:
         if CLASSIFICATION_IDS in chunk:
             self._classes += tally(np.clip(chunk[CLASSIFICATION_IDS], 0, 255))
         if LEG_IDS in chunk and chunk[LEG_IDS].dtype.kind in "iu":
-            for leg, count in zip(*np.unique(chunk[LEG_IDS], return_counts=True)):
-                self._legs[int(leg)] = self._legs.get(int(leg), 0) + int(count)
+            _count(chunk[LEG_IDS], self._legs)
+        for ids in NAMES:
+            if ids in chunk and chunk[ids].dtype.kind in "iu":
+                _count(chunk[ids], self._named[ids])
         if GPS_TIME in chunk and rows_of(chunk):
             with np.errstate(all="ignore"):  # of times that are not finite
                 self._add_times(chunk[GPS_TIME].reshape(rows_of(chunk), -1)[:, 0])
@@ -110,6 +115,9 @@ class Inspection:
         facts["returns"] = {str(i): int(n) for i, n in enumerate(self._returns) if n}
         facts["classes"] = {str(i): int(n) for i, n in enumerate(self._classes) if n}
         facts["legs"] = {str(leg): count for leg, count in sorted(self._legs.items())}
+        for key, ids in (("parts", PART_IDS), ("materials", MATERIAL_IDS)):
+            if names := reader.header.texts(NAMES[ids]):
+                facts[key] = _name_counts(names, self._named[ids])
         facts["arrays"] = [
             {"name": name, "type": values.dtype.name, "unit": UNITS.get(name),
              "components": int(np.prod(values.shape[1:], dtype=int))}
@@ -218,6 +226,20 @@ class Inspection:
                 "in order of measurement"
             )
         self.warnings += reader.notes
+
+
+def _count(numbers, counts):
+    """Adds the points of each number to a table."""
+    for number, count in zip(*np.unique(numbers, return_counts=True)):
+        counts[int(number)] = counts.get(int(number), 0) + int(count)
+
+
+def _name_counts(names, counts):
+    """The points of each part or material: the number, its name if it has one, and the count."""
+    return [
+        {"id": number, "name": names[number] if 0 <= number < len(names) else None, "points": count}
+        for number, count in sorted(counts.items())
+    ]
 
 
 def _text(value):

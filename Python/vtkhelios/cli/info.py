@@ -131,6 +131,8 @@ def point_lines(facts):
             shares = (f"{key}: {n:,} ({100 * n / total:.1f} %)" for key, n in facts[name].items())
             yield f"{name:10} {', '.join(shares)}"
     yield from leg_lines(facts["legs"])
+    for key in ("parts", "materials"):
+        yield from name_lines(key, facts.get(key, []))
     if "scale" in facts:
         yield f"scale      {facts['scale']}, offset {facts['offset']}"
         yield f"written by {facts['software'] or '?'} ({facts['system'] or '?'})"
@@ -141,6 +143,15 @@ def point_lines(facts):
         yield f"extra      {extra['name']} ({extra['type']}): {extra['description'] or 'no description'}"
     for record in facts.get("headerRecords", []):
         yield f"record     {record['user']} {record['id']}: {record['description']}"
+
+
+def name_lines(key, entries):
+    """The names of parts or materials, the most frequent first."""
+    if entries:
+        entries = sorted(entries, key=lambda entry: -entry["points"])
+        shown = [f"{each['name'] or each['id']}: {each['points']:,}" for each in entries[:MOST]]
+        more = f", and {len(entries) - MOST} more" if len(entries) > MOST else ""
+        yield f"{key:10} {', '.join(shown)}{more}"
 
 
 def leg_lines(legs):

@@ -117,7 +117,7 @@ class Header:
 
     @crs.setter
     def crs(self, text):
-        self._set_text(CRS, [text] if text else [])
+        self.set_texts(CRS, [text] if text else [])
 
     @property
     def epoch(self):
@@ -151,15 +151,20 @@ class Header:
     @property
     def part_names(self):
         """The names of scene parts, by PartIds."""
-        array = self.fields.GetAbstractArray(PART_NAME)
-        values = range(array.GetNumberOfValues() if array else 0)
-        return [_as_text(array.GetValue(i)) for i in values]
+        return self.texts(PART_NAME)
 
     @part_names.setter
     def part_names(self, names):
-        self._set_text(PART_NAME, names)
+        self.set_texts(PART_NAME, names)
 
-    def _set_text(self, name, values):
+    def texts(self, name):
+        """The texts in a field array."""
+        array = self.fields.GetAbstractArray(name)
+        values = range(array.GetNumberOfValues() if array else 0)
+        return [_as_text(array.GetValue(i)) for i in values]
+
+    def set_texts(self, name, values):
+        """Replaces a field array by texts, or removes it."""
         self.fields.RemoveArray(name)
         if values:
             array = vtkStringArray()

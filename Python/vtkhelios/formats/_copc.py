@@ -16,6 +16,7 @@ import numpy as np
 
 from ._base import FileWriter, need
 from ._las import Encoder, LazReader
+from ._names import check_names, write_names
 
 LEVELS = 21  # bits of a Morton code per direction
 GRID = 7  # bits of a node's grid
@@ -114,6 +115,7 @@ class CopcWriter(FileWriter):
         need("laspy", "COPC files")
         need("lazrs", "COPC files")
         self._copc = need("copclib", "COPC files")
+        check_names(path, header)
         self._encoder = Encoder(self, header)
         self._scratch = None
 
@@ -152,6 +154,7 @@ class CopcWriter(FileWriter):
         self._encoder.close()
         self._scratch.close()
         self.keep_part()
+        write_names(self.path, self.count, self.header)
 
     def _write_times(self, times):
         """The range of the times in the record that locates the octree, which copclib leaves 0."""

@@ -18,6 +18,7 @@ from .._run_files import PART
 from ._base import FileWriter, FormatError, Header, Reader, StreamWriter
 from ._base import call, check_file, from_cloud, need, to_cloud
 from ._las_check import HEADER_BYTES
+from ._names import add_names, check_names, drop_part_names, watch_part, write_names
 from ._records import EXTENDED_HEAD, RecordReader, RecordWriter
 
 OWN_SOFTWARE = b"vtkHelios "  # colours of its files have 16 bits
@@ -95,6 +96,8 @@ class LazReader(Reader):
         first = next(RecordReader(path).chunks(1))
         self.header = Header(self._to_cloud(first).GetFieldData())
         self.header.crs = self.header.crs or self._find_crs()
+        if note := add_names(self.path, self.count, self.header):
+            self.notes.append(note)
 
     def _find_crs(self):
         """The WKT of an extended record, or an empty text."""
@@ -159,6 +162,15 @@ class LazReader(Reader):
 class LasWriter(StreamWriter):
     def __init__(self, path, header):
         super().__init__(path, header, vtkhelios.vtkHeliosLASWriter())
+        watch_part(path)
+
+    def close(self):
+        super().close()
+        watch_part(self.path, False)
+
+    def abandon(self):
+        super().abandon()
+        drop_part_names(self.path)
 
 
 class Encoder:
@@ -199,6 +211,7 @@ class LazWriter(FileWriter):
         super().__init__(path, header)
         need("laspy", "LAZ files")
         need("lazrs", "LAZ files")
+        check_names(path, header)
         self._encoder = Encoder(self, header)
         self._records = None
 
@@ -218,6 +231,7 @@ class LazWriter(FileWriter):
         self.file.close()
         self._encoder.close()
         self.keep_part()
+        write_names(self.path, self.count, self.header)
 
     def abandon(self):
         self._encoder.close()

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosPointNames
+ * @brief   the names of parts and materials beside a LAS, LAZ or COPC file
+ *
+ * Points of LAS have the numbers of their part and material (PartIds, MaterialIds in the Extra
+ * Bytes); their names are in a JSON file beside it, a.names.json of a.las, a.laz and a.copc.laz:
+ *
+ *   { "format": "vtkHelios names of points", "version": 1, "points": 1000,
+ *     "parts": ["ground", "house"], "materials": ["grass", "brick"] }
+ *
+ * A name is at the place of its number, from 0. "points" is the number of points of the file: names
+ * of another number are not read, since the file may have been replaced. vtkHeliosLASWriter writes
+ * the file if the field data of its blocks have names (Part.Name, Material.Name), and removes the one
+ * of an earlier file if they have none; vtkHeliosLASReader reads it.
+ *
+ * @sa
+ * vtkHeliosLASReader vtkHeliosLASWriter
+ */
+
+#ifndef vtkHeliosPointNames_h
+#define vtkHeliosPointNames_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <string> // For names and messages
+
+class vtkFieldData;
+
+class VTKHELIOSFILTERSIO_EXPORT vtkHeliosPointNames : public vtkObject
+{
+public:
+  static vtkHeliosPointNames* New();
+  vtkTypeMacro(vtkHeliosPointNames, vtkObject);
+
+  /**
+   * The file of the names of a file of points.
+   */
+  static std::string GetFileName(const std::string& pointFile);
+
+  /**
+   * The number of names of parts and materials in field data.
+   */
+  static vtkIdType CountNames(vtkFieldData* fields);
+
+  /**
+   * Add the names of a file with this number of points to field data. Returns the reason if there is
+   * a file that cannot be read, or is of another number of points; empty if there is none.
+   */
+  static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
+
+  /**
+   * Whether the file of names of a file of points can be written: an error if there is one that is
+   * something else; empty: it can.
+   */
+  static std::string Check(const std::string& pointFile);
+
+  /**
+   * Write the names in field data, or remove the file of an earlier file of points if there are none.
+   * Returns an error, such as that of Check(); empty: none.
+   */
+  static std::string Write(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
+
+protected:
+  vtkHeliosPointNames() = default;
+  ~vtkHeliosPointNames() override = default;
+
+private:
+  vtkHeliosPointNames(const vtkHeliosPointNames&) = delete;
+  void operator=(const vtkHeliosPointNames&) = delete;
+};
+
+#endif

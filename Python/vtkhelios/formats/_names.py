@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names of parts and materials: beside LAS, LAZ and COPC by vtkHeliosPointNames; of merged clouds."""
+
+import contextlib
+import pathlib
+
+import numpy as np
+
+from .._files import part_of
+from .._paths import from_vtk, to_vtk
+from .._process.unfinished import set_unfinished
+from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
+from ..vtkHeliosFiltersIO import vtkHeliosPointNames
+from ._base import FormatError
+
+NAMES = {PART_IDS: PART_NAME, MATERIAL_IDS: MATERIAL_NAME}  # of the numbers in an array
+
+
+def names_file(path):
+    """The file of the names of a file of points."""
+    return pathlib.Path(from_vtk(vtkHeliosPointNames.GetFileName(to_vtk(path))))
+
+
+def add_names(path, count, header):
+    """Adds the names beside a file with this number of points to a header; returns a note, or ''."""
+    return from_vtk(vtkHeliosPointNames.Read(to_vtk(path), count, header.fields))
+
+
+def check_names(path, header):
+    """Raises FormatError if a file that is something else is where names would be written."""
+    if vtkHeliosPointNames.CountNames(header.fields):
+        _raise(vtkHeliosPointNames.Check(to_vtk(path)))
+
+
+def write_names(path, count, header):
+    """Writes the names in a header beside a file, or removes those of an earlier file."""
+    _raise(vtkHeliosPointNames.Write(to_vtk(path), count, header.fields))
+
+
+def _raise(problem):
+    if problem:
+        raise FormatError(from_vtk(problem))
+
+
+def watch_part(path, is_unfinished=True):
+    """Has a signal remove the names of the .part of a file, or not any more."""
+    set_unfinished(names_file(part_of(path)), is_unfinished)
+
+
+def drop_part_names(path):
+    """Removes the names of the .part of a file."""
+    with contextlib.suppress(OSError):
+        names_file(part_of(path)).unlink()
+    watch_part(path, False)
+
+
+def tables_of(header):
+    """The names in a header by the array of their numbers."""
+    return {ids: header.texts(name) for ids, name in NAMES.items() if header.texts(name)}
+
+
+class NameUnion:
+    """The names of several clouds, whose numbers differ, as one table."""
+
+    def __init__(self):
+        self._tables = {}
+
+    def add(self, header):
+        """Adds the names of a cloud; returns its new numbers, by array, where they differ."""
+        moved = {}
+        for ids, names in tables_of(header).items():
+            table = self._tables.setdefault(ids, list(names))
+            if names == table[: len(names)]:
+                continue
+            if table == names[: len(table)]:
+                table[:] = names
+                continue
+            moved[ids] = np.array([self._find(table, name) for name in names], np.int64)
+        return moved
+
+    def _find(self, table, name):
+        if name not in table:
+            table.append(name)
+        return table.index(name)
+
+    def set_names(self, header):
+        """Gives a header the names of all clouds."""
+        for ids, table in self._tables.items():
+            header.set_texts(NAMES[ids], table)
+
+
+def renumber(chunk, moved):
+    """A chunk with new numbers of parts and materials; numbers without a name stay."""
+    changed = {}
+    for ids, numbers in moved.items():
+        values = chunk.get(ids)
+        if values is not None:
+            known = (values >= 0) & (values < len(numbers))
+            changed[ids] = values.copy()
+            changed[ids][known] = numbers[values[known]]
+    return {**chunk, **changed}
