@@ -5,7 +5,6 @@
 #include "heliosCloudReader.h"
 #include "heliosEditTool.h"
 #include "heliosErrorText.h"
-#include "heliosInputFile.h"
 #include "heliosInspector.h"
 #include "heliosMeasureTool.h"
 #include "heliosPlanFiles.h"
@@ -15,6 +14,7 @@
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
+#include "heliosXmlFile.h"
 #include "vtkHeliosDialect.h"
 #include "vtkHeliosPlannerReader.h"
 #include "vtkHeliosScene.h"
@@ -27,8 +27,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -49,18 +47,6 @@ std::string GetExtension(const fs::path& path)
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return std::tolower(c); });
   return extension;
-}
-
-bool HasSurvey(const fs::path& path)
-{
-  std::ifstream file;
-  if (CheckInputFile(path.string()).IsOk())
-  {
-    file.open(path);
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str().find("<survey ") != std::string::npos;
 }
 
 /// Search folders of an XML file.

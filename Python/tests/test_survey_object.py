@@ -457,3 +457,30 @@ def _scan(**more):
 
 def _make(legs):
     return vtkhelios.make_survey(vtkhelios.Scene(*FLAT), legs, **TRIPOD)
+
+
+def test_what_is_replaced_need_not_exist(make_survey, tmp_path):
+    path = make_survey(stop=6)
+    expected = vtkhelios.read_survey(path).run()
+    (tmp_path / "plane.obj").unlink()
+    (tmp_path / "scene.xml").unlink()
+    with pytest.raises(vtkhelios.PipelineError, match="scene.xml: no such file|no such file"):
+        vtkhelios.read_survey(path)
+    plane = vtkhelios.Scene(
+        [[-200, -200, 0], [200, -200, 0], [200, 200, 0], [-200, 200, 0]], [[0, 1, 2], [0, 2, 3]]
+    )
+    cloud = vtkhelios.read_survey(path, scene=plane).run()
+    assert (cloud.points == expected.points).all()
+
+
+def test_a_replaced_trajectory_need_not_exist(make_survey, tmp_path):
+    path = make_survey(stop=6)
+    text = path.read_text().replace('platform="platforms.xml#tripod"', 'platform="interpolated"')
+    path.write_text(text.replace("<platformSettings ", '<platformSettings trajectory="gone.trj" '))
+    with pytest.raises(vtkhelios.PipelineError, match='trajectory="gone.trj": no such file'):
+        vtkhelios.read_survey(path)
+    times = [0.0, 1.0, 2.0]
+    flight = vtkhelios.Cloud.from_arrays(
+        [[t, 0, 20] for t in times], GpsTime=times, Orientation=[[1.0, 0, 0, 0]] * 3
+    )
+    assert len(vtkhelios.read_survey(path, trajectory=flight).run()) > 0

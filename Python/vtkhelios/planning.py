@@ -12,13 +12,15 @@ import os
 import pathlib
 import time
 import typing
+import warnings
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import _plan_files
-from ._paths import from_vtk
+from ._paths import from_vtk, to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude, update
 from ._plan_report import make_report, order_positions
+from ._plan_roofs import warn_of_roofs
 from ._plan_settings import SettingError, check_settings, fill_document, fill_filters
 from ._watching import Progress
 from .cloud import Cloud
@@ -308,6 +310,8 @@ class Plan:
         self.outputs[2], walk = order_positions(self.outputs[2], task.settings["order"])
         self.candidates, self.test_points, self.scans = map(Cloud, self.outputs)
         self.report = {**make_report(task, self.outputs[2], walk), "timings": dict(seconds)}
+        if roofs := warn_of_roofs(self):
+            warnings.warn(roofs, RuntimeWarning, stacklevel=3)
 
     @property
     def positions(self):
@@ -433,13 +437,15 @@ def _make_document(scene, assets):
     if hasattr(scene, "IsA") and scene.IsA("vtkHeliosPlannerReader"):
         return from_vtk(scene.GetFileName()) or None, scene
     document = _class("vtkHeliosPlannerReader")()
-    document.SetDefaultPlatform(PLATFORM)
-    document.SetDefaultScanner(SCANNER)
+    document.SetDefaultPlatform(to_vtk(_package_data() / "Assets" / PLATFORM))
+    document.SetDefaultScanner(to_vtk(_package_data() / "Assets" / SCANNER))
     document.InstancesOn()
     if isinstance(scene, (str, os.PathLike)):
         look_up(document, os.fspath(scene), assets)
         return os.fspath(scene), document
-    look_up(document, "", assets)
+    shipped = _package_data()
+    for folder in (*assets, shipped, shipped / "Assets"):
+        document.AddAssetDirectory(to_vtk(folder))
     document.SetInputDataObject(0, Scene(scene).polydata)
     return None, document
 
@@ -448,6 +454,10 @@ def _copy(polydata):
     copy = polydata.NewInstance() if has_instances(polydata) else vtkPolyData()
     copy.ShallowCopy(polydata)
     return copy
+
+
+def _package_data():
+    return importlib.import_module(__package__).data_directory()
 
 
 def _class(name):

@@ -41,6 +41,7 @@ _OPTIONS = {
     "detector": "echo_detector",
     "ray_caster": "ray_caster",
     "weather": "weather",
+    "gps_start": "gps_start",
     "epoch": "epoch",
     "without": "without",
     "pulse_step": "pulse_step",
@@ -54,7 +55,8 @@ def read_survey(path, assets=(), scene=None, trajectory=None):
     """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
 
     scene replaces that of the survey: a Scene, a VTK data set with a surface, or an algorithm that
-    makes one. trajectory replaces the trajectory files of the platforms, see make_survey().
+    makes one. trajectory replaces the trajectory files of the platforms, see make_survey(). What is
+    replaced is not read, and need not exist.
 
     Files are searched in the folders of assets, beside the survey, in the working directory, and in
     the data shipped with vtkHelios.
@@ -67,6 +69,8 @@ def read_survey(path, assets=(), scene=None, trajectory=None):
         raise FileNotFoundError(problem.replace("--assets", "assets:"))
     origin = Origin(path, assets)
     reader = make_reader(os.fspath(path), assets)
+    reader.SetSceneRequired(scene is None)
+    reader.SetTrajectoriesRequired(trajectory is None)
     with MessageLog() as log:
         log.watch(reader)
         succeeded = reader.Read()
@@ -207,6 +211,10 @@ class Survey:
         weather
             "fog 0.2": fog, smoke or dust and the visibility [km], or rain, snow or sleet [mm/h]:
             light is lost and scattered back. Default: the survey's, else none.
+        gps_start
+            when the survey starts, "2026-07-01 12:00:00" of UTC, with a zone, Unix seconds or
+            "gps:1467000000": the cloud then has the field array GpsEpoch. Default: the survey's
+            gpsStartTime, else not known.
         epoch
             the epoch, of a survey whose scene swaps parts.
         bin_size

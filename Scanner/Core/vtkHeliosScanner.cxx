@@ -14,12 +14,14 @@
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "heliosWeather.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosPlatformNoise.h"
 
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -55,6 +57,20 @@ void ClearOutputs(vtkInformationVector* outputs)
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+/// Gives echoes and pulses the GPS time of GpsTime 0, if the trajectory has it.
+void PassEpoch(vtkPolyData* trajectory, vtkInformationVector* outputs)
+{
+  vtkAbstractArray* epoch =
+    trajectory->GetFieldData()->GetAbstractArray(vtkHeliosArrayNames::GpsEpoch);
+  for (const int port : { 0, 2 })
+  {
+    if (epoch)
+    {
+      vtkPolyData::GetData(outputs, port)->GetFieldData()->AddArray(epoch);
+    }
   }
 }
 
@@ -610,6 +626,7 @@ int vtkHeliosScanner::RequestData(
     return 0;
   }
   scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs, 0));
+  PassEpoch(vtkPolyData::GetData(inputs[1]), outputs);
   return 1;
 }
 

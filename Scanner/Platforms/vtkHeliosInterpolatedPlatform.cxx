@@ -3,6 +3,7 @@
 #include "vtkHeliosInterpolatedPlatform.h"
 
 #include "heliosPathCell.h"
+#include "heliosRecordTimes.h"
 #include "heliosSampledPath.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
@@ -34,12 +35,60 @@ namespace
 
 constexpr int NoLeg = -1;
 
+/// Trajectories further apart are of two clocks [s].
+constexpr double LongestBreak = 7.0 * 86400.0;
+
 /// A time from navigation software, which may have many digits.
 std::string Seconds(double time)
 {
   std::ostringstream text;
   text << std::setprecision(15) << time << " s";
   return text.str();
+}
+
+/// An input, and the times that it covers.
+struct Input
+{
+  int Number;
+  double Start;
+  double End;
+  double Offset = 0.0; // added to its times
+};
+
+/// Continues the times of inputs, in order of time, that are after the end of a week or day; returns
+/// the input that is the first one then, or the first of all without such an end.
+std::size_t ContinueInputs(std::vector<Input>& order)
+{
+  const double period =
+    order.empty() ? 0.0 : helios::FindEndedPeriod(order.back().End, order.front().Start);
+  for (std::size_t i = 1; period > 0.0 && i < order.size(); ++i)
+  {
+    if (order[i].Start - order[i - 1].End > 0.5 * period)
+    {
+      std::for_each(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i),
+        [period](Input& input) { input.Offset = period; });
+      std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(i), order.end());
+      return order.size() - i;
+    }
+  }
+  return 0;
+}
+
+/// An input with an offset added to its times.
+vtkSmartPointer<vtkPolyData> Shift(vtkPolyData* data, double offset)
+{
+  auto shifted = vtkSmartPointer<vtkPolyData>::New();
+  shifted->ShallowCopy(data);
+  vtkDataArray* times = data->GetPointData()->GetArray(names::GpsTime);
+  vtkNew<vtkDoubleArray> later;
+  later->SetName(names::GpsTime);
+  later->SetNumberOfValues(times->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < times->GetNumberOfTuples(); ++i)
+  {
+    later->SetValue(i, times->GetComponent(i, 0) + offset);
+  }
+  shifted->GetPointData()->AddArray(later);
+  return shifted;
 }
 
 /// The arrays of the output trajectory.
@@ -154,12 +203,6 @@ int vtkHeliosInterpolatedPlatform::RequestData(
 // The inputs, each checked, concatenated; null after an error.
 vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInformationVector* inputs)
 {
-  struct Input
-  {
-    int Number;
-    double Start;
-    double End;
-  };
   std::vector<Input> order;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
@@ -186,7 +229,29 @@ vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInform
                     << "; connect each once, and cut them where they overlap.");
       return nullptr;
     }
-    append->AddInputData(vtkPolyData::GetData(inputs, order[i].Number));
+    if (i > 0 && order[i].Start - order[i - 1].End >= LongestBreak)
+    {
+      vtkErrorMacro(<< "Trajectory " << order[i].Number << " starts at " << Seconds(order[i].Start)
+                    << ", trajectory " << order[i - 1].Number << " ends at "
+                    << Seconds(order[i - 1].End)
+                    << ": these are times of two clocks, such as seconds of a GPS week and GPS time "
+                       "since 1980; give all trajectories times of one.");
+      return nullptr;
+    }
+  }
+  if (const std::size_t later = ContinueInputs(order))
+  {
+    vtkWarningMacro(<< "Trajectory " << order[later].Number << " starts at "
+                    << Seconds(order[later].Start) << ", after the end of trajectory "
+                    << order[later - 1].Number << " at " << Seconds(order[later - 1].End) << ": "
+                    << helios::NamePeriod(order[later].Offset)
+                    << " ends between them, and its times continue with "
+                    << Seconds(order[later].Offset) << " added.");
+  }
+  for (const Input& input : order)
+  {
+    vtkPolyData* data = vtkPolyData::GetData(inputs, input.Number);
+    append->AddInputData(input.Offset > 0.0 ? Shift(data, input.Offset).Get() : data);
   }
   if (order.size() == 1)
   {

@@ -215,6 +215,18 @@ double vtkHeliosRunOptions::GetBinSize() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosRunOptions::SetGpsStart(const std::string& start)
+{
+  this->Set(this->Data->GpsStart, start);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunOptions::GetGpsStart() const
+{
+  return this->Data->GpsStart;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosRunOptions::SetWeather(const std::string& weather)
 {
   this->Set(this->Data->Weather, weather);
@@ -313,6 +325,7 @@ void vtkHeliosRunOptions::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "BinSize: " << this->Data->BinSize << "\n"
      << indent << "EchoDetector: " << this->Data->EchoDetector << "\n"
      << indent << "RayCaster: " << this->Data->RayCaster << "\n"
+     << indent << "GpsStart: " << this->Data->GpsStart << "\n"
      << indent << "Weather: " << this->Data->Weather << "\n"
      << indent << "Without: " << this->Data->Without << "\n"
      << indent << "PulseStep: " << this->Data->PulseStep << "\n"

@@ -156,6 +156,16 @@ public:
 
   ///@{
   /**
+   * Set/Get when the survey starts, at GpsTime 0, as vtkHeliosGpsTime::Parse() reads it, such as
+   * "2026-07-01 12:00:00" of UTC: points then have the field array GpsEpoch, and files of points the
+   * times of a clock. Default: empty, that of the survey, else not known.
+   */
+  void SetGpsStart(const std::string& start);
+  std::string GetGpsStart() const;
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the parts of the model that are left out, names of GetModelPartNames() separated by
    * blanks: "divergence", all beams are one ray; "waveform", a pulse has one echo at the mean range
    * of its returns; "specular", surfaces are Lambertian; "spectra", materials with a spectrum have

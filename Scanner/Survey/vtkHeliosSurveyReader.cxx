@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurveyReader.h"
 
+#include "heliosAssets.h"
 #include "heliosMessages.h"
 #include "heliosSurveyData.h"
 #include "heliosXmlFile.h"
@@ -67,7 +68,12 @@ bool vtkHeliosSurveyReader::Read()
 {
   vtkNew<vtkHeliosSurvey> survey;
   const bool isGood = this->Try([this, &survey](helios::Messages& log)
-    { survey->GetData() = helios::ReadSurvey(this->FileName, this->AssetDirectories, log); });
+    {
+      helios::Assets assets(log, this->AssetDirectories);
+      assets.NeedsScene = this->SceneRequired;
+      assets.NeedsTrajectories = this->TrajectoriesRequired;
+      survey->GetData() = helios::ReadSurvey(assets.Load(this->FileName), assets, log);
+    });
   this->Survey = isGood ? survey.Get() : nullptr;
   return isGood;
 }
@@ -90,6 +96,8 @@ void vtkHeliosSurveyReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "SceneRequired: " << this->SceneRequired << "\n"
+     << indent << "TrajectoriesRequired: " << this->TrajectoriesRequired << "\n";
   for (const std::string& directory : this->AssetDirectories)
   {
     os << indent << "AssetDirectory: " << directory << "\n";

@@ -52,6 +52,20 @@ public:
   void RemoveAllAssetDirectories();
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the scene of the survey, and the trajectory files of its legs, are required. If
+   * not, Read() does not read that scene, and trajectory files may be missing: inputs of a
+   * vtkHeliosSurveySource replace them. Default: true.
+   */
+  vtkSetMacro(SceneRequired, bool);
+  vtkGetMacro(SceneRequired, bool);
+  vtkBooleanMacro(SceneRequired, bool);
+  vtkSetMacro(TrajectoriesRequired, bool);
+  vtkGetMacro(TrajectoriesRequired, bool);
+  vtkBooleanMacro(TrajectoriesRequired, bool);
+  ///@}
+
   /**
    * Reads the file. Returns false after an error; GetSurvey() is then null.
    */
@@ -83,6 +97,8 @@ private:
 
   char* FileName = nullptr;
   std::vector<std::string> AssetDirectories;
+  bool SceneRequired = true;
+  bool TrajectoriesRequired = true;
   vtkSmartPointer<vtkHeliosSurvey> Survey;
 };
 

@@ -3,6 +3,7 @@
 """XML is a tree: documents with and without line breaks, with comments, CDATA, a DOCTYPE and other
 orders of attributes and elements give the same survey and the same points."""
 
+import os
 import pathlib
 import re
 import shutil
@@ -18,6 +19,7 @@ from vtkhelios.vtkHeliosScannerSurvey import vtkHeliosSurvey, vtkHeliosSurveyRea
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = vtkhelios.data_directory()
+OTHERS = pathlib.Path(os.environ.get("HELIOS_DATA") or ROOT.parent / "shared/data") / "helios"
 GROUND = "v -100 -100 0\nv 100 -100 0\nv 100 100 0\nv -100 100 0\nf 1 2 3 4\n"
 SCENE = """<document><scene id="village" name="village"><part><filter type="objloader">
 <param type="string" key="filepath" value="ground.obj"/></filter></part></scene></document>"""
@@ -171,6 +173,18 @@ def test_surveys_of_the_tree_are_the_same_in_every_form(path, form, tmp_path):
     other = reformat_files(folder, form, tmp_path / "other")
     first = describe(folder / path.name, [DATA])
     assert without(first, folder) == without(describe(other / path.name, [DATA]), other)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_surveys_of_others_are_the_same_in_every_form(form, tmp_path):
+    surveys = sorted(OTHERS.glob("data/surveys/**/*.xml"))
+    if not surveys:
+        pytest.skip(f"no surveys in {OTHERS}")
+    other = reformat_files(OTHERS, form, tmp_path / "other")
+    for path in surveys:
+        first = describe(path, [OTHERS])
+        again = describe(other / path.relative_to(OTHERS), [other])
+        assert without(first, OTHERS) == without(again, other), path
 
 
 @pytest.mark.parametrize("form", ("as it is", *FORMS))

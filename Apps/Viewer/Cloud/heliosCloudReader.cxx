@@ -41,8 +41,8 @@ namespace
 
 constexpr vtkIdType BlockSize = 1 << 17; // points
 constexpr double PieceBytes = 32.0 * 1024.0 * 1024.0;
-constexpr const char* Kinds = "give .xyz, .txt, .asc, .csv, .pts, .ptx, .las, .vtp, .pvtp, .ply or "
-                              "the folder of a finished run";
+constexpr const char* Endings[] = { ".xyz", ".txt", ".asc", ".csv", ".pts", ".ptx", ".las", ".laz",
+  ".vtp", ".pvtp", ".ply" };
 
 std::string GetEnding(const std::string& path)
 {
@@ -50,6 +50,16 @@ std::string GetEnding(const std::string& path)
   std::transform(ending.begin(), ending.end(), ending.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
+}
+
+std::string ListEndings()
+{
+  std::string all;
+  for (const char* ending : Endings)
+  {
+    all += (all.empty() ? "" : ", ") + std::string(ending);
+  }
+  return all;
 }
 
 bool IsText(const std::string& ending)
@@ -174,8 +184,7 @@ bool CloudReader::CanRead(const std::string& path)
     return fs::is_regular_file(fs::path(path) / RunFiles::GetSummaryName(), ignored);
   }
   const std::string ending = GetEnding(path);
-  return IsText(ending) || ending == ".las" || ending == ".laz" || ending == ".vtp" ||
-    ending == ".pvtp" || ending == ".ply";
+  return std::find(std::begin(Endings), std::end(Endings), ending) != std::end(Endings);
 }
 
 //------------------------------------------------------------------------------
@@ -294,7 +303,8 @@ Status CloudReader::ReadCloud(const std::string& path)
     this->OnBlock(cloud, 1.0);
     return {};
   }
-  return Status::Error(path + ": not a supported cloud format; " + Kinds);
+  return Status::Error(path + ": not a supported cloud format; give " + ListEndings() +
+    " or the folder of a finished run");
 }
 
 //------------------------------------------------------------------------------

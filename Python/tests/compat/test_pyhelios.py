@@ -374,6 +374,13 @@ def test_values_that_are_not_valid(setter, value, message):
         getattr(pyhelios.SimulationBuilder("survey.xml"), setter)(value)
 
 
+def test_a_fixed_start_is_that_of_the_survey(builder):
+    builder.setFixedGpsTimeStart("2017-01-01 00:00:00")
+    survey = builder.build().sim
+    assert survey.fixedGpsTimeStart == "2017-01-01 00:00:00"
+    assert survey._survey.vtk.GetSurveyAttribute("gpsStartTime") == "2017-01-01 00:00:00"
+
+
 def test_a_fixed_start_is_told_to_be_relative(capsys):
     builder = pyhelios.SimulationBuilder("survey.xml")
     builder.setFixedGpsTimeStart("2022-01-01 00:00:00")

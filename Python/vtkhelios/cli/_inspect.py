@@ -11,6 +11,7 @@ from ..array_names import (
     CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS,
     RETURN_NUMBER, UNITS,
 )  # fmt: skip
+from ..catalogue._files import CatalogueError, read_root
 from ..formats._base import rows_of
 from ..formats._names import NAMES
 from ..formats._records import RecordReader
@@ -249,6 +250,54 @@ def _text(value):
 
 def _triple(values):
     return "(" + ", ".join(f"{value:.12g}" for value in values) + ")"
+
+
+def inspect_xml(path, assets, messages):
+    """Facts about a document: its survey, else what it holds; None after an error."""
+    try:
+        root = read_root(path)
+    except CatalogueError:
+        root = None  # the reader tells why
+    if root is None or root.find("survey") is not None:
+        return inspect_survey(path, assets, messages)
+    return inspect_document(path, root, assets, messages)
+
+
+def inspect_document(path, root, assets, messages):
+    """Facts about a document without a survey, or None after an error."""
+    from ._reading import make_reader
+
+    reader = make_reader(str(path), assets)
+    messages.watch(reader)
+    if not reader.Check():
+        messages.error_unless_told(f"{path}: cannot be read")
+        return None
+    return {
+        "file": str(path),
+        "format": "document (HELIOS XML)",
+        "scenes": [
+            {
+                "id": scene.get("id", ""),
+                "name": scene.get("name", ""),
+                "parts": [_inspect_part(part) for part in scene.findall("part")],
+                "tables": [table.get("file", "") for table in scene.findall("partTable")],
+            }
+            for scene in root.findall("scene")
+        ],
+        "platforms": [each.get("id", "") for each in root.findall("platform")],
+        "scanners": [each.get("id", "") for each in root.findall("scanner")],
+        "plans": [each.get("name", "") for each in root.findall("surveyPlanner")],
+    }
+
+
+def _inspect_part(part):
+    parameters = [each for filter in part.findall("filter") for each in filter.findall("param")]
+    files = [each.get("value", "") for each in parameters if "filepath" in each.get("key", "")]
+    return {
+        "id": part.get("id", ""),
+        "filters": [filter.get("type", "") for filter in part.findall("filter")],
+        "files": files,
+    }
 
 
 def inspect_survey(path, assets, messages):

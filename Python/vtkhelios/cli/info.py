@@ -6,10 +6,11 @@ import json
 import pathlib
 
 from .. import formats
+from .._endings import DOCUMENTS
 from .._systems import add_height_unit_argument
 from . import _meshes
 from ._meshes import describe_crs
-from ._inspect import Inspection, inspect_survey
+from ._inspect import Inspection, inspect_xml
 from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument
@@ -24,10 +25,11 @@ coordinate system, times, returns, classes, arrays; for LAS and LAZ also scale a
 waveforms and header records. All points are read, in chunks, and checked: counts and bounding box of
 the header, return numbers, decreasing times, points that are not finite. Problems are warnings.
 
-Meshes (.obj, .tif, .stl, .gltf, .glb, .json: CityJSON, .ply with faces): triangles, bounds,
-area, coordinate system, materials.
+Meshes (.obj, .tif, .vrt, .stl, .gltf, .glb, .json and .jsonl: CityJSON, .ply with faces): triangles,
+bounds, area, coordinate system, materials.
 
-Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
+Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors. Other documents
+(.xml): their scenes with the parts, platforms, scanners and plans.
 
 --scanners WORDS is vtkhelios list scanners WORDS.
 
@@ -49,7 +51,7 @@ def add_arguments(parser):
         "path",
         metavar="FILE|RUN|SURVEY",
         nargs="?",
-        help="points, a run, a mesh, or a survey (.xml)",
+        help="points, a run, a mesh, or a survey or other document (.xml)",
     )
     parser.add_argument(
         "--scanners",
@@ -75,8 +77,8 @@ def run(arguments):
         if not pathlib.Path(arguments.path).exists():
             messages.error(f"{arguments.path}: no such file or folder; check its name")
             return 1
-        if arguments.path.lower().endswith(".xml"):
-            facts = inspect_survey(arguments.path, arguments.assets, messages)
+        if arguments.path.lower().endswith(DOCUMENTS):
+            facts = inspect_xml(arguments.path, arguments.assets, messages)
             return tell(facts, [], arguments, messages) if facts else 1
         if _meshes.is_mesh(arguments.path):
             facts = _meshes.inspect(arguments.path, messages)
@@ -106,6 +108,8 @@ def tell(facts, warnings, arguments, messages):
 def lines_of(facts):
     if "triangles" in facts:
         return _meshes.describe_lines(facts)
+    if "scenes" in facts:
+        return document_lines(facts)
     return survey_lines(facts) if "scanner" in facts else point_lines(facts)
 
 
@@ -169,6 +173,25 @@ def array_lines(arrays):
         words.append(f"{array['name']}{unit} ({array['type']}{size})")
     if words:
         yield f"arrays     {', '.join(words)}"
+
+
+def document_lines(facts):
+    """Of a document without a survey."""
+    yield f"document   {facts['file']}"
+    for scene in facts["scenes"]:
+        yield f"scene      {scene['id']}, {scene['name']}: {_count(scene['parts'], 'part')}"
+        for part in scene["parts"][:MOST]:
+            files = ", ".join(part["files"]) or "no file"
+            yield f"part       {part['id'] or '-'}: {', '.join(part['filters'])}; {files}"
+        if len(scene["parts"]) > MOST:
+            yield f"           and {len(scene['parts']) - MOST} more"
+    for kind in ("platforms", "scanners", "plans"):
+        if facts[kind]:
+            yield f"{kind:10} {len(facts[kind])}: {', '.join(facts[kind])}"
+
+
+def _count(things, word):
+    return f"{len(things)} {word}{'s'[: len(things) != 1]}"
 
 
 def survey_lines(facts):

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
+from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
 from ..vtkHeliosScannerSurvey import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
@@ -198,6 +199,14 @@ def add_sampling_arguments(parser, options):
         "cfd (constant fraction), leadingEdge, photonCounting (default: the survey's, else peak)",
     )
     parser.add_argument(
+        "--gps-start",
+        metavar="TIME",
+        default="",
+        help="when the survey starts: YYYY-MM-DD hh:mm:ss of UTC, or with a zone "
+        "(2026-07-01T12:00:00+02:00), Unix seconds, or GPS seconds as gps:1467000000; LAS then has adjusted "
+        "standard time (default: the survey's gpsStartTime, else not known)",
+    )
+    parser.add_argument(
         "--weather",
         metavar="TEXT",
         default="",
@@ -207,7 +216,9 @@ def add_sampling_arguments(parser, options):
 
 
 def contradiction(arguments):
-    """Which arguments exclude each other, or None."""
+    """Which arguments exclude each other, or are not valid; or None."""
+    if arguments.gps_start and (fault := vtkHeliosGpsTime.GetFault(to_vtk(arguments.gps_start))):
+        return f'--gps-start "{arguments.gps_start}" {fault}'
     if arguments.sub_rays and (arguments.range_tolerance or arguments.energy_tolerance):
         return (
             "--sub-rays is a fixed number, and a tolerance makes the number adaptive: "
@@ -345,6 +356,7 @@ def make_player(arguments, survey, messages):
     options.SetNoise(not arguments.no_noise)
     options.SetRayCaster(arguments.ray_caster)
     options.SetWeather(arguments.weather)
+    options.SetGpsStart(to_vtk(arguments.gps_start))
     options.SetAccuracyReport(not arguments.no_accuracy_report)
     messages.info(
         f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"

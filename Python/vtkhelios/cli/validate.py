@@ -8,6 +8,7 @@ import pathlib
 import re
 
 from .._pipeline import SimilarMessages, observe_messages, remove_observers
+from .._survey_text import has_survey
 from ..vtkHeliosScannerSurvey import vtkHeliosSurveySource
 from ._messages import Messages, say_error
 from ._optics import describe_optics
@@ -28,7 +29,7 @@ as an attribute that is unknown, or not modelled. With --deep notes tell what ma
 or transmit light.
 
 what it prints: file:line: error: the problem, the value, and the remedy; one line each. With
-several elements in a line, file:line:column for those after the first.
+several elements of a name in a line, file:line:column for those after the first.
 
 examples:
   vtkhelios validate survey.xml --assets my_scenes
@@ -44,8 +45,8 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+)(?::(?P<column>\d+))?: (?P<messa
 
 @dataclasses.dataclass
 class Finding:
-    """An error, warning or note; line is None if it concerns the whole file, and column for the
-    first element of a line."""
+    """An error, warning or note; line is None if it concerns the whole file, column unless
+    others of its name precede the element in its line."""
 
     file: str
     line: int | None
@@ -127,7 +128,7 @@ def check(path, assets, deep=False):
 
 def load_scene(reader, messages):
     """Loads the scene of a survey; other documents have none to load."""
-    if b"<survey" not in pathlib.Path(reader.GetFileName()).read_bytes() or not reader.Read():
+    if not has_survey(pathlib.Path(reader.GetFileName()).read_bytes()) or not reader.Read():
         return
     source = vtkHeliosSurveySource()
     source.SetSurvey(reader.GetSurvey())

@@ -17,6 +17,7 @@ import tempfile
 import vtkhelios
 
 from .._built_with import HAS_VIEWER, VTK_PACKAGE
+from .._endings import converted_for_view
 from .._process.display import end_with_parent, start_display
 from ._messages import say_error
 from ._stopping import SIGNALS, Interrupted, claim_line
@@ -26,7 +27,6 @@ SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = ("-screen", "0", "1280x1024x24")
 SECONDS_TO_END = 0.25  # of the viewer, after a signal
-CONVERTED = (".pcd", ".e57")
 
 
 def find_viewer():
@@ -78,7 +78,8 @@ def explain_missing():
 
 def needs_conversion(argument):
     """Whether an argument is a cloud that the viewer does not read itself."""
-    return argument.lower().endswith(CONVERTED) and os.path.isfile(argument)
+    name = argument.lower()
+    return name.endswith(converted_for_view()) and os.path.isfile(argument)
 
 
 def convert_inputs(arguments, folder):

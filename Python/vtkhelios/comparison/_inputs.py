@@ -7,6 +7,7 @@ import pathlib
 import numpy as np
 
 from .. import formats
+from .._endings import points
 from .._run_files import POINTS, SUMMARY_NAME, kind_of
 from .._systems import Metres, find_difference
 
@@ -177,9 +178,7 @@ def is_cloud(path):
     """Whether a member of a folder is a run, or a file of points."""
     if path.is_dir():
         return (path / SUMMARY_NAME).exists()
-    known = any(
-        path.name.lower().endswith(end) for end in formats.FORMATS if end not in formats.TABLES
-    )
+    known = path.name.lower().endswith(points()) and path.suffix.lower() not in formats.TABLES
     return known and kind_of(path) in (POINTS, -1)
 
 

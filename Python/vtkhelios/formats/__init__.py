@@ -14,12 +14,14 @@ and every array of the points by its name in vtkHeliosArrayNames.h.
 Writers write to a file whose name ends in .part, and rename it when they are closed; an exception
 inside ``with`` removes it. Every error is a FormatError that names the file and the remedy.
 
-To add a format: a module with a Reader and a Writer (see _base.py), and its line in FORMATS.
+To add a format: a module with a Reader and a Writer (see _base.py; None: not written), and its line in
+FORMATS, of which errors, vtkhelios view and Docs/files.md (Python/make_endings.py) know.
 """
 
 import importlib
 import pathlib
 
+from .._endings import explain_no_points
 from .._paths import require_utf8
 from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file, guarded
 from ._las import check_waveforms
@@ -60,7 +62,7 @@ def ending(path):
     for known in FORMATS:
         if name.endswith(known):
             return known
-    raise FormatError(f"{path}: its ending is not of a known format; known: {', '.join(FORMATS)}")
+    raise FormatError(explain_no_points(path))
 
 
 def _find(path, index):

@@ -19,7 +19,7 @@ PIECE_SIZE = 64_000_000  # bytes of text in memory at a time
 
 
 def is_las(path):
-    return pathlib.Path(path).suffix.lower() == ".las"
+    return pathlib.Path(path).suffix.lower() in (".las", ".laz")
 
 
 def make_waveform_reader(path, one_way=False):

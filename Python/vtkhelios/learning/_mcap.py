@@ -9,7 +9,7 @@
 /tf       tf2_msgs/TFMessage: the frame lidar in map, at each scan; map begins at the first scan's
           position in whole metres
 
-A stamp is GpsTime, so GpsEpoch seconds are added by whoever needs wall-clock time.
+A stamp is GpsTime, or, if the points have a GpsEpoch, the Unix time that ROS uses.
 """
 
 import numpy as np
@@ -17,6 +17,8 @@ import numpy as np
 from .._files import naming
 from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
 from ..exchange import load
+from ..formats import Header
+from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ._labels import find_intensities
 
 POINTS = np.dtype([
@@ -39,6 +41,8 @@ class McapWriter:
         self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
         self.path = folder / "scans.mcap"
         self.channels, self.origin = {}, None
+        epoch = Header(fields).epoch
+        self.begin = round(1e9 * vtkHeliosGpsTime.ToUnixTime(epoch)) if epoch else 0  # [ns]
 
     def write(self, scans):
         """Writes all scans; returns their number and that of points."""
@@ -61,12 +65,16 @@ class McapWriter:
             schema = self.writer.register_schema(kind, "ros2msg", text.encode())
             self.channels[topic] = self.writer.register_channel(topic, "cdr", schema)
         data = bytes(self.store.serialize_cdr(message, kind))
-        time = round(1e9 * start)
+        time = self._stamp(start)
         self.writer.add_message(self.channels[topic], time, data, time, number)
 
+    def _stamp(self, start):
+        """A time of the points as that of a message [ns]."""
+        return self.begin + round(1e9 * start)
+
     def _header(self, frame, start):
-        kinds, nanoseconds = self.store.types, round(1e9 * start)
-        stamp = kinds["builtin_interfaces/msg/Time"](*divmod(nanoseconds, 10**9))
+        kinds = self.store.types
+        stamp = kinds["builtin_interfaces/msg/Time"](*divmod(self._stamp(start), 10**9))
         return kinds["std_msgs/msg/Header"](stamp, frame)
 
     def _write_cloud(self, topic, start, rows, number):

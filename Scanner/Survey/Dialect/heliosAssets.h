@@ -51,6 +51,10 @@ public:
   /// The same for a reference that is not from a file.
   XmlElement FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from);
 
+  /// Whether scenes and trajectories are needed: those replaced by others need not exist.
+  bool NeedsScene = true;
+  bool NeedsTrajectories = true;
+
   /// The folders searched for a file named in this document.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlFile.h"
 
+#include "heliosMessages.h"
 #include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
 #include "heliosXmlPlanner.h"
@@ -33,6 +34,14 @@ void CheckFile(
   }
   CheckTemplates(root, assets);
   CheckAssets(root, assets, log);
+}
+
+//------------------------------------------------------------------------------
+bool HasSurvey(const std::string& fileName)
+{
+  Messages silent(nullptr);
+  const auto document = XmlDocument::Load(fileName, silent);
+  return document && document->GetRoot().GetChild("survey");
 }
 
 } // namespace helios

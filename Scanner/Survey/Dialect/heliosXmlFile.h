@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks a whole XML file.
+// Checks a whole XML file, and what it has.
 
 #ifndef heliosXmlFile_h
 #define heliosXmlFile_h
+
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <string>
 #include <vector>
@@ -17,6 +19,9 @@ class Messages;
 /// and templates in it, used or not.
 void CheckFile(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
+
+/// Whether a file has a survey; false if it cannot be read.
+VTKHELIOSSCANNERSURVEY_EXPORT bool HasSurvey(const std::string& fileName);
 
 } // namespace helios
 

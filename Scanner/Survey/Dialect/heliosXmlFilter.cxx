@@ -22,8 +22,9 @@ constexpr struct
   const char* Ending;
   Loader Type;
 } Endings[] = { { ".obj", Loader::Obj }, { ".tif", Loader::GeoTiff }, { ".tiff", Loader::GeoTiff },
-  { ".ply", Loader::Ply }, { ".stl", Loader::Stl }, { ".json", Loader::CityJson },
-  { ".jsonl", Loader::CityJson }, { ".gltf", Loader::Gltf }, { ".glb", Loader::Gltf } };
+  { ".vrt", Loader::GeoTiff }, { ".ply", Loader::Ply }, { ".stl", Loader::Stl },
+  { ".json", Loader::CityJson }, { ".jsonl", Loader::CityJson }, { ".gltf", Loader::Gltf },
+  { ".glb", Loader::Gltf } };
 
 /// Resolves aliases of filter types.
 std::string FindType(const std::string& given)

@@ -52,8 +52,9 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
   if (element.Read("trajectory", file))
   {
     trajectory.Where = element.Where();
-    trajectory.File =
-      this->Files.FindFile({ "trajectory", file, element.Where() }, element.GetDocument());
+    trajectory.File = this->Files.NeedsTrajectories
+      ? this->Files.FindFile({ "trajectory", file, element.Where() }, element.GetDocument())
+      : this->Files.FindPath(file, element.GetDocument());
   }
 }
 

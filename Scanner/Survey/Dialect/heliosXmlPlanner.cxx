@@ -140,8 +140,9 @@ void PlannerReader::CheckLimits(const XmlElement& planner, const PlannerSettings
 //------------------------------------------------------------------------------
 void PlannerReader::ReadSurvey(PlannerData& data)
 {
+  Assets assets(this->Log, this->Request.AssetDirectories);
   SurveyData survey =
-    helios::ReadSurvey(this->Request.FileName, this->Request.AssetDirectories, this->Log);
+    helios::ReadSurvey(assets.Load(this->Request.FileName), assets, this->Log);
   if (this->HasError())
   {
     return;

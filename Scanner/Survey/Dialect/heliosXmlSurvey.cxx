@@ -87,6 +87,10 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
 //------------------------------------------------------------------------------
 void SurveyReader::ReadScene(const XmlElement& survey, SurveyData& data)
 {
+  if (!this->Files.NeedsScene)
+  {
+    return;
+  }
   if (const XmlElement scene = this->FindRequired(survey, "scene"))
   {
     data.Scene = helios::ReadScene(scene, this->Files);
@@ -265,7 +269,7 @@ void SurveyReader::Resolve(SurveyData& data)
     {
       good.push_back(leg);
       CheckJourney(data, leg, this->Log);
-      if (NeedsTrajectory(data, leg))
+      if (this->Files.NeedsTrajectories && NeedsTrajectory(data, leg))
       {
         this->Log.Error(data.Legs[leg].Where +
           ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
@@ -302,14 +306,6 @@ std::string MakeFolderName(std::string name)
   { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20; };
   std::replace_if(name.begin(), name.end(), isUnfit, '_');
   return name == "." || name == ".." ? "survey" : name;
-}
-
-//------------------------------------------------------------------------------
-SurveyData ReadSurvey(
-  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
-{
-  Assets assets(log, assetDirectories);
-  return ReadSurvey(assets.Load(fileName), assets, log);
 }
 
 //------------------------------------------------------------------------------

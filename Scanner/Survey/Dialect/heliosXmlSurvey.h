@@ -8,7 +8,6 @@
 #include "heliosSurveyData.h"
 
 #include <string>
-#include <vector>
 
 namespace helios
 {
@@ -18,11 +17,8 @@ class Messages;
 class XmlDocument;
 class XmlElement;
 
-/// The first survey of a file with all references. Complete only if log has no error then.
-SurveyData ReadSurvey(
-  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
-
-/// The same for a document, which may be null.
+/// The first survey of a document, which may be null, with all references. Complete only if log has
+/// no error then.
 SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
 
 /// The survey of an element; its name without a name is that of data.FileName.

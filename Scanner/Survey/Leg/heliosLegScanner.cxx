@@ -4,11 +4,13 @@
 
 #include "heliosChannelMerge.h"
 #include "heliosConstants.h"
+#include "heliosGpsTime.h"
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosReceiver.h"
 #include "heliosScanCounts.h"
+#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
@@ -19,6 +21,7 @@
 #include "vtkHeliosScanner.h"
 
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -86,7 +89,7 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetHeadRotateStart(scan.HeadRotateStart);
     channel->SetHeadRotateStop(scan.HeadRotateStop);
     channel->SetHeadRotateSpeed(scan.HeadRotateSpeed);
-    channel->SetInputConnection(1, plan.Platform->GetOutputPort());
+    this->SetTrajectory(plan, channel);
     const bool standsStill = this->Settings.Options.IsWithout("motion") && scan.ScanFrequency > 0.0;
     channel->SetPoseInterval(standsStill ? 1.0 / scan.ScanFrequency : 0.0);
     channel->SetStartTime(plan.StartTime);
@@ -99,6 +102,30 @@ void LegScanner::SetUp(const LegPlan& plan)
   this->Clock = { plan.FirstShot, plan.StartTime, leg.Scans.front().PulseFrequency };
   this->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   this->SetPulseWindow(0, AllPulses);
+}
+
+//------------------------------------------------------------------------------
+/// Gives a channel the trajectory of a leg, with the GPS time of its time 0, if that is known.
+void LegScanner::SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) const
+{
+  double epoch = 0.0;
+  const std::string& start = this->Settings.Options.GpsStart;
+  if (start.empty() || !ParseGpsTime(start, epoch).IsOk())
+  {
+    channel->SetInputConnection(1, plan.Platform->GetOutputPort());
+    return;
+  }
+  plan.Platform->Update();
+  vtkNew<vtkPolyData> trajectory;
+  trajectory->ShallowCopy(plan.Platform->GetOutput());
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(names::GpsEpoch);
+  array->InsertNextValue(epoch);
+  vtkNew<vtkFieldData> fields;
+  fields->PassData(trajectory->GetFieldData());
+  fields->AddArray(array);
+  trajectory->SetFieldData(fields);
+  channel->SetInputDataObject(1, trajectory);
 }
 
 //------------------------------------------------------------------------------

@@ -97,6 +97,7 @@ private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
+  void SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) const;
   void ApplyOutputs(vtkHeliosScanner* channel) const;
   void ApplyWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);

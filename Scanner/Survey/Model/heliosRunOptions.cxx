@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunOptions.h"
 
+#include "heliosGpsTime.h"
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
@@ -28,7 +29,7 @@ auto Tie(const RunOptions& o)
 {
   return std::tie(o.Epoch, o.Seed, o.Noise, o.RangeTolerance, o.EnergyTolerance, o.NumberOfSubRays,
     o.SubRayPattern, o.MaximumSubRays, o.BinSize, o.EchoDetector, o.RayCaster, o.Weather, o.Without,
-    o.PulseStep);
+    o.PulseStep, o.GpsStart);
 }
 
 std::vector<std::string> SplitWords(const std::string& text)
@@ -123,6 +124,7 @@ Status RunOptions::FindFault() const
   status = status.IsOk() ? this->CheckPattern() : status;
   status = status.IsOk() ? this->CheckParts() : status;
   status = status.IsOk() ? this->CheckWeather() : status;
+  status = status.IsOk() ? this->CheckGpsStart() : status;
   if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
   {
     Sentence text;
@@ -222,6 +224,16 @@ Status RunOptions::CheckWeather() const
 }
 
 //------------------------------------------------------------------------------
+Status RunOptions::CheckGpsStart() const
+{
+  double ignored = 0.0;
+  const Status status =
+    this->GpsStart.empty() ? Status() : ParseGpsTime(this->GpsStart, ignored);
+  return status.IsOk() ? status
+                       : Status::Error("GpsStart=\"" + this->GpsStart + "\" " + status.Message());
+}
+
+//------------------------------------------------------------------------------
 void RunOptions::Describe(Json::Value& options) const
 {
   options["seed"] = Json::Int64(this->Seed);
@@ -237,6 +249,10 @@ void RunOptions::Describe(Json::Value& options) const
   options["weather"] = this->Weather;
   options["without"] = this->Without;
   options["pulseStep"] = Json::Int64(this->PulseStep);
+  if (!this->GpsStart.empty())
+  {
+    options["gpsStart"] = this->GpsStart;
+  }
 }
 
 } // namespace helios

@@ -44,6 +44,7 @@ struct RunOptions
   std::string EchoDetector;
   std::string RayCaster;
   std::string Weather;        ///< see ParseWeather()
+  std::string GpsStart;       ///< see ParseGpsTime()
   std::string Without;        ///< names of parts of the model, separated by blanks
   vtkIdType PulseStep = 1;    ///< a sample: every n-th pulse
   bool AccuracyReport = true; ///< changes no echo: not among those that are compared
@@ -68,6 +69,7 @@ private:
   Status CheckPattern() const;
   Status CheckParts() const;
   Status CheckWeather() const;
+  Status CheckGpsStart() const;
 };
 
 } // namespace helios

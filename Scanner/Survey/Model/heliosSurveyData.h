@@ -426,6 +426,13 @@ struct LegOffsetData
   double Deviation = 0.1; ///< [m]
 };
 
+/// The GPS time at which a survey starts.
+struct GpsStartData
+{
+  std::string Text;   ///< as given; empty: not known
+  double Epoch = 0.0; ///< [s], since 6 January 1980
+};
+
 struct SurveyData
 {
   std::string Name; ///< valid as a folder name
@@ -435,6 +442,7 @@ struct SurveyData
   vtkIdType Seed = -1;                ///< negative: not given
   AngleConvention Convention = AngleConvention::Arinc705; ///< in trajectory files
   LegOffsetData LegOffset;
+  GpsStartData GpsStart;
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;
   SceneData Scene;

@@ -199,14 +199,17 @@ bool XmlDocument::CheckRoot()
 }
 
 //------------------------------------------------------------------------------
-/// Finds where elements begin, and duplicate attributes.
+/// Finds elements whose lines do not tell them apart, and duplicate attributes.
 void XmlDocument::CheckElements()
 {
+  std::set<std::pair<std::size_t, std::string>> names;
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
   {
-    if (node.type() == pugi::node_element)
+    const std::ptrdiff_t offset = node.offset_debug();
+    const bool isElement = node.type() == pugi::node_element;
+    if (isElement && !names.emplace(this->FindLine(offset), node.name()).second)
     {
-      this->Elements.push_back(node.offset_debug());
+      this->Repeated.push_back(offset);
     }
   }
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
@@ -227,14 +230,22 @@ XmlElement XmlDocument::GetRoot() const
 }
 
 //------------------------------------------------------------------------------
-std::string XmlDocument::Where(std::ptrdiff_t offset) const
+/// The line of an offset, from 0.
+std::size_t XmlDocument::FindLine(std::ptrdiff_t offset) const
 {
   const auto line = std::lower_bound(this->LineEnds.begin(), this->LineEnds.end(), offset);
-  const std::ptrdiff_t start = line == this->LineEnds.begin() ? 0 : *std::prev(line) + 1;
-  const auto first = std::lower_bound(this->Elements.begin(), this->Elements.end(), start);
-  const bool isAfterElement = first != this->Elements.end() && *first < offset;
-  return this->Path + ":" + std::to_string(line - this->LineEnds.begin() + 1) +
-    (isAfterElement ? ":" + std::to_string(offset - start) : std::string());
+  return static_cast<std::size_t>(line - this->LineEnds.begin());
+}
+
+//------------------------------------------------------------------------------
+std::string XmlDocument::Where(std::ptrdiff_t offset) const
+{
+  const std::size_t line = this->FindLine(offset);
+  const std::ptrdiff_t start = line == 0 ? 0 : this->LineEnds[line - 1] + 1;
+  const bool isRepeated =
+    std::binary_search(this->Repeated.begin(), this->Repeated.end(), offset);
+  return this->Path + ":" + std::to_string(line + 1) +
+    (isRepeated ? ":" + std::to_string(offset - start) : std::string());
 }
 
 } // namespace helios

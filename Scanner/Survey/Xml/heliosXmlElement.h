@@ -43,21 +43,22 @@ public:
 
   bool HasLines() const { return !this->IsMade; }
 
-  /// "file:line" of an offset in the file; "file:line:column" if an element begins before it in
-  /// its line. Columns count bytes.
+  /// "file:line" of an offset in the file; "file:line:column" for an element after another with its
+  /// name in the line. Columns count bytes, from 1.
   std::string Where(std::ptrdiff_t offset) const;
 
 private:
   XmlDocument() = default;
   bool Parse(std::string text);
   bool CheckRoot();
+  std::size_t FindLine(std::ptrdiff_t offset) const;
   void CheckElements();
 
   std::string Path;
   Messages* Log = nullptr;
   pugi::xml_document Tree;
   std::vector<std::ptrdiff_t> LineEnds;
-  std::vector<std::ptrdiff_t> Elements; // where they begin, in order
+  std::vector<std::ptrdiff_t> Repeated; // elements after others with their name in a line, in order
   bool IsMade = false; // not from a file
 };
 
@@ -85,7 +86,7 @@ public:
   /// What tells it from all other elements, whatever their places and ids; null: no element.
   const void* GetIdentity() const { return this->Node.internal_object(); }
 
-  /// Its place, for messages only: "file:line", or "file:line:column" after another on its line.
+  /// Its place, for messages only: "file:line", or "file:line:column".
   std::string Where() const;
 
   /// Adds a copy of the element to a node, and returns it.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlPulseShape.h"
 
+#include "heliosGpsTime.h"
 #include "heliosMessages.h"
+#include "heliosStatus.h"
 
 #include <filesystem>
 #include <system_error>
@@ -41,6 +43,26 @@ bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log)
 std::string GetPulseShape(const ReceiverData& receiver)
 {
   return receiver.PulseFile.empty() ? receiver.PulseShape : receiver.PulseFile;
+}
+
+//------------------------------------------------------------------------------
+bool SetGpsStart(GpsStartData& start, const XmlValue& value, Messages& log)
+{
+  GpsStartData given{ value.Text, 0.0 };
+  const Status status = given.Text.empty() ? Status() : ParseGpsTime(given.Text, given.Epoch);
+  if (!status.IsOk())
+  {
+    log.Error(value.Where + ": " + value.Name + "=\"" + value.Text + "\" " + status.Message());
+    return false;
+  }
+  start = given;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string GetGpsStart(const GpsStartData& start)
+{
+  return start.Text;
 }
 
 } // namespace helios

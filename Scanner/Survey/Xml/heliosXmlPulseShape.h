@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pulse shape of a receiver as text: gaussian, helios, or the name of a file.
+// Attributes whose text has a grammar of its own: the pulse shape of a receiver, gaussian, helios, or the
+// name of a file; the start time of a survey.
 
 #ifndef heliosXmlPulseShape_h
 #define heliosXmlPulseShape_h
 
 #include "heliosReceiverData.h"
+#include "heliosSurveyData.h"
 #include "heliosXmlValue.h"
 
 namespace helios
@@ -15,6 +17,11 @@ namespace helios
 bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log);
 
 std::string GetPulseShape(const ReceiverData& receiver);
+
+/// False after an error.
+bool SetGpsStart(GpsStartData& start, const XmlValue& value, Messages& log);
+
+std::string GetGpsStart(const GpsStartData& start);
 
 } // namespace helios
 

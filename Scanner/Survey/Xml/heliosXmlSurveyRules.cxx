@@ -16,6 +16,7 @@ namespace
 
 constexpr auto Receiver = &ScannerData::Receiver;
 constexpr auto LegOffset = &SurveyData::LegOffset;
+constexpr auto GpsStart = &SurveyData::GpsStart;
 
 } // namespace
 
@@ -47,6 +48,7 @@ std::vector<XmlElementRule> MakeSurveyRules()
       Reference("basePlatform", "with platform=\"interpolated\": the platform whose mount and noise are used"),
       Word("rotationSpec", "ARINC 705|CANONICAL|NAVIGATION", "the angle convention of trajectory files in text columns").At<&SurveyData::Convention>(),
       Text("seed", "seed of the random numbers: an integer, YYYY-MM-DD hh:mm:ss or AUTO; --seed overrides it").Default("AUTO").At<&SurveyData::Seed>(),
+      Text("gpsStartTime", "when the survey starts, at GpsTime 0: YYYY-MM-DD hh:mm:ss of UTC, or with a zone (2026-07-01T12:00:00+02:00), Unix seconds, or GPS seconds as gps:1467000000; --gps-start overrides it").Default("not known").By<SetGpsStart, GetGpsStart, GpsStart>(),
       Flag("legRandomOffset", "leg offset noise: whether each leg position gets one random offset").At<LegOffset, &LegOffsetData::IsOn>(),
       Number("legRandomOffsetMean", "mean of that offset").In("m").At<LegOffset, &LegOffsetData::Mean>(),
       Number("legRandomOffsetStdev", "standard deviation of that offset").In("m", NotNegative).At<LegOffset, &LegOffsetData::Deviation>(),

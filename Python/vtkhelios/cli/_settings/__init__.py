@@ -72,6 +72,7 @@ _WORDS = {  # in the order of a page: title, text of a value
     "without": ("parts of the model left out", _text),
     "pulseStep": ("pulses computed", _step),
     "weather": ("weather", _text),
+    "gpsStart": ("start of the survey", _text),
     "play": ("epoch", str),
     **{output.key: (output.title, _flag(output.state)) for output in OUTPUTS},
     "pulsesPerBlock": ("pulses per block", _count("")),

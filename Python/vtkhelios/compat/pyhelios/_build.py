@@ -101,7 +101,7 @@ class SimulationBuilder:
         self._callback = callback
 
     def setFixedGpsTimeStart(self, start):
-        """Checks the time; GPS times count from the start of the survey, whenever it is."""
+        """Sets when the survey starts, of which LAS files have the GPS times."""
         if start and not str(start).isdigit():
             try:
                 datetime.datetime.strptime(start, "%Y-%m-%d %H:%M:%S")
@@ -110,7 +110,9 @@ class SimulationBuilder:
                     f"setFixedGpsTimeStart({start!r}): expected a POSIX time or YYYY-MM-DD hh:mm:ss"
                 ) from None
         if start:
-            say_warning("setFixedGpsTimeStart: GPS times count from the start of the survey")
+            say_warning(
+                "setFixedGpsTimeStart: GPS times count from the start of the survey; LAS files have it"
+            )
         self._options["fixedGpsTimeStart"] = start
 
     def build(self):

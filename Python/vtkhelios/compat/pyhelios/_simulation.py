@@ -149,6 +149,9 @@ class Simulation:
         survey.warn = say_warning
         if _seed:
             change(survey.vtk, "SetSurveyAttribute", "seed", _seed)
+        if self.fixedGpsTimeStart:
+            start = str(self.fixedGpsTimeStart)
+            change(survey.vtk, "SetSurveyAttribute", "gpsStartTime", start)
         if legNoiseDisabled:
             change(survey.vtk, "SetSurveyAttribute", "legRandomOffset", "")
         if platformNoiseDisabled:

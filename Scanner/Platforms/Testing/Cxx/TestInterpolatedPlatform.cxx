@@ -248,6 +248,33 @@ TEST_CASE("InterpolatedPlatform: several records in sequence", "[InterpolatedPla
                              "connect each once, and cut them where they overlap."));
 }
 
+TEST_CASE("InterpolatedPlatform: records after the end of a week or day follow those before it",
+  "[InterpolatedPlatform]")
+{
+  const auto [period, name] = GENERATE(table<double, std::string>(
+    { { 604800.0, "a GPS week ends between them" }, { 86400.0, "a day ends between them" } }));
+  Flight flight(MakeRecord({ { 1, 5, 0, 0, 0 }, { 2, 6, 0, 0, 0 } }));
+  flight.Platform->AddInputData(0, MakeRecord({ { 3, 7, 0, 0, 0 }, { 4, 8, 0, 0, 0 } }));
+  flight.Platform->AddInputData(
+    0, MakeRecord({ { period - 3, 1, 0, 0, 0 }, { period - 1, 3, 0, 0, 0 } }));
+  CHECK(Describe(flight.Run()) == "0:1(0) 2:3(0) 4:5(0) 5:6(0) 6:7(0) 7:8(0)");
+  CHECK(flight.Log->HasWarning("Trajectory 0 starts at 1 s, after the end of trajectory 2 at"));
+  CHECK(flight.Log->HasWarning(name + ", and its times continue with"));
+  flight.Platform->KeepFileTimesOn();
+  CHECK(helios::Value(flight.Run(), names::GpsTime, 5) == period + 4);
+}
+
+TEST_CASE("InterpolatedPlatform: records of two clocks are an error", "[InterpolatedPlatform]")
+{
+  Flight flight(MakeRecord({ { 345600, 5, 0, 0, 0 }, { 345602, 6, 0, 0, 0 } }));
+  flight.Platform->AddInputData(
+    0, MakeRecord({ { 1.42e9, 7, 0, 0, 0 }, { 1.42e9 + 1, 8, 0, 0, 0 } }));
+  flight.Run();
+  CHECK(flight.Log->HasError("Trajectory 1 starts at 1420000000 s, trajectory 0 ends at 345602 s: "
+                             "these are times of two clocks, such as seconds of a GPS week and GPS "
+                             "time since 1980; give all trajectories times of one."));
+}
+
 TEST_CASE("InterpolatedPlatform: cubic interpolation uses the velocity of parabolas",
   "[InterpolatedPlatform]")
 {

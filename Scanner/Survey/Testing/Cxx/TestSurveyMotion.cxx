@@ -212,9 +212,10 @@ TEST_CASE("SurveyMotion: bad motions are errors", "[SurveyMotion]")
         "<dmotion id=\"a\"> has no <motion>; add one, <motion type=\"identity\"/> for no motion"),
       add("<dmotion id=\"a\" loop=\"1\" next=\"b\">" + up + "</dmotion>",
         "next=\"b\" is not a <dmotion> of this <part>; its ids are \"a\""),
-      add("<dmotion id=\"a\" loop=\"1\">" + up + "</dmotion><dmotion id=\"a\" loop=\"1\">" + up +
-          "</dmotion>",
-        "a second <dmotion id=\"a\"> in one <part>; give each an id of its own"),
+      { file, end,
+        "\n<dmotion id=\"a\" loop=\"1\">" + up + "</dmotion><dmotion id=\"a\" loop=\"1\">" + up +
+          "</dmotion>" + end,
+        { "scene.xml:4:76: a second <dmotion id=\"a\"> in one <part>; give each an id of its own" } },
       { file, "<scene ", "<scene dynStep=\"0\" ", { "dynStep=\"0\" is out of range" } },
       { file, "<scene ", "<scene dynTimeStep=\"1.5\" ",
         { "dynTimeStep=\"1.5\" is out of range; give a number from 1e-09 to 1 [s]" } },

@@ -201,9 +201,9 @@ TEST_CASE("SurveyReader: bad parts are errors", "[SurveyReader]")
     { Filter("xyzloader", { { "filepath", "none.xyz" } }), "none.xyz" },
     { Filter("xyzloader", { { "filepath", "points.xyz" }, { "matfile", "none.mtl" } }),
       "none.mtl" },
-    { Points + Filter("crs"), "scene.xml:2: filter crs has no target" },
+    { Points + Filter("crs"), "scene.xml:2:105: filter crs has no target" },
     { Points + Filter("crs", { { "target", "" } }), "filter crs has no target" },
-    { Points + Filter("simplify"), "scene.xml:2: filter simplify has no maximumDistance" },
+    { Points + Filter("simplify"), "scene.xml:2:105: filter simplify has no maximumDistance" },
     { Points + Filter("simplify", { { "maximumDistance", "-1" } }),
       "maximumDistance=\"-1\" is out of range" },
     { Points + Filter("detailedvoxel"), "type=\"detailedvoxel\" is unknown" },
@@ -241,7 +241,8 @@ TEST_CASE("SurveyReader: meshes by the endings of their files", "[SurveyReader]"
   CHECK(vtkHeliosDialect::FindLoader("a.glb") == "gltfloader");
   CHECK(vtkHeliosDialect::FindLoader("a.dxf").empty());
   CHECK(vtkHeliosDialect::FindLoader("obj").empty());
-  CHECK(vtkHeliosDialect::GetMeshEndings() == ".obj, .tif, .tiff, .ply, .stl, .json, .jsonl, .gltf, .glb");
+  CHECK(vtkHeliosDialect::GetMeshEndings() ==
+    ".obj, .tif, .tiff, .vrt, .ply, .stl, .json, .jsonl, .gltf, .glb");
   CHECK(vtkHeliosDialect::IsMesh("none.stl"));
 }
 

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -357,6 +359,41 @@ TEST_CASE("SurveyReader: XML in other encodings and notations", "[SurveyReader]"
     REQUIRE(reading.Good);
     CHECK(reading.Log->HasWarning("survey.xml:3"));
     CHECK(reading.Reader->GetSurvey()->GetName() == ".._.._up");
+  }
+}
+
+TEST_CASE("SurveyReader: each element is itself, also in one line", "[SurveyReader]")
+{
+  const Files files;
+  const std::string flight = R"(<leg scanner="assets.xml#als" platform="assets.xml#plane">
+<platformSettings x="X" z="100"/><scannerSettings scanFreq_hz="50" scanAngle_deg="5"/></leg>)";
+  const auto at = [&flight](const std::string& x)
+  { return std::string(flight).replace(flight.find('X'), 1, x); };
+  const Reading reading(files, Tripod, at("0") + OneLeg + at("0") + at("9") + OneLeg);
+  REQUIRE(reading.Good);
+  std::string text = ReadText(files / "assets.xml");
+  text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+  files.Write("assets.xml", text);
+  const Reading again(files);
+  REQUIRE(again.Good);
+  REQUIRE(again.Data().Scanners.size() == 2);
+  REQUIRE(again.Data().Platforms.size() == 2);
+  for (std::size_t leg = 0; leg < 5; ++leg)
+  {
+    const bool isStill = leg == 1 || leg == 4;
+    CHECK(again.Data().GetScanner(leg).Id == (isStill ? "tls" : "als"));
+    CHECK(again.Data().GetPlatform(leg).Id == (isStill ? "tripod" : "plane"));
+    CHECK(again.Data().GetScanner(leg).Id == reading.Data().GetScanner(leg).Id);
+  }
+}
+
+TEST_CASE("SurveyReader: lines end in LF, CR LF or CR", "[SurveyReader]")
+{
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    const Files files;
+    files.Write("survey.xml", "<document>" + end + end + "<survey/>" + end + "</document>");
+    CheckRefused(files, { "survey.xml:3: <survey> has no attribute scene" });
   }
 }
 

@@ -374,6 +374,22 @@ TEST_CASE("SurveyTrajectory: wrong trajectories name array, row and value", "[Su
   fails("input trajectory 0, row 2: GpsTime is 0.25, before that of row 1, 0.5; sort the rows by "
         "GpsTime",
     [&](vtkPolyData* flight) { get(flight, names::GpsTime)->SetTuple1(2, 0.25); });
+  fails("input trajectory 0, row 2: GpsTime is 0.05, before that of row 1, 604799.95; a GPS week ends "
+        "there: add 604800 s to the rows from this one on",
+    [&](vtkPolyData* flight)
+    {
+      get(flight, names::GpsTime)->SetTuple1(1, 604799.95);
+      get(flight, names::GpsTime)->SetTuple1(2, 0.05);
+    });
+  fails("input trajectory 0, row 1: time is 5000000, and rows are 5e+06 apart, which cannot be "
+        "seconds; are the times nanoseconds? divide them by 1e9",
+    [&](vtkPolyData* flight)
+    {
+      for (int row = 0; row < 4; ++row)
+      {
+        get(flight, names::GpsTime)->SetTuple1(row, 5e6 * row);
+      }
+    });
   fails("input trajectory 0, row 2: GpsTime is 0, as in the two rows before; two rows at one time "
         "are a jump, remove the others",
     [&](vtkPolyData* flight)

@@ -258,7 +258,7 @@ TEST_CASE("SurveyPartTable: rows are also elements", "[SurveyPartTable]")
   CHECK(parts[2].Name == "2");
   CHECK(parts[2].Classification == 9);
   CHECK(parts[2].OnGround);
-  CHECK(parts[2].Where == files / "scene.xml:4");
+  CHECK(parts[2].Where == files / "scene.xml:4:174");
 }
 
 TEST_CASE("SurveyPartTable: a table alone has no ground", "[SurveyPartTable]")

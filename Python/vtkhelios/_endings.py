@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What each command does with the files of an ending: the list that errors and Docs/files.md have.
+
+Points are those of vtkhelios.formats.FORMATS, where an ending is added; meshes those of the dialect's
+loaders (heliosXmlFilter.cxx); the viewer's own are those of heliosCloudReader.cxx.
+"""
+
+from ._paths import to_vtk
+
+DOCUMENTS = (".xml",)
+
+# Points that the viewer reads itself; it gets the others as LAS.
+IN_VIEWER = (
+    ".xyz", ".txt", ".asc", ".csv", ".pts", ".ptx", ".las", ".laz", ".copc.laz", ".vtp", ".pvtp",
+    ".ply",
+)  # fmt: skip
+
+# The loaders of a scene that make voxels of points.
+VOXELS = {".xyz": "xyzloader", ".las": "lasloader", ".laz": "lasloader", ".copc.laz": "lasloader"}
+VOXELS[".vox"] = "detailedvoxels"
+
+COMMANDS = ("info", "convert from", "convert to", "compare", "plan", "view", "scene")
+
+
+def _dialect():
+    import vtkhelios
+
+    return vtkhelios.vtkHeliosDialect
+
+
+def points():
+    """The endings of points, the longest first."""
+    from . import formats
+
+    return tuple(formats.FORMATS)
+
+
+def meshes():
+    """The endings of meshes."""
+    return tuple(_dialect().GetMeshEndings().split(", "))
+
+
+def is_mesh_ending(path):
+    """Whether the ending of a name is that of a mesh, which of a .ply only its content tells."""
+    return bool(_dialect().FindLoader(to_vtk(path)))
+
+
+def converted_for_view():
+    """The endings of points that the viewer does not read itself."""
+    return tuple(each for each in points() if each not in IN_VIEWER)
+
+
+def known():
+    """All endings as text, for errors."""
+    return f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(DOCUMENTS)}"
+
+
+def explain_no_points(path):
+    """Why a file is not read as points, and the remedy."""
+    if str(path).lower().endswith(DOCUMENTS):
+        return (
+            f"{path}: is a document, not points; vtkhelios info, validate and view read it, and "
+            "vtkhelios run makes points of a survey"
+        )
+    if is_mesh_ending(path):
+        return (
+            f"{path}: is a mesh, not points; vtkhelios info, plan and view read it, and "
+            "vtkhelios convert makes an .obj of it"
+        )
+    return f"{path}: its ending is not of a known format; known: {known()}"
+
+
+def describe(ending):
+    """What the commands do with an ending, in the order of COMMANDS; empty: nothing."""
+    from . import formats
+
+    uses = dict.fromkeys(COMMANDS, "")
+    if ending in formats.FORMATS:
+        uses |= {"info": "points", "convert from": "points", "compare": "points"}
+        uses["convert to"] = "points" if formats.FORMATS[ending][2] else ""
+        uses["view"] = "points"
+    if ending in IN_VIEWER:
+        uses["view"] = "points"
+    if loader := _dialect().FindLoader("a" + ending):
+        kind = "with faces: mesh" if ending in formats.FORMATS else "mesh"
+        for command in ("info", "plan", "view"):
+            uses[command] = ", ".join(filter(None, (uses[command], kind)))
+        uses["convert from"] = ", ".join(filter(None, (uses["convert from"], f"{kind}, to .obj")))
+        uses["convert to"] = uses["convert to"] or ("meshes" if ending == ".obj" else "")
+        uses["scene"] = f"`{loader}`"
+    elif ending in VOXELS:
+        uses["scene"] = f"`{VOXELS[ending]}`"
+    if ending in DOCUMENTS:
+        uses |= {"info": "contents", "plan": "scene", "view": "survey, scene", "scene": "`<scene>`"}
+    return tuple(uses.values())
+
+
+def list_endings():
+    """All endings, each once: points, meshes, then the others."""
+    return tuple(dict.fromkeys((*points(), *meshes(), *IN_VIEWER, *VOXELS, *DOCUMENTS)))
+
+
+def make_table():
+    """The table of Docs/files.md."""
+    lines = [f"| ending | {' | '.join(COMMANDS)} |", f"|{'---|' * (1 + len(COMMANDS))}"]
+    for ending in list_endings():
+        cells = " | ".join(describe(ending)).replace("|  |", "| |").replace("|  |", "| |")
+        lines.append(f"| `{ending}` | {cells} |".replace("|  |", "| |"))
+    return "\n".join(lines) + "\n"
