@@ -3,6 +3,7 @@
 """XML is a tree: documents with and without line breaks, with comments, CDATA, a DOCTYPE and other
 orders of attributes and elements give the same survey and the same points."""
 
+import json
 import os
 import pathlib
 import re
@@ -227,3 +228,6 @@ def test_messages_tell_elements_of_one_line_apart(tmp_path, capsys):
     output = capsys.readouterr().out
     column = text.index("<scanner ", text.index("<scanner ") + 1) + 1
     assert f'survey.xml:1:{column}: error: rangeMin_m="2 m" is not a number' in output
+    assert cli.main(["validate", str(tmp_path / "survey.xml"), "--json"]) == 1
+    found = [each for each in json.loads(capsys.readouterr().out) if "2 m" in each["message"]]
+    assert [(each["line"], each["column"]) for each in found] == [(1, column)]

@@ -378,7 +378,7 @@ def test_a_fixed_start_is_that_of_the_survey(builder):
     builder.setFixedGpsTimeStart("2017-01-01 00:00:00")
     survey = builder.build().sim
     assert survey.fixedGpsTimeStart == "2017-01-01 00:00:00"
-    assert survey._survey.vtk.GetSurveyAttribute("gpsStartTime") == "2017-01-01 00:00:00"
+    assert survey._state.vtk.GetSurveyAttribute("gpsStartTime") == "2017-01-01 00:00:00"
 
 
 def test_a_fixed_start_is_told_to_be_relative(capsys):

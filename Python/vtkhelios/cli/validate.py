@@ -35,7 +35,7 @@ examples:
   vtkhelios validate survey.xml --assets my_scenes
   vtkhelios validate survey.xml --deep        also read its meshes, rasters, clouds and textures
   vtkhelios validate *.xml --strict           warnings count as errors
-  vtkhelios validate survey.xml --json        a list of {file, line, column, severity, message}
+  vtkhelios validate survey.xml --json        a list of {file, line, severity, message}
 
 exit codes: 0 no error, 1 errors (with --strict, or warnings), 2 wrong usage.
 """
@@ -53,6 +53,10 @@ class Finding:
     column: int | None
     severity: str
     message: str
+
+    def as_json(self):
+        fields = dataclasses.asdict(self)
+        return {key: fields[key] for key in fields if key != "column" or self.column is not None}
 
     def __str__(self):
         numbers = (number for number in (self.line, self.column) if number is not None)
@@ -187,7 +191,7 @@ def run(arguments):
     errors = sum(found.severity == "error" for found in findings)
     warnings = sum(found.severity == "warning" for found in findings)
     if arguments.json:
-        print(json.dumps([dataclasses.asdict(found) for found in findings], indent=1))
+        print(json.dumps([found.as_json() for found in findings], indent=1))
     else:
         for found in findings:
             print(found)

@@ -11,10 +11,11 @@ import vtkhelios
 from .._arrays import arrays
 from .._paths import to_vtk
 from .._run_files import POINTS, WAVEFORMS, beside, kind_of
-from ._base import call
+from ._base import FormatError, call
 from ._las import check_waveforms, has_waveforms
 from ._pulsewaves import read_pulsewaves
 
+WITHOUT = (".ply", ".pcd", ".e57", ".vtp", ".pvtp")  # kinds of points
 PIECE_SIZE = 64_000_000  # bytes of text in memory at a time
 
 
@@ -34,6 +35,11 @@ def make_waveform_reader(path, one_way=False):
         reader.ReadWaveformsOn()
     elif {".pvtt", ".vtt"} & set(pathlib.Path(path).suffixes):
         reader = vtkhelios.vtkHeliosWaveformXMLReader()
+    elif str(path).lower().endswith(WITHOUT):
+        raise FormatError(
+            f"{path}: files of this kind have no waveforms; give legNNN_fullwave.txt or .pvtt of a run, LAS "
+            "or LAZ with waveforms, or PulseWaves (.pls)"
+        )
     else:
         reader = vtkhelios.vtkHeliosWaveformTextReader()
         reader.SetOneWayTimes(one_way)
