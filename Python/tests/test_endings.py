@@ -27,7 +27,10 @@ def files(tmp_path_factory):
     made = {".obj": folder / "a.obj", ".xyz": folder / "a.xyz"}
     for ending in _endings.points():
         path = folder / f"made{ending}"
-        if ending not in made and cli.main(["convert", str(made[".xyz"]), str(path), "--quiet"]) == 0:
+        if (
+            ending not in made
+            and cli.main(["convert", str(made[".xyz"]), str(path), "--quiet"]) == 0
+        ):
             made[ending] = path
     gdal = pytest.importorskip("osgeo.gdal")
     gdal.UseExceptions()
@@ -89,7 +92,9 @@ def test_other_endings_are_refused_with_all_known_ones(tmp_path, capsys):
     message = capsys.readouterr().err
     for ending in (*_endings.points(), *_endings.meshes(), ".xml"):
         assert ending in message
-    with pytest.raises(formats.FormatError, match="is a mesh, not points; vtkhelios info, plan and"):
+    with pytest.raises(
+        formats.FormatError, match="is a mesh, not points; vtkhelios info, plan and"
+    ):
         formats.open_reader(tmp_path / "a.vrt")
     with pytest.raises(formats.FormatError, match="is a document, not points; vtkhelios info, val"):
         formats.open_reader(tmp_path / "a.xml")

@@ -68,9 +68,12 @@ def test_other_times_are_errors_with_what_is_expected(make_survey, tmp_path, cap
     assert '--gps-start "noon" is not a time; give YYYY-MM-DD hh:mm:ss of UTC' in message
     with pytest.raises(vtkhelios.PipelineError, match='GpsStart="noon" is not a time; give YYYY'):
         vtkhelios.read_survey(path).run(gps_start="noon")
-    path.write_text(path.read_text().replace("<survey ", '<survey gpsStartTime="1979-01-01 00:00" '))
+    path.write_text(
+        path.read_text().replace("<survey ", '<survey gpsStartTime="1979-01-01 00:00" ')
+    )
     with pytest.raises(
-        vtkhelios.PipelineError, match=r'survey.xml:2: gpsStartTime="1979.*is not after the begin of GPS'
+        vtkhelios.PipelineError,
+        match=r'survey.xml:2: gpsStartTime="1979.*is not after the begin of GPS',
     ):
         vtkhelios.read_survey(path)
 

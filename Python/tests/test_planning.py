@@ -14,7 +14,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios import planning
-from vtkhelios._plan_settings import SETTINGS, SettingError, report_settings
+from vtkhelios._plans.settings import SETTINGS, SettingError, report_settings
 from vtkhelios.cli import main
 
 SIZE, HEIGHT = 4.0, 3.0  # m, of a room
@@ -461,24 +461,45 @@ def test_interrupted(rooms):
 
 def make_hall(tmp_path, ground=False):
     """A floor of 20 m x 20 m with a hall of 8 m x 8 m, 4 m high, as OBJ."""
-    lines = ["mtllib hall.mtl", "usemtl floor", "v -10 -10 0", "v 10 -10 0", "v 10 10 0", "v -10 10 0"]
-    lines += ["f 1 2 3 4", "usemtl roof", "v -4 -4 4", "v 4 -4 4", "v 4 4 4", "v -4 4 4", "f 5 6 7 8"]
+    lines = [
+        "mtllib hall.mtl",
+        "usemtl floor",
+        "v -10 -10 0",
+        "v 10 -10 0",
+        "v 10 10 0",
+        "v -10 10 0",
+    ]
+    lines += [
+        "f 1 2 3 4",
+        "usemtl roof",
+        "v -4 -4 4",
+        "v 4 -4 4",
+        "v 4 4 4",
+        "v -4 4 4",
+        "f 5 6 7 8",
+    ]
     lines += ["v -4 -4 0", "v 4 -4 0", "v 4 4 0", "v -4 4 0", "f 5 6 10 9", "f 6 7 11 10"]
     lines += ["f 7 8 12 11", "f 8 5 9 12"]
     (tmp_path / "hall.obj").write_text("\n".join(lines) + "\n")
     is_ground = f"helios_isGround {str(ground).lower()}\n"
-    (tmp_path / "hall.mtl").write_text(f"newmtl floor\nKd 1 1 1\n{is_ground}newmtl roof\nKd 1 1 1\n")
+    (tmp_path / "hall.mtl").write_text(
+        f"newmtl floor\nKd 1 1 1\n{is_ground}newmtl roof\nKd 1 1 1\n"
+    )
     return tmp_path / "hall.obj"
 
 
 def test_positions_on_a_roof_are_a_warning(tmp_path):
-    with pytest.warns(RuntimeWarning, match="above another surface, as on a roof: position") as record:
+    with pytest.warns(
+        RuntimeWarning, match="above another surface, as on a roof: position"
+    ) as record:
         plan = vtkhelios.plan(make_hall(tmp_path), grid=2)
     raised = plan.positions[plan.positions[:, 2] > 4]
     assert len(raised) >= 1
     text = str(record[0].message)
     assert f"{len(raised)} of {len(plan)} positions" in text
-    assert ", 4.00 m above it. No material of the scene is ground: give helios_isGround true" in text
+    assert (
+        ", 4.00 m above it. No material of the scene is ground: give helios_isGround true" in text
+    )
     assert "or leave the roof out with --exclude" in text
 
 
@@ -492,7 +513,9 @@ def test_a_catalogue_in_the_working_directory_is_not_the_default(rooms, tmp_path
     own = '<document><scanner id="vz400_class_tls" optics="rotating" pulseFreqs_Hz="7000" '
     own += 'scanAngleMax_deg="100" headRotatePerSecMax_deg="60" scanFreqMax_Hz="100"/></document>'
     (tmp_path / "scanners.xml").write_text(own)
-    (tmp_path / "platforms.xml").write_text('<document><platform id="tripod" type="static"/></document>')
+    (tmp_path / "platforms.xml").write_text(
+        '<document><platform id="tripod" type="static"/></document>'
+    )
     expected = vtkhelios.plan(rooms, grid=2)
     monkeypatch.chdir(tmp_path)
     plan = vtkhelios.plan(rooms, grid=2)

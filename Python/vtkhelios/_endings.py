@@ -53,7 +53,9 @@ def converted_for_view():
 
 def known():
     """All endings as text, for errors."""
-    return f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(DOCUMENTS)}"
+    return (
+        f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(DOCUMENTS)}"
+    )
 
 
 def explain_no_points(path):

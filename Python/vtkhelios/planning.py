@@ -16,12 +16,12 @@ import warnings
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import _plan_files
+from ._plans import files as plan_files
 from ._paths import from_vtk, to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude, update
-from ._plan_report import make_report, order_positions
-from ._plan_roofs import warn_of_roofs
-from ._plan_settings import SettingError, check_settings, fill_document, fill_filters
+from ._plans.report import make_report, order_positions
+from ._plans.roofs import warn_of_roofs
+from ._plans.settings import SettingError, check_settings, fill_document, fill_filters
 from ._watching import Progress
 from .cloud import Cloud
 from .scene import Scene, has_instances
@@ -335,7 +335,7 @@ class Plan:
         import tempfile
 
         with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
-            path = _plan_files.survey_file(self, pathlib.Path(folder))
+            path = plan_files.survey_file(self, pathlib.Path(folder))
             survey = read_survey(path, self.task.assets)
         survey.path = None
         return survey
@@ -376,17 +376,17 @@ class Plan:
         adds plan.png; it needs an X display, or Xvfb.
         """
         folder = pathlib.Path(folder) / self.name
-        more = [_plan_files.SCENE] if self.task.has_scene_in_memory() else []
-        if not overwrite and _plan_files.has_plan(folder, more):
+        more = [plan_files.SCENE] if self.task.has_scene_in_memory() else []
+        if not overwrite and plan_files.has_plan(folder, more):
             raise FileExistsError(
                 f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
                 "another folder"
             )
-        with _plan_files.new_plan(folder, (*more, *_plan_files.FILES)):
-            files = [_plan_files.survey_file(self, folder), *_plan_files.data_files(self, folder)]
-            files += [_plan_files.picture_file(self, folder)] if picture else []
+        with plan_files.new_plan(folder, (*more, *plan_files.FILES)):
+            files = [plan_files.survey_file(self, folder), *plan_files.data_files(self, folder)]
+            files += [plan_files.picture_file(self, folder)] if picture else []
             report = {**self.report, "files": [path.name for path in files]}
-            return [*files, _plan_files.summary_file(report, folder)]
+            return [*files, plan_files.summary_file(report, folder)]
 
     def __len__(self):
         return len(self.positions)

@@ -32,8 +32,14 @@ def test_files_without_waveforms_are_one_error(fullwave, tmp_path, capsys):
     pytest.importorskip("lazrs")
     points = fullwave.with_name("leg000_points.las")
     for name, reason in (
-        ("plain.laz", "is LAS 1.4, point format 6, which has no waveforms; give a file of point format 4"),
-        ("plain.ply", "files of this kind have no waveforms; give legNNN_fullwave.txt or .pvtt of a run"),
+        (
+            "plain.laz",
+            "is LAS 1.4, point format 6, which has no waveforms; give a file of point format 4",
+        ),
+        (
+            "plain.ply",
+            "files of this kind have no waveforms; give legNNN_fullwave.txt or .pvtt of a run",
+        ),
     ):
         assert cli.main(["convert", str(points), str(tmp_path / name), "--quiet"]) == 0
         capsys.readouterr()

@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import vtkhelios
 
 from vtkhelios.cli import main
-from vtkhelios._plan_settings import SETTINGS
+from vtkhelios._plans.settings import SETTINGS
 from vtkhelios.cli import _plan_check, _plan_options, _plan_report
 from vtkhelios.cli._parser import Parser
 from vtkhelios.cli._task import PlanWatch

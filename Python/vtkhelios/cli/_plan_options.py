@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan."""
 
-from .._plan_settings import SETTINGS
+from .._plans.settings import SETTINGS
 from ..planning import PLATFORM, SCANNER
 from ._reading import add_assets_argument
 from ._parser import number, whole_number

@@ -13,8 +13,8 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from .._paths import from_vtk, require_utf8
 from .._pipeline import PipelineError
-from .._plan_files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
-from .._plan_settings import SettingError
+from .._plans.files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
+from .._plans.settings import SettingError
 from ..planning import Plan, PlanTask
 from .._files import cannot_be_written, find_unwritable
 from ._flight.options import add_flight_arguments, find_misplaced

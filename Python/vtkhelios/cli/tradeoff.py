@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from .._pipeline import PipelineError
-from .._plan_settings import SettingError
+from .._plans.settings import SettingError
 from .._survey_text import with_ray_caster, with_sampling
 from .._tradeoff_run import make_tradeoff
 from ..planning import PLATFORM, SCANNER

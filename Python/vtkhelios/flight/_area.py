@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from .._files._json import JsonError, parse_json
 from .._paths import to_vtk
 from .._pipeline import update
-from .._plan_kinds import SettingError
+from .._plans.kinds import SettingError
 
 FARTHEST = 1e9  # coordinate [m]
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"

@@ -11,7 +11,7 @@ import math
 import typing
 
 from .._pipeline import update
-from .._plan_kinds import SettingError
+from .._plans.kinds import SettingError
 from ._settings import BANK, GRAVITY, SPEEDS, WIDEST
 
 HEIGHTS = 24  # tried between the limits

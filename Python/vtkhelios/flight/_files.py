@@ -7,7 +7,7 @@ import io
 import json
 
 from .._files import write_whole
-from .._plan_files import SCENE, SUMMARY, SURVEY, new_plan
+from .._plans.files import SCENE, SUMMARY, SURVEY, new_plan
 from .._write import write_points
 from ._follow import line_waypoints
 from ._picture import make_picture

@@ -9,7 +9,7 @@ import math
 from .. import catalogue
 from .._paths import to_vtk
 from .._pipeline import MessageLog, PipelineError, conclude
-from .._plan_kinds import SettingError
+from .._plans.kinds import SettingError
 from ._settings import PLATFORM, PLATFORMS
 
 SWEEPS = {"rotating": 1, "oscillating": 2, "conic": 2, "palmer": 2}  # per scan period

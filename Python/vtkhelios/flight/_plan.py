@@ -10,7 +10,7 @@ import numpy as np
 
 from .._paths import from_vtk
 from .._pipeline import update
-from .._plan_kinds import SettingError
+from .._plans.kinds import SettingError
 from ..array_names import FLYING_HEIGHT, NUMBER_OF_STRIPS, STRIP_DENSITY
 from ..cloud import Cloud
 from ..planning import PLATFORM as TRIPOD

@@ -8,7 +8,7 @@ import tempfile
 
 from .._paths import from_vtk, to_vtk
 from .._pipeline import MessageLog, PipelineError, conclude
-from .._plan_files import SCENE, refer
+from .._plans.files import SCENE, refer
 from ..scene import Scene
 
 STAND_IN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"  # for a scene that stays in memory

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan --als."""
 
-from ..._plan_settings import SETTINGS as TRIPOD_SETTINGS
+from ..._plans.settings import SETTINGS as TRIPOD_SETTINGS
 from ...flight._settings import ALL, NUMBERS
 from .._parser import number
 

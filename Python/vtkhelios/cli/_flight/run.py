@@ -9,7 +9,7 @@ import shlex
 from ..._paths import require_utf8
 from ...flight import FlightPlan
 from ...flight._check import Counts
-from ..._plan_files import new_plan
+from ..._plans.files import new_plan
 from ...flight._files import FILES, data_files, has_plan, page_file, picture_file, summary_file
 from ..._files import cannot_be_written, find_unwritable
 from .._plan_check import read_strips, simulate

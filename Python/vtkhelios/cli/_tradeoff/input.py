@@ -7,7 +7,7 @@ import pathlib
 import vtkhelios
 
 from ..._paths import from_vtk, text_from_vtk, to_vtk
-from ..._plan_files import survey_file
+from ..._plans.files import survey_file
 from ..._run_files import PART
 from ..._survey_text import has_survey
 from ...planning import Plan, PlanTask

@@ -11,12 +11,12 @@ import shutil
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._files import write_whole
-from ._paths import from_vtk, to_vtk
-from ._pipeline import MessageLog, PipelineError, conclude
-from .array_names import VISIBILITY
-from ._write import write_points
-from .scene import Scene
+from .._files import write_whole
+from .._paths import from_vtk, to_vtk
+from .._pipeline import MessageLog, PipelineError, conclude
+from ..array_names import VISIBILITY
+from .._write import write_points
+from ..scene import Scene
 
 __all__ = [
     "data_files", "has_plan", "new_plan", "picture_file", "refer", "survey_file", "summary_file",
@@ -67,7 +67,7 @@ def data_files(plan, folder):
 
 def survey_file(plan, folder, name=SURVEY):
     """Writes the survey; returns its path."""
-    from .cli._reading import look_up
+    from ..cli._reading import look_up
 
     document, path = plan.task.document, folder / name
 
@@ -121,7 +121,7 @@ def refer(reference, folder):
 def picture_file(plan, folder):
     """Draws the picture; returns its path. Raises RuntimeError without a display, or in a wheel."""
     try:
-        from .plan_picture import save_picture
+        from ..plan_picture import save_picture
     except ImportError as error:
         raise RuntimeError(
             f"the VTK of the wheel does not draw ({error}): open the .vtp files of the plan with PyVista, "

@@ -5,8 +5,8 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from .array_names import MATERIAL_IS_GROUND
-from .scene import has_instances
+from ..array_names import MATERIAL_IS_GROUND
+from ..scene import has_instances
 
 HEADROOM = 1.8  # the least distance to a surface below that makes a roof of one [m]
 
@@ -50,7 +50,11 @@ def has_ground(scene):
 
 def warn_of_roofs(plan):
     """A warning of positions on roofs, or None. Scenes with ground materials have none there."""
-    if plan.task.settings["ground"] != "auto" or has_instances(plan.scene) or has_ground(plan.scene):
+    if (
+        plan.task.settings["ground"] != "auto"
+        or has_instances(plan.scene)
+        or has_ground(plan.scene)
+    ):
         return None
     raised = find_raised(plan.scene, plan.positions, plan.task.settings["height"])
     if not raised:

@@ -8,12 +8,12 @@ import math
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._arrays import arrays
-from ._paths import from_vtk
-from ._pipeline import update
-from ._plan_settings import report_settings
+from .._arrays import arrays
+from .._paths import from_vtk
+from .._pipeline import update
+from .settings import report_settings
 
-from .array_names import (
+from ..array_names import (
     AREA, COVERABLE, EXCLUSIVITY, MEAN_INCIDENCE_ANGLE, NEWLY_COVERED, NUMBER_OF_SCANS, PART_IDS,
     PART_NAME, VIEWSHED_SIZE,
 )  # fmt: skip

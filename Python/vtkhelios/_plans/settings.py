@@ -7,7 +7,7 @@ A setting has the same name as the option of the command line: ``max_slope``, ``
 
 import difflib
 
-from ._plan_kinds import (
+from .kinds import (
     Areas,
     Choice,
     Flag,

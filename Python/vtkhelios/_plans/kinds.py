@@ -13,8 +13,8 @@ import os
 
 import numpy as np
 
-from ._paths import to_vtk
-from .scene import Scene
+from .._paths import to_vtk
+from ..scene import Scene
 
 __all__ = [
     "Areas",
