@@ -76,7 +76,14 @@ bool PolygonTriangulator::Triangulate(const double* points, const PolygonRings& 
   {
     return this->Rings.empty() || this->IsFlatRing(this->Rings.front());
   }
-  return this->AddInPlane();
+  const bool isSimple = this->AddInPlane();
+  if (isSimple && this->IsTorn())
+  {
+    this->Corners.clear();
+    this->Places.clear();
+    this->AddFan(rings.front());
+  }
+  return isSimple;
 }
 
 //------------------------------------------------------------------------------
@@ -248,6 +255,22 @@ double PolygonTriangulator::ComputeTriangleArea() const
     area += 0.5 * std::abs(this->GetCross(c[0], c[1], c[2]).Dot(this->Normal));
   }
   return area;
+}
+
+//------------------------------------------------------------------------------
+/// Whether the triangles do not have the sides of a polygon that is far from plane: a corner is on a
+/// side seen along the normal, but not in space.
+bool PolygonTriangulator::IsTorn() const
+{
+  Vec3 sum(0.0, 0.0, 0.0);
+  for (std::size_t i = 0; i < this->Places.size(); i += 3)
+  {
+    const int* c = this->Places.data() + i;
+    sum = sum + 0.5 * this->GetCross(c[0], c[1], c[2]);
+  }
+  return this->Rings.size() == 1 &&
+    (sum - this->Area * this->Normal).Norm() >
+    TouchingTolerance * this->Area + this->Plane.GetDetourArea();
 }
 
 //------------------------------------------------------------------------------

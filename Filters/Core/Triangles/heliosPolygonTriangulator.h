@@ -48,6 +48,7 @@ private:
   bool AddInPlane();
   void AddTriangle(int a, int b, int c);
   double ComputeTriangleArea() const;
+  bool IsTorn() const;
   const double* GetPoint(int place) const;
   Vec3 GetSide(int from, int to) const;
   Vec3 GetCross(int a, int b, int c) const;

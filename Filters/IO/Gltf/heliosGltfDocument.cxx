@@ -35,7 +35,7 @@ constexpr const char* ReadExtensions[] = { "EXT_mesh_gpu_instancing", "KHR_mesh_
 constexpr const char* HarmlessWords[] = { "_material", "_texture", "_light", "_xmp", "metadata",
   "feature", "_audio", "animation", "interactiv", "physics", "rigid", "collider", "_shapes",
   "outline", "_lod", "packing", "image", "environment", "_sky", "annotation", "selectab", "hover",
-  "license", "blend", "techniques", "ngon", "manifold", "_bim", "VRM", "camera", "articulation" };
+  "license", "blend", "technique", "ngon", "manifold", "_bim", "VRM", "camera", "articulation" };
 
 std::uint32_t ReadUnsigned(std::string_view bytes, std::size_t at)
 {

@@ -324,3 +324,13 @@ TEST_CASE("PolygonTriangulator: a comb of 20,000 corners", "[PolygonTriangulator
   CHECK(shape.GetArea(Up) == Approx(expected).epsilon(1e-9));
   CHECK(shape.IsSimple);
 }
+
+TEST_CASE("PolygonTriangulator: a folded polygon keeps its sides", "[PolygonTriangulator]")
+{
+  Shape shape; // seen along its normal, the last corner is on the third side
+  shape.AddRing({ { -5, 0, 5 }, { 5, 0, 5 }, { 5, 0, -5 }, { -5, 0, -5 }, { 0, 5, -5 } });
+  shape.Triangulate();
+  CHECK(shape.IsSimple);
+  CHECK(shape.GetSize() == Approx(100.0 + 25.0 * std::sqrt(2.0)));
+  CHECK(shape.Triangulator.GetPlaces() == std::vector<int>{ 0, 1, 2, 0, 2, 3, 0, 3, 4 });
+}
