@@ -136,6 +136,29 @@ def test_three_kinds_in_one_scene(run):
     assert "32632" in crs
 
 
+@pytest.mark.parametrize("kind", ["csv", "pts", "ptx", "asc"])
+def test_text_of_other_programs_is_the_same_wall(run, kind):
+    """Separators, columns and poses are found without attributes of the filter."""
+    ground = TERRAIN.format(filters="")
+    echoes = vtkhelios.arrays(run(ground, WALL))
+    x, y, z = np.loadtxt(run.folder / "wall.xyz", delimiter=";").T
+    names = "id,z,y,x\n" + "".join(f"7,{c},{b},{a}\n" for a, b, c in zip(x, y, z))
+    counted = f"{len(x)}\n" + "".join(f"{a} {b} {c} 120\n" for a, b, c in zip(x, y, z))
+    commented = "//X Y Z R\n" + "".join(f"{a} {b} {c} 9\n" for a, b, c in zip(x, y, z))
+    pose = (
+        f"{len(x)}\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n{EAST} {NORTH} 0 1\n"
+    )
+    local = "".join(f"{a - EAST:.9f} {b - NORTH:.9f} {c} 0.5\n" for a, b, c in zip(x, y, z))
+    texts = {"csv": names, "pts": counted, "asc": commented, "ptx": pose + local}
+    (run.folder / f"wall.{kind}").write_text(texts[kind])
+    wall = WALL.replace("wall.xyz", f"wall.{kind}").replace(
+        '<param type="string" key="separator" value=";"/>', ""
+    )
+    found = vtkhelios.arrays(run(ground, wall))
+    assert len(found["points"]) == len(echoes["points"]) and (found["PartIds"] == 1).any()
+    assert np.abs(found["points"] - echoes["points"]).max() < 1e-6
+
+
 def test_a_raster_in_degrees_is_refused_with_the_remedy(run):
     write_terrain(run.folder / "terrain.tif", 4326, LONGITUDE, LATITUDE, (1.4e-5, 9e-6))
     errors = run(TERRAIN.format(filters=""))

@@ -124,6 +124,23 @@ TEST_CASE("CloudReader: text with x y z first, separated by blanks, commas or se
   }
 }
 
+TEST_CASE("CloudReader: text of other programs, with names of columns and with poses")
+{
+  const TempFolder folder;
+  WriteText(folder / "a.csv",
+    "X,Y,Z,Classification\n500000.25,10,1,2\n500001.25,20,2,2\n500002.25,30,3,6\n");
+  Cloud cloud;
+  REQUIRE(CloudReader().Read(folder / "a.csv", cloud).Message() == "");
+  CheckThird(cloud, 3);
+  CHECK(cloud.GetEcho(2).Class == 6);
+  WriteText(folder / "a.ptx",
+    "3\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n500000 0 0 1\n"
+    "0.25 10 1 0.5\n1.25 20 2 0.5\n2.25 30 3 0.5\n");
+  Cloud scans;
+  REQUIRE(CloudReader().Read(folder / "a.ptx", scans).Message() == "");
+  CheckThird(scans, 3);
+}
+
 TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
 {
   const TempFolder folder;

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 #ifdef __linux__
@@ -344,4 +345,23 @@ TEST_CASE("ObjErrors: unknown and empty elements are reported once", "[ObjErrors
   CheckWarning("", ": no triangles, so the scene is empty", 0);
   CheckWarning(ObjSquare + "usemtl\nf 1 2 3\nusemtl \nf 1 3 4\n",
     ":5: usemtl has no name, the default material is used; give that of a material", 2);
+}
+
+TEST_CASE("ObjErrors: UTF-16 is named, and lines may end in CR as of old Macintosh")
+{
+  CheckError(std::string("\xFE\xFF\0v\0 \0"
+                         "0",
+               7),
+    ": is text of UTF-16 or UTF-32; save it as UTF-8");
+  CheckError(std::string("v\0 \0"
+                         "0\0 \0",
+               8),
+    ": is text of UTF-16 or UTF-32; save it as UTF-8");
+  std::string text = ObjSquare + "f 1 2 3\nf 1 3 4\n";
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  TestFolder folder;
+  ObjReading reading(folder.Write("a.obj", text));
+  REQUIRE(reading.Read());
+  CHECK(reading.TriangleCount() == 2);
+  CheckError(text + "f 1 2 x\r", ":7: ");
 }
