@@ -141,4 +141,4 @@ def summary_file(report, folder):
 
 
 def _package():
-    return importlib.import_module(__package__)
+    return importlib.import_module(__package__.rpartition(".")[0])

@@ -285,4 +285,4 @@ def _examples():
 
 
 def _class(name):
-    return getattr(importlib.import_module(__package__), name)
+    return getattr(importlib.import_module(__package__.rpartition(".")[0]), name)

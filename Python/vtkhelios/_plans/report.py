@@ -29,7 +29,7 @@ def order_positions(positions, order):
     """
     if order == "gain":
         return positions, None
-    walk = importlib.import_module(__package__).vtkHeliosShortestWalk()
+    walk = importlib.import_module(__package__.rpartition(".")[0]).vtkHeliosShortestWalk()
     walk.SetInputData(positions)
     walk.SetClosed(order == "round")
     ordered = vtkPolyData()
@@ -48,7 +48,7 @@ def make_report(task, positions, walk=None):
     candidates, test_points = plan.GetCandidates(), plan.GetTestPoints()
     planner = plan.GetPlanner()
     return {
-        "vtkHelios": importlib.import_module(__package__).__version__,
+        "vtkHelios": importlib.import_module(__package__.rpartition(".")[0]).__version__,
         "source": {"file": task.source, "kind": document.GetKind()},
         "name": task.name,
         "settings": report_settings(task.settings),
