@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of endings and commands of Docs/files.md, from vtkhelios._endings.
+"""Writes the table of endings and commands of Docs/files.md, from vtkhelios.formats._endings.
 
     build/venv/bin/python Python/make_endings.py
 
@@ -17,7 +17,7 @@ BEGIN, END = "<!-- endings: begin -->\n", "<!-- endings: end -->\n"
 
 def make_page(text):
     """The text of the page with the table of today."""
-    from vtkhelios import _endings
+    from vtkhelios.formats import _endings
 
     before, rest = text.split(BEGIN)
     return before + BEGIN + _endings.make_table() + END + rest.split(END)[1]

@@ -19,8 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from ._plans import files as plan_files
 from ._paths import from_vtk, to_vtk
 from ._pipeline import MessageLog, PipelineError, conclude, update
-from ._plans.report import make_report, order_positions
-from ._plans.roofs import warn_of_roofs
+from ._plans.report import make_report, order_positions, warn_of_roofs
 from ._plans.settings import SettingError, check_settings, fill_document, fill_filters
 from ._watching import Progress
 from .cloud import Cloud

@@ -231,11 +231,11 @@ vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInform
     }
     if (i > 0 && order[i].Start - order[i - 1].End >= LongestBreak)
     {
-      vtkErrorMacro(<< "Trajectory " << order[i].Number << " starts at " << Seconds(order[i].Start)
-                    << ", trajectory " << order[i - 1].Number << " ends at "
-                    << Seconds(order[i - 1].End)
-                    << ": these are times of two clocks, such as seconds of a GPS week and GPS time "
-                       "since 1980; give all trajectories times of one.");
+      vtkErrorMacro(
+        << "Trajectory " << order[i].Number << " starts at " << Seconds(order[i].Start)
+        << ", trajectory " << order[i - 1].Number << " ends at " << Seconds(order[i - 1].End)
+        << ": these are times of two clocks, such as seconds of a GPS week and GPS time "
+           "since 1980; give all trajectories times of one.");
       return nullptr;
     }
   }

@@ -67,7 +67,8 @@ bool vtkHeliosSurveyReader::Try(TaskT task)
 bool vtkHeliosSurveyReader::Read()
 {
   vtkNew<vtkHeliosSurvey> survey;
-  const bool isGood = this->Try([this, &survey](helios::Messages& log)
+  const bool isGood = this->Try(
+    [this, &survey](helios::Messages& log)
     {
       helios::Assets assets(log, this->AssetDirectories);
       assets.NeedsScene = this->SceneRequired;

@@ -93,13 +93,13 @@ def reformat_files(folder, form, into):
     return into
 
 
-def list_attributes(kind, get):
+def list_attributes(kind, get, *indices):
     """The attributes of an element of a survey that have a value."""
     names = (
         vtkHeliosSurvey.GetAttributeName(kind, i)
         for i in range(vtkHeliosSurvey.GetNumberOfAttributes(kind))
     )
-    return {name: text for name in names if (text := get(name))}
+    return {name: text for name in names if (text := get(*indices, name))}
 
 
 def describe(path, assets):
@@ -114,23 +114,23 @@ def describe(path, assets):
         "survey": list_attributes("survey", survey.GetSurveyAttribute),
         "scene": survey.GetSceneName(),
         "parts": [
-            list_attributes("part", lambda name: survey.GetPartAttribute(i, name))
+            list_attributes("part", survey.GetPartAttribute, i)
             for i in range(survey.GetNumberOfParts())
         ],
         "scanners": [
-            [list_attributes("scanner", lambda name: survey.GetScannerAttribute(i, name))]
+            [list_attributes("scanner", survey.GetScannerAttribute, i)]
             + [
-                list_attributes("scanner", lambda name: survey.GetChannelAttribute(i, k, name))
+                list_attributes("scanner", survey.GetChannelAttribute, i, k)
                 for k in range(survey.GetNumberOfChannels(i))
             ]
             for i in range(survey.GetNumberOfScanners())
         ],
         "platforms": [
-            list_attributes("platform", lambda name: survey.GetPlatformAttribute(i, name))
+            list_attributes("platform", survey.GetPlatformAttribute, i)
             for i in range(survey.GetNumberOfPlatforms())
         ],
         "legs": [
-            list_attributes("leg", lambda name: survey.GetLegAttribute(i, name))
+            list_attributes("leg", survey.GetLegAttribute, i)
             for i in range(survey.GetNumberOfLegs())
         ],
     }
@@ -164,7 +164,9 @@ def test_examples_are_the_same_in_every_form(kind, form, examples, tmp_path):
 
 
 @pytest.mark.parametrize("form", FORMS)
-@pytest.mark.parametrize("path", sorted((ROOT / "Data/Surveys").glob("*.xml")), ids=lambda p: p.stem)
+@pytest.mark.parametrize(
+    "path", sorted((ROOT / "Data/Surveys").glob("*.xml")), ids=lambda p: p.stem
+)
 def test_surveys_of_the_tree_are_the_same_in_every_form(path, form, tmp_path):
     folder = tmp_path / "first"
     folder.mkdir()
@@ -215,14 +217,17 @@ def test_points_are_the_same_in_every_form(form, examples, tmp_path, capsys):
         options = ("--part", "1/40", "--pulses-per-block", "1000", "--quiet")
         run(capsys, "run", folder / "tls.xml", "--output", tmp_path / name, *options)
     first, again = (
-        sorted(p.read_bytes() for p in (tmp_path / name).rglob("leg*")) for name in ("first", "other")
+        sorted(p.read_bytes() for p in (tmp_path / name).rglob("leg*"))
+        for name in ("first", "other")
     )
     assert first == again and max(map(len, first)) > 1000
 
 
 def test_messages_tell_elements_of_one_line_apart(tmp_path, capsys):
     (tmp_path / "ground.obj").write_text(GROUND)
-    text = reformat(TWO, "one line").replace("<scannerSettings template", '<x/><scannerSettings a="1" template')
+    text = reformat(TWO, "one line").replace(
+        "<scannerSettings template", '<x/><scannerSettings a="1" template'
+    )
     (tmp_path / "survey.xml").write_text(text.replace('rangeMin_m="2"', 'rangeMin_m="2 m"'))
     assert cli.main(["validate", str(tmp_path / "survey.xml")]) == 1
     output = capsys.readouterr().out

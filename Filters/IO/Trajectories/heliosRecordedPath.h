@@ -6,10 +6,8 @@
 #define heliosRecordedPath_h
 
 #include "heliosPose.h"
-#include "heliosTrajectoryParser.h"
+#include "heliosTrajectoryRow.h"
 
-#include <functional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,19 +21,6 @@ struct RecordedPath
   std::vector<Vec3> Velocities;      // [m/s], one per row; empty: none in the file
   std::string Crs;                   // of the positions; empty: unknown
 };
-
-/// Checks the times of rows; getPlace gives that of a row, as "file:line: ".
-bool CheckRowTimes(const std::vector<TrajectoryRow>& rows,
-  const std::function<std::string(std::size_t)>& getPlace, TextReport& report);
-
-/// A number with all its digits, for messages.
-inline std::string PrintExactly(double number)
-{
-  std::ostringstream text;
-  text.precision(17);
-  text << number;
-  return text.str();
-}
 
 } // namespace helios
 

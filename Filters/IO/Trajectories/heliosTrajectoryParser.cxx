@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectoryParser.h"
 
-#include "heliosRecordedPath.h"
-
 #include <algorithm>
 #include <charconv>
 #include <system_error>
@@ -102,8 +100,8 @@ bool TrajectoryParser::Read(LineFile& file, std::vector<TrajectoryRow>& rows)
   }
   this->Sort(rows);
   return this->CheckTimes(rows) &&
-    CheckRowTimes(rows, [this, &rows](std::size_t i) { return this->GetPlaceOf(rows[i]); },
-      this->Report);
+    CheckRowTimes(
+      rows, [this, &rows](std::size_t i) { return this->GetPlaceOf(rows[i]); }, this->Report);
 }
 
 /// Sorts rows by time, with a warning if they are not.
@@ -150,8 +148,8 @@ bool TrajectoryParser::ReadRow(std::string_view line, std::vector<TrajectoryRow>
   }
   const auto get = [this](int column)
   { return this->Row.GetValue(this->Columns[static_cast<std::size_t>(column)]); };
-  TrajectoryRow row{ this->ReadTime(get(TimeOf)), { get(XOf), get(YOf), get(ZOf) }, { 0.0, 0.0, 0.0 },
-    this->File->GetLineStart() };
+  TrajectoryRow row{ this->ReadTime(get(TimeOf)), { get(XOf), get(YOf), get(ZOf) },
+    { 0.0, 0.0, 0.0 }, this->File->GetLineStart() };
   if (this->Format.HasAttitude)
   {
     row.Angles = { get(RollOf), get(PitchOf), get(YawOf) };

@@ -6,13 +6,12 @@
 #define heliosTrajectoryParser_h
 
 #include "heliosLineFile.h"
-#include "heliosPose.h"
 #include "heliosRecordTimes.h"
 #include "heliosTextFile.h"
 #include "heliosTextRow.h"
+#include "heliosTrajectoryRow.h"
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,14 +38,6 @@ struct TrajectoryFormat
   std::string Separators = ",";
   TrajectoryColumns Columns{ { -1, -1, -1, -1, -1, -1, -1 } }; // -1: not set
   bool HasAttitude = true;
-};
-
-struct TrajectoryRow
-{
-  double Time;
-  Vec3 Position;
-  Vec3 Angles; // roll, pitch, yaw as in the file
-  std::int64_t LineStart;
 };
 
 /// Reads rows of numbers and the comments that name their columns; every number is checked.

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectoryShape.h"
 
-#include "heliosRecordTimes.h"
-#include "heliosRecordedPath.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,19 +35,6 @@ Slopes GetSlopes(
 }
 
 } // namespace
-
-bool CheckRowTimes(const std::vector<TrajectoryRow>& rows,
-  const std::function<std::string(std::size_t)>& getPlace, TextReport& report)
-{
-  const TimeFinding finding =
-    CheckRecordTimes({ rows.size(), [&rows](std::size_t i) { return rows[i].Time; },
-      [&rows](std::size_t i) { return rows[i].Position; } });
-  if (!finding.Message.empty() && !finding.IsError)
-  {
-    report.Warn(getPlace(finding.Row) + finding.Message);
-  }
-  return !finding.IsError || report.Fail(getPlace(finding.Row) + finding.Message);
-}
 
 Quaternion FromArinc705(const Vec3& rollPitchYaw)
 {

@@ -5,7 +5,7 @@
 #ifndef heliosTrajectoryShape_h
 #define heliosTrajectoryShape_h
 
-#include "heliosTrajectoryParser.h"
+#include "heliosTrajectoryRow.h"
 
 #include <vector>
 

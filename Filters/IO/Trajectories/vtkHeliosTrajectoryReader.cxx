@@ -8,6 +8,7 @@
 #include "heliosSbetFile.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
+#include "heliosTrajectoryParser.h"
 #include "heliosTrajectoryShape.h"
 #include "vtkHeliosArrayNames.h"
 

@@ -6,8 +6,8 @@ import json
 import pathlib
 
 from .. import formats
-from .._endings import DOCUMENTS
 from .._systems import add_height_unit_argument
+from ..formats._endings import DOCUMENTS
 from . import _meshes
 from ._meshes import describe_crs
 from ._inspect import Inspection, inspect_xml

@@ -17,7 +17,7 @@ import tempfile
 import vtkhelios
 
 from .._built_with import HAS_VIEWER, VTK_PACKAGE
-from .._endings import converted_for_view
+from ..formats._endings import converted_for_view
 from .._process.display import end_with_parent, start_display
 from ._messages import say_error
 from ._stopping import SIGNALS, Interrupted, claim_line

@@ -7,7 +7,6 @@ import pathlib
 import numpy as np
 
 from .. import formats
-from .._endings import points
 from .._run_files import POINTS, SUMMARY_NAME, kind_of
 from .._systems import Metres, find_difference
 
@@ -17,6 +16,7 @@ from ..array_names import (
 )  # fmt: skip
 from ..cloud import data_of
 from ..formats import FormatError
+from ..formats._endings import points
 from ..formats._base import Header, from_cloud, rows_of, select
 
 SOURCE = "Source"  # number of the file of a point

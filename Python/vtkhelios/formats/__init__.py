@@ -21,8 +21,8 @@ FORMATS, of which errors, vtkhelios view and Docs/files.md (Python/make_endings.
 import importlib
 import pathlib
 
-from .._endings import explain_no_points
 from .._paths import require_utf8
+from ._endings import explain_no_points
 from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file, guarded
 from ._las import check_waveforms
 from ._pulsewaves import PulseWaves, read_pulsewaves

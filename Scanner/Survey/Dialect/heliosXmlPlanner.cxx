@@ -141,8 +141,7 @@ void PlannerReader::CheckLimits(const XmlElement& planner, const PlannerSettings
 void PlannerReader::ReadSurvey(PlannerData& data)
 {
   Assets assets(this->Log, this->Request.AssetDirectories);
-  SurveyData survey =
-    helios::ReadSurvey(assets.Load(this->Request.FileName), assets, this->Log);
+  SurveyData survey = helios::ReadSurvey(assets.Load(this->Request.FileName), assets, this->Log);
   if (this->HasError())
   {
     return;

@@ -192,8 +192,8 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
   CopySurvey(survey.FileName, edit);
   edit.PlatformModel = survey.Platforms.front();
   edit.ScannerModel = survey.Scanners.front();
-  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.File,
-    edit.PlatformModel.Id, refer(edit.PlatformModel.File));
+  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.File, edit.PlatformModel.Id,
+    refer(edit.PlatformModel.File));
   const std::string id = GetScannerId(edit.ScannerModel);
   edit.Scanner =
     FindReference(catalogue.Scanners, edit.ScannerModel.File, id, refer(edit.ScannerModel.File));

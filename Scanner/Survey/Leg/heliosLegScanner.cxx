@@ -4,17 +4,16 @@
 
 #include "heliosChannelMerge.h"
 #include "heliosConstants.h"
-#include "heliosGpsTime.h"
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosReceiver.h"
 #include "heliosScanCounts.h"
-#include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosGpsTime.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPlatformNoise.h"
 #include "vtkHeliosRayCaster.h"
@@ -108,9 +107,8 @@ void LegScanner::SetUp(const LegPlan& plan)
 /// Gives a channel the trajectory of a leg, with the GPS time of its time 0, if that is known.
 void LegScanner::SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) const
 {
-  double epoch = 0.0;
   const std::string& start = this->Settings.Options.GpsStart;
-  if (start.empty() || !ParseGpsTime(start, epoch).IsOk())
+  if (start.empty())
   {
     channel->SetInputConnection(1, plan.Platform->GetOutputPort());
     return;
@@ -120,7 +118,7 @@ void LegScanner::SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) c
   trajectory->ShallowCopy(plan.Platform->GetOutput());
   vtkNew<vtkDoubleArray> array;
   array->SetName(names::GpsEpoch);
-  array->InsertNextValue(epoch);
+  array->InsertNextValue(vtkHeliosGpsTime::Parse(start));
   vtkNew<vtkFieldData> fields;
   fields->PassData(trajectory->GetFieldData());
   fields->AddArray(array);

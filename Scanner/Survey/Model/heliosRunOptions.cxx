@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunOptions.h"
 
-#include "heliosGpsTime.h"
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
+#include "vtkHeliosGpsTime.h"
 
 #include <json/value.h>
 
@@ -226,11 +226,9 @@ Status RunOptions::CheckWeather() const
 //------------------------------------------------------------------------------
 Status RunOptions::CheckGpsStart() const
 {
-  double ignored = 0.0;
-  const Status status =
-    this->GpsStart.empty() ? Status() : ParseGpsTime(this->GpsStart, ignored);
-  return status.IsOk() ? status
-                       : Status::Error("GpsStart=\"" + this->GpsStart + "\" " + status.Message());
+  const std::string fault =
+    this->GpsStart.empty() ? std::string() : vtkHeliosGpsTime::GetFault(this->GpsStart);
+  return fault.empty() ? Status() : Status::Error("GpsStart=\"" + this->GpsStart + "\" " + fault);
 }
 
 //------------------------------------------------------------------------------

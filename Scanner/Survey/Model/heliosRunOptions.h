@@ -44,7 +44,7 @@ struct RunOptions
   std::string EchoDetector;
   std::string RayCaster;
   std::string Weather;        ///< see ParseWeather()
-  std::string GpsStart;       ///< see ParseGpsTime()
+  std::string GpsStart;       ///< see vtkHeliosGpsTime::Parse()
   std::string Without;        ///< names of parts of the model, separated by blanks
   vtkIdType PulseStep = 1;    ///< a sample: every n-th pulse
   bool AccuracyReport = true; ///< changes no echo: not among those that are compared

@@ -292,7 +292,7 @@ struct SceneData
   std::string Name;
   std::string Where;
   std::string File; ///< that it was read from; empty: none
-  std::string Crs; ///< of parts without their own; empty: a local frame, in metres
+  std::string Crs;  ///< of parts without their own; empty: a local frame, in metres
   std::vector<PartData> Parts;
   std::vector<std::string> SpectraFolders; ///< searched for spectra, in order
 };
@@ -426,13 +426,6 @@ struct LegOffsetData
   double Deviation = 0.1; ///< [m]
 };
 
-/// The GPS time at which a survey starts.
-struct GpsStartData
-{
-  std::string Text;   ///< as given; empty: not known
-  double Epoch = 0.0; ///< [s], since 6 January 1980
-};
-
 struct SurveyData
 {
   std::string Name; ///< valid as a folder name
@@ -442,7 +435,7 @@ struct SurveyData
   vtkIdType Seed = -1;                ///< negative: not given
   AngleConvention Convention = AngleConvention::Arinc705; ///< in trajectory files
   LegOffsetData LegOffset;
-  GpsStartData GpsStart;
+  std::string GpsStart; ///< see vtkHeliosGpsTime::Parse(); empty: not known
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;
   SceneData Scene;

@@ -148,7 +148,7 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
   }
   options.RayCaster = name;
   options.Seed = std::max<vtkIdType>(0, options.Seed >= 0 ? options.Seed : survey.Seed);
-  options.GpsStart = options.GpsStart.empty() ? survey.GpsStart.Text : options.GpsStart;
+  options.GpsStart = options.GpsStart.empty() ? survey.GpsStart : options.GpsStart;
   settings.Options = options;
   settings.HasEpochs = epochs > 1;
   return {};

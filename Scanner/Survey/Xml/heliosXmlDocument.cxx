@@ -242,8 +242,7 @@ std::string XmlDocument::Where(std::ptrdiff_t offset) const
 {
   const std::size_t line = this->FindLine(offset);
   const std::ptrdiff_t start = line == 0 ? 0 : this->LineEnds[line - 1] + 1;
-  const bool isRepeated =
-    std::binary_search(this->Repeated.begin(), this->Repeated.end(), offset);
+  const bool isRepeated = std::binary_search(this->Repeated.begin(), this->Repeated.end(), offset);
   return this->Path + ":" + std::to_string(line + 1) +
     (isRepeated ? ":" + std::to_string(offset - start) : std::string());
 }

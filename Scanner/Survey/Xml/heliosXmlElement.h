@@ -59,7 +59,7 @@ private:
   pugi::xml_document Tree;
   std::vector<std::ptrdiff_t> LineEnds;
   std::vector<std::ptrdiff_t> Repeated; // elements after others with their name in a line, in order
-  bool IsMade = false; // not from a file
+  bool IsMade = false;                  // not from a file
 };
 
 /// The axis of a rotation: x, y, z, or the names of the Java program; null for others.

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlPulseShape.h"
 
-#include "heliosGpsTime.h"
 #include "heliosMessages.h"
-#include "heliosStatus.h"
+#include "vtkHeliosGpsTime.h"
 
 #include <filesystem>
 #include <system_error>
@@ -46,23 +45,23 @@ std::string GetPulseShape(const ReceiverData& receiver)
 }
 
 //------------------------------------------------------------------------------
-bool SetGpsStart(GpsStartData& start, const XmlValue& value, Messages& log)
+bool SetGpsStart(std::string& start, const XmlValue& value, Messages& log)
 {
-  GpsStartData given{ value.Text, 0.0 };
-  const Status status = given.Text.empty() ? Status() : ParseGpsTime(given.Text, given.Epoch);
-  if (!status.IsOk())
+  const std::string fault =
+    value.Text.empty() ? std::string() : vtkHeliosGpsTime::GetFault(value.Text);
+  if (!fault.empty())
   {
-    log.Error(value.Where + ": " + value.Name + "=\"" + value.Text + "\" " + status.Message());
+    log.Error(value.Where + ": " + value.Name + "=\"" + value.Text + "\" " + fault);
     return false;
   }
-  start = given;
+  start = value.Text;
   return true;
 }
 
 //------------------------------------------------------------------------------
-std::string GetGpsStart(const GpsStartData& start)
+std::string GetGpsStart(const std::string& start)
 {
-  return start.Text;
+  return start;
 }
 
 } // namespace helios

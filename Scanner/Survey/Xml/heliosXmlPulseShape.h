@@ -7,7 +7,6 @@
 #define heliosXmlPulseShape_h
 
 #include "heliosReceiverData.h"
-#include "heliosSurveyData.h"
 #include "heliosXmlValue.h"
 
 namespace helios
@@ -19,9 +18,9 @@ bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log)
 std::string GetPulseShape(const ReceiverData& receiver);
 
 /// False after an error.
-bool SetGpsStart(GpsStartData& start, const XmlValue& value, Messages& log);
+bool SetGpsStart(std::string& start, const XmlValue& value, Messages& log);
 
-std::string GetGpsStart(const GpsStartData& start);
+std::string GetGpsStart(const std::string& start);
 
 } // namespace helios
 

@@ -238,7 +238,8 @@ TEST_CASE("CloudReader: errors name the file and the remedy")
     CHECK(error.find(wanted) != std::string::npos);
   };
   check("none.xyz", nullptr, ": no such file or folder; check the name");
-  check("a.foo", "1 2 3", ": not a supported cloud format; give .xyz, .txt, .asc, .las, .laz, .vtp");
+  check(
+    "a.foo", "1 2 3", ": not a supported cloud format; give .xyz, .txt, .asc, .las, .laz, .vtp");
   check("empty.xyz", "", ": contains no points; nothing can be shown");
   check("blank.xyz", "\n\n", ": has no points; give a file with rows x y z");
   check("words.xyz", "1 2 3\n4 five 6\n", ":2: ");

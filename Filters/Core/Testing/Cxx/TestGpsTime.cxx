@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosGpsTime.h"
 #include "vtkHeliosGpsTime.h"
 
 #include <catch2/catch.hpp>
@@ -67,7 +66,8 @@ TEST_CASE("GpsTime: other texts are refused with what is expected", "[GpsTime]")
     CHECK(vtkHeliosGpsTime::GetFault(text).find(
             "is not a time; give YYYY-MM-DD hh:mm:ss of UTC, or with a zone") == 0);
   }
-  for (const char* text : { "1980-01-06 00:00:00", "1979-01-01 00:00:00", "0", "-5", "gps:0", "1e12" })
+  for (const char* text :
+    { "1980-01-06 00:00:00", "1979-01-01 00:00:00", "0", "-5", "gps:0", "1e12" })
   {
     INFO(text);
     CHECK(vtkHeliosGpsTime::GetFault(text).find(

@@ -215,7 +215,8 @@ TEST_CASE("SurveyMotion: bad motions are errors", "[SurveyMotion]")
       { file, end,
         "\n<dmotion id=\"a\" loop=\"1\">" + up + "</dmotion><dmotion id=\"a\" loop=\"1\">" + up +
           "</dmotion>" + end,
-        { "scene.xml:4:76: a second <dmotion id=\"a\"> in one <part>; give each an id of its own" } },
+        { "scene.xml:4:76: a second <dmotion id=\"a\"> in one <part>; give each an id of its "
+          "own" } },
       { file, "<scene ", "<scene dynStep=\"0\" ", { "dynStep=\"0\" is out of range" } },
       { file, "<scene ", "<scene dynTimeStep=\"1.5\" ",
         { "dynTimeStep=\"1.5\" is out of range; give a number from 1e-09 to 1 [s]" } },

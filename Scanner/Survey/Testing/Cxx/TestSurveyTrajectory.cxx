@@ -374,8 +374,9 @@ TEST_CASE("SurveyTrajectory: wrong trajectories name array, row and value", "[Su
   fails("input trajectory 0, row 2: GpsTime is 0.25, before that of row 1, 0.5; sort the rows by "
         "GpsTime",
     [&](vtkPolyData* flight) { get(flight, names::GpsTime)->SetTuple1(2, 0.25); });
-  fails("input trajectory 0, row 2: GpsTime is 0.05, before that of row 1, 604799.95; a GPS week ends "
-        "there: add 604800 s to the rows from this one on",
+  fails(
+    "input trajectory 0, row 2: GpsTime is 0.05, before that of row 1, 604799.95; a GPS week ends "
+    "there: add 604800 s to the rows from this one on",
     [&](vtkPolyData* flight)
     {
       get(flight, names::GpsTime)->SetTuple1(1, 604799.95);

@@ -45,7 +45,8 @@ std::string Records(const std::vector<double>& times)
   std::string bytes;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    const std::array<double, 17> record{ times[i], 0.8 + 1e-7 * static_cast<double>(i), 0.1, 250.0 };
+    const std::array<double, 17> record{ times[i], 0.8 + 1e-7 * static_cast<double>(i), 0.1,
+      250.0 };
     bytes.append(reinterpret_cast<const char*>(record.data()), sizeof(record));
   }
   return bytes;
@@ -132,10 +133,11 @@ TEST_CASE("TrajectoryTimes: missing rows are a warning with row and length", "[T
   REQUIRE(reading.Read(Rows(times)));
   CHECK(reading.CountRows() == 200);
   CHECK(CountWarnings(reading) == 1);
-  CHECK(reading.Log->HasWarning(
-    "a.trj:101: rows are missing for 600 s, from 0.99 s to 600.99 s, where others are 0.01 s apart; "
-    "a leg over it scans on a straight line: end one leg before it and start the next one after it, "
-    "with tEnd and tStart"));
+  CHECK(reading.Log->HasWarning("a.trj:101: rows are missing for 600 s, from 0.99 s to 600.99 s, "
+                                "where others are 0.01 s apart; "
+                                "a leg over it scans on a straight line: end one leg before it and "
+                                "start the next one after it, "
+                                "with tEnd and tStart"));
 
   times.push_back(630.0);
   REQUIRE(reading.Read(Rows(times)));
@@ -154,12 +156,14 @@ TEST_CASE("TrajectoryTimes: times that are not seconds are refused", "[Trajector
   CHECK(reading.FailsWith(Rows(Steps(1.7e18, 5.12e6, 50)),
     "a.trj:1: time is 1.7e+18, which cannot be seconds: rows are 5.12e+06 apart; are the times "
     "nanoseconds? divide them by 1e9"));
-  CHECK(reading.FailsWith(Rows(Steps(0.0, 5e3, 50)), "are the times microseconds? divide them by 1e6"));
+  CHECK(
+    reading.FailsWith(Rows(Steps(0.0, 5e3, 50)), "are the times microseconds? divide them by 1e6"));
   CHECK(reading.FailsWith(Rows(Steps(1.7e12, 5.0, 50)),
     "a.trj:1: time is 1700000000000, which cannot be seconds: rows are 5 apart; are the times "
     "milliseconds? divide them by 1e3"));
   reading.Reader->SetFileFormat(vtkHeliosTrajectoryReader::SBET);
-  CHECK(reading.FailsWith(Records(Steps(0.0, 5e6, 50)), "a.trj, record 1 (byte 136): time is 5000000"));
+  CHECK(
+    reading.FailsWith(Records(Steps(0.0, 5e6, 50)), "a.trj, record 1 (byte 136): time is 5000000"));
   reading.Reader->SetFileFormat(vtkHeliosTrajectoryReader::COLUMNS);
 
   REQUIRE(reading.Read(Rows(Steps(0.0, 50.0, 50), 0.4)));
@@ -181,7 +185,8 @@ TEST_CASE("TrajectoryTimes: times of two clocks are refused", "[TrajectoryTimes]
   std::vector<double> times = Steps(345600.0, 0.01, 20);
   times.push_back(1.42e9);
   CHECK(reading.FailsWith(Rows(times),
-    "a.trj:21: time is 1420000000 s, 1.41965e+09 s after that of the row before, 345600.19 s: these "
+    "a.trj:21: time is 1420000000 s, 1.41965e+09 s after that of the row before, 345600.19 s: "
+    "these "
     "are times of two clocks, such as seconds of a GPS week and GPS time since 1980; give all rows "
     "times of one"));
 }
@@ -191,9 +196,9 @@ TEST_CASE("TrajectoryTimes: rows out of order are sorted with a warning", "[Traj
   Reading reading;
   REQUIRE(reading.Read(Rows({ 5.0, 6.0, 3.5, 4.0 })));
   CHECK(CountWarnings(reading) == 1);
-  CHECK(reading.Log->HasWarning(
-    "a.trj:3: time is 3.5 s, before that of the row before, 6 s; the rows are used in order of time: "
-    "sort them, and remove those of other flights"));
+  CHECK(reading.Log->HasWarning("a.trj:3: time is 3.5 s, before that of the row before, 6 s; the "
+                                "rows are used in order of time: "
+                                "sort them, and remove those of other flights"));
   CHECK(reading.GetTime(0) == 3.5);
   CHECK(reading.GetPosition(0)[0] == 2.0);
 }

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios import _endings, cli, formats
+from vtkhelios import cli, formats
+from vtkhelios.formats import _endings
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 SQUARE = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n"
 
 

@@ -148,7 +148,8 @@ TimeFinding FindGaps(const TimedRows& rows, double usual)
       return { i,
         "time is " + Print(rows.GetTime(i)) + " s, " + PrintBriefly(step) +
           " s after that of the row before, " + Print(rows.GetTime(i - 1)) +
-          " s: these are times of two clocks, such as seconds of a GPS week and GPS time since 1980; "
+          " s: these are times of two clocks, such as seconds of a GPS week and GPS time since "
+          "1980; "
           "give all rows times of one",
         true };
     }

@@ -6,7 +6,7 @@ Points are those of vtkhelios.formats.FORMATS, where an ending is added; meshes 
 loaders (heliosXmlFilter.cxx); the viewer's own are those of heliosCloudReader.cxx.
 """
 
-from ._paths import to_vtk
+from .._paths import to_vtk
 
 DOCUMENTS = (".xml",)
 
@@ -31,9 +31,9 @@ def _dialect():
 
 def points():
     """The endings of points, the longest first."""
-    from . import formats
+    from . import FORMATS
 
-    return tuple(formats.FORMATS)
+    return tuple(FORMATS)
 
 
 def meshes():
@@ -75,17 +75,17 @@ def explain_no_points(path):
 
 def describe(ending):
     """What the commands do with an ending, in the order of COMMANDS; empty: nothing."""
-    from . import formats
+    from . import FORMATS
 
     uses = dict.fromkeys(COMMANDS, "")
-    if ending in formats.FORMATS:
+    if ending in FORMATS:
         uses |= {"info": "points", "convert from": "points", "compare": "points"}
-        uses["convert to"] = "points" if formats.FORMATS[ending][2] else ""
+        uses["convert to"] = "points" if FORMATS[ending][2] else ""
         uses["view"] = "points"
     if ending in IN_VIEWER:
         uses["view"] = "points"
     if loader := _dialect().FindLoader("a" + ending):
-        kind = "with faces: mesh" if ending in formats.FORMATS else "mesh"
+        kind = "with faces: mesh" if ending in FORMATS else "mesh"
         for command in ("info", "plan", "view"):
             uses[command] = ", ".join(filter(None, (uses[command], kind)))
         uses["convert from"] = ", ".join(filter(None, (uses["convert from"], f"{kind}, to .obj")))
