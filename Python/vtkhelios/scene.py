@@ -158,7 +158,7 @@ class Scene:
 
     @classmethod
     def read(cls, path, **properties):
-        """Reads a mesh: .obj, .tif, .ply, .stl, .gltf, .glb or .json (CityJSON).
+        """Reads a mesh: .obj, .tif, .ply, .stl, .gltf, .glb, .json or .jsonl (CityJSON).
 
         Properties are those of the reader of the file, such as vtkHeliosCityJSONReader:
 

@@ -33,7 +33,7 @@ constexpr const char* ReadExtensions[] = { "EXT_mesh_gpu_instancing", "KHR_mesh_
 /// Words of extensions that change nothing of the default scene's triangles, of any vendor: looks,
 /// data about objects, behaviour.
 constexpr const char* HarmlessWords[] = { "_material", "_texture", "_light", "_xmp", "metadata",
-  "feature", "_audio", "animation", "interactiv", "physics", "rigid", "collider", "_shapes",
+  "feature", "_audio", "animation", "interactivity", "physics", "rigid", "collider", "_shapes",
   "outline", "_lod", "packing", "image", "environment", "_sky", "annotation", "selectab", "hover",
   "license", "blend", "technique", "ngon", "manifold", "_bim", "VRM", "camera", "articulation" };
 

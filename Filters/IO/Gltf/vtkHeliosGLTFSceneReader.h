@@ -14,12 +14,14 @@
  *   only a start for the wavelength of a laser. Others have the default reflectance.
  *
  * Positions may be integers (KHR_mesh_quantization), accessors sparse. Nodes that share a mesh are
- * copies. Skins, animations and morph targets are not applied.
+ * copies. Nodes hidden by KHR_node_visibility are left out; morph targets have the default weights of
+ * the node or mesh. Skins and animations are not applied.
  *
  * Errors, without output: text that is not JSON, another version, an extension that is required and
- * not read (compression), an index out of range, bytes that do not fit into their buffer, a vertex or
+ * may change the geometry (compression), an index out of range, bytes that do not fit into their buffer, a vertex or
  * node that is not finite, a node with two parents. Messages name the file and the JSON path of the
- * value: "a.glb: meshes[0].primitives[1].indices: ...". Warning: skins.
+ * value: "a.glb: meshes[0].primitives[1].indices: ...". Warnings: skins, materials whose textures are
+ * transparent (alphaMode), which are scanned as opaque.
  *
  * @sa
  * vtkHeliosSceneReader vtkHeliosMaterialReader

@@ -130,7 +130,7 @@ public:
       do
       {
         rings.back().emplace_back(at.first, at.second);
-        at = TakeSide(at, step, turnsLeft, sides);
+        at = RemoveSide(at, step, turnsLeft, sides);
       } while (at != start);
     }
     // The longest way round is the boundary, as it has the largest box.
@@ -189,7 +189,7 @@ private:
     this->Has(x - 1, y) ? sides.end() : sides.insert({ { x, y + 1 }, { x, y } });
   }
 
-  static Corner TakeSide(
+  static Corner RemoveSide(
     const Corner& at, Corner& step, bool turnsLeft, std::multimap<Corner, Corner>& sides)
   {
     auto [chosen, end] = sides.equal_range(at);
