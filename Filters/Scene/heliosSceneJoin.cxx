@@ -6,15 +6,19 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace names = vtkHeliosArrayNames;
 
@@ -42,6 +46,34 @@ vtkDataArray* FindCellArray(vtkPolyData* part, const char* name, int components)
   const bool fits = isReal && array->GetNumberOfComponents() == components &&
     array->GetNumberOfTuples() == part->GetNumberOfPolys();
   return fits ? array : nullptr;
+}
+
+/// Sets the ids of the triangles of one mesh, from a place on, and adds the names of its objects.
+void SplitPart(vtkPolyData* mesh, vtkIntArray* ids, vtkIdType first, vtkStringArray* all)
+{
+  auto* own = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray(names::PartIds));
+  auto* given =
+    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(names::PartName));
+  if (!own || !given)
+  {
+    return;
+  }
+  std::map<int, int> numbers; // of objects with triangles, in the scene
+  for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
+  {
+    numbers[own->GetValue(i)] = 0;
+  }
+  for (auto& [object, number] : numbers)
+  {
+    const bool isNamed = object >= 0 && object < given->GetNumberOfValues();
+    number = static_cast<int>(
+      all->InsertNextValue(isNamed ? given->GetValue(object) : std::to_string(object)));
+  }
+  const vtkIdType count = std::min(own->GetNumberOfValues(), mesh->GetNumberOfPolys());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ids->SetValue(first + i, numbers.at(own->GetValue(i)));
+  }
 }
 
 } // namespace
@@ -173,6 +205,27 @@ vtkSmartPointer<vtkFloatArray> JoinCellArrays(
     first += part ? part->GetNumberOfPolys() : 0;
   }
   return joined;
+}
+
+//------------------------------------------------------------------------------
+void SplitParts(const PartList& parts, const std::vector<bool>& areSplit, vtkPolyData* scene)
+{
+  auto* ids = vtkIntArray::SafeDownCast(scene->GetCellData()->GetArray(names::PartIds));
+  auto* given =
+    vtkStringArray::SafeDownCast(scene->GetFieldData()->GetAbstractArray(names::PartName));
+  if (!ids || !given)
+  {
+    return;
+  }
+  vtkIdType first = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (parts[i] && i < areSplit.size() && areSplit[i])
+    {
+      SplitPart(parts[i], ids, first, given);
+    }
+    first += parts[i] ? parts[i]->GetNumberOfPolys() : 0;
+  }
 }
 
 } // namespace helios

@@ -41,6 +41,13 @@ vtkSmartPointer<vtkFloatArray> JoinCellArrays(
 /// The connection of every triangle.
 vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts);
 
+/**
+ * Numbers the objects of connections that are split after all other parts: their PartIds, with their
+ * Part.Name. The scene has the triangles of the connections in their order, with PartIds, and
+ * Part.Name in its field data.
+ */
+void SplitParts(const PartList& parts, const std::vector<bool>& areSplit, vtkPolyData* scene);
+
 } // namespace helios
 
 #endif

@@ -5,7 +5,6 @@
 #include "heliosCoordinateSystem.h"
 #include "heliosInstanceParts.h"
 #include "heliosMaterialTable.h"
-#include "heliosObjectParts.h"
 #include "heliosPartMaterials.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
