@@ -50,10 +50,10 @@ bool IsSigned(vtkDataArray* array)
   }
 }
 
-/// Whether helios::PointEcho defines the field as float.
+/// Whether PCL or helios::PointEcho defines the field as float.
 bool IsFloatField(const std::string& name)
 {
-  return name == names::EchoWidth;
+  return name == names::EchoWidth || name == "intensity";
 }
 
 bool IsScalar(vtkDataArray* array, const char* name)

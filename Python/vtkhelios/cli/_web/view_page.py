@@ -26,8 +26,8 @@ values and waveform of a picked point, distances. See Docs/viewer.md.
 """
 
 EPILOG = f"""\
-the cloud: a file (.xyz .las .laz .copc.laz .vtp .pvtp .ply .pcd .e57), the folder of a run, or a survey
-(.xml), which is run in memory. Of more than --points points a sample is taken.
+the cloud: a file (.xyz .csv .txt .asc .pts .ptx .las .laz .copc.laz .vtp .pvtp .ply .pcd .e57), the
+folder of a run, or a survey (.xml), which is run in memory. Of more than --points points a sample is taken.
 
 examples:
   vtkhelios view output/village --html village.html

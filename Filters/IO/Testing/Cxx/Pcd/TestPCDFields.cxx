@@ -233,6 +233,19 @@ TEST_CASE("PCDFields: a resolution decides on the type of coordinates", "[PCDFie
   CHECK(log->HasWarning("off, more than half of the Resolution 0.001, which the first block kept"));
 }
 
+TEST_CASE("PCDFields: intensities that are not of 16 bits are PCL's, too", "[PCDFields]")
+{
+  Files files;
+  const auto cloud = helios::MakeEchoes(5);
+  cloud->GetPointData()->RemoveArray(names::Amplitude);
+  helios::AddColumn<vtkDoubleArray>(cloud->GetPointData(), "intensity", 5,
+    [](vtkIdType i) { return -0.5 * static_cast<double>(i); });
+  REQUIRE(files.Write(cloud));
+  REQUIRE(files.Reading.Read());
+  CHECK(files.Reading.Get(names::Intensity)->GetDataType() == VTK_FLOAT);
+  CHECK(files.Reading.Get(names::Intensity)->GetTuple1(3) == -1.5);
+}
+
 TEST_CASE("PCDFields: colours finer than 8 bits are a further field", "[PCDFields]")
 {
   Files files;
