@@ -8,7 +8,8 @@
  *
  * Output 0 is a vtkPolyData, one polyline (a vertex for a single row) through the rows in order of
  * time, with the point arrays
- * - GpsTime [s] as in the file;
+ * - GpsTime [s] as in the file, continued over the end of a GPS week (604,800 s) or day (86,400 s)
+ *   with a warning;
  * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y
  *   forward, z up), with a consistent sign from row to row,
  * and, for SBET, the field data CRS and, unless all are 0,
@@ -58,6 +59,10 @@
  * further columns that are not read, t in nanoseconds (GpsTime is a double, exact to 0.25 us for
  * Unix times). The quaternion transforms the body, with the axes of BodyFrame, to the world; it is
  * normalized.
+ *
+ * Missing rows, 50 times the usual step and more than 1 s, and steps as of milliseconds are warnings;
+ * times that cannot be seconds and times of two clocks are errors. Rows of COLUMNS that are not in
+ * order are sorted, with a warning.
  *
  * Errors of SBET (with record and byte), TUM and EuRoC (with file:line): a file that does not end
  * with a whole record, numbers that are not finite, latitudes and longitudes out of range, times

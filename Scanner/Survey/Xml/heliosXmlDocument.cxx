@@ -202,12 +202,21 @@ bool XmlDocument::CheckRoot()
 /// Finds elements whose lines do not tell them apart, and duplicate attributes.
 void XmlDocument::CheckElements()
 {
-  std::set<std::pair<std::size_t, std::string>> names;
+  std::set<std::string> names; // of the elements of a line
+  std::size_t line = 0;
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
   {
+    if (node.type() != pugi::node_element)
+    {
+      continue;
+    }
     const std::ptrdiff_t offset = node.offset_debug();
-    const bool isElement = node.type() == pugi::node_element;
-    if (isElement && !names.emplace(this->FindLine(offset), node.name()).second)
+    if (const std::size_t its = this->FindLine(offset); its != line)
+    {
+      line = its;
+      names.clear();
+    }
+    if (!names.insert(node.name()).second)
     {
       this->Repeated.push_back(offset);
     }
