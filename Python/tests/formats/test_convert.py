@@ -439,7 +439,7 @@ def test_lost_fields_are_reported(small_runs, convert, tmp_path):
     lost = [line for line in out.splitlines() if line.startswith("dropped")]
     assert "Range, " in lost[0] and "text has no column for it" in lost[0]
     assert any("CRS" in line and "text has no header" in line for line in lost)
-    _, out, _ = convert(small_runs["vtp"], tmp_path / "a.las")
+    _, out, _ = convert(small_runs["vtp"], tmp_path / "a.ply")
     assert "dropped  Material.Name, Part.Name: points keep the numbers" in out
 
 

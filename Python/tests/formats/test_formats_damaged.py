@@ -105,6 +105,7 @@ def test_damaged_laszip_records(laz):
     whole = path.read_bytes()
     record = whole.find(b"laszip encoded") - 2 + 54
     for place, form, value, message in (
+        (record, "<H", 1, "is compressed without chunks, by LASzip before version 2, which lazrs"),
         (record, "<H", 9, r"it has compressor 9 of \d items, which cannot be read"),
         (record, "<H", 2, r"it has an item of type 10 with 30 bytes, which cannot be read"),
         (

@@ -16,7 +16,7 @@ HEADER_BYTES = 393  # of LAS 1.5, the longest
 LASZIP = (b"laszip encoded", 22204)
 TABLE_AT_END = -1  # the last 8 bytes of the file hold the chunk table offset
 VARIABLE = 2**32 - 1  # the chunk size of variable chunks
-LAYERED = 3  # a compressor
+POINTWISE, LAYERED = 1, 3  # compressors
 POINTS_A_BYTE = 100  # of compressed points, maximum
 FEW = 1_000_000  # points allowed in any file
 
@@ -29,6 +29,10 @@ ITEMS = {
 
 class Damage(Exception):
     """An error in a file."""
+
+
+class Unsupported(Exception):
+    """A valid file that cannot be read; the message has the remedy."""
 
 
 def check_header(start, size):
@@ -93,6 +97,11 @@ def _check_items(data, width):
     if len(data) < 34:
         raise Damage("its header record of LASzip is cut off")
     compressor, items = struct.unpack_from("<H", data)[0], struct.unpack_from("<H", data, 32)[0]
+    if compressor == POINTWISE:
+        raise Unsupported(
+            "is compressed without chunks, by LASzip before version 2, which lazrs cannot read; "
+            "decompress it to LAS with laszip, and give that"
+        )
     if compressor not in (2, LAYERED) or len(data) < 34 + 6 * items:
         raise Damage(f"it has compressor {compressor} of {items} items, which cannot be read")
     total = layers = 0

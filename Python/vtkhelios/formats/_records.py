@@ -12,7 +12,7 @@ import numpy as np
 
 from .._run_files import PART
 from ._base import ROWS, FormatError, check_file, is_failure, need
-from ._las_check import HEADER_BYTES, Damage, check_header, check_points
+from ._las_check import HEADER_BYTES, Damage, Unsupported, check_header, check_points
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
 NOT_KEPT = (b"laszip encoded", b"copc")  # users of the point compression records
@@ -165,6 +165,8 @@ class RecordReader:
         total = self.header.point_count
         try:
             check_points(self.path, self._reader.header, self._size)
+        except Unsupported as error:
+            self.fail(str(error))
         except BaseException as error:
             if not is_failure(error):
                 raise
