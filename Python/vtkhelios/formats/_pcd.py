@@ -65,5 +65,5 @@ class PcdWriter(StreamWriter):
             "coordinates are stored as floats relative to an origin"
             if self.stream.GetHasFloatPoints()
             else "coordinates are stored in 64 bits, since floats are too coarse: PCL's own point "
-            "types do not have them"
+            "types do not have them, and open3d.io (not open3d.t.io) reads 0"
         )
