@@ -6,8 +6,8 @@
     build/venv/bin/python Testing/Integration/format_matrix.py --write  writes them to Docs/files.md
 
 Other readers and writers: laspy, copclib, pye57, plyfile, VTK's own XML, and numpy for text and PCD.
-A cell states the largest error of an attribute that is not exact; a dash: the format, or the program,
-does not store it. To add an attribute: a column in COLUMNS, its values in make(), and what the readers
+A cell states the largest error of an attribute that is not exact, of coordinates in metres; a dash: the
+format, or the program, does not store it. To add an attribute: a column in COLUMNS, its values in make(), and what the readers
 and writers make of it.
 """
 
@@ -25,10 +25,16 @@ BEGIN, END = "<!-- begin: format_matrix.py -->", "<!-- end: format_matrix.py -->
 COUNT = 1000
 EPOCH = 1.4e9  # [s] of GPS time
 NAMES = ["ground", "house", "tree"]
+SURVEY_FOOT, DEGREE = 1200 / 3937, 111195.0  # [m]
 COLUMNS = {
-    "points": "coordinates [m]", "rgb8": "colours of 8 bits", "rgb16": "colours of 16 bits",
+    "points": "coordinates [m]", "feet": "[us-ft]", "degrees": "[deg]", "rgb8": "colours of 8 bits", "rgb16": "colours of 16 bits",
     "times": "GPS times [s]", "returns": "returns", "classes": "classes", "names": "names",
 }  # fmt: skip
+SYSTEMS = {  # by column: the system, its units [m], and the steps of the coordinates
+    "points": ("EPSG:25832", (1.0, 1.0, 1.0), (1e-4, 1e-4, 1e-4)),
+    "feet": ("EPSG:2263", (SURVEY_FOOT,) * 3, (1e-4, 1e-4, 1e-4)),
+    "degrees": ("EPSG:4326", (DEGREE, DEGREE, 1.0), (1e-9, 1e-9, 1e-4)),
+}
 
 
 def make():
@@ -46,12 +52,23 @@ def make():
     }
 
 
+def move(truth, column):
+    """The truth with coordinates in the system of a column, near their first ones."""
+    crs, units, steps = SYSTEMS[column]
+    origin = {"points": [476000, 5473000, 110], "feet": [984000, 200000, 0]}
+    points = (truth["points"] - origin["points"]) / units + origin.get(column, [8.7, 49.4, 110])
+    points = points if column != "points" else truth["points"]
+    digits = np.rint(-np.log10(steps)).astype(int)
+    points = np.column_stack([np.round(points[:, i], digits[i]) for i in range(3)])
+    return truth | {"points": points, "crs": crs, "steps": steps, "units": np.array(units)}
+
+
 # Written here.
 
 
 def write(path, truth, colours):
     header = formats.Header()
-    header.crs, header.epoch = "EPSG:25832", EPOCH
+    header.crs, header.epoch = truth["crs"], EPOCH
     header.part_names = truth["names"]
     header.set_texts(MATERIAL_NAME, truth["names"])
     chunk = {
@@ -175,11 +192,13 @@ def read_pcd(path):
     begin = data.index(b"DATA binary\n") + len(b"DATA binary\n")
     head = [line.split() for line in data[:begin].decode().splitlines()]
     rows = {line[0]: line[1:] for line in head}
-    origin = next(line[3:] for line in head if line[:3] == ["#", "vtkHelios", "origin:"])
+    origins = [line[3:] for line in head if line[:3] == ["#", "vtkHelios", "origin:"]]
+    origin = origins[0] if origins else [0, 0, 0]  # of floats only
     kinds = zip(rows["FIELDS"], rows["TYPE"], rows["SIZE"], map(int, rows["COUNT"]))
     dtype = [(name, f"({count},){kind.lower()}{size}") for name, kind, size, count in kinds]
     table = np.frombuffer(data, np.dtype(dtype), COUNT, begin)
     xyz = np.column_stack([table[name] for name in "xyz"]).astype(float)
+    classes = "label" if "label" in table.dtype.names else "ClassificationIds"
     if "rgb" in table.dtype.names:
         packed = table["rgb"].view(np.uint32).ravel()
         rgb = np.column_stack([packed >> shift & 255 for shift in (16, 8, 0)]) / 255
@@ -190,7 +209,7 @@ def read_pcd(path):
         "rgb": rgb,
         "times": table["GpsTime"].ravel() + EPOCH,
         "returns": np.column_stack([table["ReturnNumber"], table["NumberOfReturns"]]),
-        "classes": table["ClassificationIds"].ravel(),
+        "classes": table[classes].ravel(),
     }
 
 
@@ -216,7 +235,7 @@ def write_las(path, truth, colours):
 
     short = colours == "rgb8"
     header = laspy.LasHeader(version="1.2" if short else "1.4", point_format=3 if short else 7)
-    header.scales, header.offsets = [0.0001] * 3, [476000, 5473000, 0]
+    header.scales, header.offsets = truth["steps"], np.rint(truth["points"][0])
     header.global_encoding.gps_time_type = laspy.header.GpsTimeType.STANDARD
     las = laspy.LasData(header)
     las.xyz = truth["points"]
@@ -294,7 +313,7 @@ def write_vtp(path, truth, colours):
 
 
 def write_text(path, truth, colours):
-    np.savetxt(path, truth["points"], fmt="%.4f")
+    np.savetxt(path, truth["points"], fmt="%.9f")
 
 
 WRITERS = {
@@ -328,6 +347,8 @@ def read(path):
 
 def judge(column, truth, found):
     """A cell: exact, the largest error, or a dash."""
+    if column in SYSTEMS:
+        return judge_points(truth, found["points"])
     values = found.get("rgb" if column.startswith("rgb") else column)
     if values is None:
         return "–"
@@ -336,10 +357,28 @@ def judge(column, truth, found):
     error = float(np.abs(np.asarray(values, float) - truth[column]).max())
     if column.startswith("rgb"):
         return "exact" if error < 1e-6 else "8 bits" if error < 0.5 / 255 + 1e-6 else "wrong"
-    limits = {"points": 5e-9, "times": 5e-7}  # of double precision
+    limits = {"times": 5e-7}  # of double precision
     if error <= limits.get(column, 0.0):
         return "exact"
     return f"{error:.0e}" if column in limits and error < 1 else "wrong"
+
+
+def judge_points(truth, points):
+    """The largest error [m]; metres of feet are told."""
+    is_metric = np.allclose(points, truth["points"] * truth["units"], atol=0.01)
+    if truth["crs"] == SYSTEMS["feet"][0] and is_metric:
+        return "as metres"
+    error = float((np.abs(points - truth["points"]) * truth["units"]).max())
+    return "exact" if error < 1e-6 else f"{error:.0e}" if error < 1 else "wrong"
+
+
+def convert_one(ending, program, truth, colours, convert):
+    """What comes back of a file, or None if it is refused."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            return convert(pathlib.Path(folder) / f"a.{ending}", program, truth, colours)
+        except formats.FormatError:
+            return None
 
 
 def make_rows(programs, convert):
@@ -347,11 +386,15 @@ def make_rows(programs, convert):
     truth = make()
     for ending, (program, name) in programs.items():
         cells = {}
+        metres = move(truth, "points")
         for colours in ("rgb8", "rgb16"):
-            with tempfile.TemporaryDirectory() as folder:
-                found = convert(pathlib.Path(folder) / f"a.{ending}", program, truth, colours)
-            columns = [colours] if cells else [*COLUMNS]
-            cells |= {each: judge(each, truth, found) for each in columns}
+            found = convert_one(ending, program, metres, colours, convert)
+            columns = [colours] if cells else [each for each in COLUMNS if each != "rgb16"]
+            cells |= {each: judge(each, metres, found) for each in columns}
+        for column in ("feet", "degrees"):
+            moved = move(truth, column)
+            found = convert_one(ending, program, moved, "rgb8", convert)
+            cells[column] = "refused" if found is None else judge(column, moved, found)
         yield [f"`.{ending}`", name, *(cells[column] for column in COLUMNS)]
 
 

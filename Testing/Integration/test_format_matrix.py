@@ -21,12 +21,17 @@ def test_the_document_has_the_tables():
 
 
 def test_wrong_values_are_found():
-    truth = format_matrix.make()
+    truth = format_matrix.move(format_matrix.make(), "points")
     found = {"points": truth["points"] + [0, 0, 0.01], "rgb": 0.5 * truth["rgb8"],
              "times": truth["times"] + 2.0, "classes": truth["classes"] + 1,
              "returns": truth["returns"][:, ::-1], "names": ["house", "ground", "tree"]}  # fmt: skip
-    cells = {column: format_matrix.judge(column, truth, found) for column in format_matrix.COLUMNS}
+    columns = [each for each in format_matrix.COLUMNS if each not in ("feet", "degrees")]
+    cells = {column: format_matrix.judge(column, truth, found) for column in columns}
     assert cells.pop("points") == "1e-02"
+    feet = format_matrix.move(truth, "feet")
+    metres = {"points": feet["points"] * format_matrix.SURVEY_FOOT}
+    assert format_matrix.judge("feet", feet, metres) == "as metres"
+    assert format_matrix.judge("feet", feet, {"points": feet["points"] + 10}) == "wrong"
     assert set(cells.values()) == {"wrong"}
     assert format_matrix.judge("classes", truth, {}) == "–"
     assert (
