@@ -10,8 +10,8 @@
  *
  * Polygons are triangulated like those of files: as a fan about the first corner if that covers them
  * once, as of convex ones, else by a constrained Delaunay triangulation. They may be concave, not
- * quite plane, touch themselves in vertices, and have holes that a side leads to and back, which
- * vtkTriangleFilter of VTK 9.1 fills. Their area is kept to rounding, also far from the origin.
+ * quite plane, touch themselves in vertices, and have holes that a side leads to and back:
+ * vtkTriangleFilter drops those. Their area is kept to rounding, also far from the origin.
  *
  * Warning: polygons whose sides cross. Error: more than 2^31 - 1 points.
  *
