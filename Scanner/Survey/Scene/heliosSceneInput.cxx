@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> MakeTriangles(
     return surface; // with its instances
   }
   vtkNew<vtkHeliosTriangulate> filter;
-  log.Listen(filter.Get(), name + ": ");
+  log.Listen(filter.Get(), name);
   return Pass(filter.Get(), surface);
 }
 

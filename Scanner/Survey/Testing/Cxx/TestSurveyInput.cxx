@@ -8,6 +8,7 @@
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkAppendFilter.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -295,4 +296,21 @@ TEST_CASE("SurveyInput: a player writes the echoes of its source", "[SurveyInput
   CHECK_FALSE(player->Run());
   CHECK(
     log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
+}
+
+TEST_CASE("SurveyInput: polygons that cross are a warning with the input", "[SurveyInput]")
+{
+  Bench bench;
+  const auto plane = MakePlane(1.0);
+  plane->Update();
+  vtkNew<vtkPolyData> crossed;
+  crossed->ShallowCopy(plane->GetOutput());
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 3, 2 });
+  polys->InsertNextCell({ 0, 1, 2, 3 }); // a bow tie
+  crossed->SetPolys(polys);
+  bench.Source->SetInputData(0, crossed);
+  CHECK(bench.FindHeight() == Approx(1.0));
+  INFO(bench.Log->Warnings);
+  CHECK(bench.Log->HasWarning("the input scene: The sides of polygon 1 cross, so its triangles"));
 }
