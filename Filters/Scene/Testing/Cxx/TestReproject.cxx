@@ -420,11 +420,11 @@ TEST_CASE("Reproject: heights in feet become metres with x and y", "[Reproject]"
                     "give the system with a vertical part, or SourceHeightUnit (metres: 1)"));
   reproject->SetSourceHeightUnit(1.0);
   CHECK(getHeight() == Approx(100.0).epsilon(1e-12));
-  CHECK(log->Warnings == "");
+  CHECK_FALSE(log->HasWarning("the unit of heights"));
   reproject->SetSourceHeightUnit(0.0);
   reproject->SetSourceCRS("EPSG:2263+6360");
   CHECK(getHeight() == Approx(100.0 * foot).epsilon(1e-12));
-  CHECK(log->Warnings == "");
+  CHECK_FALSE(log->HasWarning("the unit of heights"));
   reproject->SetSourceCRS("ENU 40 -74 0");
   reproject->SetSourceHeightUnit(0.3048);
   reproject->Update();
