@@ -32,8 +32,9 @@ const std::map<std::string, std::string> Values = { { "beamDivergenceMinor_rad",
   { "binSize_ns", "0.5" }, { "optics", "conic" }, { "opticsWarmupPhase_s", "0.5" },
   { "min", "-5.5" }, { "clipMin", "-5.5" }, { "expr", "0.001 * THETA" },
   { "distanceMeasurementError", "1 + 0.01 * t" }, { "seed", "40" },
-  { "interpolationDomain", "position" }, { "pulseShape", "helios" }, { "trajectory", __FILE__ },
-  { "matfile", __FILE__ }, { "ladlut", __FILE__ }, { "weather", "fog 0.5" } };
+  { "gpsStartTime", "gps:1400000000" }, { "interpolationDomain", "position" },
+  { "pulseShape", "helios" }, { "trajectory", __FILE__ }, { "matfile", __FILE__ },
+  { "ladlut", __FILE__ }, { "weather", "fog 0.5" } };
 
 const XmlValueRule& FindRule(const std::string& element, const std::string& name)
 {

@@ -140,6 +140,7 @@ std::string MakeValue(const XmlValueRule& rule)
     : name == "pulseShape"             ? "helios"
     : name == "efilepath"              ? "pl.*[.]obj"
     : name == "weather"                ? "fog 0.5"
+    : name == "gpsStartTime"           ? "gps:1400000000"
     : name == "seed"                   ? "40"
     : name == "expr" || name == "distanceMeasurementError" ? "0.5"
                                                            : "plane.obj";
