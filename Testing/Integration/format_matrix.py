@@ -345,10 +345,10 @@ def read(path):
 # The tables.
 
 
-def judge(column, truth, found):
+def classify(column, truth, found):
     """A cell: exact, the largest error, or a dash."""
     if column in SYSTEMS:
-        return judge_points(truth, found["points"])
+        return classify_points(truth, found["points"])
     values = found.get("rgb" if column.startswith("rgb") else column)
     if values is None:
         return "–"
@@ -363,7 +363,7 @@ def judge(column, truth, found):
     return f"{error:.0e}" if column in limits and error < 1 else "wrong"
 
 
-def judge_points(truth, points):
+def classify_points(truth, points):
     """The largest error [m]; metres of feet are told."""
     is_metric = np.allclose(points, truth["points"] * truth["units"], atol=0.01)
     if truth["crs"] == SYSTEMS["feet"][0] and is_metric:
@@ -390,11 +390,11 @@ def make_rows(programs, convert):
         for colours in ("rgb8", "rgb16"):
             found = convert_one(ending, program, metres, colours, convert)
             columns = [colours] if cells else [each for each in COLUMNS if each != "rgb16"]
-            cells |= {each: judge(each, metres, found) for each in columns}
+            cells |= {each: classify(each, metres, found) for each in columns}
         for column in ("feet", "degrees"):
             moved = move(truth, column)
             found = convert_one(ending, program, moved, "rgb8", convert)
-            cells[column] = "refused" if found is None else judge(column, moved, found)
+            cells[column] = "refused" if found is None else classify(column, moved, found)
         yield [f"`.{ending}`", name, *(cells[column] for column in COLUMNS)]
 
 

@@ -26,15 +26,15 @@ def test_wrong_values_are_found():
              "times": truth["times"] + 2.0, "classes": truth["classes"] + 1,
              "returns": truth["returns"][:, ::-1], "names": ["house", "ground", "tree"]}  # fmt: skip
     columns = [each for each in format_matrix.COLUMNS if each not in ("feet", "degrees")]
-    cells = {column: format_matrix.judge(column, truth, found) for column in columns}
+    cells = {column: format_matrix.classify(column, truth, found) for column in columns}
     assert cells.pop("points") == "1e-02"
     feet = format_matrix.move(truth, "feet")
     metres = {"points": feet["points"] * format_matrix.SURVEY_FOOT}
-    assert format_matrix.judge("feet", feet, metres) == "as metres"
-    assert format_matrix.judge("feet", feet, {"points": feet["points"] + 10}) == "wrong"
+    assert format_matrix.classify("feet", feet, metres) == "as metres"
+    assert format_matrix.classify("feet", feet, {"points": feet["points"] + 10}) == "wrong"
     assert set(cells.values()) == {"wrong"}
-    assert format_matrix.judge("classes", truth, {}) == "–"
+    assert format_matrix.classify("classes", truth, {}) == "–"
     assert (
-        format_matrix.judge("rgb16", truth, {"rgb": np.rint(truth["rgb16"] * 255) / 255})
+        format_matrix.classify("rgb16", truth, {"rgb": np.rint(truth["rgb16"] * 255) / 255})
         == "8 bits"
     )

@@ -178,6 +178,17 @@ def test_unlike_extra_bytes_are_merged(tmp_path, convert):
     assert "b.las: has not all arrays of the others; its points get 0 for Count" in text
 
 
+def test_points_without_amplitudes_are_kept_in_text(tmp_path, convert):
+    """Its writer drops points with numbers that are not finite."""
+    write(tmp_path / "a.ply", make_chunk(5), formats.Header())
+    write_las(tmp_path / "b.las")
+    code, said = convert(tmp_path / "a.ply", tmp_path / "b.las", tmp_path / "c.xyz", "--merge")
+    _, back = read(tmp_path / "c.xyz")
+    assert code == 0 and len(back["points"]) == 15
+    assert back["Amplitude"][5:].tolist() == [0.0] * 10
+    assert "b.las: has not all arrays of the others; its points get 0 for Amplitude" in said.err
+
+
 def test_arrays_of_unlike_components_are_an_error(tmp_path, convert):
     points = {"points": np.zeros((2, 3))}
     write(tmp_path / "a.ply", {**points, "Echo": np.zeros(2)}, formats.Header())

@@ -210,6 +210,11 @@ class Conversion:
         """Whether the output holds scans with unlike arrays."""
         return formats.ending(self.output) == ".e57"
 
+    @property
+    def _missing(self):
+        """The value of floats that points of other inputs have; text has no points with NaN."""
+        return 0.0 if formats.ending(self.output) == ".xyz" else float("nan")
+
     def _find_layouts(self):
         """The arrays of every input, by the path; empty for one input."""
         layouts = {}
@@ -225,8 +230,9 @@ class Conversion:
         if self._keeps_scans or not layouts:
             return None
         union = join_layouts(layouts.items())
-        notes = (explain_missing(path, layout, union) for path, layout in layouts.items())
-        self.notes += filter(None, notes)
+        for path, layout in layouts.items():
+            if note := explain_missing(path, layout, union, self._missing):
+                self.notes.append(note)
         return union
 
     def _find_shift(self, reader, header):
@@ -250,7 +256,7 @@ class Conversion:
             if rows_of(chunk):
                 chunk = renumber(chunk, numbers) if numbers else chunk
                 chunk = move(chunk) if move else chunk
-                writer.write(chunk if union is None else fill(chunk, union))
+                writer.write(chunk if union is None else fill(chunk, union, self._missing))
             self.count += rows_of(chunk)
             count += total
             task.advance(total)

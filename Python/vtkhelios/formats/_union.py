@@ -23,9 +23,9 @@ def layout_of(chunk):
     }
 
 
-def missing_value(name, dtype):
-    """The value of points without this array."""
-    value = MISSING.get(name, np.nan if dtype.kind == "f" else 0)
+def missing_value(name, dtype, number=np.nan):
+    """The value of points without this array; a number for those of floats."""
+    value = MISSING.get(name, number if dtype.kind == "f" else 0)
     return value if dtype.kind != "u" or value >= 0 else 0
 
 
@@ -54,7 +54,7 @@ def _common_type(one, other):
     return np.result_type(one, other)
 
 
-def fill(chunk, union):
+def fill(chunk, union, number=np.nan):
     """A chunk with all arrays of a union, in its order."""
     count = rows_of(chunk)
     filled = {}
@@ -62,7 +62,7 @@ def fill(chunk, union):
         values = chunk.get(name)
         if values is None:
             shape = (count, components) if components else count
-            filled[name] = np.full(shape, missing_value(name, dtype), dtype)
+            filled[name] = np.full(shape, missing_value(name, dtype, number), dtype)
         elif name == RGB and values.dtype.kind in "iu" and dtype.kind == "f":
             filled[name] = (values / np.iinfo(values.dtype).max).astype(dtype)
         else:
@@ -70,12 +70,12 @@ def fill(chunk, union):
     return filled
 
 
-def explain_missing(owner, layout, union):
+def explain_missing(owner, layout, union, number=np.nan):
     """A note on the arrays that a file (or scan) does not have, or None."""
     values = {}
     for name in sorted(union.keys() - layout.keys()):
-        value = missing_value(name, union[name][0])
-        values.setdefault("NaN" if value != value else str(value), []).append(name)
+        value = missing_value(name, union[name][0], number)
+        values.setdefault("NaN" if value != value else f"{value:g}", []).append(name)
     if not values:
         return None
     words = "; ".join(f"{value} for {', '.join(names)}" for value, names in values.items())
