@@ -7,6 +7,7 @@
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArrayRange.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -172,11 +173,20 @@ void Cloud::Append(vtkPolyData* echoes)
   {
     return;
   }
+  auto* parts = echoes->GetFieldData()->GetAbstractArray(names::PartName);
+  this->PartNames = parts ? vtkStringArray::SafeDownCast(parts) : this->PartNames.GetPointer();
   const vtkIdType size = echoes->GetNumberOfPoints();
   for (vtkIdType begin = 0; begin < size; begin += CloudChunk::Capacity)
   {
     this->AppendRows(echoes, begin, std::min(size, begin + CloudChunk::Capacity));
   }
+}
+
+//------------------------------------------------------------------------------
+std::string Cloud::GetPartName(int part) const
+{
+  const vtkIdType count = this->PartNames ? this->PartNames->GetNumberOfValues() : 0;
+  return part >= 0 && part < count ? this->PartNames->GetValue(part) : std::string();
 }
 
 //------------------------------------------------------------------------------

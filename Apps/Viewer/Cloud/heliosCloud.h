@@ -9,10 +9,13 @@
 
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkType.h>
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -138,6 +141,9 @@ public:
 
   const std::vector<std::unique_ptr<CloudChunk>>& GetChunks() const { return this->Chunks; }
 
+  /// The name of a part in the field data of the blocks; empty: unknown.
+  std::string GetPartName(int part) const;
+
   /// The chunk that contains a row.
   const CloudChunk& FindChunk(vtkIdType row) const;
 
@@ -176,6 +182,7 @@ private:
   vtkIdType NumberOfDropped = 0;
   std::vector<std::unique_ptr<CloudChunk>> Chunks;
   std::vector<Tag> Tags;
+  vtkSmartPointer<vtkStringArray> PartNames; // of the latest block that has them
   std::unordered_map<Tag, std::uint32_t, TagHash> TagRows;
   std::uint32_t LastTag = 0;
 };

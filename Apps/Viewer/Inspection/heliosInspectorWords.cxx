@@ -66,7 +66,9 @@ std::string Inspector::DescribeSurface(const Echo& echo) const
   if (echo.Part >= 0)
   {
     const std::string number = Format("part %d", echo.Part);
-    const std::string name = scene ? scene->GetPartName(echo.Part) : number;
+    const std::string known = this->Owner.GetCloud().GetPartName(echo.Part);
+    const std::string name =
+      scene ? scene->GetPartName(echo.Part) : (known.empty() ? number : known);
     text =
       (name == number || name == std::to_string(echo.Part) ? number : name + " (" + number + ")") +
       ", " + text;

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkTypeInt64Array.h>
@@ -105,6 +106,27 @@ TEST_CASE("Cloud: arrays may be missing or of any type")
   CHECK(std::isnan(echo.IncidenceAngle));
   double range[2];
   CHECK_FALSE(cloud.GetTimeRange(range));
+}
+
+TEST_CASE("Cloud: names of parts are those of the blocks")
+{
+  auto echoes = MakeEchoes({ { 1, 2, 3 } });
+  Cloud cloud;
+  cloud.Append(echoes);
+  CHECK(cloud.GetPartName(0).empty());
+  vtkNew<vtkStringArray> parts;
+  parts->SetName(names::PartName);
+  parts->InsertNextValue("ground");
+  parts->InsertNextValue("house");
+  echoes->GetFieldData()->AddArray(parts);
+  cloud.Append(echoes);
+  echoes->GetFieldData()->RemoveArray(names::PartName);
+  cloud.Append(echoes);
+  CHECK(cloud.GetPartName(1) == "house");
+  CHECK(cloud.GetPartName(2).empty());
+  CHECK(cloud.GetPartName(-1).empty());
+  cloud.Clear();
+  CHECK(cloud.GetPartName(1).empty());
 }
 
 TEST_CASE("Cloud: intensity replaces a missing amplitude")
