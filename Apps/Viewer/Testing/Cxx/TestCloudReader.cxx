@@ -238,10 +238,10 @@ TEST_CASE("CloudReader: errors name the file and the remedy")
     CHECK(error.find(wanted) != std::string::npos);
   };
   check("none.xyz", nullptr, ": no such file or folder; check the name");
-  check(
-    "a.foo", "1 2 3", ": not a supported cloud format; give .xyz, .txt, .asc, .las, .laz, .vtp");
+  check("a.foo", "1 2 3",
+    ": not a supported cloud format; give .xyz, .txt, .asc, .csv, .pts, .ptx, .las,");
   check("empty.xyz", "", ": contains no points; nothing can be shown");
-  check("blank.xyz", "\n\n", ": has no points; give a file with rows x y z");
+  check("blank.xyz", "\n\n", ": has no points; give a file with points");
   check("words.xyz", "1 2 3\n4 five 6\n", ":2: ");
   check("bad.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 x tree 2 0.5\n",
     ":2: \"x\" in column 8 (pulse) is not a number; correct or remove the row");
