@@ -8,6 +8,10 @@
 
 #include <vtkFieldData.h>
 
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
 namespace helios
 {
 
@@ -75,6 +79,18 @@ Status LasNamesFile::Finish(vtkIdType points)
   const Status status = ToStatus(vtkHeliosPointNames::Write(this->Path, points, this->Names));
   RemoveFile(vtkHeliosPointNames::GetFileName(this->GetPart()));
   return status;
+}
+
+//------------------------------------------------------------------------------
+void LasNamesFile::CollectBlock(std::vector<FileBlock>& blocks) const
+{
+  std::error_code missing;
+  const std::string path = vtkHeliosPointNames::GetFileName(this->Path);
+  const std::uintmax_t size = std::filesystem::file_size(path, missing);
+  if (!missing)
+  {
+    blocks.push_back(MakeFileBlock(path, 0, size));
+  }
 }
 
 } // namespace helios

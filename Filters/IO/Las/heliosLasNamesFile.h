@@ -11,11 +11,14 @@
 #include <vtkType.h>
 
 #include <string>
+#include <vector>
 
 class vtkFieldData;
 
 namespace helios
 {
+
+struct FileBlock;
 
 /// Names of the first block are written beside the .part, so that a resumed run has them, too; the
 /// file of names has its name and its number of points when the LAS file is complete.
@@ -33,6 +36,9 @@ public:
 
   /// Writes the names of a file with this number of points, or removes those of an earlier file.
   Status Finish(vtkIdType points);
+
+  /// Appends the finished file, if there is one, to the blocks that are safe.
+  void CollectBlock(std::vector<FileBlock>& blocks) const;
 
 private:
   std::string GetPart() const;

@@ -452,6 +452,10 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::CollectBlocks()
     blocks.push_back(
       helios::MakeFileBlock(this->GetPacketsName(), 0, helios::LasRecord::ExtendedHeadSize));
   }
+  if (!this->IsOpen() && !this->CountOnly)
+  {
+    this->Names->CollectBlock(blocks);
+  }
   return blocks;
 }
 
