@@ -3,10 +3,12 @@
 #include "heliosCloudReader.h"
 
 #include "heliosCloud.h"
+#include "heliosCoordinateTransform.h"
 #include "heliosErrorText.h"
 #include "heliosInputFile.h"
 #include "heliosJsonText.h"
 #include "heliosPlyPoints.h"
+#include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
@@ -21,6 +23,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
@@ -145,6 +148,39 @@ void AddLeg(vtkPolyData* block, int leg)
   }
 }
 
+/// Converts the coordinates of a block to metres; an error if they are degrees.
+Status ConvertToMetres(vtkPolyData* block)
+{
+  const std::string text = GetCRS(block);
+  CoordinateSystem system;
+  if (text.empty() || block->GetNumberOfPoints() == 0 || !system.Set(text).IsOk() ||
+    system.IsMetric())
+  {
+    return {};
+  }
+  double first[3];
+  block->GetPoint(0, first);
+  if (system.IsGeographic())
+  {
+    const std::string zone = FindMetric(system, first);
+    return Status::Error(system.GetName() +
+      " has degrees, and lengths are shown in metres; convert it: " + "vtkhelios convert --crs " +
+      (zone.empty() ? "EPSG:n" : zone));
+  }
+  const double units[3] = { system.GetUnit(), system.GetUnit(), system.GetHeightUnit() };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(block->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    block->GetPoint(i, place);
+    points->SetPoint(i, units[0] * place[0], units[1] * place[1], units[2] * place[2]);
+  }
+  block->SetPoints(points);
+  return {};
+}
+
 /// Gets the files listed by a summary; returns an error if it is not valid.
 Status GetFiles(const fs::path& summary, std::vector<std::string>& files)
 {
@@ -208,8 +244,11 @@ Status CloudReader::Read(const std::string& path, const BlockFunction& onBlock)
   }
   vtkIdType points = 0;
   this->Stopped = false;
+  this->Problem.clear();
   this->OnBlock = [&](vtkPolyData* block, double share)
   {
+    this->Problem = ConvertToMetres(block).Message();
+    this->Stopped = this->Stopped || !this->Problem.empty();
     points += block->GetNumberOfPoints();
     const double all = this->FirstShare + this->ShareOfFile * share;
     this->Stopped = this->Stopped || (block->GetNumberOfPoints() > 0 && !onBlock(block, all));
@@ -223,6 +262,7 @@ Status CloudReader::Read(const std::string& path, const BlockFunction& onBlock)
   {
     status = this->ReadTrajectory(GetTrajectoryName(path));
   }
+  status = this->Problem.empty() ? status : Status::Error(path + ": " + this->Problem);
   const bool isEmpty = status.IsOk() && !this->Stopped && points == 0;
   return isEmpty ? Status::Error(path + ": contains no points; nothing can be shown") : status;
 }

@@ -28,6 +28,7 @@ using BlockFunction = std::function<bool(vtkPolyData*, double)>;
  * Reads a run folder (run_summary.json lists the files of its legs) or one file:
  * - .xyz, .txt, .asc: the columns of vtkHeliosPointTextWriter, or any text with x y z first;
  * - .las (vtkHeliosLASReader), .vtp, .pvtp, .ply.
+ * Coordinates are converted to metres by the coordinate system of the file; degrees are an error.
  * The trajectories of a run are polylines (of a static platform: a vertex) in world coordinates,
  * also the one beside a single legNNN_points file.
  */
@@ -58,6 +59,7 @@ private:
   Status ReadTrajectory(const std::string& path);
 
   BlockFunction OnBlock;
+  std::string Problem; // of a coordinate system
   bool Stopped = false;
   double FirstShare = 0.0; // of the current file, of the total
   double ShareOfFile = 1.0;

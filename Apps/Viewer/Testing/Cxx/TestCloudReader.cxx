@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloud.h"
 #include "heliosCloudReader.h"
+#include "heliosSceneCrs.h"
 #include "heliosTempFolder.h"
 #include "heliosViewerTest.h"
 #include "vtkHeliosLASWriter.h"
@@ -183,6 +184,40 @@ TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
   Cloud doubles;
   REQUIRE(CloudReader().Read(folder / "b.ply", doubles).Message() == "");
   CHECK(std::abs(doubles.GetEcho(0).Position[0] - 500000.123456789) < 1e-7); // a float: 0.03
+}
+
+TEST_CASE("CloudReader: coordinates in feet become metres, degrees are an error")
+{
+  const TempFolder folder;
+  const std::string path = folder / "a.las";
+  const auto read = [&](const std::string& crs, Cloud& cloud)
+  {
+    const auto echoes = MakeEchoes({ { 984000.0, 200000.0, 100.0 } });
+    SetCRS(echoes, crs);
+    WriteWith<vtkHeliosLASWriter>(path, echoes);
+    return CloudReader().Read(path, cloud);
+  };
+  constexpr double foot = 1200.0 / 3937.0;
+  Cloud feet;
+  REQUIRE(read("EPSG:2263+5703", feet).IsOk());
+  CHECK(feet.GetEcho(0).Position[0] == Approx(984000.0 * foot).margin(1e-4));
+  CHECK(feet.GetEcho(0).Position[2] == 100.0);
+  Cloud metres;
+  REQUIRE(read("EPSG:32118", metres).IsOk());
+  CHECK(metres.GetEcho(0).Position[0] == 984000.0);
+  WriteWith<vtkHeliosPointXMLWriter>(folder / "b.vtp",
+    []
+    {
+      auto echoes = MakeEchoes({ { 8.7, 49.4, 100.0 } });
+      SetCRS(echoes, "EPSG:4326");
+      return echoes;
+    }());
+  Cloud degrees;
+  CHECK(CloudReader().Read(folder / "b.vtp", degrees).Message() ==
+    folder / "b.vtp" +
+      ": EPSG:4326 (WGS 84) has degrees, and lengths are shown in metres; convert " +
+      "it: vtkhelios convert --crs EPSG:32632");
+  CHECK(degrees.GetNumberOfPoints() == 0);
 }
 
 TEST_CASE("CloudReader: the folder of a run, with progress")
