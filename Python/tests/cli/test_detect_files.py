@@ -38,7 +38,7 @@ def test_files_without_waveforms_are_one_error(fullwave, tmp_path, capsys):
         ),
         (
             "plain.ply",
-            "files of this kind have no waveforms; give legNNN_fullwave.txt or .pvtt of a run",
+            "files of this kind have no waveforms; give those of a run, such as leg000_fullwave.txt or ",
         ),
     ):
         assert cli.main(["convert", str(points), str(tmp_path / name), "--quiet"]) == 0

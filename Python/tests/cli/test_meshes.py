@@ -133,7 +133,10 @@ def test_convert_writes_obj(call, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("cloud.ply", "a.obj"), "a.obj: OBJ is written of one mesh (.obj, .tif, .tiff, .ply, "),
+        (
+            ("cloud.ply", "a.obj"),
+            "a.obj: OBJ is written of one mesh (.obj, .tif, .tiff, .vrt, .ply, ",
+        ),
         (("square.ply", "square.ply", "a.obj"), "a.obj: OBJ is written of one mesh"),
         (("none.stl", "a.obj"), "none.stl: no such file or folder; check its name"),
         (("square.ply", "a.obj", "--class", "2"), "--class is for points, and this is a mesh"),

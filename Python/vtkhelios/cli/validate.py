@@ -161,16 +161,21 @@ def load_into(source, path, colors):
 
 
 def merge_similar(findings):
-    """The findings; those of a place that differ only by a channel or part as one with their count."""
+    """The findings; those of a line that differ only by a channel or part as one with their count."""
     places = {}
     for found in findings:
-        place = (found.file, found.line, found.column, found.severity)
-        places.setdefault(place, []).append(found.message)
+        place = (found.file, found.line, found.severity)
+        places.setdefault(place, []).append(found)
     return [
-        Finding(*place, text)
-        for place, messages in places.items()
-        for text in SimilarMessages.merge(messages)
+        dataclasses.replace(first_of(several, text), message=text)
+        for several in places.values()
+        for text in SimilarMessages.merge([found.message for found in several])
     ]
+
+
+def first_of(findings, text):
+    """The one that a merged message begins with."""
+    return next(found for found in findings if text.startswith(found.message))
 
 
 def count(number, word):

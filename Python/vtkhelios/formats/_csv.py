@@ -12,7 +12,7 @@ from ._text import TextReader
 
 __all__ = ["CsvWriter", "TextReader"]
 
-NAMES = {RGB: ("Red", "Green", "Blue"), NORMALS: tuple(f"Normal{axis}" for axis in "XYZ")}
+NAMES = {RGB: ("Red", "Green", "Blue"), NORMALS: ("NormalX", "NormalY", "NormalZ")}
 FULL = 65535
 
 

@@ -10,7 +10,7 @@ import vtkhelios
 
 from .._arrays import arrays
 from .._paths import to_vtk
-from .._run_files import POINTS, WAVEFORMS, beside, kind_of
+from .._run_files import POINTS, WAVEFORMS, beside, file_of_leg, kind_of
 from ._base import FormatError, call
 from ._las import check_waveforms, has_waveforms
 from ._pulsewaves import read_pulsewaves
@@ -37,8 +37,9 @@ def make_waveform_reader(path, one_way=False):
         reader = vtkhelios.vtkHeliosWaveformXMLReader()
     elif str(path).lower().endswith(WITHOUT):
         raise FormatError(
-            f"{path}: files of this kind have no waveforms; give legNNN_fullwave.txt or .pvtt of a run, LAS "
-            "or LAZ with waveforms, or PulseWaves (.pls)"
+            f"{path}: files of this kind have no waveforms; give those of a run, such as "
+            f"{file_of_leg(0, WAVEFORMS, 'xyz')} or {file_of_leg(0, WAVEFORMS, 'vtp')}, LAS or LAZ with "
+            "waveforms, or PulseWaves (.pls)"
         )
     else:
         reader = vtkhelios.vtkHeliosWaveformTextReader()
