@@ -8,6 +8,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkPointData.h>
 #include <vtkShortArray.h>
 #include <vtkStringArray.h>
 
