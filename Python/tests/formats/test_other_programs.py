@@ -10,7 +10,7 @@ from vtkhelios import formats
 from vtkhelios.formats import FormatError
 from vtkhelios.formats._ply_names import from_ascii, to_ascii
 
-DEGREES = 'PROJCS["Zone 6°E 🛰 \\u00b0"]'  # not ASCII, and with an escape of its own
+DEGREES = 'LOCAL_CS["Zone 6°E 🛰 \\u00b0"]'  # not ASCII, and with an escape of its own
 
 # Text
 
