@@ -121,11 +121,25 @@ def test_las_and_other_formats_store_colours(room, command_line):
     xyz = np.column_stack([vertices[k] for k in "xyz"]).astype(float)
     rgb = np.column_stack([vertices[k] for k in ("red", "green", "blue")]) / 255.0
     check_colors(xyz, rgb, 1 / 255)
-    e57 = pytest.importorskip("pye57").E57(str(room / "copy.e57"))
-    data = e57.read_scan(0, colors=True, ignore_missing_fields=True)
-    xyz = np.column_stack([data[f"cartesian{k}"] for k in "XYZ"])
-    rgb = np.column_stack([data[f"color{k}"] for k in ("Red", "Green", "Blue")]) / 255.0
-    check_colors(xyz, rgb, 1 / 255)
+    assert "colours are stored in 16 bits, which read_scan() of pye57 does not read" in done.stderr
+    check_colors(*read_e57(room / "copy.e57"), 1 / 255)
+
+
+def read_e57(path):
+    """Points and colours of a scan with colours of any number of bits, by the library of pye57."""
+    pye57 = pytest.importorskip("pye57")
+    names = [f"cartesian{k}" for k in "XYZ"] + [f"color{k}" for k in ("Red", "Green", "Blue")]
+    with pye57.E57(str(path)) as file:
+        header = file.get_header(0)
+        data = {name: np.empty(header.point_count) for name in names}
+        buffers = pye57.libe57.VectorSourceDestBuffer()
+        for name, values in data.items():
+            buffers.append(pye57.libe57.SourceDestBuffer(
+                file.image_file, name, values, len(values), True, True))  # fmt: skip
+        header.points.reader(buffers).read()
+        full = header["colorLimits"]["colorRedMaximum"].value()
+    table = np.column_stack(list(data.values()))
+    return table[:, :3], table[:, 3:] / full
 
 
 def test_a_run_is_the_same_for_threads_and_instances(room, command_line):

@@ -158,6 +158,9 @@ class E57Writer(FileWriter):
             if self._are_short:
                 self.lost["RGB of 16 bits"] = "colours at the beginning of the scan have 8"
                 return short.astype(np.uint8)
+        note = "colours are stored in 16 bits, which read_scan() of pye57 does not read"
+        if f"{self.path}: {note}" not in self.notes:
+            self.notes.append(f"{self.path}: {note}")
         return np.rint(unit * FULL).astype(np.uint16)
 
     def _put(self, fields):
