@@ -138,8 +138,6 @@ def test_survey_is_refused(case, run):
 
 BAD_PLANES = {
     "vertex index": (PLANE + "f 1 2 9\n", ["plane.obj:6", "vertex 9"]),
-    "normal index": (PLANE + "vn 0 0 1\nf 1//1 2//1 3//2\n", ["plane.obj:7", "2"]),
-    "texture index": (PLANE + "vt 0 0\nf 1/1 2/1 3/5\n", ["plane.obj:7", "5"]),
     "no number": (PLANE + "v 1 2 abc\n", ["plane.obj:6", "abc"]),
     "NaN": (PLANE + "v 1 nan 0\n", ["plane.obj:6", "NaN"]),
     "infinity": (PLANE + "v 1 2 inf\n", ["plane.obj:6", "inf"]),

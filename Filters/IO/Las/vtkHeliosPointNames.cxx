@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPointNames.h"
 
+#include "heliosFileBytes.h"
 #include "heliosInputFile.h"
 #include "heliosJsonFile.h"
 #include "heliosPartFile.h"
+#include "heliosSha256.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -88,6 +90,28 @@ helios::Status CheckNames(const helios::JsonFile& file, const Json::Value& names
   return {};
 }
 
+/// The SHA-256 of all other members, whatever their layout.
+std::string ComputeChecksum(Json::Value root)
+{
+  root.removeMember("checksum");
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "";
+  helios::Sha256 digest;
+  digest.Add(Json::writeString(builder, root));
+  return digest.Finish();
+}
+
+/// A file without a checksum was made, or changed, by hand.
+helios::Status CheckChecksum(const helios::JsonFile& file)
+{
+  const Json::Value& checksum = helios::GetMember(file.GetRoot(), "checksum");
+  return checksum.isNull() || checksum == ComputeChecksum(file.GetRoot())
+    ? helios::Status()
+    : helios::Status::Error(file.GetPlace(checksum) +
+        "its names do not match their checksum; remove \"checksum\" if they were changed on "
+        "purpose, or write the file again");
+}
+
 /// Adds the names in a file to field data.
 helios::Status AddNames(
   const helios::JsonFile& file, const std::string& points, vtkIdType count, vtkFieldData* fields)
@@ -121,6 +145,14 @@ helios::Status AddNames(
   return {};
 }
 
+std::string EncodeRoot(const Json::Value& root)
+{
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = "  ";
+  builder["emitUTF8"] = true;
+  return Json::writeString(builder, root) + "\n";
+}
+
 std::string Encode(vtkIdType points, vtkFieldData* fields)
 {
   Json::Value root;
@@ -135,10 +167,8 @@ std::string Encode(vtkIdType points, vtkFieldData* fields)
       root[table.Key].append(std::string(names->GetValue(i)));
     }
   }
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "  ";
-  builder["emitUTF8"] = true;
-  return Json::writeString(builder, root) + "\n";
+  root["checksum"] = ComputeChecksum(root);
+  return EncodeRoot(root);
 }
 
 } // namespace
@@ -146,6 +176,13 @@ std::string Encode(vtkIdType points, vtkFieldData* fields)
 //------------------------------------------------------------------------------
 std::string vtkHeliosPointNames::GetFileName(const std::string& pointFile)
 {
+  const std::string part = helios::PartEnding;
+  if (pointFile.size() > part.size() &&
+    pointFile.compare(pointFile.size() - part.size(), part.size(), part) == 0)
+  {
+    return vtkHeliosPointNames::GetFileName(pointFile.substr(0, pointFile.size() - part.size())) +
+      part;
+  }
   std::string lower = pointFile;
   std::transform(lower.begin(), lower.end(), lower.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -184,8 +221,38 @@ std::string vtkHeliosPointNames::Read(
   helios::JsonFile file;
   helios::Status status = file.Read(path);
   status = status.IsOk() ? CheckFormat(file) : status;
+  status = status.IsOk() ? CheckChecksum(file) : status;
   status = status.IsOk() ? AddNames(file, pointFile, points, fields) : status;
   return status.IsOk() ? std::string() : status.Message() + " (names are not read)";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosPointNames::FindChange(const std::string& pointFile)
+{
+  const std::string path = vtkHeliosPointNames::GetFileName(pointFile);
+  if (!Exists(path))
+  {
+    return {};
+  }
+  const helios::InputWatch ignore([](const std::string&, const std::string&) {}); // an output
+  helios::JsonFile file;
+  helios::Status status = file.Read(path);
+  status = status.IsOk() ? CheckFormat(file) : status;
+  status = status.IsOk() ? CheckChecksum(file) : status;
+  if (!status.IsOk())
+  {
+    return status.Message();
+  }
+  constexpr double bytesPerByte = 2.0;
+  std::string text;
+  if (const helios::Status read = helios::ReadBytes(path, bytesPerByte, text); !read.IsOk())
+  {
+    return path + ": " + read.Message();
+  }
+  const bool isByHand = helios::GetMember(file.GetRoot(), "checksum").isNull();
+  return isByHand || text == EncodeRoot(file.GetRoot())
+    ? std::string()
+    : path + ": was changed since it was written";
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,12 @@ public:
   static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
+   * Find whether the file of names of a point file was changed since it was written here; empty if
+   * it was not, if there is none, and if it has no checksum, as one made by hand.
+   */
+  static std::string FindChange(const std::string& pointFile);
+
+  /**
    * Whether the file of names of a file of points can be written: an error if there is one that is
    * something else; empty: it can.
    */

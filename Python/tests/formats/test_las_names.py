@@ -3,6 +3,7 @@
 """Names of parts and materials beside LAS, LAZ and COPC."""
 
 import json
+import re
 import shutil
 
 import numpy as np
@@ -59,6 +60,7 @@ def test_names_come_back(tmp_path, ending):
     assert names_of(reader) == (PARTS, MATERIALS) and not reader.notes
     assert sorted(path.name for path in tmp_path.iterdir()) == [f"a.{ending}", "a.names.json"]
     found = json.loads((tmp_path / "a.names.json").read_text(encoding="utf-8"))
+    assert re.fullmatch("[0-9a-f]{64}", found.pop("checksum"))
     assert found == {
         "format": "vtkHelios names of points", "version": 1, "points": 4,
         "parts": PARTS, "materials": MATERIALS,
@@ -175,7 +177,7 @@ def test_an_abandoned_file_leaves_no_names(tmp_path):
         tmp_path / "a.las", make_header()
     ) as writer:
         writer.write(make_chunk())
-        assert (tmp_path / "a.las.part.names.json").exists()
+        assert (tmp_path / "a.names.json.part").exists()
         raise ZeroDivisionError
     assert list(tmp_path.iterdir()) == []
 

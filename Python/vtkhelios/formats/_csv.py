@@ -6,13 +6,13 @@ import numpy as np
 
 import vtkhelios
 
-from ..array_names import NORMALS, RGB
+from ..array_names import NORMAL, NORMALS, RGB
 from ._base import FileWriter, rows_of
 from ._text import TextReader
 
 __all__ = ["CsvWriter", "TextReader"]
 
-NAMES = {RGB: ("Red", "Green", "Blue"), NORMALS: ("NormalX", "NormalY", "NormalZ")}
+NAMES = {RGB: ("Red", "Green", "Blue"), NORMALS: tuple(f"{NORMAL}{axis}" for axis in "XYZ")}
 FULL = 65535
 
 

@@ -5,6 +5,7 @@
 #include "heliosPartFile.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
+#include "vtkHeliosPointNames.h"
 #include "vtkHeliosRunFiles.h"
 
 #include <algorithm>
@@ -158,6 +159,10 @@ Status RunCheck::CheckSummary(const Json::Value& summary) const
     {
       return Status::Error(path + ": was complete with " + std::to_string(file.second) +
         " bytes and " + Describe(size, why) + this->Cure);
+    }
+    if (const std::string change = vtkHeliosPointNames::FindChange(path); !change.empty())
+    {
+      return Status::Error(change + this->Cure);
     }
   }
   return {};

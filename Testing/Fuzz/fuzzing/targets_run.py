@@ -141,7 +141,7 @@ class Summary(Target):
 
     def run(self, path, data):
         run = path.parent
-        files = sorted(path.name for path in run.glob("*_points*"))
+        files = sorted(path.name for path in run.glob("*_points*") if path.suffix != ".json")
         total = sum(read_points(run / name, 100_000)[0] for name in files)
         if self.command == "info":
             out, told = command_line("info", run, "--json")
