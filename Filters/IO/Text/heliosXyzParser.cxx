@@ -272,13 +272,13 @@ void XyzParser::MoveTo(vtkPolyData* cloud)
   cloud->SetPoints(points);
   for (Values& values : this->Arrays)
   {
-    vtkSmartPointer<vtkDataArray> array = values.Numbers.Finish(values.Column.Components);
     if (values.Column.Type == VTK_FLOAT)
     {
       std::for_each(values.Numbers.GetValues(),
         values.Numbers.GetValues() + values.Numbers.GetSize(),
         [full = this->Format.MaximumColor](double& value) { value /= full; });
     }
+    vtkSmartPointer<vtkDataArray> array = values.Numbers.Finish(values.Column.Components);
     if (values.Column.Type != VTK_DOUBLE)
     {
       const vtkSmartPointer<vtkDataArray> numbers = array;
