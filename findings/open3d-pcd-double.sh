@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Open3D 0.20.0, Python 3.11: open3d.io.read_point_cloud() reads x y z of 64 bits (TYPE F, SIZE 8) of

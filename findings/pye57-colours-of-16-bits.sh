@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # pye57 0.4.19: read_scan(colors=True) cannot read colours of 16 bits, which E57 allows (an integer node
 # from 0 to 65535 with colorLimits): its buffers have 8 bits, and it raises ErrorValueNotRepresentable.

@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # vtkTriangleFilter of VTK 9.4.2 (PyPI) drops polygons with holes: a ring that goes along a side to a
 # hole, round it and back ("keyhole", the way OBJ and vtkPolyData have holes) gets no triangles, and

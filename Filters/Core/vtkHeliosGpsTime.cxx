@@ -62,7 +62,7 @@ bool ReadNumber(const std::string& text, double& number)
   return error == std::errc() && behind == end && std::isfinite(number);
 }
 
-/// A date with its time of day; false if it is none, or does not exist.
+/// Parses a date with its time of day; false for other text, and for a date that does not exist.
 bool ReadDate(const std::string& text, double& gpsTime)
 {
   static const std::regex form(R"((\d{4})-(\d\d)-(\d\d)[T ](\d\d):(\d\d)(?::(\d\d(?:\.\d*)?))?)"

@@ -473,8 +473,8 @@ class vtkHeliosCoordinateSystem(vtkObject):
         """
     text: Optional[str]
     """Set the text of the system. Returns false if PROJ does not know
-    it; GetProblem() says why, and the properties below are those of
-    an unknown system: empty texts, metres, 0.1 mm.
+    it; GetProblem() says why, and the properties below have their
+    defaults: empty texts, metres, steps of 0.1 mm.
     """
     @property
     def unit(self) -> float:

@@ -58,7 +58,7 @@ class System:
         return text_from_vtk(system.GetText())
 
     def find_metric(self, point):
-        """The code of a UTM zone at a point, or an empty text."""
+        """The code of the UTM zone of a point; empty if the point is not on the Earth."""
         return text_from_vtk(_make(self.text).FindMetric(*(float(value) for value in point)))
 
 

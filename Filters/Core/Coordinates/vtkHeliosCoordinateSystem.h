@@ -38,7 +38,7 @@ public:
 
   /**
    * Set the text of the system. Returns false if PROJ does not know it; GetProblem() says why, and
-   * the properties below are those of an unknown system: empty texts, metres, 0.1 mm.
+   * the properties below have their defaults: empty texts, metres, steps of 0.1 mm.
    */
   bool SetText(const std::string& text);
 

@@ -43,7 +43,7 @@ std::uint32_t ReadUnsigned(std::string_view bytes, std::size_t at)
   return byte(0) | byte(1) << 8 | byte(2) << 16 | static_cast<std::uint32_t>(byte(3)) << 24;
 }
 
-/// Compression is none of looks, whatever of.
+/// Compression changes how data are read, whatever it compresses.
 bool IsSupported(const std::string& extension)
 {
   const auto has = [&extension](const char* word)

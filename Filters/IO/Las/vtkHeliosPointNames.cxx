@@ -112,6 +112,13 @@ helios::Status CheckChecksum(const helios::JsonFile& file)
         "purpose, or write the file again");
 }
 
+/// Opens a file of names.
+helios::Status OpenNames(const std::string& path, helios::JsonFile& file)
+{
+  const helios::Status status = file.Read(path);
+  return status.IsOk() ? CheckFormat(file) : status;
+}
+
 /// Adds the names in a file to field data.
 helios::Status AddNames(
   const helios::JsonFile& file, const std::string& points, vtkIdType count, vtkFieldData* fields)
@@ -219,8 +226,7 @@ std::string vtkHeliosPointNames::Read(
     return {};
   }
   helios::JsonFile file;
-  helios::Status status = file.Read(path);
-  status = status.IsOk() ? CheckFormat(file) : status;
+  helios::Status status = OpenNames(path, file);
   status = status.IsOk() ? CheckChecksum(file) : status;
   status = status.IsOk() ? AddNames(file, pointFile, points, fields) : status;
   return status.IsOk() ? std::string() : status.Message() + " (names are not read)";
@@ -236,8 +242,7 @@ std::string vtkHeliosPointNames::FindChange(const std::string& pointFile)
   }
   const helios::InputWatch ignore([](const std::string&, const std::string&) {}); // an output
   helios::JsonFile file;
-  helios::Status status = file.Read(path);
-  status = status.IsOk() ? CheckFormat(file) : status;
+  helios::Status status = OpenNames(path, file);
   status = status.IsOk() ? CheckChecksum(file) : status;
   if (!status.IsOk())
   {
@@ -265,8 +270,7 @@ std::string vtkHeliosPointNames::Check(const std::string& pointFile)
   }
   const helios::InputWatch ignore([](const std::string&, const std::string&) {}); // an output
   helios::JsonFile file;
-  helios::Status status = file.Read(path);
-  status = status.IsOk() ? CheckFormat(file) : status;
+  const helios::Status status = OpenNames(path, file);
   return status.IsOk()
     ? std::string()
     : status.Message() + " (it is not replaced by the names of " + pointFile + ")";

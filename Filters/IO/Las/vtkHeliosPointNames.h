@@ -46,20 +46,20 @@ public:
   static vtkIdType CountNames(vtkFieldData* fields);
 
   /**
-   * Add the names of a file with this number of points to field data. Returns the reason if there is
-   * a file that cannot be read, or is of another number of points; empty if there is none.
+   * Add the names of a file with this number of points to field data. Returns an error for
+   * a file that is damaged or belongs to another number of points; without a file, an empty text.
    */
   static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
-   * Find whether the file of names of a point file was changed since it was written here; empty if
-   * it was not, if there is none, and if it has no checksum, as one made by hand.
+   * Find whether the file of names of a point file was changed since vtkHelios wrote it. Returns how,
+   * or an empty text. A missing file and one without a checksum, as users write it, are not changed.
    */
   static std::string FindChange(const std::string& pointFile);
 
   /**
-   * Whether the file of names of a file of points can be written: an error if there is one that is
-   * something else; empty: it can.
+   * Check whether the file of names of a point file can be written. Returns an error if another
+   * program's file has its name, or an empty text.
    */
   static std::string Check(const std::string& pointFile);
 

@@ -74,7 +74,7 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   std::int64_t GetNumberOfColumns() const;
   /// The index of the field with exactly this name, or -1.
   int Find(const std::string& name) const;
-  /// The index of a field of PCL, in upper case if there is none in lower case, or -1.
+  /// The index of a field of PCL, in lower case, else in upper case; -1: the file has neither.
   int FindPcl(const std::string& name) const;
 
   /// Reads the header of a file. An error has path:line.

@@ -36,7 +36,7 @@ bool HasMetres(const std::string& wkt)
   return !system.Set(wkt).IsOk() || system.GetHeightUnit() == 1.0;
 }
 
-// Adds heights in metres to a map in feet, if it has no vertical part; else an empty text.
+// Adds heights in metres to a map in feet without a vertical part; empty for other systems.
 std::string AddMetres(const std::string& wkt)
 {
   CoordinateSystem system;
