@@ -34,6 +34,8 @@ def scripts(tmp_path, commands, monkeypatch):
     """A folder with a file and a folder, and the script of a shell."""
     (tmp_path / "a survey.xml").write_text("")
     (tmp_path / "assets").mkdir()
+    for name in ("b.las", "b.LAZ", "b c.vrt", "b.py", "b.las.bak"):
+        (tmp_path / name).write_text("")
     monkeypatch.chdir(tmp_path)
 
     def write(shell):
@@ -56,6 +58,9 @@ def test_all_commands_are_described(commands):
     assert kinds["--quiet"].kind == "flag"
     assert commands["run"].arguments[0].kind == "file"
     assert commands["completion"].arguments[0].words == ("bash", "zsh", "fish")
+    assert commands["run"].arguments[0].endings == ()  # any
+    assert {".las", ".vrt", ".xml"} <= set(commands["info"].arguments[0].endings)
+    assert ".las" not in commands["plan"].arguments[0].endings
 
 
 @pytest.mark.parametrize(
@@ -72,6 +77,10 @@ def test_all_commands_are_described(commands):
         ("help vali", {"validate"}),
         ("list s", {"scanners", "scenes"}),
         ("new x --kind f", {"forest"}),
+        ("info b", {"b.las", "b.LAZ", "b c.vrt"}),  # by the list of endings
+        ("compare b", {"b.las", "b.LAZ"}),
+        ("plan b", {"b c.vrt"}),
+        ("info a", {"a survey.xml", "assets"}),
     ],
 )
 def test_bash(line, expected, scripts):
@@ -93,6 +102,9 @@ def test_bash(line, expected, scripts):
         ("run a", {"a survey.xml", "assets/"}),
         ("help vali", {"validate"}),
         ("list s", {"scanners", "scenes"}),
+        ("info b", {"b.las", "b.LAZ", "b c.vrt"}),  # by the list of endings
+        ("compare b", {"b.las", "b.LAZ"}),
+        ("info a", {"a survey.xml", "assets/"}),
     ],
 )
 def test_fish(line, expected, scripts):
@@ -126,6 +138,25 @@ def test_zsh_reads_the_script(scripts):
         text=True,
     )
     assert done.stdout == "_vtkhelios: function\n" and done.stderr == ""
+
+
+ZSH = """\
+zmodload zsh/zpty
+zpty -b shell zsh -f -i
+zpty -w shell "PS1='> '; autoload -Uz compinit; compinit -u -D; source ./script; print REA''DY"
+zpty -r -m shell text '*READY*'
+zpty -w -n shell "vtkhelios compare b"$'\\t\\t'
+zpty -r -m shell text '*b.las*compare*'
+print -r -- $text
+zpty -d shell
+"""
+
+
+def test_zsh_offers_files_by_the_list_of_endings(scripts):
+    scripts("zsh")
+    done = subprocess.run(["zsh", "-f", "-c", ZSH], capture_output=True, text=True, timeout=60)
+    assert "b.LAZ" in done.stdout and "b.las" in done.stdout, done.stderr
+    assert "b.py" not in done.stdout and "b.las.bak" not in done.stdout
 
 
 def test_an_unknown_shell_names_the_known(capsys):

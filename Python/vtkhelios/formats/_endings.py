@@ -103,6 +103,12 @@ def list_endings():
     return tuple(dict.fromkeys((*points(), *meshes(), *IN_VIEWER, *VOXELS, *DOCUMENTS)))
 
 
+def list_endings_of(command):
+    """The endings of the files that a command takes, for completion; empty: of any file."""
+    columns = [i for i, name in enumerate(COMMANDS) if name.split()[0] == command]
+    return tuple(ending for ending in list_endings() if any(describe(ending)[i] for i in columns))
+
+
 def make_table():
     """The table of Docs/files.md."""
     lines = [f"| ending | {' | '.join(COMMANDS)} |", f"|{'---|' * (1 + len(COMMANDS))}"]

@@ -8,7 +8,7 @@ _SCRIPT = """\
 # Completion of vtkhelios in bash, made by: vtkhelios completion bash
 _vtkhelios() {{
   local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}}
-  local command=${{COMP_WORDS[1]}} options="" words="" kind=file
+  local command=${{COMP_WORDS[1]}} options="" words="" endings="" kind=file file
   COMPREPLY=()
   if [ "$current" = "=" ]; then current=""; fi
   if [ "$previous" = "=" ]; then previous=${{COMP_WORDS[COMP_CWORD - 2]}}; fi
@@ -29,6 +29,11 @@ _vtkhelios() {{
   elif [ "$kind" = folder ]; then
     compopt -o filenames 2>/dev/null
     mapfile -t COMPREPLY < <(compgen -d -- "$current")
+  elif [ "$kind" = file ] && [ -n "$endings" ]; then
+    compopt -o filenames 2>/dev/null
+    while IFS= read -r file; do
+      if [ -d "$file" ] || [[ ${{file,,}} =~ \\.($endings)$ ]]; then COMPREPLY+=("$file"); fi
+    done < <(compgen -f -- "$current")
   elif [ "$kind" = file ] || [ "$kind" = files ]; then
     compopt -o filenames 2>/dev/null
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
@@ -46,7 +51,9 @@ def write_script(commands):
         first = command.arguments[0] if command.arguments else None
         words = " ".join(first.words) if first else ""
         words = f' words="{words}"' if words else ""
-        options.append(f'    {command.name}) options="{names}"{words} ;;')
+        endings = "|".join(each[1:].replace(".", r"\.") for each in first.endings) if first else ""
+        endings = f" endings='{endings}'" if endings else ""
+        options.append(f'    {command.name}) options="{names}"{words}{endings} ;;')
         values += [_case(command, option) for option in command.options]
     return _SCRIPT.format(
         commands=" ".join(command.name for command in commands),

@@ -7,6 +7,7 @@ import re
 import typing
 
 from ... import cli
+from ...formats._endings import list_endings_of
 from .._parser import Parser
 
 FILE, FOLDER, NUMBER, WORDS, FLAG = "file", "folder", "number", "words", "flag"
@@ -21,6 +22,7 @@ class Value(typing.NamedTuple):
     kind: str  # FILE, FOLDER, NUMBER, WORDS or FLAG
     words: tuple  # of WORDS
     metavar: str
+    endings: tuple = ()  # of FILE, as .las; empty: any
 
 
 class Option(typing.NamedTuple):
@@ -53,8 +55,13 @@ def _describe(name, module):
     module.add_arguments(parser)
     shown = [action for action in parser._actions if action.help != argparse.SUPPRESS]
     options = tuple(_option(parser, action) for action in shown if action.option_strings)
-    places = tuple(_value(action) for action in shown if not action.option_strings)
+    places = tuple(_place(name, action) for action in shown if not action.option_strings)
     return Command(name, module.SUMMARY, options, places)
+
+
+def _place(command, action):
+    value = _value(action)
+    return value._replace(endings=list_endings_of(command)) if value.kind == FILE else value
 
 
 def _option(parser, action):

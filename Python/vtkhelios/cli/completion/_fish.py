@@ -13,6 +13,18 @@ end
 function __vtkhelios_no_command
     test (count (commandline -opc)) -eq 1
 end
+function __vtkhelios_files
+    for file in (__fish_complete_path (commandline -ct))
+        set -l name (string lower -- (string split -f 1 \\t -- $file))
+        if string match -q -- '*/' $name
+            echo $file
+        else
+            for ending in $argv
+                string match -q -- "*$ending" $name; and echo $file; and break
+            end
+        end
+    end
+end
 complete -c vtkhelios -f
 """
 
@@ -41,6 +53,8 @@ def write_script(commands):
 def _values(value, required=""):
     """What is completed; for options, a value is required unless it is a flag."""
     exclusive = "-x " if required else ""
+    if value.endings:
+        return f"-a '(__vtkhelios_files {' '.join(value.endings)})'"
     return {
         FLAG: "",
         FILE: "-r -F " if required else "-F",

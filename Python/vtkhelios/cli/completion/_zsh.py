@@ -68,8 +68,9 @@ def _place(number, value):
 
 
 def _action(value):
+    endings = "|".join(each[1:] for each in value.endings)
     return {
-        FILE: "_files",
+        FILE: f'_files -g "(#i)*.({endings})"' if endings else "_files",
         FOLDER: "_files -/",
         NUMBER: " ",
         WORDS: f"({' '.join(value.words)})",
