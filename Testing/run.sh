@@ -72,7 +72,7 @@ fi
 
 helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF "$(helios_warnings ON)"
 helios_build minimal
-run_ctest build/minimal --label-exclude ScannerSurvey # long, and the same without the libraries
+run_ctest build/minimal --label-exclude "ScannerSurvey|ScannerRun" # long, and the same without the libraries
 if $asan; then
   helios_configure asan
   helios_build asan

@@ -52,7 +52,7 @@ from ._vtk import check_vtk
 check_vtk()  # before any binary module
 
 # Before _native, which links to its libraries.
-from . import vtkHeliosScannerSurvey as _  # noqa: F401
+from . import vtkHeliosScannerRun as _  # noqa: F401
 
 
 def data_directory():

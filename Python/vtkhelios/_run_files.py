@@ -4,7 +4,7 @@
 
 from ._paths import from_vtk, to_vtk
 from .vtkHeliosFiltersIO import vtkHeliosStreamWriter
-from .vtkHeliosScannerSurvey import vtkHeliosRunFiles as Files
+from .vtkHeliosScannerRun import vtkHeliosRunFiles as Files
 
 SUMMARY_NAME = Files.GetSummaryName()
 JOURNAL_NAME = Files.GetJournalName()

@@ -20,6 +20,7 @@ LAYERS = [
     ["ScannerCore"],
     ["ScannerDetectors"],
     ["ScannerSurvey"],
+    ["ScannerRun"],
     ["ScannerMpi"],
     ["PlanningCbc"],
     ["Planning"],
@@ -31,7 +32,7 @@ LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 HOMES = {
     r"embree[34]/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
-    r"json/": "FiltersIO ScannerSurvey",
+    r"json/": "FiltersIO ScannerRun",
     r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
     r"lzf": "FiltersIO",

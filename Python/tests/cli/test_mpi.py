@@ -171,7 +171,7 @@ def test_one_process_does_not_load_mpi():
         [sys.executable, "-P", "-c", code], env=ENVIRONMENT, capture_output=True, text=True
     )
     assert done.returncode == 0, done
-    assert "libvtkHeliosScannerSurvey" in done.stdout and "ScannerMpi" not in done.stdout
+    assert "libvtkHeliosScannerRun" in done.stdout and "ScannerMpi" not in done.stdout
 
 
 def test_number_of_processes():

@@ -14,7 +14,7 @@ from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
-from ..vtkHeliosScannerSurvey import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
+from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
 from ._parser import number, part_of_run, whole_number
 from ._progress import make_progress

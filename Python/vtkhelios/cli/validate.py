@@ -9,7 +9,7 @@ import re
 
 from .._pipeline import SimilarMessages, observe_messages, remove_observers
 from .._survey_text import has_survey
-from ..vtkHeliosScannerSurvey import vtkHeliosSurveySource
+from ..vtkHeliosScannerRun import vtkHeliosSurveySource
 from ._messages import Messages, say_error
 from ._optics import describe_optics
 from ._reading import add_assets_argument, make_reader, missing_folder

@@ -6,6 +6,7 @@
 #define heliosLegSettings_h
 
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 namespace helios
 {
@@ -26,7 +27,7 @@ void StartLegs(SurveyData& survey);
 void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log);
 
 /// Whether a leg starts a flight along a trajectory that no file gives: it needs an input.
-bool NeedsTrajectory(const SurveyData& survey, std::size_t leg);
+VTKHELIOSSCANNERSURVEY_EXPORT bool NeedsTrajectory(const SurveyData& survey, std::size_t leg);
 
 /// Checks a leg whose scanner has errors of its own, so only for errors that do not depend on it.
 void CheckLegAlone(

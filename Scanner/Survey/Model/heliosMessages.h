@@ -31,7 +31,8 @@ public:
 };
 
 /// "a, b and c".
-std::string Enumerate(const std::vector<std::string>& words, const char* last = "and");
+VTKHELIOSSCANNERSURVEY_EXPORT std::string Enumerate(
+  const std::vector<std::string>& words, const char* last = "and");
 
 /// Shortens a value that may be long for messages.
 std::string Shorten(const std::string& text);

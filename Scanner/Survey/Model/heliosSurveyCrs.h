@@ -6,6 +6,7 @@
 #define heliosSurveyCrs_h
 
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 class vtkPolyData;
 
@@ -21,7 +22,8 @@ class Messages;
 bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log);
 
 /// The position of a leg in the scene's system. False, after an error, without a transformation.
-bool TransformPosition(const LegData& leg, vtkPolyData* scene, Messages& log, Vec3& position);
+VTKHELIOSSCANNERSURVEY_EXPORT bool TransformPosition(
+  const LegData& leg, vtkPolyData* scene, Messages& log, Vec3& position);
 
 } // namespace helios
 

@@ -8,6 +8,7 @@
 #include "heliosInputFile.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -35,7 +36,7 @@ using StepCallback = std::function<bool(const std::string& step)>;
 
 /// A mesh used by several parts is read once. The pipelines are kept, so that a part that stays is
 /// not read again.
-class PartPipelines
+class VTKHELIOSSCANNERSURVEY_EXPORT PartPipelines
 {
 public:
   explicit PartPipelines(Messages& log, vtkIdType seed = 0)

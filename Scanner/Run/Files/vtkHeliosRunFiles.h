@@ -23,12 +23,12 @@
 #ifndef vtkHeliosRunFiles_h
 #define vtkHeliosRunFiles_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 
 #include <string> // For names
 
-class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosRunFiles : public vtkObject
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosRunFiles : public vtkObject
 {
 public:
   static vtkHeliosRunFiles* New();

@@ -5,7 +5,7 @@
 #ifndef heliosPiecePile_h
 #define heliosPiecePile_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>
@@ -16,7 +16,7 @@ namespace helios
 {
 
 /// Data are copied a logarithmic number of times, and few pieces are kept.
-class VTKHELIOSSCANNERSURVEY_EXPORT PiecePile
+class VTKHELIOSSCANNERRUN_EXPORT PiecePile
 {
 public:
   /// Adds a piece with the pulses after those of the last; it may change afterwards.

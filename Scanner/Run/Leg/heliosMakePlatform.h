@@ -6,7 +6,7 @@
 #define heliosMakePlatform_h
 
 #include "heliosSurveyData.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const 
   std::size_t first, std::size_t last, Messages& log);
 
 /// The noise of a platform, each value valid for a number of pulses of all channels; null: none.
-VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
+VTKHELIOSSCANNERRUN_EXPORT vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
   const PlatformData& platform, std::size_t channels);
 
 } // namespace helios

@@ -15,7 +15,7 @@
 #include "heliosRunSettings.h"
 #include "heliosScanCounts.h"
 #include "heliosSurveyData.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -36,7 +36,7 @@ class RunJournal;
 using BlockCallback = std::function<bool(const ScanCounts&)>;
 
 /// Runs legs with blocks of its scanner, a source itself, or of another source.
-class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner : public BlockSource
+class VTKHELIOSSCANNERRUN_EXPORT LegRunner : public BlockSource
 {
 public:
   using Outputs = LegOutputs;

@@ -14,7 +14,7 @@
 #ifndef vtkHeliosRunOptions_h
 #define vtkHeliosRunOptions_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 
 #include <memory> // For the private data
@@ -25,7 +25,7 @@ namespace helios
 struct RunOptions;
 }
 
-class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosRunOptions : public vtkObject
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosRunOptions : public vtkObject
 {
 public:
   static vtkHeliosRunOptions* New();

@@ -43,7 +43,7 @@
 #ifndef vtkHeliosSurveySource_h
 #define vtkHeliosSurveySource_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For the survey
 
@@ -64,7 +64,7 @@ class SurveyLoader;
 struct RunSettings;
 }
 
-class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveySource : public vtkPolyDataAlgorithm
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosSurveySource : public vtkPolyDataAlgorithm
 {
 public:
   static vtkHeliosSurveySource* New();

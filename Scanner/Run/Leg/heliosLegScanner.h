@@ -12,7 +12,7 @@
 #include "heliosScanCounts.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -33,7 +33,7 @@ namespace helios
 
 class Messages;
 
-class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
+class VTKHELIOSSCANNERRUN_EXPORT LegScanner
 {
 public:
   LegScanner(

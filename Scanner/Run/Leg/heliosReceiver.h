@@ -5,7 +5,7 @@
 #ifndef heliosReceiver_h
 #define heliosReceiver_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 class vtkHeliosScanner;
 
@@ -28,7 +28,7 @@ BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& opti
 
 /// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; options override
 /// the data.
-VTKHELIOSSCANNERSURVEY_EXPORT void SetUpReceiver(
+VTKHELIOSSCANNERRUN_EXPORT void SetUpReceiver(
   const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner);
 
 /// Which echoes of a channel are compared: of 2 % of a full footprint (of reflectance 0.5) and the

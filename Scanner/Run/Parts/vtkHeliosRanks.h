@@ -16,12 +16,12 @@
 #ifndef vtkHeliosRanks_h
 #define vtkHeliosRanks_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 
 #include <string> // For messages
 
-class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosRanks : public vtkObject
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosRanks : public vtkObject
 {
 public:
   vtkTypeMacro(vtkHeliosRanks, vtkObject);

@@ -47,7 +47,7 @@
 #ifndef vtkHeliosSurveyPlayer_h
 #define vtkHeliosSurveyPlayer_h
 
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For the source and the ranks
 
@@ -66,7 +66,7 @@ namespace helios
 struct ScanCounts;
 }
 
-class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveyPlayer : public vtkObject
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosSurveyPlayer : public vtkObject
 {
 public:
   static vtkHeliosSurveyPlayer* New();

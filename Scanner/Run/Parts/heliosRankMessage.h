@@ -6,7 +6,7 @@
 #define heliosRankMessage_h
 
 #include "heliosScanCounts.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkHeliosScannerRunModule.h" // For export macro
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct RankRecords
 };
 
 /// As text: a line of JSON, and the bytes of the records.
-struct VTKHELIOSSCANNERSURVEY_EXPORT RankMessage
+struct VTKHELIOSSCANNERRUN_EXPORT RankMessage
 {
   static constexpr const char* Begin = "begin"; ///< to all: load the epoch Run of a survey
   static constexpr const char* Ready = "ready"; ///< from all: loaded, with the fingerprint
