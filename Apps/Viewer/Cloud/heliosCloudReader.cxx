@@ -7,11 +7,11 @@
 #include "heliosErrorText.h"
 #include "heliosInputFile.h"
 #include "heliosJsonText.h"
-#include "heliosPlyPoints.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
+#include "vtkHeliosPLYPointReader.h"
 #include "vtkHeliosPointTextReader.h"
 #include "vtkHeliosPointXMLReader.h"
 #include "vtkHeliosRunFiles.h"
@@ -333,15 +333,7 @@ Status CloudReader::ReadCloud(const std::string& path)
   }
   if (ending == ".ply")
   {
-    vtkNew<vtkPolyData> cloud;
-    const Status status = ReadPlyPoints(path, cloud);
-    if (!status.IsOk())
-    {
-      return Status::Error(
-        path + ": " + status.Message() + "; the file may be damaged: write it again");
-    }
-    this->OnBlock(cloud, 1.0);
-    return {};
+    return this->ReadPly(path);
   }
   return Status::Error(path + ": not a supported cloud format; give " + ListEndings() +
     " or the folder of a finished run");
@@ -385,6 +377,34 @@ Status CloudReader::ReadText(const std::string& path)
   {
     this->PartNames.push_back(parts->GetValue(part));
   }
+  return error.empty() ? Status() : Status::Error(WithPath(path, error));
+}
+
+//------------------------------------------------------------------------------
+Status CloudReader::ReadPly(const std::string& path)
+{
+  vtkNew<vtkHeliosPLYPointReader> reader;
+  std::string error;
+  ObserveErrors(reader, error);
+  reader->SetFileName(path.c_str());
+  reader->SetMaximumNumberOfPoints(BlockSize);
+  vtkIdType end = 0;
+  do
+  {
+    reader->SetBegin(end);
+    reader->Update();
+    vtkPolyData* block = reader->GetOutput();
+    if (vtkDataArray* intensity = block->GetPointData()->GetArray("intensity"))
+    {
+      intensity->SetName(names::Intensity);
+    }
+    end += block->GetNumberOfPoints();
+    if (error.empty() && end > 0)
+    {
+      this->OnBlock(
+        block, static_cast<double>(end) / static_cast<double>(reader->GetNumberOfVertices()));
+    }
+  } while (error.empty() && !this->Stopped && end < reader->GetNumberOfVertices());
   return error.empty() ? Status() : Status::Error(WithPath(path, error));
 }
 

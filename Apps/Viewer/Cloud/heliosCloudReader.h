@@ -55,6 +55,7 @@ private:
   Status ReadRun(const std::string& folder);
   Status ReadCloud(const std::string& path);
   Status ReadText(const std::string& path);
+  Status ReadPly(const std::string& path);
   Status ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
   Status ReadTrajectory(const std::string& path);
 

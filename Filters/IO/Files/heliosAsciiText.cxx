@@ -122,6 +122,7 @@ std::string UnescapeText(const std::string& text)
       unit = 0x10000U + ((unit - 0xD800U) << 10U) + (low - 0xDC00U);
       at += 6;
     }
+    unit = unit >= 0xD800U && unit < 0xE000U ? 0xFFFDU : unit; // half of a pair
     AppendCharacter(plain, unit);
   }
   return plain;

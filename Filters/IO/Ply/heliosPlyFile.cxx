@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlyFile.h"
 
-#include "heliosLineFile.h"
 #include "heliosMemoryCheck.h"
 #include "heliosStatus.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace helios
 {
@@ -24,7 +22,7 @@ constexpr std::int64_t RowsPerBlock = 65536;
 bool PlyFile::Read(const std::string& path)
 {
   this->Path = path;
-  this->Report.Error = this->Header.Read(path).Message();
+  this->Report.Error = this->Header.Read(path, PlyContent::Mesh).Message();
   if (!this->Report.Error.empty() || !this->CheckSize())
   {
     return false;
@@ -47,21 +45,9 @@ bool PlyFile::Read(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// Compares the counts of the header with the size of the file, the memory and 32-bit cells.
+/// Compares the counts of the header with the memory and 32-bit cells.
 bool PlyFile::CheckSize()
 {
-  InputFile file;
-  std::int64_t size = 0;
-  if (const Status status = OpenInput(this->Path, file, size); !status.IsOk())
-  {
-    return this->Report.Fail(status.Message());
-  }
-  const double expected = this->Header.GetSmallestSize();
-  const auto present = static_cast<double>(size - this->Header.DataBegin);
-  if (present + 1.0 < expected) // the last line of text may have no end
-  {
-    return this->FailSize(expected, present);
-  }
   const std::int64_t vertices = this->Header.Find("vertex")->Count;
   const std::int64_t faces = this->Header.Find("face")->Count;
   if (vertices > MostCorners || 3 * faces > MostCorners)
@@ -72,15 +58,6 @@ bool PlyFile::CheckSize()
   }
   const Status status = CheckMemory("faces", static_cast<double>(faces), BytesPerTriangle);
   return status.IsOk() || this->Report.Fail(this->Path + ": " + status.Message());
-}
-
-//------------------------------------------------------------------------------
-bool PlyFile::FailSize(double expected, double present)
-{
-  char text[128];
-  std::snprintf(text, sizeof(text),
-    ": the elements of its header need %.0f bytes or more, and %.0f", expected, present);
-  return this->Report.Fail(this->Path + text + " follow, so it is cut off; copy or write it again");
 }
 
 //------------------------------------------------------------------------------
@@ -153,15 +130,17 @@ bool PlyFile::ReadProperty(const PlyProperty& property)
 bool PlyFile::ReadVertex(const PlyElement& element)
 {
   double point[3] = { 0.0, 0.0, 0.0 };
-  for (const PlyProperty& property : element.Properties)
+  const int* axes = this->Header.Axes;
+  for (std::size_t i = 0; i < element.Properties.size(); ++i)
   {
-    if (!this->ReadProperty(property))
+    if (!this->ReadProperty(element.Properties[i]))
     {
       return false;
     }
-    if (property.Name == "x" || property.Name == "y" || property.Name == "z")
+    const auto axis = std::find(axes, axes + 3, static_cast<int>(i)) - axes;
+    if (axis < 3)
     {
-      point[property.Name[0] - 'x'] = this->Values.front();
+      point[axis] = this->Values.front();
     }
   }
   return this->AddVertex(point);

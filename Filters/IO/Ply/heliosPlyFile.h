@@ -39,7 +39,6 @@ public:
 
 private:
   bool CheckSize();
-  bool FailSize(double expected, double present);
   bool ReadElement(const PlyElement& element);
   bool ReadVertex(const PlyElement& element);
   bool ReadFace(const PlyElement& element);

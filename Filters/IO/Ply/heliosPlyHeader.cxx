@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlyHeader.h"
 
+#include "heliosAsciiText.h"
 #include "heliosLineFile.h"
 #include "heliosTextFile.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdio>
 #include <string_view>
 
 namespace helios
@@ -18,19 +21,35 @@ constexpr struct
 {
   const char* Name;
   const char* OtherName;
-  std::size_t Size; // [bytes]
-} Types[] = { { "char", "int8", 1 }, { "uchar", "uint8", 1 }, { "short", "int16", 2 },
-  { "ushort", "uint16", 2 }, { "int", "int32", 4 }, { "uint", "uint32", 4 },
-  { "float", "float32", 4 }, { "double", "float64", 8 } };
+} Types[] = { { "char", "int8" }, { "uchar", "uint8" }, { "short", "int16" },
+  { "ushort", "uint16" }, { "int", "int32" }, { "uint", "uint32" }, { "float", "float32" },
+  { "double", "float64" } };
+
+constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
 
 constexpr std::int64_t MostRows = std::int64_t(1) << 40;
+
+/// Text of a header as UTF-8: characters beyond ASCII may be escaped, or Latin-1.
+std::string ToUtf8(std::string_view text)
+{
+  return UnescapeText(EscapeText(UnescapeText(std::string(text))));
+}
+
+/// The property x, y or z of a vertex, in upper case if there is none in lower case; -1: missing.
+int FindAxis(const PlyElement& vertex, char axis)
+{
+  const int lower = vertex.Find(std::string(1, axis));
+  const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(axis)));
+  return lower >= 0 ? lower : vertex.Find(std::string(1, upper));
+}
 
 /// Parses the header lines one by one.
 class HeaderParser
 {
 public:
-  explicit HeaderParser(PlyHeader& header)
+  HeaderParser(PlyHeader& header, PlyContent content)
     : Header(header)
+    , Content(content)
   {
   }
 
@@ -46,6 +65,11 @@ public:
       return this->HasMark
         ? Status()
         : Status::Error("is not a PLY file: its first line is not ply; check its name");
+    }
+    if (key == "comment" && words.NextName() == "vtkhelios")
+    {
+      const std::string mark = ToUtf8(words.NextName());
+      this->Header.Marks[mark] = ToUtf8(words.Rest());
     }
     if (key.empty() || key == "comment" || key == "obj_info")
     {
@@ -74,13 +98,10 @@ private:
   Status ReadFormat(TextWords& words)
   {
     const std::string_view name = words.NextName();
+    const auto* found = std::find(std::begin(Formats), std::end(Formats), name);
     this->HasFormat = true;
-    this->Header.Storage = name == "ascii" ? PlyStorage::Text
-      : name == "binary_big_endian"        ? PlyStorage::BigEndian
-                                           : PlyStorage::LittleEndian;
-    const bool isKnown =
-      name == "binary_little_endian" || this->Header.Storage != PlyStorage::LittleEndian;
-    return isKnown && words.NextName() == "1.0"
+    this->Header.Storage = static_cast<PlyStorage>(found - std::begin(Formats));
+    return found != std::end(Formats) && words.NextName() == "1.0"
       ? Status()
       : Status::Error("format " + Quote(name) +
           " is not known; expected one of ascii, "
@@ -126,7 +147,7 @@ private:
       }
     }
     status = status.IsOk() ? ReadType(type, property.Type) : status;
-    property.Name = words.NextName();
+    property.Name = ToUtf8(words.NextName());
     PlyElement& element = this->Header.Elements.back();
     if (status.IsOk() && (property.Name.empty() || element.Find(property.Name) >= 0))
     {
@@ -151,7 +172,7 @@ private:
     return {};
   }
 
-  Status Finish() const
+  Status Finish()
   {
     const PlyElement* vertex = this->Header.Find("vertex");
     if (!this->HasFormat || !vertex)
@@ -159,13 +180,13 @@ private:
       return Status::Error(std::string("the header has no ") +
         (this->HasFormat ? "element vertex" : "format") + "; write it again");
     }
-    for (const char* name : { "x", "y", "z" })
+    for (int k = 0; k < 3; ++k)
     {
-      const int index = vertex->Find(name);
+      const int index = this->Header.Axes[k] = FindAxis(*vertex, "xyz"[k]);
       if (index < 0 || vertex->Properties[static_cast<std::size_t>(index)].IsList)
       {
         return Status::Error(
-          std::string("element vertex has no number ") + name + "; vertices need x, y and z");
+          std::string("element vertex has no number ") + "xyz"[k] + "; vertices need x, y and z");
       }
     }
     for (const PlyElement& element : this->Header.Elements)
@@ -175,7 +196,25 @@ private:
         return Status::Error("element " + Quote(element.Name) + " has no property; remove it");
       }
     }
-    return this->CheckFaces();
+    return this->Content == PlyContent::Mesh ? this->CheckFaces() : this->CheckPoints(*vertex);
+  }
+
+  Status CheckPoints(const PlyElement& vertex) const
+  {
+    for (const PlyElement* each = this->Header.Elements.data(); each != &vertex; ++each)
+    {
+      if (each->Count > 0)
+      {
+        return Status::Error("element " + Quote(each->Name) +
+          " comes before element vertex; write the vertices first");
+      }
+    }
+    const auto list = std::find_if(vertex.Properties.begin(), vertex.Properties.end(),
+      [](const PlyProperty& property) { return property.IsList; });
+    return list == vertex.Properties.end()
+      ? Status()
+      : Status::Error("property " + Quote(list->Name) +
+          " of element vertex is a list; points have plain numbers only: remove it");
   }
 
   Status CheckFaces() const
@@ -198,6 +237,7 @@ private:
   }
 
   PlyHeader& Header;
+  PlyContent Content;
   bool HasMark = false;
   bool HasFormat = false;
   bool AtEnd = false;
@@ -206,9 +246,15 @@ private:
 } // namespace
 
 //------------------------------------------------------------------------------
-std::size_t GetSize(PlyType type)
+const char* GetName(PlyType type)
 {
-  return Types[static_cast<std::size_t>(type)].Size;
+  return Types[static_cast<std::size_t>(type)].Name;
+}
+
+//------------------------------------------------------------------------------
+const char* GetName(PlyStorage storage)
+{
+  return Formats[static_cast<std::size_t>(storage)];
 }
 
 //------------------------------------------------------------------------------
@@ -245,7 +291,7 @@ double PlyHeader::GetSmallestSize() const
 }
 
 //------------------------------------------------------------------------------
-Status PlyHeader::Read(const std::string& path)
+Status PlyHeader::Read(const std::string& path, PlyContent content)
 {
   LineFile file;
   if (const Status status = file.Open(path); !status.IsOk())
@@ -253,7 +299,7 @@ Status PlyHeader::Read(const std::string& path)
     return status;
   }
   file.SetRange(0, file.GetSize());
-  HeaderParser parser(*this);
+  HeaderParser parser(*this, content);
   std::int64_t number = 0;
   std::string_view line;
   while (!parser.IsAtEnd() && file.NextLine(line))
@@ -271,10 +317,19 @@ Status PlyHeader::Read(const std::string& path)
   {
     return Status::Error(file.GetError());
   }
-  return parser.IsAtEnd()
+  if (!parser.IsAtEnd())
+  {
+    return Status::Error(
+      Place(path, number) + "the file ends before end_header; it is not a PLY file, or is cut off");
+  }
+  const double expected = this->GetSmallestSize();
+  const auto present = static_cast<double>(file.GetSize() - this->DataBegin);
+  char text[128];
+  std::snprintf(text, sizeof(text),
+    ": the elements of its header need %.0f bytes or more, and %.0f", expected, present);
+  return present + 1.0 >= expected // the last line of text may have no end
     ? Status()
-    : Status::Error(Place(path, number) +
-        "the file ends before end_header; it is not a PLY file, or is cut off");
+    : Status::Error(path + text + " follow, so it is cut off; copy or write it again");
 }
 
 } // namespace helios

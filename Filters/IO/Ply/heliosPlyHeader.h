@@ -8,6 +8,7 @@
 #include "heliosStatus.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,24 +52,44 @@ struct PlyElement
   int Find(const std::string& name) const;
 };
 
+/// What a file is read as: the vertices and faces of a mesh, or vertices as points.
+enum class PlyContent
+{
+  Mesh,
+  Points
+};
+
 struct PlyHeader
 {
   PlyStorage Storage = PlyStorage::Text;
   std::vector<PlyElement> Elements;
-  std::int64_t DataBegin = 0; ///< [bytes]
-  std::int64_t DataLine = 0;  ///< number of the first line of data
+  int Axes[3] = { -1, -1, -1 };             ///< the properties x, y and z of a vertex
+  std::map<std::string, std::string> Marks; ///< of comments: comment vtkhelios KEY VALUE
+  std::int64_t DataBegin = 0;               ///< [bytes]
+  std::int64_t DataLine = 0;                ///< number of the first line of data
 
-  /// Reads the header of a file; errors have file:line.
-  Status Read(const std::string& path);
+  /// Reads the header of a file and compares its counts with the size of the file; errors have file:line.
+  Status Read(const std::string& path, PlyContent content);
 
   const PlyElement* Find(const std::string& name) const;
 
+private:
   /// Fewest bytes of the data, with empty lists.
   double GetSmallestSize() const;
 };
 
 /// The size of a number in binary files [bytes].
-std::size_t GetSize(PlyType type);
+inline std::size_t GetSize(PlyType type)
+{
+  constexpr std::size_t sizes[] = { 1, 1, 2, 2, 4, 4, 4, 8 };
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+///@{
+/// The name in headers.
+const char* GetName(PlyType type);
+const char* GetName(PlyStorage storage);
+///@}
 
 } // namespace helios
 

@@ -71,7 +71,7 @@ public:
   BinarySource(const std::string& path, bool isLittle)
     : Path(path)
     , IsSwapped(isLittle != IsLittleEndian())
-    , Block(BlockSize)
+    , Block(BlockSize + 8) // the last number, too, is copied as eight bytes
   {
   }
 
@@ -96,14 +96,27 @@ public:
     {
       return this->Fail(CutOff);
     }
-    unsigned char bytes[8];
-    std::memcpy(bytes, this->Block.data() + this->Begin, size);
-    if (this->IsSwapped)
+    value = this->Decode(type);
+    return true;
+  }
+
+  bool ReadAll(const std::vector<PlyType>& types, double* values) override
+  {
+    std::size_t size = 0;
+    for (const PlyType type : types)
     {
-      std::reverse(bytes, bytes + size);
+      size += GetSize(type);
     }
-    this->Begin += size;
-    value = ToDouble(bytes, type);
+    if (size > BlockSize)
+    {
+      return this->PlySource::ReadAll(types, values);
+    }
+    if (this->End - this->Begin < size && !this->Fill(size))
+    {
+      return this->Fail(CutOff);
+    }
+    std::transform(
+      types.begin(), types.end(), values, [this](PlyType type) { return this->Decode(type); });
     return true;
   }
 
@@ -123,6 +136,20 @@ public:
   }
 
 private:
+  /// The next number, whose bytes are there.
+  double Decode(PlyType type)
+  {
+    const std::size_t size = GetSize(type);
+    unsigned char bytes[8];
+    std::memcpy(bytes, this->Block.data() + this->Begin, 8);
+    if (this->IsSwapped)
+    {
+      std::reverse(bytes, bytes + size);
+    }
+    this->Begin += size;
+    return ToDouble(bytes, type);
+  }
+
   /// Reads on until a number of bytes is there.
   bool Fill(std::size_t wanted)
   {
@@ -130,8 +157,8 @@ private:
       this->Block.begin() + static_cast<std::ptrdiff_t>(this->End), this->Block.begin());
     this->End -= this->Begin;
     this->Begin = 0;
-    this->End += std::fread(
-      this->Block.data() + this->End, 1, this->Block.size() - this->End, this->File.get());
+    this->End +=
+      std::fread(this->Block.data() + this->End, 1, BlockSize - this->End, this->File.get());
     return this->End >= wanted;
   }
 

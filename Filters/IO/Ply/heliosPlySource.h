@@ -7,8 +7,10 @@
 
 #include "heliosPlyHeader.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace helios
 {
@@ -24,6 +26,13 @@ public:
 
   /// Reads the next number of the row.
   virtual bool Read(PlyType type, double& value) = 0;
+
+  /// Reads the next numbers of the row.
+  virtual bool ReadAll(const std::vector<PlyType>& types, double* values)
+  {
+    return std::all_of(types.begin(), types.end(),
+      [this, &values](PlyType type) { return this->Read(type, *values++); });
+  }
 
   /// Ends the row.
   virtual bool EndRow() = 0;

@@ -29,7 +29,7 @@ def patch(path, place, form, value):
 def fails(path, message):
     with pytest.raises(FormatError, match=message) as error:
         read(path)
-    assert str(error.value).startswith(f"{path}: ")
+    assert str(error.value).startswith(f"{path}:")
 
 
 # LAZ
@@ -166,9 +166,13 @@ def test_laz_that_laspy_does_not_write(laz, monkeypatch):
         (
             XYZ + "property int x\n",
             "1 2 3 4",
-            'has a property "x" twice; give each property a unique name',
+            'property "x" of "vertex" is given twice; remove one',
         ),
-        (XYZ + "property int points\n", "1 2 3 4", '"points" that is reserved for coordinates'),
+        (
+            XYZ + "property int points\n",
+            "1 2 3 4",
+            '"points", which is reserved for coordinates; rename',
+        ),
         (
             XYZ
             + "property float red\nproperty float green\nproperty float blue\nproperty int RGB\n",
@@ -183,14 +187,14 @@ def test_laz_that_laspy_does_not_write(laz, monkeypatch):
         (
             XYZ + "property uchar n\n",
             "1 2 3 300",
-            "n of vertex 0 is 300, not of type uint8; correct it",
+            "a.ply:9: n is 300, not of type uchar; correct it",
         ),
         (
             XYZ + "property int n\n",
             "1 2 3 nan",
-            "n of vertex 0 is nan, not of type int32; correct it",
+            'a.ply:9: "nan" is not a whole number; correct it',
         ),
-        (XYZ + "element vertex 1\n", "1 2 3", "has vertices twice; write them as one element"),
+        (XYZ + "element vertex 1\n", "1 2 3", 'element "vertex" is given twice; remove one'),
         (
             XYZ + "comment vtkhelios epoch x\n",
             "1 2 3",
@@ -199,9 +203,8 @@ def test_laz_that_laspy_does_not_write(laz, monkeypatch):
         (
             XYZ + "property double n\ncomment vtkhelios type:n int64\n",
             "1 2 3 1.5",
-            r"has values of n that are not whole numbers to 2\^53; correct them",
+            "n is 1.5, not of type int64; correct it",
         ),
-        ("comment\n" * 10_000 + XYZ, "1 2 3", "has more than 10000 lines of header"),
     ],
 )
 def test_damaged_ply_properties(tmp_path, properties, line, message):
@@ -213,9 +216,12 @@ def test_damaged_ply_properties(tmp_path, properties, line, message):
 def test_ply_of_too_many_points(tmp_path):
     path = tmp_path / "a.ply"
     path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex 999999999999"))
-    fails(path, "has 999999999999 points, but only 6 bytes after the header")
+    fails(
+        path,
+        "need 5999999999994 bytes or more, and 6 follow, so it is cut off; copy or write it again",
+    )
     path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex " + "9" * 5000))
-    fails(path, "elements, which is not a number; write it again")
+    fails(path, "expected a whole number from 0 to 2.40")
     path.write_text(PLY.format(XYZ + "comment vtkhelios\n", "1 2 3"))
     assert read(path)[1]["points"].tolist() == [[1, 2, 3]]
 

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The properties of PLY files of other programs as arrays, and text in ASCII for headers."""
 
-import re
-
 import numpy as np
 
 import vtkhelios
@@ -32,20 +30,14 @@ def _find(name):
 
 
 class PlyNames:
-    """``kinds``: the types of the properties by name; ``marked``: those with a type in a comment."""
+    """``kinds``: the types of the properties by name."""
 
-    def __init__(self, kinds, marked=()):
-        self._kinds, self._marked = kinds, marked
-        self.axes = [self._pick(axis) for axis in "xyz"]
+    def __init__(self, kinds):
+        self._kinds = kinds
         self.normals = self._find_three(NORMALS)
         self.colours = self._find_three(RGB)
         self.scalars = self._find_scalars()
         self._ranges = {}
-
-    def _pick(self, word):
-        """The property with a name, in upper case if there is none in lower case."""
-        same = [name for name in self._kinds if name.lower() == word]
-        return word if word in same else next(iter(same), None)
 
     def _find_three(self, array):
         found = {}
@@ -66,8 +58,7 @@ class PlyNames:
 
     def wants_scale(self, name):
         """Whether a property is intensities that are not of 8 or 16 bits."""
-        is_wide = self._kinds[name] not in ("u1", "u2") and name not in self._marked
-        return self.scalars.get(name) == INTENSITY and is_wide
+        return self.scalars.get(name) == INTENSITY and self._kinds[name] not in ("u1", "u2")
 
     def wanted(self):
         """The properties whose range over the whole file decides on their type or scale."""
@@ -113,9 +104,3 @@ def to_ascii(text):
     units = text.encode("utf-16-be", "surrogatepass")
     codes = [256 * units[k] + units[k + 1] for k in range(0, len(units), 2)]
     return "".join(chr(c) if c < 128 and c != 92 else f"\\u{c:04x}" for c in codes)
-
-
-def from_ascii(text):
-    """The text that to_ascii() made so."""
-    text = re.sub(r"\\u([0-9a-fA-F]{4})", lambda match: chr(int(match[1], 16)), text)
-    return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
