@@ -333,7 +333,9 @@ Status CloudReader::ReadCloud(const std::string& path)
   }
   if (ending == ".ply")
   {
-    return this->ReadPly(path);
+    vtkNew<vtkHeliosPLYPointReader> reader;
+    reader->SetFileName(name);
+    return this->ReadPieces(reader, path, CountPieces(path));
   }
   return Status::Error(path + ": not a supported cloud format; give " + ListEndings() +
     " or the folder of a finished run");
@@ -377,34 +379,6 @@ Status CloudReader::ReadText(const std::string& path)
   {
     this->PartNames.push_back(parts->GetValue(part));
   }
-  return error.empty() ? Status() : Status::Error(WithPath(path, error));
-}
-
-//------------------------------------------------------------------------------
-Status CloudReader::ReadPly(const std::string& path)
-{
-  vtkNew<vtkHeliosPLYPointReader> reader;
-  std::string error;
-  ObserveErrors(reader, error);
-  reader->SetFileName(path.c_str());
-  reader->SetMaximumNumberOfPoints(BlockSize);
-  vtkIdType end = 0;
-  do
-  {
-    reader->SetBegin(end);
-    reader->Update();
-    vtkPolyData* block = reader->GetOutput();
-    if (vtkDataArray* intensity = block->GetPointData()->GetArray("intensity"))
-    {
-      intensity->SetName(names::Intensity);
-    }
-    end += block->GetNumberOfPoints();
-    if (error.empty() && end > 0)
-    {
-      this->OnBlock(
-        block, static_cast<double>(end) / static_cast<double>(reader->GetNumberOfVertices()));
-    }
-  } while (error.empty() && !this->Stopped && end < reader->GetNumberOfVertices());
   return error.empty() ? Status() : Status::Error(WithPath(path, error));
 }
 

@@ -27,7 +27,7 @@ using BlockFunction = std::function<bool(vtkPolyData*, double)>;
 /**
  * Reads a run folder (run_summary.json lists the files of its legs) or one file:
  * - .xyz, .txt, .asc: the columns of vtkHeliosPointTextWriter, or any text with x y z first;
- * - .las (vtkHeliosLASReader), .vtp, .pvtp, .ply.
+ * - .las (vtkHeliosLASReader), .vtp, .pvtp, .ply (vtkHeliosPLYPointReader).
  * Coordinates are converted to metres by the coordinate system of the file; degrees are an error.
  * The trajectories of a run are polylines (of a static platform: a vertex) in world coordinates,
  * also the one beside a single legNNN_points file.
@@ -55,7 +55,6 @@ private:
   Status ReadRun(const std::string& folder);
   Status ReadCloud(const std::string& path);
   Status ReadText(const std::string& path);
-  Status ReadPly(const std::string& path);
   Status ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
   Status ReadTrajectory(const std::string& path);
 

@@ -18,6 +18,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -299,8 +300,6 @@ void vtkHeliosPLYPointReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "Begin: " << this->Begin << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
   os << indent << "NumberOfVertices: " << this->NumberOfVertices << "\n";
 }
 
@@ -311,34 +310,29 @@ const char* vtkHeliosPLYPointReader::GetFormat() const
 }
 
 //------------------------------------------------------------------------------
-/// Opens the file, unless the points follow those of the last update.
-helios::Status vtkHeliosPLYPointReader::OpenFile()
+int vtkHeliosPLYPointReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  if (this->Begin > 0 && this->File && this->File->GetPath() == this->FileName &&
-    this->File->GetNext() <= this->Begin)
-  {
-    return {};
-  }
-  this->File = std::make_unique<Vertices>(this->FileName);
-  return this->File->Open();
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
-helios::Status vtkHeliosPLYPointReader::ReadFile(vtkPolyData* cloud)
+/// Opens the file, unless the piece follows those that were read from it.
+helios::Status vtkHeliosPLYPointReader::ReadPiece(int piece, int pieces, vtkPolyData* cloud)
 {
-  helios::Status status = this->OpenFile();
-  if (!status.IsOk())
+  const auto getRow = [this, pieces](int i)
+  { return this->NumberOfVertices / pieces * i + this->NumberOfVertices % pieces * i / pieces; };
+  helios::Status status;
+  if (piece == 0 || !this->File || this->File->GetPath() != this->FileName ||
+    this->File->GetNext() > getRow(piece))
   {
-    return status;
+    this->File = std::make_unique<Vertices>(this->FileName);
+    status = this->File->Open();
+    this->NumberOfVertices = status.IsOk() ? this->File->GetSize() : 0;
   }
-  this->NumberOfVertices = this->File->GetSize();
-  const vtkIdType begin = std::min(this->Begin, this->NumberOfVertices);
-  const vtkIdType rest = this->NumberOfVertices - begin;
-  const vtkIdType wanted = this->MaximumNumberOfPoints;
-  status = this->File->Read(begin, nullptr);
-  return status.IsOk()
-    ? this->File->Read(begin + (wanted > 0 ? std::min(wanted, rest) : rest), cloud)
-    : status;
+  status = status.IsOk() ? this->File->Read(getRow(piece), nullptr) : status;
+  return status.IsOk() ? this->File->Read(getRow(piece + 1), cloud) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -350,16 +344,24 @@ int vtkHeliosPLYPointReader::RequestData(
     vtkErrorMacro(<< "FileName is not set; give the PLY file with SetFileName");
     return 0;
   }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* wanted = outputVector->GetInformationObject(0);
+  const int pieces = std::max(1, wanted->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  const int piece = wanted->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  if (piece < 0 || piece >= pieces)
+  {
+    return 1; // no part of the file
+  }
   helios::Status status;
   vtkPolyData* cloud = vtkPolyData::GetData(outputVector);
   try
   {
-    status = this->ReadFile(cloud);
+    status = this->ReadPiece(piece, pieces, cloud);
   }
   catch (const std::bad_alloc&)
   {
-    status = helios::Status::Error(std::string(this->FileName) +
-      ": not enough memory for its points; set MaximumNumberOfPoints");
+    status = helios::Status::Error(
+      std::string(this->FileName) + ": not enough memory for its points; request it in pieces");
   }
   if (!status.IsOk())
   {

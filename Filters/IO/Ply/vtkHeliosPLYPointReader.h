@@ -11,8 +11,8 @@
  *   floats have their type again (comment vtkhelios type:NAME int64);
  * - field data: CRS and GpsEpoch if comments of vtkhelios state them.
  *
- * Other elements, which follow the vertices, are not read. A file larger than memory is read in
- * parts: set MaximumNumberOfPoints, and Begin to the number of points that were read before.
+ * Other elements, which follow the vertices, are not read. A file larger than memory is read by
+ * pieces, in their order.
  *
  * Errors, without output: a malformed header, elements before the vertices, lists, a file that is cut
  * off, numbers that are malformed or not of the type of their property. Messages start with
@@ -52,23 +52,6 @@ public:
 
   ///@{
   /**
-   * Set/Get the first point of an update. Valid range: [0, infinity). Default: 0.
-   */
-  vtkSetClampMacro(Begin, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(Begin, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the largest number of points of an update; 0: all. Valid range: [0, infinity).
-   * Default: 0.
-   */
-  vtkSetClampMacro(MaximumNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(MaximumNumberOfPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
    * Of the last update: the number of points of the file, and its format: ascii,
    * binary_little_endian or binary_big_endian.
    */
@@ -80,6 +63,8 @@ protected:
   vtkHeliosPLYPointReader();
   ~vtkHeliosPLYPointReader() override;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -88,12 +73,9 @@ private:
   void operator=(const vtkHeliosPLYPointReader&) = delete;
 
   class Vertices;
-  helios::Status OpenFile();
-  helios::Status ReadFile(vtkPolyData* cloud);
+  helios::Status ReadPiece(int piece, int pieces, vtkPolyData* cloud);
 
   char* FileName = nullptr;
-  vtkIdType Begin = 0;
-  vtkIdType MaximumNumberOfPoints = 0;
   vtkIdType NumberOfVertices = 0;
   std::unique_ptr<Vertices> File; // of the last update
 };

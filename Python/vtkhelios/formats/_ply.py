@@ -30,7 +30,7 @@ class PlyReader(Reader):
         super().__init__(path)
         self._reader = vtkhelios.vtkHeliosPLYPointReader()
         self._reader.SetFileName(to_vtk(self.path))
-        fields = self._read(0, 1)
+        fields = self._read(0, 2**31 - 1)  # few points, if any
         self.count = self._reader.GetNumberOfVertices()
         if self.count == 0:
             self.fail("has no points; give a file with points")
@@ -39,24 +39,22 @@ class PlyReader(Reader):
         self.kind = f"PLY {self._reader.GetFormat()}"
         self.header = Header(self._reader.GetOutput().GetFieldData())
 
-    def _read(self, begin, rows):
-        """The properties of points, but for x, y and z as points."""
-        self._reader.SetBegin(begin)
-        self._reader.SetMaximumNumberOfPoints(rows)
-        call(self, self._reader, self._reader.Update)
+    def _read(self, piece, pieces):
+        """The properties of a piece of the points, but for x, y and z as points."""
+        call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
         cloud = self._reader.GetOutput()
         if cloud.GetPointData().HasArray("points"):
             self.fail('has a property "points", which is reserved for coordinates; rename it')
         return from_cloud(cloud)
 
     def read_chunks(self, rows):
-        begins, wanted = range(0, self.count, rows), self._names.wanted()
-        for begin in begins if wanted else ():
-            fields = self._read(begin, rows)
+        pieces, wanted = -(-self.count // rows), self._names.wanted()
+        for piece in range(pieces if wanted else 0):
+            fields = self._read(piece, pieces)
             for name in wanted:
                 self._names.add_range(name, fields[name])
-        for begin in begins:
-            yield self._to_chunk(self._read(begin, rows))
+        for piece in range(pieces):
+            yield self._to_chunk(self._read(piece, pieces))
 
     def _to_chunk(self, fields):
         names = self._names
