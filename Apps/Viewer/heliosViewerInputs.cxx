@@ -122,14 +122,13 @@ std::vector<SimulatedLeg> MakeLegs(
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(legs.size());
-    SetTrajectory(trajectory, leg);
-    if (leg.Times.empty())
+    if (!leg.SetTrajectory(trajectory))
     {
       continue;
     }
-    leg.StartTime = leg.Times.front();
-    leg.EndTime = leg.Times.back();
-    leg.IsMoving = leg.Times.size() > 1;
+    leg.StartTime = leg.Path.GetStartTime();
+    leg.EndTime = leg.Path.GetEndTime();
+    leg.IsMoving = !leg.Path.IsStatic();
     leg.Type = leg.IsMoving ? PlatformType::LinearPath : PlatformType::Static;
     legs.push_back(leg);
   }

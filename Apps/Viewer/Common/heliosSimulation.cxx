@@ -5,13 +5,10 @@
 #include "heliosErrorText.h"
 #include "heliosSceneBounds.h"
 #include "heliosSurveyData.h"
-#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
 #include <vtkBoundingBox.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
@@ -22,7 +19,6 @@
 
 namespace helios::viewer
 {
-namespace names = vtkHeliosArrayNames;
 
 namespace
 {
@@ -32,14 +28,6 @@ constexpr vtkIdType FewestPulses = 1024; // of a block
 constexpr vtkIdType MostPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
 constexpr double SamplesPerLeg = 2000.0; // of the trajectory
-
-Pose GetPose(vtkPolyData* trajectory, vtkIdType sample)
-{
-  double q[4] = { 1.0, 0.0, 0.0, 0.0 };
-  vtkDataArray* orientations = trajectory->GetPointData()->GetArray(names::Orientation);
-  orientations ? orientations->GetTuple(sample, q) : void();
-  return { Vec3(trajectory->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
-}
 
 template <typename Data>
 vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
@@ -64,19 +52,14 @@ bool HasMovingParts(const SceneData& scene)
 } // namespace
 
 //------------------------------------------------------------------------------
-Pose SimulatedLeg::GetPose(double time) const
+bool SimulatedLeg::SetTrajectory(vtkPolyData* trajectory)
 {
-  const auto later = std::upper_bound(this->Times.begin(), this->Times.end(), time);
-  if (later == this->Times.begin() || later == this->Times.end())
+  const bool isSet = this->Path.Set(trajectory).IsOk();
+  for (vtkIdType k = 0; isSet && k < trajectory->GetNumberOfPoints(); ++k)
   {
-    return later == this->Times.begin() ? this->Poses.front() : this->Poses.back();
+    this->Positions.emplace_back(trajectory->GetPoint(k));
   }
-  const auto b = static_cast<std::size_t>(later - this->Times.begin());
-  const double share = (time - this->Times[b - 1]) / (this->Times[b] - this->Times[b - 1]);
-  const Pose& before = this->Poses[b - 1];
-  const Pose& after = this->Poses[b];
-  return { before.Position + share * (after.Position - before.Position),
-    before.Orientation.Slerp(share, after.Orientation) };
+  return isSet;
 }
 
 //------------------------------------------------------------------------------
@@ -96,17 +79,6 @@ const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
     found = leg.StartTime <= time ? &leg : found;
   }
   return found;
-}
-
-//------------------------------------------------------------------------------
-void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg)
-{
-  vtkDataArray* clock = trajectory->GetPointData()->GetArray(names::GpsTime);
-  for (vtkIdType k = 0; k < trajectory->GetNumberOfPoints(); ++k)
-  {
-    leg.Times.push_back(clock ? clock->GetTuple1(k) : 0.0);
-    leg.Poses.push_back(GetPose(trajectory, k));
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -319,7 +291,7 @@ void Simulation::ReadLegs()
     this->Source->GetLegTimes(i, times);
     this->Source->GetLegPulses(i, pulses);
     const auto trajectory = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
-    if (!trajectory || trajectory->GetNumberOfPoints() == 0)
+    if (!leg.SetTrajectory(trajectory))
     {
       continue;
     }
@@ -340,7 +312,6 @@ void Simulation::ReadLegs()
     leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
     leg.HeadStart = scan.HeadRotateStart;
     leg.HeadSpeed = scan.HeadRotateSpeed;
-    SetTrajectory(trajectory, leg);
     this->Legs.push_back(leg);
   }
 }

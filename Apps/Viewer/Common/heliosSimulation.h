@@ -8,6 +8,7 @@
 #include "heliosMovingScene.h"
 #include "heliosPose.h"
 #include "heliosSurveyData.h"
+#include "heliosTrajectory.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -38,8 +39,8 @@ struct SimulatedLeg
   vtkIdType FirstPulse = 0;
   vtkIdType LastPulse = 0; ///< past the end
   Pose Mount;              ///< of the scanner on its platform
-  std::vector<double> Times;
-  std::vector<Pose> Poses;
+  Trajectory Path;
+  std::vector<Vec3> Positions; ///< of its samples
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
   double LineFrequency = 0.0; ///< of the scan [Hz]; 0: unknown
@@ -50,8 +51,12 @@ struct SimulatedLeg
   double HeadStart = 0.0; ///< [deg]
   double HeadSpeed = 0.0; ///< [deg/s]
 
+  /// Sets the trajectory: a polyline with GpsTime and Orientation. False if it has no samples, or
+  /// bad ones.
+  bool SetTrajectory(vtkPolyData* trajectory);
+
   /// Platform pose [s]: clamped to the start and end of the leg.
-  Pose GetPose(double time) const;
+  Pose GetPose(double time) const { return this->Path.GetPose(time); }
 
   /// Pose of the scanner head on the platform [s]: its mount, rotated.
   Pose GetHead(double time) const;
@@ -59,9 +64,6 @@ struct SimulatedLeg
 
 /// The leg at a time [s], the last one started; null before the first.
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
-
-/// Sets a trajectory: a polyline with GpsTime and Orientation.
-void SetTrajectory(vtkPolyData* trajectory, SimulatedLeg& leg);
 
 /// All data of a pulse.
 struct PulseRecord

@@ -48,12 +48,12 @@ std::vector<SimulatedLeg> MakeTrajectories(const SurveyEdit& edit)
   {
     SimulatedLeg leg;
     leg.Leg = static_cast<int>(i);
-    leg.Poses.push_back(FindPose(edit, i));
+    leg.Positions.push_back(FindPose(edit, i).Position);
     trajectories.push_back(leg);
     if (edit.IsMoving() && i + 1 < edit.Legs.size())
     {
       leg.IsMoving = true;
-      leg.Poses.push_back(FindPose(edit, i + 1));
+      leg.Positions.push_back(FindPose(edit, i + 1).Position);
       trajectories.push_back(leg);
     }
   }
@@ -132,9 +132,9 @@ void EditTool::FindGround()
   {
     for (const SimulatedLeg& leg : run->GetLegs())
     {
-      if (leg.Leg == static_cast<int>(i) && !leg.Poses.empty())
+      if (leg.Leg == static_cast<int>(i) && !leg.Positions.empty())
       {
-        this->Edit.Legs[i].Ground = leg.Poses.front().Position[2];
+        this->Edit.Legs[i].Ground = leg.Positions.front()[2];
       }
     }
   }

@@ -119,9 +119,9 @@ void PlatformView::SetTrajectories(const std::vector<SimulatedLeg>& legs)
   for (const SimulatedLeg& leg : legs)
   {
     std::vector<vtkIdType> ids;
-    for (const Pose& pose : leg.Poses)
+    for (const Vec3& position : leg.Positions)
     {
-      ids.push_back(points->InsertNextPoint((pose.Position - this->Origin).GetData()));
+      ids.push_back(points->InsertNextPoint((position - this->Origin).GetData()));
     }
     vtkCellArray* cells = leg.IsMoving ? lines : vertices;
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());

@@ -225,10 +225,10 @@ void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
   const std::size_t count = points.size();
   for (const SimulatedLeg& leg : this->Legs)
   {
-    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
+    for (const Vec3& position : { leg.Positions.front(), leg.Positions.back() })
     {
-      all.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
-      points.push_back(pose.Position);
+      all.AddPoint(position.GetData());
+      points.push_back(position);
     }
   }
   if (box.IsValid() && all.GetDiagonalLength() > FarTrajectory * box.GetDiagonalLength())
