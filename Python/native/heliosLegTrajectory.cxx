@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosTrajectory.h"
+#include "heliosLegTrajectory.h"
 
 #include "vtkHeliosSurveySource.h"
 #include "vtkPolyData.h"

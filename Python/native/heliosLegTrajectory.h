@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Returns smart pointers, which VTK's wrapper cannot.
 
-#ifndef heliosTrajectory_h
-#define heliosTrajectory_h
+#ifndef heliosLegTrajectory_h
+#define heliosLegTrajectory_h
 
 #include "vtkPython.h" // Must be first
 

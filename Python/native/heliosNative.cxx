@@ -3,10 +3,10 @@
 // The Python module vtkhelios._native: functions that Python cannot provide.
 
 #include "heliosInput.h"
+#include "heliosLegTrajectory.h"
 #include "heliosObserve.h"
 #include "heliosRun.h"
 #include "heliosSignals.h"
-#include "heliosTrajectory.h"
 #include "heliosTypes.h"
 
 namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosWaveSpectrum.h"
 
+#include "heliosConstants.h"
 #include "heliosRandom.h"
 
 #include <vtkMath.h>
@@ -13,7 +14,6 @@ namespace helios
 namespace
 {
 
-constexpr double Gravity = 9.81; // [m/s2]
 constexpr int Frequencies = 40;
 constexpr int Directions = 16;
 
@@ -27,7 +27,7 @@ double Square(double x)
 //------------------------------------------------------------------------------
 double GetPeakFrequency(const Wind& wind)
 {
-  return 22.0 * std::cbrt(Square(Gravity) / (wind.Speed * wind.Fetch));
+  return 22.0 * std::cbrt(Square(StandardGravity) / (wind.Speed * wind.Fetch));
 }
 
 //------------------------------------------------------------------------------
@@ -35,10 +35,11 @@ double GetWaveEnergy(const Wind& wind, double frequency)
 {
   const double w = frequency;
   const double w0 = GetPeakFrequency(wind);
-  const double a = 0.076 * std::pow(Square(wind.Speed) / (wind.Fetch * Gravity), 0.22);
+  const double a = 0.076 * std::pow(Square(wind.Speed) / (wind.Fetch * StandardGravity), 0.22);
   const double s = w <= w0 ? 0.07 : 0.09;
   const double peak = std::pow(3.3, std::exp(-Square(w - w0) / (2.0 * Square(s * w0))));
-  return a * Square(Gravity) / std::pow(w, 5) * std::exp(-1.25 * std::pow(w0 / w, 4)) * peak;
+  return a * Square(StandardGravity) / std::pow(w, 5) * std::exp(-1.25 * std::pow(w0 / w, 4)) *
+    peak;
 }
 
 //------------------------------------------------------------------------------
@@ -46,7 +47,7 @@ double GetWaveEnergy(const Wind& wind, double frequency)
 /// random place in its step.
 WaveField::WaveField(const Wind& wind, double shortest, std::uint64_t seed)
 {
-  const double last = std::sqrt(2.0 * vtkMath::Pi() * Gravity / shortest);
+  const double last = std::sqrt(2.0 * vtkMath::Pi() * StandardGravity / shortest);
   const double first = 0.6 * GetPeakFrequency(wind);
   if (!(wind.Speed > 0.0) || !(first < last))
   {
@@ -64,7 +65,7 @@ WaveField::WaveField(const Wind& wind, double shortest, std::uint64_t seed)
       const double spread = 2.0 / vtkMath::Pi() * Square(std::cos(angle));
       const double energy =
         GetWaveEnergy(wind, w) * spread * (w * step) * (vtkMath::Pi() / Directions);
-      const double k = Square(w) / Gravity; // of deep water
+      const double k = Square(w) / StandardGravity; // of deep water
       const double heading = vtkMath::RadiansFromDegrees(wind.Direction) + angle;
       this->Waves.push_back({ k * std::cos(heading), k * std::sin(heading), w,
         2.0 * vtkMath::Pi() * u[2], std::sqrt(2.0 * energy) });

@@ -58,21 +58,21 @@ TEST_CASE("WaterWaves: variance and slopes are those of the spectrum", "[WaterWa
   const Wind wind{ GENERATE(3.0, 10.0), 30.0, 5000.0 };
   const double w0 = helios::GetPeakFrequency(wind);
   const double shortest = 0.5;
-  const double last = std::sqrt(2.0 * vtkMath::Pi() * 9.81 / shortest);
+  const double last = std::sqrt(2.0 * vtkMath::Pi() * 9.80665 / shortest);
   const helios::WaveField field(wind, shortest, 3);
   const double variance =
     Integrate(0.6 * w0, last, [&](double w) { return helios::GetWaveEnergy(wind, w); });
   const double slopes = Integrate(0.6 * w0, last,
-    [&](double w) { return helios::GetWaveEnergy(wind, w) * std::pow(w, 4) / (9.81 * 9.81); });
+    [&](double w) { return helios::GetWaveEnergy(wind, w) * std::pow(w, 4) / (9.80665 * 9.80665); });
   CHECK(field.GetVariance() == Approx(variance).epsilon(0.05));
   CHECK(field.GetMeanSquareSlope() == Approx(slopes).epsilon(0.05));
   // what lies below 0.6 of the peak does not matter
   CHECK(Integrate(0.3 * w0, 0.6 * w0, [&](double w) { return helios::GetWaveEnergy(wind, w); }) <
     1e-3 * variance);
   // Yamaguchi (1984): the integral of the spectrum, for a peak of 3.3
-  const double alpha = 0.076 * std::pow(wind.Speed * wind.Speed / (wind.Fetch * 9.81), 0.22);
+  const double alpha = 0.076 * std::pow(wind.Speed * wind.Speed / (wind.Fetch * 9.80665), 0.22);
   const double closed =
-    alpha * 9.81 * 9.81 / std::pow(w0, 4) * (0.065 * std::pow(3.3, 0.803) + 0.135);
+    alpha * 9.80665 * 9.80665 / std::pow(w0, 4) * (0.065 * std::pow(3.3, 0.803) + 0.135);
   CHECK(variance == Approx(closed).epsilon(0.03));
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("WaterWaves: waves move with the wind, at the speed of the peak", "[Wa
 {
   const Wind wind{ 6.0, 0.0, 2000.0 };
   const helios::WaveField field(wind, 0.5, 5);
-  const double speed = 9.81 / helios::GetPeakFrequency(wind); // of phases
+  const double speed = 9.80665 / helios::GetPeakFrequency(wind); // of phases
   const auto correlate = [&](double shift)
   {
     double sum = 0.0;

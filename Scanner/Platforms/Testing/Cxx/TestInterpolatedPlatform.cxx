@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosErrorObserver.h"
 #include "heliosPose.h"
-#include "heliosTrajectory.h"
+#include "heliosWaypointTesting.h"
 #include "vtkHeliosInterpolatedPlatform.h"
 
 #include <catch2/catch.hpp>

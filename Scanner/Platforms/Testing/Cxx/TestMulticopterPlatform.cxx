@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosErrorObserver.h"
-#include "heliosTrajectory.h"
+#include "heliosWaypointTesting.h"
 #include "vtkHeliosMulticopterPlatform.h"
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The mounts of Data/Assets/platforms.xml, against the expected beam directions.
-#include "heliosTrajectory.h"
+#include "heliosWaypointTesting.h"
 #include "vtkHeliosLinearPathPlatform.h"
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any waypoints: the trajectory passes them, in bounded time.
 #include "heliosErrorObserver.h"
-#include "heliosTrajectory.h"
+#include "heliosWaypointTesting.h"
 #include "vtkHeliosGroundVehiclePlatform.h"
 #include "vtkHeliosMulticopterPlatform.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Creates waypoints and reads trajectories, for the tests.
 
-#ifndef heliosTrajectory_h
-#define heliosTrajectory_h
+#ifndef heliosWaypointTesting_h
+#define heliosWaypointTesting_h
 
 #include "heliosHermite.h"
 #include "vtkHeliosArrayNames.h"
