@@ -20,7 +20,7 @@ public:
   /// Null: no areas.
   explicit Areas(vtkPolyData* outlines);
 
-  /// Whether a position is inside one of the areas or on its border.
+  /// Returns whether a position is inside one of the areas or on its border.
   bool Contain(double x, double y) const;
 
 private:

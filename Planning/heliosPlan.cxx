@@ -235,7 +235,8 @@ private:
     this->Result.Bound = std::max(this->Result.Bound, answer.Bound);
   }
 
-  /// The best choice, whose members are all candidates of the reduced problem, as a choice of it.
+  /// Returns the best choice, whose members are all candidates of the reduced problem, as a choice
+  /// of it.
   Choice GetReducedChoice() const
   {
     Choice choice;

@@ -96,7 +96,7 @@ const PlanGround::Ground& PlanGround::GetPrototype(const SceneInstance& instance
 }
 
 //------------------------------------------------------------------------------
-/// Whether all triangles of an instance are ground.
+/// Returns whether all triangles of an instance are ground.
 bool PlanGround::IsWhole(const SceneInstance& instance) const
 {
   const auto material = static_cast<std::size_t>(instance.Material);
@@ -106,7 +106,7 @@ bool PlanGround::IsWhole(const SceneInstance& instance) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether triangles of an instance are ground.
+/// Returns whether triangles of an instance are ground.
 bool PlanGround::IsExtracted(const SceneInstance& instance) const
 {
   return this->IsWhole(instance) ||

@@ -28,16 +28,16 @@ public:
   /// Keeps a reference.
   Status Set(vtkPolyData* scene);
 
-  /// Whether the scene has none.
+  /// Returns whether the scene has none.
   bool IsEmpty() const;
 
-  /// Whether a triangle of the scene is ground.
+  /// Returns whether a triangle of the scene is ground.
   bool Has(const SceneGeometry::Cell& at) const;
 
   /// Makes a scene of the ground alone, without cell arrays.
   vtkSmartPointer<vtkPolyData> Extract();
 
-  /// The cell id in the scene of a triangle of the extracted one.
+  /// Returns the cell id in the scene of a triangle of the extracted one.
   vtkIdType GetCell(const SceneGeometry& extracted, vtkIdType cell) const;
 
 private:

@@ -39,13 +39,13 @@ public:
   /// x0 x1 y0 y1 z0 z1 of the triangles taken.
   const double* GetBounds() const { return this->Bounds; }
 
-  /// The cell of the scene hit, given the hit id of the caster.
+  /// Returns the cell of the scene hit, given the hit id of the caster.
   vtkIdType GetCell(vtkIdType hit) const;
 
   /// The part of the scene hit; -1: the scene has no parts.
   int GetPart(vtkIdType hit) const;
 
-  /// The unit normal of the triangle hit, from its corners by the right-hand rule.
+  /// Returns the unit normal of the triangle hit, from its corners by the right-hand rule.
   Vec3 GetFaceNormal(vtkIdType hit) const;
 
   /// The cell array Normals if the scene has it, else the normal from the corners.

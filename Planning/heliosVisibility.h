@@ -25,7 +25,7 @@ namespace helios
 class VTKHELIOSPLANNING_EXPORT Visibility
 {
 public:
-  /// The number of words in a row.
+  /// Returns the number of words in a row.
   static vtkIdType GetRowLength(vtkIdType testPoints) { return (testPoints + 63) / 64; }
 
   /**
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /// The number of test points a candidate sees.
+  /// Returns the number of test points a candidate sees.
   vtkIdType GetSize(vtkIdType candidate) const;
 
 private:

@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Get the filters, in the order of the pipeline.
+   * Returns the filters, in the order of the pipeline.
    */
   vtkHeliosScanPositionCandidates* GetCandidates() const;
   vtkHeliosVisibilityTestPoints* GetTestPoints() const;

@@ -226,7 +226,7 @@ public:
   }
 
 private:
-  /// Whether surfaces may be above positions.
+  /// Returns whether surfaces may be above positions.
   bool IsBelowOthers() const
   {
     return !this->Ground.IsEmpty() && this->Self->Surface != OPEN_GROUND;

@@ -213,7 +213,7 @@ public:
   ///@}
 
   /**
-   * Whether this build supports OPTIMAL.
+   * Returns whether this build supports OPTIMAL.
    */
   static bool HasOptimal();
 

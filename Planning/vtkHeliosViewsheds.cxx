@@ -37,7 +37,7 @@ using helios::Vec3;
 namespace
 {
 
-/// The values of an array of 3 components as doubles; null if there is no such array.
+/// Returns the values of an array of 3 components as doubles; null if there is no such array.
 vtkSmartPointer<vtkDoubleArray> GetDoubles(vtkDataArray* array)
 {
   if (!array || array->GetNumberOfComponents() != 3)
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkDoubleArray> GetDoubles(vtkDataArray* array)
   return doubles;
 }
 
-/// The first point that is not finite, or -1.
+/// Returns the first point that is not finite, or -1.
 vtkIdType FindNotFinite(vtkPolyData* data)
 {
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)

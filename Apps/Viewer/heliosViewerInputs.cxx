@@ -40,7 +40,7 @@ namespace
 const char* const DefaultPlatform = "platforms.xml#tripod";
 const char* const DefaultScanner = "scanners.xml#vz400_class_tls";
 
-/// A file's extension in lower case.
+/// Returns a file's extension in lower case.
 std::string GetExtension(const fs::path& path)
 {
   std::string extension = path.extension().string();
@@ -113,7 +113,7 @@ Status ShowPlan(Viewer& viewer, const std::string& path)
     : ShowSceneFile(viewer, plan.Survey, plan.Lines);
 }
 
-/// The trajectories in the files of a run, as legs of a replay.
+/// Returns the trajectories in the files of a run, as legs of a replay.
 std::vector<SimulatedLeg> MakeLegs(
   const std::vector<vtkSmartPointer<vtkPolyData>>& trajectories, double end)
 {

@@ -91,7 +91,8 @@ struct VTKHELIOSFILTERSCORE_EXPORT Material
 
 using MaterialTable = std::vector<Material>;
 
-/// The material columns of a scene's field data; a scene without them has one default material.
+/// Returns the material columns of a scene's field data; a scene without them has one default
+/// material.
 VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkDataObject* scene);
 
 /// Replaces the material columns of a scene; those of optics and of colours are only there if a

@@ -42,7 +42,7 @@ inline double Phase(double time, double frequency)
   return Fraction(product - std::floor(product) + error);
 }
 
-/// The time of a pulse [s], computed from its index, not accumulated.
+/// Returns the time of a pulse [s], computed from its index, not accumulated.
 inline double PulseTime(double start, std::int64_t index, double pulseFrequency)
 {
   return start + static_cast<double>(index) / pulseFrequency;

@@ -50,7 +50,7 @@ struct Rotation
   }
 };
 
-/// The right-handed rotation by an angle [deg] about an axis of any length.
+/// Returns the right-handed rotation by an angle [deg] about an axis of any length.
 inline Quaternion AxisAngle(Vec3 axis, double degrees)
 {
   axis.Normalize();

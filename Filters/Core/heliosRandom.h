@@ -34,8 +34,8 @@ enum class RandomStream : std::uint32_t
 };
 
 /**
- * A pair of independent standard normal numbers, a pure function of its key: the seed, the stream,
- * the item (a pulse, a point) and the draw index. Philox4x64-10 (Salmon et al. 2011), then
+ * Returns a pair of independent standard normal numbers, a pure function of its key: the seed, the
+ * stream, the item (a pulse, a point) and the draw index. Philox4x64-10 (Salmon et al. 2011), then
  * Box-Muller.
  */
 VTKHELIOSFILTERSCORE_EXPORT std::array<double, 2> NormalPair(

@@ -41,7 +41,7 @@ public:
 
   bool IsOk() const { return this->Text.empty(); }
 
-  /// The error message, empty after success.
+  /// Returns the error message, empty after success.
   const std::string& Message() const { return this->Text; }
 
 private:

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// Whether the work ends; for any thread, once a step.
+  /// Returns whether the work ends; for any thread, once a step.
   bool IsStopped() const { return this->Stopped.load(std::memory_order_relaxed); }
 
   /// After some steps; for any thread. The one that started the work reports at intervals.

@@ -39,7 +39,8 @@ double CountLeapSeconds(double unixTime)
   return static_cast<double>(after - std::begin(LeapSeconds));
 }
 
-/// The days from 1 January 1970 to a date of the Gregorian calendar (H. Hinnant, days_from_civil).
+/// Returns the days from 1 January 1970 to a date of the Gregorian calendar (H. Hinnant,
+/// days_from_civil).
 std::int64_t CountDays(std::int64_t year, std::int64_t month, std::int64_t day)
 {
   year -= month <= 2 ? 1 : 0;

@@ -53,7 +53,7 @@ double GetRoom(const std::string& group, const std::string& most, const std::str
   return room == room ? std::max(0.0, room) / Mebibyte : Unlimited;
 }
 
-/// Smallest memory left by the control groups above this process [MiB].
+/// Returns the smallest memory left by the control groups above this process [MiB].
 double GetRoomOfGroups()
 {
   double room = GetRoom(

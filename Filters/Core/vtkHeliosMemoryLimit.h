@@ -31,15 +31,15 @@ public:
   ///@}
 
   /**
-   * Get the memory still available [MiB]: the limit minus the current use of the process. Without a
-   * limit: the available memory of the machine (MemAvailable of /proc/meminfo), or that of a
-   * control group if it is less. Infinite if the system does not report it.
+   * Returns the memory still available [MiB]: the limit minus the current use of the process.
+   * Without a limit: the available memory of the machine (MemAvailable of /proc/meminfo), or that
+   * of a control group if it is less. Infinite if the system does not report it.
    */
   static double GetAvailable();
 
   /**
-   * Get the memory used by this process [MiB], without pages of files, which the system may drop; 0
-   * if the system does not report it.
+   * Returns the memory used by this process [MiB], without pages of files, which the system may
+   * drop; 0 if the system does not report it.
    */
   static double GetUsed();
 

@@ -18,7 +18,7 @@ public:
   vtkTypeMacro(vtkHeliosVersion, vtkObject);
 
   /**
-   * Get the version as "major.minor.patch".
+   * Returns the version as "major.minor.patch".
    */
   static const char* GetVersion();
 

@@ -16,12 +16,13 @@
 namespace helios
 {
 
-/// The mean distance of each point to its nearest neighbours [m], fewer than there are points;
-/// empty if it was stopped.
+/// Returns the mean distance of each point to its nearest neighbours [m], fewer than there are
+/// points; empty if it was stopped.
 std::vector<float> GetNeighborDistances(
   const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, int numberOfNeighbors, const GoOn& goOn);
 
-/// The mean of at least two distances, plus standardDeviations times their standard deviation.
+/// Returns the mean of at least two distances, plus standardDeviations times their standard
+/// deviation.
 double GetDistanceLimit(const std::vector<float>& distances, double standardDeviations);
 
 } // namespace helios

@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// The first array present, or null.
+  /// Returns the first array present, or null.
   vtkDataArray* Get(std::initializer_list<const char*> wanted, int components = 1)
   {
     for (const char* name : wanted)

@@ -49,11 +49,11 @@ VTKHELIOSFILTERSPCL_EXPORT void ChooseOrigin(
   vtkPolyData* echoes, double origin[3], double step = 1.0);
 
 /**
- * All points of echoes, in their order, as pcl::PointXYZ, pcl::PointXYZI, pcl::PointXYZINormal or
- * PointEcho. Points that are not finite stay and make the cloud not dense. Fields without an array
- * are 0: Amplitude (or else Intensity), Normals (or else Normal), EchoWidth, GpsTime, PulseIds,
- * ClassificationIds, ReturnNumber, NumberOfReturns. Returns an error message about an array;
- * empty after success.
+ * Returns all points of echoes, in their order, as pcl::PointXYZ, pcl::PointXYZI,
+ * pcl::PointXYZINormal or PointEcho. Points that are not finite stay and make the cloud not dense.
+ * Fields without an array are 0: Amplitude (or else Intensity), Normals (or else Normal),
+ * EchoWidth, GpsTime, PulseIds, ClassificationIds, ReturnNumber, NumberOfReturns. Returns an error
+ * message about an array; empty after success.
  */
 template <typename PointT>
 std::string ToPcl(vtkPolyData* echoes, const double origin[3], pcl::PointCloud<PointT>& cloud);

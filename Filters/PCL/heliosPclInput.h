@@ -41,7 +41,7 @@ public:
 
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
 
-  /// The largest distance of a coordinate from the origin [m].
+  /// Returns the largest distance of a coordinate from the origin [m].
   double GetReach() const { return this->Reach; }
 
 private:

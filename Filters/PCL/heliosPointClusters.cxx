@@ -192,7 +192,7 @@ private:
       this->GetBegin(b), this->GetBegin(b + 1), this->Boxes[b]);
   }
 
-  /// Whether one of the first points is near one of the second. The larger set is halved.
+  /// Returns whether one of the first points is near one of the second. The larger set is halved.
   bool AreNear(
     Iterator a, Iterator aEnd, const Box& aBox, Iterator b, Iterator bEnd, const Box& bBox)
   {

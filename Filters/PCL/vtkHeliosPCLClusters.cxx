@@ -21,8 +21,8 @@ vtkStandardNewMacro(vtkHeliosPCLClusters);
 namespace
 {
 
-/// The ids of clusters by their first points: 0 for the largest, for ties the first one first; -1:
-/// not a first point, or a size out of range.
+/// Returns the ids of clusters by their first points: 0 for the largest, for ties the first one
+/// first; -1: not a first point, or a size out of range.
 std::vector<int> NumberClusters(const std::vector<int>& first, int smallest, int largest)
 {
   const auto at = [](std::vector<int>& values, int i) -> int&

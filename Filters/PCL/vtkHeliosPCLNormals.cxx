@@ -43,7 +43,7 @@ bool vtkHeliosPCLNormals::CheckProperties()
 }
 
 //------------------------------------------------------------------------------
-/// The component of a normal in the required direction; negative if it must be flipped.
+/// Returns the component of a normal in the required direction; negative if it must be flipped.
 double vtkHeliosPCLNormals::GetTowards(const double point[3], const float normal[3]) const
 {
   if (this->Side == Up)

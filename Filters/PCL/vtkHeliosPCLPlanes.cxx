@@ -63,7 +63,7 @@ struct Plane
   double Deviation = 0.0; // root mean square
 };
 
-/// The least squares plane of points, in double: the smallest axis of their covariance.
+/// Returns the least squares plane of points, in double: the smallest axis of their covariance.
 Plane FitPlane(vtkPolyData* data, const std::vector<vtkIdType>& ids)
 {
   Plane plane;

@@ -88,7 +88,7 @@ public:
   ///@}
 
   /**
-   * Get the motion found in the last update: points of input 1 to their new position.
+   * Returns the motion found in the last update: points of input 1 to their new position.
    */
   vtkMatrix4x4* GetMatrix() { return this->Matrix; }
 

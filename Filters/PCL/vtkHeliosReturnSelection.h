@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Add a class (ClassificationIds) that passes, or remove all; without any, all pass. Valid range:
-   * any integer. Default: none.
+   * Adds a class (ClassificationIds) that passes, or removes all; without any, all pass. Valid
+   * range: any integer. Default: none.
    */
   void AddClass(int id);
   void RemoveAllClasses();

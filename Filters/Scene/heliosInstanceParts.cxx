@@ -41,7 +41,7 @@ vtkDataArray* FindArray(vtkPolyData* instances, const char* name)
   return instances ? instances->GetPointData()->GetArray(name) : nullptr;
 }
 
-/// A named array of ids.
+/// Returns a named array of ids.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> MakeIds(const char* name)
 {
@@ -209,7 +209,8 @@ std::vector<std::size_t> InstanceParts::GetOrder() const
 }
 
 //------------------------------------------------------------------------------
-/// The places of all instances: the given arrays, with defaults for rasters at their own place.
+/// Returns the places of all instances: the given arrays, with defaults for rasters at their own
+/// place.
 vtkSmartPointer<vtkPolyData> InstanceParts::CopyInstances() const
 {
   auto made = vtkSmartPointer<vtkPolyData>::New();

@@ -34,7 +34,7 @@ struct Connection
 };
 using ConnectionList = std::vector<Connection>;
 
-/// The meshes; null for the others.
+/// Returns the meshes; null for the others.
 PartList GetMeshes(const ConnectionList& connections);
 
 /// A raster that no instance uses is a part, and an instance at its own place.
@@ -51,20 +51,20 @@ public:
 
   bool IsPrototype(std::size_t connection) const { return this->Numbers[connection] >= 0; }
 
-  /// The connections that are meshes of the scene; null for the others.
+  /// Returns the connections that are meshes of the scene; null for the others.
   const PartList& GetParts() const { return this->Parts; }
 
   /// The id of a connection that is a part, else -1.
   int GetPartId(std::size_t connection) const { return this->Ids[connection]; }
 
-  /// The connections that are prototypes, in their new order.
+  /// Returns the connections that are prototypes, in their new order.
   const std::vector<std::size_t>& GetPrototypes() const { return this->Prototypes; }
 
-  /// All connections in the order in which parts use them first.
+  /// Returns all connections in the order in which parts use them first.
   std::vector<std::size_t> GetOrder() const;
 
-  /// The instances with PrototypeIds, PartIds and FirstCellIds of the scene, and MaterialIds of
-  /// those of rasters, by connection, if there are any.
+  /// Returns the instances with PrototypeIds, PartIds and FirstCellIds of the scene, and
+  /// MaterialIds of those of rasters, by connection, if there are any.
   vtkSmartPointer<vtkPolyData> MakeInstances(const std::vector<int>& materials) const;
 
   int GetNumberOfParts() const { return this->NumberOfParts; }

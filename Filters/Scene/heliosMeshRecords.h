@@ -55,16 +55,16 @@ struct FaceRecord
 };
 
 /**
- * The sides of all triangles with three different corners, edge by edge, in ascending order of
- * their triangles within an edge. Sorted by the lower end first, which takes one pass, then among
- * the few that share it. A half-edge structure could not hold edges of three triangles.
+ * Returns the sides of all triangles with three different corners, edge by edge, in ascending order
+ * of their triangles within an edge. Sorted by the lower end first, which takes one pass, then
+ * among the few that share it. A half-edge structure could not hold edges of three triangles.
  */
 VTKHELIOSFILTERSSCENE_EXPORT std::vector<SideRecord> SortSides(const Triangles& triangles);
 
-/// The triangles with three different corners, equal ones adjacent, the lowest first.
+/// Returns the triangles with three different corners, equal ones adjacent, the lowest first.
 VTKHELIOSFILTERSSCENE_EXPORT std::vector<FaceRecord> SortFaces(const Triangles& triangles);
 
-/// Whether a side goes from its lower to its higher end.
+/// Returns whether a side goes from its lower to its higher end.
 inline bool IsAscending(const SideRecord& side, const vtkTypeInt32* corners)
 {
   return corners[side.Use] == side.Low;

@@ -34,7 +34,7 @@ Status FindMovingParts(vtkPolyData* scene,
 void MoveParts(
   const std::vector<MovingPart>& parts, const std::vector<MotionMap>& maps, vtkPolyData* scene);
 
-/// The number of whole steps in a time; a step lost to rounding counts.
+/// Returns the number of whole steps in a time; a step lost to rounding counts.
 vtkIdType CountSteps(double time, double step);
 
 } // namespace helios

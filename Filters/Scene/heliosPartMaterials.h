@@ -24,7 +24,7 @@ std::vector<int> MergeMaterials(const MaterialTable& materials, MaterialTable& t
 /// Writes the rows of a part's triangles; returns the first triangle without a row, or -1.
 vtkIdType MapMaterialIds(vtkPolyData* part, const std::vector<int>& rows, int* to);
 
-/// The material ids of a single part, if they need no change; else null.
+/// Returns the material ids of a single part, if they need no change; else null.
 vtkIntArray* GetSingleMaterialIds(const PartList& parts);
 
 } // namespace helios

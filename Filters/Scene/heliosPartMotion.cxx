@@ -163,7 +163,7 @@ vtkIdType PartMotion::FindLastMove(vtkIdType step) const
 }
 
 //------------------------------------------------------------------------------
-/// The same along the chain from a link on that begins after a step.
+/// Returns the same along the chain from a link on that begins after a step.
 vtkIdType PartMotion::FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const
 {
   vtkIdType last = 0;

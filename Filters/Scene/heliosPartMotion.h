@@ -71,16 +71,18 @@ public:
   explicit PartMotion(
     const std::vector<MotionSequence>& sequences, const Vec3& centroid = Vec3(0.0, 0.0, 0.0));
 
-  /// The map after a number of steps: powers of whole sequences, so errors do not accumulate.
+  /// Returns the map after a number of steps: powers of whole sequences, so errors do not
+  /// accumulate.
   MotionMap GetMap(vtkIdType step) const;
 
-  /// The first step after this one that moves the part; VTK_ID_MAX: none.
+  /// Returns the first step after this one that moves the part; VTK_ID_MAX: none.
   vtkIdType FindNextMove(vtkIdType step) const;
 
-  /// The last step up to this one that moved the part; 0: none. The part has not moved since.
+  /// Returns the last step up to this one that moved the part; 0: none. The part has not moved
+  /// since.
   vtkIdType FindLastMove(vtkIdType step) const;
 
-  /// Whether the part ever moves.
+  /// Returns whether the part ever moves.
   bool IsMoving() const { return this->FindNextMove(0) != VTK_ID_MAX; }
 
 private:

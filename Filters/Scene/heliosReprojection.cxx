@@ -44,7 +44,7 @@ vtkSmartPointer<vtkDataArray> Copy(vtkDataArray* array)
   return copy;
 }
 
-/// The mean of the points of every cell.
+/// Returns the mean of the points of every cell.
 vtkSmartPointer<vtkDoubleArray> GetCentres(vtkPointSet* data)
 {
   auto centres = vtkSmartPointer<vtkDoubleArray>::New();

@@ -37,7 +37,7 @@ vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
     [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
 }
 
-/// A cell array of a part's triangles; null if it has none.
+/// Returns a cell array of a part's triangles; null if it has none.
 vtkDataArray* FindCellArray(vtkPolyData* part, const char* name, int components)
 {
   vtkDataArray* array = part ? part->GetCellData()->GetArray(name) : nullptr;

@@ -27,18 +27,18 @@ vtkIdType CountTriangles(const PartList& parts);
 /// The part if there is only one, else null.
 vtkPolyData* GetSinglePart(const PartList& parts);
 
-/// All points, double; a single part's own array if it is double.
+/// Returns all points, double; a single part's own array if it is double.
 vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts);
 
-/// All triangles in 32-bit storage; a single part's own array if it is 32-bit.
+/// Returns all triangles in 32-bit storage; a single part's own array if it is 32-bit.
 vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts);
 
-/// A cell array of real numbers of the triangles, with a value for parts without; null if no part
-/// has any.
+/// Returns a cell array of real numbers of the triangles, with a value for parts without; null if
+/// no part has any.
 vtkSmartPointer<vtkFloatArray> JoinCellArrays(
   const PartList& parts, const char* name, int components, float otherwise);
 
-/// The connection of every triangle.
+/// Returns the connection of every triangle.
 vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts);
 
 /**

@@ -20,7 +20,7 @@ class vtkPolyData;
 namespace helios
 {
 
-/// The points of a scene in double precision: its own array if it is double.
+/// Returns the points of a scene in double precision: its own array if it is double.
 VTKHELIOSFILTERSSCENE_EXPORT vtkSmartPointer<vtkDoubleArray> GetDoublePoints(vtkPolyData* scene);
 
 /// Returns an error if a cell or point array is too short: which one, and the remedy.

@@ -84,7 +84,7 @@ struct vtkHeliosMeshRepair::Mesh
 namespace
 {
 
-/// The corners of all cells, or the first cell with an invalid corner id.
+/// Returns the corners of all cells, or the first cell with an invalid corner id.
 template <typename ArrayT>
 vtkIdType CopyCorners(ArrayT* from, vtkIdType numberOfPoints, std::vector<vtkTypeInt32>& corners)
 {

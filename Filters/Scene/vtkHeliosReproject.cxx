@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkHeliosReproject);
 namespace
 {
 
-/// The first point, and the corners of the box about all.
+/// Returns the first point, and the corners of the box about all.
 std::vector<double> GetSamples(vtkPointSet* data)
 {
   std::vector<double> samples(3);
@@ -60,7 +60,7 @@ helios::CoordinateSteps ConvertSteps(helios::CoordinateSteps steps,
   return steps;
 }
 
-/// The decimal year of a GPS time [s]; leap seconds do not matter here.
+/// Returns the decimal year of a GPS time [s]; leap seconds do not matter here.
 double GetYear(double gpsTime)
 {
   constexpr double first = 1980.0 + 5.0 / 366.0; // 6 January
@@ -68,7 +68,7 @@ double GetYear(double gpsTime)
   return first + gpsTime / secondsPerYear;
 }
 
-/// The epoch of points with times, a decimal year; 0: not known.
+/// Returns the epoch of points with times, a decimal year; 0: not known.
 double FindEpoch(vtkPointSet* data)
 {
   vtkDataArray* epoch = data->GetFieldData()->GetArray(vtkHeliosArrayNames::GpsEpoch);

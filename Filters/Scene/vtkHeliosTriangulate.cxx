@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHeliosTriangulate);
 namespace
 {
 
-/// The points in double precision, of a mesh that may have none.
+/// Returns the points in double precision, of a mesh that may have none.
 vtkSmartPointer<vtkDoubleArray> GetDoubles(vtkPolyData* mesh)
 {
   vtkDataArray* given = mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr;

@@ -33,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a mesh has triangles only, or nothing.
+   * Returns whether a mesh has triangles only, or nothing.
    */
   static bool HasOnlyTriangles(vtkPolyData* mesh);
 

@@ -61,7 +61,7 @@ public:
   /// OpenMesh computes priorities throughout, initially for every point: the stop check runs there.
   void SetStopCheck(StopCheck& check) { this->Check = &check; }
 
-  /// The removed point of each collapse, and its target.
+  /// Returns the removed point of each collapse, and its target.
   const std::vector<std::pair<int, int>>& GetHistory() const { return this->History; }
 
   float collapse_priority(const CollapseInfo& info) override
@@ -101,7 +101,7 @@ private:
     return ToVec3(Base::mesh().point(typename MeshT::VertexHandle(vertex)));
   }
 
-  /// A vertex, or the midpoint of an edge of the patch.
+  /// Returns a vertex, or the midpoint of an edge of the patch.
   Vec3 GetSample(int sample)
   {
     if (sample < this->NumberOfVertices)
@@ -248,7 +248,7 @@ public:
   }
 };
 
-/// The patch as half-edges; lists the triangle of each face, and the rejected triangles.
+/// Returns the patch as half-edges; lists the triangle of each face, and the rejected triangles.
 HalfedgeMesh MakeMesh(const Patch& patch, std::vector<vtkIdType>& ofFace,
   std::vector<vtkIdType>& rejected, StopCheck& check)
 {
@@ -280,7 +280,7 @@ HalfedgeMesh MakeMesh(const Patch& patch, std::vector<vtkIdType>& ofFace,
   return mesh;
 }
 
-/// The remaining triangles, in the order of the patch.
+/// Returns the remaining triangles, in the order of the patch.
 DecimatedPatch GetResult(const Patch& patch, const HalfedgeMesh& mesh,
   const std::vector<vtkIdType>& ofFace, const std::vector<vtkIdType>& rejected)
 {

@@ -35,14 +35,14 @@ public:
   /// Throws Stopped, as MakePatch() does, if the stop check returns true.
   MeshPatches(const PatchSource& source, StopCheck& check);
 
-  /// Number of triangles at edges of more than two triangles.
+  /// Returns the number of triangles at edges of more than two triangles.
   vtkIdType GetNumberOfNonManifoldTriangles() const { return this->NonManifold; }
 
   /// Triangles that no decimation can change: of patches whose points are all locked, ascending.
   const std::vector<vtkIdType>& GetFixedTriangles() const { return this->Fixed; }
 
-  ///@{
-  /// The patches with at least one removable point, the largest first.
+  /// @{
+  /// Returns the patches with at least one removable point, the largest first.
   std::size_t GetNumberOfPatches() const { return this->Begins.size() - 1; }
   vtkIdType GetNumberOfTriangles(std::size_t patch) const
   {

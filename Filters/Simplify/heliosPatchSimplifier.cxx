@@ -21,7 +21,7 @@ constexpr double Tightening = 0.4;
 /// About ten are enough for rough ground at 80,000 triangles per patch.
 constexpr int NumberOfRounds = 24;
 
-/// The rounding of distances for coordinates of this size.
+/// Returns the rounding of distances for coordinates of this size.
 double GetRounding(const Patch& patch)
 {
   double size = 0.0;

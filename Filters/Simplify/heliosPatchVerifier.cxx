@@ -106,7 +106,8 @@ bool PatchVerifier::Verify(const DecimatedPatch& mesh)
   return this->Bad.empty();
 }
 
-/// Whether a bound is invalid: it exceeded the limit, or triangles it came from no longer exist.
+/// Returns whether a bound is invalid: it exceeded the limit, or triangles it came from no longer
+/// exist.
 bool PatchVerifier::NeedsCheck(const Result& result) const
 {
   return result.Worst >= 0 || result.NumberOfUsed > Result::MaximumUsed ||

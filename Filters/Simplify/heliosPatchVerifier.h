@@ -24,10 +24,10 @@ public:
   /// Throws Stopped, here and later, if the stop check returns true.
   PatchVerifier(const Patch& patch, double limit, StopCheck& check);
 
-  /// Whether both directions are within the limit.
+  /// Returns whether both directions are within the limit.
   bool Verify(const DecimatedPatch& mesh);
 
-  /// The largest bound, after Verify returned true.
+  /// Returns the largest bound, after Verify returned true.
   double GetDistance() const;
 
   /// The triangles of the patch where the limit is exceeded, after Verify returned false.

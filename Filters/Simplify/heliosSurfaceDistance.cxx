@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-/// The nearest point on a segment.
+/// Returns the nearest point on a segment.
 Vec3 GetNearest(const Vec3& p, const Vec3& a, const Vec3& b)
 {
   const Vec3 ab = b - a;
@@ -27,8 +27,8 @@ Vec3 GetNearest(const Vec3& p, const Vec3& a, const Vec3& b)
 }
 
 /**
- * The nearest point on a triangle: the foot of the perpendicular if it is inside, else on a side
- * that has it outside. Differences from the point keep slivers accurate.
+ * Returns the nearest point on a triangle: the foot of the perpendicular if it is inside, else on a
+ * side that has it outside. Differences from the point keep slivers accurate.
  */
 Vec3 GetNearest(const Vec3& p, const Triangle& t)
 {
@@ -76,7 +76,7 @@ struct Piece
     return sum * (1.0 / this->Size);
   }
 
-  /// The longest vector between two corners.
+  /// Returns the longest vector between two corners.
   Vec3 GetDiameter() const
   {
     Vec3 longest(0.0, 0.0, 0.0);
@@ -211,7 +211,7 @@ public:
       traits.compute_bbox_object(), Split(traits.split_primitives_object(), check));
   }
 
-  /// The triangle nearest to a point, given a near one as a hint.
+  /// Returns the triangle nearest to a point, given a near one as a hint.
   vtkIdType Find(const Vec3& p, vtkIdType hint) const
   {
     const Triangle* near = this->First + hint;

@@ -19,7 +19,7 @@ namespace helios
 
 using Triangle = std::array<Vec3, 3>;
 
-/// The distance of a point from a triangle of any shape.
+/// Returns the distance of a point from a triangle of any shape.
 double GetDistance(const Vec3& point, const Triangle& triangle);
 
 /**

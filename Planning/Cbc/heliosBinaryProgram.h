@@ -45,7 +45,7 @@ struct BinaryAnswer
 /// Prints nothing; leaves the signal handlers unchanged.
 VTKHELIOSPLANNINGCBC_EXPORT BinaryAnswer SolveBinary(const BinaryProgram& program);
 
-/// The relaxation alone; 0 if it was stopped or exceeded the time limit.
+/// Returns the relaxation alone; 0 if it was stopped or exceeded the time limit.
 VTKHELIOSPLANNINGCBC_EXPORT double SolveRelaxed(const BinaryProgram& program);
 
 } // namespace helios

@@ -125,10 +125,10 @@ private:
   int Length = 0;
 };
 
-/// The columns as rows.
+/// Returns the columns as rows.
 VTKHELIOSPLANNING_EXPORT BitMatrix Transpose(const BitRows& matrix);
 
-/// The given rows, in the order given.
+/// Returns the given rows, in the order given.
 VTKHELIOSPLANNING_EXPORT BitMatrix SelectRows(const BitRows& matrix, const std::vector<int>& rows);
 
 } // namespace helios

@@ -95,7 +95,7 @@ private:
     return bound;
   }
 
-  /// The second term; its z enters the subgradient.
+  /// Returns the second term; its z enters the subgradient.
   double SeeEnough()
   {
     std::fill(this->Slope.begin(), this->Slope.end(), 0.0);

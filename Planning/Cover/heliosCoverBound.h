@@ -13,10 +13,10 @@ namespace helios
 {
 
 /**
- * A Lagrangian lower bound on the number of scans, at most that of the linear relaxation and near
- * it. Every vector of prices u >= 0 of points gives one,
+ * Returns a Lagrangian lower bound on the number of scans, at most that of the linear relaxation
+ * and near it. Every vector of prices u >= 0 of points gives one,
  *
- *   L(u) = sum_a min(0, 1 - sum_{v seen by a} u_v) + min_z sum_v u_v z_v,
+ * L(u) = sum_a min(0, 1 - sum_{v seen by a} u_v) + min_z sum_v u_v z_v,
  *
  * over the z in [0, 1] that see enough weight (all: z = 1). u ascends along the smoothed
  * subgradient (Held and Karp 1971), from u_v = 1 / (the largest viewshed that sees v). Stops when

@@ -105,7 +105,8 @@ private:
     this->Common.resize(kept);
   }
 
-  /// Whether comparing the remaining sets is cheaper than processing the remaining elements.
+  /// Returns whether comparing the remaining sets is cheaper than processing the remaining
+  /// elements.
   bool IsFew(int elementsLeft) const
   {
     if (this->Common.size() > FewWords)

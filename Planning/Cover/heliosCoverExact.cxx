@@ -103,7 +103,7 @@ BinaryProgram MakeProgram(const CoverProblem& problem)
   return program;
 }
 
-/// The choice as columns; the shares follow from it.
+/// Returns the choice as columns; the shares follow from it.
 std::vector<double> GetValues(
   const CoverProblem& problem, const Choice& choice, const BinaryProgram& program)
 {
@@ -138,7 +138,8 @@ Choice GetChoice(const CoverProblem& problem, const std::vector<double>& values)
   return choice;
 }
 
-/// The neighbours of a part adjacent to the region reachable from b without them: a separator.
+/// Returns the neighbours of a part adjacent to the region reachable from b without them: a
+/// separator.
 Choice FindSeparator(OverlapNetwork& network, const Choice& part, int b, int candidates)
 {
   const int length = GetWordCount(candidates);

@@ -25,8 +25,8 @@ VTKHELIOSPLANNING_EXPORT GreedyChoice ChooseGreedily(
   const CoverProblem& problem, const Choice& candidates, const StopTest& stop = {});
 
 /**
- * The same with other gains: a point counts its price. Prices of 1/c^2, for a point seen by c
- * candidates, favour points that are hard to see.
+ * Returns the same with other gains: a point counts its price. Prices of 1/c^2, for a point seen by
+ * c candidates, favour points that are hard to see.
  */
 VTKHELIOSPLANNING_EXPORT Choice ChooseByPrice(
   const CoverProblem& problem, const std::vector<double>& prices, const StopTest& stop = {});
@@ -34,10 +34,10 @@ VTKHELIOSPLANNING_EXPORT Choice ChooseByPrice(
 /// 1/c^2 per point, times its weight.
 VTKHELIOSPLANNING_EXPORT std::vector<double> GetRarityPrices(const CoverProblem& problem);
 
-/// The whole choice in order of decreasing gain; members that add nothing last.
+/// Returns the whole choice in order of decreasing gain; members that add nothing last.
 VTKHELIOSPLANNING_EXPORT GreedyChoice SortByGain(const CoverProblem& problem, const Choice& choice);
 
-/// All candidates of a problem.
+/// Returns all candidates of a problem.
 VTKHELIOSPLANNING_EXPORT Choice GetAllCandidates(const CoverProblem& problem);
 
 } // namespace helios

@@ -23,14 +23,14 @@ public:
 
   bool AreNeighbours(int a, int b) const;
 
-  /// The neighbours of a candidate, as bits.
+  /// Returns the neighbours of a candidate, as bits.
   const Words& GetNeighbours(int candidate);
 
-  /// The connected parts of a choice.
+  /// Returns the connected parts of a choice.
   std::vector<Choice> GetParts(const Choice& choice) const;
   bool IsConnected(const Choice& choice) const { return this->GetParts(choice).size() <= 1; }
 
-  /// The connected parts of all candidates that see any point.
+  /// Returns the connected parts of all candidates that see any point.
   std::vector<Choice> GetAllParts(const StopTest& stop = {}) const;
 
   /**

@@ -66,23 +66,23 @@ public:
   const Words& GetCovered() const { return this->Covered; }
   double GetCoveredWeight() const { return this->Weight; }
 
-  /// Whether a member sees no point exclusively.
+  /// Returns whether a member sees no point exclusively.
   bool IsRedundant(int candidate) const;
 
-  /// The weight and number of points that only this member sees.
+  /// Returns the weight and number of points that only this member sees.
   double GetExclusiveWeight(int candidate) const;
   int GetExclusiveCount(int candidate) const;
 
   /// The weight of points that a candidate sees and no member does.
   double GetNewWeight(int candidate) const;
 
-  /// The same, but not above what is still required, in all and of each object.
+  /// Returns the same, but not above what is still required, in all and of each object.
   double GetGain(int candidate) const;
 
-  /// Whether more weight is required of the object of a point, or in all.
+  /// Returns whether more weight is required of the object of a point, or in all.
   bool IsNeeded(int point) const;
 
-  /// Whether enough is covered; also without the points that only one given member sees.
+  /// Returns whether enough is covered; also without the points that only one given member sees.
   bool IsEnough() const;
   bool IsEnoughWithout(int candidate) const;
 

@@ -28,13 +28,14 @@ public:
     return this->Angles.data() + static_cast<std::size_t>(candidate) * this->Points;
   }
 
-  /// The weight of each point in means: 0 without a normal.
+  /// Returns the weight of each point in means: 0 without a normal.
   const std::vector<double>& GetWeights() const { return this->Weights; }
 
-  /// The visibility matrix restricted to angles up to this one.
+  /// Returns the visibility matrix restricted to angles up to this one.
   BitMatrix Restrict(double angle) const;
 
-  /// The distinct angles from the worst angle of all candidates together to below (exclusive).
+  /// Returns the distinct angles from the worst angle of all candidates together to below
+  /// (exclusive).
   std::vector<double> GetThresholds(double below) const;
 
 private:

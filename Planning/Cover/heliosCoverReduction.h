@@ -17,7 +17,7 @@ namespace helios
 VTKHELIOSPLANNING_EXPORT Choice SortForRemoval(
   const CoverProblem& problem, const std::vector<double>& keys, bool isAscending);
 
-/// The weights of the viewsheds: the key of the order viewshedSize.
+/// Returns the weights of the viewsheds: the key of the order viewshedSize.
 VTKHELIOSPLANNING_EXPORT std::vector<double> GetViewshedWeights(const CoverProblem& problem);
 
 /**
@@ -28,8 +28,8 @@ VTKHELIOSPLANNING_EXPORT Choice RemoveRedundant(
   const CoverProblem& problem, const Choice& order, const StopTest& stop = {});
 
 /**
- * The paper's coverage-limited step: removes the candidate that sees the fewest points exclusively
- * (ties: lowest index) as long as the required weight stays covered.
+ * Returns the paper's coverage-limited step: removes the candidate that sees the fewest points
+ * exclusively (ties: lowest index) as long as the required weight stays covered.
  */
 VTKHELIOSPLANNING_EXPORT Choice RemoveToLimit(
   const CoverProblem& problem, Choice choice, const StopTest& stop = {});

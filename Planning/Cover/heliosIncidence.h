@@ -32,7 +32,7 @@ public:
   /// A normal of length 0 means no normal.
   Incidence(std::vector<Vector> positions, std::vector<Vector> points, std::vector<Vector> normals);
 
-  /// The same for some of the candidates.
+  /// Returns the same for some of the candidates.
   Incidence Select(const Choice& candidates) const;
 
   bool HasNormals() const { return !this->Normals.empty(); }
@@ -43,13 +43,13 @@ public:
    */
   double GetAngle(int candidate, int point) const;
 
-  /// The mean over the points a candidate sees [deg]; NaN: it sees none with a normal.
+  /// Returns the mean over the points a candidate sees [deg]; NaN: it sees none with a normal.
   double GetMean(const CoverProblem& problem, int candidate) const;
 
-  /// The smallest angle of every point [deg] over the members that see it; NaN: none.
+  /// Returns the smallest angle of every point [deg] over the members that see it; NaN: none.
   std::vector<double> GetBest(const CoverProblem& problem, const Choice& choice) const;
 
-  /// The largest of these angles, and their mean by weight.
+  /// Returns the largest of these angles, and their mean by weight.
   static Quality ComputeQuality(const CoverProblem& problem, const std::vector<double>& best);
 
 private:

@@ -37,13 +37,13 @@ public:
   /// the second one to the right of it.
   FlightArea Turn(double heading) const;
 
-  /// The extent across.
+  /// Returns the extent across.
   Interval GetWidth() const;
 
-  /// The extent along of the part in a band across.
+  /// Returns the extent along of the part in a band across.
   Interval GetLength(const Interval& band) const;
 
-  /// The headings of the edges of the convex hull, in [0, 180).
+  /// Returns the headings of the edges of the convex hull, in [0, 180).
   std::vector<double> GetHullHeadings() const;
 
   /// From turned coordinates back to x, y.

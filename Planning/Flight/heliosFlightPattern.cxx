@@ -19,7 +19,7 @@ constexpr int FineSteps = 25;       // of a coarse step, on either side
 constexpr std::size_t BestOnes = 4; // coarse headings that are refined
 constexpr double Rounding = 1e-9;   // of a number of lines
 
-/// The number of lines that cover a width.
+/// Returns the number of lines that cover a width.
 double CountLines(double width, const PatternSettings& settings)
 {
   const double more = (width - settings.Swath) / settings.Spacing;

@@ -40,18 +40,18 @@ struct FlightPattern
 };
 
 /**
- * The length of a half turn onto an antiparallel line, at a distance across, whose start is
+ * Returns the length of a half turn onto an antiparallel line, at a distance across, whose start is
  * displaced along: straight on to that level, then the shortest path of arcs of a radius and
  * straight parts (Dubins 1957, Am. J. Math. 79, 497-516). Radius 0: a straight line.
  */
 double ComputeTurnLength(double across, double along, double radius);
 
-/// The lines at a heading.
+/// Returns the lines at a heading.
 FlightPattern MakePattern(const FlightArea& area, double heading, const PatternSettings& settings);
 
 /**
- * The lines at the heading in [0, 180) with the shortest time: of steps of a quarter degree and the
- * edges of the convex hull, refined about the best ones to a hundredth.
+ * Returns the lines at the heading in [0, 180) with the shortest time: of steps of a quarter degree
+ * and the edges of the convex hull, refined about the best ones to a hundredth.
  */
 FlightPattern FindPattern(const FlightArea& area, const PatternSettings& settings);
 

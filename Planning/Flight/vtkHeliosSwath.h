@@ -65,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Get the pulses per second that are emitted to the ground [Hz]; the tangents across of the left
-   * and the right edge of the swath; the largest tangent along, without sign; the range gate of the
-   * scanner [m].
+   * Returns the pulses per second that are emitted to the ground [Hz]; the tangents across of the
+   * left and the right edge of the swath; the largest tangent along, without sign; the range gate
+   * of the scanner [m].
    */
   double GetPulseRate() const { return this->PulseRate; }
   double GetLeftTangent() const { return this->LeftTangent; }
@@ -78,18 +78,19 @@ public:
   ///@}
 
   /**
-   * The rate g at a tangent across [pulses/s]; 0 outside the swath.
+   * Returns the rate g at a tangent across [pulses/s]; 0 outside the swath.
    */
   double GetRate(double across) const;
 
   /**
-   * The smallest rate between two tangents across [pulses/s].
+   * Returns the smallest rate between two tangents across [pulses/s].
    */
   double GetSmallestRate(double low, double high) const;
 
   ///@{
   /**
-   * The mean of the tangent along of the pulses at a tangent across, and their standard deviation.
+   * Returns the mean of the tangent along of the pulses at a tangent across, and their standard
+   * deviation.
    */
   double GetAlongMean(double across) const;
   double GetAlongDeviation(double across) const;

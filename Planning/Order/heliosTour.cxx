@@ -265,7 +265,7 @@ private:
       this->Penalties[static_cast<std::size_t>(b)];
   }
 
-  /// The length of the shortest 1-tree (Prim), less the penalties of a round trip.
+  /// Returns the length of the shortest 1-tree (Prim), less the penalties of a round trip.
   double Build()
   {
     const int size = this->Distances.GetSize();

@@ -42,10 +42,10 @@ struct Tour
 constexpr int ExactPlaces = 15;
 
 /**
- * The shortest round trip: exact for up to ExactPlaces by dynamic programming (Held and Karp 1962,
- * J. SIAM 10, 196-210). For more, the best of trips that go to the nearest place, improved by reversing
- * parts (2-opt) and moving up to three places (Or-opt) until neither helps, with the 1-tree bound of Held and Karp
- * (1971, Math. Programming 1, 6-25).
+ * Returns the shortest round trip: exact for up to ExactPlaces by dynamic programming (Held and
+ * Karp 1962, J. SIAM 10, 196-210). For more, the best of trips that go to the nearest place,
+ * improved by reversing parts (2-opt) and moving up to three places (Or-opt) until neither helps,
+ * with the 1-tree bound of Held and Karp (1971, Math. Programming 1, 6-25).
  */
 Tour SolveTour(const DistanceTable& distances);
 

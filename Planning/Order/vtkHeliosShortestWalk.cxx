@@ -49,7 +49,7 @@ helios::DistanceTable MakeTable(vtkPolyData* positions, bool isClosed)
   return table;
 }
 
-/// The walk of a round trip: without the last place, beginning nearer to position 0.
+/// Returns the walk of a round trip: without the last place, beginning nearer to position 0.
 std::vector<int> MakeWalk(std::vector<int> order, vtkPolyData* positions, bool isClosed)
 {
   const auto count = static_cast<int>(positions->GetNumberOfPoints());

@@ -12,14 +12,14 @@
 namespace helios
 {
 
-/// A sample; 0 if it does not exist or is not finite.
+/// Returns a sample; 0 if it does not exist or is not finite.
 inline double GetSample(const vtkHeliosWaveform& w, vtkIdType i)
 {
   const double sample = i >= 0 && i < w.Count ? w.Samples[i] : 0.0;
   return std::isfinite(sample) ? sample : 0.0;
 }
 
-/// The waveform at a time [ns], linear between the samples and 0 outside.
+/// Returns the waveform at a time [ns], linear between the samples and 0 outside.
 inline double Interpolate(const vtkHeliosWaveform& w, double time)
 {
   const double bin = std::floor(time / w.BinSize);
@@ -28,8 +28,8 @@ inline double Interpolate(const vtkHeliosWaveform& w, double time)
   return (1.0 - share) * GetSample(w, i) + share * GetSample(w, i + 1);
 }
 
-/// The index of the largest of the samples [first, last]; the first of equal ones, -1 if none
-/// exists.
+/// Returns the index of the largest of the samples [first, last]; the first of equal ones, -1 if
+/// none exists.
 inline vtkIdType FindLargest(const vtkHeliosWaveform& w, vtkIdType first, vtkIdType last)
 {
   vtkIdType largest = -1;
@@ -43,8 +43,8 @@ inline vtkIdType FindLargest(const vtkHeliosWaveform& w, vtkIdType first, vtkIdT
   return largest;
 }
 
-/// The bins from sample i, in direction step, to where the waveform falls to a level below the
-/// sample.
+/// Returns the bins from sample i, in direction step, to where the waveform falls to a level below
+/// the sample.
 inline double GetDistanceTo(const vtkHeliosWaveform& w, vtkIdType i, int step, double level)
 {
   vtkIdType end = i + step;
@@ -57,7 +57,7 @@ inline double GetDistanceTo(const vtkHeliosWaveform& w, vtkIdType i, int step, d
   return static_cast<double>(std::abs(end - step - i)) + rest;
 }
 
-/// The full width at half the amplitude of a positive sample [ns].
+/// Returns the full width at half the amplitude of a positive sample [ns].
 inline double GetFullWidth(const vtkHeliosWaveform& w, vtkIdType i)
 {
   const double half = 0.5 * GetSample(w, i);

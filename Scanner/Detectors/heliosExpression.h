@@ -28,7 +28,7 @@ public:
   static constexpr std::size_t LongestText = 1000;
   static constexpr std::size_t DeepestBracket = 100;
 
-  /// The part of a possibly long string that messages show.
+  /// Returns the part of a possibly long string that messages show.
   static std::string Shorten(const std::string& text);
 
   /// Returns an error with a remedy if a text is neither a valid expression nor empty. An expression
@@ -37,7 +37,7 @@ public:
 
   explicit Expression(const std::string& text);
 
-  /// The value for a variable, which may be non-finite. Thread-safe.
+  /// Returns the value for a variable, which may be non-finite. Thread-safe.
   double Evaluate(double variable);
 
 private:

@@ -52,11 +52,11 @@ private:
   std::unique_ptr<Internals> Solver;
 };
 
-/// The model at x.
+/// Returns the model at x.
 double EvaluateGaussians(
   const GaussianData& data, const std::vector<GaussianComponent>& components, double x);
 
-/// The sum of squares of samples minus model.
+/// Returns the sum of squares of samples minus model.
 double SumSquares(const GaussianData& data, const std::vector<GaussianComponent>& components);
 
 } // namespace helios

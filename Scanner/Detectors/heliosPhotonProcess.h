@@ -36,7 +36,7 @@ public:
   /// The time from which the receiver is armed [ns].
   double GetStart() const { return this->Start; }
 
-  /// The rate of detected photons at a time [1/ns].
+  /// Returns the rate of detected photons at a time [1/ns].
   double GetSignal(double time) const
   {
     const double bin = std::floor(time / this->Waveform.BinSize + 0.5);

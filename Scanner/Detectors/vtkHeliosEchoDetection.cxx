@@ -125,7 +125,7 @@ helios::Status FindFault(const helios::WaveformTable& table, vtkIdType row)
   return {};
 }
 
-/// The first row with a non-finite sample; -1: none.
+/// Returns the first row with a non-finite sample; -1: none.
 vtkIdType FindBadSamples(const helios::WaveformTable& table)
 {
   for (vtkIdType row = 0; row < table.NumberOfRows; ++row)

@@ -84,7 +84,7 @@ public:
 
   ///@{
   /**
-   * The values of the expressions, which may be non-finite. Thread-safe.
+   * Returns the values of the expressions, which may be non-finite. Thread-safe.
    */
   double GetRangeError(double theta) const override;
   double GetDeflectionError(double theta) const override;

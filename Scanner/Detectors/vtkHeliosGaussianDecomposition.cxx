@@ -118,7 +118,7 @@ private:
     return this->Work.Guesses[i].Time - FitReach * this->Sigmas[i];
   }
 
-  /// The last end of the windows of [first, last).
+  /// Returns the last end of the windows of [first, last).
   double GetEnd(std::size_t first, std::size_t last) const
   {
     double end = 0.0;
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /// Whether a component is within its bounds, not on them.
+  /// Returns whether a component is within its bounds, not on them.
   bool IsSound(std::size_t i) const
   {
     const GaussianComponent& g = this->Work.Best[i];
@@ -235,7 +235,7 @@ private:
       helios::FwhmPerSigma * g.Sigma * this->Sigma, std::sqrt(sum / count) / g.Amplitude };
   }
 
-  /// The sum of squares of a trial fit, at least the rounding error; infinite if it failed.
+  /// Returns the sum of squares of a trial fit, at least the rounding error; infinite if it failed.
   double FitTrial()
   {
     return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MostEvaluations)
@@ -270,8 +270,9 @@ private:
     }
   }
 
-  /// The minimum residual of any smooth curve in the samples of a component: half the squared
-  /// differences of neighbours, as for noise (von Neumann 1941, Ann. Math. Stat. 12, 367-395).
+  /// Returns the minimum residual of any smooth curve in the samples of a component: half the
+  /// squared differences of neighbours, as for noise (von Neumann 1941, Ann. Math. Stat. 12,
+  /// 367-395).
   double GetRough(const Components& one) const
   {
     const helios::GaussianData& data = this->Work.Near;

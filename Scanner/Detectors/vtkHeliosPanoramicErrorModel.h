@@ -121,7 +121,7 @@ public:
 
   ///@{
   /**
-   * The errors by the parameters, and by the expressions. Thread-safe.
+   * Returns the errors by the parameters, and by the expressions. Thread-safe.
    */
   double GetRangeError(double theta) const override;
   bool MoveRay(double origin[3], double direction[3]) const override;

@@ -20,7 +20,7 @@ namespace
 
 constexpr std::uint32_t MostCounts = 255; // ReturnNumber has 8 bits
 
-/// The energy of a photon [J] of a wavelength [nm].
+/// Returns the energy of a photon [J] of a wavelength [nm].
 double GetPhotonEnergy(double wavelength)
 {
   return helios::PlanckConstant * helios::SpeedOfLight / (1e-9 * wavelength) *

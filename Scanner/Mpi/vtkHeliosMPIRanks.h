@@ -40,7 +40,7 @@ public:
 
   ///@{
   /**
-   * Get the number of ranks, and which of them this process is. 1 and 0 before Initialize().
+   * Returns the number of ranks, and which of them this process is. 1 and 0 before Initialize().
    */
   int GetNumberOfRanks() const override;
   int GetRank() const override;

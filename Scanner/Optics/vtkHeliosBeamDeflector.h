@@ -56,8 +56,8 @@ public:
   virtual bool GetDirection(vtkIdType pulse, double direction[3]) const = 0;
 
   /**
-   * The angle of a pulse as the instrument reports it [deg]: by default the
-   * angle between its direction and the y axis, 0 if no pulse is emitted.
+   * Returns the angle of a pulse as the instrument reports it [deg]: by default the angle between
+   * its direction and the y axis, 0 if no pulse is emitted.
    */
   virtual double GetScanAngle(vtkIdType pulse) const;
 
@@ -106,15 +106,14 @@ protected:
   ~vtkHeliosBeamDeflector() override = default;
 
   /**
-   * The phase of a motion with this frequency [Hz], in [0, 1): that of pulse i is
-   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps after
-   * any number of revolutions. A negative frequency reverses the rotation.
+   * Returns the phase of a motion with this frequency [Hz], in [0, 1): that of pulse i is
+   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps after any number of
+   * revolutions. A negative frequency reverses the rotation.
    */
   double ComputePhase(vtkIdType pulse, double frequency) const;
 
   /**
-   * The index of a pulse for optics that count pulses, offset by the pulses of
-   * WarmUpTime.
+   * Returns the index of a pulse for optics that count pulses, offset by the pulses of WarmUpTime.
    */
   vtkIdType ComputeCount(vtkIdType pulse) const;
 

@@ -39,13 +39,13 @@ struct Node
 
 using Nodes = std::vector<Node>;
 
-/// The fraction of the energy inside radius r of a Gaussian beam truncated at radius k.
+/// Returns the fraction of the energy inside radius r of a Gaussian beam truncated at radius k.
 double EnergyInside(double r, double k)
 {
   return std::expm1(-2.0 * r * r) / std::expm1(-2.0 * k * k);
 }
 
-/// The inverse: the radius with the fraction p inside.
+/// Returns the inverse: the radius with the fraction p inside.
 double EnergyQuantile(double p, double k)
 {
   return std::sqrt(-0.5 * std::log1p(p * std::expm1(-2.0 * k * k)));
@@ -72,7 +72,7 @@ std::array<long double, 2> GaussLegendre(int j, int n)
   return { 0.5L * (1.0L + x), 1.0L / ((1.0L - x * x) * slope * slope) };
 }
 
-/// A quarter of the rings.
+/// Returns a quarter of the rings.
 Nodes GaussLegendreQuarter(int rings, double k)
 {
   Nodes nodes;
@@ -89,7 +89,7 @@ Nodes GaussLegendreQuarter(int rings, double k)
   return nodes;
 }
 
-/// A quarter of the spiral.
+/// Returns a quarter of the spiral.
 Nodes VogelQuarter(int count, double k)
 {
   Nodes nodes;
@@ -302,7 +302,8 @@ double vtkHeliosBeamSampler::GetFootprintRadius(double distance) const
 }
 
 //------------------------------------------------------------------------------
-/// A sub-ray of the circular beam in the elliptical one: z is narrowed, start and slope alike.
+/// Returns a sub-ray of the circular beam in the elliptical one: z is narrowed, start and slope
+/// alike.
 vtkHeliosBeamSampler::SubRay vtkHeliosBeamSampler::Narrow(const SubRay& circular) const
 {
   SubRay ray = circular;

@@ -79,7 +79,7 @@ public:
   ///@}
 
   /**
-   * The name of a pattern: Circles, for instance. Null if there is none of that number.
+   * Returns the name of a pattern: Circles, for instance. Null if there is none of that number.
    */
   static const char* GetPatternName(int pattern);
 
@@ -156,9 +156,8 @@ public:
 
   ///@{
   /**
-   * Set the number of sub-rays of VOGEL; above 1, it is rounded up to a multiple
-   * of 4. Valid range: [1, 65536]. Default: 64. Get the number of sub-rays of a
-   * pulse, for any Pattern.
+   * Sets the number of sub-rays of VOGEL; above 1, it is rounded up to a multiple of 4. Valid
+   * range: [1, 65536]. Default: 64. Get the number of sub-rays of a pulse, for any Pattern.
    */
   void SetNumberOfSubRays(int number);
   int GetNumberOfSubRays() const { return static_cast<int>(this->SubRays.size()); }
@@ -193,8 +192,8 @@ public:
   ///@}
 
   /**
-   * The radius of the beam at 1/e^2 of its intensity at a distance from the
-   * waist [m], the beam origin; of an elliptical beam along its major axis.
+   * Returns the radius of the beam at 1/e^2 of its intensity at a distance from the waist [m], the
+   * beam origin; of an elliptical beam along its major axis.
    */
   double GetFootprintRadius(double distance) const;
 
@@ -213,7 +212,7 @@ public:
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
-   * The fraction of the pulse's energy in a sub-ray, in (0, 1].
+   * Returns the fraction of the pulse's energy in a sub-ray, in (0, 1].
    */
   double GetWeight(int subRay) const VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 

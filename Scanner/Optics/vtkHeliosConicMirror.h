@@ -48,7 +48,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The half angle of the cone, for every pulse [deg].
+   * Returns the half angle of the cone, for every pulse [deg].
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

@@ -49,7 +49,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The angle a of the pulse's fibre [deg].
+   * Returns the angle a of the pulse's fibre [deg].
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

@@ -82,7 +82,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The mirror angle beta [deg].
+   * Returns the mirror angle beta [deg].
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

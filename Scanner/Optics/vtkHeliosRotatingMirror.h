@@ -106,7 +106,7 @@ public:
   int GetFacet(vtkIdType pulse) const;
 
   /**
-   * The mirror angle beta + r [deg], whether or not a pulse is emitted there.
+   * Returns the mirror angle beta + r [deg], whether or not a pulse is emitted there.
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

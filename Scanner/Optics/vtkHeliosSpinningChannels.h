@@ -123,7 +123,7 @@ public:
   void GetCrossAxis(double axis[3]) const override;
 
   /**
-   * The azimuth of a pulse [deg], in [0, 360).
+   * Returns the azimuth of a pulse [deg], in [0, 360).
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

@@ -74,7 +74,7 @@ struct LinearDrag
     return z != 0.0 ? t * (-std::log1p(-z) / z) : t;
   }
 
-  /// The time for a distance, from a speed >= 0 that stays so.
+  /// Returns the time for a distance, from a speed >= 0 that stays so.
   double FindTimeTo(double speed, double distance) const
   {
     if (distance <= 0.0)

@@ -23,7 +23,7 @@ double GetCourse(const Vec3& direction)
   return std::atan2(direction[1], direction[0]);
 }
 
-/// The thrust per unit of mass, for a drive along a direction and a lateral acceleration.
+/// Returns the thrust per unit of mass, for a drive along a direction and a lateral acceleration.
 Vec3 GetThrust(const Vec3& along, double drive)
 {
   return Vec3(0.0, 0.0, StandardGravity) + drive * along;
@@ -42,7 +42,7 @@ MotionPiece Hover(vtkIdType leg, const Vec3& position, double course, double ang
     } };
 }
 
-/// A part of a straight line, from a distance along it.
+/// Returns a part of a straight line, from a distance along it.
 MotionPiece Straight(
   vtkIdType leg, const FlightLine& line, double start, double course, const DrivePhase& phase)
 {
@@ -55,8 +55,8 @@ MotionPiece Straight(
     } };
 }
 
-/// A part of a turn at constant speed, from a length along it; the nose keeps its angle to the
-/// path.
+/// Returns a part of a turn at constant speed, from a length along it; the nose keeps its angle to
+/// the path.
 MotionPiece Bend(vtkIdType leg, const FlightCorner& corner, double start, double length,
   double offset, double drag)
 {

@@ -17,8 +17,8 @@ namespace helios
 /// y] seen from above: yaw, then pitch about x, then roll about y.
 VTKHELIOSSCANNERPLATFORMS_EXPORT Quaternion TiltTo(const Vec3& thrust, double course);
 
-/// The pieces of a flight, leg after leg. Courses [rad] at the waypoints are the headings on
-/// leaving a stop; NaN is that of the leg.
+/// Returns the pieces of a flight, leg after leg. Courses [rad] at the waypoints are the headings
+/// on leaving a stop; NaN is that of the leg.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<MotionPiece> FlyPath(const FlightPath& path,
   const Copter& copter, const std::vector<double>& courses, double brakeDistance);
 

@@ -26,7 +26,7 @@ double GetAngle(const Vec3& a, const Vec3& b)
   return std::atan2(a.Cross(b).Norm(), a.Dot(b));
 }
 
-/// The unit direction of the turn from one direction to another.
+/// Returns the unit direction of the turn from one direction to another.
 Vec3 GetSide(const Vec3& from, const Vec3& to)
 {
   Vec3 side = to - from.Dot(to) * from;
@@ -38,7 +38,7 @@ Vec3 GetSide(const Vec3& from, const Vec3& to)
   return side;
 }
 
-/// The minimum horizontal part of the directions in a turn by an angle.
+/// Returns the minimum horizontal part of the directions in a turn by an angle.
 double GetFlattest(const Vec3& along, const Vec3& side, double angle)
 {
   double least = 1.0;
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  /// The vector of a leg; 0 for a leg of zero length.
+  /// Returns the vector of a leg; 0 for a leg of zero length.
   Vec3 GetDirection(std::size_t leg) const
   {
     Vec3 way = this->Waypoints[leg + 1].Position - this->Waypoints[leg].Position;
@@ -106,7 +106,7 @@ private:
     return way;
   }
 
-  /// The requested speed at a waypoint: that of the legs on both sides.
+  /// Returns the requested speed at a waypoint: that of the legs on both sides.
   double GetWantedSpeed(std::size_t i) const
   {
     if (i == 0 || this->Waypoints[i].Mode == Passing::Stop)
@@ -317,7 +317,7 @@ private:
     return corner.Start + end.Forward * corner.Along + end.Left * corner.Side;
   }
 
-  /// Whether a leg is long enough for its change of speed.
+  /// Returns whether a leg is long enough for its change of speed.
   bool CanChange(std::size_t leg)
   {
     const FlightLine& line = this->Path.Lines[leg];

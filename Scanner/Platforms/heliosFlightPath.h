@@ -31,7 +31,7 @@ struct Copter
   /// Along a unit direction: limits from tilt, thrust, gravity and maximum thrust.
   VTKHELIOSSCANNERPLATFORMS_EXPORT DriveLimits GetLimits(const Vec3& direction) const;
 
-  /// The maximum speed along a unit direction, 1 % below the terminal speed.
+  /// Returns the maximum speed along a unit direction, 1 % below the terminal speed.
   double GetTopSpeed(const Vec3& direction) const
   {
     return this->Drag > 0.0 ? 0.99 * std::sqrt(this->GetLimits(direction).Most / this->Drag)
@@ -80,8 +80,8 @@ struct FlightPath
   std::vector<std::size_t> Slowed;   // waypoints passed more slowly than requested
 };
 
-/// The path through all waypoints, at the requested speed if the turns fit between the waypoints,
-/// otherwise slower.
+/// Returns the path through all waypoints, at the requested speed if the turns fit between the
+/// waypoints, otherwise slower.
 VTKHELIOSSCANNERPLATFORMS_EXPORT FlightPath PlanFlight(
   const std::vector<FlightWaypoint>& waypoints, const Copter& copter);
 

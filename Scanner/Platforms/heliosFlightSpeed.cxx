@@ -43,13 +43,13 @@ SpeedChange Fly(const DriveLimits& limits, double from, double to, const Maneuve
   return change;
 }
 
-/// The excess over the requested final speed of a manoeuvre.
+/// Returns the excess over the requested final speed of a manoeuvre.
 double GetExcess(const DriveLimits& limits, double from, double to, const Maneuver& maneuver)
 {
   return Fly(limits, from, to, maneuver).Phases.back().GetEnd().Speed - to;
 }
 
-/// An upper bound of the time at the peak.
+/// Returns an upper bound of the time at the peak.
 double GetLongestWait(const DriveLimits& limits, double from, double to, double peak)
 {
   if (to > from)

@@ -22,7 +22,7 @@ struct DriveLimits
   double Drag;  // [1/m]
   double Step;  // of the integration while the drive changes [s]
 
-  /// The drive that keeps a speed constant.
+  /// Returns the drive that keeps a speed constant.
   double GetDrive(double speed) const { return this->Drag * speed * speed; }
 };
 
@@ -43,7 +43,7 @@ public:
   /// Constant drive, speed >= 0: in closed form.
   static DrivePhase Hold(const DriveLimits& limits, double speed, double drive, double duration);
 
-  /// A constant speed.
+  /// Returns a constant speed.
   static DrivePhase Cruise(const DriveLimits& limits, double speed, double duration);
 
   double GetDuration() const { return this->Duration; }
@@ -71,7 +71,7 @@ struct SpeedChange
   double Distance = 0.0;
 };
 
-/// The fastest change within the limits. The constant speeds need less than the limits.
+/// Returns the fastest change within the limits. The constant speeds need less than the limits.
 VTKHELIOSSCANNERPLATFORMS_EXPORT SpeedChange ChangeSpeed(
   const DriveLimits& limits, double from, double to);
 

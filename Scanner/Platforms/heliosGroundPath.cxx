@@ -22,7 +22,7 @@ struct Stand
   Vec3 Position;
   double Course; // heading [rad]
 
-  /// The position of a point ahead and to the left.
+  /// Returns the position of a point ahead and to the left.
   std::pair<double, double> See(const Vec3& point) const
   {
     const double x = point[0] - this->Position[0];
@@ -112,8 +112,8 @@ public:
   }
 
 private:
-  /// The length in which the steering reaches a curvature at a speed: d(angle)/ds is at most
-  /// Wheelbase d(curvature)/ds.
+  /// Returns the length in which the steering reaches a curvature at a speed: d(angle)/ds is at
+  /// most Wheelbase d(curvature)/ds.
   double GetRamp(const BendStyle& style) const
   {
     return style.Speed * this->Car.Wheelbase * style.Curvature / this->Car.Rate;
@@ -147,7 +147,7 @@ private:
     return styles;
   }
 
-  /// A turn and a straight line.
+  /// Returns a turn and a straight line.
   std::optional<Approach> GoForward(
     const Stand& stand, const Vec3& target, const BendStyle& style, double cap) const
   {
@@ -165,7 +165,7 @@ private:
     return way;
   }
 
-  /// The shortest of several three-point turns.
+  /// Returns the shortest of several three-point turns.
   Approach BackUp(const Stand& stand, const GroundWaypoint& from, const Vec3& target) const
   {
     const BendStyle crawl{ this->Tightest, 0.25 * this->GetBendSpeed(this->Tightest, from.Speed) };

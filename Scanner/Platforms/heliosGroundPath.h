@@ -24,7 +24,7 @@ struct Steering
   double LateralAcceleration; // [m/s^2]
   double Deviation;           // [m] off the straight line for a faster turn
 
-  /// The curvature of the path of the rear axle for a steering angle (bicycle model).
+  /// Returns the curvature of the path of the rear axle for a steering angle (bicycle model).
   double GetCurvature(double angle) const { return std::tan(angle) / this->Wheelbase; }
 };
 
@@ -60,9 +60,10 @@ struct GroundWaypoint
 };
 
 /**
- * The path through all waypoints, from the first, with the car heading to the second. At a waypoint
- * the car turns towards the next until that is straight ahead, then drives straight. If no turn
- * leads there, it reverses on the opposite lock, and straight, by the minimum that allows a turn.
+ * Returns the path through all waypoints, from the first, with the car heading to the second. At a
+ * waypoint the car turns towards the next until that is straight ahead, then drives straight. If no
+ * turn leads there, it reverses on the opposite lock, and straight, by the minimum that allows a
+ * turn.
  */
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<GroundElement> PlanGroundPath(
   const std::vector<GroundWaypoint>& waypoints, const Steering& steering);

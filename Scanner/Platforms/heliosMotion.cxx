@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-/// The angle between two attitudes [rad], accurate for small angles.
+/// Returns the angle between two attitudes [rad], accurate for small angles.
 double GetAngle(const Quaternion& a, const Quaternion& b)
 {
   const Quaternion d = a.Conjugated() * b;
@@ -53,7 +53,7 @@ private:
     return this->Fits(a, b, { t, this->Piece.At(t) });
   }
 
-  /// Whether the interpolation of two samples is accurate at a time.
+  /// Returns whether the interpolation of two samples is accurate at a time.
   bool Fits(const MotionSample& a, const MotionSample& b, const MotionSample& truth) const
   {
     const HermiteSegment segment(

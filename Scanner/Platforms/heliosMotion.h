@@ -41,7 +41,7 @@ struct MotionSample
 constexpr double SampleTolerance = 1e-7;
 
 /**
- * The samples of a piece, including its ends: the fewest for which the cubic in between
+ * Returns the samples of a piece, including its ends: the fewest for which the cubic in between
  * (HermiteSegment) and the attitude rotating at a constant rate are within a tolerance of the
  * motion [m] and [rad], found by halving.
  */

@@ -9,7 +9,7 @@
 namespace helios
 {
 
-/// The zero of a continuous function between a and b, where it has opposite signs: regula
+/// Returns the zero of a continuous function between a and b, where it has opposite signs: regula
 /// falsi with the Illinois weighting, bisection where that is slow.
 template <typename FunctionT>
 double FindRoot(const FunctionT& f, double a, double b)

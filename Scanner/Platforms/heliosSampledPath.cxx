@@ -25,7 +25,7 @@ bool IsFinite(const Vec3& v)
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/// A point array with n components, null if missing.
+/// Returns a point array with n components, null if missing.
 vtkDataArray* FindArray(vtkPolyData* path, const char* name, int components)
 {
   vtkDataArray* array = path->GetPointData()->GetArray(name);

@@ -45,12 +45,12 @@ public:
   double GetTime(vtkIdType sample) const;
   State GetSample(vtkIdType sample) const;
 
-  /// The number of samples before a time, or not after it.
+  /// Returns the number of samples before a time, or not after it.
   vtkIdType CountBefore(double time) const;
   vtkIdType CountUntil(double time) const;
 
-  ///@{
-  /// The state at a path time; at a jump the state before or after it.
+  /// @{
+  /// Returns the state at a path time; at a jump the state before or after it.
   State GetArrival(double time) const;
   State GetDeparture(double time) const;
   ///@}

@@ -10,13 +10,14 @@ namespace helios
 namespace
 {
 
-/// The braking distance from one speed to another with full brake.
+/// Returns the braking distance from one speed to another with full brake.
 double GetBrakeDistance(const LinearDrag& brake, double from, double to)
 {
   return from > to ? brake.At(from, brake.FindTime(from, to)).Distance : 0.0;
 }
 
-/// The maximum speed at the start of a stretch from which the brake reaches a speed at its end.
+/// Returns the maximum speed at the start of a stretch from which the brake reaches a speed at its
+/// end.
 double GetEntrySpeed(const Stretch& stretch, double rate, double exit)
 {
   const LinearDrag brake{ stretch.Brake, rate };
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  /// The distance left after full force for a time and full brake after that.
+  /// Returns the distance left after full force for a time and full brake after that.
   double GetRest(double time) const
   {
     const Travel travel = this->Force.At(this->Entry, time);

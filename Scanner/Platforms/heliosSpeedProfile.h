@@ -40,8 +40,8 @@ struct SpeedPhase
 };
 
 /**
- * The fastest drive from rest over all stretches below every cap: the maximum end speeds are
- * computed from the last stretch to the first, then the vehicle drives. All in closed form for
+ * Returns the fastest drive from rest over all stretches below every cap: the maximum end speeds
+ * are computed from the last stretch to the first, then the vehicle drives. All in closed form for
  * linear drag, rate [1/s]. Every stretch has Thrust > 0 > Brake.
  */
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<SpeedPhase> DriveStretches(

@@ -57,7 +57,7 @@ struct Ride
   }
 };
 
-/// Whether two elements are driven without a change of slope between them.
+/// Returns whether two elements are driven without a change of slope between them.
 bool IsSameRun(const helios::GroundElement& a, const helios::GroundElement& b)
 {
   return a.Waypoint == b.Waypoint && a.Backward == b.Backward;
@@ -91,7 +91,7 @@ helios::MotionPiece Pause(vtkIdType waypoint, const helios::MotionState& state)
   return { waypoint, 0.0, [state](double) { return state; } };
 }
 
-/// The motion, leg after leg; legs of zero length are pauses.
+/// Returns the motion, leg after leg; legs of zero length are pauses.
 std::vector<helios::MotionPiece> MakeMotion(
   const std::vector<Ride>& rides, const std::vector<helios::SpeedPhase>& phases, vtkIdType legs)
 {

@@ -38,7 +38,7 @@ constexpr int NoLeg = -1;
 /// Trajectories further apart are of two clocks [s].
 constexpr double LongestBreak = 7.0 * 86400.0;
 
-/// A time from navigation software, which may have many digits.
+/// Returns a time from navigation software, which may have many digits.
 std::string Seconds(double time)
 {
   std::ostringstream text;
@@ -74,7 +74,7 @@ std::size_t ContinueInputs(std::vector<Input>& order)
   return 0;
 }
 
-/// An input with an offset added to its times.
+/// Returns an input with an offset added to its times.
 vtkSmartPointer<vtkPolyData> Shift(vtkPolyData* data, double offset)
 {
   auto shifted = vtkSmartPointer<vtkPolyData>::New();

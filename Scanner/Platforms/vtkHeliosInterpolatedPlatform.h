@@ -58,10 +58,9 @@ public:
 
   ///@{
   /**
-   * Add a leg over [start, end] of the recorded times [s], NaN: from their first,
-   * or to their last; remove all, get their number. The platform does not move
-   * from the end of the leg before to a leg that teleports. LegIds count from
-   * FirstLegId. Default: none, all is one leg.
+   * Adds a leg over [start, end] of the recorded times [s], NaN: from their first, or to their
+   * last; remove all, get their number. The platform does not move from the end of the leg before
+   * to a leg that teleports. LegIds count from FirstLegId. Default: none, all is one leg.
    */
   void AddLeg(double start, double end, bool teleportToStart);
   void RemoveAllLegs();

@@ -57,7 +57,7 @@ std::vector<Leg> MakeLegs(vtkPolyData* waypoints, vtkDataArray* speeds)
   return legs;
 }
 
-/// The direction of the first leg with a length in x, y; otherwise north.
+/// Returns the direction of the first leg with a length in x, y; otherwise north.
 std::array<double, 2> FindFirstHeading(const std::vector<Leg>& legs)
 {
   const auto leg =

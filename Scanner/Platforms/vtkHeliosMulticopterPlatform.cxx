@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkHeliosMulticopterPlatform);
 namespace
 {
 
-/// The array value of a waypoint; the default if missing.
+/// Returns the array value of a waypoint; the default if missing.
 double GetValue(vtkDataArray* array, vtkIdType waypoint, double otherwise)
 {
   return array ? array->GetTuple1(waypoint) : otherwise;

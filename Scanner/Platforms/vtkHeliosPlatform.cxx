@@ -28,7 +28,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// The first point that is not finite, or -1.
+/// Returns the first point that is not finite, or -1.
 vtkIdType FindPointNotFinite(vtkPoints* points)
 {
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)

@@ -75,8 +75,8 @@ protected:
   /// and all are finite.
   virtual bool Move(vtkPolyData* waypoints, std::vector<State>& path) = 0;
 
-  /// Whether there are two or more waypoints with valid speeds; error messages name the kind of
-  /// path.
+  /// Returns whether there are two or more waypoints with valid speeds; error messages name the
+  /// kind of path.
   bool CheckSpeeds(vtkPolyData* waypoints, const char* kind);
 
   /// Appends the samples of a motion that starts at StartTime, piece after piece; within a leg the
@@ -84,11 +84,12 @@ protected:
   void AppendMotion(vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion,
     std::vector<State>& path) const;
 
-  /// Whether no leg of a motion takes longer than an hour and 1000 times its length at Speed.
+  /// Returns whether no leg of a motion takes longer than an hour and 1000 times its length at
+  /// Speed.
   bool CheckDurations(
     vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion, const char* cure);
 
-  /// A point array with one component, null if missing.
+  /// Returns a point array with one component, null if missing.
   static vtkDataArray* FindValues(vtkPolyData* waypoints, const char* name);
 
   /// The leg that starts at a waypoint.

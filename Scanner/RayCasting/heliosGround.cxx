@@ -159,7 +159,7 @@ private:
   std::map<int, int> Numbers; ///< of meshes in Scene, by that in All
 };
 
-/// Whether any triangle of a scene with instances has a ground material.
+/// Returns whether any triangle of a scene with instances has a ground material.
 bool HasGround(const SceneGeometry& geometry)
 {
   auto* scene = vtkHeliosScene::SafeDownCast(geometry.GetScene());
@@ -190,8 +190,8 @@ bool HasGround(const SceneGeometry& geometry)
     std::any_of(instances.begin(), instances.end(), hasGround);
 }
 
-/// The scene's cells at some positions; with groundOnly those with a ground material, if any has
-/// it, or if it is known that others have.
+/// Returns the scene's cells at some positions; with groundOnly those with a ground material, if
+/// any has it, or if it is known that others have.
 vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   vtkPolyData* scene, const Places& places, bool groundOnly, bool othersAreGround)
 {
@@ -219,7 +219,7 @@ vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   return ground;
 }
 
-/// The height of the highest surface at each point; otherwise NaN.
+/// Returns the height of the highest surface at each point; otherwise NaN.
 std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
 {
   double bounds[6] = {};

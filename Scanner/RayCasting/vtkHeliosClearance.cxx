@@ -47,7 +47,7 @@ public:
     return this->IsWhole ? this->BuildWhole(scene) : this->BuildMesh(scene);
   }
 
-  /// The height above the surface below, along the segment from a to b.
+  /// Returns the height above the surface below, along the segment from a to b.
   double FindHeight(const Vec3& a, const Vec3& b, double spacing) const
   {
     const double pieces = std::max(1.0, std::ceil((b - a).Norm() / spacing));
@@ -59,7 +59,7 @@ public:
     return height;
   }
 
-  /// The distance to the nearest surface within a radius, from the segment from a to b.
+  /// Returns the distance to the nearest surface within a radius, from the segment from a to b.
   double FindDistance(const Vec3& a, const Vec3& b, double radius) const
   {
     // Short segments have tight boxes.

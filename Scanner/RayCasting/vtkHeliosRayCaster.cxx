@@ -49,7 +49,7 @@ struct vtkHeliosRayCaster::Internals
     this->Probe.reset();
   }
 
-  /// Whether it is this scene, or another one with the same triangles.
+  /// Returns whether it is this scene, or another one with the same triangles.
   bool Has(vtkPolyData* scene) const
   {
     if (!scene || !this->Scene)
@@ -80,7 +80,7 @@ private:
     return whole ? whole->GetInstances() : nullptr;
   }
 
-  /// Whether the instances and their prototypes are those of a scene.
+  /// Returns whether the instances and their prototypes are those of a scene.
   bool HasInstancesOf(vtkPolyData* scene) const
   {
     if (GetInstances(scene) != this->Instances)

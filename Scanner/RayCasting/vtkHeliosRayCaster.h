@@ -74,7 +74,8 @@ public:
 
   ///@{
   /**
-   * The name of the backend, as in vtkHeliosRayCasterFactory; the size of its accelerator [bytes].
+   * Returns the name of the backend, as in vtkHeliosRayCasterFactory; the size of its accelerator
+   * [bytes].
    */
   virtual const char* GetName() const = 0;
   virtual std::size_t GetAcceleratorSize() const = 0;
@@ -87,15 +88,15 @@ public:
   std::size_t GetMemorySize() const;
 
 #ifndef __VTK_WRAP__
-  /// The cone probe of the scene, until the next build. The first call makes it, in one thread. Null
-  /// without a scene, after an abort request, for too many triangles.
+  /// Returns the cone probe of the scene, until the next build. The first call makes it, in one
+  /// thread. Null without a scene, after an abort request, for too many triangles.
   const helios::ConeProbe* GetConeProbe();
 
   /// Polled about ten times/s by Build() and GetConeProbe() (vtkHeliosObbTreeRayCaster: at the
   /// start), in the calling thread. If it returns true, they stop, Build() with an error.
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
-  /// The triangles of the built scene.
+  /// Returns the triangles of the built scene.
   const helios::SceneGeometry& GetGeometry() const
   {
     return *this->Geometry;

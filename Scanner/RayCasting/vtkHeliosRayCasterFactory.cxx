@@ -19,7 +19,7 @@ struct Backend
   vtkHeliosRayCasterFactory::Creator Create;
 };
 
-/// The backends, in order of priority.
+/// Returns the backends, in order of priority.
 std::vector<Backend>& GetBackends()
 {
   static std::vector<Backend> backends = {

@@ -29,7 +29,7 @@ namespace
 
 constexpr double MostWaypoints = 1e7;
 
-/// The distance from a point to the next in x, y.
+/// Returns the distance from a point to the next in x, y.
 double GetDistance(vtkPolyData* waypoints, vtkIdType i)
 {
   double a[3], b[3];

@@ -42,7 +42,7 @@ struct CopyWorker
   }
 };
 
-/// The values of the tuples [begin, end).
+/// Returns the values of the tuples [begin, end).
 std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType end)
 {
   const vtkIdType width = array->GetNumberOfComponents();
@@ -146,7 +146,7 @@ struct Cloud::Block
 
   vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Xyz.size()) / 3; }
 
-  /// Whether a row's pulse can be stored as an offset from a base.
+  /// Returns whether a row's pulse can be stored as an offset from a base.
   bool IsNear(vtkIdType row, std::int64_t base) const
   {
     const double pulse = this->Get(CloudColumn::Pulse, row, -1.0);

@@ -120,10 +120,10 @@ public:
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetNumberOfDroppedPoints() const { return this->NumberOfDropped; }
 
-  /// Whether any block had this column.
+  /// Returns whether any block had this column.
   bool Has(CloudColumn column) const { return this->Present[static_cast<int>(column)]; }
 
-  /// Whether amplitudes are raw file values (Intensity), not watts.
+  /// Returns whether amplitudes are raw file values (Intensity), not watts.
   bool HasRawAmplitudes() const { return this->RawAmplitudes; }
 
   /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without points.
@@ -132,7 +132,7 @@ public:
   /// First and last GPS time [s]; false without points.
   bool GetTimeRange(double range[2]) const;
 
-  /// The point of a row in [0, number of points).
+  /// Returns the point of a row in [0, number of points).
   Echo GetEcho(vtkIdType row) const;
 
   /// Values of a column for points [begin, end) of a chunk; height is world z [m].
@@ -141,7 +141,7 @@ public:
 
   const std::vector<std::unique_ptr<CloudChunk>>& GetChunks() const { return this->Chunks; }
 
-  /// The name of a part in the field data of the blocks; empty: unknown.
+  /// Returns the name of a part in the field data of the blocks; empty: unknown.
   std::string GetPartName(int part) const;
 
   /// The chunk that contains a row.

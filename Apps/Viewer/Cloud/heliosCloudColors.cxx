@@ -47,7 +47,7 @@ bool CloudColors::IsCategory() const
 }
 
 //------------------------------------------------------------------------------
-/// The position of a value on the ramp; outside [0, 1] beyond its ends.
+/// Returns the position of a value on the ramp; outside [0, 1] beyond its ends.
 double CloudColors::GetShare(double value) const
 {
   double low = this->Low, high = this->High;

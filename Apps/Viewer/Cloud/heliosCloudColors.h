@@ -46,9 +46,9 @@ public:
   /// For unknown values.
   static constexpr Rgb Unknown = { 128, 128, 128 };
 
-  /// Whether values are categories (classes, parts ...) rather than quantities.
+  /// Returns whether values are categories (classes, parts ...) rather than quantities.
   bool IsCategory() const;
-  /// Whether colours tell no value: those of the points, or one for all.
+  /// Returns whether colours tell no value: those of the points, or one for all.
   bool IsPlain() const { return this->By == ColorBy::One || this->By == ColorBy::Own; }
   bool IsLogarithmic() const { return this->By == ColorBy::Amplitude; }
 
@@ -64,7 +64,7 @@ public:
   /// "Height", "Amplitude" ...
   std::string GetName(const Cloud& cloud) const;
 
-  /// The legend; of categories: those among values.
+  /// Returns the legend; of categories: those among values.
   Legend MakeLegend(const Cloud& cloud, const std::vector<double>& values) const;
 
 private:

@@ -138,7 +138,7 @@ struct VisibleSearch
   }
 };
 
-/// Whether a box x0 x1 y0 y1 z0 z1 lies on one side of a slab.
+/// Returns whether a box x0 x1 y0 y1 z0 z1 lies on one side of a slab.
 bool IsOutsideSlab(const Slab& slab, const double bounds[6])
 {
   double low = 0.0, high = 0.0;

@@ -31,7 +31,7 @@ struct CloudWindow
 
   bool IsClipped() const { return this->HasBox || this->HasSlab; }
 
-  /// Whether no point of a chunk is visible, judging by its bounds.
+  /// Returns whether no point of a chunk is visible, judging by its bounds.
   bool IsOutside(const CloudChunk& chunk) const;
   bool Contains(const CloudChunk& chunk, vtkIdType i) const;
 };
@@ -46,16 +46,16 @@ struct PickSpot
 };
 
 /**
- * The row of the point shown at a spot; -1: none. The renderer draws the cloud in coordinates
- * relative to its origin. Of points whose square covers the spot, the one closest to the camera;
- * otherwise the nearest in pixels within the radius.
+ * Returns the row of the point shown at a spot; -1: none. The renderer draws the cloud in
+ * coordinates relative to its origin. Of points whose square covers the spot, the one closest to
+ * the camera; otherwise the nearest in pixels within the radius.
  */
 vtkIdType PickPoint(
   const Cloud& cloud, const CloudWindow& window, vtkRenderer* renderer, const PickSpot& spot);
 
 /**
- * The rows of the visible points: at each pixel the one closest to the camera, among all. So the
- * cost of drawing many points depends on the number of pixels.
+ * Returns the rows of the visible points: at each pixel the one closest to the camera, among all.
+ * So the cost of drawing many points depends on the number of pixels.
  */
 std::vector<std::uint32_t> FindVisiblePoints(
   const Cloud& cloud, const CloudWindow& window, const PixelMap& pixels);

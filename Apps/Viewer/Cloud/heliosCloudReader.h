@@ -42,7 +42,7 @@ public:
   std::vector<std::string> Files;
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
 
-  /// Whether the file, or the folder's contents, can be read.
+  /// Returns whether the file, or the folder's contents, can be read.
   static bool CanRead(const std::string& path);
 
   /// Passes on the blocks one by one.

@@ -110,13 +110,13 @@ public:
   void ReportFrame(double seconds);
   void SetVisible(bool on);
 
-  /// The legend of the colours; without colours if there are no points, or one colour only.
+  /// Returns the legend of the colours; without colours if there are no points, or one colour only.
   const Legend& GetLegend() const { return this->Scale; }
 
   /// The part of the colour map for quantities. Default: all.
   void SetRampPart(const RampPart& part);
 
-  /// The echo drawn at a window pixel, or within a radius [pixels] of it.
+  /// Returns the echo drawn at a window pixel, or within a radius [pixels] of it.
   std::optional<Echo> Pick(double x, double y, double radius) const;
 
   /// Points drawn, including those outside the clip box in chunks that intersect it. Of a cloud

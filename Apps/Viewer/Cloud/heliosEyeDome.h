@@ -13,9 +13,9 @@ namespace helios::viewer
 {
 
 /**
- * A pass for a renderer. Of the eight neighbours of a pixel at two distances, those that are closer
- * to the camera darken it, by the ratio of their depths, down to 0.45 of its colour at most: VTK's
- * shading (vtkEDLShading) makes points behind sparse ones black.
+ * Returns a pass for a renderer. Of the eight neighbours of a pixel at two distances, those that
+ * are closer to the camera darken it, by the ratio of their depths, down to 0.45 of its colour at
+ * most: VTK's shading (vtkEDLShading) makes points behind sparse ones black.
  */
 vtkSmartPointer<vtkRenderPass> MakeEyeDomePass();
 

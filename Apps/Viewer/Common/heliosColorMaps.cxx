@@ -53,7 +53,7 @@ constexpr double Viridis[18][3] = { { 68, 1, 84 }, { 72, 23, 105 }, { 71, 42, 12
   { 35, 137, 142 }, { 31, 151, 139 }, { 33, 165, 133 }, { 46, 179, 124 }, { 70, 192, 111 },
   { 101, 203, 94 }, { 137, 213, 72 }, { 176, 221, 47 }, { 216, 226, 25 }, { 253, 231, 37 } };
 
-/// The colour at a share of viridis.
+/// Returns the colour at a share of viridis.
 Rgb GetViridis(double share)
 {
   const double at = 17.0 * share;

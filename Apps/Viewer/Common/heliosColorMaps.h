@@ -24,17 +24,17 @@ struct RampPart
 /// Colours from low to high.
 using Ramp = std::array<Rgb, 256>;
 
-/// A part of viridis: perceptually uniform, its lightness increases, so it is safe for colour
-/// vision deficiency.
+/// Returns a part of viridis: perceptually uniform, its lightness increases, so it is safe for
+/// colour vision deficiency.
 Ramp MakeRamp(const RampPart& part);
 
-/// The colour of category n: 12 muted colours, repeated.
+/// Returns the colour of category n: 12 muted colours, repeated.
 Rgb GetDistinctColor(std::int64_t n);
 
-/// The colour of an ASPRS class; grey for one without a colour of its own.
+/// Returns the colour of an ASPRS class; grey for one without a colour of its own.
 Rgb GetClassColor(int number);
 
-/// The name of an ASPRS class, "class 42" for one without.
+/// Returns the name of an ASPRS class, "class 42" for one without.
 std::string GetClassName(int number);
 
 } // namespace helios::viewer

@@ -19,8 +19,8 @@ Status CheckDisplay();
 /// Reports a display lost later, instead of the window system's message.
 void ExplainLostDisplay();
 
-/// The name of a key with Shift, "K" for "k" and "less" for "comma", by the keyboard of a display (an
-/// X Display); other names stay as they are. VTK 9.3 names keys without Shift.
+/// Returns the name of a key with Shift, "K" for "k" and "less" for "comma", by the keyboard of a
+/// display (an X Display); other names stay as they are. VTK 9.3 names keys without Shift.
 std::string FindShiftedKey(void* display, const std::string& name);
 
 } // namespace helios::viewer

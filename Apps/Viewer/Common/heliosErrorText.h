@@ -18,7 +18,7 @@
 namespace helios::viewer
 {
 
-/// A message of VTK without its file, line and object.
+/// Returns a message of VTK without its file, line and object.
 inline std::string StripOrigin(const std::string& message)
 {
   const std::size_t object = message.find("): ");
@@ -61,7 +61,7 @@ public:
 
   bool IsEmpty() const { return this->Text.empty(); }
 
-  /// The errors; without any, a replacement text.
+  /// Returns the errors; without any, a replacement text.
   std::string Get(const std::string& instead) const
   {
     return this->Text.empty() ? instead : this->Text;

@@ -30,7 +30,7 @@ public:
     this->Cost = seconds;
   }
 
-  /// Whether to draw now; isComputing: work goes on.
+  /// Returns whether to draw now; isComputing: work goes on.
   bool IsDue(double now, bool isComputing) const
   {
     const double pause = std::min(Longest, this->Cost / Share);

@@ -12,8 +12,8 @@ namespace helios::viewer
 {
 
 /**
- * The colour of its class, if set; else of a word in its name (ground, leaf, bark, roof, wall ...);
- * else the ground colour if it is ground; else the distinct colour of its table row.
+ * Returns the colour of its class, if set; else of a word in its name (ground, leaf, bark, roof,
+ * wall ...); else the ground colour if it is ground; else the distinct colour of its table row.
  */
 Rgb GetMaterialColor(const Material& material, std::size_t row);
 

@@ -45,7 +45,7 @@ public:
       std::equal(this->Middle, this->Middle + 2, b.Middle);
   }
 
-  /// The pixel of the renderer, row by row from its lower left; -1: outside.
+  /// Returns the pixel of the renderer, row by row from its lower left; -1: outside.
   vtkIdType GetIndex(const double pixel[3]) const
   {
     const auto x = static_cast<vtkIdType>(std::floor(pixel[0] - this->Middle[0] + this->Half[0]));
@@ -66,7 +66,7 @@ public:
     return w > 0.0 && std::abs(depth) <= w;
   }
 
-  /// Whether a box may have points within a distance [pixels] of a pixel.
+  /// Returns whether a box may have points within a distance [pixels] of a pixel.
   bool MayShow(const double box[6], double px, double py, double reach) const
   {
     double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL };

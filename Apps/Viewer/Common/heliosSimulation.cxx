@@ -37,7 +37,7 @@ vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
   return kept;
 }
 
-/// Whether parts move in any epoch: the mesh that is drawn is then split into layers.
+/// Returns whether parts move in any epoch: the mesh that is drawn is then split into layers.
 bool HasMovingParts(const SceneData& scene)
 {
   const auto moves = [](const PartData& part)

@@ -62,7 +62,7 @@ struct SimulatedLeg
   Pose GetHead(double time) const;
 };
 
-/// The leg at a time [s], the last one started; null before the first.
+/// Returns the leg at a time [s], the last one started; null before the first.
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
 
 /// All data of a pulse.
@@ -98,7 +98,7 @@ public:
 
   Phase GetPhase() const;
 
-  /// The error; empty without one.
+  /// Returns the error; empty without one.
   std::string GetMessage() const;
 
   ///@{
@@ -115,7 +115,7 @@ public:
   /// Runs up to a time [s]; infinity: to the end. Never backwards.
   void SetTarget(double time);
 
-  /// The echoes of the blocks run since the last call.
+  /// Returns the echoes of the blocks run since the last call.
   std::vector<vtkSmartPointer<vtkPolyData>> CollectEchoes();
 
   /// The time up to which all echoes have been taken [s], and the pulses up to it.

@@ -27,7 +27,7 @@ struct Slab
     return at >= this->Low && at <= this->High;
   }
 
-  /// The same slab in coordinates relative to an origin.
+  /// Returns the same slab in coordinates relative to an origin.
   Slab RelativeTo(const Vec3& origin) const
   {
     const double shift = this->Normal.Dot(origin);

@@ -35,7 +35,7 @@ struct Theme
   RampPart Ramp;        ///< of the colour map: without the end close to the background
 };
 
-/// The theme of a name; the first of GetThemeNames() for an unknown one.
+/// Returns the theme of a name; the first of GetThemeNames() for an unknown one.
 const Theme& FindTheme(const std::string& name);
 
 /// dark, light.

@@ -48,7 +48,7 @@ int FindExponent(double value)
   return static_cast<int>(std::floor(std::log10(value) + 1e-9));
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below a positive value.
+/// Returns the smallest of 1, 2, 5 times a power of ten that is not below a positive value.
 double RoundUp(double value)
 {
   const double power = std::pow(10.0, FindExponent(value));
@@ -62,7 +62,7 @@ double RoundUp(double value)
   return 10.0 * power;
 }
 
-/// A number with fixed decimals; never "-0".
+/// Returns a number with fixed decimals; never "-0".
 std::string Write(double value, int decimals)
 {
   const double rounded = std::abs(value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : value;

@@ -36,13 +36,13 @@ Ticks MakeTicks(double low, double high, int most, const std::string& unit);
  */
 Ticks MakeLogTicks(double low, double high, int most, const std::string& unit);
 
-/// A value in a suitable unit with three significant digits: "12.3 nW"; 0 is "0 W".
+/// Returns a value in a suitable unit with three significant digits: "12.3 nW"; 0 is "0 W".
 std::string DescribeValue(double value, const std::string& unit);
 
-/// The largest of 1, 2, 5 times a power of ten that is not above a positive value.
+/// Returns the largest of 1, 2, 5 times a power of ten that is not above a positive value.
 double RoundDown(double value);
 
-/// A length [m] of one significant digit in mm, cm, m or km: "20 m".
+/// Returns a length [m] of one significant digit in mm, cm, m or km: "20 m".
 std::string DescribeLength(double metres);
 
 } // namespace helios::viewer

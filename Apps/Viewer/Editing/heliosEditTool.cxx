@@ -29,7 +29,7 @@ namespace
 
 constexpr std::size_t MostUndos = 200;
 
-/// An entry, some steps after a given one.
+/// Returns an entry, some steps after a given one.
 template <typename T>
 const std::pair<std::string, T>* FindNext(
   const std::vector<std::pair<std::string, T>>& entries, const std::string& reference, int step)

@@ -30,7 +30,7 @@ namespace helios::viewer
 namespace
 {
 
-/// Whether a file may be added as a part: a model, neither terrain nor a city.
+/// Returns whether a file may be added as a part: a model, neither terrain nor a city.
 bool CanAdd(const fs::path& path)
 {
   const std::string loader = vtkHeliosDialect::FindLoader(path.string());

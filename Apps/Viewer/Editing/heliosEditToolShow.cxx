@@ -28,7 +28,7 @@ namespace helios::viewer
 namespace
 {
 
-/// The platform of a leg, facing the next one or away from the last.
+/// Returns the platform of a leg, facing the next one or away from the last.
 Pose FindPose(const SurveyEdit& edit, std::size_t leg)
 {
   const Vec3 here = edit.Legs[leg].Settings.Leg.Position;
@@ -69,7 +69,7 @@ std::string EditTool::GetFolder() const
 }
 
 //------------------------------------------------------------------------------
-/// The source files of the shown data.
+/// Returns the source files of the shown data.
 std::vector<std::string> EditTool::GetDocuments() const
 {
   std::vector<std::string> files = this->Owner.GetOptions().Inputs;

@@ -210,7 +210,7 @@ void Inspector::RequestPulse(const Echo& echo)
 }
 
 //------------------------------------------------------------------------------
-/// A pending result; invalid, with a problem, if there is no source.
+/// Returns a pending result; invalid, with a problem, if there is no source.
 std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType last, bool hasSubRays)
 {
   Simulation* run = this->Owner.GetSimulation();
@@ -263,7 +263,7 @@ void Inspector::StepPulse(int step)
 }
 
 //------------------------------------------------------------------------------
-/// The number of pulses per scan line.
+/// Returns the number of pulses per scan line.
 vtkIdType Inspector::FindLineLength(int leg) const
 {
   vtkHeliosSurvey* survey = this->Owner.GetSurvey();

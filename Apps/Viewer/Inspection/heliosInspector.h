@@ -48,7 +48,7 @@ public:
   bool PlaceChart();
   void Close();
 
-  /// Whether a result is pending.
+  /// Returns whether a result is pending.
   bool IsWaiting() const { return this->Record.valid() || this->LineRecord.valid(); }
 
   vtkIdType GetRow() const { return this->Row; } ///< -1: not shown

@@ -21,7 +21,7 @@ namespace helios::viewer
 namespace
 {
 
-/// A formatted number; empty if it is unknown.
+/// Returns a formatted number; empty if it is unknown.
 std::string Say(const char* format, double value)
 {
   char text[64];

@@ -47,11 +47,11 @@ public:
   /// Places the chart in a rectangle [pixels]; an empty one hides it. True: something has changed.
   bool Place(const Rect& rect, const Theme& theme, int textSize);
 
-  /// Whether a window pixel belongs to the chart.
+  /// Returns whether a window pixel belongs to the chart.
   bool Contains(int x, int y) const;
 
-  ///@{
-  /// The drawn chart.
+  /// @{
+  /// Returns the drawn chart.
   vtkChartXY* GetChart() const { return this->Chart; }
   vtkIdType GetNumberOfSamples() const { return this->NumberOfSamples; }
   vtkIdType GetNumberOfEchoes() const { return this->NumberOfEchoes; }

@@ -36,7 +36,7 @@ namespace
 constexpr double BytesPerPiece = 16e6;  // of text read at a time
 constexpr double BytesOfPoints = 400e3; // of a LAS file: each may have a waveform
 
-/// Whether it is a LAS file whose points refer to packets, in it or in a .wdp beside it.
+/// Returns whether it is a LAS file whose points refer to packets, in it or in a .wdp beside it.
 bool HasPackets(const fs::path& path)
 {
   std::error_code error;
@@ -71,7 +71,7 @@ void AddBeside(const fs::path& points, std::vector<std::string>& files)
   }
 }
 
-/// The rows of some pulses; null: none.
+/// Returns the rows of some pulses; null: none.
 vtkSmartPointer<vtkTable> Select(vtkTable* table, vtkIdType first, vtkIdType last)
 {
   auto* ids = vtkDataArray::SafeDownCast(table->GetColumnByName(names::PulseIds));
@@ -130,7 +130,7 @@ int CountPieces(const std::string& file, double bytesPerPiece)
   return error ? 1 : 1 + static_cast<int>(std::min(1e6, bytes / bytesPerPiece));
 }
 
-/// Whether points refer to a waveform of these pulses.
+/// Returns whether points refer to a waveform of these pulses.
 bool NamesWaveform(vtkPolyData* points, const std::pair<vtkIdType, vtkIdType>& pulses)
 {
   vtkDataArray* ids = points->GetPointData()->GetArray(names::WaveformIds);

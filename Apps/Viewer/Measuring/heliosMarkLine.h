@@ -40,7 +40,7 @@ private:
   vtkNew<vtkActor2D> Actor;
 };
 
-/// The point of the cloud or of the scene at a window pixel, in world coordinates [m].
+/// Returns the point of the cloud or of the scene at a window pixel, in world coordinates [m].
 std::optional<Vec3> PickPosition(Viewer& viewer, int x, int y);
 
 } // namespace helios::viewer

@@ -49,7 +49,7 @@ private:
   bool IsOn = false;
 };
 
-/// The vertical slab along a line; none if its ends are above each other.
+/// Returns the vertical slab along a line; none if its ends are above each other.
 std::optional<Slab> MakeSlab(const Vec3& from, const Vec3& to, double thickness);
 
 } // namespace helios::viewer

@@ -99,7 +99,7 @@ std::array<std::pair<PanelId, const Panel*>, 11> Hud::GetPanels() const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a panel may be drawn now.
+/// Returns whether a panel may be drawn now.
 bool Hud::IsShown(PanelId id) const
 {
   const bool isPicture =

@@ -85,7 +85,7 @@ public:
   const Layout& GetLayout() const { return this->Places; }
   int GetTextSize() const { return this->TextSize; }
 
-  /// The part of the time bar that its handle moves in.
+  /// Returns the part of the time bar that its handle moves in.
   Rect GetTimeTrack() const;
 
   /// A press of the left button; true: on a panel.
@@ -94,7 +94,7 @@ public:
   /// Closes menu and help; true: one was open.
   bool CloseMenu();
 
-  /// The current text: status, legs and message.
+  /// Returns the current text: status, legs and message.
   std::string GetText() const;
 
   const MenuBar& GetMenuBar() const { return this->Bar; }

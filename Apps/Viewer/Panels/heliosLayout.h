@@ -32,7 +32,7 @@ enum class PanelId : int
 };
 constexpr std::size_t NumberOfPanels = 13;
 
-/// The name of a panel in the state file.
+/// Returns the name of a panel in the state file.
 std::string GetPanelName(PanelId id);
 
 /**
@@ -56,7 +56,7 @@ public:
 
   const Rect& Get(PanelId id) const { return this->Rects[Index(id)]; }
 
-  /// The part of the window between menu bar and time bar.
+  /// Returns the part of the window between menu bar and time bar.
   const Rect& GetView() const { return this->View; }
 
   /// Between panels, and inside them around text [pixels].

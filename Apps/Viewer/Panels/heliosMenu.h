@@ -63,7 +63,7 @@ class MenuList : public Panel
 public:
   void SetMenu(const Menu* menu) { this->Content = menu; }
 
-  /// The item at a height below the top of the list; null: none.
+  /// Returns the item at a height below the top of the list; null: none.
   const MenuItem* FindItem(int fromTop, int textSize) const;
 
   PanelSize GetSize(int textSize) const override;

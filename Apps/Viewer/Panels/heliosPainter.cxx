@@ -20,7 +20,7 @@ namespace
 
 constexpr int DotsPerInch = 72; // of VTK's windows: a point is a pixel
 
-/// The length of a text without its last UTF-8 character.
+/// Returns the length of a text without its last UTF-8 character.
 std::size_t FindLastCharacter(const std::string& text)
 {
   std::size_t at = text.size();

@@ -22,7 +22,7 @@ int MeasureText(const std::string& text, int textSize);
 /// The distance of two lines of text [pixels].
 int GetLineHeight(int textSize);
 
-/// The text, shortened to a width [pixels] by an ellipsis at its end.
+/// Returns the text, shortened to a width [pixels] by an ellipsis at its end.
 std::string Shorten(const std::string& text, int textSize, int width);
 
 std::vector<std::string> SplitLines(const std::string& text);
@@ -44,7 +44,7 @@ public:
   {
   }
 
-  /// The same with another text size [pixels].
+  /// Returns the same with another text size [pixels].
   Painter WithTextSize(int textSize) const { return { this->Context, this->Colors, textSize }; }
 
   const Theme& GetTheme() const { return this->Colors; }

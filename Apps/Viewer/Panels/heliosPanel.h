@@ -20,7 +20,7 @@ public:
   Panel(const Panel&) = delete;
   void operator=(const Panel&) = delete;
 
-  /// The wanted size for a text size [pixels]; empty: not shown.
+  /// Returns the wanted size for a text size [pixels]; empty: not shown.
   virtual PanelSize GetSize(int textSize) const = 0;
 
   /// Draws into a rectangle, which may be smaller.

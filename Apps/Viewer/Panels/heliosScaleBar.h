@@ -25,10 +25,10 @@ public:
 
   void SetVisible(bool visible) { this->IsVisible = visible; }
 
-  /// The length that a pixel shows [m].
+  /// Returns the length that a pixel shows [m].
   double GetMetresPerPixel() const;
 
-  /// The length of the bar [m], at most a fifth of the window's width.
+  /// Returns the length of the bar [m], at most a fifth of the window's width.
   double GetLength() const;
   std::string GetLabel() const;
 

@@ -33,7 +33,7 @@ constexpr double Quantile = 0.995;   // of the densities: the highest colour
 constexpr vtkIdType MostLabels = 60; // more would cover each other
 constexpr Rgb GapColor = { 235, 60, 55 };
 
-/// The densities of all cells, sorted.
+/// Returns the densities of all cells, sorted.
 std::vector<double> SortDensities(vtkPolyData* cells)
 {
   std::vector<double> densities;

@@ -28,13 +28,13 @@ struct Plan
   std::string Survey;                      ///< file; empty: missing
 };
 
-/// Whether a path is a plan's folder, or its positions.vtp or lines.vtp.
+/// Returns whether a path is a plan's folder, or its positions.vtp or lines.vtp.
 bool IsPlan(const std::string& path);
 
 /// Reads a plan.
 Status ReadPlan(const std::string& path, Plan& plan);
 
-/// The value of a point; missing: if there is no such array.
+/// Returns the value of a point; missing: if there is no such array.
 double GetPlanned(vtkPolyData* points, const char* name, vtkIdType row, double missing);
 
 } // namespace helios::viewer

@@ -39,7 +39,7 @@ public:
   /// Hides numbers behind the camera; call before every frame.
   void Update();
 
-  /// The coverage and the meaning of the colours, as text.
+  /// Returns the coverage and the meaning of the colours, as text.
   virtual std::string Describe() const = 0;
 
   /// Adds numbers to the state file.

@@ -12,7 +12,7 @@ namespace helios::viewer
 namespace
 {
 
-/// The number of points up to a time, in a cloud in time order.
+/// Returns the number of points up to a time, in a cloud in time order.
 vtkIdType CountUntil(const Cloud& cloud, double time)
 {
   const auto& chunks = cloud.GetChunks();

@@ -13,11 +13,12 @@ class vtkPolyData;
 namespace helios::viewer
 {
 
-/// The triangles with normals that are smooth over edges below 40 degrees, in the same order.
+/// Returns the triangles with normals that are smooth over edges below 40 degrees, in the same
+/// order.
 vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh);
 
-/// The triangles with corners merged in cubes so large that at most this many triangles remain;
-/// divisions: the first number of cubes along the longest side.
+/// Returns the triangles with corners merged in cubes so large that at most this many triangles
+/// remain; divisions: the first number of cubes along the longest side.
 vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType most, double divisions);
 
 } // namespace helios::viewer

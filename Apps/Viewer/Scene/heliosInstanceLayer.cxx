@@ -42,7 +42,7 @@ constexpr double FirstDensity = 1.0;
 constexpr double NextDensity = 0.5;
 constexpr int MostTrials = 12;
 
-/// The triangles of each material of a mesh.
+/// Returns the triangles of each material of a mesh.
 std::map<int, std::vector<vtkTypeInt32>> SortByMaterial(vtkDataSet* data, vtkIdType count)
 {
   vtkDataArray* ids = data->GetCellData()->GetArray(names::MaterialIds);
@@ -71,7 +71,7 @@ struct InstanceLayer::View
     this->PixelsPerUnit = 0.5 * renderer->GetSize()[1] / half;
   }
 
-  /// Whether a part of a sphere is within the sides of the view.
+  /// Returns whether a part of a sphere is within the sides of the view.
   bool Sees(const Vec3& centre, double radius) const
   {
     for (int side = 0; side < 4; ++side)

@@ -72,7 +72,7 @@ public:
   /// Default: off.
   void SetInteracting(bool on);
 
-  /// The triangles drawn in the last frame.
+  /// Returns the triangles drawn in the last frame.
   vtkIdType GetNumberDrawn() const { return this->NumberDrawn; }
 
 private:

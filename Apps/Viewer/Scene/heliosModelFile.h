@@ -24,8 +24,8 @@ namespace helios::viewer
 class ModelFiles
 {
 public:
-  /// The model, with cell colours if it has several materials; null if none is set or it cannot be
-  /// shown.
+  /// Returns the model, with cell colours if it has several materials; null if none is set or it
+  /// cannot be shown.
   vtkPolyData* Find(const ModelData& model);
 
   /// Why a model that is set cannot be shown; empty: it can.

@@ -17,10 +17,10 @@ enum class PlatformType;
 namespace helios::viewer
 {
 
-/// A tripod (its feet at z = 0), an aircraft, a car, or a multicopter.
+/// Returns a tripod (its feet at z = 0), an aircraft, a car, or a multicopter.
 vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformType type);
 
-/// A scanner: a head on a base, facing y.
+/// Returns a scanner: a head on a base, facing y.
 vtkSmartPointer<vtkPolyData> MakeScannerModel();
 
 } // namespace helios::viewer

@@ -35,7 +35,7 @@ void Show(vtkActor* actor, vtkPolyData* data)
   actor->SetMapper(mapper);
 }
 
-/// A pose, scaled by s, as a matrix.
+/// Returns a pose, scaled by s, as a matrix.
 vtkSmartPointer<vtkMatrix4x4> MakeMatrix(const Pose& pose, double s)
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
@@ -164,7 +164,7 @@ bool PlatformView::IsFanVisible() const
 }
 
 //------------------------------------------------------------------------------
-/// The scale factor that keeps an object of a size visible.
+/// Returns the scale factor that keeps an object of a size visible.
 double PlatformView::FindScale(const Vec3& position, double size) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

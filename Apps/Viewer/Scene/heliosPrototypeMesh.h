@@ -41,7 +41,7 @@ public:
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }
 
-  /// The triangles of a level, about.
+  /// Returns the triangles of a level, about.
   vtkIdType GetCount(int level) const { return this->Counts[static_cast<std::size_t>(level)]; }
 
   vtkPolyData* GetLevel(int level);

@@ -18,7 +18,7 @@ namespace helios::viewer
 namespace
 {
 
-/// The last pulse of a channel of a leg emitted by a time [s]; otherwise the first.
+/// Returns the last pulse of a channel of a leg emitted by a time [s]; otherwise the first.
 vtkIdType FindPulse(const SimulatedLeg& leg, double time)
 {
   const double elapsed = std::clamp(time, leg.StartTime, leg.EndTime) - leg.StartTime;

@@ -104,7 +104,7 @@ public:
   void SetInteracting(bool on);
   bool IsCoarse() const { return this->Resting.IsCoarse(); }
 
-  /// The triangles of instances drawn in the last frame.
+  /// Returns the triangles of instances drawn in the last frame.
   vtkIdType GetInstanceTrianglesDrawn() const { return this->Instances.GetNumberDrawn(); }
 
   /// Default: ByMaterial.
@@ -126,7 +126,7 @@ public:
   void SetHighlightedPart(int part);
   int GetHighlightedPart() const { return this->HighlightedPart; }
 
-  /// The first hit of the ray through a window pixel, in double precision.
+  /// Returns the first hit of the ray through a window pixel, in double precision.
   std::optional<ScenePick> Pick(double x, double y);
 
   /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
@@ -138,7 +138,7 @@ public:
   /// Finds a part by its name, and its box [m]; false if no part of that name has triangles.
   bool FindPart(const std::string& name, int& part, double bounds[6]) const;
 
-  /// The name of a part; its number if it has none.
+  /// Returns the name of a part; its number if it has none.
   std::string GetPartName(int part) const;
 
   static constexpr unsigned char HighlightColor[3] = { 255, 205, 60 };

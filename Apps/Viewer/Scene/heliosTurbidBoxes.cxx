@@ -164,7 +164,7 @@ Blocks::Box Blocks::GetBox(std::size_t block) const
 }
 
 //------------------------------------------------------------------------------
-/// The density of a box that fills its block.
+/// Returns the density of a box that fills its block.
 double Blocks::FindFull() const
 {
   std::vector<double> densities;

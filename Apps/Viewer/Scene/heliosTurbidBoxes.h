@@ -19,16 +19,16 @@ namespace helios::viewer
 {
 
 /**
- * A box for every grid cell with a plant area density; above a maximum number of boxes, or for
- * grids of many millions of cells, for cubes of n x n x n cells, with their mean. The volume of a
- * box is proportional to its density: the densest fill their cells. (The 98 % quantile is the
+ * Returns a box for every grid cell with a plant area density; above a maximum number of boxes, or
+ * for grids of many millions of cells, for cubes of n x n x n cells, with their mean. The volume of
+ * a box is proportional to its density: the densest fill their cells. (The 98 % quantile is the
  * densest, since single cells may be extreme.) Colours are those of materials, shaded as if lit
  * from above. Coordinates are world coordinates relative to an origin [m].
  */
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
   vtkImageData* grid, vtkIdType most, const Vec3& origin);
 
-/// The same for several, sharing the number by their cells.
+/// Returns the same for several, sharing the number by their cells.
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
   const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkIdType most, const Vec3& origin);
 

@@ -93,7 +93,7 @@ Vec3 CameraRig::GetCenter() const
 }
 
 //------------------------------------------------------------------------------
-/// The radius of the bounding sphere.
+/// Returns the radius of the bounding sphere.
 double CameraRig::GetSize() const
 {
   const double* b = this->Bounds;
@@ -144,8 +144,9 @@ struct CameraRig::Frustum
   }
 
   /**
-   * The closest eye that has all points in the part, for the tangent of half the view angle: with
-   * e the eye, a point is inside if low <= (x - e_x) / (z - e_z) <= high, which is linear in e.
+   * Returns the closest eye that has all points in the part, for the tangent of half the view
+   * angle: with e the eye, a point is inside if low <= (x - e_x) / (z - e_z) <= high, which is
+   * linear in e.
    */
   Vec3 FindEye(const std::vector<Vec3>& points, double tangent) const
   {

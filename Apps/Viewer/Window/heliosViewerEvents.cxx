@@ -25,7 +25,7 @@ namespace
 
 constexpr int ClickPixels = 4; // maximum motion of a click
 
-/// The key of the last event as X names it; empty: none.
+/// Returns the key of the last event as X names it; empty: none.
 std::string GetPressedKey(vtkRenderWindowInteractor& interactor)
 {
   const char* key = interactor.GetKeySym();

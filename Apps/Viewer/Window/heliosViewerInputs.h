@@ -20,7 +20,7 @@ class ViewerTool;
 /// Shows the inputs of a viewer.
 Status ShowInputs(Viewer& viewer);
 
-/// The tools of a viewer, in order of precedence.
+/// Returns the tools of a viewer, in order of precedence.
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer);
 
 } // namespace helios::viewer

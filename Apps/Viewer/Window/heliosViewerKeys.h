@@ -39,7 +39,7 @@ public:
   /// Runs the action of a key, as named by X; tools come first. False: no action.
   bool Press(const std::string& key, bool control);
 
-  /// All actions, by heading and by tool.
+  /// Returns all actions, by heading and by tool.
   std::vector<Menu> GetMenus();
 
 private:

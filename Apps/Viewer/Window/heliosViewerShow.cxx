@@ -83,7 +83,7 @@ std::vector<Vec3> SamplePoints(const Cloud& cloud)
   return points;
 }
 
-/// The centre of a box, in whole metres.
+/// Returns the centre of a box, in whole metres.
 Vec3 FindOrigin(const double bounds[6])
 {
   return { std::round(0.5 * (bounds[0] + bounds[1])), std::round(0.5 * (bounds[2] + bounds[3])),

@@ -108,7 +108,7 @@ Json::Value ViewerState::DescribeCloud() const
 }
 
 //------------------------------------------------------------------------------
-/// The panels' rectangles: x and y of the lower left corner, width, height [pixels].
+/// Returns the panels' rectangles: x and y of the lower left corner, width, height [pixels].
 Json::Value ViewerState::DescribePanels() const
 {
   Json::Value panels(Json::objectValue);

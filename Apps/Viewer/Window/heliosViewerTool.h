@@ -27,7 +27,7 @@ class ViewerTool
 public:
   virtual ~ViewerTool() = default;
 
-  /// The heading of its keys in the help.
+  /// Returns the heading of its keys in the help.
   virtual std::string GetName() const = 0;
   virtual std::vector<KeyHelp> GetKeys() const = 0;
 
@@ -46,7 +46,7 @@ public:
   /// Another survey is shown: discard the data of the last one.
   virtual void OnNewSurvey() {}
 
-  /// A line for the status; empty: none.
+  /// Returns a line for the status; empty: none.
   virtual std::string GetStatus() const { return {}; }
 
   /// Adds its contents to the state.

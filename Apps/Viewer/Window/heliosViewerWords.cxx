@@ -91,7 +91,7 @@ void Viewer::PlacePanels()
 }
 
 //------------------------------------------------------------------------------
-/// Whether all is computed and shown.
+/// Returns whether all is computed and shown.
 bool Viewer::IsFinished() const
 {
   const bool isComputed =

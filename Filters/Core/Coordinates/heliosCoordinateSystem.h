@@ -38,9 +38,9 @@ public:
 
   bool IsSet() const { return this->Data != nullptr; }
 
-  ///@{
-  /// The source text; a short form of it ("EPSG:32632" for its WKT); and the label in messages:
-  /// "EPSG:32632 (WGS 84 / UTM zone 32N)".
+  /// @{
+  /// Returns the source text; a short form of it ("EPSG:32632" for its WKT); and the label in
+  /// messages: "EPSG:32632 (WGS 84 / UTM zone 32N)".
   const std::string& GetText() const;
   const std::string& GetLabel() const;
   const std::string& GetName() const;
@@ -53,7 +53,7 @@ public:
   /// a local system.
   std::string GetWkt() const;
 
-  /// Whether x and y are longitude and latitude [deg].
+  /// Returns whether x and y are longitude and latitude [deg].
   bool IsGeographic() const;
 
   /// Metres per unit of x and y; 0 for degrees.
@@ -62,17 +62,18 @@ public:
   /// Metres per unit of z.
   double GetHeightUnit() const;
 
-  /// Whether the system states the unit of z: by a vertical part, or as a system of three axes.
+  /// Returns whether the system states the unit of z: by a vertical part, or as a system of three
+  /// axes.
   bool HasHeightUnit() const;
 
-  /// The horizontal part, with heights above an unknown surface in a unit [m], as WKT; not set if
-  /// PROJ cannot make it.
+  /// Returns the horizontal part, with heights above an unknown surface in a unit [m], as WKT; not
+  /// set if PROJ cannot make it.
   CoordinateSystem WithHeightUnit(double metres) const;
 
-  /// Whether distances are in metres: projected, geocentric or local, and not in feet.
+  /// Returns whether distances are in metres: projected, geocentric or local, and not in feet.
   bool IsMetric() const;
 
-  /// The units as text: "degrees", "US survey foot", "metre, with heights in foot".
+  /// Returns the units as text: "degrees", "US survey foot", "metre, with heights in foot".
   std::string GetUnitName() const;
 
   ///@{
@@ -86,8 +87,8 @@ private:
   std::shared_ptr<const CoordinateSystemData> Data;
 };
 
-/// Largest step for stored coordinates of an axis, in its unit: 1e-9 degrees (0.1 mm), or the power
-/// of ten next to 0.1 mm or below. A system that is not set has metres.
+/// Returns the largest step for stored coordinates of an axis, in its unit: 1e-9 degrees (0.1 mm),
+/// or the power of ten next to 0.1 mm or below. A system that is not set has metres.
 VTKHELIOSFILTERSCORE_EXPORT double GetResolution(const CoordinateSystem& system, int axis);
 
 } // namespace helios

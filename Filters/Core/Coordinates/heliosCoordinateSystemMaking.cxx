@@ -232,7 +232,8 @@ std::string GetId(const PJ* crs)
   return authority && code ? std::string(authority) + ":" + code : std::string();
 }
 
-/// The code of the whole, or of both parts, which have the same authority: "EPSG:25832+7837".
+/// Returns the code of the whole, or of both parts, which have the same authority:
+/// "EPSG:25832+7837".
 std::string FindCode(const ProjContext& context, const PJ* crs)
 {
   const ProjObject vertical = GetVerticalPart(context, crs);
@@ -276,7 +277,7 @@ void SetHeights(const ProjContext& context, const PJ* crs, CoordinateSystemData&
   }
 }
 
-/// Whether a vertical part states no more than a unit.
+/// Returns whether a vertical part states no more than a unit.
 bool HasUnknownSurface(const ProjContext& context, const PJ* crs)
 {
   const ProjObject vertical = GetVerticalPart(context, crs);

@@ -63,7 +63,7 @@ constexpr double SomeYear = 2020.0;
 constexpr double YearsApart = 10.0;
 ///@}
 
-/// The distance of two near points of a system [m].
+/// Returns the distance of two near points of a system [m].
 double GetLength(const CoordinateSystem& system, const double a[3], const double b[3])
 {
   constexpr double metresPerDegree = 111195.0; // of a sphere as large as the Earth

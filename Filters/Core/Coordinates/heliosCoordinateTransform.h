@@ -41,7 +41,7 @@ public:
   /// Sets both systems. Returns an error if no transformation exists.
   Status Set(const CoordinateSystem& source, const CoordinateSystem& target);
 
-  /// Whether both systems are the same: points are unchanged.
+  /// Returns whether both systems are the same: points are unchanged.
   bool IsIdentity() const;
 
   /// Sets the epoch of the coordinates, a decimal year, for transformations that depend on time; 0,
@@ -80,7 +80,7 @@ public:
    */
   std::string GetWarning(const double* points, vtkIdType count);
 
-  /// The part of GetWarning() about the epoch.
+  /// Returns the part of GetWarning() about the epoch.
   std::string GetEpochWarning(const double point[3]);
 
   /// Describes why a point has no image.
@@ -94,7 +94,8 @@ private:
   std::unique_ptr<Internals> State;
 };
 
-/// The code of the UTM or UPS zone of a point, "EPSG:32632"; empty if it is not on the Earth.
+/// Returns the code of the UTM or UPS zone of a point, "EPSG:32632"; empty if it is not on the
+/// Earth.
 VTKHELIOSFILTERSCORE_EXPORT std::string FindMetric(
   const CoordinateSystem& system, const double point[3]);
 

@@ -29,7 +29,8 @@ bool IsProjString(const std::string& text)
   return text.find("proj=") != std::string::npos || text.find("+init=") != std::string::npos;
 }
 
-/// Whether a text is WKT, JSON, a PROJ string, "EPSG:n", "urn:ogc:def:crs:EPSG::n" or "http://...".
+/// Returns whether a text is WKT, JSON, a PROJ string, "EPSG:n", "urn:ogc:def:crs:EPSG::n" or
+/// "http://...".
 bool IsDefinition(const std::string& text)
 {
   const auto isOfCode = [](unsigned char c) { return std::isalnum(c) || std::strchr("_:+.-/", c); };
@@ -38,8 +39,8 @@ bool IsDefinition(const std::string& text)
   return isCode || IsProjString(text) || text.find_first_of("[{") != std::string::npos;
 }
 
-/// Whether a text is the exact name of a system, or several joined by plus signs. PROJ itself
-/// accepts approximate names: "foo" for Amersfoort.
+/// Returns whether a text is the exact name of a system, or several joined by plus signs. PROJ
+/// itself accepts approximate names: "foo" for Amersfoort.
 bool IsName(const ProjContext& context, const std::string& text)
 {
   const PJ_TYPE types[] = { PJ_TYPE_CRS };

@@ -48,10 +48,10 @@ private:
 /// Parses a coordinate system with PROJ; null on failure. Approximate names are rejected.
 ProjObject MakeProjCRS(const ProjContext& context, const std::string& text);
 
-/// The system without its bound transformation; for a compound system its horizontal part.
+/// Returns the system without its bound transformation; for a compound system its horizontal part.
 ProjObject GetHorizontalPart(const ProjContext& context, const PJ* crs);
 
-/// The vertical part of a compound system; null if it has none.
+/// Returns the vertical part of a compound system; null if it has none.
 ProjObject GetVerticalPart(const ProjContext& context, const PJ* crs);
 
 } // namespace helios

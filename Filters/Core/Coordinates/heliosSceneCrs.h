@@ -16,7 +16,7 @@ class vtkDataObject;
 namespace helios
 {
 
-/// The string in the field data CRS; empty if missing.
+/// Returns the string in the field data CRS; empty if missing.
 VTKHELIOSFILTERSCORE_EXPORT std::string GetCRS(vtkDataObject* data);
 
 /// How a file stores coordinates: whole steps from an offset.
@@ -29,7 +29,7 @@ struct CoordinateSteps
   CoordinateSteps() { this->Scale.fill(std::numeric_limits<double>::infinity()); }
 };
 
-/// The steps in the field data CoordinateScale.
+/// Returns the steps in the field data CoordinateScale.
 VTKHELIOSFILTERSCORE_EXPORT CoordinateSteps GetCoordinateSteps(vtkDataObject* data);
 
 /// Sets the field data CoordinateScale, or removes it if no step is known.

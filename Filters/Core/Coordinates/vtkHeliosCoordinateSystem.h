@@ -37,63 +37,63 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Set the text of the system. Returns false if PROJ does not know it; GetProblem() says why, and
+   * Sets the text of the system. Returns false if PROJ does not know it; GetProblem() says why, and
    * the properties below have their defaults: empty texts, metres, steps of 0.1 mm.
    */
   bool SetText(const std::string& text);
 
   /**
-   * Get the text as given; empty if it is not known.
+   * Returns the text as given; empty if it is not known.
    */
   std::string GetText() const;
 
   /**
-   * Get what is wrong with the text, with the forms that are known; empty if nothing is.
+   * Returns what is wrong with the text, with the forms that are known; empty if nothing is.
    */
   std::string GetProblem() const { return this->Problem; }
 
   /**
-   * Get the code, "EPSG:25832" or "EPSG:25832+7837"; empty if a part of the system has none.
+   * Returns the code, "EPSG:25832" or "EPSG:25832+7837"; empty if a part of the system has none.
    */
   std::string GetCode() const;
 
   /**
-   * Get the label in messages: the code, or the begin of the name.
+   * Returns the label in messages: the code, or the begin of the name.
    */
   std::string GetLabel() const;
 
   /**
-   * Get code and name, "EPSG:32632 (WGS 84 / UTM zone 32N)".
+   * Returns code and name, "EPSG:32632 (WGS 84 / UTM zone 32N)".
    */
   std::string GetName() const;
 
   /**
-   * Get WKT 1, or WKT 2 of 2019 if WKT 1 cannot express the system; empty for a local system.
+   * Returns WKT 1, or WKT 2 of 2019 if WKT 1 cannot express the system; empty for a local system.
    */
   std::string GetWkt() const;
 
   /**
-   * Whether x and y are longitude and latitude [degrees].
+   * Returns whether x and y are longitude and latitude [degrees].
    */
   bool IsGeographic() const;
 
   /**
-   * Get the metres per unit of x and y; 0 for degrees.
+   * Returns the metres per unit of x and y; 0 for degrees.
    */
   double GetUnit() const;
 
   /**
-   * Get the metres per unit of z.
+   * Returns the metres per unit of z.
    */
   double GetHeightUnit() const;
 
   /**
-   * Whether the system states the unit of z.
+   * Returns whether the system states the unit of z.
    */
   bool HasHeightUnit() const;
 
   /**
-   * Get the units as text: "degrees", "US survey foot", "metre, with heights in foot".
+   * Returns the units as text: "degrees", "US survey foot", "metre, with heights in foot".
    */
   std::string GetUnitName() const;
 
@@ -104,20 +104,20 @@ public:
   bool SetHeightUnit(double metres);
 
   /**
-   * Get the largest step for stored coordinates of an axis (0, 1, 2), in its unit: 1e-9 degrees, or
-   * the power of ten next to 0.1 mm or below.
+   * Returns the largest step for stored coordinates of an axis (0, 1, 2), in its unit: 1e-9
+   * degrees, or the power of ten next to 0.1 mm or below.
    */
   double GetResolution(int axis) const;
 
   /**
-   * Whether another text defines the same system, whatever its form; compound systems by both
-   * parts. An unknown system is the same as none.
+   * Returns whether another text defines the same system, whatever its form; compound systems by
+   * both parts. An unknown system is the same as none.
    */
   bool IsSame(const std::string& text) const;
 
   /**
-   * Get the code of the UTM or UPS zone of a point, "EPSG:32632"; empty if it is not on the Earth,
-   * or the system is not known.
+   * Returns the code of the UTM or UPS zone of a point, "EPSG:32632"; empty if it is not on the
+   * Earth, or the system is not known.
    */
   std::string FindMetric(double x, double y, double z) const;
 

@@ -43,7 +43,7 @@ std::string DescribeKind(mode_t mode)
   }
 }
 
-/// Whether the kernel generates the file content on reading.
+/// Returns whether the kernel generates the file content on reading.
 bool IsOfKernel(const struct stat& status)
 {
   struct stat root;

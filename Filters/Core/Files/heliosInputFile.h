@@ -25,8 +25,9 @@ namespace helios
  */
 VTKHELIOSFILTERSCORE_EXPORT Status CheckInputFile(const std::string& path);
 
-/// A text that differs after every change of a file: its size, its times of change, and its number
-/// on the disk. Also after changes that set the time of the last change back. Empty: no such file.
+/// Returns a text that differs after every change of a file: its size, its times of change, and its
+/// number on the disk. Also after changes that set the time of the last change back. Empty: no such
+/// file.
 VTKHELIOSFILTERSCORE_EXPORT std::string StampFile(const std::string& path);
 
 /// How long ago a file was changed, also in its times [s]. Negative: by a clock ahead of ours.
@@ -35,7 +36,7 @@ VTKHELIOSFILTERSCORE_EXPORT double GetAge(const std::string& path);
 /// Files that were opened, each with its StampFile() when it was opened first.
 using InputFiles = std::map<std::string, std::string>;
 
-/// Whether all files are as they were when they were opened.
+/// Returns whether all files are as they were when they were opened.
 VTKHELIOSFILTERSCORE_EXPORT bool AreUnchanged(const InputFiles& files);
 
 /// Receives the input files that its thread opens during its lifetime, in place of an InputWatch
@@ -51,7 +52,7 @@ public:
   InputWatch(const InputWatch&) = delete;
   void operator=(const InputWatch&) = delete;
 
-  /// Whether the thread has one.
+  /// Returns whether the thread has one.
   static bool IsOn();
 
 private:

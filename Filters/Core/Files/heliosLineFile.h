@@ -68,9 +68,9 @@ public:
   bool NextLine(std::string_view& line);
 
   const std::string& GetPath() const { return this->Path; }
-  /// File position of the start of the last line read.
+  /// Returns the file position of the start of the last line read.
   std::int64_t GetLineStart() const { return this->LineStart; }
-  /// File position of the next line.
+  /// Returns the file position of the next line.
   std::int64_t GetNextLine() const { return this->Next; }
   /// "path:line: " of the last line read; counts all previous lines, so for messages only.
   std::string GetPlace() const;

@@ -65,7 +65,7 @@ std::vector<double> ListSteps(const TimedRows& rows)
   return steps;
 }
 
-/// The lower median; 0 without steps.
+/// Returns the lower median; 0 without steps.
 double FindUsualStep(std::vector<double> steps)
 {
   if (steps.empty())
@@ -77,7 +77,7 @@ double FindUsualStep(std::vector<double> steps)
   return *middle;
 }
 
-/// The unit of times at such steps, and its cure.
+/// Returns the unit of times at such steps, and its cure.
 std::string NameUnit(double step)
 {
   return step >= 2e5 ? "nanoseconds? divide them by 1e9"
@@ -134,7 +134,8 @@ TimeFinding FindSlowMotion(const TimedRows& rows, double usual)
     false };
 }
 
-/// The first gap, with the number of all and the longest; a step to another clock before all.
+/// Returns the first gap, with the number of all and the longest; a step to another clock before
+/// all.
 TimeFinding FindGaps(const TimedRows& rows, double usual)
 {
   std::size_t first = 0;

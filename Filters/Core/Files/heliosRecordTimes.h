@@ -16,7 +16,8 @@
 namespace helios
 {
 
-/// The period [s], of a GPS week or a day, that ends between two consecutive times; 0: none.
+/// Returns the period [s], of a GPS week or a day, that ends between two consecutive times; 0:
+/// none.
 VTKHELIOSFILTERSCORE_EXPORT double FindEndedPeriod(double before, double time);
 
 /// "a GPS week" or "a day".
@@ -26,13 +27,13 @@ VTKHELIOSFILTERSCORE_EXPORT std::string NamePeriod(double period);
 class VTKHELIOSFILTERSCORE_EXPORT RecordClock
 {
 public:
-  /// The time of the next row [s], continued.
+  /// Returns the time of the next row [s], continued.
   double Continue(double time);
 
-  /// Whether the last row is the first one that was continued: it needs a warning.
+  /// Returns whether the last row is the first one that was continued: it needs a warning.
   bool IsFirstContinued() const { return this->NumberOfEnds == 1 && this->IsEnd; }
 
-  /// The warning about the last row.
+  /// Returns the warning about the last row.
   std::string DescribeEnd() const;
 
 private:

@@ -65,7 +65,7 @@ public:
   }
 
   const std::string& GetPath() const { return this->Lines.GetPath(); }
-  /// The number of the last line read, from 1; the first of joined ones.
+  /// Returns the number of the last line read, from 1; the first of joined ones.
   std::int64_t GetLine() const { return this->Line; }
   /// "path:line: " of the last line read.
   std::string GetPlace() const { return Place(this->GetPath(), this->Line); }
@@ -118,7 +118,7 @@ public:
     return this->At != this->End && *this->At != '#';
   }
 
-  /// The next word, empty at the end of the line.
+  /// Returns the next word, empty at the end of the line.
   std::string_view Next() { return this->HasMore() ? this->ReadWord() : std::string_view(); }
 
   ///@{
@@ -153,17 +153,17 @@ public:
   bool IsAtWordEnd() const { return this->At == this->End || IsBlank(*this->At); }
   ///@}
 
-  /// The next word as a name, which may start with #.
+  /// Returns the next word as a name, which may start with #.
   std::string_view NextName()
   {
     this->HasMore();
     return this->ReadWord();
   }
 
-  /// The words up to a comment as one name, blanks included; the first may start with #.
+  /// Returns the words up to a comment as one name, blanks included; the first may start with #.
   std::string_view NextTitle();
 
-  /// The rest of the line without surrounding blanks; comments are part of it.
+  /// Returns the rest of the line without surrounding blanks; comments are part of it.
   std::string_view Rest();
 
   /// A decimal number, correctly rounded; NaN and Inf are accepted.

@@ -59,7 +59,7 @@ public:
     this->GetSlotCorners(this->GetSlot(triangle), corners);
   }
 
-  /// Unit normal by the right-hand rule: up.
+  /// Returns the unit normal by the right-hand rule: up.
   Vec3 GetNormal(vtkIdType triangle) const;
 
   /// Smallest and largest coordinates of the corners of the triangles: x0 x1 y0 y1 z0 z1.
@@ -71,7 +71,7 @@ public:
   const HeightGrid& GetGrid() const { return this->Grid; }
   const HeightPyramid& GetPyramid() const { return this->Pyramid; }
 
-  /// The triangle of a slot that is not missing, and the slot of a triangle.
+  /// Returns the triangle of a slot that is not missing, and the slot of a triangle.
   vtkIdType GetTriangle(std::int64_t slot) const;
   std::int64_t GetSlot(vtkIdType triangle) const;
 

@@ -162,7 +162,7 @@ private:
     return cells;
   }
 
-  /// The mesh of a cell, with its own cell.
+  /// Returns the mesh of a cell, with its own cell.
   vtkDataSet* GetData(const SceneGeometry::Cell& cell) const
   {
     return cell.Instance ? this->Scene->GetPrototype(cell.Instance->PrototypeId) : this->Scene;

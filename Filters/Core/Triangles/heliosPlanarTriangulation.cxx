@@ -158,7 +158,8 @@ void PlanarTriangulation::Link(int triangle, int corner, int neighbor)
 }
 
 //------------------------------------------------------------------------------
-/// Whether d is certainly in the circle of a, b, c: Shewchuk's bound of the rounded determinant.
+/// Returns whether d is certainly in the circle of a, b, c: Shewchuk's bound of the rounded
+/// determinant.
 bool PlanarTriangulation::IsInCircle(int a, int b, int c, int d) const
 {
   constexpr double bound = 0x1.4000000000018p-50;
@@ -265,7 +266,7 @@ int PlanarTriangulation::FindCorner(int triangle, int point) const
 }
 
 //------------------------------------------------------------------------------
-/// The neighbour at a side, and its corner opposite to that.
+/// Returns the neighbour at a side, and its corner opposite to that.
 PlanarTriangulation::Spot PlanarTriangulation::FindOpposite(const Spot& spot) const
 {
   const Triangle& own = this->Triangles[spot.Triangle];
@@ -317,15 +318,15 @@ PlanarTriangulation::Spot PlanarTriangulation::FindEdge(int a, int b) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a point on a line is on the half that starts at a point and has another.
+/// Returns whether a point on a line is on the half that starts at a point and has another.
 bool PlanarTriangulation::IsAhead(int from, int to, int point) const
 {
   return (this->Points[to] < this->Points[from]) == (this->Points[point] < this->Points[from]);
 }
 
 //------------------------------------------------------------------------------
-/// The triangle at a point where the way to another leaves it through the opposite side. If that
-/// runs along an edge instead, the other is its end.
+/// Returns the triangle at a point where the way to another leaves it through the opposite side. If
+/// that runs along an edge instead, the other is its end.
 PlanarTriangulation::Spot PlanarTriangulation::FindStart(int from, int& to) const
 {
   Spot found;

@@ -30,8 +30,8 @@ Vec3 GetPointOf(const double* points, vtkTypeInt32 vertex)
   return Vec3(points + 3 * static_cast<vtkIdType>(vertex));
 }
 
-/// Whether all triangles about the first corner have an area that faces along the normal, within
-/// half a turn. A ring that repeats a vertex has one that has none.
+/// Returns whether all triangles about the first corner have an area that faces along the normal,
+/// within half a turn. A ring that repeats a vertex has one that has none.
 bool IsFan(const double* points, const std::vector<vtkTypeInt32>& ring)
 {
   if (ring.size() < 3)
@@ -258,8 +258,8 @@ double PolygonTriangulator::ComputeTriangleArea() const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the triangles do not have the sides of a polygon that is far from plane: a corner is on a
-/// side seen along the normal, but not in space.
+/// Returns whether the triangles do not have the sides of a polygon that is far from plane: a
+/// corner is on a side seen along the normal, but not in space.
 bool PolygonTriangulator::IsTorn() const
 {
   Vec3 sum(0.0, 0.0, 0.0);
@@ -286,14 +286,14 @@ Vec3 PolygonTriangulator::GetSide(int from, int to) const
 }
 
 //------------------------------------------------------------------------------
-/// Twice the area of a triangle as a vector along its normal.
+/// Returns twice the area of a triangle as a vector along its normal.
 Vec3 PolygonTriangulator::GetCross(int a, int b, int c) const
 {
   return this->GetSide(a, b).Cross(this->GetSide(a, c));
 }
 
 //------------------------------------------------------------------------------
-/// Twice the area of a ring as a vector (Newell), computed relative to its first vertex.
+/// Returns twice the area of a ring as a vector (Newell), computed relative to its first vertex.
 Vec3 PolygonTriangulator::GetAreaVector(const std::vector<int>& ring) const
 {
   Vec3 sum(0.0, 0.0, 0.0);

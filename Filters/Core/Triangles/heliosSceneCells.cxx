@@ -19,7 +19,7 @@ namespace helios
 namespace
 {
 
-/// A cell array of a mesh; null: it has none of as many components.
+/// Returns a cell array of a mesh; null: it has none of as many components.
 vtkDataArray* FindArray(vtkPolyData* mesh, const char* name, int components)
 {
   vtkDataArray* array = mesh->GetCellData()->GetArray(name);

@@ -55,7 +55,7 @@ private:
   std::vector<Arrays> Prototypes;
 };
 
-/// The nearest float, for values that a copy of a prototype stores in floats.
+/// Returns the nearest float, for values that a copy of a prototype stores in floats.
 VTKHELIOSFILTERSCORE_EXPORT double RoundToFloat(double x);
 
 } // namespace helios

@@ -59,7 +59,7 @@ public:
 
   vtkPolyData* GetScene() const { return this->Scene; }
 
-  /// The triangles that are no instance's; may be empty.
+  /// Returns the triangles that are no instance's; may be empty.
   const TriangleMesh& GetMesh() const { return this->Mesh; }
   const std::vector<Prototype>& GetPrototypes() const { return this->Prototypes; }
   const std::vector<SceneInstance>& GetInstances() const { return this->Instances; }
@@ -81,7 +81,7 @@ public:
     return this->Instances.empty() ? Cell{ nullptr, cell } : this->FindInstance(cell);
   }
 
-  /// The cell id of a triangle of the mesh.
+  /// Returns the cell id of a triangle of the mesh.
   vtkIdType GetCell(vtkIdType triangle) const
   {
     return this->Instances.empty() ? triangle : this->CountCells(triangle);

@@ -48,7 +48,7 @@ struct Similarity
     }
   }
 
-  /// The rotated vector.
+  /// Returns the rotated vector.
   Vec3 Rotate(const Vec3& v) const { return this->HasRotation ? this->Turn * v : v; }
 
   /// The vector R^-1 v / s.

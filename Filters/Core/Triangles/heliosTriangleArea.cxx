@@ -25,8 +25,8 @@ void Grow(double* expansion, int& length, double term)
   expansion[length++] = term;
 }
 
-/// The sign of (b - a) x (c - a) in the plane of two axes, as its leading part: six products, added
-/// exactly.
+/// Returns the sign of (b - a) x (c - a) in the plane of two axes, as its leading part: six
+/// products, added exactly.
 double ComputeExactTurn(const double* a, const double* b, const double* c, int x, int y)
 {
   const double factors[6][2] = { { a[x], b[y] }, { -a[y], b[x] }, { b[x], c[y] }, { -b[y], c[x] },

@@ -23,7 +23,7 @@ namespace helios
 /// Returns an error for a scene with instances (vtkHeliosScene).
 VTKHELIOSFILTERSCORE_EXPORT Status CheckNoInstances(vtkPolyData* scene);
 
-/// Unit normal by the right-hand rule; zero for a degenerate triangle.
+/// Returns the unit normal by the right-hand rule; zero for a degenerate triangle.
 VTKHELIOSFILTERSCORE_EXPORT Vec3 GetTriangleNormal(
   const double p[3], const double q[3], const double r[3]);
 

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkHeliosScene);
 namespace
 {
 
-/// The triangles of a prototype; none if it is not valid.
+/// Returns the triangles of a prototype; none if it is not valid.
 vtkIdType CountTriangles(vtkDataSet* prototype)
 {
   std::shared_ptr<const helios::HeightField> field;
@@ -39,7 +39,7 @@ vtkIdType CountTriangles(vtkDataSet* prototype)
   return mesh ? mesh->GetNumberOfPolys() : 0;
 }
 
-/// A box of bounds; not valid if they are not set.
+/// Returns a box of bounds; not valid if they are not set.
 vtkBoundingBox MakeBox(const double bounds[6])
 {
   vtkBoundingBox box;
@@ -50,7 +50,7 @@ vtkBoundingBox MakeBox(const double bounds[6])
   return box;
 }
 
-/// The box of a prototype; not valid if it has none.
+/// Returns the box of a prototype; not valid if it has none.
 vtkBoundingBox GetBox(vtkDataSet* prototype)
 {
   double bounds[6];
@@ -68,7 +68,7 @@ vtkBoundingBox GetBox(vtkDataSet* prototype)
   return MakeBox(bounds);
 }
 
-/// The place of an instance; its arrays may be missing.
+/// Returns the place of an instance; its arrays may be missing.
 helios::Similarity GetPlace(vtkPolyData* instances, vtkIdType i)
 {
   double quaternion[4] = { 1.0, 0.0, 0.0, 0.0 };

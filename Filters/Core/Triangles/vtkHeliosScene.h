@@ -69,11 +69,12 @@ public:
   ///@}
 
   /**
-   * The triangles of the mesh and of all instances; those of rasters that are not valid: none.
+   * Returns the triangles of the mesh and of all instances; those of rasters that are not valid:
+   * none.
    */
   vtkIdType GetNumberOfTriangles() const;
 
-  /// Whether a scene is a vtkHeliosScene with instances.
+  /// Returns whether a scene is a vtkHeliosScene with instances.
   static bool HasInstances(vtkPolyData* scene);
 
   ///@{

@@ -331,7 +331,8 @@ Status CityModel::AddGeometry(const Json::Value& geometry)
 }
 
 //------------------------------------------------------------------------------
-/// The level of detail of a geometry with surfaces, of an instance that of its template; else empty.
+/// Returns the level of detail of a geometry with surfaces, of an instance that of its template;
+/// else empty.
 std::string CityModel::FindLevel(const Json::Value& geometry) const
 {
   const Json::Value& shape = IsInstance(geometry) ? this->Templates.Find(geometry) : geometry;
@@ -356,7 +357,8 @@ std::string CityModel::FindHighestLevel(const Json::Value& object) const
 }
 
 //------------------------------------------------------------------------------
-/// An object with parts (BuildingPart ...) of a higher level of detail is given by its parts alone.
+/// Returns an object with parts (BuildingPart ...) of a higher level of detail is given by its
+/// parts alone.
 std::string CityModel::ChooseLevel(const Json::Value& object) const
 {
   if (!this->LevelOfDetail.empty())

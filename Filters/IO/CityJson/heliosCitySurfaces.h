@@ -21,10 +21,11 @@ struct CityClass
   bool IsGround = false;
 };
 
-/// The class of a semantic surface ("RoofSurface"; empty: none) of a city object ("BuildingPart").
+/// Returns the class of a semantic surface ("RoofSurface"; empty: none) of a city object
+/// ("BuildingPart").
 CityClass FindCityClass(const std::string& object, const std::string& surface);
 
-/// Whether a semantic surface only closes a volume, and nothing is there.
+/// Returns whether a semantic surface only closes a volume, and nothing is there.
 bool IsVirtual(const std::string& surface);
 
 /// Adds a material for each kind of surface, by name and class, in the order of their first use.

@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// The template of a GeometryInstance; null if it has none.
+  /// Returns the template of a GeometryInstance; null if it has none.
   const Json::Value& Find(const Json::Value& instance) const;
 
   /// Adds a GeometryInstance; ids gives the point of each vertex of the file.

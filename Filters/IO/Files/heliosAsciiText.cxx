@@ -20,7 +20,8 @@ void AppendUnit(std::string& text, std::uint32_t unit)
   text += word;
 }
 
-/// The character of UTF-8 at a position, and its number of bytes; a byte that is not UTF-8 is itself.
+/// Returns the character of UTF-8 at a position, and its number of bytes; a byte that is not UTF-8
+/// is itself.
 std::uint32_t DecodeCharacter(const std::string& text, std::size_t at, std::size_t& bytes)
 {
   const auto lead = static_cast<unsigned char>(text[at]);

@@ -31,7 +31,7 @@ public:
   /// Adds the bytes [begin, end) of a file; false if the file is shorter.
   bool AddFile(const std::string& path, std::uint64_t begin, std::uint64_t end);
 
-  /// The checksum as 32 hexadecimal digits; also resets.
+  /// Returns the checksum as 32 hexadecimal digits; also resets.
   std::string Finish();
 
   /// Resets to the initial state.
@@ -42,7 +42,7 @@ private:
   std::unique_ptr<Context> State;
 };
 
-/// The checksum of the bytes [begin, end) of a file; empty if the file is shorter.
+/// Returns the checksum of the bytes [begin, end) of a file; empty if the file is shorter.
 VTKHELIOSFILTERSIO_EXPORT std::string ComputeChecksum(
   const std::string& path, std::uint64_t begin, std::uint64_t end);
 

@@ -20,7 +20,8 @@ struct InputDigest
   std::string Stamp; ///< StampFile() before it was read
 };
 
-/// The digest of a file. That of a file that has not changed since is remembered in this process.
+/// Returns the digest of a file. That of a file that has not changed since is remembered in this
+/// process.
 VTKHELIOSFILTERSIO_EXPORT InputDigest ComputeInputDigest(const std::string& path);
 
 } // namespace helios

@@ -48,19 +48,19 @@ private:
   std::unique_ptr<Json::Value> Root;
 };
 
-///@{
-/// A member of an object; null if it is missing, or the value is no object.
+/// @{
+/// Returns a member of an object; null if it is missing, or the value is no object.
 const Json::Value& GetMember(const Json::Value& value, const char* name);
 std::string GetText(const Json::Value& value, const char* name); // empty if it is no text
 ///@}
 
-/// Whether a value is a list of finite numbers.
+/// Returns whether a value is a list of finite numbers.
 bool ReadNumbers(const Json::Value& value, double* numbers, std::size_t count);
 
-/// A whole number from 0 to below a limit; -1: something else.
+/// Returns a whole number from 0 to below a limit; -1: something else.
 std::int64_t ReadIndex(const Json::Value& value, std::int64_t limit);
 
-/// A value in a message: short, without line ends.
+/// Returns a value in a message: short, without line ends.
 std::string Describe(const Json::Value& value);
 
 } // namespace helios

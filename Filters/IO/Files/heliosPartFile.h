@@ -69,7 +69,7 @@ public:
   /// Marks the start of the next block.
   void BeginBlock();
 
-  /// Whether the open file was removed.
+  /// Returns whether the open file was removed.
   bool IsRemoved() const;
 
   /// Fsyncs the file, also while another thread appends to it. Fails if the file was removed in the
@@ -117,7 +117,7 @@ public:
   /// Opens an existing file; all return false on failure: see GetProblem().
   bool Open(const std::string& path);
 
-  /// Whether the file still exists.
+  /// Returns whether the file still exists.
   bool Check();
 
   /// Truncates the file to a size.

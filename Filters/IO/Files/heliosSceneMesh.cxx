@@ -39,7 +39,7 @@ void FindBounds(const double* points, vtkIdType count, double bounds[6])
   }
 }
 
-// The vertex that is farthest from the median along an axis.
+// Returns the vertex that is farthest from the median along an axis.
 vtkIdType FindFarthest(const double* points, vtkIdType count, int axis)
 {
   std::vector<double> values(static_cast<std::size_t>(count));

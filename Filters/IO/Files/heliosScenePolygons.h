@@ -35,7 +35,7 @@ public:
     }
   }
 
-  /// The places of the corners of the triangles added last, counted through all rings.
+  /// Returns the places of the corners of the triangles added last, counted through all rings.
   const std::vector<int>& GetPlaces() const { return this->Triangulator.GetPlaces(); }
 
   /// Warns of the polygons that cross themselves, if there are any.

@@ -26,7 +26,7 @@ public:
   void Add(const void* bytes, std::size_t count);
   void Add(const std::string& text) { this->Add(text.data(), text.size()); }
 
-  /// The digest as 64 hexadecimal digits; nothing may be added after it.
+  /// Returns the digest as 64 hexadecimal digits; nothing may be added after it.
   std::string Finish();
 
 private:
@@ -34,7 +34,7 @@ private:
   std::unique_ptr<Context> State;
 };
 
-/// The digest of a file; empty if it cannot be read.
+/// Returns the digest of a file; empty if it cannot be read.
 VTKHELIOSFILTERSIO_EXPORT std::string HashFile(const std::string& path);
 
 } // namespace helios

@@ -15,7 +15,7 @@ namespace helios
 namespace
 {
 
-/// The first character that is no blank, nor a quote if these are skipped, too.
+/// Returns the first character that is no blank, nor a quote if these are skipped, too.
 const char* SkipBlanks(const char* at, const char* end, bool skipsQuotes = false)
 {
   while (at != end && (*at == ' ' || *at == '\t' || (skipsQuotes && *at == '"')))
@@ -75,7 +75,7 @@ const char* TextRow::SkipWord(const char* at, const char* end) const
   return at;
 }
 
-// Whether a column ends at wordEnd; next is the first non-blank character after it.
+// Returns whether a column ends at wordEnd; next is the first non-blank character after it.
 bool TextRow::IsWordEnd(const char* wordEnd, const char* next, const char* end) const
 {
   return next == end || this->GetClass(*next) == Separator ||

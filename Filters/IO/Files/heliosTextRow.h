@@ -29,7 +29,7 @@ public:
   /// Whether numbers that are not finite are valid. Default: off.
   void SetKeepInvalid(bool keeps) { this->KeepInvalid = keeps; }
 
-  /// Whether a character is a valid separator: not a digit, letter, + - . # or /.
+  /// Returns whether a character is a valid separator: not a digit, letter, + - . # or /.
   static bool IsSeparator(char c)
   {
     return !std::isalnum(static_cast<unsigned char>(c)) && c != '\n' &&
@@ -57,10 +57,10 @@ public:
   /// Describes the error of a bad row; kind is the kind of row ("point"), for messages.
   std::string DescribeFault(const char* kind) const;
 
-  /// Whether a line contains only blanks and a comment.
+  /// Returns whether a line contains only blanks and a comment.
   static bool IsEmpty(std::string_view line);
 
-  /// Whether any word of the last line read is a number.
+  /// Returns whether any word of the last line read is a number.
   bool HasNumber() const;
 
 private:

@@ -64,7 +64,7 @@ public:
 
   bool HasRows() const { return this->Next < this->Count; }
 
-  /// Number of rows so far with finite numbers.
+  /// Returns the number of rows so far with finite numbers.
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
 
 private:

@@ -64,12 +64,12 @@ public:
   ///@}
 
   /**
-   * The ending of the names of files that are not complete: ".part".
+   * Returns the ending of the names of files that are not complete: ".part".
    */
   static const char* GetPartEnding();
 
   /**
-   * Create an empty file. Fails if another file is open.
+   * Creates an empty file. Fails if another file is open.
    */
   virtual bool Open();
 
@@ -91,7 +91,7 @@ public:
   ///@}
 
   /**
-   * Append a block.
+   * Appends a block.
    */
   virtual bool Write(vtkDataObject* block) = 0;
 
@@ -120,7 +120,7 @@ public:
   virtual bool Abandon();
 
   /**
-   * Whether Open() was called, and neither Close() nor Abandon() since.
+   * Returns whether Open() was called, and neither Close() nor Abandon() since.
    */
   bool IsOpen() const;
 
@@ -137,7 +137,7 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /**
-   * Append the rows of a block of another file of the same text format, or of a text, and their
+   * Appends the rows of a block of another file of the same text format, or of a text, and their
    * number.
    */
   bool CopyRows(const std::string& path, const helios::FileBlock& block, vtkIdType count);
@@ -154,14 +154,14 @@ public:
   }
 
   /**
-   * Get and clear the blocks written since the last call, Open() or Reopen(): the bytes in every
-   * file, and their checksums.
+   * Returns and clears the blocks written since the last call, Open() or Reopen(): the bytes in
+   * every file, and their checksums.
    */
   virtual std::vector<helios::FileBlock> CollectBlocks();
 
   ///@{
   /**
-   * Get the checksum of the file head, which every block overwrites; empty: no head. After
+   * Returns the checksum of the file head, which every block overwrites; empty: no head. After
    * Reopen(), Restore recovers the head with a given checksum; false if that is not possible.
    */
   virtual std::string GetHeadChecksum() const;
@@ -182,7 +182,7 @@ protected:
   /// File name applied by Open().
   const std::string& GetOpenName() const;
 
-  /// Whether a block is accepted; reports an error otherwise.
+  /// Returns whether a block is accepted; reports an error otherwise.
   bool CheckOpen();
 
   /// Returns the block as double points, or null after an error.

@@ -29,7 +29,7 @@ struct NumberKind
   double (*Read)(const char* bytes);
 };
 
-/// A number in little-endian order.
+/// Returns a number in little-endian order.
 template <typename T>
 double ReadNumber(const char* bytes)
 {

@@ -18,7 +18,7 @@ namespace
 
 constexpr std::size_t MeshesPerBlock = 256;
 
-/// The luminance of a linear colour (Rec. 709).
+/// Returns the luminance of a linear colour (Rec. 709).
 double GetLuminance(const double* color)
 {
   return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];

@@ -75,7 +75,7 @@ struct GltfTransform
     return result;
   }
 
-  /// Whether surfaces are turned inside out.
+  /// Returns whether surfaces are turned inside out.
   bool IsMirrored() const
   {
     const auto& m = this->M;

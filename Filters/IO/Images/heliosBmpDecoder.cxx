@@ -57,7 +57,7 @@ public:
 
   unsigned GetBits() const { return this->Bits; }
 
-  /// Whether the bits are next to each other.
+  /// Returns whether the bits are next to each other.
   bool IsValid() const { return this->Bits != 0 && (this->Largest & (this->Largest + 1U)) == 0; }
 
   unsigned char GetColor(unsigned pixel) const
@@ -127,7 +127,7 @@ private:
   std::string Fault;
 };
 
-// A number of the header, which is little-endian.
+// Returns a number of the header, which is little-endian.
 unsigned BmpDecoder::Get(std::size_t at, std::size_t size) const
 {
   unsigned value = 0;

@@ -57,7 +57,7 @@ bool IsTransposed(ImageOrientation orientation)
   return orientation >= ImageOrientation::LeftTop;
 }
 
-/// Whether a side of the file is at the right, or bottom, of what is seen.
+/// Returns whether a side of the file is at the right, or bottom, of what is seen.
 bool IsMirrored(ImageOrientation orientation)
 {
   return orientation == ImageOrientation::TopRight ||
@@ -72,7 +72,7 @@ bool IsUpsideDown(ImageOrientation orientation)
     orientation == ImageOrientation::LeftBottom;
 }
 
-/// Whether the rows of the file are those that are seen, from the top or from the bottom.
+/// Returns whether the rows of the file are those that are seen, from the top or from the bottom.
 bool HasRows(ImageOrientation orientation)
 {
   return !IsTransposed(orientation) && !IsMirrored(orientation);

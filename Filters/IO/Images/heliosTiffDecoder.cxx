@@ -30,7 +30,8 @@ struct TiffCloser
   void operator()(TIFF* tiff) const { TIFFClose(tiff); }
 };
 
-/// The access of libtiff to a file: nothing is mapped, as a mapped file that shrinks ends a process.
+/// Returns the access of libtiff to a file: nothing is mapped, as a mapped file that shrinks ends a
+/// process.
 tmsize_t ReadBytes(thandle_t handle, void* bytes, tmsize_t count)
 {
   return static_cast<tmsize_t>(std::fread(

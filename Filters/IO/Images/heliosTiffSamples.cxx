@@ -90,7 +90,7 @@ unsigned TiffSamples::Get(const unsigned char* row, std::size_t at) const
 }
 
 //------------------------------------------------------------------------------
-/// A sample as 8 bits, rounded.
+/// Returns a sample as 8 bits, rounded.
 unsigned char TiffSamples::GetByte(const unsigned char* row, std::size_t at) const
 {
   if (this->Bits == 8)

@@ -45,7 +45,7 @@ bool IsFloat(int type)
   return type == FloatType || type == DoubleType;
 }
 
-/// Whether double does not hold all numbers of a type.
+/// Returns whether double does not hold all numbers of a type.
 bool IsLong(int type)
 {
   return type >= FirstLongType && type < FloatType;
@@ -95,7 +95,7 @@ double GetExtra(const char* bytes, int type)
   }
 }
 
-/// Whether three fields are x, y and z of one array.
+/// Returns whether three fields are x, y and z of one array.
 bool IsVector(const std::vector<LasExtra>& extras, std::size_t at)
 {
   if (at + 3 > extras.size() || extras[at].Name.size() < 2)

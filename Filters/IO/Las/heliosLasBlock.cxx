@@ -31,7 +31,8 @@ constexpr double IntensityPerDecade = 1000.0;
 constexpr int LargestReturn = 15;
 constexpr std::size_t LongestName = 32;
 
-/// Whether an array is fully stored in the standard LAS fields; intensities are if they have 16 bits.
+/// Returns whether an array is fully stored in the standard LAS fields; intensities are if they
+/// have 16 bits.
 bool IsField(const std::string& name, int type)
 {
   if (name == names::Intensity)

@@ -34,7 +34,7 @@ public:
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
   const std::string& GetPath() const { return this->Path; }
 
-  /// The coordinate system: WKT, or "EPSG:n" from GeoTIFF keys; empty: none.
+  /// Returns the coordinate system: WKT, or "EPSG:n" from GeoTIFF keys; empty: none.
   std::string GetCrs() const;
 
   /// Finds a record; null if it does not exist.

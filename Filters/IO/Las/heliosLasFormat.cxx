@@ -102,7 +102,7 @@ bool IsFinite(double value)
   return std::isfinite(value);
 }
 
-/// The values of 8 bytes that stand for no value: integers with or without sign, or double.
+/// Returns the values of 8 bytes that stand for no value: integers with or without sign, or double.
 std::array<double, 3> GetNoData(std::string_view entry, int type)
 {
   constexpr int firstFloat = 9;

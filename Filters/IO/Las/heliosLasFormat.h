@@ -163,10 +163,10 @@ inline constexpr int LasWktId = 2112;
 inline constexpr int LasGeoKeysId = 34735;
 ///@}
 
-/// Whether the first bytes of a file, LasHeader::Size10 or more, are those of LASzip (LAZ).
+/// Returns whether the first bytes of a file, LasHeader::Size10 or more, are those of LASzip (LAZ).
 bool HasCompressedPoints(std::string_view header);
 
-/// The text in bytes, up to the first zero.
+/// Returns the text in bytes, up to the first zero.
 VTKHELIOSFILTERSIO_EXPORT std::string GetLasText(std::string_view bytes);
 
 } // namespace helios

@@ -48,7 +48,7 @@ constexpr KnownName RieglNames[] = {
   { names::Amplitude, "Received power", "peak of the echo [W]" },
 };
 
-/// The unit at the end of a description, in brackets; empty: none.
+/// Returns the unit at the end of a description, in brackets; empty: none.
 std::string GetUnit(const std::string& description)
 {
   const std::size_t begin = description.rfind('[');

@@ -17,12 +17,14 @@ struct LasName
 };
 
 /**
- * The Extra Bytes of an array: those of RIEGL's programs for points with decibels, whose Amplitude
- * is in dB ("LAS extrabytes implementation in RIEGL software"); else the array's own name.
+ * Returns the Extra Bytes of an array: those of RIEGL's programs for points with decibels, whose
+ * Amplitude is in dB ("LAS extrabytes implementation in RIEGL software"); else the array's own
+ * name.
  */
 LasName GetLasName(const std::string& array, bool hasDecibels);
 
-/// The array of Extra Bytes: the reverse of GetLasName(), also for files of RIEGL's programs.
+/// Returns the array of Extra Bytes: the reverse of GetLasName(), also for files of RIEGL's
+/// programs.
 std::string GetLasArray(const std::string& name, const std::string& description);
 
 } // namespace helios

@@ -82,7 +82,7 @@ bool IsDescriptor(const LasRecord& record)
     record.Id <= LastDescriptorId;
 }
 
-/// Whether an earlier version wrote the file, with vectors that lead away from the scanner.
+/// Returns whether an earlier version wrote the file, with vectors that lead away from the scanner.
 bool IsTurned(const LasFile& file)
 {
   const auto& records = file.GetRecords();

@@ -64,7 +64,7 @@ private:
   Status CheckPackets() const;
   Status ReadSamples(const Packet& packet, std::vector<float>& samples);
 
-  /// Total size of the packets [bytes].
+  /// Returns the total size of the packets [bytes].
   std::uint64_t GetRoom() const { return this->End - std::min(this->End, this->Begin); }
 
   std::string Path;

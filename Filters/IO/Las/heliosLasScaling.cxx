@@ -22,7 +22,7 @@ namespace
 constexpr double LargestNumber = 2147483647.0;
 constexpr double Margin = 8.0; // of the extent of the first block
 
-/// The nearest number to a power of ten.
+/// Returns the nearest number to a power of ten.
 double ToPower(int power)
 {
   return power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
@@ -44,7 +44,8 @@ bool IsAngle(const CoordinateSystem& system, int axis)
   return system.IsSet() && system.IsGeographic() && axis < 2;
 }
 
-/// The extents of finite points; the first one in whole units, or in thousandths of degrees.
+/// Returns the extents of finite points; the first one in whole units, or in thousandths of
+/// degrees.
 std::array<double, 3> Measure(
   vtkPoints* points, const CoordinateSystem& system, std::array<double, 3>& offset)
 {
@@ -75,7 +76,7 @@ std::array<double, 3> Measure(
   return extents;
 }
 
-/// The step of an axis by its unit, no coarser than the given one.
+/// Returns the step of an axis by its unit, no coarser than the given one.
 double ChooseStep(const CoordinateSystem& system, int axis, double given, double extent)
 {
   constexpr double finer = 0.5; // 1e-9 degrees are 0.1 mm

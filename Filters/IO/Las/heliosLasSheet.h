@@ -27,7 +27,7 @@ struct LasSheet
   /// Encodes the records after the header, and counts them.
   std::string EncodeRecords(std::uint32_t& count) const;
 
-  /// The Extra Bytes as text.
+  /// Returns the Extra Bytes as text.
   std::string ListArrays() const;
 
   /// Restores the state from a file to be resumed, and counts its points. packetsEnd is raised to

@@ -29,7 +29,7 @@ namespace
 
 constexpr const char* Program = "vtkhelios";
 
-/// The program of the installation that this library belongs to, else that of PATH.
+/// Returns the program of the installation that this library belongs to, else that of PATH.
 std::string FindProgram()
 {
   static const int Library = 0; // in this library
@@ -73,7 +73,7 @@ int Run(const std::vector<std::string>& command, const std::string& log)
   return fault != 0 ? -1 : WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
 }
 
-/// The last line of a log, without the names of the program and of the file.
+/// Returns the last line of a log, without the names of the program and of the file.
 std::string ReadLastLine(const std::string& log, const std::string& path)
 {
   std::ifstream file(log);

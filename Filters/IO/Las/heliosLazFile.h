@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// Whether a file has the header of a LAS file with compressed points.
+/// Returns whether a file has the header of a LAS file with compressed points.
 bool IsLazFile(const std::string& path);
 
 /**
@@ -30,7 +30,7 @@ public:
   /// Converts a file, unless it is the last one and unchanged. Errors name the file.
   Status Convert(const std::string& path);
 
-  /// The LAS file; it exists as long as this object.
+  /// Returns the LAS file; it exists as long as this object.
   const std::string& GetLasPath() const { return this->LasPath; }
 
 private:

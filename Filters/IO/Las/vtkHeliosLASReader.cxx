@@ -42,7 +42,7 @@ namespace
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
 
-/// The first point of piece i of n, computed without overflow of count * i.
+/// Returns the first point of piece i of n, computed without overflow of count * i.
 std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
 {
   return count / n * i + count % n * i / n;
@@ -68,7 +68,7 @@ helios::Status ParseClasses(const std::string& text, std::vector<char>& isWanted
   return {};
 }
 
-/// Whether a point has one of these classes.
+/// Returns whether a point has one of these classes.
 bool HasClass(const std::vector<char>& isWanted, vtkDataArray* classes, vtkIdType i)
 {
   const double value = classes->GetComponent(i, 0);
@@ -256,7 +256,7 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
 }
 
 //------------------------------------------------------------------------------
-/// The coordinate system of a file; empty, with a warning, if PROJ does not know it.
+/// Returns the coordinate system of a file; empty, with a warning, if PROJ does not know it.
 std::string vtkHeliosLASReader::FindCrs(const helios::LasFile& file)
 {
   std::string crs = file.GetCrs();

@@ -138,8 +138,8 @@ public:
   ///@}
 
   /**
-   * Set the waveforms (output port 1 of vtkHeliosScanner) of the pulses given
-   * by WaveformIds in the next block; null: none.
+   * Sets the waveforms (output port 1 of vtkHeliosScanner) of the pulses given by WaveformIds in
+   * the next block; null: none.
    */
   void SetWaveforms(vtkTable* waveforms);
 

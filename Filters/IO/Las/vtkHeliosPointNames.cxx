@@ -90,7 +90,7 @@ helios::Status CheckNames(const helios::JsonFile& file, const Json::Value& names
   return {};
 }
 
-/// The SHA-256 of all other members, whatever their layout.
+/// Returns the SHA-256 of all other members, whatever their layout.
 std::string ComputeChecksum(Json::Value root)
 {
   root.removeMember("checksum");

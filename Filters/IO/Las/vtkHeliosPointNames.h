@@ -36,36 +36,37 @@ public:
   vtkTypeMacro(vtkHeliosPointNames, vtkObject);
 
   /**
-   * The file of the names of a file of points.
+   * Returns the file of the names of a file of points.
    */
   static std::string GetFileName(const std::string& pointFile);
 
   /**
-   * The number of names of parts and materials in field data.
+   * Returns the number of names of parts and materials in field data.
    */
   static vtkIdType CountNames(vtkFieldData* fields);
 
   /**
-   * Add the names of a file with this number of points to field data. Returns an error for
-   * a file that is damaged or belongs to another number of points; without a file, an empty text.
+   * Adds the names of a file with this number of points to field data. Returns an error for a file
+   * that is damaged or belongs to another number of points; without a file, an empty text.
    */
   static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
-   * Find whether the file of names of a point file was changed since vtkHelios wrote it. Returns how,
-   * or an empty text. A missing file and one without a checksum, as users write it, are not changed.
+   * Finds whether the file of names of a point file was changed since vtkHelios wrote it. Returns
+   * how, or an empty text. A missing file and one without a checksum, as users write it, are not
+   * changed.
    */
   static std::string FindChange(const std::string& pointFile);
 
   /**
-   * Check whether the file of names of a point file can be written. Returns an error if another
+   * Checks whether the file of names of a point file can be written. Returns an error if another
    * program's file has its name, or an empty text.
    */
   static std::string Check(const std::string& pointFile);
 
   /**
-   * Write the names in field data, or remove the file of an earlier file of points if there are none.
-   * Returns an error, such as that of Check(); empty: none.
+   * Writes the names in field data, or removes the file of an earlier file of points if there are
+   * none. Returns an error, such as that of Check(); empty: none.
    */
   static std::string Write(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 

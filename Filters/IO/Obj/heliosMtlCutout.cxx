@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// The name of an image: the rest of a line, or its last word behind options.
+/// Returns the name of an image: the rest of a line, or its last word behind options.
 std::string ReadImageName(TextWords words)
 {
   TextWords all = words;

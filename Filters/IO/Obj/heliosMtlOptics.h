@@ -27,10 +27,10 @@ namespace helios
 class MtlOptics
 {
 public:
-  /// Whether a key is one of these.
+  /// Returns whether a key is one of these.
   static bool Has(std::string_view key);
 
-  /// Whether it is not of standard MTL.
+  /// Returns whether it is not of standard MTL.
   static bool IsOwn(std::string_view key) { return key.substr(0, 7) == "helios_"; }
 
   /// Forgets the previous material.
@@ -60,7 +60,7 @@ private:
   std::map<std::string, Line, std::less<>> Lines; // by their key
 };
 
-/// The lines from which MtlOptics reads the same optics; none if opaque.
+/// Returns the lines from which MtlOptics reads the same optics; none if opaque.
 std::string FormatMtlOptics(const MaterialOptics& optics);
 
 } // namespace helios

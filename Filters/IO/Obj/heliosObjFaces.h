@@ -37,7 +37,7 @@ public:
     std::int64_t Line = 0;
   };
 
-  /// The triangles of all faces, at most: corners minus two each.
+  /// Returns the triangles of all faces, at most: corners minus two each.
   std::int64_t GetLargestCount() const { return this->LargestCount; }
 
   /// Adds a face of a file.

@@ -44,7 +44,7 @@ std::string ListNames(const helios::MaterialTable& materials)
   return list;
 }
 
-/// The material with that name, or the alphabetically first; null if missing.
+/// Returns the material with that name, or the alphabetically first; null if missing.
 const helios::Material* Choose(
   const helios::MaterialTable& materials, const helios::MtlFile& file, const std::string& name)
 {
@@ -55,7 +55,7 @@ const helios::Material* Choose(
   return row >= 0 && row < static_cast<int>(materials.size()) ? &materials[row] : nullptr;
 }
 
-/// The material, and random variations of it.
+/// Returns the material, and random variations of it.
 helios::MaterialTable Vary(
   const helios::Material& material, int count, double range, std::uint64_t seed)
 {

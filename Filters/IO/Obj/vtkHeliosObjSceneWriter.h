@@ -42,7 +42,7 @@ public:
   ///@}
 
   /**
-   * Write both files; updates the input first. Returns 1, or 0 after an error.
+   * Writes both files; updates the input first. Returns 1, or 0 after an error.
    */
   int Write();
 

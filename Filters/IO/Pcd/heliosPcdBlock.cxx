@@ -50,7 +50,7 @@ bool IsSigned(vtkDataArray* array)
   }
 }
 
-/// Whether PCL or helios::PointEcho defines the field as float.
+/// Returns whether PCL or helios::PointEcho defines the field as float.
 bool IsFloatField(const std::string& name)
 {
   return name == names::EchoWidth || name == "intensity";
@@ -61,13 +61,13 @@ bool IsScalar(vtkDataArray* array, const char* name)
   return array->GetNumberOfComponents() == 1 && std::string_view(array->GetName()) == name;
 }
 
-/// The value of full colour in an array.
+/// Returns the value of full colour in an array.
 double GetFullColor(vtkDataArray* colors)
 {
   return IsReal(colors) ? 1.0 : colors->GetDataTypeSize() == 1 ? 255.0 : 65535.0;
 }
 
-/// A component of a colour in 8 bits; NaN is 0.
+/// Returns a component of a colour in 8 bits; NaN is 0.
 double GetByte(vtkDataArray* colors, vtkIdType point, int component)
 {
   const double value = colors->GetComponent(point, component) * (255.0 / GetFullColor(colors));

@@ -39,13 +39,13 @@ public:
   bool HasWholeIntensity() const { return this->WholeIntensity; }
   bool HasFineColors() const { return this->FineColors; }
 
-  /// Whether an array has colours that differ from those of 8 bits.
+  /// Returns whether an array has colours that differ from those of 8 bits.
   static bool IsFiner(vtkDataArray* colors);
 
   /// The centre of the finite points, rounded to multiples of 100 m.
   void GetMiddle(double origin[3]) const;
 
-  /// The largest rounding error of a coordinate as float relative to an origin.
+  /// Returns the largest rounding error of a coordinate as float relative to an origin.
   double FindLargestError(const double origin[3]) const;
 
   /// Appends formatted points to text; non-finite points are counted, not added.
@@ -53,7 +53,7 @@ public:
 
   vtkIdType GetNumberOfWritten() const { return this->NumberOfWritten; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
-  /// The largest rounding error of a coordinate so far.
+  /// Returns the largest rounding error of a coordinate so far.
   double GetLargestError() const { return this->LargestError; }
 
 private:

@@ -67,7 +67,7 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   std::uint64_t DataBegin = 0; ///< first byte after the header
   std::int64_t DataLine = 0;   ///< its line, from 1
 
-  /// Whether VIEWPOINT is that of a cloud without one.
+  /// Returns whether VIEWPOINT is that of a cloud without one.
   bool IsPlainViewpoint() const;
   std::uint64_t GetNumberOfPoints() const { return this->Width * this->Height; }
   std::size_t GetRowSize() const;

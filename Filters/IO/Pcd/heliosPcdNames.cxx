@@ -24,7 +24,7 @@ bool IsReal(const PcdField& field)
   return field.Type == 'F' && field.Count == 1;
 }
 
-/// Whether the file has all normals, of one type, and no array of them.
+/// Returns whether the file has all normals, of one type, and no array of them.
 bool HasNormals(const PcdHeader& header)
 {
   int size = 0;

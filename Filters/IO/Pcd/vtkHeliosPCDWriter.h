@@ -108,7 +108,7 @@ public:
   ///@}
 
   /**
-   * Whether x, y, z are float in the file that was opened last.
+   * Returns whether x, y, z are float in the file that was opened last.
    */
   bool GetHasFloatPoints() const;
 
@@ -116,7 +116,7 @@ public:
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
   /**
-   * Append the echoes of a block.
+   * Appends the echoes of a block.
    */
   bool Write(vtkDataObject* block) override;
 

@@ -31,7 +31,7 @@ double Convert(const unsigned char* bytes)
   return static_cast<double>(value);
 }
 
-/// A number in the byte order of this machine.
+/// Returns a number in the byte order of this machine.
 double ToDouble(const unsigned char* bytes, PlyType type)
 {
   switch (type)

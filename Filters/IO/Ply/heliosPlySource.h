@@ -40,7 +40,7 @@ public:
   /// What the next row is called in messages: "path:line: ", or "path: vertex 12: ".
   virtual std::string GetPlace(const std::string& element, std::int64_t row) const = 0;
 
-  /// The number of bytes after the last row; text: of lines.
+  /// Returns the number of bytes after the last row; text: of lines.
   virtual std::int64_t CountRest() = 0;
 
   const std::string& GetError() const { return this->Error; }

@@ -26,7 +26,7 @@ constexpr int OldestName = 31; // GDAL 3.5, the first with all functions of heli
 
 void* Library = nullptr;
 
-/// The folder of the Python packages, which the package vtkhelios with this library is in.
+/// Returns the folder of the Python packages, which the package vtkhelios with this library is in.
 fs::path GetPackageFolder()
 {
   Dl_info info;
@@ -34,7 +34,7 @@ fs::path GetPackageFolder()
                                    : fs::path();
 }
 
-/// The libraries that are tried, in this order.
+/// Returns the libraries that are tried, in this order.
 std::vector<std::string> ListLibraries()
 {
   if (const char* given = std::getenv(Variable); given && *given)

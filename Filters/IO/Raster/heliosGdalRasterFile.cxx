@@ -289,7 +289,7 @@ bool GdalRasterFile::ReadMask(std::int64_t firstRow, std::int64_t count)
            this->MaskRows.data(), columns, rows, GDT_Byte, 0, 0) == CE_None;
 }
 
-// Whether blocks of some pixels are missing in the file ("sparse").
+// Returns whether blocks of some pixels are missing in the file ("sparse").
 bool GdalRasterFile::HasGap(
   std::int64_t column, std::int64_t row, std::int64_t columns, std::int64_t rows) const
 {
@@ -465,7 +465,7 @@ std::vector<std::string> GdalRasterFile::GetWarnings() const
 
 } // namespace helios
 
-/// The function that heliosRasterFile.cxx finds by its name.
+/// Returns the function that heliosRasterFile.cxx finds by its name.
 extern "C" HELIOSGDAL_EXPORT helios::RasterFile* heliosMakeRasterFile()
 {
   return new helios::GdalRasterFile;

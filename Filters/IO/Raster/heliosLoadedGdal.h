@@ -8,7 +8,7 @@
 namespace helios
 {
 
-/// The address of a function in the loaded library; null if it has none.
+/// Returns the address of a function in the loaded library; null if it has none.
 void* FindGdalFunction(const char* name);
 
 } // namespace helios

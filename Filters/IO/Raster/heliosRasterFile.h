@@ -50,10 +50,11 @@ public:
   /// WKT with heights in metres; empty if the file has none.
   virtual const std::string& GetCrs() const = 0;
 
-  /// Number of pixels except those of missing blocks; other pixels may also lack a height.
+  /// Returns the number of pixels except those of missing blocks; other pixels may also lack a
+  /// height.
   virtual double CountPixels() const = 0;
 
-  /// Number of rows to read at a time: whole blocks of the file, some megabytes.
+  /// Returns the number of rows to read at a time: whole blocks of the file, some megabytes.
   virtual std::int64_t GetRowsPerBlock() const = 0;
 
   /// Reads heights [m] of rows, NaN if missing.

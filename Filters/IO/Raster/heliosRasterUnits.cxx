@@ -15,7 +15,8 @@ namespace helios
 namespace
 {
 
-// Lower-case letters of a name: "US survey foot", "us_survey_foot" and "US Survey Foot" match.
+// Returns the lower-case letters of a name: "US survey foot", "us_survey_foot" and "US Survey Foot"
+// match.
 std::string Simplify(const std::string& name)
 {
   std::string letters;

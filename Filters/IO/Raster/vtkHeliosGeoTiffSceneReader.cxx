@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHeliosGeoTiffSceneReader);
 namespace
 {
 
-// Whether the mesh fits in 32-bit cells: the last cell offset is the largest number.
+// Returns whether the mesh fits in 32-bit cells: the last cell offset is the largest number.
 bool IsSmall(const helios::RasterFile& file)
 {
   const std::int64_t blocks = (file.GetNumberOfColumns() - 1) * (file.GetNumberOfRows() - 1);

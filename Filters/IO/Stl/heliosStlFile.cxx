@@ -44,7 +44,7 @@ std::string ToLower(std::string_view word)
   return lower;
 }
 
-/// Whether a file begins as text; binary files may, too.
+/// Returns whether a file begins as text; binary files may, too.
 bool StartsAsText(const unsigned char* head, std::size_t size)
 {
   std::string_view text(reinterpret_cast<const char*>(head), size);

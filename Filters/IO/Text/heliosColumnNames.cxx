@@ -76,7 +76,7 @@ const CommonName CommonNames[] = {
   { names::ChannelIds, "ScanChannel" },
 };
 
-/// Lower case without quotes, blanks, _ and -, up to a unit in brackets.
+/// Returns the lower case without quotes, blanks, _ and -, up to a unit in brackets.
 std::string Normalize(std::string_view name)
 {
   std::string word;

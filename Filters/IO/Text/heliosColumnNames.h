@@ -25,7 +25,7 @@ struct NamedColumn
 /// without the prefix scalar_ of CloudCompare.
 NamedColumn FindNamedColumn(std::string_view name);
 
-/// The name of an array in files of other programs, or null.
+/// Returns the name of an array in files of other programs, or null.
 const char* GetCommonName(std::string_view array);
 
 } // namespace helios

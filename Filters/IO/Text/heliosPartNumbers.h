@@ -28,7 +28,7 @@ public:
 
   int Get(std::string_view word);
 
-  /// The names by number; empty ones are not named.
+  /// Returns the names by number; empty ones are not named.
   const std::vector<std::string>& GetNames() const { return this->Names; }
 
 private:

@@ -40,7 +40,7 @@ Limits GetLimits(int type)
                                    : LimitsOf<vtkTypeInt64>();
 }
 
-/// Whether only a comment follows, which begins with # or //.
+/// Returns whether only a comment follows, which begins with # or //.
 bool IsAtEnd(TextWords words)
 {
   return !words.HasMore() || words.Rest().substr(0, 2) == "//";

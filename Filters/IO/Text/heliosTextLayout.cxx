@@ -37,7 +37,7 @@ bool IsDigits(std::string_view word)
     std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whether a word is two runs of digits with a comma between them, such as 1,5 and -1,5e3.
+/// Returns whether a word is two runs of digits with a comma between them, such as 1,5 and -1,5e3.
 bool HasDecimalComma(std::string_view word)
 {
   const std::size_t comma = word.find(',');
@@ -47,14 +47,15 @@ bool HasDecimalComma(std::string_view word)
     std::isdigit(static_cast<unsigned char>(word[comma + 1]));
 }
 
-/// Whether the first three words between blanks have a decimal comma each.
+/// Returns whether the first three words between blanks have a decimal comma each.
 bool HasDecimalCommas(std::string_view row)
 {
   const auto words = SplitColumns(row, " \t");
   return words.size() >= 3 && std::all_of(words.begin(), words.begin() + 3, HasDecimalComma);
 }
 
-/// The separators of a row: blanks if it begins with three numbers between them, or has no others.
+/// Returns the separators of a row: blanks if it begins with three numbers between them, or has no
+/// others.
 std::string FindSeparators(std::string_view row)
 {
   const auto words = SplitColumns(row, " \t");
@@ -70,7 +71,8 @@ std::string FindSeparators(std::string_view row)
   return BlankSeparators;
 }
 
-/// The first word of a line between blanks, which is empty if the line is blanks and quotes.
+/// Returns the first word of a line between blanks, which is empty if the line is blanks and
+/// quotes.
 std::string_view GetFirstWord(std::string_view line)
 {
   const auto words = SplitColumns(line, BlankSeparators);
@@ -84,7 +86,7 @@ bool HasNoNumbers(std::string_view line, const std::string& separators)
   return !words.empty() && std::none_of(words.begin(), words.end(), IsNumber);
 }
 
-/// Whether a row has whole numbers where that of vtkHeliosPointTextWriter has them.
+/// Returns whether a row has whole numbers where that of vtkHeliosPointTextWriter has them.
 bool IsEchoRow(std::string_view row, int columns)
 {
   TextWords words(row);
@@ -99,7 +101,7 @@ bool IsEchoRow(std::string_view row, int columns)
   return isWhole;
 }
 
-/// The text of a comment line, without its mark.
+/// Returns the text of a comment line, without its mark.
 std::string_view GetComment(std::string_view line)
 {
   const std::size_t text = line.find_first_not_of(" \t#/%");
@@ -203,7 +205,8 @@ private:
     }
   }
 
-  /// Whether the file starts with a number of columns, a number of rows and the scanner's position.
+  /// Returns whether the file starts with a number of columns, a number of rows and the scanner's
+  /// position.
   bool IsPtx()
   {
     return this->CountStart >= 0 && this->Lines.size() == 3 &&

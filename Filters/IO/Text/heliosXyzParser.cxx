@@ -37,7 +37,7 @@ constexpr Range RangeOf()
     static_cast<double>(std::numeric_limits<T>::max()) };
 }
 
-/// The valid values of an integer type.
+/// Returns the valid values of an integer type.
 Range GetRange(int type)
 {
   switch (type)

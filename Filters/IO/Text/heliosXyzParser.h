@@ -73,9 +73,9 @@ public:
     vtkIdType maximum = 0);
 
   vtkIdType GetNumberOfPoints() const { return this->Points.GetSize() / 3; }
-  /// The points of PTX without a return, which are not read.
+  /// Returns the points of PTX without a return, which are not read.
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
-  /// The sum of the numbers of points in lines of their own.
+  /// Returns the sum of the numbers of points in lines of their own.
   double GetNumberOfCounted() const { return this->NumberOfCounted; }
 
   /// Moves the points and their arrays to a cloud.

@@ -109,8 +109,8 @@ public:
   ///@}
 
   /**
-   * Read how the file is laid out, as an update does; false after an error. Colours and intensities
-   * of the whole file are read for it.
+   * Reads how the file is laid out, as an update does; false after an error. Colours and
+   * intensities of the whole file are read for it.
    */
   bool ReadLayout();
 

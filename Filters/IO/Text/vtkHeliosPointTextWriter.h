@@ -82,7 +82,7 @@ public:
   ///@}
 
   /**
-   * Append the echoes of a block.
+   * Appends the echoes of a block.
    */
   bool Write(vtkDataObject* block) override;
 

@@ -33,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Append the pulses of a block.
+   * Appends the pulses of a block.
    */
   bool Write(vtkDataObject* block) override;
 

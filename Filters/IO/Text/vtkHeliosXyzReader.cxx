@@ -26,7 +26,7 @@ namespace
 
 using FileList = std::vector<std::unique_ptr<helios::LineFile>>;
 
-/// The first byte of piece i of n, computed without overflow of size * i.
+/// Returns the first byte of piece i of n, computed without overflow of size * i.
 std::int64_t GetPieceBegin(std::int64_t size, std::int64_t i, std::int64_t n)
 {
   return size / n * i + size % n * i / n;

@@ -51,7 +51,7 @@ std::string_view Trim(std::string_view text)
   return text.substr(0, text.find_last_not_of(edges) + 1);
 }
 
-/// The columns of the header; the name of one that is missing, or null.
+/// Returns the columns of the header; the name of one that is missing, or null.
 const char* FindColumns(std::string_view header, std::array<int, 6>& columns)
 {
   columns.fill(-1);

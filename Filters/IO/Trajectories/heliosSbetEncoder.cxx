@@ -21,7 +21,7 @@ Vec3 GetVector(const Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// The velocity of a row: of the array, else of the neighbours in the block.
+/// Returns the velocity of a row: of the array, else of the neighbours in the block.
 Vec3 FindVelocity(const SbetSamples& samples, vtkIdType row)
 {
   if (samples.Velocities.IsSet())

@@ -43,8 +43,8 @@ Quaternion FromMatrix(const double m[3][3])
   return q;
 }
 
-/// The velocity in east, north, up of a record, whose x and y are turned by the wander angle, y to
-/// the left.
+/// Returns the velocity in east, north, up of a record, whose x and y are turned by the wander
+/// angle, y to the left.
 Vec3 GetVelocity(const SbetRecord& record)
 {
   const double c = std::cos(record[SbetWander]);

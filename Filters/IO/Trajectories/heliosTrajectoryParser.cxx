@@ -119,7 +119,7 @@ void TrajectoryParser::Sort(std::vector<TrajectoryRow>& rows)
   }
 }
 
-/// The time of a row, continued over the ends of weeks and days.
+/// Returns the time of a row, continued over the ends of weeks and days.
 double TrajectoryParser::ReadTime(double time)
 {
   const double continued = this->Clock.Continue(time);

@@ -29,7 +29,7 @@ struct TrajectoryRow
 bool CheckRowTimes(const std::vector<TrajectoryRow>& rows,
   const std::function<std::string(std::size_t)>& getPlace, TextReport& report);
 
-/// A number with all its digits, for messages.
+/// Returns a number with all its digits, for messages.
 inline std::string PrintExactly(double number)
 {
   std::ostringstream text;

@@ -12,14 +12,15 @@
 namespace helios
 {
 
-/// A = Rz(-yaw) Ry(roll) Rx(pitch): yaw clockwise from north, nose up, right side down [rad].
+/// Returns a = Rz(-yaw) Ry(roll) Rx(pitch): yaw clockwise from north, nose up, right side down
+/// [rad].
 Quaternion FromArinc705(const Vec3& rollPitchYaw);
 
-/// A = Rz(-yaw) Rx(pitch) Ry(roll): the same angles in the order of navigation software (Euler
-/// angles z, y', x'' of forward, right, down).
+/// Returns a = Rz(-yaw) Rx(pitch) Ry(roll): the same angles in the order of navigation software
+/// (Euler angles z, y', x'' of forward, right, down).
 Quaternion FromNavigation(const Vec3& rollPitchYaw);
 
-/// A = Rx(roll) Ry(pitch) Rz(yaw) [rad], as written by vtkHeliosTrajectoryTextWriter.
+/// Returns a = Rx(roll) Ry(pitch) Rz(yaw) [rad], as written by vtkHeliosTrajectoryTextWriter.
 Quaternion FromCanonical(const Vec3& rollPitchYaw);
 
 /**
@@ -38,13 +39,13 @@ enum class BodyAxes : int
   ForwardRightDown = 2
 };
 
-/// The rotation from body axes right, forward, up to others, on the right of an attitude.
+/// Returns the rotation from body axes right, forward, up to others, on the right of an attitude.
 Quaternion ToBodyAxes(BodyAxes axes);
 
 /**
- * The rows to keep: the first, the last, those of jumps, and those after which velocity [m/s] or
- * turning rate [deg/s] differ by more than the threshold in any component from those after the last
- * kept row.
+ * Returns the rows to keep: the first, the last, those of jumps, and those after which velocity
+ * [m/s] or turning rate [deg/s] differ by more than the threshold in any component from those after
+ * the last kept row.
  */
 std::vector<std::size_t> FilterSlopes(const std::vector<TrajectoryRow>& rows,
   const std::vector<Quaternion>& orientations, double threshold);

@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Read a file. Returns false after an error; the RMS are then 0.
+   * Reads a file. Returns false after an error; the RMS are then 0.
    */
   bool Read(const std::string& fileName);
 
@@ -47,8 +47,8 @@ public:
   vtkGetMacro(NumberOfRows, vtkIdType);
 
   /**
-   * Get the RMS of a component, numbered as in vtkHeliosPlatformNoise: 0 to 2 east, north, up [m]; 3
-   * to 5 pitch, roll, heading [deg]. NaN for other numbers.
+   * Returns the RMS of a component, numbered as in vtkHeliosPlatformNoise: 0 to 2 east, north, up
+   * [m]; 3 to 5 pitch, roll, heading [deg]. NaN for other numbers.
    */
   double GetRMS(int component) const;
 

@@ -49,12 +49,12 @@ public:
   ///@}
 
   /**
-   * Create the file; with EUROC, write its header line.
+   * Creates the file; with EUROC, write its header line.
    */
   bool Open() override;
 
   /**
-   * Append the samples of a block.
+   * Appends the samples of a block.
    */
   bool Write(vtkDataObject* block) override;
 

@@ -61,12 +61,12 @@ public:
   ///@}
 
   /**
-   * Create the file.
+   * Creates the file.
    */
   bool Open() override;
 
   /**
-   * Append the samples of a block.
+   * Appends the samples of a block.
    */
   bool Write(vtkDataObject* block) override;
 

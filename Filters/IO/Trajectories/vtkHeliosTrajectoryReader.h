@@ -132,7 +132,7 @@ public:
   void SetFileFormatToEuroc() { this->SetFileFormat(EUROC); }
   ///@}
 
-  /// Whether the file, by FileFormat or its name, is SBET.
+  /// Returns whether the file, by FileFormat or its name, is SBET.
   bool IsSbet() const { return this->FindFormat() == SBET; }
 
   ///@{
@@ -259,9 +259,8 @@ public:
   ///@}
 
   /**
-   * Set separators, columns and angles to the format of
-   * vtkHeliosTrajectoryTextWriter: x y z t roll pitch yaw between blanks,
-   * CANONICAL, in degrees.
+   * Sets separators, columns and angles to the format of vtkHeliosTrajectoryTextWriter: x y z t
+   * roll pitch yaw between blanks, CANONICAL, in degrees.
    */
   void UseWriterFormat();
 

@@ -42,7 +42,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Append the samples of a block.
+   * Appends the samples of a block.
    */
   bool Write(vtkDataObject* block) override;
 

@@ -34,7 +34,7 @@ public:
 
   Kind GetKind() const { return this->FileKind; }
 
-  /// Number of points or rows of a single file.
+  /// Returns the number of points or rows of a single file.
   vtkIdType GetNumberOfRecords() const { return this->NumberOfRecords; }
 
   /// Files listed by an index.

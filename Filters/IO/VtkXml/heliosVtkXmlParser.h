@@ -22,7 +22,7 @@ public:
   static VtkXmlParser* New();
   vtkTypeMacro(VtkXmlParser, vtkXMLDataParser);
 
-  /// The root element of the stream; null: see GetProblem().
+  /// Returns the root element of the stream; null: see GetProblem().
   vtkXMLDataElement* ParseFile(double size);
   const std::string& GetProblem() const { return this->Problem; }
 
@@ -32,7 +32,8 @@ public:
   /// Checks the data of an array with n values and bytes.
   Status CheckData(vtkXMLDataElement* array, double values, double bytes, double limit);
 
-  /// Whether a checked array has this many terminated strings: VTK writes as many as it finds.
+  /// Returns whether a checked array has this many terminated strings: VTK writes as many as it
+  /// finds.
   bool HasTexts(vtkXMLDataElement* array, double count);
 
   /// Reads one number of a checked array.

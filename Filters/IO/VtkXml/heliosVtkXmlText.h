@@ -15,7 +15,8 @@
 namespace helios
 {
 
-/// The points, or the table of waveforms, of a piece (vtkHeliosStreamWriter::SetBlockText()).
+/// Returns the points, or the table of waveforms, of a piece
+/// (vtkHeliosStreamWriter::SetBlockText()).
 VTKHELIOSFILTERSIO_EXPORT vtkSmartPointer<vtkDataObject> ReadVtkXmlText(
   const std::string& text, bool isTable);
 

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkHeliosPointXMLReader);
 namespace
 {
 
-/// Whether the cell offsets increase, and the points exist.
+/// Returns whether the cell offsets increase, and the points exist.
 bool IsValid(vtkCellArray* cells, vtkIdType points)
 {
   if (!cells->IsValid())
@@ -46,7 +46,7 @@ bool HasValidCells(vtkPolyData* cloud)
     [points](vtkCellArray* cells) { return !cells || IsValid(cells, points); });
 }
 
-/// Whether the point arrays agree in name, type and components.
+/// Returns whether the point arrays agree in name, type and components.
 bool HasSameArrays(vtkPolyData* one, vtkPolyData* other)
 {
   vtkPointData* ours = one->GetPointData();

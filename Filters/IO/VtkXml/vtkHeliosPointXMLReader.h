@@ -47,12 +47,12 @@ public:
   ///@}
 
   /**
-   * Get the number of pieces of the file, after UpdateInformation(): 1 for a .vtp.
+   * Returns the number of pieces of the file, after UpdateInformation(): 1 for a .vtp.
    */
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
   /**
-   * Get the number of points of a .vtp, after UpdateInformation(); 0 for a .pvtp.
+   * Returns the number of points of a .vtp, after UpdateInformation(); 0 for a .pvtp.
    */
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
 

@@ -16,7 +16,7 @@ vtkStandardNewMacro(vtkHeliosPointXMLWriter);
 namespace
 {
 
-/// The block itself, or a shallow copy with one vertex per point.
+/// Returns the block itself, or a shallow copy with one vertex per point.
 vtkSmartPointer<vtkPolyData> WithVertices(vtkPolyData* block)
 {
   if (block->GetNumberOfCells() > 0)

@@ -45,7 +45,7 @@ public:
   ///@}
 
   /**
-   * Get the number of pieces of the file, after UpdateInformation().
+   * Returns the number of pieces of the file, after UpdateInformation().
    */
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 

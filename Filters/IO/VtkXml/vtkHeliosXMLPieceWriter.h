@@ -47,7 +47,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Create the index, without pieces.
+   * Creates the index, without pieces.
    */
   bool Open() override;
 
@@ -57,7 +57,7 @@ public:
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
   /**
-   * Write a block as a piece.
+   * Writes a block as a piece.
    */
   bool Write(vtkDataObject* block) override;
 
@@ -68,7 +68,7 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Get and clear the bytes written to the index and the pieces.
+   * Returns and clears the bytes written to the index and the pieces.
    */
   std::vector<helios::FileBlock> CollectBlocks() override;
 #endif

@@ -34,7 +34,7 @@ std::string NameColumn(int column)
     (column < FirstSample ? ColumnNames[column] : "a sample") + ")";
 }
 
-/// The value with the fewest decimals within the rounding error.
+/// Returns the value with the fewest decimals within the rounding error.
 double Shorten(double value, double rounding)
 {
   for (double scale = 1.0; scale < 1e9; scale *= 10.0)

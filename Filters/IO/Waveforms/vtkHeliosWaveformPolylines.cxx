@@ -38,7 +38,8 @@ helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// The unit vector perpendicular to a beam nearest to a unit vector; for a parallel beam: x or y.
+/// Returns the unit vector perpendicular to a beam nearest to a unit vector; for a parallel beam: x
+/// or y.
 helios::Vec3 FindAcross(const helios::Vec3& beam, const helios::Vec3& wanted)
 {
   constexpr double parallel = 1e-6;

@@ -37,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Append the waveforms of a block.
+   * Appends the waveforms of a block.
    */
   bool Write(vtkDataObject* block) override;
 

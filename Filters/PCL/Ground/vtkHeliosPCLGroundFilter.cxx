@@ -73,7 +73,7 @@ bool MarkNear(const Cloud::Ptr& ground, double cellSize, const Cloud& points, do
     });
 }
 
-/// The classes of the input, if present, with the detected ground.
+/// Returns the classes of the input, if present, with the detected ground.
 vtkSmartPointer<vtkIntArray> MakeClasses(vtkDataArray* known, const std::vector<char>& isGround)
 {
   auto classes = vtkSmartPointer<vtkIntArray>::New();

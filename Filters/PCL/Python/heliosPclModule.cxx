@@ -118,7 +118,7 @@ public:
       this->Data->points.data(), this->Hold());
   }
 
-  /// All fields.
+  /// Returns all fields.
   py::array GetArray() const
   {
     return py::array(MakeType(), { static_cast<py::ssize_t>(this->Data->size()) },

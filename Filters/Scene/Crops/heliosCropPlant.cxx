@@ -81,7 +81,7 @@ private:
     return share * this->Plant.Height;
   }
 
-  /// The lean of a stem increases with height.
+  /// Returns the lean of a stem increases with height.
   Vec3 GetStem(int stem, double share) const
   {
     const auto u = this->Uniform(StemDraw + static_cast<std::uint32_t>(stem));
@@ -176,7 +176,7 @@ private:
     return curve.Outward * std::sin(angle) + Vec3(0, 0, std::cos(angle));
   }
 
-  /// The vector from a point of the curve to the next: a chord of a circle.
+  /// Returns the vector from a point of the curve to the next: a chord of a circle.
   Vec3 GetStep(const LeafCurve& curve, int segment) const
   {
     const int n = this->Shape.LeafSegments;

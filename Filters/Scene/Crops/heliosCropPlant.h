@@ -47,11 +47,11 @@ struct CropPlant
   std::uint64_t Site; // key of the random numbers
 };
 
-/// The relative width of a leaf at a share of its length, 1 at the widest point, 0 at the tip: a
-/// parabola.
+/// Returns the relative width of a leaf at a share of its length, 1 at the widest point, 0 at the
+/// tip: a parabola.
 double GetLeafWidth(double share, double widestAt);
 
-/// Number of triangles of one plant, and an upper bound on its points.
+/// Returns the number of triangles of one plant, and an upper bound on its points.
 vtkIdType CountTriangles(const CropShape& shape);
 vtkIdType CountPoints(const CropShape& shape);
 

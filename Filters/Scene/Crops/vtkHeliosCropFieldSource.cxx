@@ -153,7 +153,7 @@ public:
   }
 
 private:
-  /// The random number key of a plant.
+  /// Returns the random number key of a plant.
   static std::uint64_t GetSite(int row, vtkIdType place)
   {
     return (static_cast<std::uint64_t>(row) << 32) | static_cast<std::uint32_t>(place);

@@ -76,7 +76,7 @@ public:
   ///@}
 
   /**
-   * The species as text: "Maize" to "Broadleaf".
+   * Returns the species as text: "Maize" to "Broadleaf".
    */
   const char* GetSpeciesAsString();
 
@@ -270,7 +270,7 @@ public:
   ///@}
 
   /**
-   * The number of plant positions in a row: RowLength / PlantSpacing, plus one.
+   * Returns the number of plant positions in a row: RowLength / PlantSpacing, plus one.
    */
   vtkIdType GetPlantsPerRow();
 

@@ -36,7 +36,7 @@ inline Material MakeMaterial(const char* name, double reflectance, int classific
   return material;
 }
 
-/// A test panel: neither ground nor building.
+/// Returns a test panel: neither ground nor building.
 inline Material Target()
 {
   return MakeMaterial("target", 0.5, Unclassified);
@@ -108,7 +108,7 @@ inline Material Wood()
 {
   return MakeMaterial("wood", 0.73, Building);
 }
-/// Return of a window from its frame and the curtain behind: assumed.
+/// Returns of a window from its frame and the curtain behind: assumed.
 inline Material Window()
 {
   return MakeMaterial("window", 0.1, Building);

@@ -118,8 +118,8 @@ void AddLeaf(MeshBuilder& mesh, const Vec3& centre, Vec3 normal, const Vec3& alo
   mesh.AddQuad(a, a + 1, a + 2, a + 3);
 }
 
-/// The length of diamonds of this slenderness (width to length) with a total area of index times
-/// the crown.
+/// Returns the length of diamonds of this slenderness (width to length) with a total area of index
+/// times the crown.
 double GetLeafLength(const TreeShape& shape, double areaIndex, double slenderness)
 {
   const double ground = 0.125 * TwoPi * shape.CrownDiameter * shape.CrownDiameter;
@@ -165,7 +165,7 @@ private:
   static constexpr int NumberOfBranches = 20;
   static constexpr int TwigsPerBranch = 5;
 
-  /// The position of the stem at a share of its length, slightly crooked.
+  /// Returns the position of the stem at a share of its length, slightly crooked.
   Vec3 GetStem(double share) const
   {
     const double bend = 0.02 * this->Shape.Height * share * share;
@@ -237,7 +237,8 @@ private:
       { u[1] - 0.5, u[2] - 0.5, u[3] - 0.5 }, length, 0.6 * length);
   }
 
-  /// The point itself, or if it is not inside the crown, the nearest one in the crown's metric.
+  /// Returns the point itself, or if it is not inside the crown, the nearest one in the crown's
+  /// metric.
   Vec3 MoveInside(const Vec3& point) const
   {
     const Vec3 p = (point - this->Centre) / this->Axes;

@@ -87,7 +87,7 @@ public:
   ///@}
 
   /**
-   * The kind as text: "Plane" to "Tree".
+   * Returns the kind as text: "Plane" to "Tree".
    */
   const char* GetKindAsString();
 
@@ -162,8 +162,9 @@ public:
   ///@}
 
   /**
-   * The z of the hills of Terrain and Canopy at x, y of the scene [m], in closed form: a sum of
-   * sine waves with lengths from 0.8 Size down to Size / 240. The mesh is exact at its points.
+   * Returns the z of the hills of Terrain and Canopy at x, y of the scene [m], in closed form: a
+   * sum of sine waves with lengths from 0.8 Size down to Size / 240. The mesh is exact at its
+   * points.
    */
   double GetTerrainHeight(double x, double y);
 

@@ -16,9 +16,9 @@ namespace helios
 {
 
 /**
- * The index of the half-open cell [i s, (i + 1) s) from x0 that contains x, for x >= x0. A quotient
- * that rounding may have put below an integer counts as that integer: decimal lattice points, in
- * double or (epsilon = 2^-23) in float, are in the cell of their decimal value.
+ * Returns the index of the half-open cell [i s, (i + 1) s) from x0 that contains x, for x >= x0. A
+ * quotient that rounding may have put below an integer counts as that integer: decimal lattice
+ * points, in double or (epsilon = 2^-23) in float, are in the cell of their decimal value.
  */
 inline double GetVoxelIndex(double x, double x0, double s, double epsilon = 0x1p-52)
 {
@@ -72,7 +72,7 @@ public:
   void Clear();
   std::uint32_t GetSize() const { return this->Size; }
 
-  /// The number of a key: GetSize() before the call if the key is new.
+  /// Returns the number of a key: GetSize() before the call if the key is new.
   std::uint32_t Insert(VoxelKey key)
   {
     std::size_t slot = this->GetSlot(key);
@@ -89,7 +89,7 @@ public:
   /// Prefetches the memory that Insert will read.
   void Prefetch(VoxelKey key) const { __builtin_prefetch(&this->Entries[this->GetSlot(key)], 1); }
 
-  /// The entries by key; the map is empty afterwards.
+  /// Returns the entries by key; the map is empty afterwards.
   std::vector<Entry> ReleaseSorted();
 
 private:
@@ -139,8 +139,8 @@ public:
   /// Cells with at least this many points, by key; to be called once, at the end.
   std::vector<VoxelMap::Entry> ReleaseCells(vtkIdType minimumNumberOfPoints);
 
-  ///@{
-  /// The result for the cell of an entry. A normal of 0 0 0 means no normal.
+  /// @{
+  /// Returns the result for the cell of an entry. A normal of 0 0 0 means no normal.
   Vec3 GetNormal(std::uint32_t id) const;
   Vec3 GetColor(std::uint32_t id) const;
   ///@}

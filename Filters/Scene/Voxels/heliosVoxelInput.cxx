@@ -22,7 +22,7 @@ namespace helios
 namespace
 {
 
-/// The values of an array of three components, in the array itself or in a copy.
+/// Returns the values of an array of three components, in the array itself or in a copy.
 const double* GetDoubles(vtkDataArray* array, std::vector<double>& copy)
 {
   if (auto* doubles = vtkDoubleArray::FastDownCast(array))

@@ -31,7 +31,7 @@ public:
 
   VoxelPoints Get() const { return this->Range; }
   vtkIdType GetNumberOfPoints() const { return this->Range.Count; }
-  /// The storage precision of the coordinates.
+  /// Returns the storage precision of the coordinates.
   double GetEpsilon() const { return this->Epsilon; }
 
 private:
@@ -57,13 +57,13 @@ struct VoxelBounds
 
   VoxelBounds();
 
-  /// The index of the first point that is not finite, or -1.
+  /// Returns the index of the first point that is not finite, or -1.
   vtkIdType Add(const VoxelInput& input);
 
-  /// Whether other can be of a subset of the same points.
+  /// Returns whether other can be of a subset of the same points.
   bool Holds(const VoxelBounds& other) const;
 
-  /// The largest distance from zero along any axis.
+  /// Returns the largest distance from zero along any axis.
   double GetMagnitude() const;
 };
 

@@ -10,7 +10,8 @@ namespace helios
 namespace
 {
 
-/// The direction of two opposite ones that points up; of horizontal ones that to +y, else to +x.
+/// Returns the direction of two opposite ones that points up; of horizontal ones that to +y, else
+/// to +x.
 Vec3 TurnUp(const Vec3& normal)
 {
   for (const int axis : { 2, 1, 0 })

@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// The unit vector, or 0 0 0 for zero length.
+/// Returns the unit vector, or 0 0 0 for zero length.
 inline Vec3 GetUnit(const Vec3& direction)
 {
   const double largest =
@@ -30,7 +30,7 @@ inline Vec3 GetUnit(const Vec3& direction)
   return scaled * (1.0 / scaled.Norm());
 }
 
-/// The nearest integer to x; halves away from zero. (llround is a function call.)
+/// Returns the nearest integer to x; halves away from zero. (llround is a function call.)
 inline std::int64_t GetNearest(double x)
 {
   return static_cast<std::int64_t>(x + std::copysign(0.5, x));
@@ -106,7 +106,7 @@ class PlaneSum
 public:
   void Add(const double local[3]);
 
-  /// The unit normal, upwards, of the least-squares plane; 0 0 0 for collinear points.
+  /// Returns the unit normal, upwards, of the least-squares plane; 0 0 0 for collinear points.
   Vec3 GetNormal() const;
 
 private:

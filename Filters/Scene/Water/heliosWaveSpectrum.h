@@ -22,15 +22,15 @@ struct Wind
 };
 
 /**
- * The energy of waves by angular frequency w (JONSWAP, Hasselmann et al. 1973):
+ * Returns the energy of waves by angular frequency w (JONSWAP, Hasselmann et al. 1973):
  *
- *     S(w) = a g^2 / w^5 exp(-1.25 (w0 / w)^4) 3.3^exp(-(w - w0)^2 / (2 s^2 w0^2))   [m2 s]
+ * S(w) = a g^2 / w^5 exp(-1.25 (w0 / w)^4) 3.3^exp(-(w - w0)^2 / (2 s^2 w0^2))   [m2 s]
  *
  * with a = 0.076 (U^2 / (F g))^0.22, w0 = 22 (g^2 / (U F))^(1/3), s = 0.07 below w0 and 0.09 above.
  */
 VTKHELIOSFILTERSSCENE_EXPORT double GetWaveEnergy(const Wind& wind, double frequency);
 
-/// The frequency w0 of the highest waves [rad/s].
+/// Returns the frequency w0 of the highest waves [rad/s].
 VTKHELIOSFILTERSSCENE_EXPORT double GetPeakFrequency(const Wind& wind);
 
 /// A sum of plane waves; their directions spread by cos^2 about that of the wind.
@@ -40,7 +40,7 @@ public:
   /// The waves longer than a length [m], with phases of a seed.
   WaveField(const Wind& wind, double shortest, std::uint64_t seed);
 
-  /// The height at a place and time [m, s].
+  /// Returns the height at a place and time [m, s].
   double GetHeight(double x, double y, double time) const;
 
   double GetVariance() const;        ///< of the height [m2]

@@ -28,7 +28,7 @@ helios::WaveField MakeField(vtkHeliosWaterWaves* self)
     self->GetShortestWave(), static_cast<std::uint64_t>(self->GetSeed()) };
 }
 
-/// The points with the heights of waves added.
+/// Returns the points with the heights of waves added.
 vtkSmartPointer<vtkPoints> Raise(vtkPoints* rest, const helios::WaveField& field, double time)
 {
   auto raised = vtkSmartPointer<vtkPoints>::New();

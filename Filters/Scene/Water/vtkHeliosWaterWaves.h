@@ -83,12 +83,13 @@ public:
   ///@}
 
   /**
-   * The height of the waves at a place and the Time [m].
+   * Returns the height of the waves at a place and the Time [m].
    */
   double GetHeight(double x, double y);
 
   /**
-   * The significant height of the waves: four times the standard deviation of their height [m].
+   * Returns the significant height of the waves: four times the standard deviation of their height
+   * [m].
    */
   double GetSignificantHeight();
 

@@ -57,7 +57,8 @@ struct IndexPrimitive
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, IndexPrimitive>>;
 using Node = CGAL::AABB_node<CGAL::AABB_traits_3<Kernel, IndexPrimitive>>;
 
-/// The range at which a ray enters the box of a node; NoHit for a miss or beyond its maximum range.
+/// Returns the range at which a ray enters the box of a node; NoHit for a miss or beyond its
+/// maximum range.
 double GetEntry(const TestRay& ray, const Node& node)
 {
   const CGAL::Bbox_3& box = node.bbox();

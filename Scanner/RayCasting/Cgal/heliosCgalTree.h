@@ -26,7 +26,8 @@ public:
   /// Throws Stopped on an abort request.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.
+  /// Returns the hit with the smallest range and, of equals, the smallest triangle; triangle -1 for
+  /// a miss.
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
 
   bool IsOccluded(const vtkHeliosRay& ray) const;

@@ -15,7 +15,8 @@ namespace helios
 namespace
 {
 
-/// The float range of a ray for a hit at a range: rounded up, so that equal ranges are still found.
+/// Returns the float range of a ray for a hit at a range: rounded up, so that equal ranges are
+/// still found.
 template <typename Real>
 HELIOS_INLINE Real GetFar(const Real& range, const Real& start, const Real& stretch)
 {

@@ -99,7 +99,7 @@ struct Watch
   std::atomic<bool> IsStopped{ false };
 };
 
-/// The single valid ray of a packet, for Embree's functions that take one.
+/// Returns the single valid ray of a packet, for Embree's functions that take one.
 RTCRay GetAlone(const Packet& rays)
 {
   const auto lane = std::find(rays.Valid, rays.Valid + rays.Width, -1) - rays.Valid;
@@ -391,7 +391,7 @@ void EmbreeTree::TraceAny(Trace& trace, int alive) const
   }
 }
 
-/// The better of a hit and a nearer hit of the outliers.
+/// Returns the better of a hit and a nearer hit of the outliers.
 vtkHeliosHit EmbreeTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
 {
   TestRay rest;

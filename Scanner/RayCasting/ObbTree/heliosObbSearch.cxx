@@ -33,7 +33,7 @@ vtkSmartPointer<vtkPoints> MakeLocalPoints(const TriangleMesh& mesh, const doubl
   return points;
 }
 
-/// The range of the common test, for a triangle that the tree reports as hit.
+/// Returns the range of the common test, for a triangle that the tree reports as hit.
 double GetPlaneRange(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3];

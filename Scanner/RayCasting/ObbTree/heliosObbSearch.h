@@ -25,7 +25,7 @@ public:
   /// Over the triangles of a mesh that have an area; the mesh must outlive it.
   void Build(const TriangleMesh& mesh);
 
-  /// A hit found by the tree, with the range of the common test; triangle -1 for a miss.
+  /// Returns a hit found by the tree, with the range of the common test; triangle -1 for a miss.
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
 
   bool IsOccluded(const vtkHeliosRay& ray) const { return this->Intersect(ray).CellId >= 0; }

@@ -139,7 +139,7 @@ private:
 namespace
 {
 
-/// The triangles of a mesh that have an area.
+/// Returns the triangles of a mesh that have an area.
 std::vector<vtkTypeInt32> FindTriangles(const TriangleMesh& mesh)
 {
   std::vector<vtkTypeInt32> triangles;
@@ -154,7 +154,7 @@ std::vector<vtkTypeInt32> FindTriangles(const TriangleMesh& mesh)
   return triangles;
 }
 
-/// Whether all corners of a triangle are in a box.
+/// Returns whether all corners of a triangle are in a box.
 bool IsInside(const TriangleMesh& mesh, vtkTypeInt32 triangle, const double box[6])
 {
   bool isInside = true;

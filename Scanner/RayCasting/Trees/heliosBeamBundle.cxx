@@ -26,7 +26,7 @@ HELIOS_INLINE double GetMost(const Doubles& v)
   return Max(Max(v[0], v[1]), Max(v[2], v[3]));
 }
 
-/// The columns of the rows a, b, c, d.
+/// Returns the columns of the rows a, b, c, d.
 HELIOS_INLINE void Transpose(const Doubles& a, const Doubles& b, const Doubles& c, const Doubles& d,
   Doubles& first, Doubles& second, Doubles& third, Doubles& fourth)
 {
@@ -317,7 +317,7 @@ bool BeamBundle::SetFrame()
   return true;
 }
 
-/// The intervals of origins and slopes in the frame of the current tree; sets its axes.
+/// Returns the intervals of origins and slopes in the frame of the current tree; sets its axes.
 HELIOS_INLINE void BeamBundle::SetIntervals(
   double low[3], double high[3], double slopeLow[2], double slopeHigh[2])
 {

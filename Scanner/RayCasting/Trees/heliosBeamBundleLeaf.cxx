@@ -107,7 +107,7 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
   return Any(better);
 }
 
-/// The edge functions of a triangle at slopes.
+/// Returns the edge functions of a triangle at slopes.
 HELIOS_INLINE void GetEdges(
   const LeafFilter::Edges& edges, int triangle, const Group& dx, const Group& dy, Group e[3])
 {
@@ -159,7 +159,7 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   return groups;
 }
 
-/// The same for all groups, or those of candidate blocks.
+/// Returns the same for all groups, or those of candidate blocks.
 HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
 {

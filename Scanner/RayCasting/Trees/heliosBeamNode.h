@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// A float not above a number, or not below it.
+/// Returns a float not above a number, or not below it.
 inline float RoundDown(double x)
 {
   return static_cast<float>(std::max(x - std::abs(x) * 0x1p-23, -1e30));

@@ -56,7 +56,7 @@ struct Frustum
   double Slack; ///< in units of the scene
   double Scale;
 
-  /// The limit of s for a distance along Z from the origins.
+  /// Returns the limit of s for a distance along Z from the origins.
   float GetLimit(double distance) const;
 };
 
@@ -83,7 +83,7 @@ public:
 
   bool HasOutliers() const { return this->OutliersExist; }
 
-  /// The first hit of the outliers.
+  /// Returns the first hit of the outliers.
   vtkHeliosHit IntersectOutliers(const TestRay& ray) const { return this->Outliers.Intersect(ray); }
   bool IsOccludedByOutliers(const TestRay& ray) const
   {
@@ -126,7 +126,7 @@ public:
     }
   }
 
-  /// The cell of a triangle in the scene.
+  /// Returns the cell of a triangle in the scene.
   vtkIdType GetCell(vtkIdType triangle) const
   {
     return this->IsOfHeights() ? this->ComputeCell(triangle) : triangle;
@@ -135,10 +135,10 @@ public:
   /// The corners of a cell.
   void GetCellPoints(vtkIdType cell, double points[3][3]) const;
 
-  /// The outlier triangles.
+  /// Returns the outlier triangles.
   const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
 
-  /// Whether no triangle is in the tree, except the outliers.
+  /// Returns whether no triangle is in the tree, except the outliers.
   bool IsEmpty() const { return this->Scale == 0.0; }
 
   /**
@@ -152,10 +152,10 @@ public:
   /// The frustum of one ray.
   bool SetFrustum(Frustum& frustum, const TestRay& ray, double error) const;
 
-  /// The largest coordinate of its corners, without the sign.
+  /// Returns the largest coordinate of its corners, without the sign.
   double GetReach() const;
 
-  /// A coordinate along an axis in the frame of the tree.
+  /// Returns a coordinate along an axis in the frame of the tree.
   double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
 
   static constexpr int Width = BeamNode::Width;

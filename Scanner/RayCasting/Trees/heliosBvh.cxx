@@ -48,7 +48,7 @@ struct Box
     return x * y + y * z + z * x;
   }
 
-  /// Twice the centre.
+  /// Returns twice the centre.
   double GetCentre(int axis) const { return this->Low[axis] + this->High[axis]; }
 };
 

@@ -38,12 +38,13 @@ public:
   /// Over some triangles of a mesh, all of which have an area.
   void Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, StopCheck& check);
 
-  /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.
+  /// Returns the hit with the smallest range and, of equals, the smallest triangle; triangle -1 for
+  /// a miss.
   vtkHeliosHit Intersect(const TestRay& ray) const;
 
   bool IsOccluded(const TestRay& ray) const;
 
-  /// The distance from a segment to the nearest triangle; infinite if none is within reach.
+  /// Returns the distance from a segment to the nearest triangle; infinite if none is within reach.
   double GetDistance(const Vec3& a, const Vec3& b, double reach) const;
 
   std::size_t GetMemorySize() const;

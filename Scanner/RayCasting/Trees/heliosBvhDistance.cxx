@@ -65,8 +65,8 @@ private:
     }
   }
 
-  /// A lower bound of the distance from the segment to the box of a child: from the segment's
-  /// box and its bounding ball.
+  /// Returns a lower bound of the distance from the segment to the box of a child: from the
+  /// segment's box and its bounding ball.
   double GetBound(const Node& node, int child) const
   {
     double toBox = 0.0;

@@ -31,7 +31,7 @@ void Cross(const double a[3], const double b[3], double c[3])
   c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/// An upper bound of the length.
+/// Returns an upper bound of the length.
 double GetLength(const double a[3])
 {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
@@ -43,7 +43,7 @@ double GetLargestLength(const ConeCandidate& c)
   return std::max({ GetLength(p[0]), GetLength(p[1]), GetLength(p[2]) });
 }
 
-/// Whether a segment is within a distance of the origin.
+/// Returns whether a segment is within a distance of the origin.
 bool IsNear(const double a[2], const double b[2], double distance)
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };
@@ -76,8 +76,8 @@ bool ClipToDisc(const double a[2], const double b[2], double radius, double part
 }
 
 /**
- * Whether a segment p = a + t (b - a) may enter a cone: f = x^2 + y^2 - T^2 z^2, a quadratic function
- * of t, is not positive somewhere before the apex.
+ * Returns whether a segment p = a + t (b - a) may enter a cone: f = x^2 + y^2 - T^2 z^2, a
+ * quadratic function of t, is not positive somewhere before the apex.
  */
 bool EntersCone(const double a[3], const double b[3], double tangent, double reach)
 {
@@ -291,8 +291,8 @@ void Cone::SetNormal(ConeCandidate& c, double reach) const
   c.Sign = c.Determinant > doubt ? 1.0 : (c.Determinant < -doubt ? -1.0 : 0.0);
 }
 
-/// Whether the cone is beyond an edge; sets what the axis and the whole cone have in common with
-/// the triangle.
+/// Returns whether the cone is beyond an edge; sets what the axis and the whole cone have in common
+/// with the triangle.
 bool Cone::IsOutside(ConeCandidate& c) const
 {
   c.Covers = c.Sign != 0.0;
@@ -311,8 +311,8 @@ bool Cone::IsOutside(ConeCandidate& c) const
   return isOutside;
 }
 
-/// Whether a triangle that is not before the apex, and that no plane of an edge separates from the
-/// cone, may touch it: the axis meets it, or an edge does, or the apex may be on it.
+/// Returns whether a triangle that is not before the apex, and that no plane of an edge separates
+/// from the cone, may touch it: the axis meets it, or an edge does, or the apex may be on it.
 bool Cone::TouchesBeside(const ConeCandidate& c, double reach) const
 {
   if (c.Sign != 0.0 && c.MayHoldAxis)
@@ -332,7 +332,7 @@ bool Cone::TouchesBeside(const ConeCandidate& c, double reach) const
     EntersCone(p[1], p[2], tangent, reach) || EntersCone(p[2], p[0], tangent, reach);
 }
 
-/// The thickness, in the plane z = 1, of a triangle that may be edge-on.
+/// Returns the thickness, in the plane z = 1, of a triangle that may be edge-on.
 double Cone::GetThickness(const ConeCandidate& c, double reach) const
 {
   double thickness = HUGE_VAL;
@@ -377,7 +377,7 @@ void Cone::SetPlane(ConeCandidate& c) const
   plane.Farthest = least > 0.0 ? (plane.Constant + doubt) / least * (1 + Margin) : HUGE_VAL;
 }
 
-/// Whether the direction in which the plane of a candidate is nearest meets the candidate.
+/// Returns whether the direction in which the plane of a candidate is nearest meets the candidate.
 bool Cone::HoldsNearest(const ConeCandidate& c) const
 {
   const double* n = c.Surface.Normal;

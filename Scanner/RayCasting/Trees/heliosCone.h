@@ -63,7 +63,8 @@ public:
   const double* GetAxis(int axis) const { return this->Frame[axis]; }
   double GetTangent() const { return this->Tangent; }
 
-  /// The largest distance along the main axis of a ray for a unit of depth: w_z + T sqrt(1 - w_z^2).
+  /// Returns the largest distance along the main axis of a ray for a unit of depth: w_z + T sqrt(1
+  /// - w_z^2).
   double GetStretch(const RayAxes& axes) const;
 
   /// The rows: two axes across, the axis; in the world.
@@ -80,17 +81,17 @@ public:
   /// Sets the cell, the points and the corners of a candidate.
   void SetCorners(const PlacedTree& placed, vtkTypeInt32 triangle, ConeCandidate& c) const;
 
-  /// Whether a triangle is beyond a side of the square about the cone.
+  /// Returns whether a triangle is beyond a side of the square about the cone.
   bool IsBeside(const ConeCandidate& c) const;
 
-  /// Whether it may touch the cone; sets the candidate's terms from its corners.
+  /// Returns whether it may touch the cone; sets the candidate's terms from its corners.
   bool Touches(ConeCandidate& c) const;
 
   /// Sets the plane of a candidate that touches.
   void SetPlane(ConeCandidate& c) const;
 
-  /// The smallest depth of the part inside the cone, or slightly less, of a candidate that touches
-  /// and has its plane.
+  /// Returns the smallest depth of the part inside the cone, or slightly less, of a candidate that
+  /// touches and has its plane.
   double GetNearestDepth(const ConeCandidate& c) const;
 
 private:

@@ -27,7 +27,7 @@ double Dot(const double a[3], const double b[3])
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// An upper bound of the length.
+/// Returns an upper bound of the length.
 double GetLength(const double a[3])
 {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
@@ -38,7 +38,7 @@ bool AreSame(const double* a, const double* b)
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/// Whether another triangle adjoins an edge on its other side.
+/// Returns whether another triangle adjoins an edge on its other side.
 bool Adjoins(const ConeCandidate& c, int edge, const ConeCandidate& other)
 {
   const double* from = c.Points[(edge + 1) % 3];
@@ -57,7 +57,7 @@ bool Adjoins(const ConeCandidate& c, int edge, const ConeCandidate& other)
   return false;
 }
 
-/// Whether a triangle lies behind a plane by more than a distance.
+/// Returns whether a triangle lies behind a plane by more than a distance.
 bool IsBehind(const ConeCandidate& c, const ConeCandidate::Plane& plane, double distance)
 {
   const double least = plane.Constant * (1 + distance / plane.Nearest + Margin);
@@ -177,7 +177,7 @@ bool ConeTest::TraceAxis()
   return true;
 }
 
-/// Whether all of a member inside the cone is beyond Farthest.
+/// Returns whether all of a member inside the cone is beyond Farthest.
 bool ConeTest::IsFarther(const Member& c) const
 {
   return c.Cell != this->Hit.CellId && this->Shape.GetNearestDepth(c) > this->Farthest;
@@ -192,7 +192,7 @@ void ConeTest::DropFarther()
 }
 
 //------------------------------------------------------------------------------
-/// The combined result of the members.
+/// Returns the combined result of the members.
 vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
 {
   if (this->Count == 0)
@@ -227,8 +227,8 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
   return Unknown;
 }
 
-/// Whether the members differ little from the first. Those behind are moved to the end, and not
-/// counted any more.
+/// Returns whether the members differ little from the first. Those behind are moved to the end, and
+/// not counted any more.
 bool ConeTest::AreNear(const PlaneLimits::Difference& most)
 {
   Member& first = this->Members[0];
@@ -279,7 +279,8 @@ struct ConeTest::Gap
   double Scale;
 };
 
-/// The largest distance of the planes of two triangles over the cone: |1 / h - 1 / h'| h h'.
+/// Returns the largest distance of the planes of two triangles over the cone: |1 / h - 1 / h'| h
+/// h'.
 double ConeTest::GetDistance(const Member& a, const Member& b) const
 {
   if (!(a.Surface.Farthest < NoHit && b.Surface.Farthest < NoHit))
@@ -290,7 +291,8 @@ double ConeTest::GetDistance(const Member& a, const Member& b) const
   return (std::abs(gap.Slope[2]) + gap.GetAcross(this->Shape.GetTangent())) * gap.Scale;
 }
 
-/// Whether a triangle begins at an edge of the first, across the whole cone, and ends outside it.
+/// Returns whether a triangle begins at an edge of the first, across the whole cone, and ends
+/// outside it.
 bool ConeTest::IsFold(const Member& c, const Member& first)
 {
   const auto* const end = c.EdgeTouches + 3;
@@ -299,8 +301,8 @@ bool ConeTest::IsFold(const Member& c, const Member& first)
     Adjoins(c, static_cast<int>(edge - c.EdgeTouches), first);
 }
 
-/// The largest distance of a triangle beyond a fold from the plane of the first, inside the cone:
-/// on its side of the fold the difference has one sign.
+/// Returns the largest distance of a triangle beyond a fold from the plane of the first, inside the
+/// cone: on its side of the fold the difference has one sign.
 double ConeTest::GetFoldDistance(const Member& c, const Member& first) const
 {
   if (!(c.Surface.Farthest < NoHit && first.Surface.Farthest < NoHit))
@@ -351,7 +353,7 @@ double ConeTest::GetLead(const Member& c, const Member& other) const
   return (gap.Slope[2] + gap.GetAcross(this->Shape.GetTangent())) * gap.Scale;
 }
 
-/// Whether a member that covers the cone hides another, but for the permitted overlap.
+/// Returns whether a member that covers the cone hides another, but for the permitted overlap.
 bool ConeTest::IsBehindCover(const Member& c) const
 {
   return std::any_of(this->Members, this->Members + this->Count,
@@ -359,7 +361,7 @@ bool ConeTest::IsBehindCover(const Member& c) const
     { return other.Covers && &other != &c && this->GetLead(c, other) <= this->Limits.Overlap; });
 }
 
-/// Whether a member ends inside the cone, at an edge beyond which no other goes on.
+/// Returns whether a member ends inside the cone, at an edge beyond which no other goes on.
 bool ConeTest::HasFreeEdge(int member) const
 {
   const Member& c = this->Members[member];
@@ -371,7 +373,7 @@ bool ConeTest::HasFreeEdge(int member) const
   return isFree;
 }
 
-/// Whether the members cover the cone, without one that ends inside it before the others.
+/// Returns whether the members cover the cone, without one that ends inside it before the others.
 bool ConeTest::HasNoFreeEdges() const
 {
   for (int i = 0; i < this->Count; ++i)
@@ -393,8 +395,8 @@ int ConeTest::CountNeighbors(int member, int edge) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether every direction in the cone meets one member. Across an edge with one neighbor their
-/// number does not change: it is the same everywhere.
+/// Returns whether every direction in the cone meets one member. Across an edge with one neighbor
+/// their number does not change: it is the same everywhere.
 bool ConeTest::IsSingleSurface() const
 {
   for (int i = 0; i < this->Count; ++i)

@@ -33,7 +33,7 @@ struct PixelRow
   Floats Coordinates[3];
 };
 
-/// The heights of the pixels; NaN after the last column.
+/// Returns the heights of the pixels; NaN after the last column.
 template <typename T>
 HELIOS_INLINE Doubles GetHeights(const T* heights, std::int64_t count)
 {
@@ -42,7 +42,7 @@ HELIOS_INLINE Doubles GetHeights(const T* heights, std::int64_t count)
     static_cast<double>(last), static_cast<double>(last) };
 }
 
-/// The same operations as those of HeightGrid::GetPoint() and BeamTree::GetLocal().
+/// Returns the same operations as those of HeightGrid::GetPoint() and BeamTree::GetLocal().
 HELIOS_INLINE void SetRow(const HeightGrid& grid, std::int64_t row, std::int64_t column,
   const double centre[3], double scale, PixelRow& pixels)
 {

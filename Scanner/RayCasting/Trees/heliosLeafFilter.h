@@ -40,7 +40,8 @@ public:
    */
   bool SetError(double rest);
 
-  /// The slope of the axis along X or Y, and z where the frustum starts, in the frame of the tree.
+  /// Returns the slope of the axis along X or Y, and z where the frustum starts, in the frame of
+  /// the tree.
   double GetSlope(int axis) const { return this->Slope[axis]; }
   double GetDepth() const { return this->Depth; }
 

@@ -41,10 +41,10 @@ public:
 
   const BeamTree& GetTree() const { return *this->Tree; }
 
-  /// Whether the frame of the tree is not that of the scene.
+  /// Returns whether the frame of the tree is not that of the scene.
   bool IsMoved() const { return this->HasFrame; }
 
-  /// The cell id of a triangle.
+  /// Returns the cell id of a triangle.
   vtkIdType GetCell(vtkIdType triangle) const
   {
     return this->Instance ? this->Instance->FirstCell + this->Tree->GetCell(triangle)
@@ -67,7 +67,7 @@ public:
   ///@{
   const Similarity& GetPlace() const { return this->Instance->Place; }
 
-  /// A ray in the frame of the tree, with the same ranges.
+  /// Returns a ray in the frame of the tree, with the same ranges.
   vtkHeliosRay GetLocal(const vtkHeliosRay& ray) const
   {
     vtkHeliosRay local;
@@ -99,7 +99,7 @@ private:
   bool HasFrame = false;
 };
 
-/// The largest coordinate of a point, without its sign.
+/// Returns the largest coordinate of a point, without its sign.
 inline double GetLargest(const double p[3])
 {
   return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });

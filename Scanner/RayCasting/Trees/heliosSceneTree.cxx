@@ -21,7 +21,7 @@ namespace helios
 namespace
 {
 
-/// A triangle for each instance of a scene, with the bounds of its box.
+/// Returns a triangle for each instance of a scene, with the bounds of its box.
 vtkSmartPointer<vtkPolyData> MakeBoxes(const SceneGeometry& scene)
 {
   constexpr double rounding = 0x1p-48; // of corners, beyond a box

@@ -42,17 +42,18 @@ public:
 
   bool HasInstances() const { return this->Scene != nullptr; }
 
-  /// The tree of the boxes of the instances: what is in its leaves are numbers of instances.
+  /// Returns the tree of the boxes of the instances: what is in its leaves are numbers of
+  /// instances.
   const BeamTree& GetBoxes() const { return this->Boxes; }
   PlacedTree GetInstance(vtkTypeInt32 number) const;
 
   /// The corners of a cell.
   void GetCellPoints(vtkIdType cell, double points[3][3]) const;
 
-  /// The first hit of a ray, without the outliers of the mesh.
+  /// Returns the first hit of a ray, without the outliers of the mesh.
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
 
-  /// The better of a hit of a ray and its first hit of the outliers of the mesh.
+  /// Returns the better of a hit of a ray and its first hit of the outliers of the mesh.
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
 
   /// Sets a hit of a ray to the first one of a tree, if it is better.
@@ -66,8 +67,8 @@ public:
     vtkTypeInt32 Triangles[BeamTree::LeafSize];
   };
 
-  /// Whether a ray is occluded; the occluder, initially empty, is that of the previous ray and is
-  /// tested first.
+  /// Returns whether a ray is occluded; the occluder, initially empty, is that of the previous ray
+  /// and is tested first.
   bool IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const;
 
 private:

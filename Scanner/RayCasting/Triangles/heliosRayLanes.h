@@ -33,7 +33,7 @@ struct RayLanes : RayTerms<Doubles>
                                   : vtkHeliosHit{ this->Range[lane], triangle };
   }
 
-  /// The hits of the first lanes.
+  /// Returns the hits of the first lanes.
   HELIOS_INLINE void GetHits(vtkHeliosHit* hits, int count) const
   {
     const Masks isNone = this->Triangle == NoTriangle;

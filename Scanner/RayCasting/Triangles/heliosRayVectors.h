@@ -71,7 +71,7 @@ __attribute__((noinline)) inline void ResolveTies(
   }
 }
 
-/// The lanes inside the triangle, given by their edge functions.
+/// Returns the lanes inside the triangle, given by their edge functions.
 HELIOS_INLINE void GetInside(
   const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
 {

@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-/// Whether a point projects into a triangle along its normal.
+/// Returns whether a point projects into a triangle along its normal.
 bool IsOver(const Vec3& p, const Vec3 corners[3], const Vec3& normal)
 {
   for (int i = 0; i < 3; ++i)

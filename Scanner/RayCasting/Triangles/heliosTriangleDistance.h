@@ -11,14 +11,14 @@
 namespace helios
 {
 
-/// The smallest distance between two segments, each from a to b; either may be a point.
+/// Returns the smallest distance between two segments, each from a to b; either may be a point.
 VTKHELIOSSCANNERRAYCASTING_EXPORT double SegmentToSegment(
   const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1);
 
 /**
- * The smallest distance between a segment from a to b and a triangle, 0 if they intersect. It is
- * that to an edge, or from an end of the segment to the inside of the triangle. The segment may be
- * a point, the triangle without area.
+ * Returns the smallest distance between a segment from a to b and a triangle, 0 if they intersect.
+ * It is that to an edge, or from an end of the segment to the inside of the triangle. The segment
+ * may be a point, the triangle without area.
  */
 VTKHELIOSSCANNERRAYCASTING_EXPORT double SegmentToTriangle(
   const Vec3& a, const Vec3& b, const Vec3 corners[3]);

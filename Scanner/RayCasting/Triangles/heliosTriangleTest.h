@@ -133,7 +133,7 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
   ray.Shear[1] = (isX ? d[2] : (isY ? d[0] : d[1])) * ray.LargestInverse;
 }
 
-/// The corners relative to the ray's origin.
+/// Returns the corners relative to the ray's origin.
 template <typename PlaceT>
 HELIOS_INLINE void ComputeOffsets(
   const PlaceT origin[3], const double* const points[3], PlaceT corners[3][3])
@@ -166,7 +166,8 @@ HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray, const RayAxes& ax
   edges[2] = b[0] * a[1] - b[1] * a[0];
 }
 
-/// Whether the ray is inside, on an edge or on a corner: no two edge functions differ in sign.
+/// Returns whether the ray is inside, on an edge or on a corner: no two edge functions differ in
+/// sign.
 inline bool IsInside(const double sheared[3][2], const double edges[3])
 {
   bool anyPositive = edges[0] > 0 || edges[1] > 0 || edges[2] > 0;
@@ -238,7 +239,7 @@ HELIOS_INLINE void Widen(PlaceT low[3], PlaceT high[3])
   }
 }
 
-/// The interval of ranges within a box.
+/// Returns the interval of ranges within a box.
 template <typename Real, typename PlaceT, typename InverseT>
 HELIOS_INLINE void GetInterval(
   const PlaceT low[3], const PlaceT high[3], const InverseT inverse[3], Real& entry, Real& exit)
@@ -252,7 +253,8 @@ HELIOS_INLINE void GetInterval(
   }
 }
 
-/// The interval of ranges within a box relative to the origin, widened for the test's rounding.
+/// Returns the interval of ranges within a box relative to the origin, widened for the test's
+/// rounding.
 template <typename Real, typename InverseT>
 HELIOS_INLINE void GetBoxRange(
   const Real low[3], const Real high[3], const InverseT inverse[3], Real& entry, Real& exit)
@@ -285,7 +287,7 @@ struct RangeTerms
   }
 };
 
-/// The range of a hit with a triangle.
+/// Returns the range of a hit with a triangle.
 template <typename Real, typename PlaceT>
 HELIOS_INLINE Real GetRange(
   const RayTerms<Real>& ray, const TrianglePlane& plane, const RangeTerms<PlaceT>& terms)
@@ -313,8 +315,8 @@ bool TestRay::Set(const vtkHeliosRay& ray)
   return isUsable && ray.MaximumRange > 0.0;
 }
 
-/// The range at which the ray hits a triangle that has an area; NoHit for a miss or a hit behind
-/// it.
+/// Returns the range at which the ray hits a triangle that has an area; NoHit for a miss or a hit
+/// behind it.
 inline double TestTriangle(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3], sheared[3][2], edges[3];

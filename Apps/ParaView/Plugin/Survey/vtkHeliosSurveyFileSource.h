@@ -39,15 +39,15 @@ public:
 
   ///@{
   /**
-   * Add a folder to search for scenes, scanners and platforms, before the folder of the survey, the
-   * working directory and the data of vtkHelios; remove all. Default: none.
+   * Adds a folder to search for scenes, scanners and platforms, before the folder of the survey,
+   * the working directory and the data of vtkHelios; remove all. Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
   ///@}
 
   /**
-   * Read the file again, at the next update.
+   * Reads the file again, at the next update.
    */
   void Reload();
 
