@@ -19,8 +19,8 @@ namespace helios
 {
 
 /**
- * Refuses float coordinates of a thing far from the origin: those of neighbouring floats there are
- * farther apart than a millimetre, and than a millionth of the extent of all. In UTM they are half a metre
+ * Refuses float coordinates of a thing far from the origin, where neighbouring floats are farther
+ * apart than a millimetre and than a millionth of the whole extent. In UTM they are half a metre
  * apart. vtkPoints is float by default.
  */
 inline Status CheckFloatCoordinates(vtkDataArray* coordinates, const char* thing)

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// The velocities are those at the times t0 and t1.
+  /// Sets the ends: times, positions and velocities.
   HermiteSegment(
     double t0, const Vec3& p0, const Vec3& v0, double t1, const Vec3& p1, const Vec3& v1)
     : HermiteSegment(p0, p1)

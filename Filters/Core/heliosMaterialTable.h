@@ -23,14 +23,14 @@ constexpr double DefaultReflectance = 0.5;
 /// Refractive index of water of none: of sea water and fresh water to 0.5 %, from 500 to 1100 nm.
 constexpr double WaterIndex = 1.34;
 
-/// What a surface does with the light that it does not scatter.
+/// Kind of a surface by the light that it does not scatter.
 enum class OpticsKind
 {
   Opaque, ///< absorbs it
-  Mirror, ///< reflects a share of it
+  Mirror, ///< reflects a share of the light
   Pane,   ///< a plate with two faces: reflects and transmits; the surface is the first face met
   Volume, ///< the boundary of a transparent body: reflects and refracts
-  Water,  ///< the same of water, whose attenuation is given at 532 nm
+  Water,  ///< transmits like a volume; its attenuation is given at 532 nm
   Leaf,   ///< scatters light, and transmits a share straight on
   Retroreflector ///< returns light to where it comes from
 };
@@ -49,13 +49,13 @@ struct VTKHELIOSFILTERSCORE_EXPORT MaterialOptics
 {
   OpticsKind Kind = OpticsKind::Opaque;
   double MirrorReflectance = 1.0; ///< [0..1]
-  double RefractiveIndex = 1.5;   ///< of panes, volumes and water, [1..4]
-  double Thickness = 0.004;       ///< of panes [m]
+  double RefractiveIndex = 1.5;   ///< pane, volume and water only, [1..4]
+  double Thickness = 0.004;       ///< pane only [m]
   double Attenuation = 0.0;       ///< within them [1/m]
   double Backscatter = 0.0;       ///< within volumes and water [1/(m sr)]
-  double Transmittance = 0.0;     ///< of leaves, [0..1]
+  double Transmittance = 0.0;     ///< leaf only, [0..1]
   double Retroreflection = 250.0; ///< coefficient of retroreflectors [cd/(lx m2) = 1/sr]
-  double MeanSquareSlope = 0.0;   ///< of a rough surface; 0: smooth
+  double MeanSquareSlope = 0.0;   ///< rough surface; 0: smooth
   DispersionKind Dispersion = DispersionKind::None;
   double GroupIndex = 0.0; ///< by which pulses are slower, at a wavelength; 0: RefractiveIndex
 
@@ -95,7 +95,7 @@ using MaterialTable = std::vector<Material>;
 /// material.
 VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkDataObject* scene);
 
-/// Replaces the material columns of a scene; those of optics and of colours are only there if a
+/// Replaces the material columns of a scene; columns of optics and of colours exist only if a
 /// material has any.
 VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkDataObject* scene, const MaterialTable& materials);
 

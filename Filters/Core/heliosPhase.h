@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// x - floor(x), guaranteed to be in [0, 1), also for rounding errors and NaN.
+/// Returns x - floor(x), guaranteed to be in [0, 1), also for rounding errors and NaN.
 inline double Fraction(double x)
 {
   const double fraction = x - std::floor(x);
@@ -19,10 +19,10 @@ inline double Fraction(double x)
 }
 
 /**
- * frac(index * frequency / rate), in [0, 1), exact to a few ulps for any index below 2^53 and any
- * number of turns; a negative frequency reverses the direction. index * frequency is the exact sum
- * of a product and its rounding error (Dekker's two-product); whole turns are subtracted by a fused
- * multiply-add, so there is no cancellation.
+ * Returns frac(index * frequency / rate), in [0, 1), exact to a few ulps for any index below 2^53
+ * and any number of turns; a negative frequency reverses the direction. index * frequency is the
+ * exact sum of a product and its rounding error (Dekker's two-product); whole turns are subtracted
+ * by a fused multiply-add, so there is no cancellation.
  */
 inline double Phase(std::int64_t index, double frequency, double rate)
 {
@@ -34,7 +34,7 @@ inline double Phase(std::int64_t index, double frequency, double rate)
   return Fraction(rest / rate);
 }
 
-/// frac(time * frequency), in [0, 1), exact to a few ulps for any number of turns.
+/// Returns frac(time * frequency), in [0, 1), exact to a few ulps for any number of turns.
 inline double Phase(double time, double frequency)
 {
   const double product = time * frequency;

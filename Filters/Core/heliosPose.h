@@ -34,7 +34,7 @@ struct Rotation
       m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2] };
   }
 
-  /// Inline, unlike that of vtkMath: each pulse needs two.
+  /// Multiplies two rotations. Inline, unlike the function of vtkMath: each pulse needs two.
   Rotation operator*(const Rotation& b) const
   {
     const auto& m = this->M;
@@ -71,7 +71,7 @@ struct Pose
   Quaternion Orientation{ 1.0, 0.0, 0.0, 0.0 }; // w, x, y, z
 };
 
-/// Pose of c in a, from b in a and c in b: the lever arm rotates with the attitude.
+/// Returns the pose of c in a, from b in a and c in b: the lever arm rotates with the attitude.
 inline Pose operator*(const Pose& a, const Pose& b)
 {
   return { a.Position + Rotate(a.Orientation, b.Position), a.Orientation * b.Orientation };

@@ -41,7 +41,8 @@ enum class RandomStream : std::uint32_t
 VTKHELIOSFILTERSCORE_EXPORT std::array<double, 2> NormalPair(
   std::uint64_t seed, RandomStream stream, std::uint64_t item, std::uint32_t draw);
 
-/// Four independent numbers, uniform in the open interval (0, 1); keyed as above.
+/// Returns four independent numbers, uniform in the open interval (0, 1), with the key of
+/// NormalPair().
 VTKHELIOSFILTERSCORE_EXPORT std::array<double, 4> Uniform4(
   std::uint64_t seed, RandomStream stream, std::uint64_t item, std::uint32_t draw);
 

@@ -31,7 +31,7 @@ public:
   /// Success.
   Status() = default;
 
-  /// A failure; the message must not be empty.
+  /// Returns a failure; the message must not be empty.
   static Status Error(std::string message)
   {
     Status status;

@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// Thrown to stop work, also through library code.
+/// Exception that stops work, also through library code.
 struct __attribute__((visibility("default"))) Stopped
 {
 };
@@ -22,7 +22,7 @@ class StopCheck
 public:
   static constexpr std::size_t Interval = 20000; ///< steps of a few microseconds at most
 
-  /// Null: never stops.
+  /// Sets the callback; null: never stops.
   explicit StopCheck(const std::function<bool()>& shouldStop)
     : ShouldStop(shouldStop)
   {

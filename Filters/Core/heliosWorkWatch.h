@@ -34,7 +34,8 @@ public:
   /// Returns whether the work ends; for any thread, once a step.
   bool IsStopped() const { return this->Stopped.load(std::memory_order_relaxed); }
 
-  /// After some steps; for any thread. The one that started the work reports at intervals.
+  /// Counts steps that were done; for any thread. The thread that started the work reports at
+  /// intervals.
   void Count(vtkIdType steps)
   {
     this->Done.fetch_add(steps, std::memory_order_relaxed);

@@ -50,14 +50,14 @@ inline constexpr const char* MaterialSpecularExponent = "Material.SpecularExpone
 inline constexpr const char* MaterialClassification = "Material.Classification";
 inline constexpr const char* MaterialIsGround = "Material.IsGround";
 inline constexpr const char* MaterialSpectrum = "Material.Spectrum";
-// Of mirrors and glass; columns that only scenes with them have.
-// 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
+// Mirrors and glass: columns that only scenes with them have. 1 mirror, 2 pane, 3 volume, 4 water,
+// 5 leaf, 6 retroreflector
 inline constexpr const char* MaterialOptics = "Material.Optics";
 // 0 none, 1 water, 2 soda-lime glass, 3 BK7, 4 fused silica
 inline constexpr const char* MaterialDispersion = "Material.Dispersion";
 inline constexpr const char* MaterialMirrorReflectance = "Material.MirrorReflectance"; // [0..1]
 inline constexpr const char* MaterialRefractiveIndex = "Material.RefractiveIndex";
-inline constexpr const char* MaterialThickness = "Material.Thickness";             // of panes [m]
+inline constexpr const char* MaterialThickness = "Material.Thickness";             // pane only [m]
 inline constexpr const char* MaterialAttenuation = "Material.Attenuation";         // inside [1/m]
 inline constexpr const char* MaterialBackscatter = "Material.Backscatter";         // [1/(m sr)]
 inline constexpr const char* MaterialTransmittance = "Material.Transmittance";     // [0..1]
@@ -153,7 +153,7 @@ inline constexpr const char* ClassificationFlags = "ClassificationFlags";
 inline constexpr const char* Origin = "Origin";             // [m]
 inline constexpr const char* StartTime = "StartTime";       // [ns], two-way, after the emission
 inline constexpr const char* BinSize = "BinSize";           // [ns]
-inline constexpr const char* Offset = "Offset";             // of the first sample
+inline constexpr const char* Offset = "Offset";             // index of the first sample
 inline constexpr const char* Count = "Count";               // number of samples
 inline constexpr const char* Samples = "Samples";           // float32 [W]
 inline constexpr const char* PulseLength = "PulseLength";   // [ns], one value in the field data

@@ -20,7 +20,7 @@ inline constexpr const char* Active = "Active";
 /** Cells of the ground: point data of their centres. */
 inline constexpr const char* PulseDensity = "PulseDensity";     // [1/m2], of all strips
 inline constexpr const char* StripDensity = "StripDensity";     // [1/m2], of the densest strip
-inline constexpr const char* NumberOfStrips = "NumberOfStrips"; // that reach the cell
+inline constexpr const char* NumberOfStrips = "NumberOfStrips"; // strips that reach the cell
 inline constexpr const char* FlyingHeight = "FlyingHeight";     // [m], of the nearest line above it
 ///@}
 

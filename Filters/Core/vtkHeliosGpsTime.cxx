@@ -28,7 +28,7 @@ constexpr double GpsOrigin = 315964800.0;
 constexpr double LatestTime = 1.3e10;
 
 /// The days after which a leap second was added, as Unix times of the midnights after them
-/// (Bulletin C of the IERS); none has been announced since that of 31 December 2016.
+/// (Bulletin C of the IERS); none has been announced since 31 December 2016.
 constexpr double LeapSeconds[] = { 362793600.0, 394329600.0, 425865600.0, 489024000.0, 567993600.0,
   631152000.0, 662688000.0, 709948800.0, 741484800.0, 773020800.0, 820454400.0, 867715200.0,
   915148800.0, 1136073600.0, 1230768000.0, 1341100800.0, 1435708800.0, 1483228800.0 };
@@ -87,13 +87,13 @@ bool ReadDate(const std::string& text, double& gpsTime)
   }
   const double zone = (found[8] == "-" ? -60.0 : 60.0) * (60 * get(9) + get(10));
   const double start = static_cast<double>(CountDays(year, month, day)) * SecondsPerDay +
-    3600.0 * hour + 60.0 * minute - zone; // of the minute
+    3600.0 * hour + 60.0 * minute - zone; // seconds of the minute
   const double leap = CountLeapSeconds(start + 60.0) - CountLeapSeconds(start);
   gpsTime = vtkHeliosGpsTime::FromUnixTime(start) + seconds;
   return seconds < 60.0 + leap;
 }
 
-/// The GPS time [s] of a text; an error tells what is expected.
+/// Computes the GPS time [s] of a text; an error says which forms are expected.
 helios::Status ParseTime(const std::string& text, double& gpsTime)
 {
   const std::string gpsMark = "gps:";

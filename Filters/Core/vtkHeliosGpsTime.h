@@ -5,9 +5,8 @@
  * @brief   GPS time, UTC and Unix time
  *
  * GPS time counts seconds since 6 January 1980 00:00 UTC, leap seconds included; Unix time counts
- * seconds since 1970 without them (a leap second itself has the Unix time of the second after it). GPS
- * time is 18 s ahead of UTC since 2017. The field array GpsEpoch
- * is a GPS time, that of GpsTime 0.
+ * seconds since 1970 without them (a leap second itself has the Unix time of the second after it).
+ * GPS time is 18 s ahead of UTC since 2017. The field array GpsEpoch is the GPS time of GpsTime 0.
  */
 
 #ifndef vtkHeliosGpsTime_h

@@ -45,7 +45,7 @@ double FindNumber(const std::string& path, const std::string& wanted, double oth
   return otherwise;
 }
 
-/// Memory left by a control group [MiB]; its file cache is reclaimable.
+/// Returns the memory left by a control group [MiB]; its file cache is reclaimable.
 double GetRoom(const std::string& group, const std::string& most, const std::string& used)
 {
   const double files = FindNumber(group + "/memory.stat", "inactive_file ", 0.0);

@@ -37,14 +37,14 @@ struct EIGEN_ALIGN16 PointEcho
   std::int64_t pulse_id = 0;          ///< over the run
   std::uint32_t classification = 0;   ///< LAS class; the label of PCL
   std::uint8_t return_number = 0;     ///< from 1
-  std::uint8_t number_of_returns = 0; ///< of the pulse
+  std::uint8_t number_of_returns = 0; ///< number of returns of the pulse
 
   PointEcho() { x = y = z = 0.0F, data[3] = 1.0F; }
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// Origin for a cloud: the centre of the bounds of its finite points, rounded to multiples of a
-/// step [m]; 0 0 0 without finite points.
+/// Chooses an origin for a cloud: the centre of the bounds of its finite points, rounded to
+/// multiples of a step [m]; 0 0 0 without finite points.
 VTKHELIOSFILTERSPCL_EXPORT void ChooseOrigin(
   vtkPolyData* echoes, double origin[3], double step = 1.0);
 
@@ -58,7 +58,7 @@ VTKHELIOSFILTERSPCL_EXPORT void ChooseOrigin(
 template <typename PointT>
 std::string ToPcl(vtkPolyData* echoes, const double origin[3], pcl::PointCloud<PointT>& cloud);
 
-/// The points of a cloud as echoes with double points and the arrays of its type.
+/// Copies the points of a cloud as echoes with double points and the arrays of its type.
 template <typename PointT>
 void FromPcl(const pcl::PointCloud<PointT>& cloud, const double origin[3], vtkPolyData* echoes);
 

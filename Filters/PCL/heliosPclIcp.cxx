@@ -20,7 +20,7 @@ namespace
 
 constexpr double SmallMotion = 1e-6;   // [m]
 constexpr double SmallDistance = 1e-5; // [m], from a plane
-constexpr double LargestRatio = 3.0;   // of a distance to the residual
+constexpr double LargestRatio = 3.0;   // ratio of a distance to the residual
 constexpr float LeastCosine = 0.866F;  // between normals of a pair
 constexpr std::size_t LeastPairs = 6;
 
@@ -65,7 +65,7 @@ bool PclIcp::GoesOn(double iterations) const
   return !this->OnProgress || this->OnProgress(iterations);
 }
 
-/// With normals and curvatures if planes are used; null if it was stopped.
+/// Makes a cloud, with normals and curvatures if planes are used; null if it was stopped.
 PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double from)
 {
   Cloud::Ptr cloud(new Cloud);
@@ -179,7 +179,8 @@ Eigen::Isometry3d PclIcp::Estimate(const Cloud& moved, const pcl::Correspondence
   return MakeMotion(step);
 }
 
-/// After convergence, distant pairs are of two surfaces. False if there are none.
+/// Lowers the limit of distances: after convergence, distant pairs are of two surfaces. False if
+/// there are none.
 bool PclIcp::LowerLimit()
 {
   const double limit = std::max(SmallDistance, LargestRatio * this->Residual);

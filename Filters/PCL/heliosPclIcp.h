@@ -29,14 +29,14 @@ public:
   int NumberOfNeighbors = 16;
   double MaximumCurvature = 0.01;
 
-  /// Polled with the number of iterations done and the progress of the current one, the first of
+  /// Runs with the number of iterations done and the progress of the current one, the first of
   /// which is the preparation; false stops the work.
   std::function<bool(double)> OnProgress;
 
-  /// Fixed points, relative to an origin.
+  /// Sets the fixed points, relative to an origin.
   void SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points);
 
-  /// Moving points, relative to the same origin; and the same points to any type.
+  /// Sets the moving points, relative to the same origin, and the same points as a cloud.
   void SetMoving(
     std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local);
 
@@ -48,8 +48,8 @@ public:
   bool HasSettled() const { return this->Settled; }
   const std::vector<Eigen::Vector3d>& GetMoving() const { return this->Moving; }
 
-  ///@{
-  /// After the last motion but one; the two differ little after convergence.
+  /// @{
+  /// Return the state after the last motion but one; the last two differ little after convergence.
   double GetResidual() const { return this->Residual; }
   std::size_t GetNumberOfPairs() const { return this->NumberOfPairs; }
   ///@}
@@ -76,7 +76,7 @@ private:
   std::vector<Eigen::Vector3d> Moving;
   Cloud::Ptr MovingNormals; // and their curvatures, in the initial orientation
   Eigen::Isometry3d Motion = Eigen::Isometry3d::Identity();
-  double Limit = std::numeric_limits<double>::infinity(); // of distances from planes
+  double Limit = std::numeric_limits<double>::infinity(); // limit of distances from planes
   bool Stopped = false;
   bool Settled = false;
   double Residual = 0.0;

@@ -13,8 +13,8 @@
 namespace helios
 {
 
-/// From the points within a radius [m] of each, or from the nearest ones if it is 0. False if it
-/// was stopped.
+/// Estimates normals from the points within a radius [m] of each, or from the nearest ones if it is
+/// 0. False if it was stopped.
 bool EstimateNormals(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double radius,
   int numberOfNeighbors, const GoOn& goOn, pcl::PointCloud<pcl::Normal>& normals);
 

@@ -53,7 +53,8 @@ struct Box
   }
 };
 
-/// Rounded like the distance of two points of the boxes, so it never exceeds it.
+/// Returns the square of the distance of two boxes, rounded like the distance of two of their
+/// points, so it never exceeds it.
 float GetSquare(const Box& a, const Box& b)
 {
   float sum = 0.0F;
@@ -65,7 +66,7 @@ float GetSquare(const Box& a, const Box& b)
   return sum;
 }
 
-/// With PCL's rounding.
+/// Returns the square of a tolerance with PCL's rounding.
 float GetSquare(double tolerance)
 {
   const auto rounded = static_cast<double>(static_cast<float>(tolerance));
@@ -276,11 +277,11 @@ private:
   double Side;
   float Square;
   GoOn Report;
-  std::vector<int> Order;          // of points, by cells
-  std::vector<std::size_t> Begin;  // of a cell in Order; one more at the end
+  std::vector<int> Order;          // points by cells
+  std::vector<std::size_t> Begin;  // begin of each cell in Order; one more at the end
   std::vector<Place> Cells;        // in their order
   std::vector<Box> Boxes;          // around the points of a cell
-  std::vector<std::size_t> Parent; // of a cell in the tree of its cluster
+  std::vector<std::size_t> Parent; // parent of each cell in the tree of its cluster
   std::vector<int> Smallest;       // point of a cluster, at its root
   std::size_t Current = 0;
   std::int64_t Work = 0;

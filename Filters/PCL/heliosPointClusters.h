@@ -17,8 +17,8 @@ namespace helios
 {
 
 /**
- * For each point the first point of its cluster: steps between points of a cluster are shorter than
- * a tolerance, with squares compared in float as in PCL. Empty if it was stopped.
+ * Finds, for each point, the first point of its cluster: steps between points of a cluster are
+ * shorter than a tolerance, with squares compared in float, like PCL. Empty if it was stopped.
  *
  * All points in a cell of a grid of side tolerance / sqrt(3) belong to one cluster. Cells near each
  * other are joined at the first pair of near points; boxes of points that are too far apart are

@@ -6,8 +6,9 @@
  *
  * Input 0: a vtkPolyData with points. Output 0: the same, with the point array ClusterIds (int):
  * points connected by steps shorter than Tolerance share an id, from 0 for the largest cluster on;
- * -1 in clusters below MinimumClusterSize or above MaximumClusterSize. The clusters are those of
- * pcl::EuclideanClusterExtraction, whose time is quadratic in the density; here it is O(n log n).
+ * -1 in clusters below MinimumClusterSize or above MaximumClusterSize. The clusters equal the
+ * result of pcl::EuclideanClusterExtraction, whose time is quadratic in the density; here it is O(n
+ * log n).
  *
  * @sa
  * vtkHeliosPCLFilter vtkHeliosPCLGroundFilter

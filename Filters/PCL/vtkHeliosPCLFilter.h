@@ -50,10 +50,10 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// False after an error about a property.
+  /// Checks the properties; false after an error.
   virtual bool CheckProperties() { return true; }
 
-  /// The origin of the points is a multiple of this [m].
+  /// Returns the step of the origin of the points [m].
   virtual double GetStep() const { return 1.0; }
 
   /// Fills the output from at least one point; false after an error.

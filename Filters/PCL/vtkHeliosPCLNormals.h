@@ -5,16 +5,16 @@
  * @brief   normals of points from their neighbours
  *
  * Input 0: a vtkPolyData with points. Output 0: the same, with the point arrays
- * - Normals (float, 3), the active normals: that of the least squares plane through the neighbours,
- *   the eigenvector of their covariance with the smallest eigenvalue (pcl::NormalEstimationOMP), of
- *   unit length;
+ * - Normals (float, 3), the active normals: the normal of the least squares plane through the
+ *   neighbours, the eigenvector of their covariance with the smallest eigenvalue
+ *   (pcl::NormalEstimationOMP), of unit length;
  * - Curvature (float): that eigenvalue over the sum of all three, 0 on a plane, 1/3 for an
  *   isotropic distribution.
  *
  * The neighbours are the NumberOfNeighbors nearest points, including the point itself, or all
- * within Radius. A point with fewer than 3, or with collinear neighbours, may have no normal:
- * 0 0 0, with a warning that counts them. Coordinates are float relative to the centre of the
- * cloud: within 1 km of it their error is 0.06 mm, which is 1 mrad for neighbours 5 cm apart.
+ * within Radius. A point with fewer than 3, or with collinear neighbours, may have no normal: 0 0
+ * 0, with a warning that counts them. Coordinates are float relative to the centre of the cloud:
+ * within 1 km of it their error is 0.06 mm, which is 1 mrad for neighbours 5 cm apart.
  *
  * @sa
  * vtkHeliosPCLFilter

@@ -51,7 +51,7 @@ private:
 struct Segmentation
 {
   QuietPcl Quiet;
-  pcl::SACSegmentation<pcl::PointXYZ> Method; // the same random numbers each time
+  pcl::SACSegmentation<pcl::PointXYZ> Method; // draws the same random numbers each time
   pcl::PointIndices Found;
   pcl::ModelCoefficients Plane;
 };
@@ -136,7 +136,7 @@ public:
     this->Ids->FillValue(-1);
   }
 
-  /// False if there are no more, or if it was stopped.
+  /// Finds the next plane; false if there are no more, or if it was stopped.
   bool Next()
   {
     const int least = this->Settings.MinimumNumberOfPoints;
@@ -174,7 +174,7 @@ public:
   }
 
 private:
-  /// The remaining points on the plane that contains most of the test points.
+  /// Finds the remaining points on the plane that contains most of the test points.
   void FindOne(pcl::PointIndices& found)
   {
     const auto step = (this->Left->size() + MostSamples - 1) / MostSamples;

@@ -13,10 +13,10 @@
  * Planes are found one after the other among the points not yet on one by random sample consensus
  * (pcl::SACSegmentation; M. A. Fischler, R. C. Bolles 1981), always with the same random numbers,
  * testing samples on 20,000 evenly taken points if there are more, until there are
- * MaximumNumberOfPlanes or the next one has fewer than MinimumNumberOfPoints. The coefficients are
- * then those of the least squares plane of its points, in double: for n points with noise s along
- * the normal, spread by u across it, the standard deviation of the angle is s / (u sqrt(n)). Far
- * from 0, use Plane.Centre with the normal: d has the rounding of large numbers.
+ * MaximumNumberOfPlanes or the next one has fewer than MinimumNumberOfPoints. The coefficients then
+ * describe the least squares plane of its points, in double: for n points with noise s along the
+ * normal, spread by u across it, the standard deviation of the angle is s / (u sqrt(n)). Far from
+ * 0, use Plane.Centre with the normal: d has the rounding of large numbers.
  *
  * @sa
  * vtkHeliosPCLFilter

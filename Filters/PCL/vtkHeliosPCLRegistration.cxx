@@ -31,7 +31,7 @@ namespace
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Points of a cloud, in double, relative to an origin.
+/// Returns the points of a cloud, in double, relative to an origin.
 Points GetLocalPoints(const helios::PclInput& input, const double origin[3])
 {
   Points points;

@@ -5,16 +5,16 @@
  * @brief   registers one scan to another
  *
  * Input 0: the fixed points, a vtkPolyData. Input 1: the moving points, a vtkPolyData. Output 0:
- * those of input 1 after the motion (double points), their arrays passed on and Normals, Normal and
- * Direction rotated, and the field array Registration.Matrix (double, 16, row by row): x' = M x in
- * the coordinates of the points. TruePoint, if present, does not change.
+ * the points of input 1 after the motion (double points), their arrays passed on and Normals,
+ * Normal and Direction rotated, and the field array Registration.Matrix (double, 16, row by row):
+ * x' = M x in the coordinates of the points. TruePoint, if present, does not change.
  *
  * The iterative closest point method (P. J. Besl, N. D. McKay 1992), composed of PCL's parts: every
  * point of input 1 is paired with the nearest of input 0 that is at most MaximumDistance away
  * (pcl::registration::CorrespondenceEstimation). The rigid motion minimizes the sum of the pairs'
- * squared distances, or with PointToPlane that of the distances from the plane at the point of
- * input 0 (Y. Chen, G. Medioni 1992; pcl's linear least squares). This repeats until the motion is
- * below a micrometre, or 1e-7 of the size. The motions are composed in double.
+ * squared distances, or with PointToPlane the sum of the squared distances from the plane at the
+ * point of input 0 (Y. Chen, G. Medioni 1992; pcl's linear least squares). This repeats until the
+ * motion is below a micrometre, or 1e-7 of the size. The motions are composed in double.
  *
  * Scans from two positions do not hit the same spots: use point to plane, and point to point only
  * for copies. The planes are fitted to NumberOfNeighbors points. Pairs that are not of one plane

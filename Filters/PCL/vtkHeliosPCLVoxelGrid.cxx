@@ -32,13 +32,13 @@ namespace
 
 using Cloud = helios::PclInput::Cloud;
 
-/// Points sorted by cells: cell c has those of Order from Begin[c] to Begin[c + 1].
+/// Points sorted by cells: Order lists the points of cell c from Begin[c] to Begin[c + 1].
 struct CellPoints
 {
   std::vector<int> Order;
   std::vector<std::size_t> Begin;
 
-  // PCL sorts its cells by this index.
+  // Sorts points by the index by which PCL sorts its cells.
   CellPoints(pcl::VoxelGrid<pcl::PointXYZ>& grid, const Cloud& cloud)
     : Order(cloud.size())
   {
@@ -66,7 +66,7 @@ struct CellPoints
 
   std::size_t GetNumberOfCells() const { return this->Begin.size() - 1; }
 
-  /// The point of a cell that is nearest to a position; the first for ties.
+  /// Returns the point of a cell that is nearest to a position; the first for ties.
   int GetNearest(std::size_t cell, const Cloud& cloud, const pcl::PointXYZ& place) const
   {
     const auto distance = [&cloud, &place](int i)
@@ -119,7 +119,7 @@ void vtkHeliosPCLVoxelGrid::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-/// PCL indexes cells by int, and returns its input if that overflows.
+/// Checks the number of cells: PCL indexes them by int, and returns its input if that overflows.
 bool vtkHeliosPCLVoxelGrid::CheckSize(const helios::PclInput& input)
 {
   pcl::PointXYZ low;

@@ -12,7 +12,7 @@
  * NumberOfPoints (int): the number of points in the cell.
  *
  * Errors: a VoxelSize that makes more cells than PCL can count (2^31 in the box of the cloud), and
- * those of vtkHeliosPCLFilter.
+ * the errors of vtkHeliosPCLFilter.
  *
  * @sa
  * vtkHeliosPCLFilter

@@ -54,7 +54,7 @@ public:
   /// Returns the connections that are meshes of the scene; null for the others.
   const PartList& GetParts() const { return this->Parts; }
 
-  /// The id of a connection that is a part, else -1.
+  /// Returns the id of a connection that is a part, else -1.
   int GetPartId(std::size_t connection) const { return this->Ids[connection]; }
 
   /// Returns the connections that are prototypes, in their new order.
@@ -64,12 +64,12 @@ public:
   std::vector<std::size_t> GetOrder() const;
 
   /// Returns the instances with PrototypeIds, PartIds and FirstCellIds of the scene, and
-  /// MaterialIds of those of rasters, by connection, if there are any.
+  /// MaterialIds of instances of rasters, by connection, if there are any.
   vtkSmartPointer<vtkPolyData> MakeInstances(const std::vector<int>& materials) const;
 
   int GetNumberOfParts() const { return this->NumberOfParts; }
 
-  /// The part of a given instance.
+  /// Returns the part of a given instance.
   int GetInstancePart(vtkIdType instance) const
   {
     return this->GivenIds[static_cast<std::size_t>(instance)];
@@ -91,11 +91,11 @@ private:
 
   ConnectionList All;
   PartList Parts;
-  vtkPolyData* Instances = nullptr; ///< as given; null: none
-  std::vector<int> Numbers;         ///< of connections as prototypes; -1: parts
+  vtkPolyData* Instances = nullptr; ///< given instances; null: none
+  std::vector<int> Numbers;         ///< number of each connection as a prototype; -1: part
   std::vector<std::size_t> Prototypes;
-  std::vector<int> Ids;          ///< of the connections that are parts
-  std::vector<int> GivenIds;     ///< of the given instances
+  std::vector<int> Ids;          ///< id of each connection that is a part
+  std::vector<int> GivenIds;     ///< ids of the given instances
   std::vector<std::size_t> Uses; ///< the connections of the given instances
   std::vector<Row> Rows;         ///< all instances
   int NumberOfParts = 0;

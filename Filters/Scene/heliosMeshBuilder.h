@@ -43,11 +43,11 @@ public:
   void AddPolygon(const std::vector<vtkTypeInt32>& corners); // convex
   ///@}
 
-  /// A closed box from low to high.
+  /// Adds a closed box from low to high.
   void AddBox(const Vec3& low, const Vec3& high);
 
   /**
-   * A convex polygon in the x, z plane, counter-clockwise as seen from -y, extruded along y:
+   * Adds a convex polygon in the x, z plane, counter-clockwise as seen from -y, extruded along y:
    * closed.
    */
   void AddPrism(const std::vector<vtkVector2d>& outline, double yLow, double yHigh);

@@ -64,7 +64,7 @@ Status CheckMotions(const std::map<int, std::vector<MotionSequence>>& motions)
   return {};
 }
 
-/// Returns the area centroid of triangles; that of their corners if the area is zero.
+/// Returns the area centroid of triangles; the mean of their corners if the area is zero.
 Vec3 FindCentroid(const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
 {
   const Vec3 base(mesh.GetCorner(cells.front(), 0)); // keeps precision far from 0

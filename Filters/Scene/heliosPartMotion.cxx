@@ -36,7 +36,7 @@ PartMotion::PartMotion(const std::vector<MotionSequence>& sequences, const Vec3&
 }
 
 //------------------------------------------------------------------------------
-/// The sequences in order, until one repeats, is unlimited, or is the last.
+/// Adds the sequences in order, until one repeats, is unlimited, or is the last.
 void PartMotion::AddLinks(const std::vector<MotionSequence>& sequences)
 {
   std::vector<std::size_t> places(sequences.size(), MotionSequence::None);
@@ -115,7 +115,7 @@ MotionMap PartMotion::GetMap(vtkIdType step) const
 //------------------------------------------------------------------------------
 vtkIdType PartMotion::FindNextMove(vtkIdType step) const
 {
-  vtkIdType begin = 0; // of a link
+  vtkIdType begin = 0; // first step of a link
   if (this->CycleLength > 0 && step >= this->HeadLength)
   {
     begin = step - (step - this->HeadLength) % this->CycleLength;
@@ -265,7 +265,7 @@ PartMotion::Steps PartMotion::Steps::operator*(const Steps& b) const
 }
 
 //------------------------------------------------------------------------------
-/// By squaring.
+/// Computes a power by squaring.
 PartMotion::Steps PartMotion::Steps::operator^(vtkIdType power) const
 {
   Steps result;
@@ -296,7 +296,7 @@ PartMotion::Vector PartMotion::Normalize(const Vec3& v)
 }
 
 //------------------------------------------------------------------------------
-/// Right-handed, by Rodrigues' formula.
+/// Returns a right-handed rotation by Rodrigues' formula.
 PartMotion::Matrix PartMotion::Turn(const Vector& axis, double degrees)
 {
   const Real angle = RadiansPerDegree * std::remainder(degrees, 360.0);

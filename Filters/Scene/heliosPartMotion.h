@@ -31,12 +31,13 @@ enum class MotionKind
 struct Motion
 {
   MotionKind Kind = MotionKind::Identity;
-  Vec3 Vector{ 0.0, 0.0, 0.0 }; ///< of a translation [m]; else axis, or normal of a plane; not 0
+  Vec3 Vector{ 0.0, 0.0, 0.0 }; ///< translation [m]; else axis, or normal of a plane; not 0
   double Angle = 0.0;           ///< [deg] per step
   Vec3 Center{ 0.0, 0.0, 0.0 }; ///< [m], of a rotation: a point on the axis
   Vec3 Shift{ 0.0, 0.0, 0.0 };  ///< [m], of a glide plane
   double Glide = 0.0;           ///< [m], along the axis of a helix
-  bool IsSelf = false;          ///< in the frame of the part's centroid; else in that of the scene
+  /// in the frame of the part's centroid; else in the frame of the scene
+  bool IsSelf = false;
 };
 
 /// The motions of a step, in order, and the number of steps.
@@ -86,7 +87,7 @@ public:
   bool IsMoving() const { return this->FindNextMove(0) != VTK_ID_MAX; }
 
 private:
-  /// In long double: the error of a million steps is below double precision.
+  /// Numbers in long double: the error of a million steps is below double precision.
   using Real = long double;
   struct Matrix
   {
@@ -105,7 +106,7 @@ private:
     Matrix Path;
     Vector Shift;
 
-    /// First b, then this.
+    /// Applies b first, then this.
     Steps operator*(const Steps& b) const;
     Steps operator^(vtkIdType power) const;
   };

@@ -23,7 +23,7 @@ namespace helios
 class VTKHELIOSFILTERSSCENE_EXPORT PointMerger
 {
 public:
-  /// For count points x, y, z, which must outlive this. Tolerance 0: equal coordinates only.
+  /// Refers to count points x, y, z, which must outlive this. Tolerance 0: equal coordinates only.
   PointMerger(const double* points, vtkIdType count, double tolerance);
 
   /**

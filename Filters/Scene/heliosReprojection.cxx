@@ -65,7 +65,7 @@ vtkSmartPointer<vtkDoubleArray> GetCentres(vtkPointSet* data)
   return centres;
 }
 
-/// The surface normal after a coordinate change: by the inverse transpose.
+/// Transforms the surface normal with a coordinate change: by the inverse transpose.
 bool TurnNormal(const double jacobian[3][3], const double normal[3], double turned[3])
 {
   double inverse[3][3];

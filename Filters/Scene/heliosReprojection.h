@@ -32,8 +32,9 @@ public:
 
   Reprojection(const CoordinateTransform& transform, Watcher watcher);
 
-  ///@{
-  /// Transforms the contents of a data set; its points are those of the source until the last step.
+  /// @{
+  /// Transforms the contents of a data set; its points stay in the source system until the last
+  /// step.
   Status TransformCells(vtkPointSet* from, vtkPointSet* to);
   Status TransformPointData(vtkPointSet* from, vtkPointSet* to);
   Status TransformPoints(vtkPointSet* from, vtkPointSet* to);

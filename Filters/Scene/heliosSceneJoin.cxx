@@ -58,7 +58,7 @@ void SplitPart(vtkPolyData* mesh, vtkIntArray* ids, vtkIdType first, vtkStringAr
   {
     return;
   }
-  std::map<int, int> numbers; // of objects with triangles, in the scene
+  std::map<int, int> numbers; // number in the scene of each object with triangles
   for (vtkIdType i = 0; i < own->GetNumberOfValues(); ++i)
   {
     numbers[own->GetValue(i)] = 0;

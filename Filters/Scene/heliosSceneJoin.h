@@ -24,7 +24,7 @@ using PartList = std::vector<vtkPolyData*>; // by connection; null: a part witho
 vtkIdType CountPoints(const PartList& parts);
 vtkIdType CountTriangles(const PartList& parts);
 
-/// The part if there is only one, else null.
+/// Returns the part if there is only one, else null.
 vtkPolyData* GetSinglePart(const PartList& parts);
 
 /// Returns all points, double; a single part's own array if it is double.

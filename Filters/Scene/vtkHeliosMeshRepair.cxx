@@ -38,12 +38,12 @@ namespace names = vtkHeliosArrayNames;
 struct vtkHeliosMeshRepair::Mesh
 {
   vtkSmartPointer<vtkDoubleArray> Points;
-  std::vector<vtkIdType> Cells;      ///< of the input, the remaining ones
+  std::vector<vtkIdType> Cells;      ///< remaining cells of the input
   std::vector<vtkTypeInt32> Corners; ///< three per cell
   std::vector<vtkTypeInt32> Places;  ///< three per cell: the lowest point at the corner
   std::vector<int> Parts;            ///< one per cell
   std::vector<unsigned char> Defects;
-  vtkIdType NumberOfTriangles = 0; ///< of the input
+  vtkIdType NumberOfTriangles = 0; ///< number of triangles of the input
 
   vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Cells.size()); }
   const double* GetPoint(vtkTypeInt32 id) const

@@ -41,11 +41,11 @@ std::vector<double> GetSamples(vtkPointSet* data)
   return samples;
 }
 
-/// Steps as fine as those of the source.
+/// Returns steps as fine as the steps of the source.
 helios::CoordinateSteps ConvertSteps(helios::CoordinateSteps steps,
   const helios::CoordinateSystem& source, const helios::CoordinateSystem& target)
 {
-  constexpr double metresPerDegree = 111195.0; // of a sphere as large as the Earth
+  constexpr double metresPerDegree = 111195.0; // a sphere as large as the Earth
   const auto getUnit = [](const helios::CoordinateSystem& system, int axis)
   {
     return axis == 2          ? system.GetHeightUnit()

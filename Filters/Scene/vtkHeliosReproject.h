@@ -4,12 +4,12 @@
  * @class   vtkHeliosReproject
  * @brief   reprojects points to another coordinate system
  *
- * Input 0: a vtkPointSet: a scene, a cloud, a trajectory, waypoints. Output 0: the same, of the same
- * type, with
- * - points: those of the input in TargetCRS, double, always in the order east, north, up, angles in
+ * Input 0: a vtkPointSet: a scene, a cloud, a trajectory, waypoints. Output 0: the same, of the
+ * same type, with
+ * - points: the input's points in TargetCRS, double, always in the order east, north, up, angles in
  *   degrees;
  * - field data CRS: TargetCRS as given;
- * - active normals of points and cells: those of the surface in the new coordinates;
+ * - active normals of points and cells: normals of the surface in the new coordinates;
  * - point data TruePoint: transformed like points;
  * - point data Orientation, Velocity, Direction and Normal: rotated by the angle between the axes
  *   of both systems at their position (grid convergence; tilt towards geocentric or local axes);
@@ -18,8 +18,8 @@
  * Systems are "EPSG:n", WKT, PROJ strings, or "ENU latitude longitude height" for local axes at an
  * origin on WGS 84 [degrees, m]. GeographicLib computes systems on WGS 84 (UTM, UPS, geocentric,
  * local), to 5e-9 m; PROJ the rest. If one of the systems has no heights, heights pass unchanged,
- * except for the unit, which is that of x and y (metres beside degrees) where the system does not
- * state it. If both systems are the same in any spelling, the output is the input. Works on all
+ * except for the unit, which is the unit of x and y (metres beside degrees) where the system does
+ * not state it. If both systems are the same in any spelling, the output is the input. Works on all
  * threads; the output does not depend on their number.
  *
  * Transformations between plates depend on the epoch of the coordinates: Epoch, else the mean of
@@ -27,16 +27,16 @@
  *
  * Warnings: a source that contradicts the input; an operation less accurate than another whose
  * grids PROJ does not find; several operations over the extent of the data, which tears surfaces;
- * an epoch that is needed and not known; heights in feet because x and y are.
- * Errors: no source, no target, a system unknown to PROJ, no transformation between them, a point
- * outside their domain.
+ * an epoch that is needed and not known; heights in feet because x and y are. Errors: no source, no
+ * target, a system unknown to PROJ, no transformation between them, a point outside their domain.
  *
  * @warning
  * Straight edges stay straight: a triangle of a kilometre deviates from the true surface by its
  * sagitta, about 2 cm towards local or geocentric axes.
  *
  * @sa
- * vtkHeliosCoordinateSystem vtkHeliosSceneTransform vtkHeliosSceneComposer vtkHeliosGeoTiffSceneReader
+ * vtkHeliosCoordinateSystem vtkHeliosSceneTransform vtkHeliosSceneComposer
+ * vtkHeliosGeoTiffSceneReader
  */
 
 #ifndef vtkHeliosReproject_h

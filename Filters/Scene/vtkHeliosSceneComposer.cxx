@@ -232,7 +232,7 @@ bool vtkHeliosSceneComposer::Compose(const ConnectionList& connections, vtkPolyD
 }
 
 //------------------------------------------------------------------------------
-/// Normals, (0, 0, 0) for parts without, and what colours need.
+/// Adds Normals, (0, 0, 0) for parts without, and the arrays of colours.
 void vtkHeliosSceneComposer::AddSurfaceArrays(const PartList& parts, vtkPolyData* output)
 {
   vtkCellData* cells = output->GetCellData();
@@ -305,7 +305,7 @@ bool vtkHeliosSceneComposer::ComposeInstances(
 }
 
 //------------------------------------------------------------------------------
-/// Sets the materials of a scene, merged from those of the parts in an order, and makes the
+/// Sets the materials of a scene, merged from the materials of the parts in an order, and makes the
 /// material ids of meshes, and the first row of each part.
 bool vtkHeliosSceneComposer::MapMaterials(const ConnectionList& parts,
   const std::vector<std::size_t>& order, vtkPolyData* scene,
@@ -430,7 +430,7 @@ void vtkHeliosSceneComposer::ReportMaterial(int part, vtkIdType triangle, std::s
 //------------------------------------------------------------------------------
 bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const ConnectionList& parts)
 {
-  std::string crs; // of the first part that has one
+  std::string crs; // system of the first part that has one
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const std::string own = parts[i].Data ? helios::GetCRS(parts[i].Data) : std::string();

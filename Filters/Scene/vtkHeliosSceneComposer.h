@@ -7,15 +7,15 @@
  * Input 0, repeatable: the parts, each a vtkPolyData of triangles or a raster of heights
  * (vtkImageData, as from vtkHeliosGeoTiffHeightReader), one connection per part. Output 0: one
  * vtkPolyData with
- * - points: those of all parts, double;
+ * - points: the points of all parts, double;
  * - polys: the triangles of all parts, in the order of the connections, in 32-bit storage;
  * - cell data MaterialIds (int): rows of the material columns in the field data, where equal
  *   materials of the parts share one row; a part without MaterialIds has the first row of its own
  *   materials;
  * - cell data PartIds (int): the connection of a triangle;
  * - cell data Normals (float), if parts have them; (0, 0, 0), meaning no normal, for those without;
- * - field data Part.Name (string), one per connection, and CRS, if parts have one: that of the
- *   first part with one, assumed for parts without.
+ * - field data Part.Name (string), one per connection, and CRS, if parts have one: the system of
+ *   the first part with one, assumed for parts without.
  *
  * Input 1, optional: instances (vtkPolyData), with the arrays of vtkHeliosScene; PrototypeIds are
  * connections of input 0, which are then no parts themselves, but the meshes of instances. PartIds
@@ -83,8 +83,8 @@ public:
   ///@{
   /**
    * Set/Get whether a part, by connection index (from 0), consists of objects that become parts of
-   * the scene: its own PartIds, with the names of its own Part.Name. Their ids come after all others;
-   * that of the part has no triangles then. Default: off.
+   * the scene: its own PartIds, with the names of its own Part.Name. Their ids come after all
+   * others; the part's own id then has no triangles. Default: off.
    */
   void SetPartIsSplit(int part, bool isSplit);
   bool GetPartIsSplit(int part) const;

@@ -27,7 +27,7 @@ struct vtkHeliosSceneMotion::Parts
   std::map<int, vtkIdType> Steps;
   std::vector<helios::MovingPart> Prepared;
   vtkWeakPointer<vtkPolyData> Scene; // the scene the parts were prepared for
-  vtkMTimeType Time = 0;             // of preparation; 0: not prepared
+  vtkMTimeType Time = 0;             // time of preparation; 0: not prepared
 };
 
 //------------------------------------------------------------------------------

@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Every second triangle is turned.
+  /// Adds the triangles of a strip; every second one is turned.
   void AddStrip(vtkIdType cell, vtkIdType count, Ids ids)
   {
     for (vtkIdType i = 0; i + 2 < count; ++i)

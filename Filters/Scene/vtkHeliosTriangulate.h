@@ -8,9 +8,9 @@
  * in their order, with the cell data of each and the field data; vertices and lines are left out. A
  * mesh that has only triangles passes by reference.
  *
- * Polygons are triangulated like those of files: as a fan about the first corner if that covers them
- * once, as of convex ones, else by a constrained Delaunay triangulation. They may be concave, not
- * quite plane, touch themselves in vertices, and have holes that a side leads to and back:
+ * Polygons are triangulated like polygons of files: as a fan about the first corner if that covers
+ * them once (convex polygons), else by a constrained Delaunay triangulation. They may be concave,
+ * not quite plane, touch themselves in vertices, and have holes that a side leads to and back:
  * vtkTriangleFilter drops those. Their area is kept to rounding, also far from the origin.
  *
  * Warning: polygons whose sides cross. Error: more than 2^31 - 1 points.

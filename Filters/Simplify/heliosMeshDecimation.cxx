@@ -58,7 +58,8 @@ public:
 
   void SetTolerances(const std::vector<double>& tolerances) { this->Tolerances = &tolerances; }
 
-  /// OpenMesh computes priorities throughout, initially for every point: the stop check runs there.
+  /// Sets the stop check. OpenMesh computes priorities throughout, initially for every point: the
+  /// check runs there.
   void SetStopCheck(StopCheck& check) { this->Check = &check; }
 
   /// Returns the removed point of each collapse, and its target.
@@ -122,8 +123,8 @@ private:
     return std::min((*this->Tolerances)[ends.first], (*this->Tolerances)[ends.second]);
   }
 
-  /// The triangles about v0, the remaining ones after the collapse, and the samples they must be
-  /// near.
+  /// Collects the triangles about v0, the remaining ones after the collapse, and the samples they
+  /// must be near.
   void Collect(const CollapseInfo& info)
   {
     this->Ring.clear();
@@ -167,7 +168,7 @@ private:
 
   static Vec3 GetNormal(const Triangle& t) { return (t[1] - t[0]).Cross(t[2] - t[0]); }
 
-  /// No triangle rotates by 75 degrees or more, or loses all of its area.
+  /// Returns whether no triangle rotates by 75 degrees or more, or loses all of its area.
   bool KeepsFacing() const
   {
     for (std::size_t i = 0; i < this->After.size(); ++i)
@@ -204,7 +205,7 @@ private:
   }
 
   int NumberOfVertices;
-  std::vector<std::pair<int, int>> Ends;           ///< of the edges of the patch
+  std::vector<std::pair<int, int>> Ends;           ///< ends of the edges of the patch
   std::vector<bool> IsOriginal;                    ///< edges unchanged from the patch
   const std::vector<double>* Tolerances = nullptr; ///< one per vertex
   StopCheck* Check = nullptr;

@@ -20,17 +20,17 @@ namespace helios
 struct Patch
 {
   std::vector<Vec3> Points;
-  std::vector<vtkTypeInt32> PointIds; ///< of the scene
+  std::vector<vtkTypeInt32> PointIds; ///< points of the scene
   std::vector<bool> IsLocked;         ///< points that must stay
   std::vector<vtkTypeInt32> Corners;  ///< three per triangle
-  std::vector<vtkIdType> Cells;       ///< of the scene, one per triangle
+  std::vector<vtkIdType> Cells;       ///< cells of the scene, one per triangle
 };
 
 /// The result of a decimation: some of a patch's triangles, with other corners of the patch.
 struct DecimatedPatch
 {
   std::vector<vtkTypeInt32> Corners;
-  std::vector<vtkIdType> Triangles; ///< of the patch, ascending
+  std::vector<vtkIdType> Triangles; ///< triangles of the patch, ascending
   std::vector<vtkIdType>
     PlaceOfPoint;         ///< index in Triangles that a removed point is assigned to; or -1
   vtkIdType Rejected = 0; ///< triangles that fit no half-edges, kept unchanged

@@ -176,7 +176,7 @@ Patch MeshPatches::MakePatch(std::size_t patch, StopCheck& check) const
     this->Sorted.data() + this->Begins[patch], this->Sorted.data() + this->Begins[patch + 1]);
   const vtkTypeInt32 first = this->Source.Corners[3 * result.Cells[0]];
   const Vec3 origin(this->Source.Points + 3 * static_cast<vtkIdType>(first));
-  std::unordered_map<vtkTypeInt32, vtkTypeInt32> copies; // of fans
+  std::unordered_map<vtkTypeInt32, vtkTypeInt32> copies; // copies for further fans
   copies.reserve(result.Cells.size());
   for (const vtkIdType cell : result.Cells)
   {

@@ -58,8 +58,8 @@ private:
 
   const PatchSource& Source;
   vtkIdType NonManifold = 0;
-  std::vector<vtkTypeInt32> Fans;       ///< of corners: the lowest corner of the same fan
-  std::vector<vtkTypeInt32> Components; ///< of triangles: the lowest triangle of the same patch
+  std::vector<vtkTypeInt32> Fans;       ///< per corner: the lowest corner of the same fan
+  std::vector<vtkTypeInt32> Components; ///< per triangle: the lowest triangle of the same patch
   std::vector<bool> IsLocked;           ///< points of the scene
   std::vector<vtkIdType> Fixed;
   std::vector<vtkIdType> Sorted; ///< triangles, patch by patch

@@ -138,7 +138,7 @@ void PatchVerifier::Check(const std::vector<vtkIdType>& which, const std::vector
   }
 }
 
-/// From the patch to the decimation.
+/// Checks the distances from the patch to the decimation.
 void PatchVerifier::CheckThere(const DecimatedPatch& mesh)
 {
   std::vector<Triangle> surface;
@@ -174,7 +174,7 @@ void PatchVerifier::CheckThere(const DecimatedPatch& mesh)
   }
 }
 
-/// From the decimation to the patch, which does not change.
+/// Checks the distances from the decimation to the patch, which does not change.
 void PatchVerifier::CheckBack()
 {
   std::vector<vtkIdType> which;

@@ -30,7 +30,7 @@ public:
   /// Returns the largest bound, after Verify returned true.
   double GetDistance() const;
 
-  /// The triangles of the patch where the limit is exceeded, after Verify returned false.
+  /// Returns the triangles of the patch where the limit is exceeded, after Verify returned false.
   const std::vector<vtkIdType>& GetBadTriangles() const { return this->Bad; }
 
 private:
@@ -46,9 +46,9 @@ private:
   double Limit;
   StopCheck& Stop;
   std::vector<Triangle> Before;
-  SurfaceDistance Surface; ///< of the patch
+  SurfaceDistance Surface; ///< surface of the patch
 
-  // By triangle of the patch. Results refer to triangles by the same index.
+  // One entry per triangle of the patch. Results refer to triangles by the same index.
   std::vector<Triangle> After;      ///< its state after decimation
   std::vector<vtkIdType> Places;    ///< in the decimation; -1: removed
   std::vector<unsigned char> IsNew; ///< removed, added or changed since the last time

@@ -286,7 +286,8 @@ private:
     return true;
   }
 
-  /// Tight enough: not above the distance at another point of the triangle; or within the limit.
+  /// Returns whether a bound is tight enough: not above the distance at another point of the
+  /// triangle, or within the limit.
   bool Accept(const Piece& piece, const Triangle& near, bool isFair)
   {
     const double bound = piece.GetDistance(near);

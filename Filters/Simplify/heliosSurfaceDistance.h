@@ -53,9 +53,10 @@ public:
   };
 
   /**
-   * Whether all of a triangle is within a limit of the surface, and a bound of its distance. Bounds
-   * below enough are not tightened. Also reports exceeded if the distance is within a thousandth of
-   * the limit. The hint is a triangle of the surface, preferably a near one. Thread-safe.
+   * Measures whether all of a triangle is within a limit of the surface, and a bound of its
+   * distance. Bounds below enough are not tightened. Also reports exceeded if the distance is
+   * within a thousandth of the limit. The hint is a triangle of the surface, preferably a near one.
+   * Thread-safe.
    */
   Result Measure(const Triangle& triangle, double limit, double enough, vtkIdType hint = 0) const;
 

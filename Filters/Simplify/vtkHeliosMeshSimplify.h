@@ -9,15 +9,15 @@
  * distance of the surfaces). For scenes denser than the scan needs.
  *
  * Invariants:
- * - points are points of the input, bit by bit; cell data are those of the remaining triangle,
- *   point and field data follow. Cell data Normals are dropped if triangles were removed: they
- *   would belong to another surface;
+ * - points are points of the input, bit by bit; cell data come from the remaining triangle, point
+ *   and field data follow. Cell data Normals are dropped if triangles were removed: they would
+ *   belong to another surface;
  * - the borders of the surface, of parts (PartIds) and of materials (MaterialIds): all their points
  *   and edges, so that patches of different materials stay watertight to each other, each within
  *   the distance by itself;
  * - triangles at edges that more than two triangles share, and those OpenMesh rejects as
  *   non-manifold: unchanged and counted. Triangles of zero area and duplicates are dropped and
- *   counted, as by vtkHeliosMeshRepair, and points of one part at equal coordinates are merged. A
+ *   counted, see vtkHeliosMeshRepair, and points of one part at equal coordinates are merged. A
  *   soup of single leaves passes unchanged and fast.
  *
  * Triangles are removed by OpenMesh's quadrics (M. Garland, P. Heckbert 1997), as long as the
@@ -76,8 +76,8 @@ public:
 
   ///@{
   /**
-   * For the last run: dropped triangles of zero area and duplicates; non-manifold triangles, which
-   * passed unchanged; patches with interior points, and those of them that stayed unchanged.
+   * Get, from the last run, dropped triangles of zero area and duplicates; non-manifold triangles,
+   * which passed unchanged; patches with interior points, and how many of these stayed unchanged.
    */
   vtkGetMacro(NumberOfDroppedTriangles, vtkIdType);
   vtkGetMacro(NumberOfRejectedTriangles, vtkIdType);

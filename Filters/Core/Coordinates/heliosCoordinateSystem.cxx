@@ -49,7 +49,7 @@ bool IsSameProj(const CoordinateSystemData& a, const CoordinateSystemData& b)
   return isSameHeight && IsSamePart(context, makeMap(one), makeMap(other));
 }
 
-/// "metre", "foot", "US survey foot", or a number.
+/// Names a unit of length: "metre", "foot", "US survey foot", or a number.
 std::string NameUnit(double metres)
 {
   static constexpr struct

@@ -39,18 +39,18 @@ public:
   bool IsSet() const { return this->Data != nullptr; }
 
   /// @{
-  /// Returns the source text; a short form of it ("EPSG:32632" for its WKT); and the label in
-  /// messages: "EPSG:32632 (WGS 84 / UTM zone 32N)".
+  /// Returns the source text; its short form ("EPSG:32632" for its WKT); and the label in messages:
+  /// "EPSG:32632 (WGS 84 / UTM zone 32N)".
   const std::string& GetText() const;
   const std::string& GetLabel() const;
   const std::string& GetName() const;
   ///@}
 
-  /// "EPSG:25832", "EPSG:25832+7837" of horizontal and vertical part; empty if one has no code.
+  /// Returns "EPSG:25832", or "EPSG:25832+7837" with a vertical part; empty if a part has no code.
   const std::string& GetCode() const;
 
-  /// WKT of 2001 (WKT 1) as in LAS files, or of 2019 if WKT 1 cannot express the system; empty for
-  /// a local system.
+  /// Returns WKT of 2001 (WKT 1), which LAS files hold, or of 2019 if WKT 1 cannot express the
+  /// system; empty for a local system.
   std::string GetWkt() const;
 
   /// Returns whether x and y are longitude and latitude [deg].

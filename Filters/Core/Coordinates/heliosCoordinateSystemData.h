@@ -39,7 +39,7 @@ struct CoordinateSystemData
   bool IsPlane = false;                 // no vertical part, or one that only states the unit
   bool IsCut = false;                   // PROJ gets the horizontal part
   bool IsLocal = false;                 // unknown to PROJ
-  double Origin[3] = { 0.0, 0.0, 0.0 }; // of a local one: latitude, longitude [deg], height [m]
+  double Origin[3] = { 0.0, 0.0, 0.0 }; // local system only: latitude, longitude [deg], height [m]
   AxisOrder Axes;
   MapProjectionPointer Projection; // null: not computed by GeographicLib
 };

@@ -224,7 +224,7 @@ MapProjectionPointer FindProjection(
   }
 }
 
-/// "EPSG:n"; empty without a code.
+/// Returns "EPSG:n"; empty without a code.
 std::string GetId(const PJ* crs)
 {
   const char* authority = proj_get_id_auth_name(crs, 0);
@@ -285,7 +285,8 @@ bool HasUnknownSurface(const ProjContext& context, const PJ* crs)
   return datum && vtksys::SystemTools::LowerCase(proj_get_name(datum.get())) == UnknownSurface;
 }
 
-/// "EPSG:2263, heights in metre (NAD83 / New York Long Island (ftUS))" of a stated unit only.
+/// Names a system whose vertical part only states a unit: "EPSG:2263, heights in metre (NAD83 / New
+/// York Long Island (ftUS))".
 void SetNameOfUnit(const PJ* map, CoordinateSystemData& data)
 {
   const std::string id = GetId(map);

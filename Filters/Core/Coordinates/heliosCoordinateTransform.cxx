@@ -66,7 +66,7 @@ constexpr double YearsApart = 10.0;
 /// Returns the distance of two near points of a system [m].
 double GetLength(const CoordinateSystem& system, const double a[3], const double b[3])
 {
-  constexpr double metresPerDegree = 111195.0; // of a sphere as large as the Earth
+  constexpr double metresPerDegree = 111195.0; // a sphere as large as the Earth
   const double unit = system.IsGeographic() ? metresPerDegree : system.GetUnit();
   const double parallel = system.IsGeographic() ? std::cos(vtkMath::RadiansFromDegrees(a[1])) : 1.0;
   return std::hypot(
@@ -86,8 +86,8 @@ struct CoordinateTransform::Internals
   std::shared_ptr<const CoordinateSystemData> From;
   std::shared_ptr<const CoordinateSystemData> To;
   bool IsIdentity = false;
-  ///@{
-  /// To metres before, from metres after, of heights that PROJ does not transform.
+  /// @{
+  /// Factors to metres before, and from metres after, for heights that PROJ does not transform.
   double HeightUnit = 1.0;
   double HeightFactor = 1.0;
   ///@}
@@ -191,7 +191,7 @@ CoordinateTransform::CoordinateTransform(const CoordinateTransform& other)
   this->State->Epoch = from.Epoch;
   if (from.Context)
   {
-    // Without an operation, Forward() fails for every point.
+    // Forward() fails for every point if there is no operation.
     static_cast<void>(this->State->MakeOperation());
   }
 }

@@ -48,7 +48,7 @@ public:
   /// as after Set(): not known, and PROJ takes the reference epoch of the transformation.
   void SetEpoch(double year);
 
-  /// How fast the image of a point moves with the epoch [m per year]; 0: it does not.
+  /// Returns the speed at which the image of a point moves with the epoch [m per year]; 0: none.
   double GetYearlyMotion(const double point[3]);
 
   /**
@@ -64,13 +64,14 @@ public:
   bool GetJacobian(const double point[3], double jacobian[3][3]);
 
   /**
-   * Computes the rotation of directions at a point: east, north, up of the source to those of the
-   * target, metric in both (also for geographic systems). It contains the grid convergences, and
-   * for geocentric or local targets the tilt.
+   * Computes the rotation of directions at a point: from east, north, up of the source to east,
+   * north, up of the target, metric in both (also for geographic systems). It contains the grid
+   * convergences, and for geocentric or local targets the tilt.
    */
   bool GetRotation(const double point[3], double rotation[3][3]);
 
-  /// Accuracy stated for the operation that PROJ chose last [m]; -1: unknown, 0: exact.
+  /// Returns the accuracy that PROJ states for the operation it chose last [m]; -1: unknown, 0:
+  /// exact.
   double GetAccuracy() const;
 
   /**

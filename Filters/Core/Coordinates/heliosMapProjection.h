@@ -36,16 +36,18 @@ using MapProjectionPointer = std::shared_ptr<const MapProjection>;
 MapProjectionPointer MakeGeographic();
 MapProjectionPointer MakeGeocentric();
 
-/// Local east, north, up at a latitude [deg], longitude [deg] and height [m].
+/// Returns a local east, north, up system at a latitude [deg], longitude [deg] and height [m].
 MapProjectionPointer MakeLocal(double latitude, double longitude, double height);
 
-/// Origin at the equator; valid within 80 degrees of the central meridian.
+/// Returns a projection with its origin at the equator, valid within 80 degrees of the central
+/// meridian.
 MapProjectionPointer MakeTransverseMercator(const MapOrigin& origin);
 
-/// About the north or south pole, up to the equator; the scale of the origin is that at the pole.
+/// Returns a projection about the north or south pole, valid up to the equator; the origin's scale
+/// is the scale at the pole.
 MapProjectionPointer MakePolarStereographic(bool isNorth, const MapOrigin& origin);
 
-/// The EPSG code of the UTM or UPS system on WGS 84 at a position [deg].
+/// Returns the EPSG code of the UTM or UPS system on WGS 84 at a position [deg].
 VTKHELIOSFILTERSCORE_EXPORT int GetUTMCode(double latitude, double longitude);
 
 } // namespace helios

@@ -15,7 +15,7 @@ namespace helios
 struct Grids
 {
   std::string Missing;    // names, separated by commas
-  double Accuracy = -1.0; // of the operation [m]; -1: unknown
+  double Accuracy = -1.0; // accuracy of the operation [m]; -1: unknown
 };
 
 /// Finds the most accurate operation with grids that are not installed, at a longitude and latitude

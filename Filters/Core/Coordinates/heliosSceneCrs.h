@@ -24,7 +24,7 @@ struct CoordinateSteps
 {
   std::array<double, 3> Scale; ///< infinite: not known
   std::array<double, 3> Offset{ 0.0, 0.0, 0.0 };
-  bool HasOffset = false; ///< false: coordinates were computed from those of the file
+  bool HasOffset = false; ///< false: coordinates were computed from the coordinates in the file
 
   CoordinateSteps() { this->Scale.fill(std::numeric_limits<double>::infinity()); }
 };

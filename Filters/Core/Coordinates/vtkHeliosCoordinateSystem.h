@@ -98,7 +98,7 @@ public:
   std::string GetUnitName() const;
 
   /**
-   * Replace the vertical part by one that only states its unit [m], above 0. Returns false, and
+   * Replaces the vertical part by one that only states its unit [m], above 0. Returns false, and
    * changes nothing, for a local system and an unknown one.
    */
   bool SetHeightUnit(double metres);

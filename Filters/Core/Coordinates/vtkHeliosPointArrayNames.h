@@ -13,8 +13,10 @@
 namespace vtkHeliosPointArrayNames
 {
 
-/** Field data: the steps of the three coordinates in the file, in their units, and, if the
- * coordinates are those of the file, its three offsets. */
+/**
+ * Field data: the steps of the three coordinates in the file, in their units, and, if the
+ * coordinates are unchanged, the three offsets of the file.
+ */
 inline constexpr const char* CoordinateScale = "CoordinateScale";
 
 } // namespace vtkHeliosPointArrayNames

@@ -30,7 +30,8 @@ VTKHELIOSFILTERSCORE_EXPORT Status CheckInputFile(const std::string& path);
 /// file.
 VTKHELIOSFILTERSCORE_EXPORT std::string StampFile(const std::string& path);
 
-/// How long ago a file was changed, also in its times [s]. Negative: by a clock ahead of ours.
+/// Returns the time since a file, or one of its time stamps, was changed [s]. Negative: by a clock
+/// ahead of ours.
 VTKHELIOSFILTERSCORE_EXPORT double GetAge(const std::string& path);
 
 /// Files that were opened, each with its StampFile() when it was opened first.
@@ -57,7 +58,7 @@ public:
 
 private:
   OpenCallback OnOpen;
-  const OpenCallback* Before; // of the thread
+  const OpenCallback* Before; // callback that the thread had before
 };
 
 } // namespace helios

@@ -69,7 +69,7 @@ Status CheckEncoding(std::string_view bytes)
   const auto isZero = [bytes](std::size_t at) { return at < bytes.size() && bytes[at] == '\0'; };
   const bool isMarked = bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF";
   const bool isPlain = bytes.size() >= 4 && isZero(0) == isZero(2) && isZero(1) == isZero(3) &&
-    isZero(0) != isZero(1); // of ASCII characters
+    isZero(0) != isZero(1); // ASCII characters have one zero byte
   return isMarked || isPlain
     ? Status::Error(
         "is text of UTF-16 or UTF-32; save it as UTF-8, such as by iconv -f UTF-16 -t UTF-8")

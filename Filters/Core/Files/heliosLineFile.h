@@ -19,10 +19,10 @@
 namespace helios
 {
 
-/// "path:line: ", the start of a message.
+/// Returns "path:line: ", the start of a message.
 VTKHELIOSFILTERSCORE_EXPORT std::string Place(const std::string& path, std::int64_t line);
 
-/// An error if the first bytes of a text file are UTF-16 or UTF-32.
+/// Returns an error if the first bytes of a text file are UTF-16 or UTF-32.
 VTKHELIOSFILTERSCORE_EXPORT Status CheckEncoding(std::string_view bytes);
 
 struct FileCloser
@@ -43,7 +43,7 @@ public:
   LineFile(const LineFile&) = delete;
   void operator=(const LineFile&) = delete;
 
-  /// Called after every block with the total number of bytes read; returning false stops reading.
+  /// Runs after every block with the total number of bytes read; false stops reading.
   std::function<bool(std::int64_t)> OnBlock;
 
   /// Opens a file, which is not UTF-16, and finds what ends its lines. Call SetRange before NextLine.
@@ -57,13 +57,14 @@ public:
    */
   void SetRange(std::int64_t begin, std::int64_t end);
 
-  /// Longer lines are an error, since the file is hardly text [bytes]. Default: 1 MiB.
+  /// Sets the length above which a line is an error, since the file is hardly text [bytes].
+  /// Default: 1 MiB.
   void SetLongestLine(std::size_t length) { this->LongestLine = length; }
 
   /**
-   * The next line without its end (LF or CR LF; CR in files that begin with such lines, as of old
-   * Macintosh) and without a byte-order mark; valid until the next call. False at the end of the
-   * range, after an error and when stopped.
+   * Reads the next line without its end (LF or CR LF; CR in files of the old Macintosh) and without
+   * a byte-order mark; it stays valid until the next call. False at the end of the range, after an
+   * error and when stopped.
    */
   bool NextLine(std::string_view& line);
 
@@ -72,10 +73,11 @@ public:
   std::int64_t GetLineStart() const { return this->LineStart; }
   /// Returns the file position of the next line.
   std::int64_t GetNextLine() const { return this->Next; }
-  /// "path:line: " of the last line read; counts all previous lines, so for messages only.
+  /// Returns "path:line: " of the last line read; it counts all previous lines, so use it for
+  /// messages only.
   std::string GetPlace() const;
   bool IsStopped() const { return this->Stopped; }
-  /// Error message of reading, empty without an error.
+  /// Returns the error message of reading, empty without an error.
   const std::string& GetError() const { return this->Error; }
 
 private:
@@ -95,8 +97,8 @@ private:
   std::int64_t Done = 0;
   std::size_t LongestLine = std::size_t(1) << 20;
   std::vector<char> Buffer;
-  char* Begin = nullptr;   // of the unread bytes
-  char* LineEnd = nullptr; // of the line at Begin
+  char* Begin = nullptr;   // first unread byte
+  char* LineEnd = nullptr; // end of the line at Begin
   char* End = nullptr;
   bool AtEnd = false;
   bool Stopped = false;

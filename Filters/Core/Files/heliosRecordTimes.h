@@ -20,7 +20,7 @@ namespace helios
 /// none.
 VTKHELIOSFILTERSCORE_EXPORT double FindEndedPeriod(double before, double time);
 
-/// "a GPS week" or "a day".
+/// Returns "a GPS week" or "a day".
 VTKHELIOSFILTERSCORE_EXPORT std::string NamePeriod(double period);
 
 /// Continues the times of the rows of a file, in their order there, over ends of weeks or days.
@@ -37,7 +37,7 @@ public:
   std::string DescribeEnd() const;
 
 private:
-  double Last = 0.0; // as in the file
+  double Last = 0.0; // last time in the file
   double Before = 0.0;
   double Offset = 0.0;
   double Period = 0.0; // the last one that ended
@@ -46,7 +46,7 @@ private:
   std::size_t NumberOfEnds = 0;
 };
 
-/// What is wrong with the times of rows.
+/// Finding about the times of rows.
 struct TimeFinding
 {
   std::size_t Row = 0; ///< counted from 0
@@ -63,8 +63,8 @@ struct TimedRows
 };
 
 /**
- * Finds, in times that do not decrease: times that cannot be seconds or are of two clocks (errors);
- * steps as those of milliseconds, and missing rows (warnings).
+ * Finds, in times that do not decrease, times that cannot be seconds or are of two clocks (errors),
+ * steps that look like milliseconds, and missing rows (warnings).
  */
 VTKHELIOSFILTERSCORE_EXPORT TimeFinding CheckRecordTimes(const TimedRows& rows);
 

@@ -43,16 +43,16 @@ public:
   TextFile(const TextFile&) = delete;
   void operator=(const TextFile&) = delete;
 
-  /// Called after every block with the fraction of the file read; returning false stops reading.
+  /// Runs after every block with the fraction of the file read; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /// Opens a file.
   Status Open(const std::string& path);
 
   /**
-   * The next line, without its end (LF or CR LF); valid until the next call. A backslash at the end
-   * joins the line with the next one, except in a comment. False at the end of the file, after an
-   * error and when stopped.
+   * Reads the next line, without its end (LF or CR LF); it stays valid until the next call. A
+   * backslash at the end joins the line with the next one, except in a comment. False at the end of
+   * the file, after an error and when stopped.
    */
   bool NextLine(std::string_view& line)
   {
@@ -67,10 +67,10 @@ public:
   const std::string& GetPath() const { return this->Lines.GetPath(); }
   /// Returns the number of the last line read, from 1; the first of joined ones.
   std::int64_t GetLine() const { return this->Line; }
-  /// "path:line: " of the last line read.
+  /// Returns "path:line: " of the last line read.
   std::string GetPlace() const { return Place(this->GetPath(), this->Line); }
   bool IsStopped() const { return this->Lines.IsStopped(); }
-  /// Error message of reading; empty after success.
+  /// Returns the error message of reading; empty after success.
   const std::string& GetError() const { return this->Lines.GetError(); }
 
 private:
@@ -108,7 +108,7 @@ public:
 
   static bool IsBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-  /// True if another word follows.
+  /// Returns whether another word follows.
   bool HasMore()
   {
     while (this->At != this->End && IsBlank(*this->At))
@@ -163,14 +163,14 @@ public:
   /// Returns the words up to a comment as one name, blanks included; the first may start with #.
   std::string_view NextTitle();
 
-  /// Returns the rest of the line without surrounding blanks; comments are part of it.
+  /// Returns the rest of the line, with its comment, without surrounding blanks.
   std::string_view Rest();
 
-  /// A decimal number, correctly rounded; NaN and Inf are accepted.
+  /// Reads a decimal number, correctly rounded; NaN and Inf are accepted.
   Number Next(double& value);
 
-  ///@{
-  /// A decimal integer.
+  /// @{
+  /// Reads a decimal integer.
   Number Next(int& value);
   Number Next(std::int64_t& value);
   ///@}

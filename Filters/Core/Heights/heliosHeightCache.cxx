@@ -25,10 +25,10 @@ namespace helios
 namespace
 {
 
-/// What a height field is made of.
+/// Arrays and times that a height field is made from.
 struct Source
 {
-  vtkMTimeType Time = 0; ///< of the heights
+  vtkMTimeType Time = 0; ///< time of the heights
   std::vector<int> Size;
   std::vector<double> Transform;
 

@@ -18,9 +18,9 @@ namespace helios
 class HeightField;
 
 /**
- * Gets the height field of a raster, which must outlive it. It is kept with the array of the heights,
- * and made again if these or the geotransform have changed. Errors: those of HeightField::Set().
- * Thread-safe.
+ * Gets the height field of a raster, which must outlive it. It is kept with the array of the
+ * heights, and made again if these or the geotransform have changed. Errors: see
+ * HeightField::Set(). Thread-safe.
  */
 VTKHELIOSFILTERSCORE_EXPORT Status GetHeightField(
   vtkImageData* raster, std::shared_ptr<const HeightField>& field);

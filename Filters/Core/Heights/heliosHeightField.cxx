@@ -53,7 +53,7 @@ struct HeightField::PixelRow
   std::vector<unsigned char> HasHeight;
   std::vector<unsigned char> IsUsed;
 
-  /// False if a height is infinite.
+  /// Copies a row of heights; false if a height is infinite.
   bool Set(const HeightGrid& grid, std::int64_t row)
   {
     const auto count = static_cast<std::size_t>(grid.Columns);
@@ -142,10 +142,10 @@ Status HeightField::SetHeights(vtkDataArray* heights, std::int64_t count)
 }
 
 /**
- * A coordinate of a pixel has an error of up to 3 u reach, u = 2^-53 and reach the sum of the sizes
- * of its terms; the doubled area of a triangle, seen from above, differs by less than 16 u reach
- * times the length of two sides from that of the exact one: no triangle is without area or turned
- * over if that is larger.
+ * Checks that rounding turns no triangle over. A coordinate of a pixel has an error of up to 3 u
+ * reach, u = 2^-53 and reach the sum of the sizes of its terms; the doubled area of a triangle,
+ * seen from above, differs from the exact one by less than 16 u reach times the length of two
+ * sides: no triangle is without area or turned over if its area is larger.
  */
 Status HeightField::CheckTransform() const
 {

@@ -62,7 +62,8 @@ public:
   /// Returns the unit normal by the right-hand rule: up.
   Vec3 GetNormal(vtkIdType triangle) const;
 
-  /// Smallest and largest coordinates of the corners of the triangles: x0 x1 y0 y1 z0 z1.
+  /// Computes the smallest and largest coordinates of the corners of the triangles: x0 x1 y0 y1 z0
+  /// z1.
   void GetBounds(double bounds[6]) const;
 
   /// Bytes held by this object in addition to the image.
@@ -102,7 +103,7 @@ private:
   // Blocks, row by row; none if no triangle is missing.
   std::int64_t BlocksPerRow = 0;
   std::vector<std::uint64_t> Masks;   ///< a bit per slot: whether it has a triangle
-  std::vector<std::uint32_t> Numbers; ///< of triangles before the block
+  std::vector<std::uint32_t> Numbers; ///< number of triangles before the block
 };
 
 } // namespace helios

@@ -13,11 +13,11 @@ namespace helios
 /// Heights, row by row, float or double; a pixel without height is NaN. They belong to an image.
 struct HeightGrid
 {
-  std::int64_t Columns = 0; ///< of pixels
+  std::int64_t Columns = 0; ///< in pixels
   std::int64_t Rows = 0;
   const float* Floats = nullptr;
   const double* Doubles = nullptr; ///< if they are not floats
-  double Transform[6] = {};        ///< as that of RasterFile
+  double Transform[6] = {};        ///< see RasterFile
 
   double GetHeight(std::int64_t row, std::int64_t column) const
   {
@@ -25,7 +25,7 @@ struct HeightGrid
     return this->Floats ? static_cast<double>(this->Floats[i]) : this->Doubles[i];
   }
 
-  /// The centre of a pixel, with its height: the same operations as those of RasterMesh.
+  /// Computes the centre of a pixel, with its height, by the same operations as RasterMesh.
   void GetPoint(std::int64_t row, std::int64_t column, double point[3]) const
   {
     const double* t = this->Transform;

@@ -16,14 +16,14 @@ namespace
 
 constexpr int Width = HeightPyramid::Width;
 constexpr int BlockSize = HeightPyramid::BlockSize;
-constexpr int Strips = BlockSize / HeightPyramid::StripSize; // of a row of a block
+constexpr int Strips = BlockSize / HeightPyramid::StripSize; // strips in a row of a block
 
 std::int64_t Divide(std::int64_t a, std::int64_t b)
 {
   return (a + b - 1) / b;
 }
 
-constexpr int Pixels = BlockSize + 1; // of a side of a block
+constexpr int Pixels = BlockSize + 1; // pixels at a side of a block
 
 void SetNone(HeightPyramid::Extents& extents, int child)
 {
@@ -36,7 +36,7 @@ template <typename T>
 HELIOS_INLINE void SetExtents(
   const T* pixels, std::int64_t step, double base, HeightPyramid::Extents& extents)
 {
-  T low[Pixels * Strips]; // of three pixels of a row
+  T low[Pixels * Strips]; // one of three pixels in a row
   T high[Pixels * Strips];
   for (int i = 0; i < Pixels * Strips; ++i)
   {

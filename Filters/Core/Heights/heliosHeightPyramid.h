@@ -17,16 +17,13 @@ namespace helios
 {
 
 /**
- * A tree of eight children a node without pointers. A cell is the square of 2 x 2 pixels, column
- * and row those of its first. The nodes of level 0 are blocks of 4 x 4 cells; their children, strips
- * of two cells of a row, are computed on demand. Those of the other levels are stored: half a byte
- * a cell.
+ * A tree of eight children a node without pointers. A cell is the square of 2 x 2 pixels, named by
+ * column and row of its first. The nodes of level 0 are blocks of 4 x 4 cells; their children,
+ * strips of two cells of a row, are computed on demand. The other levels are stored: half a byte a
+ * cell.
  *
- *   level  children of a node   cells of a node
- *   0      2 x 4 strips         4 x 4
- *   1      4 x 2 nodes          16 x 8
- *   2      2 x 4 nodes          32 x 32
- *   ...
+ * level  children of a node   cells of a node 0      2 x 4 strips         4 x 4 1      4 x 2 nodes
+ * 16 x 8 2      2 x 4 nodes          32 x 32 ...
  */
 class VTKHELIOSFILTERSCORE_EXPORT HeightPyramid
 {
@@ -45,23 +42,23 @@ public:
 
   struct Level
   {
-    std::int64_t Columns; ///< of nodes
+    std::int64_t Columns; ///< in nodes
     std::int64_t Rows;
-    int ChildColumns; ///< of a node: 2 or 4
+    int ChildColumns; ///< children of a node in a row: 2 or 4
     std::int64_t CellColumns;
     std::int64_t CellRows;
     std::vector<Extents> Nodes; ///< row by row; none at level 0
   };
 
-  /// From a grid, whose heights must outlive it.
+  /// Builds the tree of a grid, whose heights must outlive it.
   void Build(const HeightGrid& grid, double base);
 
-  /// The last has one node.
+  /// Returns the levels; the last one has one node.
   const std::vector<Level>& GetLevels() const { return this->Levels; }
 
   double GetBase() const { return this->Base; }
 
-  /// The strips of a block.
+  /// Computes the extents of the strips of a block.
   void ComputeExtents(std::int64_t row, std::int64_t column, Extents& extents) const;
 
   std::size_t GetMemorySize() const;

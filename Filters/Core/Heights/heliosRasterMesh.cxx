@@ -29,7 +29,8 @@ RasterMesh<IndexArrayT>::RasterMesh(std::int64_t columns, const double transform
   std::copy_n(transform, 6, this->Transform.begin());
 }
 
-// The vertices of a row are known after the triangles above and below it: one row later.
+// Adds a row of heights. The vertices of a row are known after the triangles above and below it:
+// one row later.
 template <typename IndexArrayT>
 bool RasterMesh<IndexArrayT>::AddRow(const double* heights)
 {

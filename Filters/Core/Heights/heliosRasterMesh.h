@@ -31,16 +31,16 @@ template <typename IndexArrayT>
 class RasterMesh
 {
 public:
-  /// The transform is that of RasterFile.
+  /// Sets the number of columns and the geotransform (see RasterFile).
   RasterMesh(std::int64_t columns, const double transform[6]);
 
   /// Adds the next row of heights. False if there are more points than a scene can hold.
   bool AddRow(const double* heights);
 
-  /// Call after the last row. False as in AddRow.
+  /// Ends the mesh after the last row. False under the conditions of AddRow.
   bool Finish();
 
-  /// Minimum and maximum height of the vertices.
+  /// Returns the minimum and maximum height of the vertices.
   const std::array<double, 2>& GetHeights() const { return this->Heights; }
 
   /// Moves points, triangles and zero MaterialIds to a scene.
@@ -79,7 +79,7 @@ private:
 
 struct HeightGrid;
 
-/// The mesh of a raster in 32-bit cells. Error: more points than a scene can hold.
+/// Makes the mesh of a raster in 32-bit cells. Error: more points than a scene can hold.
 VTKHELIOSFILTERSCORE_EXPORT Status MakeRasterMesh(const HeightGrid& grid, vtkPolyData* mesh);
 
 } // namespace helios

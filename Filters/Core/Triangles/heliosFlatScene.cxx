@@ -35,7 +35,7 @@ namespace helios
 namespace
 {
 
-/// A scene with meshes in place of its rasters.
+/// Makes a scene with meshes in place of its rasters.
 Status MakeMeshes(vtkHeliosScene* scene, vtkHeliosScene* meshes)
 {
   meshes->vtkPolyData::ShallowCopy(scene);
@@ -146,7 +146,7 @@ private:
       to = std::transform(from.GetCorners() + 3 * begin, from.GetCorners() + 3 * end, to,
         [first](vtkTypeInt32 corner) { return static_cast<vtkTypeInt32>(corner + first); });
     };
-    vtkIdType done = 0; // of the mesh
+    vtkIdType done = 0; // triangles of the mesh come first
     vtkIdType firstPoint = mesh.GetNumberOfPoints();
     for (const SceneInstance& instance : this->Geometry.GetInstances())
     {

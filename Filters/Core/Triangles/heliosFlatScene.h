@@ -16,10 +16,11 @@ class vtkPolyData;
 namespace helios
 {
 
-/// As vtkHeliosSceneFlatten.
+/// Makes one mesh of a scene, see vtkHeliosSceneFlatten.
 VTKHELIOSFILTERSCORE_EXPORT Status FlattenScene(vtkHeliosScene* scene, vtkPolyData* mesh);
 
-/// A scene without instances as it is; another one as a mesh, after a check of the memory.
+/// Returns a scene without instances unchanged, and another one as a mesh, after a check of the
+/// memory.
 VTKHELIOSFILTERSCORE_EXPORT Status GetFlatScene(
   vtkPolyData* scene, vtkSmartPointer<vtkPolyData>& mesh);
 

@@ -36,7 +36,7 @@ double PlanarTriangulation::Turn(int a, int b, int c) const
 }
 
 //------------------------------------------------------------------------------
-/// From left to right: each point is outside the hull of those before it.
+/// Adds the points from left to right: each point is outside the hull of the previous ones.
 void PlanarTriangulation::Build(std::vector<Point> points)
 {
   this->Points = std::move(points);
@@ -67,7 +67,7 @@ void PlanarTriangulation::Build(std::vector<Point> points)
 }
 
 //------------------------------------------------------------------------------
-/// Points on a line, and the first beside it.
+/// Adds the points on a line, and the first point beside it.
 void PlanarTriangulation::BuildFirst(const std::vector<int>& order, std::size_t count)
 {
   const int apex = order[count];
@@ -213,7 +213,7 @@ void PlanarTriangulation::Legalize(std::vector<Spot>& spots)
 }
 
 //------------------------------------------------------------------------------
-/// Triangle (a, b, c) and its neighbour (d, c, b) become (a, b, d) and (a, d, c).
+/// Replaces triangle (a, b, c) and its neighbour (d, c, b) by (a, b, d) and (a, d, c).
 void PlanarTriangulation::Flip(int triangle, int corner)
 {
   const int neighbor = this->Triangles[triangle].Neighbors[corner];
@@ -463,7 +463,7 @@ void PlanarTriangulation::FlipCrossed(Edge piece, std::vector<Edge> crossed)
 }
 
 //------------------------------------------------------------------------------
-/// False if the two triangles at an edge do not form a convex quadrilateral.
+/// Flips an edge; false if its two triangles do not form a convex quadrilateral.
 bool PlanarTriangulation::FlipEdge(const Edge& edge, Edge& flipped)
 {
   const Spot spot = this->FindEdge(edge.first, edge.second);
@@ -534,7 +534,8 @@ void PlanarTriangulation::Mark(const Spot& spot, bool isFixed, bool isToggled)
 }
 
 //------------------------------------------------------------------------------
-/// From the outside in: every side of the boundary changes between outside and inside.
+/// Finds the triangles inside from the outer ones inwards: every side of the boundary changes
+/// between outside and inside.
 std::vector<int> PlanarTriangulation::FindInside()
 {
   std::vector<signed char> isInside(this->Triangles.size(), -1); // -1: not known

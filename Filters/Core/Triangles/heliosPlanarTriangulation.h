@@ -32,10 +32,10 @@ public:
    */
   void AddSide(int from, int to);
 
-  /// Area between crossing sides and their detours; infinite if that had no end.
+  /// Returns the area between crossing sides and their detours; infinite if a detour had no end.
   double GetDetourArea() const { return this->DetourArea; }
 
-  /// Three points per triangle within the sides, counterclockwise.
+  /// Returns three points per triangle within the sides, counterclockwise.
   std::vector<int> FindInside();
 
 private:
@@ -45,7 +45,7 @@ private:
     std::array<int, 3> Corners;
     std::array<int, 3> Neighbors{ -1, -1, -1 };
     std::array<bool, 3> IsFixed{};
-    std::array<bool, 3> IsSide{}; // of the boundary
+    std::array<bool, 3> IsSide{}; // side of the boundary
   };
   using Edge = std::pair<int, int>;
 

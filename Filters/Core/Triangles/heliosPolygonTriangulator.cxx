@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-constexpr double AreaTolerance = 1e-6; // of the area of a polygon
+constexpr double AreaTolerance = 1e-6; // relative to the area of a polygon
 // Products of coordinates between these are exact as the sum of two numbers.
 constexpr double SmallestCoordinate = 1e-120;
 constexpr double LargestCoordinate = 1e120;
@@ -87,8 +87,8 @@ bool PolygonTriangulator::Triangulate(const double* points, const PolygonRings& 
 }
 
 //------------------------------------------------------------------------------
-/// False if the polygon has no area. Vertices that repeat the one before are left out; also the last
-/// one, if it is the first.
+/// Copies the rings; false if the polygon has no area. Vertices equal to the previous one are left
+/// out, and the last one if it equals the first.
 bool PolygonTriangulator::SetRings(const double* points, const PolygonRings& rings)
 {
   this->Points = points;
@@ -147,8 +147,8 @@ void PolygonTriangulator::AddFan(const std::vector<vtkTypeInt32>& ring)
 }
 
 //------------------------------------------------------------------------------
-/// Along an axis, so that points on a side stay on it exactly; a polygon that is not plane may cross
-/// itself there, but not along its normal.
+/// Adds the polygon seen along an axis, so that points on a side stay on it exactly; a polygon that
+/// is not plane may cross itself there, but not along its normal.
 bool PolygonTriangulator::AddInPlane()
 {
   int axis = 0;
@@ -203,7 +203,7 @@ bool PolygonTriangulator::AddPlanar(const Vec3& origin, const Vec3& right, const
   }
   std::stable_sort(order.begin(), order.end(), [&seen](int a, int b) { return seen[a] < seen[b]; });
   std::vector<int> ids(seen.size());
-  std::vector<int> places; // of each point of the plane
+  std::vector<int> places; // one place per point of the plane
   std::vector<PlanarTriangulation::Point> points;
   for (const int place : order)
   {
@@ -245,7 +245,7 @@ void PolygonTriangulator::AddTriangle(int a, int b, int c)
 }
 
 //------------------------------------------------------------------------------
-/// Seen along the normal; triangles that overlap count twice.
+/// Computes the area seen along the normal; triangles that overlap count twice.
 double PolygonTriangulator::ComputeTriangleArea() const
 {
   double area = 0.0;

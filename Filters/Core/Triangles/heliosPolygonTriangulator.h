@@ -23,21 +23,22 @@ class VTKHELIOSFILTERSCORE_EXPORT PolygonTriangulator
 {
 public:
   /**
-   * Triangulates a polygon: as a fan about its first corner if that covers it once, as of a convex
-   * one, else by PlanarTriangulation in the plane of the two axes that it covers most. Rings may
-   * touch themselves and each other, in vertices and along sides. The triangles have the orientation
-   * of the boundary, whatever that of the holes. A polygon without area has none.
+   * Triangulates a polygon: as a fan about its first corner if that covers it once (a convex
+   * polygon), else by PlanarTriangulation in the plane of the two axes that it covers most. Rings
+   * may touch themselves and each other, in vertices and along sides. The triangles have the
+   * orientation of the boundary, whatever the orientation of the holes. A polygon without area has
+   * none.
    *
    * False if sides cross or a hole is outside: the area of the triangles, seen along the normal of
-   * the polygon, is not its own. Sides that cross by less than a ten thousandth of the area are taken
-   * to touch, as rounded coordinates do.
+   * the polygon, is not its own. Sides that cross by less than a ten thousandth of the area are
+   * taken to touch, as rounded coordinates do.
    */
   bool Triangulate(const double* points, const PolygonRings& rings);
 
-  /// Three vertex indices per triangle of the last polygon.
+  /// Returns three vertex indices per triangle of the last polygon.
   const std::vector<vtkTypeInt32>& GetCorners() const { return this->Corners; }
 
-  /// Likewise the places of the corners in the rings, counted through all of them.
+  /// Returns the places of these corners in the rings, counted through all of them.
   const std::vector<int>& GetPlaces() const { return this->Places; }
 
 private:
@@ -55,7 +56,7 @@ private:
   Vec3 GetAreaVector(const std::vector<int>& ring) const;
 
   const double* Points = nullptr;
-  std::vector<vtkTypeInt32> Vertices;  // of each place
+  std::vector<vtkTypeInt32> Vertices;  // one vertex per place
   std::vector<std::vector<int>> Rings; // places, without repeated vertices
   Vec3 Normal{ 0.0, 0.0, 0.0 };        // unit
   double Area = 0.0;                   // [m2], seen along the normal

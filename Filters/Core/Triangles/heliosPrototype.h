@@ -25,7 +25,7 @@ namespace helios
 class VTKHELIOSFILTERSCORE_EXPORT Prototype
 {
 public:
-  /// Sets a mesh (vtkPolyData) or a raster (vtkImageData), and keeps a reference. Errors: those of
+  /// Sets a mesh (vtkPolyData) or a raster (vtkImageData), and keeps a reference. Errors: see
   /// TriangleMesh and HeightField.
   Status Set(vtkDataSet* data);
 
@@ -52,7 +52,7 @@ public:
     }
   }
 
-  /// Smallest and largest coordinates of the corners: x0 x1 y0 y1 z0 z1.
+  /// Returns the smallest and largest coordinates of the corners: x0 x1 y0 y1 z0 z1.
   void GetBounds(double bounds[6]) const { std::copy_n(this->Bounds, 6, bounds); }
 
   /// Bytes held by this object in addition to its data.

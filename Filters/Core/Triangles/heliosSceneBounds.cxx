@@ -28,7 +28,7 @@ Box MakeEmptyBox()
   return { infinity, -infinity, infinity, -infinity, infinity, -infinity };
 }
 
-/// How far a box reaches on a side: larger is further out.
+/// Returns the coordinate of a box on a side, negated if needed: larger is further out.
 double GetReach(const Box& box, int side)
 {
   return side % 2 == 0 ? -box[side] : box[side];
@@ -43,7 +43,7 @@ void AddBox(const Box& added, Box& box)
   }
 }
 
-/// Without rotation, the box of the prototype in the scene is exact.
+/// Adds the corners of an instance. Without rotation, the box of the prototype is exact.
 void AddCorners(const SceneGeometry& geometry, const SceneInstance& instance, Box& box)
 {
   if (!instance.Place.HasRotation)
@@ -121,7 +121,7 @@ private:
 
   const SceneGeometry& Geometry;
   Box Tight;
-  std::vector<Box> Outer; ///< of the instances
+  std::vector<Box> Outer; ///< outer boxes of the instances
   std::vector<bool> IsDone;
 };
 

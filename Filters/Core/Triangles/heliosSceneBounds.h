@@ -17,17 +17,19 @@ class SceneGeometry;
 struct SceneInstance;
 
 /**
- * The smallest and largest coordinates of all corners, x0 x1 y0 y1 z0 z1: to the last bit those of
- * the mesh of copies. Only the corners of instances that may reach a side are computed.
+ * Computes the smallest and largest coordinates of all corners, x0 x1 y0 y1 z0 z1, bit by bit equal
+ * to the bounds of the flattened mesh. Only the corners of instances that may reach a side are
+ * computed.
  */
 VTKHELIOSFILTERSCORE_EXPORT void ComputeTightBounds(
   const SceneGeometry& geometry, double bounds[6]);
 
-/// The same for one instance of a geometry.
+/// Computes the bounds of one instance of a geometry.
 VTKHELIOSFILTERSCORE_EXPORT void ComputeTightBounds(
   const SceneGeometry& geometry, const SceneInstance& instance, double bounds[6]);
 
-/// The same for any scene; without instances, all points of the mesh. An empty box: none.
+/// Computes the bounds of any scene; without instances, of all points of the mesh. An empty box:
+/// none.
 VTKHELIOSFILTERSCORE_EXPORT Status GetSceneBounds(vtkPolyData* scene, double bounds[6]);
 
 } // namespace helios

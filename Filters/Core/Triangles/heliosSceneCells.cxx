@@ -34,7 +34,8 @@ int GetId(vtkDataArray* ids, vtkIdType cell, int byDefault)
 
 } // namespace
 
-/// Not inlined: GCC 12 drops the conversions to float and back of a vector of doubles.
+/// Rounds to float. Not inlined: GCC 12 drops the conversions to float and back of a vector of
+/// doubles.
 __attribute__((noinline)) double RoundToFloat(double x)
 {
   return static_cast<float>(x);

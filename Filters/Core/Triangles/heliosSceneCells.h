@@ -30,17 +30,17 @@ public:
   /// Keeps the arrays of a scene alive; its geometry must outlive this.
   SceneCells(vtkPolyData* scene, const SceneGeometry& geometry);
 
-  /// -1: the scene has no parts.
+  /// Returns the part of a cell; -1: the scene has no parts.
   int GetPart(vtkIdType cell) const;
 
-  /// -1: the scene has no material ids.
+  /// Returns the material of a cell; -1: the scene has no material ids.
   int GetMaterial(vtkIdType cell) const;
 
   /// Gets the unit normal of the array Normals; false: it has none for the cell.
   bool GetNormal(vtkIdType cell, Vec3& normal) const;
 
 private:
-  /// Of a mesh; null: none.
+  /// Cell arrays of a mesh; null: none.
   struct Arrays
   {
     vtkSmartPointer<vtkDataArray> Parts;

@@ -186,7 +186,7 @@ Status SceneGeometry::SetCells(vtkPolyData* instances)
   Status status;
   const InstanceColumn first(instances, names::FirstCellIds, 1, status);
   const vtkIdType own = this->Mesh.GetNumberOfTriangles();
-  vtkIdType ofInstances = 0; // those before
+  vtkIdType ofInstances = 0; // triangles of the instances before
   vtkIdType before = 0;      // triangles of the mesh before
   for (std::size_t i = 0; status.IsOk() && i < this->Instances.size(); ++i)
   {

@@ -29,11 +29,11 @@ struct SceneInstance
   Similarity Place;
   int PrototypeId = 0;
   int Part = 0;
-  int Material = -1;         ///< of all triangles; -1: those of the prototype
+  int Material = -1;         ///< material of all triangles; -1: materials of the prototype
   vtkIdType FirstCell = 0;   ///< the cell id of its first triangle
   vtkIdType CellsBefore = 0; ///< triangles of the mesh with lower cell ids
 
-  /// The corners of a triangle of the prototype in the scene.
+  /// Computes the corners of a triangle of the prototype in the scene.
   void GetCorners(const Prototype& prototype, vtkIdType triangle, double corners[3][3]) const
   {
     prototype.GetCorners(triangle, corners);
@@ -45,15 +45,15 @@ struct SceneInstance
 };
 
 /**
- * Cell ids count all triangles, 64-bit; those of an instance are consecutive. Corners of instances
- * are those that a copy of the prototype, moved by vtkHeliosSceneTransform, has.
+ * Cell ids count all triangles, 64-bit; the ids of an instance are consecutive. Corners of
+ * instances equal the corners of a copy of the prototype moved by vtkHeliosSceneTransform.
  */
 class VTKHELIOSFILTERSCORE_EXPORT SceneGeometry
 {
 public:
   /**
-   * Sets a scene, which may be a vtkHeliosScene, and keeps references. Errors: those of
-   * TriangleMesh and HeightField, and instances whose values are invalid.
+   * Sets a scene, which may be a vtkHeliosScene, and keeps references. Errors: see TriangleMesh and
+   * HeightField; and instances whose values are invalid.
    */
   Status Set(vtkPolyData* scene);
 
@@ -89,13 +89,13 @@ public:
 
   void GetCorners(vtkIdType cell, double corners[3][3]) const;
 
-  /// As TriangleMesh::GetNormal().
+  /// Returns the unit normal of a cell, see TriangleMesh::GetNormal().
   Vec3 GetNormal(vtkIdType cell) const;
 
-  /// A box that contains all corners, to rounding: x0 x1 y0 y1 z0 z1. Tight for the mesh.
+  /// Computes a box that contains all corners, to rounding: x0 x1 y0 y1 z0 z1. Tight for the mesh.
   void GetBounds(double bounds[6]) const;
 
-  /// The same for an instance.
+  /// Computes the box of an instance.
   void GetBounds(const SceneInstance& instance, double bounds[6]) const;
 
   /// Bytes held by this object in addition to the scene.

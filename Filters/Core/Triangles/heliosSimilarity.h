@@ -19,7 +19,7 @@ struct Similarity
   Vec3 Translation{ 0.0, 0.0, 0.0 };
 
   Similarity() = default;
-  /// The quaternion (w, x, y, z) may have any length but 0.
+  /// Sets a quaternion (w, x, y, z) of any length but 0, a scale and a translation.
   Similarity(const double quaternion[4], double scale, const double translation[3])
     : HasRotation(quaternion[1] != 0.0 || quaternion[2] != 0.0 || quaternion[3] != 0.0)
     , Scale(scale)
@@ -51,7 +51,7 @@ struct Similarity
   /// Returns the rotated vector.
   Vec3 Rotate(const Vec3& v) const { return this->HasRotation ? this->Turn * v : v; }
 
-  /// The vector R^-1 v / s.
+  /// Computes the vector R^-1 v / s.
   void ApplyInverse(const double v[3], double out[3]) const
   {
     const auto& m = this->Turn.M;
@@ -64,7 +64,7 @@ struct Similarity
     }
   }
 
-  /// The point R^-1 (p - t) / s.
+  /// Computes the point R^-1 (p - t) / s.
   void ApplyInverseToPoint(const double p[3], double out[3]) const
   {
     const double v[3] = { p[0] - this->Translation[0], p[1] - this->Translation[1],

@@ -51,7 +51,7 @@ bool IsStraight(const double* a, const double* b, const double* c, int x, int y)
   return ComputeExactTurn(a, b, c, x, y) == 0.0;
 }
 
-/// Same test with rounded differences: true only if certainly not collinear.
+/// Returns whether three points are certainly not collinear, by rounded differences.
 bool IsSurelyBent(const double* a, const double* b, const double* c, int x, int y)
 {
   const double left = (b[x] - a[x]) * (c[y] - a[y]);
@@ -69,7 +69,8 @@ bool SpansArea(const double a[3], const double b[3], const double c[3])
 }
 
 //------------------------------------------------------------------------------
-/// Each coordinate and each operation is assumed to have a rounding error of half an ulp.
+/// Returns whether three points are collinear; each coordinate and each operation has a rounding
+/// error of half an ulp.
 bool IsFlat(const double a[3], const double b[3], const double c[3])
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2.0;

@@ -54,10 +54,11 @@ public:
     return this->Points + 3 * static_cast<vtkIdType>(this->Corners[3 * triangle + corner]);
   }
 
-  /// As GetTriangleNormal().
+  /// Returns the unit normal of a triangle, see GetTriangleNormal().
   Vec3 GetNormal(vtkIdType triangle) const;
 
-  /// Smallest and largest coordinates of the points that triangles use: x0 x1 y0 y1 z0 z1.
+  /// Computes the smallest and largest coordinates of the points that triangles use: x0 x1 y0 y1 z0
+  /// z1.
   void GetBounds(double bounds[6]) const;
 
   /// Bytes held by this object in addition to the scene.

@@ -14,7 +14,7 @@
  * - point data Scale (double, optional): greater than 0, default 1;
  * - point data PartIds (int, optional), default 0;
  * - point data MaterialIds (int, optional): the material of all triangles of the instance; -1, the
- *   default: those of the prototype;
+ *   default: the materials of the prototype;
  * - point data FirstCellIds (int64, optional): the cell id of its first triangle, ascending; cells
  *   of the mesh have the ids between. Default: all instances follow the mesh.
  *
@@ -22,12 +22,12 @@
  * columns in the field data of this scene.
  *
  * A prototype may also be a raster of heights, as from vtkHeliosGeoTiffHeightReader: a vtkImageData
- * with the point data Heights and the field data GeoTransform. Its triangles are those of
- * vtkHeliosGeoTiffSceneReader and are computed on demand; their material is that of the instance, by
- * default the first.
+ * with the point data Heights and the field data GeoTransform. Its triangles equal the output of
+ * vtkHeliosGeoTiffSceneReader and are computed on demand; their material is the material of the
+ * instance, by default the first.
  *
- * Ray casters, the scanner and what is built on them take such a scene as a mesh; the ray caster
- * "beam" without copies of the triangles. vtkHeliosSceneFlatten makes a mesh for all other filters.
+ * Ray casters, the scanner and their users take such a scene as a mesh; the ray caster "beam"
+ * without copies of the triangles. vtkHeliosSceneFlatten makes a mesh for all other filters.
  *
  * @sa
  * vtkHeliosSceneComposer vtkHeliosSceneFlatten
@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * The meshes (vtkPolyData) and rasters (vtkImageData) of the instances, numbered from 0: adds one,
-   * gets one (null: no such number).
+   * Adds a mesh (vtkPolyData) or raster (vtkImageData) of the instances, numbered from 0; returns
+   * one (null: no such number).
    */
   void AddPrototype(vtkDataSet* prototype);
   vtkDataSet* GetPrototype(int prototype) const;
@@ -69,8 +69,7 @@ public:
   ///@}
 
   /**
-   * Returns the triangles of the mesh and of all instances; those of rasters that are not valid:
-   * none.
+   * Returns the number of triangles of the mesh and of all instances; an invalid raster has none.
    */
   vtkIdType GetNumberOfTriangles() const;
 
@@ -79,7 +78,7 @@ public:
 
   ///@{
   /**
-   * Of the mesh, the prototypes and the instances.
+   * Computes the bounds of the mesh and of the instances.
    */
   void ComputeBounds() override;
   void Initialize() override;

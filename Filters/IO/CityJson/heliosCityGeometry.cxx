@@ -69,7 +69,8 @@ Status CityGeometry::Add(const Json::Value& geometry, const std::vector<vtkTypeI
 }
 
 //------------------------------------------------------------------------------
-/// The values of semantics are nested like the boundaries, without rings; null stands for none.
+/// Adds the surfaces of a level. The values of semantics are nested like the boundaries, without
+/// rings; null stands for none.
 Status CityGeometry::AddLevel(const Json::Value& boundaries, const Json::Value& values, int depth)
 {
   if (!boundaries.isArray())
@@ -127,7 +128,7 @@ Status CityGeometry::AddSurface(const Json::Value& surface, const Json::Value& v
 }
 
 //------------------------------------------------------------------------------
-/// The material of a surface, -1 if nothing is there.
+/// Finds the material of a surface, -1 if nothing is there.
 Status CityGeometry::FindRow(const Json::Value& value, int& row)
 {
   std::string surface;

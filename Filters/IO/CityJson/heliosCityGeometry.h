@@ -24,7 +24,8 @@ namespace helios
 
 class JsonFile;
 
-/// How the lists of a geometry type are nested: 0 surfaces, 1 shells, 2 solids; -1: no surfaces.
+/// Returns the nesting of the lists of a geometry type: 0 surfaces, 1 shells, 2 solids; -1: no
+/// surfaces.
 int GetCityDepth(const Json::Value& geometry);
 
 /// Adds the surfaces of geometries to a mesh. Errors have file:line and the object.
@@ -33,10 +34,10 @@ class CityGeometry
 public:
   CityGeometry(const JsonFile& file, SceneMesh& mesh);
 
-  /// The text that the values of geometries and errors are of from here on; returns the last one.
+  /// Sets the text that later geometries and errors refer to; returns the previous one.
   const JsonFile& SetFile(const JsonFile& file);
 
-  /// The object that geometries belong to from here on.
+  /// Sets the object that later geometries belong to.
   void SetObject(const std::string& name, const std::string& type);
 
   /// Adds a geometry; ids gives the point of each of its vertices.
@@ -45,7 +46,7 @@ public:
   /// Warns of surfaces whose rings cross.
   void Warn(TextReport& report) const { this->Polygons.Warn(report); }
 
-  /// An error at a value of the current object.
+  /// Returns an error at a value of the current object.
   Status Fail(const Json::Value& value, const std::string& message) const;
 
 private:
@@ -61,7 +62,7 @@ private:
   std::string ObjectType;
   const Json::Value* Surfaces = nullptr;          // semantics of the current geometry
   const std::vector<vtkTypeInt32>* Ids = nullptr; // likewise
-  PolygonRings Rings;                             // of the current surface
+  PolygonRings Rings;                             // rings of the current surface
   ScenePolygons Polygons;
 };
 

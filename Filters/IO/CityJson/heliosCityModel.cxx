@@ -41,7 +41,7 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// One value per line.
+/// Returns whether a file has one value per line.
 bool IsSequence(const std::string& path)
 {
   std::string ending = std::filesystem::path(path).extension().string();
@@ -66,8 +66,8 @@ bool IsWord(const std::string& text)
     std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
-/// "EPSG:7415" of https://www.opengis.net/def/crs/EPSG/0/7415 or urn:ogc:def:crs:EPSG::7415; empty
-/// if it is neither.
+/// Returns "EPSG:7415" for https://www.opengis.net/def/crs/EPSG/0/7415 or
+/// urn:ogc:def:crs:EPSG::7415; empty for another text.
 std::string ParseCrs(const std::string& text)
 {
   const char separator = text.rfind("urn:", 0) == 0 ? ':' : '/';
@@ -170,7 +170,7 @@ Status CityModel::ReadLines(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// The metadata, or a feature, whose vertices are its own.
+/// Reads the metadata, or a feature with vertices of its own.
 Status CityModel::ReadLine(const std::string& path, std::string_view text, std::int64_t line)
 {
   if (!this->HasHeader)
@@ -228,7 +228,7 @@ Status CityModel::ReadTransform()
 }
 
 //------------------------------------------------------------------------------
-/// Every vertex becomes a point: scale times integer plus translation, in double precision.
+/// Adds a point for every vertex: scale times integer plus translation, in double precision.
 Status CityModel::ReadVertices(const JsonFile& file)
 {
   const Json::Value& vertices = GetMember(file.GetRoot(), "vertices");
@@ -331,8 +331,8 @@ Status CityModel::AddGeometry(const Json::Value& geometry)
 }
 
 //------------------------------------------------------------------------------
-/// Returns the level of detail of a geometry with surfaces, of an instance that of its template;
-/// else empty.
+/// Returns the level of detail of a geometry with surfaces, for an instance the level of its
+/// template; else empty.
 std::string CityModel::FindLevel(const Json::Value& geometry) const
 {
   const Json::Value& shape = IsInstance(geometry) ? this->Templates.Find(geometry) : geometry;

@@ -30,16 +30,16 @@ class CityModel
 public:
   CityModel(SceneMesh& mesh, TextReport& report);
 
-  /// As in the file, such as "2.2"; empty: the highest of each object.
+  /// Level of detail as the file writes it, such as "2.2"; empty: the highest of each object.
   std::string LevelOfDetail;
 
-  /// Called with the fraction of the objects; returning false stops reading.
+  /// Runs with the fraction of the objects; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /// Returns false after an error, which is in the report.
   bool Read(const std::string& path);
 
-  /// Of the metadata: "EPSG:7415"; empty: none.
+  /// Returns the system in the metadata: "EPSG:7415"; empty: none.
   const std::string& GetCrs() const { return this->Crs; }
 
 private:
@@ -62,9 +62,9 @@ private:
   SceneMesh& Mesh;
   TextReport& Report;
   JsonFile File;                        // with the metadata
-  bool HasHeader = false;               // of a sequence
-  const Json::Value* Objects = nullptr; // of the current text
-  double Scale[3] = { 1.0, 1.0, 1.0 };  // of vertices
+  bool HasHeader = false;               // the sequence's first line was read
+  const Json::Value* Objects = nullptr; // city objects of the current text
+  double Scale[3] = { 1.0, 1.0, 1.0 };  // scale of the vertices
   double Translation[3] = { 0.0, 0.0, 0.0 };
   CityGeometry Geometry;
   CityTemplates Templates;

@@ -37,7 +37,7 @@ public:
   {
   }
 
-  /// The row of a semantic surface of a city object.
+  /// Finds the row of a semantic surface of a city object.
   int FindRow(const std::string& object, const std::string& surface);
 
 private:

@@ -58,7 +58,7 @@ const Json::Value& CityTemplates::Find(const Json::Value& instance) const
 }
 
 //------------------------------------------------------------------------------
-/// A template, moved by a matrix and then to a vertex.
+/// Adds a template, moved by a matrix and then to a vertex.
 Status CityTemplates::Add(const Json::Value& instance, const std::vector<vtkTypeInt32>& ids)
 {
   double matrix[16];
@@ -100,7 +100,7 @@ Status CityTemplates::Add(const Json::Value& instance, const std::vector<vtkType
 }
 
 //------------------------------------------------------------------------------
-/// A small file may have many copies of a large template.
+/// Checks the total size: a small file may have many copies of a large template.
 Status CityTemplates::CheckSize(const Json::Value& instance)
 {
   if (++this->NumberOfInstances % InstancesPerCheck != 0)

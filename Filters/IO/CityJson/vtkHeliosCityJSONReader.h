@@ -5,22 +5,22 @@
  * @brief   read a city model in CityJSON as a scene
  *
  * CityJSON 2.0 and 1.1, and text sequences of features (.jsonl: CityJSONSeq), whose first line has
- * the metadata. Output 0 is that of vtkHeliosSceneReader:
+ * the metadata. Output 0 is a scene, as from every vtkHeliosSceneReader:
  * - points: scale times integer plus translation of the file's transform, in double;
  * - triangles of the surfaces of MultiSurface, CompositeSurface, Solid, MultiSolid, CompositeSolid,
- *   and of templates (GeometryInstance), in the order of the objects' names. Surfaces may be concave
- *   and have holes. Points and lines are not read;
+ *   and of templates (GeometryInstance), in the order of the objects' names. Surfaces may be
+ *   concave and have holes. Points and lines are not read;
  * - cell data PartIds (int), the objects with triangles, and their ids in the field data Part.Name;
  * - one material for each kind of surface, named like its semantic type (RoofSurface, WallSurface,
- *   ...), else like its object (Road, PlantCover, ...). Classes are those of LAS 1.4: Building* 6,
- *   Bridge* 17, Road and TransportSquare 11, Railway 10, Water* 9, LandUse and TINRelief 2,
- *   PlantCover 4, SolitaryVegetationObject 5, others 0. Ground are LandUse, TINRelief, roads, squares
- *   and railways. ClosureSurface and WaterClosureSurface are not material, and left out;
+ *   ...), else like its object (Road, PlantCover, ...). Classes are classes of LAS 1.4: Building*
+ *   6, Bridge* 17, Road and TransportSquare 11, Railway 10, Water* 9, LandUse and TINRelief 2,
+ *   PlantCover 4, SolitaryVegetationObject 5, others 0. Ground are LandUse, TINRelief, roads,
+ *   squares and railways. ClosureSurface and WaterClosureSurface are not material, and left out;
  * - field data CRS: "EPSG:n" of metadata.referenceSystem.
  *
- * A file has objects at several levels of detail. LevelOfDetail selects one; without it, the highest
- * of each object is read, and an object with parts (BuildingPart, ...) of a higher level is given by
- * its parts alone.
+ * A file has objects at several levels of detail. LevelOfDetail selects one; without it, the
+ * highest of each object is read, and an object with parts (BuildingPart, ...) of a higher level is
+ * given by its parts alone.
  *
  * Errors, without output: text that is not JSON, another version, a vertex that is malformed, an
  * index out of range, a level of detail that no object has. Messages start with file:line and name
@@ -59,7 +59,7 @@ public:
   ///@{
   /**
    * Set/Get an MTL file: materials with the name of one of the scene replace it (RoofSurface, Road,
-   * ...). A class of 0 keeps that of the scene. Default: none.
+   * ...). A class of 0 keeps the class of the scene. Default: none.
    */
   vtkSetFilePathMacro(MaterialFileName);
   vtkGetFilePathMacro(MaterialFileName);

@@ -10,9 +10,9 @@
 namespace helios
 {
 
-///@{
-/// Text as ASCII without backslashes, characters beyond it as \u and four hexadecimal digits (in
-/// UTF-16), and back. Text that is not UTF-8 is escaped byte by byte, as Latin-1.
+/// @{
+/// Writes text as ASCII without backslashes, characters beyond it as \u and four hexadecimal digits
+/// (in UTF-16), and reads it back. Text that is not UTF-8 is escaped byte by byte, as Latin-1.
 std::string EscapeText(const std::string& text);
 std::string UnescapeText(const std::string& text);
 ///@}

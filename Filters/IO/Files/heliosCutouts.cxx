@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-/// What materials have in a mesh.
+/// Share of a material in a mesh.
 struct Share
 {
   vtkIdType Triangles = 0;
@@ -44,7 +44,7 @@ std::string FormatShare(const Share& share, vtkIdType all, std::size_t materials
 //------------------------------------------------------------------------------
 void WarnOfCutouts(SceneMesh& mesh, const std::vector<Cutout>& cutouts, TextReport& report)
 {
-  std::map<int, vtkIdType> counts; // of the triangles of a material
+  std::map<int, vtkIdType> counts; // number of triangles per material
   for (const Cutout& each : cutouts)
   {
     counts.emplace(each.Row, 0);

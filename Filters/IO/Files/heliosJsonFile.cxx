@@ -18,9 +18,9 @@ namespace helios
 namespace
 {
 
-constexpr double BytesPerByte = 65.0; // of memory per byte of a file; measured: 25 to 64
+constexpr double BytesPerByte = 65.0; // memory per byte of a file; measured: 25 to 64
 
-/// Of "* Line 3, Column 5\n  Missing ',' ..." the line and the words.
+/// Makes an error with line and words from "* Line 3, Column 5 Missing ',' ...".
 Status DescribeFault(const std::string& path, const std::string& errors, std::int64_t first)
 {
   int line = 0;

@@ -38,7 +38,7 @@ public:
   const Json::Value& GetRoot() const { return *this->Root; }
   const std::string& GetPath() const { return this->Path; }
 
-  /// "path:line: " of a value.
+  /// Returns "path:line: " of a value.
   std::string GetPlace(const Json::Value& value) const;
 
 private:

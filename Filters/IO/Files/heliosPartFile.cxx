@@ -36,7 +36,7 @@ int SyncDescriptor(int descriptor)
   return 0;
 }
 
-/// As SyncDescriptor(), for a file or folder by name.
+/// Flushes a file or folder given by name, like SyncDescriptor().
 int SyncPath(const std::string& path)
 {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

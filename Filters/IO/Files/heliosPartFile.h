@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// Of the names of files that are not complete.
+/// Ending of the names of files that are not complete.
 inline constexpr const char* PartEnding = ".part";
 
 /// Bytes of a file that were appended together, and their checksum.
@@ -82,14 +82,14 @@ public:
   /// Closes the file as <path>.part; keeps the error message, if any.
   bool Abandon();
 
-  /// Size without truncated bytes [bytes].
+  /// Returns the size without truncated bytes [bytes].
   std::uint64_t GetSize() const { return this->Size; }
 
-  /// Path of the last Open().
+  /// Returns the path of the last Open().
   const std::string& GetPath() const { return this->Path; }
   std::string GetPartPath() const { return this->Path + PartEnding; }
 
-  /// Error message of the last failure: file and cause.
+  /// Returns the error message of the last failure: file and cause.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
@@ -157,7 +157,7 @@ VTKHELIOSFILTERSIO_EXPORT Status WriteWhole(const std::string& path, const std::
 VTKHELIOSFILTERSIO_EXPORT Status WriteUnsynced(const std::string& path, const std::string& text);
 ///@}
 
-/// Size of a file [bytes] if its last bytes are the given ending; else -1.
+/// Returns the size of a file [bytes] if its last bytes are the given ending; else -1.
 VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
   const std::string& path, const std::string& ending);
 

@@ -22,7 +22,7 @@ namespace helios
 namespace
 {
 
-// Minimum and maximum coordinates: x0 x1 y0 y1 z0 z1.
+// Computes the minimum and maximum coordinates: x0 x1 y0 y1 z0 z1.
 void FindBounds(const double* points, vtkIdType count, double bounds[6])
 {
   for (int axis = 0; axis < 3; ++axis)

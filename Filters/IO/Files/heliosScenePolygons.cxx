@@ -6,7 +6,7 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-/// False if the sides of the polygon cross.
+/// Adds the triangles of a polygon; false if its sides cross.
 bool ScenePolygons::AddTriangles(const PolygonRings& rings, int material)
 {
   const bool isSimple = this->Triangulator.Triangulate(this->Mesh.Points.GetValues(), rings);

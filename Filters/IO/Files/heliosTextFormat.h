@@ -45,7 +45,7 @@ public:
   const char* GetText() const { return this->Text.data(); }
   std::size_t GetSize() const { return this->Size; }
 
-  /// False after a NaN or infinite number was appended; Cut() resets it.
+  /// Returns false after a NaN or infinite number was appended; Cut() resets it.
   bool IsFinite() const { return this->Finite; }
 
   /// Truncates to an earlier size.
@@ -73,7 +73,7 @@ public:
     this->Size += static_cast<std::size_t>(std::to_chars(at, at + 24, value).ptr - at);
   }
 
-  /// A number with 1 to 9 decimals, rounded like std::to_chars; zero has no sign.
+  /// Appends a number with 1 to 9 decimals, rounded like std::to_chars; zero has no sign.
   template <int Decimals>
   void AppendFixed(double value)
   {
@@ -106,9 +106,9 @@ public:
 
 private:
   /**
-   * scale x rounded to nearest, ties to even, for x in [0, 1). The product p is below 2^30, so a
-   * half is an integer multiple of its ulp: p is on the same side of a half as the exact product,
-   * unless p is exactly a half; then the rounding error of p decides.
+   * Returns scale x rounded to nearest, ties to even, for x in [0, 1). The product p is below 2^30,
+   * so a half is an integer multiple of its ulp: p is on the same side of a half as the exact
+   * product, unless p is exactly a half; then the rounding error of p decides.
    */
   static std::uint32_t RoundScaled(double x, std::uint32_t scale)
   {

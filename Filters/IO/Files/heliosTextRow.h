@@ -24,9 +24,9 @@ class TextRow
 public:
   explicit TextRow(const std::string& separators);
 
-  /// The number of the first column, for messages. Default: 0.
+  /// Sets the number of the first column, for messages. Default: 0.
   void SetFirstNumber(int number) { this->FirstNumber = number; }
-  /// Whether numbers that are not finite are valid. Default: off.
+  /// Sets whether numbers that are not finite are valid. Default: off.
   void SetKeepInvalid(bool keeps) { this->KeepInvalid = keeps; }
 
   /// Returns whether a character is a valid separator: not a digit, letter, + - . # or /.
@@ -81,9 +81,9 @@ private:
   bool KeepInvalid = false;
   int FirstNumber = 0;
   std::vector<char> Needed;   // per column
-  std::vector<double> Values; // of the row, per column
+  std::vector<double> Values; // values of the row, one per column
   int Column = 0;
-  const char* Word = nullptr; // of that column
+  const char* Word = nullptr; // word of the column with the fault
   std::string_view Line;
 };
 

@@ -82,8 +82,8 @@ protected:
 
   ///@{
   /**
-   * Of a format: its name, what a file without triangles lacks, and reading a file into a scene.
-   * False after an error, which is in the report.
+   * Describe a format: its name, what a file without triangles lacks, and how a file is read into a
+   * scene. False after an error, which is in the report.
    */
   virtual const char* GetFormatName() const = 0;
   virtual const char* GetFaceExample() const { return "faces"; }

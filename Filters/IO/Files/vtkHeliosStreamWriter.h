@@ -4,20 +4,18 @@
  * @class   vtkHeliosStreamWriter
  * @brief   write a run block by block
  *
- * Call Open(), Write() once per block, then Close() on success or Abandon() on
- * failure. Blocks are written to <FileName>.part, which Close() renames to
- * FileName; except during Write(), the .part contains complete blocks only.
- * Parent folders of FileName are created. Memory does not grow with the number
- * of records. A block is formatted in parallel by vtkSMPTools; the output is
+ * Call Open(), Write() once per block, then Close() on success or Abandon() on failure. Blocks are
+ * written to <FileName>.part, which Close() renames to FileName; except during Write(), the .part
+ * contains complete blocks only. Parent folders of FileName are created. Memory does not grow with
+ * the number of records. A block is formatted in parallel by vtkSMPTools; the output is
  * byte-identical for any number of threads.
  *
  * Text writers drop records with non-finite numbers; a warning gives the count.
  *
- * All return false after an error: a folder that cannot be created, a file that
- * cannot be written (disk full: the incomplete block is removed, the message
- * gives the number of records saved, and no more blocks are accepted), a block
- * of the wrong type or without a required array (nothing of it is written, and
- * the next block is accepted).
+ * All return false after an error: a folder that cannot be created, a file that cannot be written
+ * (disk full: the incomplete block is removed, the message gives the number of records saved, and
+ * no more blocks are accepted), a block of the wrong type or without a required array (the whole
+ * block is refused, and the next block is accepted).
  *
  * To add a text format, subclass and implement Write() with WriteRows().
  *
@@ -74,9 +72,9 @@ public:
   virtual bool Open();
 
   /**
-   * Resume the file that an earlier run left, as .part or under its final name,
-   * truncated to a size [bytes]; the numbers of records and bytes are those at
-   * that size. Fails if the file is shorter.
+   * Resumes the file that an earlier run left, as .part or under its final name, truncated to a
+   * size [bytes]; the numbers of records and bytes are those at that size. Fails if the file is
+   * shorter.
    */
   virtual bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes);
 
@@ -96,26 +94,25 @@ public:
   virtual bool Write(vtkDataObject* block) = 0;
 
   /**
-   * Fsync all blocks, so that a power failure cannot lose them. Fails also if
-   * the file was removed in the meantime.
+   * Flushes all blocks to disk (fsync), so that a power failure cannot lose them. Fails also if the
+   * file was removed in the meantime.
    */
   bool Flush();
 
   /**
-   * Like Flush(), but returns the error message, empty after success. May be called from any thread.
-   * Another thread may write meanwhile, except to the pieces of VTK XML.
+   * Flushes like Flush(), but returns the error message, empty after success. May be called from
+   * any thread. Another thread may write meanwhile, except to the pieces of VTK XML.
    */
   virtual std::string Sync();
 
   /**
-   * Close the file and give it its final name. If a block could not be written,
-   * this is an error, and the file keeps its .part name.
+   * Closes the file and gives it its final name. If a block could not be written, this is an error,
+   * and the file keeps its .part name.
    */
   virtual bool Close();
 
   /**
-   * Close the file, if one is open, and keep its .part name; it is complete up
-   * to the last block.
+   * Closes the file, if one is open, and keeps its .part name; it is complete up to the last block.
    */
   virtual bool Abandon();
 
@@ -145,8 +142,9 @@ public:
   ///@}
 
   /**
-   * With CountOnly, also append what a block would write to a text, which must exist until the file
-   * is closed: rows, or a piece of VTK XML without its index. Null: to no text. Default: null.
+   * Sets a text to which, with CountOnly, the text of every block is appended: rows, or a piece of
+   * VTK XML without its index. It must exist until the file is closed. Null: to no text. Default:
+   * null.
    */
   void SetBlockText(std::string* text)
   {
@@ -173,13 +171,13 @@ protected:
   vtkHeliosStreamWriter();
   ~vtkHeliosStreamWriter() override;
 
-  /// Source of the blocks, for messages: a plural.
+  /// Returns the source of the blocks, for messages: a plural.
   virtual const char* GetBlockSource() const = 0;
 
-  /// Location of the written records, for messages.
+  /// Returns the location of the written records, for messages.
   virtual std::string GetSafePlace() const;
 
-  /// File name applied by Open().
+  /// Returns the file name applied by Open().
   const std::string& GetOpenName() const;
 
   /// Returns whether a block is accepted; reports an error otherwise.

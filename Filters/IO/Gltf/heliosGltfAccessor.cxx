@@ -25,7 +25,7 @@ struct NumberKind
 {
   std::int64_t Code;
   std::int64_t Size; // [bytes]
-  double Largest;    // of normalized integers; 0: floats
+  double Largest;    // largest value of normalized integers; 0: floats
   double (*Read)(const char* bytes);
 };
 
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  /// The kind of the numbers in an accessor, or in the indices of a sparse one.
+  /// Finds the kind of the numbers in an accessor, or in the indices of a sparse one.
   Status FindKind(const Json::Value& object, const std::string& path, const NumberKind*& kind) const
   {
     const Json::Value& code = GetMember(object, "componentType");
@@ -115,7 +115,7 @@ private:
           "is " + Quote(type) + ", and " + Quote(expected) + " is needed here; correct it");
   }
 
-  /// Without a view, nothing else limits the number of elements.
+  /// Checks the number of elements: without a view, nothing else limits it.
   Status CheckCount()
   {
     Status status = this->Document.ReadWhole(this->Accessor, "count", this->Path, 0, this->Count);

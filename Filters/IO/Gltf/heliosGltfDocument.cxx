@@ -19,8 +19,8 @@ namespace helios
 namespace
 {
 
-constexpr double BytesPerByte = 2.0; // of memory per byte of a container
-constexpr std::size_t HeadSize = 12; // of a container [bytes]
+constexpr double BytesPerByte = 2.0; // memory per byte of a container
+constexpr std::size_t HeadSize = 12; // head of a container [bytes]
 constexpr std::size_t ChunkHeadSize = 8;
 constexpr std::uint32_t JsonChunk = 0x4E4F534A;
 constexpr std::uint32_t BinaryChunk = 0x004E4942;
@@ -43,7 +43,8 @@ std::uint32_t ReadUnsigned(std::string_view bytes, std::size_t at)
   return byte(0) | byte(1) << 8 | byte(2) << 16 | static_cast<std::uint32_t>(byte(3)) << 24;
 }
 
-/// Compression changes how data are read, whatever it compresses.
+/// Returns whether an extension is supported. Compression changes how data are read, whatever it
+/// compresses.
 bool IsSupported(const std::string& extension)
 {
   const auto has = [&extension](const char* word)
@@ -77,7 +78,7 @@ Status GltfDocument::Read(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// A header of 12 bytes, then chunks: length, type, bytes.
+/// Parses a header of 12 bytes, then chunks: length, type, bytes.
 Status GltfDocument::ParseContainer(const std::string& path)
 {
   const std::string_view all = this->Container;
@@ -211,7 +212,7 @@ Status GltfDocument::ReadView(const Json::Value& value, const std::string& where
 }
 
 //------------------------------------------------------------------------------
-/// The first buffer of a container is its binary chunk, unless it has a URI.
+/// Reads a buffer. The first buffer of a container is its binary chunk, unless it has a URI.
 Status GltfDocument::ReadBuffer(std::int64_t index, std::string_view& bytes)
 {
   const Json::Value& buffer = this->GetElement("buffers", index);

@@ -16,7 +16,7 @@
 namespace helios
 {
 
-/// "meshes[3]".
+/// Returns "meshes[3]".
 std::string ElementPath(const char* list, std::int64_t index);
 
 /// Bytes of a buffer, and the distance of elements in them [bytes]; 0: they follow each other.
@@ -36,22 +36,22 @@ public:
   const Json::Value& GetRoot() const { return this->File.GetRoot(); }
   const std::string& GetPath() const { return this->File.GetPath(); }
 
-  /// An error at a JSON path.
+  /// Returns an error at a JSON path.
   Status Fail(const std::string& where, const std::string& message) const;
 
-  ///@{
-  /// The index of an element of a list of the root, given by a value at a JSON path.
+  /// @{
+  /// Finds the index of an element of a list of the root, given by a value at a JSON path.
   Status FindIndex(const char* list, const Json::Value& value, const std::string& where,
     std::int64_t& index) const;
   const Json::Value& GetElement(const char* list, std::int64_t index) const;
   std::int64_t GetCount(const char* list) const;
   ///@}
 
-  /// A whole number of at least 0 in a member of an object; the default if it is missing.
+  /// Reads a whole number of at least 0 in a member of an object; the default if it is missing.
   Status ReadWhole(const Json::Value& object, const char* name, const std::string& where,
     std::int64_t missing, std::int64_t& number) const;
 
-  /// The bytes of a buffer view; loads its buffer.
+  /// Reads the bytes of a buffer view; loads its buffer.
   Status ReadView(const Json::Value& value, const std::string& where, GltfBytes& bytes);
 
 private:

@@ -19,7 +19,7 @@ namespace helios
 namespace
 {
 
-constexpr double BytesPerItem = 24.0; // of a vertex or triangle
+constexpr double BytesPerItem = 24.0; // memory per vertex or triangle
 
 enum Mode : std::int64_t
 {
@@ -199,7 +199,7 @@ private:
   GltfDocument& Document;
   const std::vector<double>& Weights;
   GltfMesh& Mesh;
-  int Material = -1; // of the current primitive
+  int Material = -1; // material of the current primitive
   std::int64_t FirstPoint = 0;
   std::int64_t NumberOfPoints = 0;
   std::vector<double> Indices;

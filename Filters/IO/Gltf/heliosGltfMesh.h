@@ -23,12 +23,13 @@ namespace helios
 
 class GltfDocument;
 
-/// In the coordinates of the mesh.
+/// Triangles in the coordinates of the mesh.
 struct GltfMesh
 {
   std::vector<double> Points;        // x y z of each vertex
   std::vector<vtkTypeInt32> Corners; // three vertices of each triangle
-  std::vector<int> Materials;        // of each triangle, by index of the document; -1: none
+  // material of each triangle, by index of the document; -1: none
+  std::vector<int> Materials;
 };
 
 /// Reads the primitives of a mesh that are triangles, strips or fans; points and lines are skipped.

@@ -51,7 +51,7 @@ Status GltfModel::ReadFile(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// A row for each; a base colour without texture is a reflectance.
+/// Adds a row per material; a base colour without texture is a reflectance.
 Status GltfModel::ReadMaterials()
 {
   for (std::int64_t i = 0; i < this->Document.GetCount("materials"); ++i)
@@ -83,7 +83,7 @@ Status GltfModel::ReadMaterials()
 }
 
 //------------------------------------------------------------------------------
-/// A texture whose transparency is shown.
+/// Finds the texture that cuts out a material by its transparency.
 void GltfModel::FindCutout(std::int64_t material)
 {
   const Json::Value& given = this->Document.GetElement("materials", material);
@@ -116,7 +116,7 @@ Status GltfModel::ReadMeshes()
 }
 
 //------------------------------------------------------------------------------
-/// All triangles, with copies.
+/// Checks the number of all triangles, with copies.
 Status GltfModel::CheckSize() const
 {
   double triangles = 0.0;
@@ -159,7 +159,7 @@ Status GltfModel::AddMeshes()
 }
 
 //------------------------------------------------------------------------------
-/// A mirrored mesh is turned outside again.
+/// Adds a placed mesh; a mirrored mesh is turned outside again.
 Status GltfModel::AddMesh(const GltfPlacement& placement)
 {
   const GltfMesh& mesh = this->Meshes.at(GetKey(placement));

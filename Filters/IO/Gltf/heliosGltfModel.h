@@ -33,7 +33,7 @@ public:
   {
   }
 
-  /// Called with the fraction of the placements; returning false stops reading.
+  /// Runs with the fraction of the placements; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /// Returns false after an error, which is in the report.
@@ -61,9 +61,9 @@ private:
   TextReport& Report;
   GltfDocument Document;
   std::vector<GltfPlacement> Placements;
-  std::map<MeshKey, GltfMesh> Meshes; // that are placed
+  std::map<MeshKey, GltfMesh> Meshes; // meshes that are placed
   std::vector<Cutout> Cutouts;
-  int DefaultRow = -1; // of triangles without material; -1: none yet
+  int DefaultRow = -1; // row of triangles without material; -1: none yet
 };
 
 } // namespace helios

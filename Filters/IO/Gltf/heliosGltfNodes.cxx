@@ -84,7 +84,7 @@ void GltfNodes::AddParentless(std::vector<Visit>& visits) const
 }
 
 //------------------------------------------------------------------------------
-/// In reverse order: the last one is visited first.
+/// Adds nodes in reverse order: the last one is visited first.
 Status GltfNodes::AddNodes(const Json::Value& list, const std::string& where,
   const GltfTransform& parent, std::vector<Visit>& visits) const
 {
@@ -163,7 +163,7 @@ Status GltfNodes::ReadVisibility(
 }
 
 //------------------------------------------------------------------------------
-/// The weights of morph targets: those of the node, else of its mesh.
+/// Reads the weights of morph targets of the node, else of its mesh.
 Status GltfNodes::ReadWeights(const Json::Value& node, GltfPlacement& placement) const
 {
   const Json::Value& own = GetMember(node, "weights");
@@ -189,7 +189,7 @@ Status GltfNodes::ReadWeights(const Json::Value& node, GltfPlacement& placement)
 }
 
 //------------------------------------------------------------------------------
-/// A matrix, or translation, rotation and scale.
+/// Reads a matrix, or translation, rotation and scale.
 Status GltfNodes::ReadPlace(
   const Json::Value& node, const std::string& where, GltfTransform& place) const
 {
@@ -257,7 +257,7 @@ Status GltfNodes::AddInstances(
 }
 
 //------------------------------------------------------------------------------
-/// An attribute that may be missing; all have the same count.
+/// Reads an attribute that may be missing; all attributes have the same count.
 Status GltfNodes::ReadAttribute(const Json::Value& attributes, const char* name, const char* type,
   const std::string& where, std::vector<double>& values, std::int64_t& count)
 {

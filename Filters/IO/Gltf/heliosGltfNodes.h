@@ -23,7 +23,7 @@ struct GltfPlacement
   std::int64_t Mesh = 0;
   std::int64_t Node = 0;
   GltfTransform Place;
-  std::vector<double> Weights{}; ///< of the morph targets of the mesh; empty: all 0
+  std::vector<double> Weights{}; ///< weights of the mesh's morph targets; empty: all 0
 };
 
 /// Finds the placements of the default scene; without scenes, of all nodes. Nodes that are not

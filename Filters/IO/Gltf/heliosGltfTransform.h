@@ -17,7 +17,8 @@ struct GltfTransform
 {
   double M[3][4] = { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } };
 
-  /// Of sixteen numbers in column order, as in documents; the last row is not read.
+  /// Makes the transform of sixteen numbers in column order, as documents have them; the last row
+  /// is not read.
   static GltfTransform FromColumns(const double* m)
   {
     GltfTransform result;
@@ -28,7 +29,8 @@ struct GltfTransform
     return result;
   }
 
-  /// Scale, then a rotation by a quaternion x, y, z, w of any length but 0, then translation.
+  /// Makes a scale, then a rotation by a quaternion x, y, z, w of any length but 0, then a
+  /// translation.
   static GltfTransform FromParts(const double* t, const double* q, const double* s)
   {
     const double n = 2.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);

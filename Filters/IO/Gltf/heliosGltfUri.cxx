@@ -20,7 +20,7 @@ namespace helios
 namespace
 {
 
-constexpr std::size_t ShownBytes = 40; // of a URI, in messages
+constexpr std::size_t ShownBytes = 40; // bytes of a URI shown in messages
 
 bool HasScheme(const std::string& uri)
 {
@@ -28,7 +28,7 @@ bool HasScheme(const std::string& uri)
   return colon != std::string::npos && uri.find_first_of("/?#") > colon;
 }
 
-/// "%20" becomes a blank.
+/// Decodes percent signs: "%20" becomes a blank.
 std::string DecodePercent(const std::string& text)
 {
   std::string decoded;

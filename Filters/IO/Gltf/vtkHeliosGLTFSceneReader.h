@@ -4,8 +4,8 @@
  * @class   vtkHeliosGLTFSceneReader
  * @brief   read a glTF 2.0 document as a scene
  *
- * JSON (.gltf) with buffers in it or beside it, and binary containers (.glb). Output 0 is that of
- * vtkHeliosSceneReader:
+ * JSON (.gltf) with buffers in it or beside it, and binary containers (.glb). Output 0 is a scene,
+ * as from every vtkHeliosSceneReader:
  * - points: the vertices of all meshes of the default scene, moved by their nodes in double
  *   precision, and by EXT_mesh_gpu_instancing. glTF is y up, and UpAxis is UP_AXIS_Y by default;
  * - triangles, strips and fans, with indices or without. Points and lines are skipped;
@@ -14,14 +14,14 @@
  *   only a start for the wavelength of a laser. Others have the default reflectance.
  *
  * Positions may be integers (KHR_mesh_quantization), accessors sparse. Nodes that share a mesh are
- * copies. Nodes hidden by KHR_node_visibility are left out; morph targets have the default weights of
- * the node or mesh. Skins and animations are not applied.
+ * copies. Nodes hidden by KHR_node_visibility are left out; morph targets have the default weights
+ * of the node or mesh. Skins and animations are not applied.
  *
  * Errors, without output: text that is not JSON, another version, an extension that is required and
- * may change the geometry (compression), an index out of range, bytes that do not fit into their buffer, a vertex or
- * node that is not finite, a node with two parents. Messages name the file and the JSON path of the
- * value: "a.glb: meshes[0].primitives[1].indices: ...". Warnings: skins, materials whose textures are
- * transparent (alphaMode), which are scanned as opaque.
+ * may change the geometry (compression), an index out of range, bytes that do not fit into their
+ * buffer, a vertex or node that is not finite, a node with two parents. Messages name the file and
+ * the JSON path of the value: "a.glb: meshes[0].primitives[1].indices: ...". Warnings: skins,
+ * materials whose textures are transparent (alphaMode), which are scanned as opaque.
  *
  * @sa
  * vtkHeliosSceneReader vtkHeliosMaterialReader

@@ -20,15 +20,15 @@ namespace
 
 constexpr std::size_t FileHeaderSize = 14;
 constexpr std::size_t PixelsAtAt = 10;     // in it, where the pixels are
-constexpr std::size_t CoreHeaderSize = 12; // of OS/2
-constexpr std::size_t OldHeaderSize = 64;  // of OS/2 2.x, whose compressions above 2 are others
-constexpr std::size_t InfoHeaderSize = 40; // of Windows
+constexpr std::size_t CoreHeaderSize = 12; // header of OS/2
+constexpr std::size_t OldHeaderSize = 64;  // header of OS/2 2.x, whose compressions above 2 differ
+constexpr std::size_t InfoHeaderSize = 40; // header of Windows
 constexpr std::size_t LongestHeader = 124;
 constexpr std::size_t MasksAt = 40; // in a header, or behind it
 constexpr std::size_t MaskBytes = 12;
-constexpr std::size_t AlphaMaskAt = 52;  // of headers that have one
+constexpr std::size_t AlphaMaskAt = 52;  // place of the alpha mask, if a header has one
 constexpr int ColorsUsed = 32;           // its place in a header
-constexpr double MostRowsPerByte = 64.0; // of runs, which can leave out pixels: 255 rows by a move,
+constexpr double MostRowsPerByte = 64.0; // runs can leave out pixels: 255 rows by a move,
 constexpr double MostPixelsPerByte = 1e4; // or the rest of a row
 
 enum Compression : unsigned
@@ -116,14 +116,14 @@ private:
   std::int64_t Rows = 0;
   std::int64_t PixelsAt = 0; // in the file
   bool IsFromTop = false;
-  int Bits = 0; // of a pixel
+  int Bits = 0; // bits of a pixel
   unsigned Packing = Plain;
   std::array<Mask, 3> Masks;
   std::vector<std::array<unsigned char, 3>> Palette;
-  std::vector<unsigned char> Bytes; // of a row
-  std::int64_t Column = 0;          // of the next pixel of a run
+  std::vector<unsigned char> Bytes; // bytes of a row
+  std::int64_t Column = 0;          // column of the next pixel of a run
   std::int64_t Row = 0;
-  bool IsAtEnd = false; // of runs
+  bool IsAtEnd = false; // the runs have ended
   std::string Fault;
 };
 
@@ -205,7 +205,7 @@ Status BmpDecoder::CheckBits() const
     : Status();
 }
 
-// Red, green and blue, in the header or behind it.
+// Reads the masks of red, green and blue, in the header or behind it.
 bool BmpDecoder::ReadMasks()
 {
   this->Masks = this->Bits == 16
@@ -232,7 +232,7 @@ bool BmpDecoder::ReadMasks()
   return true;
 }
 
-// Up to the pixels: whatever is missing there is an error once it is used.
+// Reads the palette up to the pixels: a missing colour is an error once it is used.
 bool BmpDecoder::ReadPalette()
 {
   if (this->Bits > 8)
@@ -340,7 +340,7 @@ bool BmpDecoder::ReadPlainRow(unsigned char* pixels)
   return true;
 }
 
-// Some programs also pack the bytes that pad a row.
+// Sets the next pixel. Some programs also pack the bytes that pad a row.
 bool BmpDecoder::SetNext(unsigned index, const ImageRows& rows)
 {
   const std::int64_t padded = 8 * this->GetRowStep() / this->Bits;
@@ -378,7 +378,7 @@ bool BmpDecoder::ReadSeparate(int count, const ImageRows& rows)
   return true;
 }
 
-// The end of a row, the end of the image, a move, or a number of pixels.
+// Reads the end of a row, the end of the image, a move, or a number of pixels.
 bool BmpDecoder::ReadEscape(int code, const ImageRows& rows)
 {
   if (code > 2)

@@ -10,7 +10,7 @@
 namespace helios
 {
 
-/// The orientation, 1 to 8, in an APP1 segment of JPEG; 0: it has none.
+/// Finds the orientation, 1 to 8, in an APP1 segment of JPEG; 0: it has none.
 int FindExifOrientation(std::string_view segment);
 
 } // namespace helios

@@ -40,7 +40,7 @@ constexpr std::array<Format, 14> Formats = { { { "\x89PNG\r\n\x1a\n", MakePngDec
   { "P2", MakePnmDecoder }, { "P3", MakePnmDecoder }, { "P4", MakePnmDecoder },
   { "P5", MakePnmDecoder }, { "P6", MakePnmDecoder }, { "P7", MakePnmDecoder } } };
 
-/// Of the format of the first bytes; null: of none.
+/// Makes the decoder for the first bytes of a file; null: of no format.
 std::unique_ptr<ImageDecoder> MakeDecoder(const ImageFile& file)
 {
   std::array<char, 8> start{};
@@ -181,7 +181,7 @@ Status OpenImage::Read(Image& image)
   const StoredImage& s = this->Stored;
   const std::size_t rowSize = Channels * static_cast<std::size_t>(s.Columns);
   const auto rows = static_cast<std::size_t>(s.Rows);
-  const auto allocate = [rowSize, rows]() // of zeros, which take memory once they are written
+  const auto allocate = [rowSize, rows]() // zeros take memory once they are written
   {
     void* memory = std::calloc(rows, rowSize);
     return memory ? static_cast<unsigned char*>(memory) : throw std::bad_alloc();

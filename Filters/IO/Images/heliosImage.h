@@ -27,9 +27,9 @@ struct ImageHeader
   std::string Format; ///< such as PNG
   int Width = 0;      ///< [pixels]
   int Height = 0;
-  double BytesPerPixel = 3.0; ///< of memory while it is read, at most
+  double BytesPerPixel = 3.0; ///< largest memory while the image is read
   bool HasAlpha = false;      ///< transparency, which is ignored
-  std::string Warning;        ///< of what is not applied; empty: none
+  std::string Warning;        ///< names what is not applied; empty: none
 
   double CountPixels() const { return static_cast<double>(this->Width) * this->Height; }
 };
@@ -42,8 +42,8 @@ struct Image
 };
 
 /**
- * Reads size and kind of an image. The kind is that of its first bytes, whatever its name. Errors
- * begin with the path: a file that is missing, not regular, of another kind, damaged, or of a variant
+ * Reads size and kind of an image. The first bytes give the kind, whatever the name. Errors begin
+ * with the path: a file that is missing, not regular, of another kind, damaged, or of a variant
  * that is not read.
  */
 VTKHELIOSFILTERSIO_EXPORT Status ReadImageHeader(const std::string& path, ImageHeader& header);
@@ -55,7 +55,7 @@ VTKHELIOSFILTERSIO_EXPORT Status ReadImageHeader(const std::string& path, ImageH
  */
 VTKHELIOSFILTERSIO_EXPORT Status ReadImage(const std::string& path, Image& image);
 
-/// An error of an image as one of a texture, with what to do about map_Kd.
+/// Turns an error of an image into an error of a texture, with a remedy by map_Kd.
 VTKHELIOSFILTERSIO_EXPORT Status MakeTextureError(const Status& status);
 
 } // namespace helios

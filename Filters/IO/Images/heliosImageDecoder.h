@@ -18,7 +18,7 @@ namespace helios
 /// Where row 0 and column 0 of the file are seen, as tag 274 of TIFF counts them: from 1 to 8.
 enum class ImageOrientation
 {
-  TopLeft = 1, ///< as all formats but TIFF
+  TopLeft = 1, ///< all formats but TIFF
   TopRight,
   BottomRight,
   BottomLeft,
@@ -37,14 +37,14 @@ struct ImageRows
   unsigned char* Get(std::int64_t row) const { return this->First + row * this->Step; }
 };
 
-/// What a file has, in its own order of rows and columns.
+/// Image in the file's own order of rows and columns.
 struct StoredImage
 {
   std::int64_t Columns = 0;
   std::int64_t Rows = 0;
   ImageOrientation Orientation = ImageOrientation::TopLeft;
-  double ExtraBytesPerPixel = 0.0; ///< of memory beside the 3 of the pixels, while it is read
-  double LeastBytes = 0.0;         ///< that the pixels have in any file
+  double ExtraBytesPerPixel = 0.0; ///< memory beside the 3 bytes of a pixel, while it is read
+  double LeastBytes = 0.0;         ///< fewest bytes of the pixels in any file
   int ExifOrientation = 1;         ///< which is not applied
   bool HasAlpha = false;           ///< which is ignored
 
@@ -64,7 +64,7 @@ public:
 
   virtual const char* GetFormat() const = 0;
 
-  /// Called once, first.
+  /// Reads the header; runs once, first.
   virtual Status ReadHeader(StoredImage& stored) = 0;
 
   /// Writes all pixels, or fails. Called once, after ReadHeader().

@@ -23,7 +23,7 @@ namespace
 constexpr int MostScans = 500;            // programs write ten; more are made to take time
 constexpr int ExifMarker = JPEG_APP0 + 1; // and its longest segment
 constexpr unsigned LongestSegment = 0xffff;
-constexpr double BytesPerCoefficient = 2.0; // of a progressive image, which is kept as a whole
+constexpr double BytesPerCoefficient = 2.0; // a progressive image is kept as a whole
 
 class JpegDecoder final : public ImageDecoder
 {
@@ -155,7 +155,8 @@ Status JpegDecoder::ReadHeader(StoredImage& stored)
   return {};
 }
 
-// Of the ink of a row; programs of Adobe, which leave a mark, store how much is left of the light.
+// Converts the ink of a row to colours. Programs of Adobe, which leave a mark, store how much is
+// left of the light.
 void JpegDecoder::ConvertInk(unsigned char* row) const
 {
   const int flip = this->Jpeg.saw_Adobe_marker ? 0 : 255;

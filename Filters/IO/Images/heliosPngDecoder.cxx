@@ -18,7 +18,7 @@ namespace helios
 namespace
 {
 
-constexpr double LargestRatio = 1032.0; // of deflate
+constexpr double LargestRatio = 1032.0; // largest ratio of deflate
 constexpr int AllButUsed = -1;          // chunks, for png_set_keep_unknown_chunks()
 
 class PngDecoder final : public ImageDecoder
@@ -73,7 +73,7 @@ Status PngDecoder::MakeError() const
   return Status::Error(std::string("cannot be read: ") + this->Message);
 }
 
-// Every chunk is checked, by its checksum; but of those without pixels nothing is read.
+// Starts libpng. It checks the checksum of every chunk, and skips chunks without pixels.
 bool PngDecoder::Start()
 {
   this->Png =
@@ -100,7 +100,7 @@ bool PngDecoder::ParseHeader()
   return true;
 }
 
-// Of IDAT, at the highest compression.
+// Computes the smallest size of IDAT, at the highest compression.
 double PngDecoder::CountLeastBytes() const
 {
   const double bits = static_cast<double>(png_get_bit_depth(this->Png, this->Info)) *

@@ -56,12 +56,12 @@ private:
   std::int64_t Rows = 0;
   std::int64_t Most = 1; // value
   std::size_t Channels = 1;
-  std::vector<unsigned> Values; // of a row
+  std::vector<unsigned> Values; // values of a row
   std::vector<unsigned char> Bytes;
   std::string Fault;
 };
 
-// The next character that is not in a comment.
+// Returns the next character that is not in a comment.
 int PnmDecoder::GetNext()
 {
   int c = std::getc(this->File);
@@ -75,7 +75,7 @@ int PnmDecoder::GetNext()
   return c;
 }
 
-// A number after blanks, and the character behind it.
+// Reads a number after blanks, and the character behind it.
 bool PnmDecoder::ReadNumber(std::int64_t largest, std::int64_t& number)
 {
   int c = this->GetNext();

@@ -21,7 +21,7 @@ namespace helios
 namespace
 {
 
-constexpr double LargestRatio = 1e5; // of a compression
+constexpr double LargestRatio = 1e5; // largest ratio of a compression
 constexpr double Mebibyte = 1048576.0;
 constexpr double MostMemory = 1e15; // where the system tells none
 
@@ -92,10 +92,10 @@ private:
   bool IsPlanar = false;
   std::int64_t Columns = 0;
   std::int64_t Rows = 0;
-  std::int64_t BlockColumns = 0; // of a strip: all
+  std::int64_t BlockColumns = 0; // columns of a block; of a strip: all
   std::int64_t BlockRows = 0;
   std::size_t BlockSize = 0;                        // [bytes]
-  std::array<std::vector<unsigned char>, 4> Blocks; // of the planes
+  std::array<std::vector<unsigned char>, 4> Blocks; // one block per plane
   std::string Message;                              // the first one
   bool IsDecoding = false;
   bool HasWarning = false; // about pixels, which are guessed then
@@ -144,7 +144,7 @@ bool TiffDecoder::Open()
   return this->Tiff != nullptr;
 }
 
-// Its value, or the default of TIFF.
+// Returns the value of a tag, or the default of TIFF.
 std::uint16_t TiffDecoder::GetShort(std::uint32_t tag) const
 {
   std::uint16_t value = 0;
@@ -167,7 +167,7 @@ Status TiffDecoder::CheckVariant(std::uint16_t compression, std::uint16_t format
   return {};
 }
 
-// What the samples mean.
+// Finds the meaning of the samples.
 Status TiffDecoder::FindColors()
 {
   const std::uint16_t compression = this->GetShort(TIFFTAG_COMPRESSION);

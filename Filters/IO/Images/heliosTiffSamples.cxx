@@ -54,7 +54,7 @@ void TiffSamples::SetPalette(const std::array<std::uint16_t*, 3>& colors)
   constexpr unsigned mostBits = 16;
   const auto bits = static_cast<unsigned>(this->Bits);
   this->Colors.resize(bits <= mostBits ? std::size_t(1) << bits : 0);
-  bool areBytes = true; // as some programs write them
+  bool areBytes = true; // some programs write bytes as 16 bits
   for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {
     areBytes = areBytes && colors[0][i] < 256 && colors[1][i] < 256 && colors[2][i] < 256;
@@ -119,7 +119,7 @@ void TiffSamples::Convert(const std::array<const unsigned char*, 4>& rows, bool 
     {
       values[c] = arePlanes ? this->GetByte(rows[c], i) : this->GetByte(rows[0], i * step + c);
     }
-    const int light = 255 - values[3]; // that black leaves
+    const int light = 255 - values[3]; // light that black leaves
     for (std::size_t c = 0; c < 3; ++c)
     {
       const int value = values[inks < 3 ? 0 : c];

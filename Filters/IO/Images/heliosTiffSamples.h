@@ -22,13 +22,13 @@ public:
   int Bits = 8;
   int PerPixel = 1; ///< in a row: 1 of planes
 
-  /// What the samples are, by the tags of TIFF; an error of others.
+  /// Sets the kind of the samples by the tags of TIFF; an error for a kind that is not read.
   Status SetKind(int photometric, int count, int inkSet);
 
-  /// Before SetKind(): tables of as many colours as samples have values.
+  /// Sets tables with a colour for each value of a sample, before SetKind().
   void SetPalette(const std::array<std::uint16_t*, 3>& colors);
 
-  /// How many samples of a pixel make its colour: those of others are ignored.
+  /// Returns the number of samples of a pixel that make its colour; further ones are ignored.
   int GetNumberOfInks() const;
 
   std::size_t GetRowSize(std::int64_t columns) const
@@ -57,7 +57,7 @@ private:
   unsigned char GetByte(const unsigned char* row, std::size_t at) const;
 
   Kind Means = Kind::Black;
-  std::vector<std::array<unsigned char, 3>> Colors; // of the palette
+  std::vector<std::array<unsigned char, 3>> Colors; // colours of the palette
 };
 
 } // namespace helios

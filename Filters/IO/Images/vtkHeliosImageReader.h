@@ -10,17 +10,18 @@
  *
  * Formats, by the first bytes of the file:
  * - PNG: all variants; the checksum of every chunk is checked;
- * - JPEG: baseline and progressive, of 8 bits. A warning tells if EXIF gives an orientation: it is not
- *   applied, since texture coordinates are those of the pixels as stored;
- * - TIFF and BigTIFF: the first image; strips and tiles, planes, grey, RGB, palette, CMYK, YCbCr with
- *   JPEG, of 1, 2, 4, 8 or 16 bits, all compressions of libtiff but old JPEG, upright by its
+ * - JPEG: baseline and progressive, of 8 bits. A warning tells if EXIF gives an orientation: it is
+ *   not applied, since texture coordinates refer to the pixels as stored;
+ * - TIFF and BigTIFF: the first image; strips and tiles, planes, grey, RGB, palette, CMYK, YCbCr
+ *   with JPEG, of 1, 2, 4, 8 or 16 bits, all compressions of libtiff but old JPEG, upright by its
  *   orientation (1 to 8);
  * - BMP: 1 to 32 bits, palettes, bit fields, run lengths, from the bottom or the top;
  * - PNM: P1 to P6.
  *
  * Errors, without output, name the file: one that does not exist, is no regular file, is damaged,
- * incomplete or of another variant, or needs more memory than vtkHeliosMemoryLimit allows. Sizes are
- * checked before memory is allocated. The size is known without reading pixels: UpdateInformation().
+ * incomplete or of another variant, or needs more memory than vtkHeliosMemoryLimit allows. Sizes
+ * are checked before memory is allocated. The size is known without reading pixels:
+ * UpdateInformation().
  *
  * @sa
  * vtkHeliosObjSceneReader vtkHeliosScanner

@@ -279,7 +279,7 @@ void LasArrays::AddColors(int place)
     });
 }
 
-/// Undocumented bytes are counted.
+/// Adds arrays for Extra Bytes; undocumented bytes are counted.
 void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
 {
   int place = this->Form.Length;

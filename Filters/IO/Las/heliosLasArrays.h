@@ -34,7 +34,7 @@ public:
   /// Moves the points and arrays to a cloud.
   void MoveTo(vtkPolyData* cloud);
 
-  /// What is not read, or read as another number: "its points have ...".
+  /// Returns notes on values that are not read, or read as another number: "its points have ...".
   const std::vector<std::string>& GetNotes() const { return this->Notes; }
 
 private:

@@ -47,7 +47,7 @@ bool IsField(const std::string& name, int type)
     std::begin(fields), std::end(fields), [&name](const char* field) { return name == field; });
 }
 
-/// The Extra Bytes type; 0: not storable.
+/// Returns the Extra Bytes type; 0: not storable.
 int GetExtraType(vtkDataArray* array)
 {
   switch (array->GetDataType())

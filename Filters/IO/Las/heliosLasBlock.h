@@ -23,7 +23,7 @@ namespace helios
 
 class LasWaves;
 
-/// Conversion of values to those of LAS.
+/// Conversion of values to values of LAS.
 struct LasScaling
 {
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
@@ -38,10 +38,10 @@ public:
   /// Reads the arrays of echoes with double points. Returns an error: "the array ... holds".
   Status Set(vtkPolyData* echoes, bool hasExtras);
 
-  /// Call before Set() if points have waveforms; their packets are built before Encode().
+  /// Sets the waveforms of the points, before Set(); their packets are built before Encode().
   void SetWaves(const LasWaves* waves) { this->Waves = waves; }
 
-  /// Waveform ids of the points; not set if points have none.
+  /// Returns the waveform ids of the points; not set if points have none.
   const Column& GetWaveformIds() const { return this->WaveformIds; }
 
   int GetFormat() const
@@ -70,8 +70,8 @@ private:
   struct Extra
   {
     const char* Values;
-    int Size;   // of a tuple [bytes]
-    int Number; // of one number
+    int Size;   // size of a tuple [bytes]
+    int Number; // size of one number
     int Place;  // in the point record
   };
 
@@ -95,7 +95,7 @@ private:
   vtkIdType NumberOfPoints = 0;
   std::vector<LasExtra> Extras;
   std::vector<Extra> ExtraValues;
-  std::vector<vtkSmartPointer<vtkDataArray>> Copies; // of arrays with another layout
+  std::vector<vtkSmartPointer<vtkDataArray>> Copies; // copies of arrays with another layout
   std::atomic<vtkIdType> LateReturns{ 0 };
   std::atomic<vtkIdType> OddClasses{ 0 };
 };

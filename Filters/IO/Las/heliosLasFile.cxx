@@ -107,7 +107,7 @@ Status LasFile::ReadRecords()
   return status;
 }
 
-/// Only requested extended records are kept: others may be large.
+/// Reads a variable length record. Only requested extended records are kept: others may be large.
 Status LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended)
 {
   const std::uint64_t headSize = isExtended ? LasRecord::ExtendedHeadSize : LasRecord::HeadSize;

@@ -23,7 +23,7 @@ public:
   /// size.
   Status Open(const std::string& path);
 
-  /// As Open(), for a file whose header may not count all points yet: reads those up to its end.
+  /// Opens a file whose header may not count all points yet: reads the points up to its end.
   Status OpenGrowing(const std::string& path);
 
   /// Reads the raw points.

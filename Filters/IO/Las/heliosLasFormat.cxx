@@ -45,7 +45,7 @@ constexpr std::size_t AtTimeOffset = 391;
 
 constexpr std::size_t TextSize = 32;
 constexpr std::string_view Signature = "LASF";
-constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375, 393 }; // of 1.0 to 1.5
+constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375, 393 }; // LAS 1.0 to 1.5
 constexpr int LargestMinor = 5;
 constexpr double TimeOffsetUnit = 1e6; // [s]
 
@@ -55,7 +55,7 @@ constexpr double SmallestScale = 1e-15;
 constexpr double LargestCoordinate = 1e15;
 ///@}
 
-constexpr int CompressedBits = 0xC0; // of the format, in files of LASzip
+constexpr int CompressedBits = 0xC0; // bits of the format in files of LASzip
 
 ///@{
 /// An entry of Extra Bytes.

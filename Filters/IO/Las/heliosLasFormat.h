@@ -48,7 +48,7 @@ struct LasPointForm
   bool IsKnown() const { return this->Length > 0; }
 };
 
-/// Layout of a point data record format; empty above 10.
+/// Returns the layout of a point data record format; empty above 10.
 VTKHELIOSFILTERSIO_EXPORT LasPointForm GetLasPointForm(int format);
 
 /// Totals over all points of a file.
@@ -66,9 +66,9 @@ struct VTKHELIOSFILTERSIO_EXPORT LasSummary
 
 struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 {
-  static constexpr int Size10 = 227; ///< of LAS 1.0
+  static constexpr int Size10 = 227; ///< LAS 1.0
   static constexpr int Size14 = 375;
-  static constexpr int LargestSize = 393;           ///< of LAS 1.5
+  static constexpr int LargestSize = 393;           ///< LAS 1.5
   static constexpr double StandardTimeOffset = 1e9; ///< [s]
 
   ///@{
@@ -92,7 +92,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   int PointLength = 30;
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
-  std::uint64_t WavesBegin = 0; ///< of the packet record in the file itself
+  std::uint64_t WavesBegin = 0; ///< start of the packet record in the file itself
   std::uint64_t ExtendedBegin = 0;
   std::uint32_t NumberOfExtended = 0;
   double Epoch = 0.0; ///< GPS time at which the times begin [s], when reading; 0: unknown
@@ -163,7 +163,8 @@ inline constexpr int LasWktId = 2112;
 inline constexpr int LasGeoKeysId = 34735;
 ///@}
 
-/// Returns whether the first bytes of a file, LasHeader::Size10 or more, are those of LASzip (LAZ).
+/// Returns whether the first bytes of a file, LasHeader::Size10 or more, begin a file of LASzip
+/// (LAZ).
 bool HasCompressedPoints(std::string_view header);
 
 /// Returns the text in bytes, up to the first zero.

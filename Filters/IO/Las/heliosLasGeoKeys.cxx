@@ -25,7 +25,7 @@ constexpr int UndefinedCode = 32767;
 constexpr int ProjectedModel = 1;
 ///@}
 
-/// Value of a key; 0: missing.
+/// Returns the value of a key; 0: missing.
 int GetGeoKey(const std::string& keys, int key)
 {
   constexpr std::size_t entry = 8;
@@ -40,14 +40,14 @@ int GetGeoKey(const std::string& keys, int key)
   return 0;
 }
 
-/// The EPSG code of a key; 0: missing or defined otherwise.
+/// Returns the EPSG code of a key; 0: missing or defined otherwise.
 int GetCode(const std::string& keys, int key)
 {
   const int code = GetGeoKey(keys, key);
   return code < UndefinedCode ? code : 0;
 }
 
-/// The EPSG code of the map; 0: unknown.
+/// Returns the EPSG code of the map; 0: unknown.
 int GetMapCode(const std::string& keys)
 {
   const bool isMap =
@@ -55,7 +55,7 @@ int GetMapCode(const std::string& keys)
   return GetCode(keys, isMap ? ProjectedKey : GeographicKey);
 }
 
-/// The EPSG code of the heights; 0: unknown.
+/// Returns the EPSG code of the heights; 0: unknown.
 int GetVerticalCode(const std::string& keys)
 {
   const int code = GetCode(keys, VerticalKey);
@@ -81,7 +81,7 @@ double GetHeightUnit(const std::string& keys)
   }
 }
 
-/// The system of the same surface in another unit, of those in use; 0: none.
+/// Finds the system of the same surface in another unit, of those in use; 0: none.
 int FindInUnit(int vertical, double unit)
 {
   constexpr int navd88 = 5703;

@@ -11,10 +11,10 @@ namespace helios
 {
 
 /**
- * "EPSG:n" or "EPSG:n+m" of a GeoKeyDirectoryTag record; WKT if key 4099 gives heights a unit that
- * no vertical system states. Empty if the map is defined by parameters, or by no key.
+ * Returns "EPSG:n" or "EPSG:n+m" of a GeoKeyDirectoryTag record; WKT if key 4099 gives heights a
+ * unit that no vertical system states. Empty if the map is defined by parameters, or by no key.
  *
- * Vertical codes of GeoTIFF 1.0 (5101 to 5106) are replaced by those of EPSG; those of ellipsoids
+ * Vertical codes of GeoTIFF 1.0 (5101 to 5106) are replaced by codes of EPSG; codes of ellipsoids
  * (5001 to 5033) state no surface.
  */
 std::string GetGeoKeysCrs(const std::string& keys);

@@ -21,7 +21,7 @@ struct KnownName
   const char* Description;
 };
 
-/// With the names of the arrays.
+/// Names by the arrays of vtkHelios.
 constexpr KnownName OwnNames[] = {
   { names::Range, names::Range, "distance [m]" },
   { names::Amplitude, names::Amplitude, "peak of the echo [W]" },
@@ -40,7 +40,7 @@ constexpr KnownName OwnNames[] = {
   { names::Normal, names::Normal, "of the surface, unit vector" },
 };
 
-/// With the names of RIEGL, and one for the power, whose name it has taken.
+/// Names by RIEGL, and a name for the power, since RIEGL uses its own.
 constexpr KnownName RieglNames[] = {
   { names::RelativeAmplitude, "Amplitude", "Echo signal amplitude [dB]" },
   { names::Reflectance, "Reflectance", "Echo signal reflectance [dB]" },

@@ -17,7 +17,7 @@ struct LasName
 };
 
 /**
- * Returns the Extra Bytes of an array: those of RIEGL's programs for points with decibels, whose
+ * Returns the Extra Bytes of an array: names of RIEGL's programs for points with decibels, whose
  * Amplitude is in dB ("LAS extrabytes implementation in RIEGL software"); else the array's own
  * name.
  */

@@ -34,7 +34,8 @@ public:
   /// Adds the names in the field data of a block; a later one may have more of them.
   Status Add(vtkFieldData* fields);
 
-  /// Writes the names of a file with this number of points, or removes those of an earlier file.
+  /// Writes the names of a file with this number of points, or removes the names of an earlier
+  /// file.
   Status Finish(vtkIdType points);
 
   /// Appends the finished file, if there is one, to the blocks that are safe.
@@ -43,9 +44,9 @@ public:
 private:
   std::string GetPart() const;
 
-  std::string Path; // of the LAS file
+  std::string Path; // LAS file
   bool IsResumed = false;
-  vtkIdType Count = 0; // of the names of the blocks
+  vtkIdType Count = 0; // number of names in the blocks
   vtkNew<vtkFieldData> Names;
 };
 

@@ -44,7 +44,7 @@ constexpr double LargestRange = 1e9;     // [m]
 constexpr std::size_t DescriptorSize = 26;
 constexpr int InternalWaves = 2; // a bit of the encoding
 
-/// "a.wdp" for "a.las", "a.wdp.part" for "a.las.part".
+/// Returns "a.wdp" for "a.las", "a.wdp.part" for "a.las.part".
 std::string GetPacketsName(const std::string& path)
 {
   const std::string part = PartEnding;
@@ -54,7 +54,7 @@ std::string GetPacketsName(const std::string& path)
   return name.replace_extension(".wdp").string() + (isPart ? part : std::string());
 }
 
-/// An error if only compressed packets are there, for which there is no maintained library.
+/// Returns an error if only compressed packets are there, for which there is no maintained library.
 Status CheckCompressed(const std::string& packets)
 {
   std::error_code error;
@@ -118,7 +118,7 @@ struct Columns
   vtkSmartPointer<vtkFloatArray> Samples;
 };
 
-/// Value of a point, or a default if the array is missing or the value is too large.
+/// Returns the value of a point, or a default if the array is missing or the value is too large.
 double GetNumber(
   vtkPolyData* cloud, const char* name, vtkIdType row, double otherwise, double largest)
 {

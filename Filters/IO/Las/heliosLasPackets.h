@@ -29,7 +29,7 @@ public:
   /// Opens the packets of a file whose points have waveforms.
   Status Open(const LasFile& file);
 
-  /// Warning for the user about the file; empty: none.
+  /// Returns a warning for the user about the file; empty: none.
   const std::string& GetWarning() const { return this->Warning; }
 
   /// Collects the packets of points from their bytes; first is the row of the first one.
@@ -71,7 +71,7 @@ private:
   std::string Warning;
   float StepSign = -1.0F; // vectors of points lead to the scanner
   std::ifstream File;
-  std::uint64_t Begin = 0; // of packets in the file
+  std::uint64_t Begin = 0; // first byte of the packets in the file
   std::uint64_t End = 0;
   LasPointForm Form;
   int PointLength = 0;

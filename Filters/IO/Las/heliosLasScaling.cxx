@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr double LargestNumber = 2147483647.0;
-constexpr double Margin = 8.0; // of the extent of the first block
+constexpr double Margin = 8.0; // in extents of the first block
 
 /// Returns the nearest number to a power of ten.
 double ToPower(int power)
@@ -28,7 +28,7 @@ double ToPower(int power)
   return power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
 }
 
-/// The finest power of ten, from one up, that can hold an extent.
+/// Finds the finest power of ten, from one up, that can hold an extent.
 int FindPower(double extent, int finest)
 {
   int power = finest;

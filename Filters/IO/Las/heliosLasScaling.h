@@ -20,10 +20,10 @@ constexpr double DefaultLasScale = 1e-4;
 /**
  * Chooses both from the first block of a file. The offset is the first point in whole units, or
  * thousandths of degrees, which is independent of the block size. The scale:
- * - of points as a file had them (field data CoordinateScale with offsets): that of the file, and
- *   its offset;
- * - DefaultLasScale: by the system and the axis, and no coarser than that of a file the points are
- *   from; of degrees as fine as eight times the extent of the block allows;
+ * - of points as a file had them (field data CoordinateScale with offsets): scale and offset of the
+ *   file;
+ * - DefaultLasScale: by the system and the axis, and no coarser than the scale of a file the points
+ *   are from; of degrees as fine as eight times the extent of the block allows;
  * - 0: the finest power of ten, from 1e-6 up, that can hold eight times the extent of the block;
  * - else as given.
  */

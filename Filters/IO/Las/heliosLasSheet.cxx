@@ -23,7 +23,7 @@ namespace
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
 
-/// End of the packet of a point in the packet file; 0: no packet.
+/// Returns the end of the packet of a point in the packet file; 0: no packet.
 std::uint64_t GetPacketEnd(const char* wave)
 {
   return wave[0] ? LoadLas<std::uint64_t>(wave + 1) + LoadLas<std::uint32_t>(wave + 9) : 0;

@@ -22,7 +22,7 @@ struct LasSheet
   std::string Crs;     ///< source of Wkt
   bool HasTime = true; ///< TimeShift is known
   bool HasWaves = false;
-  std::uint32_t Spacing = 0; ///< of samples [ps]; 0: no waveforms yet
+  std::uint32_t Spacing = 0; ///< spacing of samples [ps]; 0: no waveforms yet
 
   /// Encodes the records after the header, and counts them.
   std::string EncodeRecords(std::uint32_t& count) const;

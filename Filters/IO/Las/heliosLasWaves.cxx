@@ -26,7 +26,7 @@ constexpr double Middle = 2147483648.0; // sample value of 0 W
 constexpr double Largest = 4294967295.0;
 constexpr int PacketsId = 65535;
 
-/// Sample counts of the packet forms.
+/// Returns the sample counts of the packet forms.
 const std::array<std::uint32_t, LasWaves::NumberOfLengths>& GetLengths()
 {
   static const auto lengths = []

@@ -44,7 +44,7 @@ public:
   /// Sets the waveforms (null: none).
   Status Set(vtkTable* waveforms);
 
-  /// Sample spacing [ps]; 0: no waveforms.
+  /// Returns the sample spacing [ps]; 0: no waveforms.
   std::uint32_t GetSpacing() const { return this->Spacing; }
 
   /// Builds a packet for every waveform that a point refers to, the first at a given offset of the

@@ -29,7 +29,7 @@ namespace
 
 constexpr const char* Program = "vtkhelios";
 
-/// Returns the program of the installation that this library belongs to, else that of PATH.
+/// Returns the program of the installation that this library belongs to, else the program in PATH.
 std::string FindProgram()
 {
   static const int Library = 0; // in this library
@@ -89,8 +89,8 @@ std::string ReadLastLine(const std::string& log, const std::string& path)
   return last;
 }
 
-/// The files that are converted, with their states. The program opens them: here they are only
-/// checked, as inputs.
+/// Finds the files that are converted, with their states. The program opens them: here they are
+/// only checked, as inputs.
 Status FindSource(const std::string& path, std::string& source)
 {
   const std::string packets = fs::path(path).replace_extension(".wdp").string();

@@ -97,7 +97,7 @@ void CopyPoints(vtkIdList* ids, vtkPolyData* cloud)
   cloud->GetPointData()->ShallowCopy(data);
 }
 
-/// What a file is converted to is no input.
+/// Ignores the files that the conversion makes: they are no inputs.
 void Ignore(const std::string&, const std::string&) {}
 
 /// Opens the waveforms of the file with this name, or of what it was converted to.

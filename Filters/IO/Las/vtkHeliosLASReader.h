@@ -5,25 +5,25 @@
  * @brief   read points from a LAS file, piece by piece
  *
  * LAS 1.0 to 1.5, point formats 0 to 10. LAZ is converted to LAS in the temporary folder, by the
- * program vtkhelios; the file exists as long as the reader. Output 0 is a
- * vtkPolyData without cells: double points, and the point arrays
+ * program vtkhelios; the file exists as long as the reader. Output 0 is a vtkPolyData without
+ * cells: double points, and the point arrays
  * - GpsTime [s] (double), if the format has it;
- * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirectionFlag,
- *   EdgeOfFlightLine, UserData, ClassificationFlags (unsigned char);
+ * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirectionFlag, EdgeOfFlightLine,
+ *   UserData, ClassificationFlags (unsigned char);
  * - ClassificationIds (int), ScanAngle (double) [deg];
  * - LegIds (int), the point source id minus 1: -1 if it is 0;
  * - ChannelIds (int), the scanner channel, formats 6 to 10;
  * - RGB (float, 3, each in [0..1]), NearInfrared (unsigned short), if the format has them. Colours
  *   of 8 bits, none of the whole file above 255, are scaled by 257, with a warning; files of
  *   vtkHeliosLASWriter always have 16 bits;
- * - each field of the Extra Bytes by its name and type, as double if it is scaled.
- *   Where it has its no_data value, it is NaN (integers become double; those of 64 bits stay, with a
- *   warning). Bytes that are not described are not read, with a warning. Three fields of
- *   one type whose names end in X, Y, Z become one array of three components. A field with the name
- *   of another array replaces it.
+ * - each field of the Extra Bytes by its name and type, as double if it is scaled. Where it has its
+ *   no_data value, it is NaN (integers become double; integers of 64 bits stay, with a warning).
+ *   Bytes that are not described are not read, with a warning. Three fields of one type whose names
+ *   end in X, Y, Z become one array of three components. A field with the name of another array
+ *   replaces it.
  *
- * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) if the file has one;
- * GpsEpoch, 1e9 if the times are adjusted standard time, the offset of LAS 1.5 if they have one: GpsEpoch + GpsTime are
+ * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) if the file has one; GpsEpoch, 1e9 if the
+ * times are adjusted standard time, the offset of LAS 1.5 if they have one: GpsEpoch + GpsTime are
  * seconds of GPS time. Part.Name and Material.Name, if vtkHeliosPointNames finds a file of them; a
  * warning if it cannot be read. Data written by vtkHeliosLASWriter are read back unchanged.
  *
@@ -33,8 +33,8 @@
  * Piece i of n is the i-th of n equal ranges of the points.
  *
  * Errors, which name the file, without output: not a LAS file; an invalid version, format or size;
- * a truncated file; inconsistent counts; LAZ without vtkhelios, laspy or lazrs. For waveforms:
- * no packet file; a descriptor that is missing, empty or unknown; a packet beyond the end; packets
+ * a truncated file; inconsistent counts; LAZ without vtkhelios, laspy or lazrs. For waveforms: no
+ * packet file; a descriptor that is missing, empty or unknown; a packet beyond the end; packets
  * that overlap to more than the file size.
  *
  * Output 1 is a vtkTable, with ReadWaveforms: the waveforms of the points of the piece, in the
@@ -144,7 +144,7 @@ private:
   bool ReadWaveforms = false;
   std::string Classes;
   bool SkipWithheld = false;
-  std::unique_ptr<helios::LazFile> Converted; // of a LAZ file; null: none was read
+  std::unique_ptr<helios::LazFile> Converted; // converted LAZ file; null: none was read
   std::string WarnedName;                     // file whose waveforms caused a warning
   std::string WarnedValues;                   // file whose values caused a warning
   std::string WarnedCrs;                      // file whose system caused a warning
@@ -152,8 +152,8 @@ private:
   std::string WarnedNames;                    // the warning about names
   std::string WarnedNotes;                    // file whose notes were warnings
   std::string ColorsFile;                     // file whose colours are known, with its state
-  bool AreColors8 = false;                    // of that file
-  bool IsInfrared8 = false;                   // of that file
+  bool AreColors8 = false;                    // colours of the file have 8 bits
+  bool IsInfrared8 = false;                   // infrared of the file has 8 bits
 };
 
 #endif

@@ -74,7 +74,7 @@ void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
 }
 
 //------------------------------------------------------------------------------
-/// Initialization shared by Open() and Reopen().
+/// Starts a file, for Open() and Reopen().
 void vtkHeliosLASWriter::Start(bool isResumed)
 {
   this->Names->Begin(this->GetOpenName(), isResumed);

@@ -10,25 +10,22 @@
  * keeps its scale and offset.
  *
  * Point fields:
- * - x, y, z: 32-bit multiples of Scale relative to an offset, the first point
- *   of the file in whole units; rounded to nearest. The bounding box in the
- *   header is that of the rounded points. The file is byte-identical for any
- *   division of the points into blocks, except with Scale 0, and in degrees.
- * - intensity: the array Intensity if present; else from the amplitude A: 1000
- *   log10(A / 1 fW), in 0.01 dB, or 65535 A / FullIntensity.
+ * - x, y, z: 32-bit multiples of Scale relative to an offset, the first point of the file in whole
+ *   units; rounded to nearest. The header has the bounding box of the rounded points. The file is
+ *   byte-identical for any division of the points into blocks, except with Scale 0, and in degrees.
+ * - intensity: the array Intensity if present; else from the amplitude A: 1000 log10(A / 1 fW), in
+ *   0.01 dB, or 65535 A / FullIntensity.
  * - ReturnNumber, NumberOfReturns; values above 15 become 15, with a warning.
  * - ClassificationIds; values outside 0 to 255 become 1 (unclassified), with a warning.
  * - scan angle: ScanAngle in steps of 0.006 degrees, within -180 and 180.
  * - point source id: LegIds + 1.
  * - scanner channel: the lowest two bits of ChannelIds.
- * - GPS time: GpsTime [s] unchanged; with a field array GpsEpoch (seconds of
- *   GPS time since 6 January 1980, not 0) adjusted standard time, GpsEpoch +
- *   GpsTime - 1e9, flagged in the header.
+ * - GPS time: GpsTime [s] unchanged; with a field array GpsEpoch (seconds of GPS time since 6
+ *   January 1980, not 0) adjusted standard time, GpsEpoch + GpsTime - 1e9, flagged in the header.
  * - ClassificationFlags, ScanDirectionFlag, EdgeOfFlightLine, UserData, RGB, NearInfrared.
- * - Extra Bytes: every other array, exactly, with its own name and type
- *   (Amplitude, EchoWidth, Range, PulseIds ...), including ChannelIds. An array
- *   of three components becomes three fields: TruePointX, TruePointY, TruePointZ. An Intensity that
- *   is not of 16 bits is stored there, too.
+ * - Extra Bytes: every other array, exactly, with its own name and type (Amplitude, EchoWidth,
+ *   Range, PulseIds ...), including ChannelIds. An array of three components becomes three fields:
+ *   TruePointX, TruePointY, TruePointZ. An Intensity that is not of 16 bits is stored there, too.
  * - names of parts and materials (field arrays Part.Name, Material.Name): in a file beside it, see
  *   vtkHeliosPointNames.
  *
@@ -42,10 +39,10 @@
  * Blocks: vtkPolyData, double points; any array may be missing (its value is then 0; for returns
  * and classes 1). Docs/files.md lists the file field by field.
  *
- * Errors, after which the block is not written and the next one is accepted: a
- * coordinate or time that is not finite, a coordinate that does not fit in 32
- * bits, a LegIds outside -1 to 65534, arrays, CRS or GpsEpoch that differ from
- * earlier blocks, a CRS unknown to PROJ, arrays that Extra Bytes cannot hold.
+ * Errors, after which the block is not written and the next one is accepted: a coordinate or time
+ * that is not finite, a coordinate that does not fit in 32 bits, a LegIds outside -1 to 65534,
+ * arrays, CRS or GpsEpoch that differ from earlier blocks, a CRS unknown to PROJ, arrays that Extra
+ * Bytes cannot hold.
  *
  * @sa
  * vtkHeliosStreamWriter vtkHeliosLASReader
@@ -128,9 +125,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether points have waveforms (formats 9 and 10), applied by
-   * Open(). Packets are written to a second file named .wdp instead of .las.
-   * SetWaveforms() sets those of the next block. Default: off.
+   * Set/Get whether points have waveforms (formats 9 and 10), applied by Open(). Packets are
+   * written to a second file named .wdp instead of .las. SetWaveforms() sets the waveforms of the
+   * next block. Default: off.
    */
   vtkSetMacro(WriteWaveforms, bool);
   vtkGetMacro(WriteWaveforms, bool);
@@ -190,9 +187,9 @@ private:
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
   std::unique_ptr<helios::LasSheet> Sheet;     // layout of the file; null before its first block
-  std::unique_ptr<helios::LasNamesFile> Names; // of parts and materials
+  std::unique_ptr<helios::LasNamesFile> Names; // names of parts and materials
   std::unique_ptr<helios::PartFile> Packets;   // null: points have no waveforms
-  vtkSmartPointer<vtkTable> Waveforms;         // of the next block
+  vtkSmartPointer<vtkTable> Waveforms;         // waveforms of the next block
   bool HasWarnedReturns = false;               // since Open()
   bool HasWarnedClasses = false;
 };

@@ -37,7 +37,7 @@ constexpr const char* PointEndings[] = { ".copc.laz", ".las", ".laz" };
 
 struct Table
 {
-  const char* Array; ///< of the field data
+  const char* Array; ///< array of the field data
   const char* Key;   ///< in the file
 };
 constexpr Table Tables[] = { { vtkHeliosArrayNames::PartName, "parts" },
@@ -101,7 +101,7 @@ std::string ComputeChecksum(Json::Value root)
   return digest.Finish();
 }
 
-/// A file without a checksum was made, or changed, by hand.
+/// Checks the checksum: a file without one was made, or changed, by hand.
 helios::Status CheckChecksum(const helios::JsonFile& file)
 {
   const Json::Value& checksum = helios::GetMember(file.GetRoot(), "checksum");

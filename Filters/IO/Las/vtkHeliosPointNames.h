@@ -66,7 +66,7 @@ public:
 
   /**
    * Writes the names in field data, or removes the file of an earlier file of points if there are
-   * none. Returns an error, such as that of Check(); empty: none.
+   * none. Returns an error, also of Check(); empty: none.
    */
   static std::string Write(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 

@@ -30,7 +30,7 @@ std::string ReadImageName(TextWords words)
   return name;
 }
 
-/// JPEG has no transparency, and is not opened.
+/// Returns whether an image has transparency. JPEG has none, and is not opened.
 bool HasTransparency(const std::filesystem::path& path)
 {
   const std::string ending = path.extension().string();

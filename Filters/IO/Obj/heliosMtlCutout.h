@@ -14,8 +14,8 @@ namespace helios
 {
 
 /**
- * Finds the image of map_d, or that of map_Kd if its header says that it has transparency; the
- * former counts. A file that cannot be read has none here.
+ * Finds the image of map_d, or the image of map_Kd if its header states transparency; map_d has
+ * precedence. A file that cannot be read has none here.
  */
 void FindMtlCutout(const TextFile& file, std::string_view key, TextWords words, Cutout& cutout);
 

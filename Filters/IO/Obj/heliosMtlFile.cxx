@@ -43,7 +43,7 @@ std::string ToText(const std::string& key, double red, double green, double blue
   return key + ' ' + ToText(red) + ' ' + ToText(green) + ' ' + ToText(blue) + '\n';
 }
 
-// Two colours that restore the specularity exactly: grey, or components with an exact sum.
+// Formats two colours that restore the specularity exactly: grey, or components with an exact sum.
 std::string FormatColors(double specularity)
 {
   const double s = specularity;
@@ -55,8 +55,8 @@ std::string FormatColors(double specularity)
   return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
 }
 
-// Kd and Ks, and the texture. A colour is written of materials without a specular lobe, whose Kd
-// has no other meaning.
+// Formats Kd and Ks, and the texture. Materials without a specular lobe have a colour; their Kd has
+// no other meaning.
 std::string FormatColors(const Material& material)
 {
   const MaterialColor& color = material.Color;
@@ -183,7 +183,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
   return true;
 }
 
-// A single number applies to all three components.
+// Reads a colour. A single number applies to all three components.
 bool MtlFile::ReadColor(
   TextFile& file, std::string_view key, TextWords& words, std::array<double, 3>& color)
 {
@@ -214,8 +214,8 @@ bool MtlFile::ReadColor(
   return true;
 }
 
-// The path of an image: beside the MTL file, unless it is absolute. Its pixels are read by those who
-// use them.
+// Reads the path of an image: beside the MTL file, unless it is absolute. Users of the texture read
+// its pixels.
 bool MtlFile::ReadTexture(TextFile& file, TextWords& words)
 {
   const std::string name(words.NextTitle());
@@ -235,7 +235,7 @@ bool MtlFile::ReadTexture(TextFile& file, TextWords& words)
       MakeTextureError(status).Message());
 }
 
-// Kd, of a texture alone white.
+// Makes the colour of Kd; a texture alone is white.
 MaterialColor MtlFile::MakeColor() const
 {
   MaterialColor color;
@@ -265,7 +265,7 @@ bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
   return true;
 }
 
-// A fraction; a value above 1 is interpreted as percent.
+// Reads a fraction; a value above 1 is interpreted as percent.
 bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
 {
   TextWords start = words;

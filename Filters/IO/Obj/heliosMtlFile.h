@@ -22,7 +22,7 @@ namespace helios
 
 /**
  * Reads MTL files one by one into one table. Keys: newmtl, Kd, Ks, Ns, helios_reflectance,
- * helios_isGround, helios_classification, helios_spectra and those of MtlOptics; Ka is checked;
+ * helios_isGround, helios_classification, helios_spectra and the keys of MtlOptics; Ka is checked;
  * map_Kd is read with colours. The specularity of every material is sum Ks / (sum Kd + sum Ks). A
  * material defined again replaces the first one. A reflectance above 1 is read as percent, up to
  * 100, with a warning.
@@ -43,8 +43,8 @@ public:
   bool Read(const std::string& path);
 
   /**
-   * The row of a material, -1 if the name does not exist. Names may contain blanks; if the full
-   * name is not found, the first word is used (HELIOS reads only that), provided it is unique.
+   * Returns the row of a material, -1 if the name does not exist. Names may contain blanks; if the
+   * full name is not found, the first word is used (HELIOS reads only that), provided it is unique.
    */
   int Find(std::string_view name) const;
 
@@ -58,7 +58,7 @@ private:
     std::array<double, 3> Specular{};
     bool HasDiffuse = false;
     std::string Texture; // path; empty: none
-    Cutout Shape;        // of map_d, or of a texture with transparency; What is empty: none
+    Cutout Shape;        // shape by map_d, or by a texture with transparency; What is empty: none
   };
 
   bool ReadLine(TextFile& file, std::string_view line);
@@ -103,7 +103,7 @@ private:
   Note Percent;
 };
 
-/// sum Ks / (sum Kd + sum Ks), 0 if both are zero.
+/// Returns sum Ks / (sum Kd + sum Ks), 0 if both are zero.
 double GetSpecularity(double diffuse, double specular);
 
 /**
@@ -113,8 +113,8 @@ double GetSpecularity(double diffuse, double specular);
 bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& report);
 
 /**
- * Replaces the materials of a table by those of the same name in an MTL file; a class of 0 keeps the
- * class and ground of the table. False after an error, which is in the report.
+ * Replaces the materials of a table by materials with the same names in an MTL file; a class of 0
+ * keeps the class and ground of the table. False after an error, which is in the report.
  */
 bool ReplaceMaterials(const std::string& path, MaterialTable& materials, TextReport& report);
 

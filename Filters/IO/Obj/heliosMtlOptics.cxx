@@ -177,7 +177,8 @@ bool MtlOptics::SetDispersion(MaterialOptics& optics, TextReport& report) const
     " is unknown; give water, sodaLime, bk7 or silica, or the index as Ni");
 }
 
-/// The illumination models 3 and 5 have reflections, 4 a transparent surface, 6 and 7 refraction.
+/// Sets the kind by the illumination model: 3 and 5 have reflections, 4 a transparent surface, 6
+/// and 7 refraction.
 bool MtlOptics::SetStandardKind(
   const Line& line, double specular, MaterialOptics& optics, TextReport& report) const
 {

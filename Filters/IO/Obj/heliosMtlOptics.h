@@ -39,7 +39,7 @@ public:
   /// Keeps the line of a key.
   void Read(TextFile& file, std::string_view key, TextWords& words);
 
-  /// The optics after the last line; specular is the mean of Ks. False after an error.
+  /// Computes the optics after the last line; specular is the mean of Ks. False after an error.
   bool Finish(double specular, MaterialOptics& optics, TextReport& report) const;
 
 private:

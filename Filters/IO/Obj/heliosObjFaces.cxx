@@ -37,7 +37,8 @@ void ObjFaces::Finish()
 }
 
 //------------------------------------------------------------------------------
-/// A face without area becomes a fan, whose triangles are counted as dropped.
+/// Adds the triangles of a face. A face without area becomes a fan, whose triangles are counted as
+/// dropped.
 void ObjFaces::AddTriangles(const Face& face, const std::string& path)
 {
   const vtkIdType count = this->Mesh.GetNumberOfTriangles();

@@ -49,7 +49,7 @@ public:
   /// Warns of faces whose sides cross.
   void Warn(TextReport& report) const { this->Polygons.Warn(report); }
 
-  /// Texture coordinates of the corners of every triangle that was added with some.
+  /// Returns the texture coordinates of the corners of every triangle that was added with some.
   const std::vector<std::array<int, 3>>& GetTextures() const { return this->Textures; }
 
 private:

@@ -156,7 +156,7 @@ bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int leas
   return this->FailNumber(keyword, status, words);
 }
 
-// u, v if it is there, and numbers that are not used.
+// Reads u, v if it is there, and numbers that are not used.
 bool ObjParser::ReadTexturePoint(TextWords& words)
 {
   double point[2] = { 0.0, 0.0 };
@@ -208,7 +208,7 @@ bool ObjParser::ReadFace(TextWords& words)
   return this->AddFace();
 }
 
-// v, v/t, v//n or v/t/n
+// Reads v, v/t, v//n or v/t/n.
 bool ObjParser::ReadCorner(TextWords& words)
 {
   TextWords start = words;
@@ -301,7 +301,7 @@ bool ObjParser::CheckIndices()
   return true;
 }
 
-// One warning for texture coordinates and normals.
+// Warns once about texture coordinates and normals.
 void ObjParser::WarnOfAbsent()
 {
   std::string text;

@@ -109,7 +109,7 @@ bool ObjScene::ReadLibrary(const ObjParser::Statement& library, MtlFile& reader)
   return true;
 }
 
-// Line numbers of vertices are not stored: they are counted again.
+// Counts lines again: line numbers of vertices are not stored.
 std::string ObjScene::FindVertexPlace(vtkIdType vertex) const
 {
   TextFile file;

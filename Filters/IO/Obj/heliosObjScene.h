@@ -24,7 +24,7 @@ public:
   /// after an error.
   bool ReadMaterials(bool withColors);
 
-  /// "path:line: " of a vertex.
+  /// Returns "path:line: " of a vertex.
   std::string FindVertexPlace(vtkIdType vertex) const;
 
 private:

@@ -55,7 +55,7 @@ const helios::Material* Choose(
   return row >= 0 && row < static_cast<int>(materials.size()) ? &materials[row] : nullptr;
 }
 
-/// Returns the material, and random variations of it.
+/// Returns the material and its random variations.
 helios::MaterialTable Vary(
   const helios::Material& material, int count, double range, std::uint64_t seed)
 {
@@ -74,7 +74,8 @@ helios::MaterialTable Vary(
   return table;
 }
 
-/// Sets the materials; MaterialIds of a mesh are those of the input, modulo the number of materials.
+/// Sets the materials; MaterialIds of a mesh are the ids of the input, modulo the number of
+/// materials.
 void SetMaterials(vtkDataSet* scene, const helios::MaterialTable& materials)
 {
   helios::SetMaterials(scene, materials);

@@ -11,7 +11,7 @@
  *
  * If NumberOfMaterials is above 1, the others are copies with a different reflectance: the original
  * plus a random number, uniform in +-RandomRange and keyed by Seed and the material index, clamped
- * to [0, 1]. MaterialIds are then those of the input, modulo NumberOfMaterials.
+ * to [0, 1]. MaterialIds are then the ids of the input, modulo NumberOfMaterials.
  *
  * @warning
  * A material with a spectrum but no reflectance is not varied; a warning is given.

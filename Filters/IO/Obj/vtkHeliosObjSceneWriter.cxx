@@ -48,7 +48,7 @@ std::string MakeNamesUnique(helios::MaterialTable& materials)
   return count == 0 ? first : std::to_string(count) + " materials were renamed: " + first;
 }
 
-// The row of each cell, all 0 if the scene has none.
+// Returns the row of each cell, all 0 if the scene has none.
 helios::Status GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<int>& rows)
 {
   rows.assign(static_cast<std::size_t>(scene->GetNumberOfCells()), 0);

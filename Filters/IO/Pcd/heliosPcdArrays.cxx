@@ -185,7 +185,7 @@ PcdArrays::Column PcdArrays::MakeColumn(const PcdField& field)
   return column;
 }
 
-/// Blue, green, red and alpha, as PCL packs them into the four bytes of a float or integer.
+/// Stores blue, green, red and alpha, as PCL packs them into the four bytes of a float or integer.
 void PcdArrays::StoreColor(const Column& column, const char* from)
 {
   unsigned char bytes[4];

@@ -40,7 +40,7 @@ public:
 
   vtkIdType GetNumberOfRows() const { return this->Row + this->NumberOfDropped; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
-  /// The points whose colour has an alpha other than 0 and 255.
+  /// Returns the number of points whose colour has an alpha other than 0 and 255.
   vtkIdType GetNumberOfTransparent() const { return this->NumberOfTransparent; }
 
   void MoveTo(vtkPolyData* output);
@@ -51,7 +51,7 @@ private:
   {
     vtkDataArray* Array = nullptr; // null: one of x y z, or not read
     PcdMeaning Meaning = PcdMeaning::Array;
-    int Axis = -1;        // of x y z
+    int Axis = -1;        // 0 to 2: x, y, z
     std::size_t From = 0; // offset in the row
     std::size_t To = 0;   // offset in the tuple
     std::size_t TupleSize = 0;
@@ -72,8 +72,8 @@ private:
   vtkIdType Row = 0;
   vtkIdType NumberOfDropped = 0;
   vtkIdType NumberOfTransparent = 0;
-  bool HasNoColor = false; // of a line: its colour is nan
-  std::vector<char> Bytes; // of a line
+  bool HasNoColor = false; // the line's colour is nan
+  std::vector<char> Bytes; // bytes of a line
 };
 
 } // namespace helios

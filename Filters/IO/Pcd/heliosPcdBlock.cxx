@@ -74,7 +74,7 @@ double GetByte(vtkDataArray* colors, vtkIdType point, int component)
   return std::isnan(value) ? 0.0 : std::round(std::clamp(value, 0.0, 255.0));
 }
 
-/// Red, green and blue with full alpha, as PCL packs them.
+/// Packs red, green and blue with full alpha, like PCL.
 std::uint32_t PackColor(vtkDataArray* colors, vtkIdType point)
 {
   std::uint32_t bits = 0xFF;

@@ -39,10 +39,10 @@ public:
   bool HasWholeIntensity() const { return this->WholeIntensity; }
   bool HasFineColors() const { return this->FineColors; }
 
-  /// Returns whether an array has colours that differ from those of 8 bits.
+  /// Returns whether an array has colours that 8 bits cannot store.
   static bool IsFiner(vtkDataArray* colors);
 
-  /// The centre of the finite points, rounded to multiples of 100 m.
+  /// Computes the centre of the finite points, rounded to multiples of 100 m.
   void GetMiddle(double origin[3]) const;
 
   /// Returns the largest rounding error of a coordinate as float relative to an origin.
@@ -61,7 +61,7 @@ private:
   enum class Encoding
   {
     Plain,
-    Float, ///< as float
+    Float, ///< stored as float
     Color, ///< packed as PCL does
     Label  ///< the bits of an int
   };

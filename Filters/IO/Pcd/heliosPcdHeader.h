@@ -20,7 +20,7 @@ namespace helios
 struct PcdField
 {
   std::string Name;
-  int Size = 4;    ///< of a number [bytes]
+  int Size = 4;    ///< size of a number [bytes]
   char Type = 'F'; ///< F: float, I: signed, U: unsigned
   int Count = 1;
 
@@ -67,14 +67,15 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   std::uint64_t DataBegin = 0; ///< first byte after the header
   std::int64_t DataLine = 0;   ///< its line, from 1
 
-  /// Returns whether VIEWPOINT is that of a cloud without one.
+  /// Returns whether VIEWPOINT is the default: no viewpoint.
   bool IsPlainViewpoint() const;
   std::uint64_t GetNumberOfPoints() const { return this->Width * this->Height; }
   std::size_t GetRowSize() const;
   std::int64_t GetNumberOfColumns() const;
-  /// The index of the field with exactly this name, or -1.
+  /// Returns the index of the field with exactly this name, or -1.
   int Find(const std::string& name) const;
-  /// The index of a field of PCL, in lower case, else in upper case; -1: the file has neither.
+  /// Returns the index of a field of PCL, in lower case, else in upper case; -1: the file has
+  /// neither.
   int FindPcl(const std::string& name) const;
 
   /// Reads the header of a file. An error has path:line.

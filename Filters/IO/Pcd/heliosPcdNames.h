@@ -13,10 +13,10 @@ namespace helios
 struct PcdField;
 struct PcdHeader;
 
-/// As in vtkHeliosPCLArrayNames.h, which is above this module.
+/// Names equal to vtkHeliosPCLArrayNames.h, which is above this module.
 inline constexpr const char* CurvatureName = "Curvature";
 
-/// What a field of a file is.
+/// Meaning of a field of a file.
 enum class PcdMeaning
 {
   Array, ///< an array with the name of the field
@@ -24,7 +24,7 @@ enum class PcdMeaning
   Coordinate, ///< one of x y z
   Normal,     ///< a component of Normals
   Color,      ///< blue, green, red and alpha in four bytes, of a float or an integer
-  ColorCopy,  ///< the same, beside RGB in full
+  ColorCopy,  ///< colour as well, beside RGB in full
   Label,      ///< ClassificationIds
   Curvature,  ///< Curvature
   Intensity   ///< Intensity, or Amplitude if the header states so

@@ -282,7 +282,7 @@ bool vtkHeliosPCDWriter::Write(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-/// A file without points has the fields x, y and z.
+/// Closes the file; without points it has the fields x, y and z.
 bool vtkHeliosPCDWriter::Close()
 {
   if (this->IsOpen() && !this->Header && this->GetFileSize() == 0)

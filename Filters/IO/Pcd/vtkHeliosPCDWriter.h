@@ -13,19 +13,19 @@
  *   Double, RGB is a further field;
  * - label: ClassificationIds, 32 bits; normal_x, normal_y, normal_z: Normals; curvature: Curvature;
  * - every other numeric point array, by its name (with _ for blanks) and type, COUNT its
- *   components: PCL ignores them. Bit and string arrays are dropped.
- * With Precision Float, x y z, intensity, the normals, curvature and EchoWidth are float, as
- * required by the PCL point types and helios::PointEcho; other arrays keep their type, such as the
- * 64 bits of GpsTime. With Double all arrays keep their type, x y z are absolute, and
- * vtkHeliosPCDReader restores the same bits (also from text, which is the shortest that does).
- * PCL reads x y z of 64 bits into custom types only: pcl::PointXYZ gets zeros, with a warning.
+ *   components: PCL ignores them. Bit and string arrays are dropped. With Precision Float, x y z,
+ *   intensity, the normals, curvature and EchoWidth are float, as required by the PCL point types
+ *   and helios::PointEcho; other arrays keep their type, such as the 64 bits of GpsTime. With
+ *   Double all arrays keep their type, x y z are absolute, and vtkHeliosPCDReader restores the same
+ *   bits (also from text, which is the shortest that does). PCL reads x y z of 64 bits into custom
+ *   types only: pcl::PointXYZ gets zeros, with a warning.
  *
  * Additional comments: "# vtkHelios CRS: ...", "# vtkHelios GpsEpoch: ..." from the field data. The
  * header is ASCII: a character beyond it is \\u and four hexadecimal digits.
  *
  * Blocks: vtkPolyData with double points. Every block has the point arrays of the first; CRS and
- * GpsEpoch are those of the first. Points with non-finite coordinates are dropped, with a warning.
- * The header is rewritten after each block: the .part is a valid PCD file.
+ * GpsEpoch come from the first. Points with non-finite coordinates are dropped, with a warning. The
+ * header is rewritten after each block: the .part is a valid PCD file.
  *
  * @sa
  * vtkHeliosStreamWriter vtkHeliosPCDReader
@@ -100,8 +100,8 @@ public:
   ///@{
   /**
    * Set/Get the resolution that coordinates keep, in their unit: with Precision Float, x y z are of
-   * 64 bits and absolute if those of the first block were off by more than half of it. 0: they are
-   * float. Valid range: [0, infinity). Default: 0.
+   * 64 bits and absolute if coordinates of the first block were off by more than half the
+   * resolution. 0: they are float. Valid range: [0, infinity). Default: 0.
    */
   vtkSetClampMacro(Resolution, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Resolution, double);

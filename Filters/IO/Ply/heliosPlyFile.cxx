@@ -255,7 +255,7 @@ std::string PlyFile::GetPlace() const
 }
 
 //------------------------------------------------------------------------------
-/// The first error counts: a failing function may have reported it already.
+/// Reports an error. The first one counts: a failing function may have reported it already.
 bool PlyFile::Fail(const std::string& message)
 {
   return this->Report.Error.empty() ? this->Report.Fail(this->GetPlace() + message) : false;

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// Called after every 65,536 rows with the fraction of all; returning false stops reading.
+  /// Runs after every 65,536 rows with the fraction of all; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /// Returns false after an error, which is in the report.
@@ -58,9 +58,9 @@ private:
   PlyHeader Header;
   std::unique_ptr<PlySource> Source;
   std::string Element;        // the current one
-  std::int64_t Row = 0;       // of it, from 0
-  double DoneRows = 0.0;      // of all elements
-  std::vector<double> Values; // of the last property: one, or a list
+  std::int64_t Row = 0;       // row of the element, from 0
+  double DoneRows = 0.0;      // rows of all elements so far
+  std::vector<double> Values; // values of the last property: one, or a list
   PolygonRings Rings{ {} };
   ScenePolygons Polygons;
 };

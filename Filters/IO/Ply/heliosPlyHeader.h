@@ -39,7 +39,7 @@ struct PlyProperty
   std::string Name;
   PlyType Type = PlyType::Float32;
   bool IsList = false;
-  PlyType CountType = PlyType::UInt8; ///< of a list
+  PlyType CountType = PlyType::UInt8; ///< type of the count of a list
 };
 
 struct PlyElement
@@ -48,7 +48,7 @@ struct PlyElement
   std::int64_t Count = 0;
   std::vector<PlyProperty> Properties;
 
-  /// The index of a property, -1 if missing.
+  /// Returns the index of a property, -1 if missing.
   int Find(const std::string& name) const;
 };
 

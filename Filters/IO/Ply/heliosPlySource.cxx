@@ -166,7 +166,7 @@ private:
   bool IsSwapped;
   InputFile File;
   std::vector<unsigned char> Block;
-  std::size_t Begin = 0; // of the bytes not yet used
+  std::size_t Begin = 0; // first byte not yet used
   std::size_t End = 0;
 };
 

@@ -37,7 +37,7 @@ public:
   /// Ends the row.
   virtual bool EndRow() = 0;
 
-  /// What the next row is called in messages: "path:line: ", or "path: vertex 12: ".
+  /// Names the next row in messages: "path:line: ", or "path: vertex 12: ".
   virtual std::string GetPlace(const std::string& element, std::int64_t row) const = 0;
 
   /// Returns the number of bytes after the last row; text: of lines.

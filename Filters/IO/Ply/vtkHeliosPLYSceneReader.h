@@ -6,9 +6,10 @@
  *
  * Text, and binary files of both byte orders. Read are the properties x, y and z of the element
  * vertex, of any number type, and the list vertex_indices (or vertex_index) of the element face;
- * other elements and properties are skipped. Output 0 is that of vtkHeliosSceneReader, with one
- * default material, which vtkHeliosMaterialReader replaces. Polygons are triangulated, also concave
- * ones. Colours are not read: they are no reflectances at the wavelength of a laser.
+ * other elements and properties are skipped. Output 0 is a scene, as from every
+ * vtkHeliosSceneReader, with one default material, which vtkHeliosMaterialReader replaces. Polygons
+ * are triangulated, also concave ones. Colours are not read: they are no reflectances at the
+ * wavelength of a laser.
  *
  * Coordinates are double, and have the precision of the file.
  *

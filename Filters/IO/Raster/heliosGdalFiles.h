@@ -20,7 +20,7 @@ struct GdalCloser
 };
 using GdalDataset = std::unique_ptr<void, GdalCloser>;
 
-/// Opens a GeoTIFF or VRT; null for a file of another format. Further flags are those of GDALOpenEx.
+/// Opens a GeoTIFF or VRT; null for a file of another format. GDALOpenEx defines the flags.
 GdalDataset OpenGdalDataset(const std::string& path, unsigned int flags);
 
 /// Checks, as CheckInputFile() does, all other files of a raster: the tiles of a VRT, the tiles of

@@ -103,7 +103,7 @@ void* FindGdalFunction(const char* name)
 
 } // namespace helios
 
-/// Why no GDAL can be loaded; null once one is.
+/// Returns why no GDAL can be loaded; null once one is.
 extern "C" HELIOSGDAL_EXPORT const char* heliosLoadGdal()
 {
   static const std::string reason = helios::Load();

@@ -31,7 +31,7 @@ std::string ToText(double value)
   return text;
 }
 
-// NaN: not set.
+// Returns the no-data value; NaN: not set.
 double GetNoData(GDALRasterBandH band)
 {
   int isGiven = 0;
@@ -87,7 +87,7 @@ private:
 
   GdalDataset Dataset;
   GDALRasterBandH Band = nullptr;
-  GDALRasterBandH Mask = nullptr; // of the dataset or its alpha band
+  GDALRasterBandH Mask = nullptr; // mask of the dataset, or its alpha band
   std::string Path;
   std::int64_t Columns = 0;
   std::int64_t Rows = 0;
@@ -100,7 +100,7 @@ private:
   double Unit = 1.0; // [m]
   std::vector<unsigned char> MaskRows;
   std::vector<std::string> Warnings;
-  std::string FirstMessage; // of the GDAL warnings
+  std::string FirstMessage; // first warning of GDAL
   std::int64_t NumberOfMessages = 0;
 };
 
@@ -156,8 +156,9 @@ Status GdalRasterFile::FindBand(int number)
   return {};
 }
 
-// A file cannot contain more blocks than index entries (four bytes each for offset and size), nor a
-// block larger than the compression ratio allows. GDAL would allocate it. A VRT has other files.
+// Checks sizes. A file cannot contain more blocks than index entries (four bytes each for offset
+// and size), nor a block larger than the compression ratio allows. GDAL would allocate it. A VRT
+// has other files.
 Status GdalRasterFile::CheckSize() const
 {
   VSIStatBufL file;
@@ -219,7 +220,7 @@ Status GdalRasterFile::FindTransform()
   return {};
 }
 
-// The no-data value, rounded to the type of the band.
+// Finds the no-data value, rounded to the type of the band.
 void GdalRasterFile::FindNoData(double noData)
 {
   const double value = std::isnan(noData) ? GetNoData(this->Band) : noData;
@@ -299,7 +300,7 @@ bool GdalRasterFile::HasGap(
     GDAL_DATA_COVERAGE_STATUS_EMPTY;
 }
 
-// GDAL returns height 0 for missing blocks.
+// Empties missing blocks, for which GDAL returns height 0.
 void GdalRasterFile::EmptyGaps(std::int64_t firstRow, std::int64_t count, double* heights) const
 {
   int width = 0;

@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// Settings that override those of the file.
+/// Settings that override the settings of the file.
 struct RasterOptions
 {
   int Band = 1;                                             ///< from 1
@@ -44,14 +44,14 @@ public:
   virtual std::int64_t GetNumberOfColumns() const = 0;
   virtual std::int64_t GetNumberOfRows() const = 0;
 
-  /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel centre is at 0.5.
+  /// Returns t with x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel
+  /// centre is at 0.5.
   virtual const double* GetTransform() const = 0;
 
-  /// WKT with heights in metres; empty if the file has none.
+  /// Returns WKT with heights in metres; empty if the file has none.
   virtual const std::string& GetCrs() const = 0;
 
-  /// Returns the number of pixels except those of missing blocks; other pixels may also lack a
-  /// height.
+  /// Returns the number of pixels outside missing blocks; some of them may also lack a height.
   virtual double CountPixels() const = 0;
 
   /// Returns the number of rows to read at a time: whole blocks of the file, some megabytes.

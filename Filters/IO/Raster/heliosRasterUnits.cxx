@@ -30,7 +30,7 @@ std::string Simplify(const std::string& name)
   return letters;
 }
 
-// False for heights in feet; true also for an unknown system, which has no heights.
+// Returns false for heights in feet; true also for an unknown system, which has no heights.
 bool HasMetres(const std::string& wkt)
 {
   CoordinateSystem system;

@@ -16,7 +16,7 @@ namespace helios
 /// Metres per unit for a GeoTIFF unit name ("m", "us-ft", "Foot_US", ...); 0: unknown.
 HELIOSGDAL_EXPORT double GetUnitInMetres(const std::string& name);
 
-/// WKT 2 of a coordinate system.
+/// Returns WKT 2 of a coordinate system.
 std::string ToWkt(OGRSpatialReferenceH system);
 
 /**

@@ -30,7 +30,7 @@ void Unmap(void* values)
   munmap(begin, size);
 }
 
-/// A new file of a size without a name; negative, with errno set, on failure.
+/// Makes a new file of a size without a name; negative, with errno set, on failure.
 int MakeFile(const std::string& folder, std::size_t size)
 {
   std::string path = folder + "/vtkHelios-heights-XXXXXX";

@@ -17,8 +17,8 @@
  * Heights that do not fit into memory (vtkHeliosMemoryLimit) are in a temporary file in the folder
  * TMPDIR (default: /var/tmp), of which the system holds the pages used last in memory.
  *
- * Heights, units and holes, errors and warnings are those of vtkHeliosGeoTiffSceneReader. Further
- * error: no room for the temporary file.
+ * Heights, units and holes, errors and warnings: see vtkHeliosGeoTiffSceneReader. Further error: no
+ * room for the temporary file.
  *
  * @sa
  * vtkHeliosGeoTiffSceneReader
@@ -64,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the height unit [m], which overrides that of the file; 0: use the file's. Valid range:
-   * [0, 1e6]. Default: 0.
+   * Set/Get the height unit [m], which overrides the unit in the file; 0: use the file's. Valid
+   * range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeightUnit, double, 0.0, 1e6);
   vtkGetMacro(HeightUnit, double);
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the value of pixels without height, before scale and offset, which overrides that of
-   * the file; NaN: use the file's. Default: NaN.
+   * Set/Get the value of pixels without height, before scale and offset, which overrides the value
+   * in the file; NaN: use the file's. Default: NaN.
    */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);

@@ -12,9 +12,9 @@
  * - cell data MaterialIds (int): 0;
  * - field data: one default material; CRS as WKT, if the file has one.
  *
- * A height is (value scale + offset) unit, with the scale and offset of the band. The unit is that
- * of the band, else of the vertical part of the coordinate system, else metres. CRS states metres
- * accordingly: a vertical part in feet is rewritten, and its name says so.
+ * A height is (value scale + offset) unit, with the scale and offset of the band. The unit comes
+ * from the band, else from the vertical part of the coordinate system, else metres. CRS states
+ * metres accordingly: a vertical part in feet is rewritten, and its name says so.
  *
  * If AREA_OR_POINT is Area, the first sample is half a pixel inside the corner of the raster; if it
  * is Point, it is on the tie point: GDAL shifts the geotransform in this case.
@@ -23,7 +23,7 @@
  * band), NaN, pixels masked by the mask or alpha band, and pixels of blocks missing in the file
  * ("sparse"). A triangle is dropped if one of its corners has no height.
  *
- * The file is read in blocks of rows: the memory is little more than that of the output.
+ * The file is read in blocks of rows: the reader needs little more memory than its output.
  *
  * Errors, without output: a file that is missing, damaged or not a GeoTIFF; a band that does not
  * exist; no geotransform (or ground control points only); an infinite height; an unknown unit; more
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the height unit [m], which overrides that of the file; 0: use the file's. Valid range:
-   * [0, 1e6]. Default: 0.
+   * Set/Get the height unit [m], which overrides the unit in the file; 0: use the file's. Valid
+   * range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeightUnit, double, 0.0, 1e6);
   vtkGetMacro(HeightUnit, double);
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the value of pixels without height, before scale and offset, which overrides that of
-   * the file; NaN: use the file's. Default: NaN.
+   * Set/Get the value of pixels without height, before scale and offset, which overrides the value
+   * in the file; NaN: use the file's. Default: NaN.
    */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);

@@ -159,7 +159,7 @@ bool StlFile::ReadBinary(std::FILE* file, std::uint32_t count)
 }
 
 //------------------------------------------------------------------------------
-/// A record: the normal, which is not read, three vertices, and two bytes of attributes.
+/// Adds a record: the normal, which is not read, three vertices, and two bytes of attributes.
 bool StlFile::AddBinary(const unsigned char* record)
 {
   for (int corner = 0; corner < 3; ++corner)

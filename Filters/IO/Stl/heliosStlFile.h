@@ -24,7 +24,7 @@ class StlFile
 public:
   StlFile(SceneMesh& mesh, TextReport& report);
 
-  /// Called after every block with the fraction of the file read; returning false stops reading.
+  /// Runs after every block with the fraction of the file read; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /// Returns false after an error, which is in the report.
@@ -58,9 +58,9 @@ private:
   std::string Path;
   std::unordered_set<vtkTypeInt32, PointHash, PointEqual> Known;
   vtkTypeInt32 Corners[3] = { 0, 0, 0 };
-  int NumberOfCorners = 0; // of the current triangle
+  int NumberOfCorners = 0; // corners of the current triangle so far
   bool IsInSolid = false;
-  std::int64_t Triangle = 0; // of a binary file, from 1; 0: text
+  std::int64_t Triangle = 0; // triangle of a binary file, from 1; 0: text
   TextFile Text;
 };
 

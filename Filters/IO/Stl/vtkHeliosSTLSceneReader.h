@@ -4,17 +4,17 @@
  * @class   vtkHeliosSTLSceneReader
  * @brief   read a stereolithography file (STL) as a scene
  *
- * Binary and text files. Output 0 is that of vtkHeliosSceneReader, with one default material, which
- * vtkHeliosMaterialReader replaces. Equal vertices become one. Normals are not read: incidence is
- * measured from the triangles. STL has no unit: many programs write millimetres, and
- * vtkHeliosSceneTransform scales.
+ * Binary and text files. Output 0 is a scene, as from every vtkHeliosSceneReader, with one default
+ * material, which vtkHeliosMaterialReader replaces. Equal vertices become one. Normals are not
+ * read: incidence is measured from the triangles. STL has no unit: many programs write millimetres,
+ * and vtkHeliosSceneTransform scales.
  *
- * Coordinates are double: those of text are correctly rounded, those of binary files have single
- * precision, about 0.03 m at 500 km from the origin.
+ * Coordinates are double: text is correctly rounded, binary files have single precision, about 0.03
+ * m at 500 km from the origin.
  *
  * Errors, without output: a file that is neither, or is cut off; text that is malformed; a
- * coordinate that is NaN or infinite. Messages start with file:line, or with the file and the number
- * of the triangle. Warning: bytes after the last triangle.
+ * coordinate that is NaN or infinite. Messages start with file:line, or with the file and the
+ * number of the triangle. Warning: bytes after the last triangle.
  *
  * @sa
  * vtkHeliosSceneReader vtkHeliosMaterialReader

@@ -23,7 +23,8 @@ struct KnownColumn
   NamedColumn Column;
 };
 
-// The names of PDAL, CloudCompare, LAStools, MeshLab, ParaView and pandas; those of our arrays.
+// Names by PDAL, CloudCompare, LAStools, MeshLab, ParaView and pandas, and by the arrays of
+// vtkHelios.
 const KnownColumn KnownColumns[] = {
   { " x easting xcoord xcoordinate points:0 points0 ", { "", 0, 3, VTK_DOUBLE } },
   { " y northing ycoord ycoordinate points:1 points1 ", { "", 1, 3, VTK_DOUBLE } },
@@ -44,7 +45,7 @@ const KnownColumn KnownColumns[] = {
   { " numberofreturns numreturns nr ", { names::NumberOfReturns, 0, 1, VTK_UNSIGNED_CHAR } },
   { " gpstime time ", { names::GpsTime, 0, 1, VTK_DOUBLE } },
   { " legids ", { names::LegIds, 0, 1, VTK_INT } },
-  { " pointsourceid pointsource ", { names::LegIds, 0, 1, VTK_INT, false, -1.0 } }, // as in LAS
+  { " pointsourceid pointsource ", { names::LegIds, 0, 1, VTK_INT, false, -1.0 } }, // name in LAS
   { " userdata ", { names::UserData, 0, 1, VTK_UNSIGNED_CHAR } },
   { " scananglerank scanangle ", { names::ScanAngle, 0, 1, VTK_DOUBLE } },
   { " scandirectionflag ", { names::ScanDirectionFlag, 0, 1, VTK_UNSIGNED_CHAR } },
@@ -87,7 +88,7 @@ std::string Normalize(std::string_view name)
       word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
   }
-  constexpr std::string_view prefix = "scalar"; // of CloudCompare
+  constexpr std::string_view prefix = "scalar"; // prefix of CloudCompare
   if (word.size() > prefix.size() && word.substr(0, prefix.size()) == prefix)
   {
     word.erase(0, prefix.size());

@@ -10,13 +10,13 @@
 namespace helios
 {
 
-/// The array that a column is, or a component of it.
+/// Array, or component of an array, that a column is read as.
 struct NamedColumn
 {
   const char* Array = nullptr; ///< null: not known; empty: a coordinate
   int Component = 0;
   int Components = 1;
-  int Type = 0;            ///< of the array
+  int Type = 0;            ///< type of the array
   bool IsFraction = false; ///< a colour in [0, 1]
   double Offset = 0.0;     ///< added to the number in the file
 };

@@ -18,8 +18,8 @@ struct PointColumn
 {
   const char* Title; ///< for messages
   const char* Array; ///< empty: a coordinate; the next coordinate follows
-  int Type;          ///< of the array
-  int Decimals;      ///< of real numbers
+  int Type;          ///< type of the array
+  int Decimals;      ///< decimals of real numbers
   double Factor;     ///< a number in the text is the array's times this
   double Default;    ///< without an array
 };
@@ -48,7 +48,7 @@ inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
   { "reflectance", vtkHeliosArrayNames::Reflectance, VTK_DOUBLE, 4, 1.0, 0.0 },
 };
 
-/// The columns that are read from a row with a number of them.
+/// Returns the number of columns that are read from a row.
 inline constexpr int GetColumnsToRead(int columns)
 {
   return columns == NumberOfPointColumns || columns == NumberOfFlagColumns ||

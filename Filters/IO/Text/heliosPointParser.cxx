@@ -46,8 +46,8 @@ bool IsAtEnd(TextWords words)
   return !words.HasMore() || words.Rest().substr(0, 2) == "//";
 }
 
-/// The columns of a row from the name of a part on, which may begin with #; 0 if other words than
-/// numbers follow.
+/// Counts the columns of a row from the name of a part on, which may begin with #; 0 if other words
+/// than numbers follow.
 int CountFromPart(TextWords words)
 {
   double number = 0.0;

@@ -23,14 +23,15 @@ class vtkPolyData;
 namespace helios
 {
 
-/// The columns of a row, without a comment that begins with # or //.
+/// Counts the columns of a row, without a comment that begins with # or //.
 int CountColumns(std::string_view row);
 
 /// Reads rows of x y z and, in files of 11 or 13 columns, of the others.
 class PointParser
 {
 public:
-  /// Of a file of some columns, at least 3; keepInvalid accepts numbers that are not finite.
+  /// Sets the number of columns of the file, at least 3; keepInvalid accepts numbers that are not
+  /// finite.
   PointParser(int columns, bool keepInvalid, PartNumbers& parts, TextReport& report);
 
   /// Adds the points of the next lines, at most a number of them if positive; false after an error.
@@ -56,8 +57,8 @@ private:
   TextReport& Report;
   const LineFile* File = nullptr;
   std::string_view Line;
-  std::vector<double> Reals[NumberOfPointColumns];          // of the real columns
-  std::vector<vtkTypeInt64> Integers[NumberOfPointColumns]; // of the others
+  std::vector<double> Reals[NumberOfPointColumns];          // values of the real columns
+  std::vector<vtkTypeInt64> Integers[NumberOfPointColumns]; // values of the integer columns
 };
 
 } // namespace helios

@@ -9,7 +9,7 @@ namespace helios
 namespace
 {
 
-constexpr int MostPtxLines = 10; // of the header of a scan
+constexpr int MostPtxLines = 10; // lines of the header of a scan
 
 /// Reads the lines of a PTX file.
 class PtxFinder
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  /// The next line that is not empty.
+  /// Reads the next line that is not empty.
   bool NextLine()
   {
     do

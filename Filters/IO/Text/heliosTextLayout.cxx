@@ -86,7 +86,8 @@ bool HasNoNumbers(std::string_view line, const std::string& separators)
   return !words.empty() && std::none_of(words.begin(), words.end(), IsNumber);
 }
 
-/// Returns whether a row has whole numbers where that of vtkHeliosPointTextWriter has them.
+/// Returns whether a row has whole numbers in the columns where vtkHeliosPointTextWriter writes
+/// them.
 bool IsEchoRow(std::string_view row, int columns)
 {
   TextWords words(row);
@@ -247,7 +248,7 @@ private:
     }
     else if (this->Header.empty() && this->Layout.Separators == BlankSeparators)
     {
-      const int columns = CountColumns(this->Row); // those of parts may look like a comment
+      const int columns = CountColumns(this->Row); // names of parts may look like a comment
       this->Layout.NumberOfColumns = columns;
       this->Layout.Kind = IsEchoRow(this->Row, columns) ? TextKind::Echoes : TextKind::Plain;
     }
@@ -345,14 +346,14 @@ private:
   const std::string& Separators;
   TextLayout& Layout;
   TextReport& Report;
-  std::vector<std::string> Lines; // that are not comments, up to the first row
+  std::vector<std::string> Lines; // lines that are no comments, up to the first row
   std::string Comment;            // the last one before it
   std::string Header;
   std::string HeaderPlace;
   std::string Row;
   std::string RowPlace;
   std::int64_t RowStart = 0;
-  std::int64_t CountStart = -1; // of a number of points
+  std::int64_t CountStart = -1; // start of the number of points
 };
 
 } // namespace

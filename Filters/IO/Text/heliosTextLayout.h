@@ -26,7 +26,7 @@ struct TextScan
   std::int64_t End = 0;
   bool HasMatrix = false;
   double Matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0,
-    1 }; ///< of columns, row by row
+    1 }; ///< row by row
 };
 
 /// A column that is read.
@@ -51,12 +51,12 @@ struct TextLayout
 {
   TextKind Kind = TextKind::Plain;
   std::string Separators = BlankSeparators;
-  int NumberOfColumns = 0; ///< of the first row
+  int NumberOfColumns = 0; ///< columns of the first row
   int Coordinates[3] = { 0, 1, 2 };
   std::vector<TextColumn> Columns;  ///< without the coordinates
   std::vector<std::string> Unknown; ///< names of columns that are not read
   std::vector<TextScan> Scans;      ///< one, unless the file is PTX
-  bool HasHeader = false;           ///< of unknown names, which are not used
+  bool HasHeader = false;           ///< the header has unknown names, which are not used
 
   bool HasCounts() const { return this->Kind == TextKind::Pts; }
 };

@@ -130,7 +130,7 @@ bool XyzParser::Read(
   return file.GetError().empty() ? !file.IsStopped() : this->Report.Fail(file.GetError());
 }
 
-// Between semicolons, a comma in a number is its point.
+// Returns a line with plain numbers: between semicolons, a comma in a number is its point.
 std::string_view XyzParser::GetPlain(std::string_view line)
 {
   if (line.find(',') == std::string_view::npos)
@@ -166,7 +166,7 @@ bool XyzParser::ReadRow(std::string_view line)
   return true;
 }
 
-/// Skips a line with a number of points, before those of each scan of a PTS file.
+/// Skips a line with a number of points, before the points of each scan of a PTS file.
 bool XyzParser::ReadCount(TextRow::Result result)
 {
   const double count = this->Row.GetValue(0);
@@ -176,7 +176,7 @@ bool XyzParser::ReadCount(TextRow::Result result)
   return isCount;
 }
 
-/// PTX has a point 0 0 0 for each pulse without a return.
+/// Returns whether a point is dropped. PTX has a point 0 0 0 for each pulse without a return.
 bool XyzParser::IsDropped() const
 {
   const int* columns = this->Layout->Coordinates;

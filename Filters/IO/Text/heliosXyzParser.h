@@ -48,12 +48,12 @@ struct NumberRange
 /// Formats a number without exponent and without zeros at its end.
 std::string FormatPlain(double value);
 
-/// What is read of a row, in addition to its layout.
+/// Columns that are read from a row, in addition to its layout.
 struct XyzFormat
 {
   double MaximumColor = 255.0;
   std::string ColorCure; ///< for messages about colours that are not within it
-  int FirstNumber = 0;   ///< of the first column, for messages
+  int FirstNumber = 0;   ///< number of the first column, for messages
   bool KeepInvalid = false;
 };
 
@@ -86,7 +86,7 @@ private:
   struct Values
   {
     NamedColumn Column;
-    int Indices[3] = {}; // of columns
+    int Indices[3] = {}; // columns of x, y, z
     GrowingArray<vtkDoubleArray> Numbers;
   };
 

@@ -65,9 +65,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The array that a column with a name is read as, such as Intensity; empty for coordinates, null if
-   * the name is not known; and the component of the array. GetCommonName() is the name of an array
-   * in files of other programs.
+   * Returns the array that a column with a name is read as, such as Intensity (empty for
+   * coordinates, null if the name is not known), and the component of the array. GetCommonName()
+   * returns the name of an array in files of other programs.
    */
   static const char* GetArrayOfColumn(const char* name);
   static int GetComponentOfColumn(const char* name);
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Set/Get where reading begins [bytes]: the first row is that of the next line. Valid range:
-   * [0, infinity). Default: 0.
+   * Set/Get where reading begins [bytes]: the first row is on the next line. Valid range: [0,
+   * infinity). Default: 0.
    */
   vtkSetClampMacro(Begin, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(Begin, vtkIdType);
@@ -116,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Of the layout: the number of columns, and the kind of the file: echoes, x y z, named columns, PTS
-   * or PTX.
+   * Get, from the layout, the number of columns, and the kind of the file: echoes, x y z, named
+   * columns, PTS or PTX.
    */
   int GetNumberOfColumns() const;
   const char* GetKind() const;
@@ -125,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Of the layout: the number of scans, and the matrix from the frame of a scanner to the world; false
-   * without one, as in files that are not PTX.
+   * Get, from the layout, the number of scans, and the matrix from the frame of a scanner to the
+   * world; false without one: only PTX has it.
    */
   int GetNumberOfScans() const;
   bool GetScanMatrix(int scan, double matrix[16]) const;
@@ -134,7 +134,7 @@ public:
 
   ///@{
   /**
-   * Of the layout: the smallest and largest intensity, and whether all are whole numbers.
+   * Get, from the layout, the smallest and largest intensity, and whether all are whole numbers.
    */
   vtkGetVector2Macro(IntensityRange, double);
   vtkGetMacro(HasWholeIntensities, bool);
@@ -142,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Of the last update: the scan of its points, the points of PTX without a return, which are dropped,
-   * and the sum of the numbers of points that PTS gives.
+   * Get, from the last update, the scan of its points, the number of points of PTX without a
+   * return, which are dropped, and the sum of the numbers of points that PTS gives.
    */
   vtkGetMacro(Scan, int);
   vtkGetMacro(NumberOfDropped, vtkIdType);
@@ -151,7 +151,7 @@ public:
   ///@}
 
   /**
-   * Forget all names of parts, and start with the names of the parts 0, 1, ... of a scene, which
+   * Forgets all names of parts, and starts with the names of the parts 0, 1, ... of a scene, which
    * files also give by number; null: none.
    */
   void SetPartNames(vtkStringArray* names);
@@ -196,7 +196,7 @@ private:
   vtkIdType NumberOfDropped = 0;
   double NumberOfCounted = 0.0;
   std::unique_ptr<helios::PartNumbers> Parts;
-  std::unique_ptr<Layout> Known; // of the file that was read last
+  std::unique_ptr<Layout> Known; // layout of the file that was read last
 };
 
 #endif

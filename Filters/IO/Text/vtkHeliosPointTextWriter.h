@@ -64,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there are four more columns: those of WriteScanFlags, and the arrays
+   * Set/Get whether there are four more columns: the columns of WriteScanFlags, and the arrays
    * RelativeAmplitude and Reflectance. Default: off.
    */
   vtkSetMacro(WriteDecibels, bool);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The names of the arrays that have a column, in the order of the columns after x y z,
-   * without those of WriteScanFlags and WriteDecibels.
+   * Returns the names of the arrays that have a column, in the order of the columns after x y z,
+   * without the columns of WriteScanFlags and WriteDecibels.
    */
   static int GetNumberOfArrays();
   static const char* GetArrayName(int index);

@@ -19,7 +19,7 @@ struct RecordedPath
   std::vector<TrajectoryRow> Rows;   // in order of time
   std::vector<Quaternion> Attitudes; // body to world, one per row; empty: rows have angles
   std::vector<Vec3> Velocities;      // [m/s], one per row; empty: none in the file
-  std::string Crs;                   // of the positions; empty: unknown
+  std::string Crs;                   // system of the positions; empty: unknown
 };
 
 } // namespace helios

@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-constexpr double LockedCosine = 1e-9; // of the pitch
+constexpr double LockedCosine = 1e-9; // cosine of the pitch at gimbal lock
 
 Vec3 GetVector(const Column& column, vtkIdType row)
 {
@@ -35,7 +35,7 @@ Vec3 FindVelocity(const SbetSamples& samples, vtkIdType row)
   return dt > 0.0 ? (1.0 / dt) * way : Vec3(0.0, 0.0, 0.0);
 }
 
-/// Roll, pitch, true heading of an attitude relative to east, north, up; see FromNavigation().
+/// Sets roll, pitch, true heading of an attitude relative to east, north, up; see FromNavigation().
 void SetAngles(const Rotation& attitude, SbetRecord& record)
 {
   const auto& m = attitude.M;

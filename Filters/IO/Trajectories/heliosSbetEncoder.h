@@ -39,7 +39,7 @@ private:
   Status EncodeRow(const SbetSamples& samples, vtkIdType row, SbetRecord& record);
 
   std::string Crs;               // the text of the system
-  CoordinateTransform Transform; // of samples to the file
+  CoordinateTransform Transform; // from samples to the file
   CoordinateTransform Inverse;
   bool HasTime = false;
   double LastTime = 0.0;

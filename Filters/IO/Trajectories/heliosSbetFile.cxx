@@ -60,7 +60,7 @@ Vec3 ToTarget(const double m[3][3], const Vec3& v)
   return { row(0), row(1), row(2) };
 }
 
-/// The size must be a positive number of whole records.
+/// Checks that the size is a positive number of whole records.
 Status CheckSize(const std::string& path, std::int64_t size)
 {
   const std::int64_t rest = size % SbetRecordSize;
@@ -159,7 +159,8 @@ Status SbetReader::SetSystems(
 }
 
 //------------------------------------------------------------------------------
-/// Records have seconds of a week: positions that move with the epoch are those of an unknown one.
+/// Warns that positions which move with the epoch have an unknown one: records have seconds of a
+/// week.
 void SbetReader::WarnOfEpoch(const SbetRecord& record, TextReport& report)
 {
   const double first[3] = { vtkMath::DegreesFromRadians(record[SbetLongitude]),

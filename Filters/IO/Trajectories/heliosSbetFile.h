@@ -56,7 +56,7 @@ public:
   {
   }
 
-  /// Called after every block with the fraction of the file read; returning false stops reading.
+  /// Runs after every block with the fraction of the file read; false stops reading.
   std::function<bool(double)> OnBlock;
 
   /**
@@ -75,8 +75,8 @@ private:
   Status Fail(const std::string& message) const;
 
   std::string Path;
-  std::int64_t Index = 0; // of the record
-  double LastTime = 0.0;  // of the record before
+  std::int64_t Index = 0; // index of the record
+  double LastTime = 0.0;  // time of the previous record
   RecordClock Clock;
   CoordinateSystem Target; // set with the first record
   CoordinateTransform Transform;

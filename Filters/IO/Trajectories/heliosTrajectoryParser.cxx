@@ -30,7 +30,7 @@ std::string_view Unquote(std::string_view text)
   return isQuoted ? Trim(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Index of a column name, or -1.
+/// Returns the index of a column name, or -1.
 int FindName(std::string_view name)
 {
   const auto found = std::find(std::begin(ColumnNames), std::end(ColumnNames), name);
@@ -246,7 +246,8 @@ bool TrajectoryParser::ReadHeader(std::string_view text)
   return true;
 }
 
-// Columns that were set, else those of the header, else the default order with the time column.
+// Finds the columns: those that were set, else the columns of the header, else the default order
+// with the time column.
 bool TrajectoryParser::FindColumns(TrajectoryColumns& columns)
 {
   const TrajectoryColumns& given = this->Format.Columns;
@@ -321,7 +322,7 @@ std::string TrajectoryParser::GetPlaceOf(const TrajectoryRow& row)
   return this->File->GetPlace();
 }
 
-// Two rows at one time are a jump; the order of more rows is ambiguous.
+// Checks the times: two rows at one time are a jump; the order of more rows is ambiguous.
 bool TrajectoryParser::CheckTimes(const std::vector<TrajectoryRow>& rows)
 {
   std::size_t jumps = 0;

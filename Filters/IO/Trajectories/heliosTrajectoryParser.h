@@ -51,7 +51,7 @@ public:
   {
   }
 
-  /// All rows of a file, sorted by time; false after an error.
+  /// Reads all rows of a file, sorted by time; false after an error.
   bool Read(LineFile& file, std::vector<TrajectoryRow>& rows);
 
 private:

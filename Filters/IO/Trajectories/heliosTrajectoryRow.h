@@ -25,7 +25,7 @@ struct TrajectoryRow
   std::int64_t LineStart;
 };
 
-/// Checks the times of rows; getPlace gives that of a row, as "file:line: ".
+/// Checks the times of rows; getPlace returns the place of a row: "file:line: ".
 bool CheckRowTimes(const std::vector<TrajectoryRow>& rows,
   const std::function<std::string(std::size_t)>& getPlace, TextReport& report);
 

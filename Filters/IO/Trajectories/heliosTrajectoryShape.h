@@ -24,9 +24,9 @@ Quaternion FromNavigation(const Vec3& rollPitchYaw);
 Quaternion FromCanonical(const Vec3& rollPitchYaw);
 
 /**
- * Level attitudes along the direction of motion in x, y: at a row that of the parabola through it
- * and its neighbours, at ends and jumps that of the adjacent segment. Below a speed [m/s] the
- * previous heading is kept (at the start: the first available one; otherwise north).
+ * Returns level attitudes along the direction of motion in x, y: at a row along the parabola
+ * through it and its neighbours, at ends and jumps along the adjacent segment. Below a speed [m/s]
+ * the previous heading is kept (at the start: the first available one; otherwise north).
  */
 std::vector<Quaternion> HeadingsOfFlight(
   const std::vector<TrajectoryRow>& rows, double minimumSpeed);
@@ -43,8 +43,8 @@ enum class BodyAxes : int
 Quaternion ToBodyAxes(BodyAxes axes);
 
 /**
- * Returns the rows to keep: the first, the last, those of jumps, and those after which velocity
- * [m/s] or turning rate [deg/s] differ by more than the threshold in any component from those after
+ * Returns the rows to keep: the first, the last, rows at jumps, and rows after which velocity [m/s]
+ * or turning rate [deg/s] differ by more than the threshold in any component from the values after
  * the last kept row.
  */
 std::vector<std::size_t> FilterSlopes(const std::vector<TrajectoryRow>& rows,

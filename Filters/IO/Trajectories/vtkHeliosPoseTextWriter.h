@@ -12,7 +12,8 @@
  * double points, point arrays GpsTime [s] and Orientation (quaternion w, x, y, z, of any nonzero
  * length, written normalized). A block without points needs no arrays.
  *
- * Error, besides those of vtkHeliosStreamWriter: a time that EuRoC cannot store, beyond 9.2e9 s.
+ * Error, besides the errors of vtkHeliosStreamWriter: a time that EuRoC cannot store, beyond 9.2e9
+ * s.
  *
  * @sa
  * vtkHeliosTrajectoryReader vtkHeliosSBETWriter vtkHeliosTrajectoryTextWriter

@@ -15,8 +15,8 @@
  * Velocity [m/s]; without it velocities are differences of positions within the block. Attitudes
  * are rotated from the axes of CRS to east, north, up: heading = yaw + meridian convergence.
  *
- * Errors, besides those of vtkHeliosStreamWriter: no CRS or an unknown one, no transformation to
- * FileCRS, times that do not increase, orientations that are 0 or not finite.
+ * Errors, besides the errors of vtkHeliosStreamWriter: no CRS or an unknown one, no transformation
+ * to FileCRS, times that do not increase, orientations that are 0 or not finite.
  *
  * @sa
  * vtkHeliosTrajectoryReader vtkHeliosPoseTextWriter vtkHeliosTrajectoryTextWriter

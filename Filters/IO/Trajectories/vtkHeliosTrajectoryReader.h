@@ -10,15 +10,13 @@
  * time, with the point arrays
  * - GpsTime [s] as in the file, continued over the end of a GPS week (604,800 s) or day (86,400 s)
  *   with a warning;
- * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y
- *   forward, z up), with a consistent sign from row to row,
- * and, for SBET, the field data CRS and, unless all are 0,
+ * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y forward, z up), with a
+ *   consistent sign from row to row, and, for SBET, the field data CRS and, unless all are 0,
  * - Velocity [m/s], along the axes of TargetCRS.
  *
  * COLUMNS: a row is a line of numbers t, roll, pitch, yaw, x, y, z. Their columns are, in order of
- * precedence, those set (TimeColumn, XColumn ...), those of the comment
- *
- *   #HEADER: "t", "roll", "pitch", "yaw", "x", "y", "z"
+ * precedence, the columns set (TimeColumn, XColumn ...), the columns of the comment #HEADER: "t",
+ * "roll", "pitch", "yaw", "x", "y", "z"
  *
  * (any order; names with or without quotes), or the order above, where the comment #TIME_COLUMN: n
  * moves t to column n. A word that starts with # or // starts a comment. Lines may end in CR LF.
@@ -26,30 +24,29 @@
  *
  * Attitude with AngleConvention ARINC_705, body coordinates to world:
  *
- *   A = Rz(-yaw) Ry(roll) Rx(pitch),
+ * A = Rz(-yaw) Ry(roll) Rx(pitch),
  *
  * yaw clockwise from north (y), pitch nose up, roll right side down. CANONICAL:
  *
- *   A = Rx(roll) Ry(pitch) Rz(yaw),
+ * A = Rx(roll) Ry(pitch) Rz(yaw),
  *
  * with roll about the right axis, as written by vtkHeliosTrajectoryTextWriter. NAVIGATION:
  *
- *   A = Rz(-yaw) Rx(pitch) Ry(roll),
+ * A = Rz(-yaw) Rx(pitch) Ry(roll),
  *
- * the angles of ARINC_705 applied in the order of navigation software. With Domain POSITION
- * angles are not read: the body is level and its heading is the direction of motion in x, y, at a
- * row that of the parabola through it and its neighbours. Below MinimumSpeed the last heading is
- * kept.
+ * the angles of ARINC_705 applied in the order of navigation software. With Domain POSITION angles
+ * are not read: the body is level and its heading is the direction of motion in x, y, at a row
+ * along the parabola through it and its neighbours. Below MinimumSpeed the last heading is kept.
  *
- * Two rows at one time are a jump, with a warning if their positions differ.
- * SlopeFilterThreshold keeps only the rows where the motion changes.
+ * Two rows at one time are a jump, with a warning if their positions differ. SlopeFilterThreshold
+ * keeps only the rows where the motion changes.
  *
- * SBET: records of 17 little-endian doubles: time [s]; latitude, longitude [rad], altitude above the
- * ellipsoid [m]; velocity x, y, z; roll, pitch, platform heading, wander angle [rad]; acceleration
- * and angular rate x, y, z of the body. Positions are transformed from FileCRS to TargetCRS. The
- * attitude is NAVIGATION with the true heading
+ * SBET: records of 17 little-endian doubles: time [s]; latitude, longitude [rad], altitude above
+ * the ellipsoid [m]; velocity x, y, z; roll, pitch, platform heading, wander angle [rad];
+ * acceleration and angular rate x, y, z of the body. Positions are transformed from FileCRS to
+ * TargetCRS. The attitude is NAVIGATION with the true heading
  *
- *   heading = platform heading - wander angle,
+ * heading = platform heading - wander angle,
  *
  * and rotated from east, north, up of the ellipsoid to the axes of TargetCRS: in a map projection
  * the yaw is heading - meridian convergence. Velocities, whose x and y are turned by the wander
@@ -60,18 +57,18 @@
  * Unix times). The quaternion transforms the body, with the axes of BodyFrame, to the world; it is
  * normalized.
  *
- * Missing rows, 50 times the usual step and more than 1 s, and steps as of milliseconds are warnings;
- * times that cannot be seconds and times of two clocks are errors. Rows of COLUMNS that are not in
- * order are sorted, with a warning.
+ * Missing rows, 50 times the usual step and more than 1 s, and steps that look like milliseconds
+ * are warnings; times that cannot be seconds and times of two clocks are errors. Rows of COLUMNS
+ * that are not in order are sorted, with a warning.
  *
  * Errors of SBET (with record and byte), TUM and EuRoC (with file:line): a file that does not end
  * with a whole record, numbers that are not finite, latitudes and longitudes out of range, times
  * that do not increase, quaternions whose length differs from 1 by more than 1e-3, a system that is
  * unknown or not metric.
  *
- * Errors of COLUMNS, with file:line, without output: three rows at one time, a row that is
- * too short, a word that is not a finite number, a header with an unknown,
- * repeated or missing name, a column read twice, a file that cannot be read or has no rows.
+ * Errors of COLUMNS, with file:line, without output: three rows at one time, a row that is too
+ * short, a word that is not a finite number, a header with an unknown, repeated or missing name, a
+ * column read twice, a file that cannot be read or has no rows.
  *
  * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
  *
@@ -158,7 +155,7 @@ public:
   enum BodyFrames
   {
     RIGHT_FORWARD_UP = 0,
-    FORWARD_LEFT_UP = 1,   ///< of ROS
+    FORWARD_LEFT_UP = 1,   ///< axes of ROS
     FORWARD_RIGHT_DOWN = 2 ///< of aviation
   };
 
@@ -214,7 +211,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what is read. Default: POSITION_AND_ATTITUDE.
+   * Set/Get the values that are read. Default: POSITION_AND_ATTITUDE.
    */
   vtkSetClampMacro(Domain, int, POSITION, POSITION_AND_ATTITUDE);
   vtkGetMacro(Domain, int);

@@ -23,10 +23,11 @@ namespace
 {
 
 constexpr vtkIdType TypicalRowSize = 80;
-constexpr double LockedCosine = 1e-9; // of the pitch
-constexpr double HalfUnit = 5e-5;     // of the last decimal [deg]
+constexpr double LockedCosine = 1e-9; // cosine of the pitch at gimbal lock
+constexpr double HalfUnit = 5e-5;     // half the last decimal [deg]
 
-/// Roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw); NaN for an invalid rotation.
+/// Computes roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw); NaN for an invalid
+/// rotation.
 void GetAngles(const helios::Quaternion& orientation, double angles[3])
 {
   if (orientation.SquaredNorm() == 0.0)

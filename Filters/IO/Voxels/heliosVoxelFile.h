@@ -21,7 +21,7 @@ namespace helios
 struct VoxelLayout
 {
   double Corner[3] = { 0.0, 0.0, 0.0 }; // minimum corner [m]
-  double Size[3] = { 0.0, 0.0, 0.0 };   // of a cell [m]
+  double Size[3] = { 0.0, 0.0, 0.0 };   // size of a cell [m]
   std::int64_t Count[3] = { 0, 0, 0 };  // number of cells
   double MaximumPad = 0.0;              // 0: not set
   bool HasTransmittance = false;

@@ -30,7 +30,7 @@ namespace
 
 constexpr double BytesPerCell = 16.0;
 
-/// The point extent of a grid of cells.
+/// Computes the point extent of a grid of cells.
 void GetExtent(const helios::VoxelLayout& layout, int extent[6])
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -4,7 +4,8 @@
  * @class   vtkHeliosVoxelReader
  * @brief   read a vegetation grid from a .vox file
  *
- * Output 0 is a vtkImageData whose cells are those of the grid (its points are the cell corners):
+ * Output 0 is a vtkImageData whose cells are the cells of the grid (its points are the cell
+ * corners):
  * - cell data PAD (double) [m2/m3]: the plant area density, NaN if the file says so, 0 in cells
  *   missing in the file;
  * - cell data Transmittance (double), if the file has that column: NaN if the file says so, 1 in

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr double SmallestLimit = 5e8; // [bytes]
-constexpr double LimitShare = 10.0;   // of the file size
+constexpr double LimitShare = 10.0;   // multiple of the file size
 
 /// A validation error; ends the check.
 struct Fault
@@ -191,7 +191,8 @@ private:
     return points + rows;
   }
 
-  /// VTK readers keep the last of several elements with the same name, and count the others.
+  /// Checks that an element is there once: VTK readers keep the last of several elements with the
+  /// same name, and count the others.
   void CheckOnce(vtkXMLDataElement* piece)
   {
     std::set<std::string> names;
@@ -336,7 +337,7 @@ private:
     return form;
   }
 
-  /// Information keys have a length attribute, which VTK trusts.
+  /// Checks information keys: they have a length attribute, which VTK trusts.
   void CheckKeys(vtkXMLDataElement* array)
   {
     for (int i = 0; i < array->GetNumberOfNestedElements(); ++i)

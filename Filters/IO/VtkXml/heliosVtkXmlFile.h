@@ -40,7 +40,7 @@ public:
   /// Files listed by an index.
   const std::vector<std::string>& GetPieces() const { return this->Pieces; }
 
-  /// Error message with a remedy, without the file name.
+  /// Returns an error message with a remedy, without the file name.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
@@ -50,7 +50,7 @@ private:
   std::string Problem;
 };
 
-/// Maximum total size of decoded arrays [bytes], for a given file size.
+/// Returns the maximum total size of decoded arrays [bytes], for a given file size.
 VTKHELIOSFILTERSIO_EXPORT double GetVtkXmlMemoryLimit(double fileSize);
 
 /// Calls a function of a VTK reader; returns an error with the message of its exception.

@@ -26,7 +26,7 @@ public:
   vtkXMLDataElement* ParseFile(double size);
   const std::string& GetProblem() const { return this->Problem; }
 
-  /// False if the compressor named by the root is unknown.
+  /// Sets the compressor named by the root; false if it is unknown.
   bool SetCompressorOf(vtkXMLDataElement* root);
 
   /// Checks the data of an array with n values and bytes.
@@ -60,7 +60,7 @@ private:
 
   std::string Problem;
   double Size = 0.0;
-  double Total = 0.0; // of the last checked array [bytes]
+  double Total = 0.0; // total size of the last checked array [bytes]
   int Depth = 0;
 };
 

@@ -4,19 +4,17 @@
  * @class   vtkHeliosPointXMLReader
  * @brief   read points from VTP files with validation, single or as pieces
  *
- * Reads .vtp files of any program, and a .pvtp with all its pieces, as written
- * by vtkHeliosPointXMLWriter. The readers of VTK do the parsing after a
- * validation: an invalid count, size or offset in a file would crash the process.
+ * Reads .vtp files of any program, and a .pvtp with all its pieces, as written by
+ * vtkHeliosPointXMLWriter. The readers of VTK do the parsing after a validation: an invalid count,
+ * size or offset in a file would crash the process.
  *
- * Output 0: a vtkPolyData with the arrays and cells of the file. Piece i of n
- * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file; field data are
- * those of the first piece.
+ * Output 0: a vtkPolyData with the arrays and cells of the file. Piece i of n (UPDATE_PIECE_NUMBER)
+ * is a share of the pieces of the file; field data come from the first piece.
  *
- * Errors, without output; messages start with the file: a file that does not
- * exist, not VTK XML with points, a piece that is missing or has other arrays
- * than the first, counts, sizes, offsets or types that are invalid or do not
- * fit the file, cells that refer to missing points, arrays that need more than
- * 500 MB and 10 times the file size.
+ * Errors, without output; messages start with the file: a file that does not exist, not VTK XML
+ * with points, a piece that is missing or has other arrays than the first, counts, sizes, offsets
+ * or types that are invalid or do not fit the file, cells that refer to missing points, arrays that
+ * need more than 500 MB and 10 times the file size.
  *
  * @sa
  * vtkHeliosPointXMLWriter vtkHeliosWaveformXMLReader

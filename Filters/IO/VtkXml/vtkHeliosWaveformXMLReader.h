@@ -4,17 +4,16 @@
  * @class   vtkHeliosWaveformXMLReader
  * @brief   read waveforms from VTT pieces, some or all as one table
  *
- * Reads a .pvtt and its .vtt pieces, as written by vtkHeliosWaveformXMLWriter;
- * also the .part of an interrupted run.
+ * Reads a .pvtt and its .vtt pieces, as written by vtkHeliosWaveformXMLWriter; also the .part of an
+ * interrupted run.
  *
- * Output 0: a vtkTable in the layout of vtkHeliosScanner. Piece i of n
- * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file: the pieces in
- * order are the whole, each with its own Samples. If several pieces of the file
- * become one table, Offset refers to the merged Samples; other field data are
- * those of the first.
+ * Output 0: a vtkTable in the layout of vtkHeliosScanner. Piece i of n (UPDATE_PIECE_NUMBER) is a
+ * share of the pieces of the file: the pieces in order are the whole, each with its own Samples. If
+ * several pieces of the file become one table, Offset refers to the merged Samples; other field
+ * data come from the first.
  *
- * Errors: a file that cannot be read or has another format, a piece that is
- * missing, has no waveforms or other columns than the first.
+ * Errors: a file that cannot be read or has another format, a piece that is missing, has no
+ * waveforms or other columns than the first.
  *
  * @sa
  * vtkHeliosWaveformXMLWriter vtkHeliosWaveformTextReader

@@ -29,7 +29,7 @@ namespace
 constexpr std::size_t CompressorBlockSize = 1 << 20;
 constexpr const char* PieceEnd = "</VTKFile>\n";
 
-/// Name of the type in VTK XML files.
+/// Returns the name of the type in VTK XML files.
 std::string GetTypeName(vtkDataArray* array)
 {
   const char* kind = "Int";
@@ -184,7 +184,7 @@ bool vtkHeliosXMLPieceWriter::Reopen(
   {
     return false;
   }
-  this->Arrays.clear(); // those of the next block
+  this->Arrays.clear(); // the next block declares the arrays
   this->PieceBlocks->clear();
   this->HasHead = fileSize > 0;
   this->NumberOfPieces = CountPieces(this->GetOpenName() + helios::PartEnding);

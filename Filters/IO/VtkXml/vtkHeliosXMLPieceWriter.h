@@ -52,7 +52,7 @@ public:
   bool Open() override;
 
   /**
-   * Resume after the pieces that the index lists in its first fileSize bytes.
+   * Resumes after the pieces that the index lists in its first fileSize bytes.
    */
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
@@ -62,7 +62,8 @@ public:
   bool Write(vtkDataObject* block) override;
 
   /**
-   * Fsync the pieces and the index. Returns the error message, empty after success.
+   * Flushes the pieces and the index to disk (fsync). Returns the error message, empty after
+   * success.
    */
   std::string Sync() override;
 
@@ -74,12 +75,12 @@ public:
 #endif
 
   /**
-   * Finish the index and give it its final name.
+   * Finishes the index and gives it its final name.
    */
   bool Close() override;
 
   /**
-   * Finish the index and keep its .part name.
+   * Finishes the index and keeps its .part name.
    */
   bool Abandon() override;
 
@@ -92,14 +93,14 @@ protected:
   vtkHeliosXMLPieceWriter();
   ~vtkHeliosXMLPieceWriter() override;
 
-  /// File extension of a piece, and the element of the index.
+  /// Returns the file extension of a piece, and the element of the index.
   virtual const char* GetPieceEnding() const = 0;
   virtual const char* GetIndexElement() const = 0;
 
   /// Arrays of a block, one tuple per record; null after an error about an invalid block.
   virtual vtkFieldData* GetRecords(vtkDataObject* block, vtkIdType& count) = 0;
 
-  /// Array declarations of the index, given the lines of the arrays.
+  /// Returns the array declarations of the index, given the lines of the arrays.
   virtual std::string DeclareArrays(const std::string& lines) const = 0;
 
   /// Creates the writer of a block; the base class sets the output and the encoding.
@@ -118,8 +119,8 @@ private:
   bool WriteHead();
   bool WriteFoot();
 
-  std::string Arrays;   // as declared by the index
-  bool HasHead = false; // of the index
+  std::string Arrays;   // arrays declared by the index
+  bool HasHead = false; // the head of the index is written
   int NumberOfPieces = 0;
   int NumberOfPiecesOnDisk = 0;
   std::unique_ptr<std::vector<helios::FileBlock>> PieceBlocks; // since CollectBlocks()

@@ -22,7 +22,7 @@ namespace
 {
 
 constexpr double TimeRounding = 1.0001e-4; // [ns], of the difference of two file times
-constexpr double DirectionRounding = 1e-3; // of the length of a direction with 4 decimals
+constexpr double DirectionRounding = 1e-3; // share of the length: a direction has 4 decimals
 constexpr int FirstSample = 10;            // column
 const char* const ColumnNames[FirstSample] = { "the pulse index", "origin x", "origin y",
   "origin z", "direction x", "direction y", "direction z", "the time of the first sample",

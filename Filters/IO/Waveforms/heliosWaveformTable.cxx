@@ -52,7 +52,7 @@ Status ReadIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column
   return status;
 }
 
-/// Index of the first non-finite value, or -1; always -1 for integer types.
+/// Returns the index of the first non-finite value, or -1; always -1 for integer types.
 template <typename ArrayT>
 vtkIdType FindNotFinite(vtkDataArray* data)
 {

@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Show the waveforms of selected pulses only, applied before EveryNth.
-   * Default: none added, which shows all.
+   * Shows the waveforms of selected pulses only, applied before EveryNth. Default: none added,
+   * which shows all.
    */
   void AddPulseId(vtkIdType id);
   void RemoveAllPulseIds();

@@ -131,7 +131,8 @@ private:
     }
   }
 
-  /// Monotonic: points of a window are in the bins from its low end to its high end.
+  /// Returns the bin of a place. It is monotonic: points of a window are in the bins from its low
+  /// end to its high end.
   std::size_t GetBin(int axis, float place) const
   {
     const double distance =
@@ -180,10 +181,10 @@ private:
   double Side = 1.0;
   std::size_t Across[2]; // bins
   std::vector<std::size_t> BinOf;
-  std::vector<std::size_t> Begin; // of a bin in Order; one more at the end
-  std::vector<std::size_t> Order; // of points, by bins
-  std::vector<Rectangle> Bounds;  // of the points of a bin
-  std::vector<float> Extremes;    // of the values of a bin
+  std::vector<std::size_t> Begin; // begin of each bin in Order; one more at the end
+  std::vector<std::size_t> Order; // points by bins
+  std::vector<Rectangle> Bounds;  // bounds of the points of a bin
+  std::vector<float> Extremes;    // extreme value of a bin
 };
 
 /// Removes the ground points that are too far above its opening; false: stopped.

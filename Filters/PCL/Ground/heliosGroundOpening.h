@@ -26,8 +26,8 @@ struct GroundWindows
   float MaximumDistance;   // [m]
 };
 
-/// Points whose height above their opening (the highest of the lowest of a window around each) is
-/// within the limits for windows of growing size. False if it was stopped.
+/// Finds the points whose height above their opening (the highest of the lowest of a window around
+/// each) is within the limits for windows of growing size. False if it was stopped.
 VTKHELIOSFILTERSPCL_EXPORT bool FindGround(const pcl::PointCloud<pcl::PointXYZ>& points,
   const GroundWindows& settings, const GoOn& goOn, pcl::Indices& ground);
 

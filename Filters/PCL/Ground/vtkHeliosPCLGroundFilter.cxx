@@ -34,7 +34,7 @@ constexpr int Ground = 2;
 
 using Cloud = helios::PclInput::Cloud;
 
-/// The lowest points of cells; false if it was stopped.
+/// Finds the lowest points of cells; false if it was stopped.
 bool FindLowest(
   const Cloud::Ptr& points, double cellSize, const helios::GoOn& goOn, const Cloud::Ptr& lowest)
 {

@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the width of the largest window, more than that of the largest building [m]. Valid
+   * Set/Get the width of the largest window, more than the width of the largest building [m]. Valid
    * range: [0.1, 1000]. Default: 33.
    */
   vtkSetClampMacro(MaximumWindowSize, double, 0.1, 1000.0);

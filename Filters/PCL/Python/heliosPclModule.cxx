@@ -109,7 +109,7 @@ public:
     return py::reinterpret_steal<py::object>(vtkPythonUtil::GetObjectFromPointer(data));
   }
 
-  /// x y z.
+  /// Returns x y z.
   py::array GetPoints() const
   {
     const auto count = static_cast<py::ssize_t>(this->Data->size());

@@ -14,7 +14,7 @@ namespace helios
 
 namespace
 {
-constexpr double ClodPeriod = 4.0; // [m]; the longest wave of Terrain is 0.8 of it
+constexpr double ClodPeriod = 4.0; // [m]; the longest wave of Terrain is 0.8 times its Size
 }
 
 CropGround::CropGround(

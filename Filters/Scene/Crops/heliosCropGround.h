@@ -25,7 +25,7 @@ public:
    */
   CropGround(double width, double length, double spacing, double roughness, vtkIdType seed);
 
-  /// Returns the z of the triangles at a position; outside the ground, that of its edge.
+  /// Returns the z of the triangles at a position; outside the ground, the z of its edge.
   double GetHeight(double x, double y) const;
 
   double GetHighest() const { return this->Highest; }

@@ -234,7 +234,8 @@ private:
     return 0.5 * curve.Width * GetLeafWidth(share, this->Shape.WidestAt);
   }
 
-  /// Flat trapezoids, a triangle at the tip, and one at the base if the leaf has zero width there.
+  /// Adds flat trapezoids, a triangle at the tip, and one at the base if the leaf has zero width
+  /// there.
   double AddStrip(const LeafCurve& curve)
   {
     const int n = this->Shape.LeafSegments;

@@ -33,7 +33,7 @@ struct CropShape
   double LeafVariation;
   int LeafSegments;
   double WidestAt;     // share of a leaf's length
-  double PetioleShare; // of a leaf's length
+  double PetioleShare; // share of a leaf's length
   double LeavesFrom;   // share of the stem's height of the lowest leaf
   double LeavesTo;
   bool IsAlternate; // leaves in one plane, else at the golden angle

@@ -99,7 +99,7 @@ public:
         levels.insert(levels.end(), { opening.Bottom, opening.Top });
       }
     }
-    levels = SortedUnique(levels); // the same for all walls: they share the points of their edges
+    levels = SortedUnique(levels); // all walls share the points of their edges
     for (const Wall& wall : this->Walls)
     {
       this->AddWall(wall, levels);
@@ -130,8 +130,8 @@ private:
     }
   }
 
-  /// Cells between the cuts of all openings; those of an opening are recessed, with reveals at its
-  /// rim.
+  /// Adds the cells between the cuts of all openings; cells of an opening are recessed, with
+  /// reveals at its rim.
   void AddWall(const Wall& wall, const std::vector<double>& ups)
   {
     std::vector<double> alongs{ 0.0, wall.Length };

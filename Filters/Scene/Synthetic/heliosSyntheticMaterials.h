@@ -41,32 +41,32 @@ inline Material Target()
 {
   return MakeMaterial("target", 0.5, Unclassified);
 }
-/// Bare ground of the plane, step and blocks: assumed.
+/// Returns bare ground for the plane, step and blocks: assumed.
 inline Material Ground()
 {
   return MakeMaterial("ground", 0.3, GroundClass);
 }
-/// ASTER, green grass (0.52, 0.23).
+/// Returns grass: ASTER, green grass (0.52, 0.23).
 inline Material Grass()
 {
   return MakeMaterial("grass", 0.38, GroundClass);
 }
-/// Bark: assumed.
+/// Returns bark: assumed.
 inline Material Bark()
 {
   return MakeMaterial("bark", 0.3, HighVegetation);
 }
-/// ASTER, deciduous trees (0.57, 0.24).
+/// Returns leaves: ASTER, deciduous trees (0.57, 0.24).
 inline Material Leaf()
 {
   return MakeMaterial("leaf", 0.4, HighVegetation);
 }
-/// ASTER, coniferous trees (0.52, 0.18).
+/// Returns needles: ASTER, coniferous trees (0.52, 0.18).
 inline Material Needle()
 {
   return MakeMaterial("needle", 0.35, HighVegetation);
 }
-/// Shrubs: stems as bark, leaves as those of trees.
+/// Return shrubs: stems equal bark, leaves equal leaves of trees.
 inline Material Stem()
 {
   return MakeMaterial("stem", 0.3, LowVegetation);
@@ -75,12 +75,12 @@ inline Material ShrubLeaf()
 {
   return MakeMaterial("shrub_leaf", 0.4, LowVegetation);
 }
-/// Dry tilled soil: assumed.
+/// Returns dry tilled soil: assumed.
 inline Material Soil()
 {
   return MakeMaterial("soil", 0.3, GroundClass);
 }
-/// Crops: stems and leaves as those of shrubs; ears are ripe straw: assumed.
+/// Return crops: stems and leaves equal shrubs; ears are ripe straw: assumed.
 inline Material CropStem()
 {
   return MakeMaterial("crop_stem", 0.3, LowVegetation);
@@ -93,32 +93,32 @@ inline Material CropEar()
 {
   return MakeMaterial("crop_ear", 0.45, LowVegetation);
 }
-/// Light plaster: assumed.
+/// Returns light plaster: assumed.
 inline Material Plaster()
 {
   return MakeMaterial("plaster", 0.7, Building);
 }
-/// ASTER, slate shingle (0.19, 0.17).
+/// Returns roofs: ASTER, slate shingle (0.19, 0.17).
 inline Material Roof()
 {
   return MakeMaterial("roof", 0.18, Building);
 }
-/// ASTER, pine wood (0.90, 0.56).
+/// Returns wood: ASTER, pine wood (0.90, 0.56).
 inline Material Wood()
 {
   return MakeMaterial("wood", 0.73, Building);
 }
-/// Returns of a window from its frame and the curtain behind: assumed.
+/// Returns the mean of a window's frame and the curtain behind: assumed.
 inline Material Window()
 {
   return MakeMaterial("window", 0.1, Building);
 }
-/// Red brick of chimneys: assumed.
+/// Returns the red brick of chimneys: assumed.
 inline Material Brick()
 {
   return MakeMaterial("brick", 0.35, Building);
 }
-/// Concrete of the blocks: assumed.
+/// Returns the concrete of the blocks: assumed.
 inline Material Concrete()
 {
   return MakeMaterial("concrete", 0.35, Building);

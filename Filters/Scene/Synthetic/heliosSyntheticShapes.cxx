@@ -18,7 +18,7 @@ namespace helios
 namespace
 {
 
-/// Division point i of parts in [-side / 2, side / 2].
+/// Returns division point i of parts in [-side / 2, side / 2].
 double Along(double side, int i, int parts)
 {
   return side * (static_cast<double>(i) / parts - 0.5);
@@ -59,7 +59,7 @@ public:
   {
   }
 
-  /// Counter-clockwise as seen from outside.
+  /// Adds a face whose corners are counter-clockwise as seen from outside.
   void AddFace(int a, int b, int c)
   {
     std::vector<vtkTypeInt32> last;
@@ -120,7 +120,7 @@ private:
   MeshBuilder& Mesh;
   std::vector<Vec3> Corners;
   int Parts;
-  double Radius; // of the sphere that points are projected to; 0: no projection
+  double Radius; // radius of the sphere that points are projected to; 0: no projection
   std::map<std::vector<std::pair<int, int>>, vtkTypeInt32> EdgePoints;
 };
 

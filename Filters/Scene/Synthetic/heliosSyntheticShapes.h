@@ -12,23 +12,23 @@ namespace helios
 
 class MeshBuilder;
 
-/// A square of the given side on z = 0, parts x parts squares.
+/// Adds a square of the given side on z = 0, parts x parts squares.
 void AddPlane(MeshBuilder& mesh, double side, int parts);
 
 /**
- * Two half planes of the square: z = 0 for x < 0, z = height for x > 0; the riser at x = 0 faces
- * -x. Each half and the riser are parts x parts rectangles.
+ * Adds two half planes of the square: z = 0 for x < 0, z = height for x > 0; the riser at x = 0
+ * faces -x. Each half and the riser are parts x parts rectangles.
  */
 void AddStep(MeshBuilder& mesh, double side, double height, int parts);
 
-/// An icosahedron with edges divided into parts, projected onto the sphere about the origin.
+/// Adds an icosahedron with edges divided into parts, projected onto the sphere about the origin.
 void AddSphere(MeshBuilder& mesh, double diameter, int parts);
 
-/// A pyramid on a square base, with edges divided into parts.
+/// Adds a pyramid on a square base, with edges divided into parts.
 void AddPyramid(MeshBuilder& mesh, double side, double height, int parts);
 
 /**
- * The square ground with one box in each of cells x cells squares. Sides are 30 to 60 % of the
+ * Adds the square ground with one box in each of cells x cells squares. Sides are 30 to 60 % of the
  * square's, tops 20 to 100 % of the height, headings random; the boxes extend 5 % of the height
  * into the ground. Squares that touch the centre stay empty.
  */

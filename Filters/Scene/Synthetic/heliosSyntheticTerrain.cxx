@@ -17,7 +17,7 @@ namespace helios
 Terrain::Terrain(double side, double relief, vtkIdType seed)
 {
   constexpr double goldenAngle = 2.399963229728653; // spreads the directions of the waves
-  constexpr double ratio = 0.62;                    // of a wave's length to the previous one
+  constexpr double ratio = 0.62;                    // length of a wave relative to the previous one
   const auto key = static_cast<std::uint64_t>(seed);
   const double turn = 2.0 * vtkMath::Pi() * Uniform4(key, RandomStream::Scene, 0, 1)[0];
   double length = 0.8 * side;

@@ -33,7 +33,8 @@ private:
   std::array<Wave, 12> Waves;
 };
 
-/// The hills over a square of the given side about the z axis, sampled at parts x parts squares.
+/// Adds the hills over a square of the given side about the z axis, sampled at parts x parts
+/// squares.
 void AddTerrain(MeshBuilder& mesh, const Terrain& terrain, double side, int parts);
 
 } // namespace helios

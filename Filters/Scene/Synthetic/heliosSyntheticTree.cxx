@@ -102,7 +102,8 @@ enum Draw : std::uint32_t
   LeafDraw = 40  // to 45
 };
 
-/// A diamond of two triangles; the normal and the length's direction need not be perpendicular.
+/// Adds a diamond of two triangles; the normal and the length's direction need not be
+/// perpendicular.
 void AddLeaf(MeshBuilder& mesh, const Vec3& centre, Vec3 normal, const Vec3& along, double length,
   double width)
 {
@@ -250,7 +251,7 @@ private:
   const TreeShape& Shape;
   const TreeRandom& Random;
   bool IsShrub;
-  Vec3 Centre; // of the crown
+  Vec3 Centre; // centre of the crown
   Vec3 Axes;
   double StemRadius;
   std::vector<Vec3> Anchors; // ends of branches and twigs, around which leaves are placed
@@ -297,7 +298,7 @@ private:
     double Length;
     double Room; // for sprays on this branch and all below
 
-    /// Drooping, with a rising end.
+    /// Returns a point of a drooping branch with a rising end.
     Vec3 GetPoint(double share) const
     {
       const double drop = this->Length * (0.5 * share - 0.3 * share * share);

@@ -32,14 +32,14 @@ struct TreeShape
   int NumberOfLeaves = 5000;
 };
 
-/// A closed tube along a path, from a cap to a point; radii of all points but the last.
+/// Adds a closed tube along a path, from a cap to a point; radii of all points but the last.
 void AddTube(
   MeshBuilder& mesh, const std::vector<Vec3>& path, const std::vector<double>& radii, int sides);
 
 /**
- * A tree about the z axis on z = 0: stem and branches as closed tapered tubes, leaves as diamonds
- * of two triangles with random normals, sized such that their area is 3 times (conifers: 4 times)
- * the ground below the crown. Trees with different numbers differ.
+ * Adds a tree about the z axis on z = 0: stem and branches as closed tapered tubes, leaves as
+ * diamonds of two triangles with random normals, sized such that their area is 3 times (conifers: 4
+ * times) the ground below the crown. Trees with different numbers differ.
  */
 void AddTree(MeshBuilder& mesh, const TreeShape& shape, vtkIdType seed, vtkIdType number);
 

@@ -53,8 +53,8 @@ constexpr SpeciesDefaults AllSpecies[] = {
 };
 
 constexpr double MaximumNumberOfTriangles = 5e8;
-constexpr double WoodTriangles = 2000;  // of a tree, at most
-constexpr double ReliefOfCanopy = 0.06; // of its size
+constexpr double WoodTriangles = 2000;  // triangles of a tree, at most
+constexpr double ReliefOfCanopy = 0.06; // relief relative to Size
 
 /// The properties, with the kind's own values for 0.
 struct Settings

@@ -25,10 +25,10 @@
  *   about a million triangles;
  * - Blocks: boxes of up to Height (10), of any heading, on a square ground of side Size (100) of n
  *   x n squares (7), one on each except at the centre;
- * - House: Size is the length (12) along y, Height that of the ridge (8); gabled roof with eaves,
- *   chimney, recessed windows and door (n is not used);
- * - Tree: Height (12; a shrub 1.5), Size the diameter of the crown (0.6 of the height; a conifer 0.38 of
- *   it, a shrub all of it), NumberOfLeaves (0: 5000; a shrub 1500).
+ * - House: Size is the length (12) along y, Height the height of the ridge (8); gabled roof with
+ *   eaves, chimney, recessed windows and door (n is not used);
+ * - Tree: Height (12; a shrub 1.5), Size the diameter of the crown (0.6 of the height; a conifer
+ *   0.38 times that, a shrub as much), NumberOfLeaves (0: 5000; a shrub 1500).
  *
  * Errors: properties that are not finite, more than 500 million triangles.
  *

@@ -129,7 +129,8 @@ public:
     bool Colors = false;
   };
 
-  /// The origin is the minimum of the points; epsilon is that of the coordinates (2^-52, or 2^-23).
+  /// The origin is the minimum of the points; epsilon is the precision of the coordinates (2^-52,
+  /// or 2^-23).
   VoxelGrid(const double origin[3], double size, double epsilon, const Contents& contents);
 
   /// Adds points. False if there are more than the maximum number of cells.

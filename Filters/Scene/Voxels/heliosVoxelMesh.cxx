@@ -25,7 +25,7 @@ constexpr int SideCorners[6][4][3] = {
   { { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } }  // +z
 };
 
-/// Numbers the corners of cells that come layer by layer: stores those of two levels.
+/// Numbers the corners of cells that come layer by layer: stores the corners of two levels.
 class CornerNumbers
 {
 public:
@@ -106,7 +106,7 @@ VoxelMesh::VoxelMesh(const std::vector<VoxelMap::Entry>& cells)
   }
 }
 
-// The neighbours of sorted cells are sorted as well: both are traversed in parallel.
+// Opens faces. The neighbours of sorted cells are sorted as well: both are traversed in parallel.
 void VoxelMesh::OpenFaces(int side)
 {
   const VoxelKey step = side % 2 == 1 ? VoxelStep[side / 2] : VoxelKey(0) - VoxelStep[side / 2];

@@ -29,7 +29,7 @@ MaterialTable MakeMaterials(int count)
   return materials;
 }
 
-/// One number per triangle, from the id of its cell.
+/// Adds one number per triangle, from the id of its cell.
 template <typename Function>
 void AddIds(const char* name, const VoxelMesh& mesh, vtkPolyData* scene, Function&& getId)
 {
@@ -41,7 +41,7 @@ void AddIds(const char* name, const VoxelMesh& mesh, vtkPolyData* scene, Functio
   scene->GetCellData()->AddArray(ids);
 }
 
-/// Three numbers per triangle; get(cell) is called once per cell, then side(value, side) per
+/// Makes three numbers per triangle; get(cell) is called once per cell, then side(value, side) per
 /// triangle.
 template <typename Get, typename Turn>
 vtkSmartPointer<vtkFloatArray> MakeTriples(

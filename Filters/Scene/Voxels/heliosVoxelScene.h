@@ -18,7 +18,7 @@ struct VoxelSceneOptions
   bool HasVoxelIds = false;
   bool HasNormals = false;
   bool HasColors = false;
-  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< unit; 0 0 0: that of the faces
+  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< unit vector; 0 0 0: normal of the faces
 };
 
 /// Writes triangles, their arrays and the materials.

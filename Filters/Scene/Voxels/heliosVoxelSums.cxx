@@ -63,7 +63,7 @@ Vec3 PlaneSum::GetNormal() const
   double* columns[3] = { vectors[0], vectors[1], vectors[2] };
   double spread[3]; // descending
   vtkMath::Jacobi(matrix, spread, columns);
-  constexpr double line = 1e-12; // of its squared length: above the rounding of coordinates
+  constexpr double line = 1e-12; // share of the squared length: above the rounding of coordinates
   if (spread[1] <= line * spread[0])
   {
     return Vec3(0.0, 0.0, 0.0);

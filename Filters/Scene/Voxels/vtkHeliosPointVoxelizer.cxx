@@ -34,7 +34,7 @@ namespace
 constexpr double BytesPerCell = 500.0;     // at most, with its triangles
 constexpr int ProbePieces = 65536;         // power of 4: a small share of any source
 constexpr vtkIdType PointsPerStep = 65536; // between two checks of AbortExecute
-constexpr double SharePerVisit = 0.45;     // of the progress; the rest is for the triangles
+constexpr double SharePerVisit = 0.45;     // share of the progress; the rest is for the triangles
 
 bool CanBePieces(vtkInformation* inInfo)
 {
@@ -49,7 +49,7 @@ int vtkHeliosPointVoxelizer::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// The output is always complete, even if the input comes in pieces.
+// States that the output is always complete, even if the input comes in pieces.
 int vtkHeliosPointVoxelizer::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -230,7 +230,7 @@ bool vtkHeliosPointVoxelizer::CheckAttributes(const helios::VoxelBounds& bounds)
   return true;
 }
 
-// First pass over the points: their bounds.
+// Finds the bounds of the points: first pass.
 bool vtkHeliosPointVoxelizer::Measure(
   vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene)
 {
@@ -254,7 +254,7 @@ bool vtkHeliosPointVoxelizer::Measure(
     this->CheckAttributes(bounds);
 }
 
-// Second pass: their cells.
+// Gathers the cells of the points: second pass.
 bool vtkHeliosPointVoxelizer::Gather(
   vtkInformation* inInfo, int count, const helios::VoxelBounds& bounds, helios::VoxelGrid& grid)
 {

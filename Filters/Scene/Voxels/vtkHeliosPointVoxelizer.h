@@ -15,7 +15,7 @@
  * - cell data MaterialIds (int): the cell id modulo NumberOfMaterials;
  * - cell data VoxelIds (int) with GenerateVoxelIds: the cell id, from 0, along x first, then y,
  *   then z;
- * - cell data Normals (float, 3) if cells have normals: those of the input points, summed and
+ * - cell data Normals (float, 3) if cells have normals: normals of the input points, summed and
  *   normalised, or as set by EstimateNormals, SnapNeighborNormal and DefaultNormal. A cell without
  *   one has the normal of its faces;
  * - cell data RGB (float, 3, [0..1]) if points have colours: their root mean square;
@@ -81,9 +81,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the normal of a cell is that of the plane fitted to its points (least squares
-   * of distances; upwards) instead of the points' own. Cells with fewer than three points, or with
-   * collinear points, have none. Default: off.
+   * Set/Get whether the normal of a cell is the normal of the plane fitted to its points (least
+   * squares of distances; upwards) instead of the points' own. Cells with fewer than three points,
+   * or with collinear points, have none. Default: off.
    */
   vtkSetMacro(EstimateNormals, bool);
   vtkGetMacro(EstimateNormals, bool);
@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the normal of a cell is that of the point nearest to its centre, not the mean
-   * of all. Ignored with EstimateNormals. Default: off.
+   * Set/Get whether a cell has the normal of the point nearest to its centre, not the mean of all.
+   * Ignored with EstimateNormals. Default: off.
    */
   vtkSetMacro(SnapNeighborNormal, bool);
   vtkGetMacro(SnapNeighborNormal, bool);

@@ -48,7 +48,7 @@ public:
     this->MaximumPad = this->MaximumPad > 0.0 ? this->MaximumPad : this->LargestPad;
   }
 
-  /// 0 if unknown.
+  /// Returns the density of a cell; 0 if unknown.
   double GetPad(vtkIdType cell) const
   {
     const double pad = this->Pad->GetComponent(cell, 0);
@@ -61,7 +61,7 @@ public:
                                : this->GetPad(cell) > 0.0;
   }
 
-  /// Ratio of the edge to that of its cell.
+  /// Returns the ratio of the cube's edge to the edge of its cell.
   double GetScale(vtkIdType cell, double exponent) const
   {
     return std::min(1.0, std::pow(this->GetPad(cell) / this->MaximumPad, exponent));
@@ -74,7 +74,7 @@ private:
   double LargestPad = 0.0;
 };
 
-/// The index of a cell along each axis.
+/// Computes the index of a cell along each axis.
 void GetIndex(vtkImageData* grid, vtkIdType cell, std::int64_t index[3])
 {
   int n[3];

@@ -43,8 +43,8 @@ double GetWaveEnergy(const Wind& wind, double frequency)
 }
 
 //------------------------------------------------------------------------------
-/// Frequencies are in equal steps of their logarithm, directions in those of the angle; each wave is at a
-/// random place in its step.
+/// Makes the waves. Frequencies are in equal steps of their logarithm, directions in equal steps of
+/// the angle; each wave is at a random place in its step.
 WaveField::WaveField(const Wind& wind, double shortest, std::uint64_t seed)
 {
   const double last = std::sqrt(2.0 * vtkMath::Pi() * StandardGravity / shortest);

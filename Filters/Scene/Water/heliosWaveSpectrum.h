@@ -33,7 +33,7 @@ VTKHELIOSFILTERSSCENE_EXPORT double GetWaveEnergy(const Wind& wind, double frequ
 /// Returns the frequency w0 of the highest waves [rad/s].
 VTKHELIOSFILTERSSCENE_EXPORT double GetPeakFrequency(const Wind& wind);
 
-/// A sum of plane waves; their directions spread by cos^2 about that of the wind.
+/// A sum of plane waves; their directions spread by cos^2 about the wind.
 class VTKHELIOSFILTERSSCENE_EXPORT WaveField
 {
 public:
@@ -43,7 +43,7 @@ public:
   /// Returns the height at a place and time [m, s].
   double GetHeight(double x, double y, double time) const;
 
-  double GetVariance() const;        ///< of the height [m2]
+  double GetVariance() const;        ///< variance of the height [m2]
   double GetMeanSquareSlope() const; ///< in all directions
 
 private:

@@ -47,7 +47,7 @@ vtkSmartPointer<vtkPoints> Raise(vtkPoints* rest, const helios::WaveField& field
   return raised;
 }
 
-/// Water has the slopes of the wind that the mesh has not.
+/// Sets the slopes of the wind that the mesh does not contain.
 void SetSlopes(vtkPolyData* water, double slopes)
 {
   helios::MaterialTable materials = helios::GetMaterials(water);
@@ -85,7 +85,7 @@ int vtkHeliosWaterWaves::RequestData(
   }
   const helios::WaveField field = MakeField(this);
   output->SetPoints(Raise(input->GetPoints(), field, this->Time));
-  vtkNew<vtkFieldData> fields; // not that of the input
+  vtkNew<vtkFieldData> fields; // replaces the input's field data
   fields->ShallowCopy(input->GetFieldData());
   output->SetFieldData(fields);
   const double all = 0.003 + 0.00512 * this->WindSpeed; // Cox and Munk 1954

@@ -4,15 +4,15 @@
  * @class   vtkHeliosWaterWaves
  * @brief   raises the waves of a wind on a surface of water
  *
- * Input 0: a vtkPolyData of triangles, the surface at rest. Output 0: the same, with the heights of its
- * points changed by waves at a time. The energy of the waves by frequency is that of JONSWAP
- * (Hasselmann et al. 1973), which depends on the wind's speed and fetch; they spread by cos^2 about its
- * direction, and move as waves on deep water do, w^2 = g k. The output depends on nothing but the input and
- * the properties.
+ * Input 0: a vtkPolyData of triangles, the surface at rest. Output 0: the same, with the heights of
+ * its points changed by waves at a time. The energy of the waves by frequency follows JONSWAP
+ * (Hasselmann et al. 1973), which depends on the wind's speed and fetch; they spread by cos^2 about
+ * its direction, and move as waves on deep water do, w^2 = g k. The output depends on nothing but
+ * the input and the properties.
  *
- * Waves shorter than ShortestWave are no part of the mesh: give the surface edges of a quarter of that. Materials
- * whose optics are water have their slopes as MeanSquareSlope then: those of the wind (Cox and Munk
- * 1954: 0.003 + 0.00512 U) without those of the mesh.
+ * Waves shorter than ShortestWave are no part of the mesh: give the surface edges of a quarter of
+ * that. Materials whose optics are water have their slopes as MeanSquareSlope then: the slopes of
+ * the wind (Cox and Munk 1954: 0.003 + 0.00512 U) minus the slopes of the mesh.
  *
  * Errors: a wind that is not finite, or has a speed and no fetch.
  *
