@@ -62,14 +62,14 @@ std::vector<double> AngleTable::GetThresholds(double below) const
       best[v] = std::min(best[v], angles[v]);
     }
   }
-  double least = 0.0;
+  double minimum = 0.0;
   for (const double angle : best)
   {
-    least = angle < HUGE_VAL ? std::max(least, angle) : least;
+    minimum = angle < HUGE_VAL ? std::max(minimum, angle) : minimum;
   }
   std::vector<double> thresholds;
   std::copy_if(this->Angles.begin(), this->Angles.end(), std::back_inserter(thresholds),
-    [=](double angle) { return angle >= least && angle < below; });
+    [=](double angle) { return angle >= minimum && angle < below; });
   std::sort(thresholds.begin(), thresholds.end());
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
   return thresholds;

@@ -17,7 +17,7 @@ namespace helios
 class Areas
 {
 public:
-  /// Null: no areas.
+  /// Reads outlines; null: no areas.
   explicit Areas(vtkPolyData* outlines);
 
   /// Returns whether a position is inside one of the areas or on its border.

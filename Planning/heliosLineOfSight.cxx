@@ -11,11 +11,11 @@ namespace helios
 namespace
 {
 
-// Of sines and cosines: values on a limit are within it.
+// Rounding of sines and cosines: values on a limit are within it.
 constexpr double Rounding = 1e-12;
 
-// As a share of the tolerance: how far behind the surface lines are aimed. Rounding would decide
-// whether a line to a point on an edge, or one that touches an edge, hits it.
+// Distance behind the surface at which lines are aimed, as a share of the tolerance. Rounding would
+// decide whether a line to a point on an edge, or one that touches an edge, hits it.
 constexpr double BehindSurface = 1e-3;
 
 } // namespace

@@ -21,8 +21,8 @@ struct SightLimits
   bool BothSides = false;     ///< the first surface must not be behind the point by more, either
   double MinimumRange = 0.0;  ///< [m]
   double MaximumRange = 1e9;
-  double MinimumCosine = 0.0; ///< of the incidence
-  double MinimumSine = -1.0;  ///< of the elevation
+  double MinimumCosine = 0.0; ///< smallest cosine of the incidence
+  double MinimumSine = -1.0;  ///< smallest sine of the elevation
   double MaximumSine = 1.0;
   double DensityFactor = 0.0; ///< cos(incidence) must be at least this times range^2 [1/m2]
 };

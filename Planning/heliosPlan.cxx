@@ -20,7 +20,8 @@ namespace helios
 namespace
 {
 
-/// For the linear bound of methods without a proof, and the minimum for the one with a proof [s].
+/// Time for the linear bound of methods without a proof, and the minimum for the method with a
+/// proof [s].
 constexpr double BoundTime = 10.0;
 
 /// Maximum number of bits for a linear bound, and the bits read by the Lagrangian bound instead.
@@ -38,8 +39,8 @@ constexpr std::int64_t BestPairs = 5000000;
 constexpr std::int64_t QualityWork = 50000000;
 constexpr std::int64_t ProofWork = 1000000000;
 
-/// For one query for a smaller worst angle: scores changed by local search, words read to enumerate
-/// all covers; the latter for Best; the share of the remaining time for CBC.
+/// Work for one query for a smaller worst angle: scores changed by local search, words read to
+/// enumerate all covers; the latter for Best; the share of the remaining time for CBC.
 constexpr std::int64_t SearchWork = 5000000;
 constexpr std::int64_t TreeWork = 1000000000;
 constexpr std::int64_t BestShare = 20;
@@ -132,7 +133,7 @@ private:
     }
   }
 
-  /// The paper's reduction, and its coverage-limited step.
+  /// Removes candidates by the paper's reduction, and its coverage-limited step.
   void Remove(const std::vector<double>& keys)
   {
     const Choice order = SortForRemoval(this->Problem, keys, this->Settings.IsAscending);
@@ -181,7 +182,7 @@ private:
 
   double GetTimeLeft() const { return std::max(0.0, this->End - GetSeconds()); }
 
-  /// Stop test for the additional work of Optimal.
+  /// Stops the additional work of Optimal.
   bool IsOver() const
   {
     const bool isLate = this->Settings.Method == PlanMethod::Optimal && this->GetTimeLeft() == 0.0;
@@ -193,7 +194,7 @@ private:
     return this->Result.Bound >= static_cast<int>(this->Result.Selected.size());
   }
 
-  /// For small problems an enumeration of the remaining candidates is enough.
+  /// Finds fewer scans: for small problems an enumeration of the remaining candidates is enough.
   void FindFewer()
   {
     CoverAnswer answer = CoverAnswer::Found;
@@ -236,7 +237,7 @@ private:
   }
 
   /// Returns the best choice, whose members are all candidates of the reduced problem, as a choice
-  /// of it.
+  /// of the reduced problem.
   Choice GetReducedChoice() const
   {
     Choice choice;
@@ -296,7 +297,7 @@ private:
     return answer;
   }
 
-  /// By enumeration of all covers, if they are few.
+  /// Enumerates all covers, if they are few.
   CoverAnswer GoThrough(const ReducedCover& reduced, int count, Choice& found) const
   {
     const StopTest& stop = this->Settings.Stop;
@@ -347,7 +348,7 @@ bool IsBetter(
         .IsBetterThan(Incidence::ComputeQuality(problem, incidence.GetBest(problem, b)));
 }
 
-/// One plan for each connected part that sees enough; the best of them.
+/// Plans each connected part that sees enough, and returns the best plan.
 PlanResult PlanConnected(
   const CoverProblem& problem, const Incidence& incidence, const PlanSettings& settings)
 {

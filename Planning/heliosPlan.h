@@ -26,9 +26,9 @@ struct PlanSettings
 {
   PlanMethod Method = PlanMethod::Best;
   bool IsAscending = true;            // order of removal
-  std::vector<double> MeanAngles;     // of candidates, for MeanIncidenceAngle [deg]
-  int NumberOfStarts = 4;             // of local searches
-  double TimeLimit = 300.0;           // of Optimal, wall time [s]
+  std::vector<double> MeanAngles;     // mean angles of candidates, for MeanIncidenceAngle [deg]
+  int NumberOfStarts = 4;             // starts of local searches
+  double TimeLimit = 300.0;           // wall time of Optimal [s]
   double MinimumOverlap = 0.0;        // 0: need not be connected
   std::function<void(double)> Report; // progress in [0, 1]; may be empty
   StopTest Stop;

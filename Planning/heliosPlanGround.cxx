@@ -25,7 +25,8 @@ namespace helios
 namespace
 {
 
-/// For each triangle of a mesh whether it is ground; its materials are rows of the scene's columns.
+/// Finds, for each triangle of a mesh, whether it is ground; its materials are rows of the scene's
+/// columns.
 std::vector<bool> FindGround(vtkPolyData* mesh, vtkPolyData* scene)
 {
   vtkNew<vtkPolyData> both;
@@ -175,7 +176,7 @@ void PlanGround::ExtractInstances(vtkHeliosScene* scene, vtkHeliosScene* part)
 }
 
 //------------------------------------------------------------------------------
-/// The number of an extracted prototype; adds a new one.
+/// Returns the number of an extracted prototype; adds a new one.
 int PlanGround::AddPrototype(
   vtkHeliosScene* scene, int prototype, bool isWhole, vtkHeliosScene* part)
 {

@@ -44,9 +44,9 @@ private:
   /// The ground of the mesh, or of a prototype.
   struct Ground
   {
-    std::vector<bool> IsGround; ///< of its triangles; empty: none
+    std::vector<bool> IsGround; ///< per triangle; empty: none
     bool IsAll = false;
-    std::vector<vtkIdType> Cells; ///< of the extracted triangles
+    std::vector<vtkIdType> Cells; ///< cells of the extracted triangles
   };
   /// An instance of the scene that is extracted.
   struct Source
@@ -66,8 +66,8 @@ private:
   Ground Mesh;
   std::vector<Ground> Prototypes;
   std::vector<bool> IsGroundMaterial;
-  std::map<std::pair<int, bool>, int> Numbers; ///< of extracted prototypes
-  std::vector<Source> Sources;                 ///< of extracted instances
+  std::map<std::pair<int, bool>, int> Numbers; ///< numbers of extracted prototypes
+  std::vector<Source> Sources;                 ///< sources of extracted instances
 };
 
 } // namespace helios

@@ -36,19 +36,19 @@ public:
 
   const vtkHeliosRayCaster& GetCaster() const { return *this->Caster; }
 
-  /// x0 x1 y0 y1 z0 z1 of the triangles taken.
+  /// Returns x0 x1 y0 y1 z0 z1 of the triangles used.
   const double* GetBounds() const { return this->Bounds; }
 
   /// Returns the cell of the scene hit, given the hit id of the caster.
   vtkIdType GetCell(vtkIdType hit) const;
 
-  /// The part of the scene hit; -1: the scene has no parts.
+  /// Returns the part of the scene that was hit; -1: the scene has no parts.
   int GetPart(vtkIdType hit) const;
 
   /// Returns the unit normal of the triangle hit, from its corners by the right-hand rule.
   Vec3 GetFaceNormal(vtkIdType hit) const;
 
-  /// The cell array Normals if the scene has it, else the normal from the corners.
+  /// Returns the cell array Normals if the scene has it, else the normal from the corners.
   Vec3 GetNormal(vtkIdType hit) const;
 
   /// Steps not set (0) are a twentieth of the diagonal; bounds not set (NaN) are the scene's.

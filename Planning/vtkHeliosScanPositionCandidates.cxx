@@ -34,7 +34,7 @@ using helios::Vec3;
 namespace
 {
 
-// For slopes: a plane of 30 degrees must pass a limit of 30 degrees.
+// Rounding of slopes: a plane of 30 degrees must pass a limit of 30 degrees.
 constexpr double AngleRounding = 1e-9;
 
 /// A position of the grid, and its status.
@@ -232,7 +232,7 @@ private:
     return !this->Ground.IsEmpty() && this->Self->Surface != OPEN_GROUND;
   }
 
-  /// Position of the instrument.
+  /// Returns the position of the instrument.
   Vec3 GetPosition(vtkIdType place) const
   {
     return { this->X.GetPlace(place % this->X.GetCount()),
@@ -382,11 +382,11 @@ bool vtkHeliosScanPositionCandidates::Report(const Search& search)
        << " have no surface below, at " << others << " the highest surface is not ground, " << steep
        << " are steeper than the maximum slope (" << this->MaximumSlope << " deg), " << excluded
        << " lie in excluded areas; ";
-  const vtkIdType most = std::max(std::max(misses, others), std::max(steep, excluded));
-  text << (most == steep ? "allow a larger slope, or make the grid finer"
-      : most == misses   ? "move the region onto the scene, or make the grid finer"
-      : most == excluded ? "exclude less"
-                         : "use ground below other surfaces, too");
+  const vtkIdType maximum = std::max(std::max(misses, others), std::max(steep, excluded));
+  text << (maximum == steep ? "allow a larger slope, or make the grid finer"
+      : maximum == misses   ? "move the region onto the scene, or make the grid finer"
+      : maximum == excluded ? "exclude less"
+                            : "use ground below other surfaces, too");
   vtkErrorMacro(<< text.str() << ".");
   return false;
 }

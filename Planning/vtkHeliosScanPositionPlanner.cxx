@@ -200,7 +200,7 @@ private:
     return {};
   }
 
-  /// The share that is required of each object.
+  /// Reads the share that is required of each object.
   helios::Status ReadObjects()
   {
     const double share = this->Self->MinimumObjectCoverage / 100.0;

@@ -190,9 +190,9 @@ public:
 
   ///@{
   /**
-   * Get, for the last update: a lower bound on the number of scans, that of the linear relaxation
-   * or a valid one below it; the best known bound in whole scans; the gap of the plan to it [% of
-   * the plan]; and whether the plan is proved to have the fewest scans.
+   * Get, for the last update: a lower bound on the number of scans, from the linear relaxation or a
+   * valid one below; the best known bound in whole scans; the gap of the plan to it [% of the
+   * plan]; and whether the plan is proved to have the fewest scans.
    */
   vtkGetMacro(LowerBound, double);
   vtkGetMacro(BestBound, vtkIdType);

@@ -12,12 +12,12 @@
  * MeanIncidenceAngle [deg] of the lines of sight, from the normal on either side, in [0, 90]; NaN
  * if nothing is seen.
  *
- * A test point is seen if no surface is more than HitTolerance in front of it. With BothSides the
- * first surface must also be no further behind it (Bechtold and Hoefle 2016, section 10: the first
- * hit lies within the tolerance of the point). Points out of range, out of the field of view,
- * beyond the incidence limit or below the point density are not seen; no such limit is set by
- * default. With normals, lines are aimed a thousandth of HitTolerance behind the surface: rounding
- * would decide whether a point on an edge is hit.
+ * A test point is seen if no surface is more than HitTolerance in front. With BothSides the first
+ * surface must also be no further behind it (Bechtold and Hoefle 2016, section 10: the first hit
+ * lies within the tolerance of the point). Points out of range, out of the field of view, beyond
+ * the incidence limit or below the point density are not seen; no such limit is set by default.
+ * With normals, lines are aimed a thousandth of HitTolerance behind the surface: rounding would
+ * decide whether a point on an edge is hit.
  *
  * The output supports pieces, contiguous ranges of the candidates: a matrix larger than memory is
  * computed piece by piece. It is byte-identical for any number of threads.
@@ -128,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the limit for the memory of the matrix, or of a piece of it [MiB]. Valid range:
-   * [1, 1e9]. Default: 2048.
+   * Set/Get the limit for the memory of the matrix, or of one of its pieces [MiB]. Valid range: [1,
+   * 1e9]. Default: 2048.
    */
   vtkSetClampMacro(MemoryLimit, double, 1.0, 1e9);
   vtkGetMacro(MemoryLimit, double);

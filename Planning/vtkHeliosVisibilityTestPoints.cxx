@@ -38,7 +38,7 @@ struct Meeting
 {
   Vec3 Point;
   vtkIdType Hit;
-  int Axis; ///< of the line
+  int Axis; ///< axis of the line
 };
 
 /// Rays per batch.
@@ -188,7 +188,7 @@ private:
 
   bool IsUsed(int axis) const { return axis == 2 ? this->Self->Vertical : this->Self->Horizontal; }
 
-  /// The axis along which neighbouring lines lie, and the one of rows.
+  /// Returns the axis along which neighbouring lines lie, and the axis of rows.
   static int GetFast(int axis) { return axis == 0 ? 1 : 0; }
   static int GetSlow(int axis) { return axis == 2 ? 1 : 2; }
 
@@ -266,7 +266,7 @@ private:
     }
   }
 
-  /// Vertical lines go down, horizontal ones up the axis.
+  /// Returns the ray of a line: vertical lines go down, horizontal ones up the axis.
   vtkHeliosRay GetRay(int axis, vtkIdType line) const
   {
     const double* bounds = this->Scene.GetBounds();

@@ -50,10 +50,10 @@ inline Status CheckFloatCoordinates(vtkDataArray* coordinates, const char* thing
       extent = std::max(extent, static_cast<double>(high) - low);
     }
   }
-  constexpr double least = 1e-3;
+  constexpr double minimum = 1e-3;
   const double step =
     static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) - largest;
-  if (!(step > least && step > 1e-6 * extent))
+  if (!(step > minimum && step > 1e-6 * extent))
   {
     return {};
   }

@@ -46,10 +46,10 @@ double FindNumber(const std::string& path, const std::string& wanted, double oth
 }
 
 /// Returns the memory left by a control group [MiB]; its file cache is reclaimable.
-double GetRoom(const std::string& group, const std::string& most, const std::string& used)
+double GetRoom(const std::string& group, const std::string& maximum, const std::string& used)
 {
   const double files = FindNumber(group + "/memory.stat", "inactive_file ", 0.0);
-  const double room = ReadNumber(group + most) - ReadNumber(group + used) + files;
+  const double room = ReadNumber(group + maximum) - ReadNumber(group + used) + files;
   return room == room ? std::max(0.0, room) / Mebibyte : Unlimited;
 }
 

@@ -18,11 +18,11 @@ namespace helios
 namespace
 {
 
-constexpr double SmallMotion = 1e-6;   // [m]
-constexpr double SmallDistance = 1e-5; // [m], from a plane
-constexpr double LargestRatio = 3.0;   // ratio of a distance to the residual
-constexpr float LeastCosine = 0.866F;  // between normals of a pair
-constexpr std::size_t LeastPairs = 6;
+constexpr double SmallMotion = 1e-6;    // [m]
+constexpr double SmallDistance = 1e-5;  // [m], from a plane
+constexpr double LargestRatio = 3.0;    // ratio of a distance to the residual
+constexpr float MinimumCosine = 0.866F; // between normals of a pair
+constexpr std::size_t MinimumPairs = 6;
 
 using PointT = pcl::PointNormal;
 
@@ -140,7 +140,7 @@ void PclIcp::Reject(const Cloud& moved, pcl::Correspondences& pairs)
       const PointT& p = At(moved, pair.index_query);
       const PointT& q = At(*this->Fixed, pair.index_match);
       return !this->IsFlat(p) || !this->IsFlat(q) ||
-        std::abs(p.getNormalVector3fMap().dot(q.getNormalVector3fMap())) < LeastCosine;
+        std::abs(p.getNormalVector3fMap().dot(q.getNormalVector3fMap())) < MinimumCosine;
     });
   removeIf(
     [this, &moved](const pcl::Correspondence& pair)
@@ -246,7 +246,7 @@ Status PclIcp::Run()
       this->Reject(*moved, pairs);
     }
     this->Measure(*moved, pairs);
-    if (pairs.size() < LeastPairs)
+    if (pairs.size() < MinimumPairs)
     {
       return Status::Error("only " + std::to_string(near) +
         " points of input 1 have a point of input 0 within " + "MaximumDistance, and " +

@@ -32,7 +32,7 @@ namespace
 {
 
 // Points that test a sample: a plane with few of these is not found by samples of three.
-constexpr std::size_t MostSamples = 20000;
+constexpr std::size_t MaximumSamples = 20000;
 
 /// Silences PCL, which reports each sample of three collinear points to stderr and draws another.
 class QuietPcl
@@ -139,13 +139,13 @@ public:
   /// Finds the next plane; false if there are no more, or if it was stopped.
   bool Next()
   {
-    const int least = this->Settings.MinimumNumberOfPoints;
+    const int minimum = this->Settings.MinimumNumberOfPoints;
     pcl::PointIndices found;
-    if (static_cast<int>(this->Left->size()) >= least)
+    if (static_cast<int>(this->Left->size()) >= minimum)
     {
       this->FindOne(found);
     }
-    if (this->IsStopped || static_cast<int>(found.indices.size()) < least)
+    if (this->IsStopped || static_cast<int>(found.indices.size()) < minimum)
     {
       return false;
     }
@@ -177,7 +177,7 @@ private:
   /// Finds the remaining points on the plane that contains most of the test points.
   void FindOne(pcl::PointIndices& found)
   {
-    const auto step = (this->Left->size() + MostSamples - 1) / MostSamples;
+    const auto step = (this->Left->size() + MaximumSamples - 1) / MaximumSamples;
     pcl::IndicesPtr samples(new pcl::Indices);
     for (std::size_t i = 0; i < this->Left->size(); i += step)
     {

@@ -194,12 +194,12 @@ private:
   std::size_t FindNearest(const Vec3& point) const
   {
     std::size_t nearest = 0;
-    double least = GetDistance(point, this->After[0]);
+    double minimum = GetDistance(point, this->After[0]);
     for (std::size_t i = 1; i < this->After.size(); ++i)
     {
       const double distance = GetDistance(point, this->After[i]);
-      nearest = distance < least ? i : nearest;
-      least = std::min(distance, least);
+      nearest = distance < minimum ? i : nearest;
+      minimum = std::min(distance, minimum);
     }
     return nearest;
   }

@@ -36,7 +36,7 @@ Vec3 GetNearest(const Vec3& p, const Triangle& t)
   const double squared = normal.SquaredNorm();
   const Vec3 d[3] = { t[0] - p, t[1] - p, t[2] - p };
   Vec3 nearest = p - normal * (squared > 0.0 ? -normal.Dot(d[0]) / squared : 0.0);
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
     const int next = (i + 1) % 3;
@@ -44,8 +44,8 @@ Vec3 GetNearest(const Vec3& p, const Triangle& t)
     {
       const Vec3 q = GetNearest(p, t[i], t[next]);
       const double distance = (q - p).SquaredNorm();
-      nearest = distance < least ? q : nearest;
-      least = std::min(distance, least);
+      nearest = distance < minimum ? q : nearest;
+      minimum = std::min(distance, minimum);
     }
   }
   return nearest;

@@ -30,7 +30,7 @@ namespace
 /// Tolerance for rounding in a bound.
 constexpr double Rounding = 1e-7;
 
-/// With whole costs a better solution is better by 1.
+/// Increment with whole costs, where a better solution is better by 1.
 constexpr double WholeIncrement = 0.999;
 
 /// Restores the SIGINT handler: the linear solver sets its own.
@@ -59,10 +59,10 @@ public:
   {
   }
 
-  /// For a search between nodes; the bound stays valid.
+  /// Returns whether a search ends between nodes; the bound stays valid.
   bool IsOverAtNode() { return this->IsOver() || Clock::now() >= this->NodeEnd; }
 
-  /// For a linear solve; its result is then invalid.
+  /// Returns whether a linear solve ends; its result is then invalid.
   bool IsOverAtIteration()
   {
     this->WorkToSpare -= this->WorkOfIteration;
@@ -175,7 +175,7 @@ void Load(const BinaryProgram& program, OsiClpSolverInterface& solver)
   }
 }
 
-/// True: solved. The relaxation of a program with solutions always has one.
+/// Solves the relaxation; true: solved. The relaxation of a program with solutions always has one.
 bool Relax(OsiClpSolverInterface& solver, Limit& limit)
 {
   IterationHandler handler(limit);

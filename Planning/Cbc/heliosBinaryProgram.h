@@ -19,7 +19,7 @@ struct VTKHELIOSPLANNINGCBC_EXPORT BinaryProgram
 {
   std::vector<double> Costs;       // one per column
   std::vector<char> IsBinary;      // 0: continuous in [0, 1]
-  std::vector<int> Starts = { 0 }; // of a row in Columns; one more at the end
+  std::vector<int> Starts = { 0 }; // start of each row in Columns; one more at the end
   std::vector<int> Columns;
   std::vector<double> Coefficients;
   std::vector<double> Lower;  // one per row
@@ -37,9 +37,9 @@ struct VTKHELIOSPLANNINGCBC_EXPORT BinaryProgram
 struct BinaryAnswer
 {
   std::vector<double> Values; // the best solution found; empty: none
-  double LinearBound = 0.0;   // of the relaxation; 0: not solved in time
+  double LinearBound = 0.0;   // bound of the relaxation; 0: not solved in time
   double Bound = 0.0;         // lower bound on the cost of any solution
-  bool IsProved = false;      // that Values is optimal, or that no solution exists
+  bool IsProved = false;      // Values is proved optimal, or no solution exists
 };
 
 /// Prints nothing; leaves the signal handlers unchanged.

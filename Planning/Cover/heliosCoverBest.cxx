@@ -26,7 +26,8 @@ constexpr std::int64_t BoundWork = 50000000;
 /// Words read to enumerate all covers.
 constexpr std::int64_t TreeWork = 20000000;
 
-/// False: all covers of fewer scans were enumerated; the choice becomes the best found.
+/// Searches for a cover of fewer scans. False: all were enumerated; the choice becomes the best
+/// found.
 bool HasFewer(const CoverProblem& problem, Choice& choice, const StopTest& stop)
 {
   const BitMatrix columns = Transpose(problem.Rows);

@@ -14,14 +14,15 @@ namespace helios
 
 struct BestSettings
 {
-  int NumberOfStarts = 4;       // of the local search
+  int NumberOfStarts = 4;       // starts of the local search
   int Target = 0;               // number of scans at which the search ends
-  std::int64_t Work = 60000000; // of one local search
+  std::int64_t Work = 60000000; // work of one local search
 };
 
 /**
- * For a reduced problem: the better of greedy and greedy by rarity (1/c^2), without redundant
- * scans; then local searches from it, until a lower bound shows that no better cover exists.
+ * Chooses a cover of a reduced problem: the better of greedy and greedy by rarity (1/c^2), without
+ * redundant scans; then local searches from it, until a lower bound shows that no better cover
+ * exists.
  */
 VTKHELIOSPLANNING_EXPORT Choice ChooseBest(
   const CoverProblem& problem, const BestSettings& settings, const StopTest& stop = {});

@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  /// L(u), and its subgradient.
+  /// Computes L(u), and its subgradient.
   double Evaluate()
   {
     double bound = this->SeeEnough();
@@ -135,7 +135,7 @@ private:
     return sum;
   }
 
-  /// A step along the subgradient; false: it is zero.
+  /// Makes a step along the subgradient; false: it is zero.
   bool Move(double length, int upper)
   {
     double square = 0.0;
@@ -165,7 +165,7 @@ private:
   std::vector<double> Prices;
   std::vector<double> Best;
   std::vector<double> Slope;
-  std::vector<double> Way; // of the steps: subgradients with decaying weights
+  std::vector<double> Way; // direction of the steps: subgradients with decaying weights
   std::vector<int> Order;
   std::int64_t Bits = 0;
   double Value = 0.0;

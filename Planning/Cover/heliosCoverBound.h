@@ -13,8 +13,8 @@ namespace helios
 {
 
 /**
- * Returns a Lagrangian lower bound on the number of scans, at most that of the linear relaxation
- * and near it. Every vector of prices u >= 0 of points gives one,
+ * Returns a Lagrangian lower bound on the number of scans, at most, and near, the bound of the
+ * linear relaxation. Every vector of prices u >= 0 of points gives one,
  *
  * L(u) = sum_a min(0, 1 - sum_{v seen by a} u_v) + min_z sum_v u_v z_v,
  *

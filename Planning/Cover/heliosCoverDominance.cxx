@@ -51,8 +51,8 @@ public:
   }
 
 private:
-  /// Common: the sets that contain the elements of s; all elements (IsWhole), or only until the few
-  /// remaining sets are faster to compare.
+  /// Computes Common, the sets that contain the elements of s: of all elements (IsWhole), or only
+  /// until the few remaining sets are faster to compare.
   void Intersect()
   {
     const int count = static_cast<int>(this->Elements.size());
@@ -156,8 +156,7 @@ std::vector<int> SortBySize(const std::vector<int>& sizes)
   return order;
 }
 
-/// What remains: all sets except empty ones and, by isLost(s, t, sizes), those removed for a
-/// superset.
+/// Remaining sets: all but empty ones and, by isLost(s, t, sizes), sets removed for a superset.
 class Sieve
 {
 public:
@@ -231,7 +230,7 @@ std::vector<int> Pick(const std::vector<int>& values, const std::vector<int>& wh
   return picked;
 }
 
-/// One of the two steps; false: nothing removed.
+/// Makes one of the two steps; false: nothing removed.
 bool LeaveOutPoints(ReducedCover& cover, std::int64_t& work, const StopTest& stop)
 {
   const std::vector<int> kept =

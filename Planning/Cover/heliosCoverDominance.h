@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// A smaller problem; maps its rows and columns to those of the larger one.
+/// A smaller problem, with the rows and columns of the larger one that it keeps.
 struct VTKHELIOSPLANNING_EXPORT ReducedCover
 {
   CoverProblem Problem; // refers to Rows
@@ -29,7 +29,7 @@ struct VTKHELIOSPLANNING_EXPORT ReducedCover
   Choice Restore(const Choice& choice) const;
 };
 
-/// What may be removed.
+/// Rules for what may be removed.
 struct DominanceRules
 {
   bool Candidates = true;         // not with a required overlap: a small viewshed may link others

@@ -26,7 +26,7 @@ double GetSeconds()
   return std::chrono::duration<double>(now).count();
 }
 
-/// Every point is seen: one row each.
+/// Requires that every point is seen: one row each.
 void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
 {
   VisitBits(problem.Coverable.data(), problem.Rows.Length,
@@ -37,7 +37,7 @@ void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram
     });
 }
 
-/// Enough weight is seen, in all and of each object: one column for all points of an object that
+/// Requires enough weight, in all and of each object: one column for all points of an object that
 /// are seen by the same candidates.
 void AddShares(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
 {
@@ -61,7 +61,7 @@ void AddShares(const CoverProblem& problem, const BitRows& points, BinaryProgram
     program.Add(z, -1.0);
     program.EndRow(0.0);
   }
-  // In shares, not m2: the solver's tolerances are absolute.
+  // Counts shares, not m2: the solver's tolerances are absolute.
   const auto require = [&](double required, int object)
   {
     for (std::size_t k = 0; k < weights.size() && required > 0.0; ++k)

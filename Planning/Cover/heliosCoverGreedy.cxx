@@ -18,7 +18,7 @@ struct Offer
   double Gain;
   int Candidate;
 
-  /// Order of a priority queue: the larger gain, then the lower index.
+  /// Orders a priority queue: the larger gain, then the lower index.
   bool operator<(const Offer& o) const
   {
     return this->Gain != o.Gain ? this->Gain < o.Gain : this->Candidate > o.Candidate;

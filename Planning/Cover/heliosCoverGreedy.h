@@ -31,7 +31,7 @@ VTKHELIOSPLANNING_EXPORT GreedyChoice ChooseGreedily(
 VTKHELIOSPLANNING_EXPORT Choice ChooseByPrice(
   const CoverProblem& problem, const std::vector<double>& prices, const StopTest& stop = {});
 
-/// 1/c^2 per point, times its weight.
+/// Returns 1/c^2 per point, times its weight.
 VTKHELIOSPLANNING_EXPORT std::vector<double> GetRarityPrices(const CoverProblem& problem);
 
 /// Returns the whole choice in order of decreasing gain; members that add nothing last.

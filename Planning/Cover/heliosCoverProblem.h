@@ -30,7 +30,7 @@ struct ObjectDemands
 struct VTKHELIOSPLANNING_EXPORT CoverProblem
 {
   BitRows Rows;                // the points each candidate sees
-  std::vector<double> Weights; // of points; empty: 1 each
+  std::vector<double> Weights; // weights of points; empty: 1 each
   Words Coverable;             // points that some candidate sees
   double Required = 0.0;       // the weight to be seen
   bool IsFull = true;          // all coverable points are required
@@ -73,7 +73,7 @@ public:
   double GetExclusiveWeight(int candidate) const;
   int GetExclusiveCount(int candidate) const;
 
-  /// The weight of points that a candidate sees and no member does.
+  /// Returns the weight of points that a candidate sees and no member does.
   double GetNewWeight(int candidate) const;
 
   /// Returns the same, but not above what is still required, in all and of each object.

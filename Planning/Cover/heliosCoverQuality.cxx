@@ -96,15 +96,15 @@ bool MinimiseMean(const CoverProblem& problem, const AngleTable& table, const In
   const ReducedCover reduced = ReduceCover(restricted, { false, true }, stop);
   MeanSum sums(table, work);
   std::sort(choice.begin(), choice.end());
-  double least = sums.Get(choice);
+  double minimum = sums.Get(choice);
   const auto weigh = [&](const Choice& cover)
   {
     Choice sorted = cover;
     std::sort(sorted.begin(), sorted.end());
     const double sum = sums.Get(sorted);
-    if (sum < least * (1.0 - Rounding) || (sum <= least * (1.0 + Rounding) && sorted < choice))
+    if (sum < minimum * (1.0 - Rounding) || (sum <= minimum * (1.0 + Rounding) && sorted < choice))
     {
-      least = std::min(sum, least);
+      minimum = std::min(sum, minimum);
       choice = sorted;
     }
     return true;

@@ -49,17 +49,18 @@ private:
 using CoverSolver = std::function<CoverAnswer(const CoverProblem&, int count, Choice& choice)>;
 
 /**
- * The smallest worst angle of covers of the same number of scans. A cover that sees every point at
- * an angle up to a limit is a cover of the problem with fewer bits; the smallest such limit is
- * found by bisection over the distinct angles. The choice becomes that cover. True: the solver
- * answered every query, so no smaller one exists.
+ * Finds a cover with the smallest worst angle among covers of the same number of scans. A cover
+ * that sees every point at an angle up to a limit is a cover of the problem with fewer bits; the
+ * smallest such limit is found by bisection over the distinct angles. The choice becomes that
+ * cover. True: the solver answered every query, so no smaller one exists.
  */
 VTKHELIOSPLANNING_EXPORT bool MinimiseWorst(const CoverProblem& problem, const AngleTable& table,
   const Incidence& incidence, const CoverSolver& solver, Choice& choice);
 
 /**
- * The smallest mean among covers of the same number of scans and no larger worst angle: enumerates
- * all (CoverTree). True: the enumeration was complete within the work (words and angles read).
+ * Finds a cover with the smallest mean among covers of the same number of scans and no larger worst
+ * angle: enumerates all (CoverTree). True: the enumeration was complete within the work (words and
+ * angles read).
  */
 VTKHELIOSPLANNING_EXPORT bool MinimiseMean(const CoverProblem& problem, const AngleTable& table,
   const Incidence& incidence, std::int64_t work, Choice& choice, const StopTest& stop = {});

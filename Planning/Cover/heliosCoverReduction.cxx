@@ -68,18 +68,18 @@ Choice RemoveToLimit(const CoverProblem& problem, Choice choice, const StopTest&
   while (isOn && !(stop && stop()))
   {
     // One that sees little may be the only one to see enough of an object.
-    auto least = choice.end();
+    auto minimum = choice.end();
     for (auto c = choice.begin(); c != choice.end(); ++c)
     {
-      const bool isLess =
-        least == choice.end() || counts.GetExclusiveWeight(*c) < counts.GetExclusiveWeight(*least);
-      least = isLess && counts.IsEnoughWithout(*c) ? c : least;
+      const bool isLess = minimum == choice.end() ||
+        counts.GetExclusiveWeight(*c) < counts.GetExclusiveWeight(*minimum);
+      minimum = isLess && counts.IsEnoughWithout(*c) ? c : minimum;
     }
-    isOn = least != choice.end();
+    isOn = minimum != choice.end();
     if (isOn)
     {
-      counts.Remove(*least);
-      choice.erase(least);
+      counts.Remove(*minimum);
+      choice.erase(minimum);
     }
   }
   return choice;

@@ -137,7 +137,8 @@ private:
     }
   }
 
-  /// The member that loses least, the oldest for ties; not the newest, unless it is the only one.
+  /// Finds the member that loses least, the oldest for ties; not the newest, unless it is the only
+  /// one.
   int FindLeaver(int newest)
   {
     int leaver = -1;
@@ -152,7 +153,7 @@ private:
     return leaver < 0 ? newest : leaver;
   }
 
-  /// The best candidate that sees a point and may join; one that has just left may not.
+  /// Finds the best candidate that sees a point and may join; one that has just left may not.
   int FindJoiner(int point)
   {
     int joiner = -1;
@@ -265,8 +266,8 @@ private:
   std::vector<int> Counts;     // number of members that see a point
   std::vector<int> Members;    // their exclusive or: the member, if there is only one
   std::vector<int> Missing;    // points that no member sees
-  std::vector<int> Place;      // of a point in Missing
-  std::vector<double> Weights; // of points
+  std::vector<int> Place;      // place of each point in Missing
+  std::vector<double> Weights; // weights of the points
   std::vector<double> Scores;  // gain of a candidate, or minus the exclusive weight of a member
   std::vector<char> IsMember;
   std::vector<char> MayJoin;

@@ -20,7 +20,7 @@ struct SearchSettings
 };
 
 /**
- * Local search with point weights (Gao, Weise and Li 2015, "An efficient local search heuristic
+ * Searches locally with point weights (Gao, Weise and Li 2015, "An efficient local search heuristic
  * with row weighting for the unicost set covering problem"): removes one member, and while points
  * are missing swaps the member that loses least for the best candidate that sees a randomly drawn
  * missing point; points that stay missing gain weight. Every cover of one scan fewer is kept.

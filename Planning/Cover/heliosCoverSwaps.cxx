@@ -65,7 +65,7 @@ private:
     return isBetter;
   }
 
-  /// Points that a new member must see, at no worse than the current worst angle.
+  /// Finds the points that a new member must see, at no worse than the current worst angle.
   std::vector<int> FindNeedy(const CoverCounts& counts, const std::vector<double>& best) const
   {
     std::vector<int> needy;

@@ -50,7 +50,7 @@ CoverAnswer CoverTree::Visit(
   return isThrough ? CoverAnswer::None : CoverAnswer::Found;
 }
 
-/// False: ended early, by the visitor or the work.
+/// Visits the covers of a branch. False: ended early, by the visitor or the work.
 bool CoverTree::Branch(int left, const Words& missing, Words isOut)
 {
   if (left == 1)
@@ -82,7 +82,7 @@ bool CoverTree::Branch(int left, const Words& missing, Words isOut)
   return true;
 }
 
-/// The last member: each candidate that sees all missing points.
+/// Visits each candidate that sees all missing points as the last member.
 bool CoverTree::Finish(const Words& missing, const Words& isOut)
 {
   const int length = this->Columns.Length;
@@ -136,12 +136,12 @@ bool CoverTree::Follow(int candidate, int left, const Words& missing, const Word
   return size > static_cast<std::int64_t>(left) * this->Largest || this->Branch(left, rest, isOut);
 }
 
-/// The missing point that the fewest remaining candidates see; -1: the missing points cannot be
-/// covered with the scans left.
+/// Finds the missing point that the fewest remaining candidates see; -1: the missing points cannot
+/// be covered with the scans left.
 int CoverTree::FindRarest(int left, const Words& missing, const Words& isOut)
 {
   int rarest = -1;
-  int fewest = std::numeric_limits<int>::max();
+  int minimum = std::numeric_limits<int>::max();
   int apart = 0;
   std::fill(this->Seen.begin(), this->Seen.end(), 0);
   for (const int v : this->Order)
@@ -168,9 +168,9 @@ int CoverTree::FindRarest(int left, const Words& missing, const Words& isOut)
         this->Seen[w] |= this->Free[w];
       }
     }
-    if (count < fewest)
+    if (count < minimum)
     {
-      fewest = count;
+      minimum = count;
       rarest = v;
     }
     if (count == 0 || apart > left)

@@ -35,7 +35,8 @@ public:
   /// All points are to be seen; columns: the transpose of rows. Both must outlive this.
   CoverTree(const BitRows& rows, const BitRows& columns);
 
-  /// Found: the visitor ended the search. None: all were visited. Unknown: the work is used up.
+  /// Visits the covers of a number of scans. Found: the visitor ended the search. None: all were
+  /// visited. Unknown: the work is used up.
   CoverAnswer Visit(
     int count, const Visitor& visitor, std::int64_t& work, const StopTest& stop = {});
 

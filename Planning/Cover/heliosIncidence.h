@@ -18,7 +18,7 @@ struct VTKHELIOSPLANNING_EXPORT Quality
   double Worst;
   double Mean;
 
-  /// Lexicographic.
+  /// Compares lexicographically.
   bool IsBetterThan(const Quality& other) const;
 };
 
@@ -38,8 +38,8 @@ public:
   bool HasNormals() const { return !this->Normals.empty(); }
 
   /**
-   * From the normal, folded to [0, 90] [deg], in steps of 1e-9 degrees, so that angles equal up to
-   * rounding compare equal; NaN without a normal.
+   * Returns the angle from the normal, folded to [0, 90] [deg], in steps of 1e-9 degrees, so that
+   * angles equal up to rounding compare equal; NaN without a normal.
    */
   double GetAngle(int candidate, int point) const;
 

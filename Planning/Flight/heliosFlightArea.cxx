@@ -18,7 +18,7 @@ namespace helios
 namespace
 {
 
-/// The part of an edge in a band across, as the interval along.
+/// Adds the part of an edge in a band across, as the interval along.
 void AddEdge(const vtkVector2d& a, const vtkVector2d& b, const Interval& band, Interval& along)
 {
   const double across = b[1] - a[1];

@@ -34,7 +34,7 @@ public:
   Status Read(vtkPolyData* polygons);
 
   /// Turns the area, so that the first coordinate is along a heading (degrees clockwise from y) and
-  /// the second one to the right of it.
+  /// the second one to its right.
   FlightArea Turn(double heading) const;
 
   /// Returns the extent across.
@@ -46,7 +46,7 @@ public:
   /// Returns the headings of the edges of the convex hull, in [0, 180).
   std::vector<double> GetHullHeadings() const;
 
-  /// From turned coordinates back to x, y.
+  /// Turns coordinates back to x, y.
   static vtkVector2d TurnBack(const vtkVector2d& place, double heading);
 
 private:

@@ -15,9 +15,9 @@ namespace
 {
 
 constexpr double CoarseStep = 0.25; // [deg]
-constexpr int FineSteps = 25;       // of a coarse step, on either side
+constexpr int FineSteps = 25;       // fine steps on either side of a coarse one
 constexpr std::size_t BestOnes = 4; // coarse headings that are refined
-constexpr double Rounding = 1e-9;   // of a number of lines
+constexpr double Rounding = 1e-9;   // rounding of a number of lines
 
 /// Returns the number of lines that cover a width.
 double CountLines(double width, const PatternSettings& settings)

@@ -19,7 +19,7 @@ struct PatternSettings
   double RunIn = 0.0;      ///< [m], before and after each line
   double Speed = 60.0;     ///< [m/s]
   double TurnRadius = 0.0; ///< [m]
-  double TurnTime = 0.0;   ///< [s] per turn; 0: that of TurnRadius
+  double TurnTime = 0.0;   ///< [s] per turn; 0: the time for TurnRadius
 };
 
 /// A line in turned coordinates, from First to Last along.

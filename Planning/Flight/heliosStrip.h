@@ -38,7 +38,7 @@ public:
 
   PlaceInStrip Find(const Vec3& place) const;
 
-  /// Pulses per square metre at a place.
+  /// Computes the pulses per square metre at a place.
   double ComputeDensity(const GroundPlace& place, const vtkHeliosSwath& swath) const;
 
   double GetLength() const { return this->Distances.back(); }
@@ -56,7 +56,7 @@ private:
   Vec3 Begin;
   Vec3 Forward;
   Vec3 Right;
-  std::vector<double> Distances; // of the waypoints, along
+  std::vector<double> Distances; // distances of the waypoints along the line
   std::vector<double> Heights;
 };
 

@@ -25,9 +25,9 @@ vtkStandardNewMacro(vtkHeliosFlightLines);
 namespace
 {
 
-constexpr double MostLines = 1e5;
+constexpr double MaximumLines = 1e5;
 
-/// The lines of a pattern, with the arrays of waypoints.
+/// Stores the lines of a pattern, with the arrays of waypoints.
 void Store(const helios::FlightPattern& pattern, double altitude, double speed, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -80,11 +80,11 @@ int vtkHeliosFlightLines::RequestData(
   }
   const helios::Interval west = area.Turn(0.0).GetWidth();
   const helios::Interval north = area.Turn(90.0).GetWidth();
-  const double most = std::hypot(west.GetLength(), north.GetLength()) / this->LineSpacing;
-  if (most > MostLines)
+  const double maximum = std::hypot(west.GetLength(), north.GetLength()) / this->LineSpacing;
+  if (maximum > MaximumLines)
   {
-    vtkErrorMacro(<< "the line spacing " << this->LineSpacing << " m results in up to " << most
-                  << " lines; give one that results in fewer than " << MostLines);
+    vtkErrorMacro(<< "the line spacing " << this->LineSpacing << " m results in up to " << maximum
+                  << " lines; give one that results in fewer than " << MaximumLines);
     return 0;
   }
   const helios::PatternSettings settings = { this->SwathWidth, this->LineSpacing, this->RunIn,

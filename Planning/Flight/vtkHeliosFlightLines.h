@@ -106,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the radius of turns [m]; the time of a turn [s], 0: that of the radius. Valid ranges:
-   * [0, 1e6]. Default: 0 and 0.
+   * Set/Get the radius of turns [m]; the time of a turn [s], 0: the time for the radius. Valid
+   * ranges: [0, 1e6]. Default: 0 and 0.
    */
   vtkSetClampMacro(TurnRadius, double, 0.0, 1e6);
   vtkGetMacro(TurnRadius, double);

@@ -13,12 +13,13 @@
  * - NumberOfStrips: of lines whose swath reaches the place
  * - FlyingHeight [m]: above the place, of the line with the smallest distance in x, y
  *
- * The density is that of vtkHeliosSwath, for the height of the line above the place and the slope
- * there. The platform is level, also on a climb; pulses outside the range gate of the scanner do not
- * count. Nothing hides a place but its own slope: below roofs and trees the density is that on
- * top of them.
+ * vtkHeliosSwath gives the density, for the height of the line above the place and the slope there.
+ * The platform is level, also on a climb; pulses outside the range gate of the scanner do not
+ * count. Nothing hides a place but its own slope: below roofs and trees the density is that on top
+ * of them.
  *
- * Errors: no Swath that was built, no Speed, a Speed that is not positive, places that are not finite.
+ * Errors: no Swath that was built, no Speed, a Speed that is not positive, places that are not
+ * finite.
  *
  * @sa
  * vtkHeliosFlightLines vtkHeliosSwath

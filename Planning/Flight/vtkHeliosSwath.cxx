@@ -30,7 +30,7 @@ struct Sample
   double Rate; // [1/s] that it stands for
 };
 
-/// A scan whose lines do not repeat: the pulses per line become n + 0.618.
+/// Makes a scan whose lines do not repeat: the pulses per line become n + 0.618.
 helios::ScanData MakeDense(const helios::ScanData& scan)
 {
   helios::ScanData dense = scan;
@@ -117,7 +117,7 @@ private:
     }
   }
 
-  /// The edges of the swath: half a step outside the outermost tangents.
+  /// Sets the edges of the swath: half a step outside the outermost tangents.
   void SetEdges()
   {
     const std::vector<Tangent>& all = this->Tangents;
@@ -151,7 +151,8 @@ private:
     }
   }
 
-  /// The rate of each bin: the pulses of a tangent are spread from halfway to its neighbours.
+  /// Stores the rate of each bin: the pulses of a tangent are spread from halfway to its
+  /// neighbours.
   void StoreRates()
   {
     std::vector<double>& rates = this->Self->Rates;

@@ -116,7 +116,7 @@ private:
   double LargestAlong = 0.0;
   double RangeMin = 0.0;
   double RangeMax = VTK_DOUBLE_MAX;
-  std::vector<double> Rates; // of bins of equal width from left to right
+  std::vector<double> Rates; // rates of bins of equal width from left to right
   std::vector<double> Means;
   std::vector<double> Deviations;
 };

@@ -15,9 +15,9 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double Rounding = 1e-12;
-constexpr int MostStarts = 16;  // of trips to the nearest place, fewer for many places
-constexpr int StartWork = 4000; // starts times places
-constexpr int Ascents = 300;    // of the bound
+constexpr int MaximumStarts = 16; // trips to the nearest place, fewer for many places
+constexpr int StartWork = 4000;   // starts times places
+constexpr int Ascents = 300;      // steps of the bound
 
 double Measure(const DistanceTable& distances, const std::vector<int>& order)
 {
@@ -108,7 +108,7 @@ private:
   std::vector<int> Before;
 };
 
-/// From a place always to the nearest one that is left.
+/// Goes from a place always to the nearest one that is left.
 std::vector<int> GoToNearest(const DistanceTable& distances, int start)
 {
   std::vector<int> order = { start };
@@ -194,18 +194,18 @@ bool Move(const DistanceTable& distances, std::vector<int>& order)
 std::vector<int> FindGoodTour(const DistanceTable& distances)
 {
   std::vector<int> best;
-  double least = Infinite;
+  double minimum = Infinite;
   const int size = distances.GetSize();
-  const int starts = std::clamp(StartWork / size, 1, std::min(size, MostStarts));
+  const int starts = std::clamp(StartWork / size, 1, std::min(size, MaximumStarts));
   for (int k = 0; k < starts; ++k)
   {
     std::vector<int> order = GoToNearest(distances, k * size / starts);
     while (Reverse(distances, order) || Move(distances, order))
     {
     }
-    if (const double length = Measure(distances, order); length < least)
+    if (const double length = Measure(distances, order); length < minimum)
     {
-      least = length;
+      minimum = length;
       best = order;
     }
   }
@@ -291,12 +291,12 @@ private:
     return length - 2.0 * std::accumulate(this->Penalties.begin(), this->Penalties.end(), 0.0);
   }
 
-  /// The place nearest to the tree, to which one was added; 0: none is left.
+  /// Finds the place nearest to the tree, to which one was added; 0: none is left.
   int FindNext(int added, const std::vector<bool>& isIn, std::vector<double>& costs,
     std::vector<int>& neighbours) const
   {
     int nearest = 0;
-    double least = Infinite;
+    double minimum = Infinite;
     for (int k = 1; k < this->Distances.GetSize(); ++k)
     {
       const auto at = static_cast<std::size_t>(k);
@@ -309,9 +309,9 @@ private:
         costs[at] = cost;
         neighbours[at] = added;
       }
-      if (costs[at] < least)
+      if (costs[at] < minimum)
       {
-        least = costs[at];
+        minimum = costs[at];
         nearest = k;
       }
     }

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHeliosShortestWalk);
 namespace
 {
 
-constexpr vtkIdType MostPositions = 1000;
+constexpr vtkIdType MaximumPositions = 1000;
 
 double GetDistance(vtkPolyData* positions, vtkIdType i, vtkIdType k)
 {
@@ -95,9 +95,9 @@ int vtkHeliosShortestWalk::RequestData(
 {
   vtkPolyData* positions = vtkPolyData::GetData(inputs[0]);
   const vtkIdType count = positions->GetNumberOfPoints();
-  if (count > MostPositions)
+  if (count > MaximumPositions)
   {
-    vtkErrorMacro(<< "there are " << count << " positions; give at most " << MostPositions);
+    vtkErrorMacro(<< "there are " << count << " positions; give at most " << MaximumPositions);
     return 0;
   }
   for (vtkIdType i = 0; i < count; ++i)

@@ -16,8 +16,8 @@
 namespace
 {
 
-constexpr int MostSignals = 65;
-constexpr std::size_t MostFiles = 64;
+constexpr int MaximumSignals = 65;
+constexpr std::size_t MaximumFiles = 64;
 constexpr std::size_t LongestLine = 8192;
 constexpr std::size_t LongestPath = 4096;
 
@@ -35,11 +35,11 @@ struct UnfinishedFile
   std::atomic<bool> IsSet{ false };
 };
 
-std::array<struct sigaction, MostSignals> Before; // Python's
-std::array<bool, MostSignals> IsInstalled;
+std::array<struct sigaction, MaximumSignals> Before; // Python's
+std::array<bool, MaximumSignals> IsInstalled;
 std::array<Text, 2> Lines; // one is written while the other one is set
 std::atomic<std::size_t> Line{ 0 };
-std::array<UnfinishedFile, MostFiles> Files;
+std::array<UnfinishedFile, MaximumFiles> Files;
 std::atomic<bool> IsReported{ false };
 std::atomic<int> Arrived{ 0 };                // the first signal; 0: none
 std::atomic<long long> Nanoseconds{ 0 };      // from it to the end
@@ -128,7 +128,7 @@ void StartWatch()
 /// Returns false, with an exception, on failure.
 bool Install(long number)
 {
-  if (number < 1 || number >= MostSignals)
+  if (number < 1 || number >= MaximumSignals)
   {
     PyErr_Format(PyExc_ValueError, "%ld is not a signal number", number);
     return false;

@@ -187,7 +187,7 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
     if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
     {
       ++probed;
-      const bool isMixed = model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Mixed;
+      const bool isMixed = model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Unresolved;
       resolved += isMixed && layer.Size == 0 ? 0 : 1;
     }
   }

@@ -105,17 +105,17 @@ void PulseKernel::RunFixed(std::size_t slot)
 //------------------------------------------------------------------------------
 PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
-  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse), false, {} };
+  Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MeetsMedium(pulse), false, {} };
   if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MeetsMedium)
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer);
     cone.HasLayer = this->Layer.Size > 0;
-    if (hit.Kind == vtkHeliosConeHit::OnePlane)
+    if (hit.Kind == vtkHeliosConeHit::PlanarFootprint)
     {
       cone.Plane = this->GetIncidence(pulse, hit);
     }
     if (hit.Kind == vtkHeliosConeHit::Empty ||
-      (this->Model.Air.IsEmpty() && hit.Kind == vtkHeliosConeHit::OnePlane &&
+      (this->Model.Air.IsEmpty() && hit.Kind == vtkHeliosConeHit::PlanarFootprint &&
         this->IsExact(cone.Plane, hit.Range)))
     {
       cone.Hit = hit;
@@ -152,7 +152,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunInAir(pulse);
     return;
   }
-  if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
+  if (cone.Hit.Kind != vtkHeliosConeHit::Unresolved)
   {
     this->RunOnPlane(pulse, cone.Hit, cone.Plane);
     return;

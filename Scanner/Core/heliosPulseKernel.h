@@ -44,7 +44,7 @@ private:
     vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
     bool MeetsMedium;
     bool HasLayer;   ///< one continuous surface fills the beam
-    Incidence Plane; ///< of OnePlane
+    Incidence Plane; ///< of PlanarFootprint
   };
 
   void AimPulses(vtkIdType first, vtkIdType last);

@@ -11,7 +11,7 @@ namespace helios
 namespace
 {
 
-constexpr double Tolerance = 1e-10; // of sum of squares and parameters
+constexpr double Tolerance = 1e-10; // relative change of sum of squares and parameters
 
 double Square(double x)
 {
@@ -61,8 +61,8 @@ struct GaussianResiduals
       k += 2;
       if (!g.IsSigmaFixed)
       {
-        constexpr double least = GaussianFit::SmallestSigma;
-        p[k++] = std::log((g.Sigma - least) / (1.0 - least));
+        constexpr double minimum = GaussianFit::SmallestSigma;
+        p[k++] = std::log((g.Sigma - minimum) / (1.0 - minimum));
       }
     }
     if (this->Data->HasBackground)
@@ -82,8 +82,8 @@ struct GaussianResiduals
       g.Centre = from.Centre + GaussianFit::Reach * std::tanh(p[k++]);
       if (!g.IsSigmaFixed)
       {
-        constexpr double least = GaussianFit::SmallestSigma;
-        g.Sigma = least + (1.0 - least) * std::exp(p[k++]);
+        constexpr double minimum = GaussianFit::SmallestSigma;
+        g.Sigma = minimum + (1.0 - minimum) * std::exp(p[k++]);
       }
     }
     this->Background = this->Data->HasBackground ? p[k] : this->Data->Background;
@@ -164,7 +164,7 @@ GaussianFit::~GaussianFit() = default;
 
 //------------------------------------------------------------------------------
 bool GaussianFit::Run(
-  GaussianData& data, std::vector<GaussianComponent>& components, int mostEvaluations)
+  GaussianData& data, std::vector<GaussianComponent>& components, int maximumEvaluations)
 {
   GaussianResiduals& residuals = this->Solver->Residuals;
   residuals.Data = &data;
@@ -176,7 +176,7 @@ bool GaussianFit::Run(
   auto& marquardt = this->Solver->Marquardt;
   marquardt.setFtol(Tolerance);
   marquardt.setXtol(Tolerance);
-  marquardt.setMaxfev(mostEvaluations);
+  marquardt.setMaxfev(maximumEvaluations);
   residuals.GetParameters(this->Solver->Parameters);
   const bool converged = HasConverged(marquardt.minimize(this->Solver->Parameters));
   if (!converged || !this->Solver->Parameters.allFinite())

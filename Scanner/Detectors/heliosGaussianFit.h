@@ -45,7 +45,7 @@ public:
    * evaluations of the model. False, without changes, if there are too few samples or it did not
    * converge.
    */
-  bool Run(GaussianData& data, std::vector<GaussianComponent>& components, int mostEvaluations);
+  bool Run(GaussianData& data, std::vector<GaussianComponent>& components, int maximumEvaluations);
 
 private:
   struct Internals;

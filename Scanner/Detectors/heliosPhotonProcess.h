@@ -18,7 +18,8 @@ namespace helios
 class PhotonProcess
 {
 public:
-  /// signalRate: mean counts of a sample of 1 W; darkRate: of none [1/ns].
+  /// Sets the rates. signalRate: mean counts of a sample of 1 W; darkRate: counts without signal
+  /// [1/ns].
   PhotonProcess(const vtkHeliosWaveform& waveform, double signalRate, double darkRate)
     : Waveform(waveform)
     , SignalRate(signalRate)
@@ -33,7 +34,7 @@ public:
     }
   }
 
-  /// The time from which the receiver is armed [ns].
+  /// Returns the time from which the receiver is armed [ns].
   double GetStart() const { return this->Start; }
 
   /// Returns the rate of detected photons at a time [1/ns].
@@ -45,8 +46,8 @@ public:
       : 0.0;
   }
 
-  /// The time after a time until which the mean number of counts is a number [ns]; infinite: later
-  /// than the gate.
+  /// Returns the time after a given time by which the mean number of counts grows by a number [ns];
+  /// infinite: after the end of the gate.
   double Advance(double time, double counts) const
   {
     const double binSize = this->Waveform.BinSize;
@@ -70,7 +71,7 @@ public:
   }
 
 private:
-  /// Noise may be negative; samples that are not finite are none.
+  /// Returns the signal of a bin. Noise may be negative; samples that are not finite count as 0.
   double GetSignal(vtkIdType bin) const
   {
     const double sample = this->Waveform.Samples[bin];

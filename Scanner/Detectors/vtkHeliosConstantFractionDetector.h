@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosConstantFractionDetector
- * @brief   an echo is where a fraction of the waveform equals the delayed
- * waveform
+ * @brief   an echo is where a fraction of the waveform equals the delayed waveform
  *
  * The discriminator without range walk: the time at which
  * - Fraction w(t) - w(t - Delay)
  *
- * falls through zero, w linear between its samples. It does not depend on the
- * scale of w. For a Gaussian of the pulse's sigma at t0 it is t0 + Delay / 2 +
- * sigma^2 ln(Fraction) / Delay; the time of an echo is the crossing less this
- * offset from t0, hence the peak of an echo as wide as the pulse. Amplitude is
- * the largest sample within half a PulseLength of that time, at least
- * DetectionThreshold; Width is the full width at half of it.
+ * falls through zero, w linear between its samples. It does not depend on the scale of w. For a
+ * Gaussian of the pulse's sigma at t0 it is t0 + Delay / 2 + sigma^2 ln(Fraction) / Delay; the time
+ * of an echo is the crossing less this offset from t0, hence the peak of an echo as wide as the
+ * pulse. Amplitude is the largest sample within half a PulseLength of that time, at least
+ * DetectionThreshold; Width is the full width at half the amplitude.
  *
  * @sa
  * vtkHeliosLeadingEdgeDetector vtkHeliosEchoDetection

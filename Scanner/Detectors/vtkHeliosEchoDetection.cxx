@@ -279,7 +279,7 @@ void vtkHeliosEchoDetection::Run::Fill(vtkPolyData* output) const
 }
 
 //------------------------------------------------------------------------------
-/// The optional ids of a table.
+/// Fills the optional ids of a table.
 void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) const
 {
   for (const char* name : { names::LegIds, names::ChannelIds })

@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * The names of the echo detectors, as in surveys: "peak", the default, "gaussian", "cfd",
+   * Return the names of the echo detectors in surveys: "peak", the default, "gaussian", "cfd",
    * "leadingEdge" and "photonCounting". Null if the index is out of range.
    */
   static int GetNumberOfDetectors();

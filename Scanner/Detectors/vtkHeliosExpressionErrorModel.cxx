@@ -147,10 +147,10 @@ double vtkHeliosExpressionErrorModel::GetDeflectionError(double theta) const
 //------------------------------------------------------------------------------
 double vtkHeliosExpressionErrorModel::GetHeadError(double theta) const
 {
-  const double least = vtkMath::RadiansFromDegrees(this->ZeroSinThreshold);
+  const double minimum = vtkMath::RadiansFromDegrees(this->ZeroSinThreshold);
   const double zero = vtkMath::Pi() * std::round(theta / vtkMath::Pi());
   const double rest = theta - zero;
-  const double moved = std::abs(rest) < least ? zero + std::copysign(least, rest) : theta;
+  const double moved = std::abs(rest) < minimum ? zero + std::copysign(minimum, rest) : theta;
   return this->Head->Evaluate(moved, 0.0);
 }
 

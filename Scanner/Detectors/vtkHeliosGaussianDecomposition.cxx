@@ -20,14 +20,15 @@ namespace
 using helios::GaussianComponent;
 using Components = std::vector<GaussianComponent>;
 
-// In sigma of a component: the reach of the fitted samples, and of the residuals evaluated.
+// Lengths in sigma of a component: the reach of the fitted samples, and of the residuals evaluated.
 constexpr double FitReach = 4.0;
 constexpr double DeviationReach = 2.0;
 
 // The maximum number of echoes fitted together: the work grows with the cube.
-constexpr std::size_t MostTogether = 12;
+constexpr std::size_t MaximumTogether = 12;
 
-// In sigma of the pulse: the reach of the samples of an initial guess, and its maximum width.
+// Lengths in sigma of the pulse: the reach of the samples of an initial guess, and its maximum
+// width.
 constexpr double GuessReach = 1.0;
 constexpr double WidestGuess = 20.0;
 
@@ -62,7 +63,7 @@ public:
 
   bool ResolveHidden = false;
   bool FitBackground = false;
-  int MostEvaluations = 0;
+  int MaximumEvaluations = 0;
 
   void Run(std::vector<vtkHeliosDetectedEcho>& echoes)
   {
@@ -71,7 +72,7 @@ public:
     for (std::size_t first = 0; first < count;)
     {
       std::size_t last = first + 1;
-      while (last < count && last - first < MostTogether &&
+      while (last < count && last - first < MaximumTogether &&
         this->GetStart(last) < this->GetEnd(first, last))
       {
         ++last;
@@ -84,10 +85,10 @@ public:
 private:
   const vtkHeliosWaveform& Waveform;
   Scratch& Work;
-  double Sigma;       // of the pulse [ns]
+  double Sigma;       // sigma of the pulse [ns]
   double Largest = 0; // sample of a group [W]
 
-  /// The Gaussians of the maxima; overlapping neighbours no wider than their distance.
+  /// Guesses the Gaussians of the maxima; overlapping neighbours no wider than their distance.
   void MakeGuesses()
   {
     const auto& peaks = this->Work.Peaks;
@@ -175,7 +176,7 @@ private:
     }
     PushApart(best);
     this->Work.Start = best;
-    const bool converged = this->Work.Fit.Run(this->Work.Data, best, this->MostEvaluations);
+    const bool converged = this->Work.Fit.Run(this->Work.Data, best, this->MaximumEvaluations);
     for (std::size_t i = 0; converged && this->ResolveHidden && i < last - first; ++i)
     {
       this->Resolve(i);
@@ -189,8 +190,8 @@ private:
     }
   }
 
-  /// Two Gaussians have two maxima only if their centres are two sigma apart or more: nearer maxima
-  /// are flat ones between these.
+  /// Moves centres apart. Two Gaussians have two maxima only if their centres are two sigma apart
+  /// or more: nearer maxima are flat ones between these.
   static void PushApart(Components& components)
   {
     for (std::size_t i = 1; i < components.size(); ++i)
@@ -238,7 +239,7 @@ private:
   /// Returns the sum of squares of a trial fit, at least the rounding error; infinite if it failed.
   double FitTrial()
   {
-    return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MostEvaluations)
+    return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MaximumEvaluations)
       ? this->GetRest(this->Work.Trial)
       : std::numeric_limits<double>::infinity();
   }
@@ -271,8 +272,8 @@ private:
   }
 
   /// Returns the minimum residual of any smooth curve in the samples of a component: half the
-  /// squared differences of neighbours, as for noise (von Neumann 1941, Ann. Math. Stat. 12,
-  /// 367-395).
+  /// squared differences of neighbours, the estimate of noise (von Neumann 1941, Ann. Math. Stat.
+  /// 12, 367-395).
   double GetRough(const Components& one) const
   {
     const helios::GaussianData& data = this->Work.Near;
@@ -314,16 +315,16 @@ private:
       return;
     }
     const double spread = std::sqrt(std::max(0.1, one[0].Sigma * one[0].Sigma - 1.0));
-    double least = left * (1.0 + 4.0 / count);
+    double minimum = left * (1.0 + 4.0 / count);
     Components two;
     for (const bool isAtRest : { false, true })
     {
       this->Work.Trial = isAtRest ? fitted : narrow;
       isAtRest ? this->AddAtRest() : this->Split(spread);
       const double leftTwo = this->FitTrial();
-      if (leftTwo < least && (isWide || isBetter(leftTwo, left)))
+      if (leftTwo < minimum && (isWide || isBetter(leftTwo, left)))
       {
-        least = leftTwo;
+        minimum = leftTwo;
         two = this->Work.Trial;
       }
     }
@@ -340,7 +341,7 @@ private:
     this->Work.Trial[i] = two[0];
     this->Work.Trial.push_back(two[1]);
     this->Work.Best = this->Work.Trial;
-    if (this->Work.Fit.Run(this->Work.Data, this->Work.Trial, this->MostEvaluations))
+    if (this->Work.Fit.Run(this->Work.Data, this->Work.Trial, this->MaximumEvaluations))
     {
       this->Work.Best = this->Work.Trial;
     }
@@ -362,21 +363,21 @@ private:
   {
     const helios::GaussianData& data = this->Work.Near;
     GaussianComponent second = this->Work.Trial[0];
-    double most = 1e-3 * second.Amplitude;
+    double maximum = 1e-3 * second.Amplitude;
     for (std::size_t k = 0; k < data.X.size(); ++k)
     {
       const double rest = data.Y[k] - helios::EvaluateGaussians(data, this->Work.Trial, data.X[k]);
-      if (rest > most)
+      if (rest > maximum)
       {
-        most = rest;
+        maximum = rest;
         second.Centre = data.X[k];
       }
     }
-    second.Amplitude = most;
+    second.Amplitude = maximum;
     this->Work.Trial.push_back(second);
   }
 
-  std::vector<double> Sigmas; // of the guesses [ns]
+  std::vector<double> Sigmas; // sigmas of the guesses [ns]
 };
 
 /// Removes maxima below a fraction of the largest one, or of one before them by at most a time [ns].
@@ -423,7 +424,7 @@ void vtkHeliosGaussianDecomposition::Detect(
   Decomposition decomposition(waveform, scratch);
   decomposition.ResolveHidden = this->ResolveHidden;
   decomposition.FitBackground = this->FitBackground;
-  decomposition.MostEvaluations = this->MaximumNumberOfIterations;
+  decomposition.MaximumEvaluations = this->MaximumNumberOfIterations;
   decomposition.Run(echoes);
   std::stable_sort(echoes.begin() + static_cast<std::ptrdiff_t>(before), echoes.end(),
     [](const vtkHeliosDetectedEcho& a, const vtkHeliosDetectedEcho& b) { return a.Time < b.Time; });

@@ -4,23 +4,21 @@
  * @class   vtkHeliosGaussianDecomposition
  * @brief   the echoes are the Gaussians whose sum is the waveform
  *
- * Starts from the maxima of the waveform, as vtkHeliosPeakDetector finds them,
- * and fits the sum of
+ * Starts from the maxima of the waveform, as vtkHeliosPeakDetector finds them, and fits the sum of
  * - A exp(-(t - c)^2 / (2 s^2))
  *
- * to the samples within 4 sigma of them, overlapping ones together, up to 12
- * (Levenberg-Marquardt; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has the
- * Amplitude A, the Time c, the Width 2.3548 s (s is the standard deviation in time; the
- * full width at half maximum is exported), and as Deviation the RMS of the residuals within
- * 2 sigma of it, over A. Under white noise times reach the Cramer-Rao bound,
- * std(c) = (sigma_n / A) sqrt(2 s dt / sqrt(pi)).
+ * to the samples within 4 sigma of them, overlapping ones together, up to 12 (Levenberg-Marquardt;
+ * Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has the Amplitude A, the Time c, the Width
+ * 2.3548 s (s is the standard deviation in time; the full width at half maximum is exported), and
+ * as Deviation the RMS of the residuals within 2 sigma of c, over A. Under white noise times reach
+ * the Cramer-Rao bound, std(c) = (sigma_n / A) sqrt(2 s dt / sqrt(pi)).
  *
- * The range is that of a component's centre, not of a maximum of the waveform:
- * where echoes overlap the two differ, up to 2 s.
+ * The range is measured to a component's centre, not to a maximum of the waveform: where echoes
+ * overlap the two differ, up to 2 s.
  *
- * A is positive, s above half the pulse's, c within 2.5 sigma of the pulse from
- * its maximum. If a fit does not converge, or ends on these bounds, the echo is
- * the Gaussian of its maximum, with NaN as Deviation; no echo is lost.
+ * A is positive, s above half the pulse's, c within 2.5 sigma of the pulse from its maximum. If a
+ * fit does not converge, or ends on these bounds, the echo is the Gaussian of its maximum, with NaN
+ * as Deviation; no echo is lost.
  *
  * @sa
  * vtkHeliosPeakDetector vtkHeliosEchoDetection

@@ -22,7 +22,7 @@ void vtkHeliosLeadingEdgeDetector::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-/// That without range walk.
+/// Returns the amplitude without range walk.
 double vtkHeliosLeadingEdgeDetector::GetCalibrationAmplitude() const
 {
   const double level =

@@ -4,16 +4,15 @@
  * @class   vtkHeliosLeadingEdgeDetector
  * @brief   an echo is where the waveform rises through a level
  *
- * The discriminator of simple instruments: the time at which the waveform, linear
- * between its samples, rises through a level L, plus the time that a Gaussian
- * pulse of PulseLength and ReferenceAmplitude A0 takes from there to its peak,
- * sigma sqrt(2 ln(A0 / L)). L is DetectionThreshold, or Fraction of the largest
- * sample where that is higher. The range walk remains: the error of an echo of
- * amplitude A > L is
+ * The discriminator of simple instruments: the time at which the waveform, linear between its
+ * samples, rises through a level L, plus the time that a Gaussian pulse of PulseLength and
+ * ReferenceAmplitude A0 takes from there to its peak, sigma sqrt(2 ln(A0 / L)). L is
+ * DetectionThreshold, or Fraction of the largest sample where that is higher. The range walk
+ * remains: the error of an echo of amplitude A > L is
  * - sigma (sqrt(2 ln(A0 / L)) - sqrt(2 ln(A / L)))
  *
- * too late for weak echoes, too early for strong ones. Amplitude is the largest
- * sample before the waveform falls below L, Width the full width at half of it.
+ * too late for weak echoes, too early for strong ones. Amplitude is the largest sample before the
+ * waveform falls below L, Width the full width at half the amplitude.
  *
  * @sa
  * vtkHeliosConstantFractionDetector vtkHeliosEchoDetection

@@ -50,7 +50,7 @@ bool vtkHeliosPanoramicErrorModel::MoveRay(double origin[3], double direction[3]
   const Vec3 shaft(1.0, 0.0, 0.0);
   const Vec3 along(0.0, 1.0, 0.0);
   Vec3 aim(direction);
-  const Vec3 side = shaft.Cross(aim); // of the plane of shaft and beam
+  const Vec3 side = shaft.Cross(aim); // normal of the plane of shaft and beam
   if (this->IsAligned() || side.SquaredNorm() < 1e-12)
   {
     return false; // a beam along the shaft meets no mirror

@@ -4,25 +4,25 @@
  * @class   vtkHeliosPanoramicErrorModel
  * @brief   mechanical misalignments of a panoramic scanner
  *
- * Of the geometric error model of NIST for laser scanners whose beam comes along the
- * shaft of a spinning mirror, on a head that rotates about a vertical axis
- * (Muralikrishnan et al. 2015, Precision Engineering 40, 139-150), the ten parameters
- * of panoramic scanners (Medic et al. 2017, Sensors 17, 1145). The beam is
- * emitted as the misaligned parts emit it, and reported as if they were aligned.
+ * Terms of the geometric error model of NIST for laser scanners whose beam comes along the shaft of
+ * a spinning mirror, on a head that rotates about a vertical axis (Muralikrishnan et al. 2015,
+ * Precision Engineering 40, 139-150), the ten parameters of panoramic scanners (Medic et al. 2017,
+ * Sensors 17, 1145). The beam is emitted as the misaligned parts emit it, and reported as if they
+ * were aligned.
  *
- * The frame is that of the head: z is its axis of rotation, x the shaft, along which
- * the beam comes from -x; the mirror reflects it into the y, z plane. With the range R,
- * the azimuth H (clockwise, from y to x), and the zenith angle V, negative in the back
- * face (y < 0), true minus reported values are, to first order,
+ * The frame turns with the head: z is its axis of rotation, x the shaft, along which the beam comes
+ * from -x; the mirror reflects it into the y, z plane. With the range R, the azimuth H (clockwise,
+ * from y to x), and the zenith angle V, negative in the back face (y < 0), true minus reported
+ * values are, to first order,
  *
  *   dR = x2 sin V + x10
  *   dH = x1n / R + x1z / (R tan V) + x3 / (R sin V) + x5n + x5z / tan V
  *        + 2 x6 / sin V - x7 / tan V
  *   dV = (x1n cos V - x1z sin V + x2 cos V) / R + x4 + x5n cos V - x5z sin V
  *
- * The ray is computed without this approximation: the beam is reflected by the mirror,
- * so that it has no singularity at the zenith. Expressions of the superclass are added.
- * Parameters of scales, encoders and wobble (x8, x9, x11, x12) are not part of it.
+ * The ray is computed without this approximation: the beam is reflected by the mirror, so that it
+ * has no singularity at the zenith. Expressions of the superclass are added. Parameters of scales,
+ * encoders and wobble (x8, x9, x11, x12) are left out.
  *
  * @sa
  * vtkHeliosExpressionErrorModel vtkHeliosScanner

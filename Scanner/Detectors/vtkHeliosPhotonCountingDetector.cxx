@@ -18,7 +18,7 @@ vtkStandardNewMacro(vtkHeliosPhotonCountingDetector);
 namespace
 {
 
-constexpr std::uint32_t MostCounts = 255; // ReturnNumber has 8 bits
+constexpr std::uint32_t MaximumCounts = 255; // ReturnNumber has 8 bits
 
 /// Returns the energy of a photon [J] of a wavelength [nm].
 double GetPhotonEnergy(double wavelength)
@@ -41,8 +41,9 @@ void vtkHeliosPhotonCountingDetector::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 /**
- * The counts between two detections are exponentially distributed with the mean 1: the next one is
- * where the integral of the rate, from the end of the dead time, has grown by such a number.
+ * Draws the detections. The counts between two of them are exponentially distributed with the mean
+ * 1: the next one is where the integral of the rate, from the end of the dead time, has grown by
+ * such a number.
  */
 void vtkHeliosPhotonCountingDetector::Detect(
   const vtkHeliosWaveform& w, std::vector<vtkHeliosDetectedEcho>& echoes) const
@@ -54,7 +55,7 @@ void vtkHeliosPhotonCountingDetector::Detect(
   const double amplitude = perWatt > 0.0 ? 1.0 / (perWatt * w.PulseLength) : 0.0;
   const std::size_t before = echoes.size();
   double time = process.GetStart();
-  for (std::uint32_t count = 0; count < MostCounts; ++count)
+  for (std::uint32_t count = 0; count < MaximumCounts; ++count)
   {
     const auto random =
       helios::Uniform4(w.Seed, helios::RandomStream::PhotonCounts, w.PulseId, count);

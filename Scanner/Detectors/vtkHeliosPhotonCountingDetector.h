@@ -81,7 +81,7 @@ public:
 
   bool HasDarkCounts() const override { return this->DarkCountRate > 0.0; }
 
-  /// None: the range walk is part of the model.
+  /// Returns 0, no calibration: the range walk is part of the model.
   double GetCalibrationAmplitude() const override { return 0.0; }
 
   void Detect(

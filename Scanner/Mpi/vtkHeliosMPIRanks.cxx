@@ -18,7 +18,7 @@ vtkStandardNewMacro(vtkHeliosMPIRanks);
 namespace
 {
 
-constexpr int SizeTag = 24001; // of the size of a message
+constexpr int SizeTag = 24001; // tag of the size of a message
 constexpr int BytesTag = 24002;
 constexpr vtkIdType ChunkSize = 1 << 29; // MPI counts bytes by int
 constexpr std::size_t OnTheWay = 2;      // messages to a rank
@@ -51,7 +51,7 @@ struct Parcel
 struct vtkHeliosMPIRanks::Internals
 {
   vtkNew<vtkMPIController> Controller;
-  vtkMPICommunicator* Communicator = nullptr; // of the controller
+  vtkMPICommunicator* Communicator = nullptr; // communicator of the controller
   std::list<Parcel> Parcels;                  // sent
   std::unique_ptr<Parcel> Coming;             // null: none
 

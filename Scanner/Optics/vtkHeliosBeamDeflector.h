@@ -49,9 +49,9 @@ public:
   ///@}
 
   /**
-   * The direction of a pulse in the scanner frame (x right, y forward, z up), a
-   * unit vector. Returns false if the deflector emits no pulse at that index
-   * (the mirror is turned away); direction is then not set.
+   * Computes the direction of a pulse in the scanner frame (x right, y forward, z up), a unit
+   * vector. Returns false if the deflector emits no pulse at that index (the mirror is turned
+   * away); direction is then not set.
    */
   virtual bool GetDirection(vtkIdType pulse, double direction[3]) const = 0;
 
@@ -63,9 +63,9 @@ public:
 
   ///@{
   /**
-   * For optics with several channels: the channel of a pulse, from 0, and its
-   * delay after pulse / PulseFrequency [s] if channels do not fire evenly. By
-   * default there is one, without delay: 0 and 0.
+   * Return the channel of a pulse, from 0, for optics with several channels; and its delay after
+   * pulse / PulseFrequency [s] if channels do not fire evenly. By default there is one, without
+   * delay: 0 and 0.
    */
   virtual int GetChannel(vtkIdType pulse) const;
   virtual double GetDelay(vtkIdType pulse) const;
@@ -73,23 +73,23 @@ public:
 
   ///@{
   /**
-   * For optics that scan lines, as LAS 1.4 defines them: 1 while the scan angle increases, else 0;
-   * and whether a pulse is the last one emitted before the scan reverses or the next facet starts
-   * a line. By default there are no lines: 0 and false.
+   * Return, for optics that scan lines, the flags of LAS 1.4: 1 while the scan angle increases,
+   * else 0; and whether a pulse is the last one emitted before the scan reverses or the next facet
+   * starts a line. By default there are no lines: 0 and false.
    */
   virtual int GetScanDirectionFlag(vtkIdType pulse) const;
   virtual bool IsEdgeOfFlightLine(vtkIdType pulse) const;
   ///@}
 
   /**
-   * For optics whose beams do not start at one point: where a pulse starts, in the scanner frame
-   * [m]. Returns false, and leaves origin as it is, if it starts at 0, 0, 0, as by default.
+   * Computes where a pulse starts, in the scanner frame [m], for optics whose beams do not start at
+   * one point. Returns false, and leaves origin unchanged, if it starts at 0, 0, 0, the default.
    */
   virtual bool GetOrigin(vtkIdType pulse, double origin[3]) const;
 
   /**
-   * The axis across the scan lines, in the scanner frame: what an elliptical footprint is aligned
-   * with. The plane of the beam and this axis holds the major axis of the footprint, for
+   * Computes the axis across the scan lines, in the scanner frame: elliptical footprints are
+   * aligned with it. The plane of the beam and this axis holds the major axis of the footprint, for
    * vtkHeliosBeamSampler::MajorAxisAngle 0; so the footprint turns with the beam that a mirror or a
    * head turns, and the angle between its axes and the scan line stays. By default x, about which
    * mirrors turn.
@@ -97,7 +97,8 @@ public:
   virtual void GetCrossAxis(double axis[3]) const;
 
   /**
-   * For optics that fire in columns: the column of a pulse in its revolution, from 0. By default 0.
+   * Returns the column of a pulse in its revolution, from 0, for optics that fire in columns. By
+   * default 0.
    */
   virtual vtkIdType GetColumn(vtkIdType pulse) const;
 
@@ -106,9 +107,9 @@ protected:
   ~vtkHeliosBeamDeflector() override = default;
 
   /**
-   * Returns the phase of a motion with this frequency [Hz], in [0, 1): that of pulse i is
-   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps after any number of
-   * revolutions. A negative frequency reverses the rotation.
+   * Returns the phase of a motion with this frequency [Hz], in [0, 1): for pulse i frac(frequency
+   * (i / PulseFrequency + WarmUpTime)), exact to a few ulps after any number of revolutions. A
+   * negative frequency reverses the rotation.
    */
   double ComputePhase(vtkIdType pulse, double frequency) const;
 

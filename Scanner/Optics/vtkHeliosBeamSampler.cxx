@@ -17,8 +17,8 @@ namespace
 constexpr double QuarterTurn = 0.5 * vtkMath::Pi();
 constexpr double GoldenSection = 0.61803398874989484820;
 constexpr double WeightUnit = 0x1p-53;
-constexpr int MostCircles = 64; // and rings
-constexpr int MostPoints = 65536;
+constexpr int MaximumCircles = 64; // and rings
+constexpr int MaximumPoints = 65536;
 
 /// A sub-ray in the cross-section of the beam: its radius in units of w, its azimuth, its energy.
 struct Node
@@ -51,7 +51,8 @@ double EnergyQuantile(double p, double k)
   return std::sqrt(-0.5 * std::log1p(p * std::expm1(-2.0 * k * k)));
 }
 
-/// Node j of n of the Gauss-Legendre rule on [0, 1], ascending, and its weight: Newton's method.
+/// Computes node j of n of the Gauss-Legendre rule on [0, 1], ascending, and its weight: Newton's
+/// method.
 std::array<long double, 2> GaussLegendre(int j, int n)
 {
   long double x = -std::cos(2.0 * QuarterTurn * (j + 0.75) / (n + 0.5));
@@ -102,19 +103,19 @@ Nodes VogelQuarter(int count, double k)
   return nodes;
 }
 
-/// The points of a spiral for a number of sub-rays: four equal quarters.
+/// Returns the points of a spiral for a number of sub-rays: four equal quarters.
 int GetSpiralSize(int number)
 {
-  return number <= 1 ? 1 : (std::min(number, MostPoints) + 3) / 4 * 4;
+  return number <= 1 ? 1 : (std::min(number, MaximumPoints) + 3) / 4 * 4;
 }
 
-/// The sub-rays of circle i: floor(2 pi i), one at the centre.
+/// Returns the sub-rays of circle i: floor(2 pi i), one at the centre.
 int CircleSize(int circle)
 {
   return std::max(1, static_cast<int>(2.0 * vtkMath::Pi() * circle));
 }
 
-/// Evenly spaced circles with a weight per sub-ray of a circle.
+/// Makes evenly spaced circles with a weight per sub-ray of a circle.
 template <typename WeightOf>
 Nodes Circles(int circles, double spacing, WeightOf weightOf)
 {
@@ -142,7 +143,8 @@ Nodes EnergyCircles(int circles, double k)
     });
 }
 
-/// Intensity 2 / pi exp(-2 r^2) times area pi k^2 / N, over the energy of the cone.
+/// Makes circles with intensity 2 / pi exp(-2 r^2) times area pi k^2 / N, over the energy of the
+/// cone.
 Nodes LegacyCircles(int circles, double k)
 {
   Nodes nodes = Circles(circles, k / circles, [](int, int) { return 0.0; });
@@ -174,7 +176,7 @@ void Normalize(Nodes& nodes, int turns)
   }
 }
 
-/// Each node and its rotations by 90, 180 and 270 degrees, without rounding.
+/// Returns each node and its rotations by 90, 180 and 270 degrees, without rounding.
 Nodes FourTurns(const Nodes& quarter)
 {
   Nodes nodes;
@@ -346,7 +348,7 @@ void vtkHeliosBeamSampler::Build()
   this->SubRays.clear();
   for (const Node& node : nodes)
   {
-    // With a waist, a slope instead of an angle keeps the hyperboloid exact.
+    // Uses a slope instead of an angle with a waist, which keeps the hyperboloid exact.
     const double angle = waist > 0.0 ? std::atan(node.Radius * w) : node.Radius * w;
     const double across = std::sin(angle);
     const double aside = node.Radius * waist;
@@ -414,7 +416,7 @@ int vtkHeliosBeamSampler::FindPatternSize(int pattern, int subRays)
     return GetSpiralSize(subRays);
   }
   int size = 1;
-  while (size < MostCircles && CountSubRays(pattern, size) < subRays)
+  while (size < MaximumCircles && CountSubRays(pattern, size) < subRays)
   {
     ++size;
   }

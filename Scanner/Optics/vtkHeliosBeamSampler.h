@@ -4,40 +4,35 @@
  * @class   vtkHeliosBeamSampler
  * @brief   the sub-rays of a Gaussian beam
  *
- * A strategy, const once set up; the sub-rays are computed when a property
- * changes, and read by any thread. The beam has the intensity exp(-2 g^2 / w^2)
- * at angle g from its axis, with w = BeamDivergence / 2; the cone sampled
- * reaches K = Truncation times w and holds E = 1 - exp(-2 K^2) of the energy.
- * Pattern sets the sub-ray positions:
- * - GAUSS_LEGENDRE: q = NumberOfRings rings at w sqrt(-ln(1 - p_j E) / 2), p_j
- *   the Gauss-Legendre nodes of [0, 1], each with the energy of its node and 4 q
- *   sub-rays, odd rings rotated by half a step: 4 q^2 in all. Ranges on a plane
- *   converge exponentially: 64 sub-rays give the echo width to 1e-3 for K = 1
- * - CIRCLES: the evenly spaced circles of the paper (Bechtold and Hoefle 2016),
- *   q = NumberOfCircles at i K w / (q - 1/2), i = 0 ... q - 1, of floor(2 pi i)
- *   sub-rays, the first of one: 1, 7, 19, 37, 62 ... in all. A circle has the
- *   exact energy between (i - 1/2) and (i + 1/2) spacings; second order in 1 / q
- * - VOGEL: a sunflower spiral of equal energies (Vogel 1979), NumberOfSubRays in
- *   all; point k of a quarter is at the energy quantile (k + 1/2) 4 / N, rotated
- *   by k golden sections of 90 degrees, and the quarters are identical, so that
- *   the mean direction is the axis. The best of the three for edges or thin
- *   objects in the beam
+ * A strategy, const once set up; the sub-rays are computed when a property changes, and read by any
+ * thread. The beam has the intensity exp(-2 g^2 / w^2) at angle g from its axis, with w =
+ * BeamDivergence / 2; the cone sampled reaches K = Truncation times w and holds E = 1 - exp(-2 K^2)
+ * of the energy. Pattern sets the sub-ray positions:
+ * - GAUSS_LEGENDRE: q = NumberOfRings rings at w sqrt(-ln(1 - p_j E) / 2), p_j the Gauss-Legendre
+ *   nodes of [0, 1], each with the energy of its node and 4 q sub-rays, odd rings rotated by half a
+ *   step: 4 q^2 in all. Ranges on a plane converge exponentially: 64 sub-rays give the echo width
+ *   to 1e-3 for K = 1
+ * - CIRCLES: the evenly spaced circles of the paper (Bechtold and Hoefle 2016), q = NumberOfCircles
+ *   at i K w / (q - 1/2), i = 0 ... q - 1, of floor(2 pi i) sub-rays, the first of one: 1, 7, 19,
+ *   37, 62 ... in all. A circle has the exact energy between (i - 1/2) and (i + 1/2) spacings;
+ *   second order in 1 / q
+ * - VOGEL: a sunflower spiral of equal energies (Vogel 1979), NumberOfSubRays in all; point k of a
+ *   quarter is at the energy quantile (k + 1/2) 4 / N, rotated by k golden sections of 90 degrees,
+ *   and the quarters are identical, so that the mean direction is the axis. The best of the three
+ *   for edges or thin objects in the beam
  *
- * The weights are multiples of 2^-53 and sum to 1 exactly, in any order. A
- * BeamDivergence of 0 is one ray along the axis, and so is one circle or a spiral
- * of one sub-ray.
+ * The weights are multiples of 2^-53 and sum to 1 exactly, in any order. A BeamDivergence of 0 is
+ * one ray along the axis, and so is one circle or a spiral of one sub-ray.
  *
- * With a BeamQualityFactor M2 the beam has a waist, w0 = M2 Wavelength / (pi w),
- * and the sub-rays are rulings of the hyperboloid of the widening beam: the one at
- * r w and azimuth a starts r w0 beside the axis at azimuth a + 90 degrees with the
- * slope r w towards a. At the plane R before the scanner, the radius of the beam
- * is then sqrt(w0^2 + (w R)^2) exactly, and every ray is straight.
+ * With a BeamQualityFactor M2 the beam has a waist, w0 = M2 Wavelength / (pi w), and the sub-rays
+ * are rulings of the hyperboloid of the widening beam: the one at r w and azimuth a starts r w0
+ * beside the axis at azimuth a + 90 degrees with the slope r w towards a. At the plane R before the
+ * scanner, the radius of the beam is then sqrt(w0^2 + (w R)^2) exactly, and every ray is straight.
  *
- * With a DivergenceRatio q below 1 the beam is elliptical: the circular one of
- * BeamDivergence, narrowed by q along the minor axis of its cross-section on the
- * plane R before the scanner, and so is its waist, at the same place. The
- * weights, and with x and z along the axes the intensity
- * exp(-2 (x^2 + (z / q)^2) / (w R)^2), are those of the circular beam.
+ * With a DivergenceRatio q below 1 the beam is elliptical: the circular one of BeamDivergence,
+ * narrowed by q along the minor axis of its cross-section on the plane R before the scanner, and so
+ * is its waist, at the same place. The weights, and with x and z along the axes the intensity
+ * exp(-2 (x^2 + (z / q)^2) / (w R)^2), equal the circular beam's.
  *
  * @sa
  * vtkHeliosScanner
@@ -84,20 +79,21 @@ public:
   static const char* GetPatternName(int pattern);
 
   /**
-   * The number of sub-rays of a pattern with a number of rings, circles, or points of the spiral.
+   * Returns the number of sub-rays of a pattern with a number of rings, circles, or points of the
+   * spiral.
    */
   static int CountSubRays(int pattern, int size);
 
   /**
-   * The least number of rings, circles, or points of the spiral that gives at least this many
-   * sub-rays; at most 64 rings or circles, or 65536 points.
+   * Returns the smallest number of rings, circles, or points of the spiral that gives at least this
+   * many sub-rays; at most 64 rings or circles, or 65536 points.
    */
   static int FindPatternSize(int pattern, int subRays);
 
   ///@{
   /**
-   * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as in
-   * data sheets. Valid range: [0, 1], else rejected; scanners need 0 or at least 1e-9. Default: 0.0003.
+   * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], which data sheets state.
+   * Valid range: [0, 1], else rejected; scanners need 0 or at least 1e-9. Default: 0.0003.
    */
   void SetBeamDivergence(double angle);
   vtkGetMacro(BeamDivergence, double);
@@ -106,8 +102,9 @@ public:
   ///@{
   /**
    * Set/Get the divergence along the minor axis of an elliptical beam, as a fraction of
-   * BeamDivergence, which is then that along the major axis; 1: a circular beam. The product must be
-   * at least 1e-9 rad for scanners. Valid range: [0.01, 1], else rejected. Default: 1.
+   * BeamDivergence, which is then the divergence along the major axis; 1: a circular beam. The
+   * product must be at least 1e-9 rad for scanners. Valid range: [0.01, 1], else rejected. Default:
+   * 1.
    */
   void SetDivergenceRatio(double ratio);
   vtkGetMacro(DivergenceRatio, double);
@@ -198,15 +195,15 @@ public:
   double GetFootprintRadius(double distance) const;
 
   /**
-   * The direction of a sub-ray in the frame of the beam, whose axis is y and
-   * whose major axis is x: a unit vector.
+   * Computes the direction of a sub-ray in the frame of the beam, whose axis is y and whose major
+   * axis is x: a unit vector.
    */
   void GetDirection(int subRay, double direction[3]) const
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
-   * The start of a sub-ray relative to the origin of the beam, across its axis
-   * [m]: zero without a waist.
+   * Computes the start of a sub-ray relative to the origin of the beam, across its axis [m]: zero
+   * without a waist.
    */
   void GetOffset(int subRay, double offset[3]) const
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());

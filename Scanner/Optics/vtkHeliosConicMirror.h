@@ -62,7 +62,7 @@ private:
 
   double ScanFrequency = 50.0;
   double ScanAngle = 20.0;
-  double SinScanAngle; // of ScanAngle, saves a sine and cosine per pulse
+  double SinScanAngle; // sine of ScanAngle, saves a sine and cosine per pulse
   double CosScanAngle;
 };
 

@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * 1 for every pulse; the edge is the last fibre. A single fibre has neither.
+   * Returns 1 for every pulse; the edge is the last fibre. A single fibre has neither.
    */
   int GetScanDirectionFlag(vtkIdType pulse) const override;
   bool IsEdgeOfFlightLine(vtkIdType pulse) const override;

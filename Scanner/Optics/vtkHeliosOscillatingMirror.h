@@ -88,8 +88,8 @@ public:
 
   ///@{
   /**
-   * 1 where p < 1/2; the edge is the last pulse of each half period. A mirror without ScanFrequency
-   * has neither.
+   * Returns 1 where p < 1/2; the edge is the last pulse of each half period. A mirror without
+   * ScanFrequency has neither.
    */
   int GetScanDirectionFlag(vtkIdType pulse) const override;
   bool IsEdgeOfFlightLine(vtkIdType pulse) const override;

@@ -4,11 +4,10 @@
  * @class   vtkHeliosPalmerMirror
  * @brief   a Palmer scanner: a wobbling mirror on a shaft at 45 degrees
  *
- * The laser shines along -x on a mirror whose shaft s = (1, 1, 0) / sqrt 2 bisects
- * the incoming beam and y: a mirror perpendicular to its shaft would reflect every
- * pulse along y. The normal n is tilted from the shaft by b = WobbleAngle and
- * rotates about it with the phase phi = 2 pi frac(i ScanFrequency /
- * PulseFrequency), with an exact fraction:
+ * The laser shines along -x on a mirror whose shaft s = (1, 1, 0) / sqrt 2 bisects the incoming
+ * beam and y: a mirror perpendicular to its shaft would reflect every pulse along y. The normal n
+ * is tilted from the shaft by b = WobbleAngle and rotates about it with the phase phi = 2 pi frac(i
+ * ScanFrequency / PulseFrequency), with an exact fraction:
  * - n = cos b s + sin b (sin phi (1, -1, 0) / sqrt 2 + cos phi (0, 0, 1))
  *
  * The law of reflection, d = e - 2 (e . n) n with e = (-1, 0, 0), is then
@@ -16,10 +15,9 @@
  * - d_y = cos^2 b - sin^2 b sin^2 phi
  * - d_z = sqrt 2 sin b cos phi (cos b + sin b sin phi)
  *
- * On flat ground at height H this is an egg, not an ellipse: it reaches H tan 2b
- * on either side along x and H sqrt 2 tan b / sqrt(1 - tan^2 b) along z, widest
- * at sin phi = tan b. The arrangement is that of Palmer scanners as reviewed by
- * Wehr and Lohr 1999 (ISPRS J. 54, 68-82).
+ * On flat ground at height H this is an egg, not an ellipse: it reaches H tan 2b on either side
+ * along x and H sqrt 2 tan b / sqrt(1 - tan^2 b) along z, widest at sin phi = tan b. Palmer
+ * scanners have this arrangement, reviewed by Wehr and Lohr 1999 (ISPRS J. 54, 68-82).
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosConicMirror vtkHeliosScanner
@@ -70,7 +68,7 @@ private:
 
   double ScanFrequency = 50.0;
   double WobbleAngle = 7.5;
-  double SinWobble; // of WobbleAngle, saves a sine and cosine per pulse
+  double SinWobble; // sine of WobbleAngle, saves a sine and cosine per pulse
   double CosWobble;
 };
 

@@ -110,7 +110,7 @@ private:
     double RefractiveIndex = 1.5;
     double RotorFrequency = 0.0;
     double RotorPhase = 0.0;
-    double SinWedge = 0.0; // of WedgeAngle, saves a sine and cosine per pulse
+    double SinWedge = 0.0; // sine of WedgeAngle, saves a sine and cosine per pulse
     double CosWedge = 1.0;
   };
 

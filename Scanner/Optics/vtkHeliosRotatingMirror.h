@@ -4,24 +4,21 @@
  * @class   vtkHeliosRotatingMirror
  * @brief   a polygon mirror: lines in one direction
  *
- * The beam rotates about the x axis: at mirror angle beta it points to (0, cos
- * beta, sin beta). Each facet sweeps from -MirrorAngle to +MirrorAngle, with
- * ScanFrequency, and pulse 0 is at beta = 0. Pulse i at PulseFrequency f has
- * the phase p = frac(i ScanFrequency / f), exact after any number of pulses,
- * and
+ * The beam rotates about the x axis: at mirror angle beta it points to (0, cos beta, sin beta).
+ * Each facet sweeps from -MirrorAngle to +MirrorAngle, with ScanFrequency, and pulse 0 is at beta =
+ * 0. Pulse i at PulseFrequency f has the phase p = frac(i ScanFrequency / f), exact after any
+ * number of pulses, and
  * - beta = 2 MirrorAngle p where p <= 1/2, else 2 MirrorAngle (p - 1)
  *
- * so that beta is in (-MirrorAngle, MirrorAngle]. Pulses are emitted only where
- * VerticalAngleMin < beta <= VerticalAngleMax: a window as wide as the sweep
- * emits all of them.
+ * so that beta is in (-MirrorAngle, MirrorAngle]. Pulses are emitted only where VerticalAngleMin <
+ * beta <= VerticalAngleMax: a window as wide as the sweep emits all of them.
  *
- * The facets need not be alike: line l is swept by facet l mod NumberOfFacets, with
- * pulse 0 in the middle of facet 0. The beam of a facet with FacetPitch p and
- * FacetRoll r points to
+ * The facets need not be alike: line l is swept by facet l mod NumberOfFacets, with pulse 0 in the
+ * middle of facet 0. The beam of a facet with FacetPitch p and FacetRoll r points to
  * - (sin p, cos p cos(beta + r), cos p sin(beta + r))
  *
- * a cone about the shaft: that of a beam along x which a facet reflects whose normal
- * is 45 degrees + p / 2 from -x. The window is one of beta.
+ * a cone about the shaft: the direction of a beam along x that a facet reflects whose normal is 45
+ * degrees + p / 2 from -x. The window is one of beta.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -91,7 +88,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what a facet adds to the mirror angle [deg]. Valid range: [-180, 180].
+   * Set/Get the angle that a facet adds to the mirror angle [deg]. Valid range: [-180, 180].
    * Default: 0.
    */
   void SetFacetRoll(int facet, double roll);
@@ -101,7 +98,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The facet of a pulse, from 0.
+   * Returns the facet of a pulse, from 0.
    */
   int GetFacet(vtkIdType pulse) const;
 
@@ -112,8 +109,8 @@ public:
 
   ///@{
   /**
-   * 1 for every pulse; the edge is the last pulse in the window of each facet. A mirror without
-   * ScanFrequency has neither.
+   * Returns 1 for every pulse; the edge is the last pulse in the window of each facet. A mirror
+   * without ScanFrequency has neither.
    */
   int GetScanDirectionFlag(vtkIdType pulse) const override;
   bool IsEdgeOfFlightLine(vtkIdType pulse) const override;

@@ -4,24 +4,21 @@
  * @class   vtkHeliosSpinningChannels
  * @brief   a stack of lasers in a spinning head
  *
- * The n channels fire in turn, PulseFrequency pulses/s in all: pulse i is
- * channel c = i mod n in the cycle of n pulses that starts at (i - c) /
- * PulseFrequency. A channel has an elevation e above the horizon, its own
- * azimuth, and a firing time in the cycle; by default c / PulseFrequency,
- * evenly. The head rotates about z with ScanFrequency, from StartAngle on; the
- * azimuth a of a pulse is that of the head when it fires, h, with exact fractions of
- * a revolution, plus that of its channel. A channel starts at a distance r
- * (OriginOffset) from the axis, in the direction of the head, and at a height z
- * (OriginHeight). Direction and origin are
+ * The n channels fire in turn, PulseFrequency pulses/s in all: pulse i is channel c = i mod n in
+ * the cycle of n pulses that starts at (i - c) / PulseFrequency. A channel has an elevation e above
+ * the horizon, its own azimuth, and a firing time in the cycle; by default c / PulseFrequency,
+ * evenly. The head rotates about z with ScanFrequency, from StartAngle on; the azimuth a of a pulse
+ * is the azimuth h of the head when it fires, with exact fractions of a revolution, plus the
+ * azimuth of its channel. A channel starts at a distance r (OriginOffset) from the axis, in the
+ * direction of the head, and at a height z (OriginHeight). Direction and origin are
  * - (-sin a cos e, cos a cos e, sin e)
  * - (-r sin h, r cos h, z)
  *
- * A column is a cycle of n pulses; columns count from 0 in each revolution, which
- * begins at StartAngle.
+ * A column is a cycle of n pulses; columns count from 0 in each revolution, which begins at
+ * StartAngle.
  *
- * Azimuths increase anticlockwise, seen from above, with y at 0; instruments
- * that count clockwise have a negative ScanFrequency and azimuths of the
- * opposite sign.
+ * Azimuths increase anticlockwise, seen from above, with y at 0; instruments that count clockwise
+ * have a negative ScanFrequency and azimuths of the opposite sign.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -118,7 +115,7 @@ public:
   vtkIdType GetColumn(vtkIdType pulse) const override;
 
   /**
-   * z, about which the head spins.
+   * Returns z, about which the head spins.
    */
   void GetCrossAxis(double axis[3]) const override;
 

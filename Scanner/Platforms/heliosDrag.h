@@ -20,13 +20,13 @@ struct Travel
   double Speed;    // [m/s]
 };
 
-/// (exp(z) - 1) / z.
+/// Returns (exp(z) - 1) / z.
 inline double ExpM1Over(double z)
 {
   return z != 0.0 ? std::expm1(z) / z : 1.0;
 }
 
-/// (exp(z) - 1 - z) / z^2.
+/// Returns (exp(z) - 1 - z) / z^2.
 inline double ExpM2Over(double z)
 {
   if (std::abs(z) > 1.0)
@@ -49,7 +49,7 @@ struct LinearDrag
   double Acceleration; // [m/s^2]
   double Rate;         // [1/s]
 
-  /// After a time t, which may be negative.
+  /// Returns the travel after a time t, which may be negative.
   Travel At(double speed, double t) const
   {
     const double z = -this->Rate * t;
@@ -57,7 +57,7 @@ struct LinearDrag
     return { t * (speed + gain * ExpM2Over(z)), speed + gain * ExpM1Over(z) };
   }
 
-  /// The time at which a speed is reached; infinity if never.
+  /// Returns the time at which a speed is reached; infinity if never.
   double FindTime(double from, double to) const
   {
     const double start = this->Acceleration - this->Rate * from;

@@ -29,7 +29,7 @@ Vec3 GetThrust(const Vec3& along, double drive)
   return Vec3(0.0, 0.0, StandardGravity) + drive * along;
 }
 
-/// Resting, and turning on the spot from a course by an angle.
+/// Makes a piece that rests, and turns on the spot from a course by an angle.
 MotionPiece Hover(vtkIdType leg, const Vec3& position, double course, double angle, double rate)
 {
   const double duration = std::abs(angle) / rate;
@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  /// Of the first stop or leg with a course; otherwise north.
+  /// Returns the course of the first stop or leg with a course; otherwise north.
   double GetFirstCourse(const std::vector<double>& courses) const
   {
     for (std::size_t leg = 0; leg < this->Path.Lines.size(); ++leg)
@@ -128,7 +128,7 @@ private:
     return HasCourse(way) ? GetCourse(way) : keep;
   }
 
-  /// The turn on the spot, or the rest of the turn at the waypoint where a leg starts.
+  /// Adds the turn on the spot, or the rest of the turn at the waypoint where a leg starts.
   void Leave(std::size_t leg, double course)
   {
     const FlightCorner& corner = this->Path.Corners[leg];
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  /// The first half of a turn that cuts the corner.
+  /// Adds the first half of a turn that cuts the corner.
   void TurnIn(std::size_t leg)
   {
     const FlightCorner& corner = this->Path.Corners[leg + 1];
@@ -194,7 +194,7 @@ private:
   Copter Machine;
   double BrakeDistance;
   double Course = 0.0;
-  double Offset = 0.0; // of the nose from the path
+  double Offset = 0.0; // angle of the nose from the path
   std::vector<MotionPiece> Motion;
 };
 

@@ -41,14 +41,14 @@ Vec3 GetSide(const Vec3& from, const Vec3& to)
 /// Returns the minimum horizontal part of the directions in a turn by an angle.
 double GetFlattest(const Vec3& along, const Vec3& side, double angle)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   for (int i = 0; i <= 32; ++i)
   {
     const double a = angle * i / 32.0;
     const Vec3 direction = std::cos(a) * along + std::sin(a) * side;
-    least = std::min(least, std::hypot(direction[0], direction[1]));
+    minimum = std::min(minimum, std::hypot(direction[0], direction[1]));
   }
-  return least;
+  return minimum;
 }
 
 class Planner
@@ -106,7 +106,7 @@ private:
     return way;
   }
 
-  /// Returns the requested speed at a waypoint: that of the legs on both sides.
+  /// Returns the requested speed at a waypoint, allowed by the legs on both sides.
   double GetWantedSpeed(std::size_t i) const
   {
     if (i == 0 || this->Waypoints[i].Mode == Passing::Stop)
@@ -212,7 +212,7 @@ private:
     return { 1.0 / radius, speed * pull / (StandardGravity * this->Machine.RollRate) };
   }
 
-  /// The turn after a waypoint that is passed through: the start of a leg.
+  /// Lays the turn after a waypoint that is passed through: the start of a leg.
   bool LayCorner(std::size_t leg)
   {
     FlightCorner& corner = this->Path.Corners[leg];
@@ -252,7 +252,7 @@ private:
     return true;
   }
 
-  /// The straight part of a leg, up to the turn that cuts the corner at its end.
+  /// Lays the straight part of a leg, up to the turn that cuts the corner at its end.
   bool LayLine(std::size_t leg)
   {
     FlightLine& line = this->Path.Lines[leg];
@@ -354,15 +354,15 @@ DriveLimits Copter::GetLimits(const Vec3& direction) const
   const double reach = std::sqrt(this->Thrust * this->Thrust - g * g * flat * flat);
   DriveLimits limits{ reach - g * up, -reach - g * up, 0.0, this->Drag, this->Step };
   // tan(tilt) = q flat / (g + q up), and q up never exceeds half of the weight.
-  const auto tighten = [&](double most, double least)
+  const auto tighten = [&](double maximum, double minimum)
   {
-    limits.Most = most > 0.0 ? std::min(limits.Most, most) : limits.Most;
-    limits.Least = least < 0.0 ? std::max(limits.Least, least) : limits.Least;
+    limits.Maximum = maximum > 0.0 ? std::min(limits.Maximum, maximum) : limits.Maximum;
+    limits.Minimum = minimum < 0.0 ? std::max(limits.Minimum, minimum) : limits.Minimum;
   };
   tighten(tilt * g / (flat - tilt * up), -tilt * g / (flat + tilt * up));
   tighten(up < 0.0 ? -0.5 * g / up : 0.0, up > 0.0 ? -0.5 * g / up : 0.0);
   // d(tilt)/dq = flat g / ((g + q up)^2 + (q flat)^2), largest nearest to q = -g up.
-  const double q = std::clamp(-g * up, limits.Least, limits.Most);
+  const double q = std::clamp(-g * up, limits.Minimum, limits.Maximum);
   const double slowest = (g + q * up) * (g + q * up) + q * q * flat * flat;
   limits.Rate = this->PitchRate * (flat > 0.0 ? std::min(g, slowest / (g * flat)) : g);
   return limits;

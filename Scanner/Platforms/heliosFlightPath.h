@@ -28,13 +28,13 @@ struct Copter
   double Drag;    // [1/m]
   double Step;    // [s]
 
-  /// Along a unit direction: limits from tilt, thrust, gravity and maximum thrust.
+  /// Returns the limits along a unit direction: from tilt, thrust, gravity and maximum thrust.
   VTKHELIOSSCANNERPLATFORMS_EXPORT DriveLimits GetLimits(const Vec3& direction) const;
 
   /// Returns the maximum speed along a unit direction, 1 % below the terminal speed.
   double GetTopSpeed(const Vec3& direction) const
   {
-    return this->Drag > 0.0 ? 0.99 * std::sqrt(this->GetLimits(direction).Most / this->Drag)
+    return this->Drag > 0.0 ? 0.99 * std::sqrt(this->GetLimits(direction).Maximum / this->Drag)
                             : std::numeric_limits<double>::infinity();
   }
 };
@@ -59,7 +59,7 @@ struct FlightCorner
   Passing Mode;
   double Speed = 0.0; // [m/s]
   Turn Bend;
-  Vec3 Start; // of the bend
+  Vec3 Start; // start of the bend
   Vec3 Along; // the initial direction
   Vec3 Side;  // the direction of the turn
 };

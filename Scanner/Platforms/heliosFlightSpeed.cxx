@@ -12,8 +12,8 @@ namespace helios
 namespace
 {
 
-/// Of a ramp that takes minutes.
-constexpr int MostSteps = 4000;
+/// Steps of a ramp that takes minutes.
+constexpr int MaximumSteps = 4000;
 
 /// A change of speed: the drive goes to a peak, is constant, and goes to the drive of the final
 /// speed.
@@ -99,7 +99,7 @@ SpeedChange Brake(const DriveLimits& limits, double from, double to, double dist
   }
   // Down to almost no braking: the effect of drag must not be too large either.
   const auto at = [&](double share)
-  { return ChangeWithin(limits, from, to, share * limits.Least); };
+  { return ChangeWithin(limits, from, to, share * limits.Minimum); };
   double low = 0.5;
   while (at(low).Distance < distance && low > 1e-6)
   {
@@ -127,7 +127,7 @@ DrivePhase DrivePhase::Ramp(const DriveLimits& limits, double speed, double from
   phase.Rate = to > from ? limits.Rate : -limits.Rate;
   phase.Drag = limits.Drag;
   const double steps = phase.Duration / limits.Step;
-  const int count = 4 + (steps < MostSteps ? static_cast<int>(steps) : MostSteps);
+  const int count = 4 + (steps < MaximumSteps ? static_cast<int>(steps) : MaximumSteps);
   phase.Steps.reserve(static_cast<std::size_t>(count) + 1);
   phase.Steps.push_back({ 0.0, speed });
   for (int i = 0; i < count; ++i)
@@ -200,7 +200,7 @@ Travel DrivePhase::Advance(const Travel& from, double time, double step) const
 //------------------------------------------------------------------------------
 SpeedChange ChangeSpeed(const DriveLimits& limits, double from, double to)
 {
-  return ChangeWithin(limits, from, to, to > from ? limits.Most : limits.Least);
+  return ChangeWithin(limits, from, to, to > from ? limits.Maximum : limits.Minimum);
 }
 
 //------------------------------------------------------------------------------

@@ -16,11 +16,11 @@ namespace helios
 /// The limits of the thrust along a line: a drive q [m/s^2], dv/dt = q - Drag v |v|.
 struct DriveLimits
 {
-  double Most;  // > 0
-  double Least; // < 0
-  double Rate;  // of the drive [m/s^3]
-  double Drag;  // [1/m]
-  double Step;  // of the integration while the drive changes [s]
+  double Maximum; // > 0
+  double Minimum; // < 0
+  double Rate;    // rate of the drive [m/s^3]
+  double Drag;    // [1/m]
+  double Step;    // step of the integration while the drive changes [s]
 
   /// Returns the drive that keeps a speed constant.
   double GetDrive(double speed) const { return this->Drag * speed * speed; }
@@ -37,10 +37,11 @@ public:
     double Drive;    // [m/s^2]
   };
 
-  /// From one drive to another at the rate of the limits: RK4 steps of equal length.
+  /// Returns the phase from one drive to another at the rate of the limits: RK4 steps of equal
+  /// length.
   static DrivePhase Ramp(const DriveLimits& limits, double speed, double from, double to);
 
-  /// Constant drive, speed >= 0: in closed form.
+  /// Returns the phase of a constant drive, speed >= 0: in closed form.
   static DrivePhase Hold(const DriveLimits& limits, double speed, double drive, double duration);
 
   /// Returns a constant speed.
@@ -48,7 +49,8 @@ public:
 
   double GetDuration() const { return this->Duration; }
 
-  /// After a time in [0, GetDuration()]; the distance is from the phase's start.
+  /// Returns the state after a time in [0, GetDuration()]; the distance is measured from the
+  /// phase's start.
   State At(double t) const;
   State GetEnd() const { return this->At(this->Duration); }
 
@@ -85,7 +87,7 @@ struct LineFlight
   double BrakeDistance; // minimum slowdown distance, or half the line [m]
 };
 
-/// Up to the cruise speed, or the maximum the line allows, and down again.
+/// Flies up to the cruise speed, or the maximum the line allows, and down again.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<DrivePhase> FlyLine(
   const DriveLimits& limits, const LineFlight& line);
 

@@ -13,7 +13,7 @@ namespace
 
 const double Pi = std::acos(-1.0);
 
-/// Of a forward turn; for larger ones the car reverses.
+/// Largest angle of a forward turn; for larger ones the car reverses.
 const double LargestTurn = 1.5 * Pi;
 
 /// The pose of the car in x, y.
@@ -124,7 +124,7 @@ private:
     return std::min(cap, std::sqrt(this->Car.LateralAcceleration / curvature));
   }
 
-  /// From the bend at full speed to the tightest, finally at minimum speed.
+  /// Returns the bends from full speed to the tightest, finally at minimum speed.
   std::vector<BendStyle> GetStyles(const Stand& stand, double cap, const Vec3& target) const
   {
     const auto [ahead, left] = stand.See(target);
@@ -196,7 +196,7 @@ private:
     return best;
   }
 
-  /// Backward: a turn that swings the front round, and a straight line.
+  /// Drives backward: a turn that swings the front round, and a straight line.
   Approach Reverse(
     const Stand& stand, const BendStyle& style, bool right, double angle, double straight) const
   {

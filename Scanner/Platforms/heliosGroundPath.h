@@ -19,8 +19,8 @@ namespace helios
 struct Steering
 {
   double Wheelbase;           // [m]
-  double MaximumAngle;        // of the front wheels [rad]
-  double Rate;                // of that angle [rad/s]
+  double MaximumAngle;        // largest angle of the front wheels [rad]
+  double Rate;                // rate of that angle [rad/s]
   double LateralAcceleration; // [m/s^2]
   double Deviation;           // [m] off the straight line for a faster turn
 
@@ -33,7 +33,7 @@ struct GroundElement
 {
   std::size_t Waypoint; ///< start of its leg
   Vec3 Start;
-  double Course = 0.0; ///< the path runs along (cos, sin) of it [rad]
+  double Course = 0.0; ///< the path runs along (cos Course, sin Course) [rad]
   double Length = 0.0; ///< in x, y [m]
   bool IsTurn = false;
   bool Right = false;
@@ -49,7 +49,7 @@ struct GroundElement
     double Course;
     double Curvature;
   };
-  /// After a length in x, y.
+  /// Returns the place after a length in x, y.
   VTKHELIOSSCANNERPLATFORMS_EXPORT Place At(double s) const;
 };
 

@@ -109,8 +109,8 @@ SampledPath::State SampledPath::GetSample(vtkIdType sample) const
   return state;
 }
 
-// Of the parabola through the sample and its neighbours; beside an end or a jump, of the
-// parabola through the sample and the next two.
+// Returns the velocity along the parabola through the sample and its neighbours; beside an end or a
+// jump, along the parabola through the sample and the next two.
 Vec3 SampledPath::GetVelocity(vtkIdType sample) const
 {
   if (this->Velocities)
@@ -182,7 +182,7 @@ SampledPath::State SampledPath::GetDeparture(double time) const
                                                                   : this->GetSample(sample);
 }
 
-// Between a sample and the next, later one.
+// Interpolates between a sample and the next, later one.
 SampledPath::State SampledPath::Interpolate(vtkIdType sample, double time) const
 {
   const State a = this->GetSample(sample);

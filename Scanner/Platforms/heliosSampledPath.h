@@ -32,7 +32,7 @@ public:
     double Time;
     Vec3 Position;
     Quaternion Orientation;
-    Vec3 Velocity; // of cubic paths
+    Vec3 Velocity; // velocity, for cubic paths
   };
 
   /// Reads a trajectory.

@@ -29,7 +29,7 @@ double GetEntrySpeed(const Stretch& stretch, double rate, double exit)
     [&](double v) { return GetBrakeDistance(brake, v, exit) - stretch.Length; }, exit, stretch.Cap);
 }
 
-/// For every stretch, the maximum speed at its end.
+/// Returns the maximum speed at the end of every stretch.
 std::vector<double> GetExitSpeeds(const std::vector<Stretch>& stretches, double rate)
 {
   std::vector<double> exits(stretches.size());
@@ -85,7 +85,7 @@ private:
       GetBrakeDistance(this->Brake, travel.Speed, this->Exit);
   }
 
-  /// Full force for a time, constant speed over a distance, and the brake over the rest.
+  /// Appends full force for a time, constant speed over a distance, and the brake over the rest.
   double Append(double push, double hold, std::vector<SpeedPhase>& phases) const
   {
     Travel at{ 0.0, this->Entry };

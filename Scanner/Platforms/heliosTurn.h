@@ -31,15 +31,15 @@ public:
 
   Turn() = default;
 
-  /// By an angle [rad] >= 0 at a curvature [1/m] > 0 that is reached over the length ramp [m]; a
-  /// turn too small for it stays below that curvature.
+  /// Makes a turn by an angle [rad] >= 0 at a curvature [1/m] > 0 that is reached over the length
+  /// ramp [m]; a turn too small for it stays below that curvature.
   Turn(double angle, double curvature, double ramp);
 
   double GetAngle() const { return this->Angle; }
   double GetLength() const { return 2.0 * this->Ramp + this->Arc; }
   double GetCurvature() const { return this->Curvature; }
 
-  /// After the length s, in [0, GetLength()].
+  /// Returns the point after the length s, in [0, GetLength()].
   Point At(double s) const;
 
 private:
@@ -54,7 +54,7 @@ private:
   Point ArcEnd;
 };
 
-/// The first turn after which a point that is not to the right is straight ahead; none if the
+/// Finds the first turn after which a point that is not to the right is straight ahead; none if the
 /// point is too near.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::optional<Turn> FindTurn(
   double forward, double left, double curvature, double ramp);

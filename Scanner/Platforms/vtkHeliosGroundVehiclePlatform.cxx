@@ -85,7 +85,7 @@ std::vector<Ride> MakeRides(const std::vector<helios::GroundElement>& path, doub
   return rides;
 }
 
-/// At rest at a waypoint, for zero time.
+/// Returns a pause at a waypoint: at rest, for zero time.
 helios::MotionPiece Pause(vtkIdType waypoint, const helios::MotionState& state)
 {
   return { waypoint, 0.0, [state](double) { return state; } };

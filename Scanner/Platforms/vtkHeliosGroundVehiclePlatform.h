@@ -4,44 +4,39 @@
  * @class   vtkHeliosGroundVehiclePlatform
  * @brief   a car with front-axle steering
  *
- * Input: two or more waypoints with the point array Speed [m/s], the maximum
- * speed from that waypoint to the next (not used for the last one).
+ * Input: two or more waypoints with the point array Speed [m/s], the maximum speed from that
+ * waypoint to the next (not used for the last one).
  *
- * Output: the trajectory of the middle of the rear axle, through every waypoint
- * to rounding (1e-9 of its coordinates), from rest at the first one, heading to
- * the second, until it passes the last one. It is exact in time; between its
- * samples position and attitude are within 1e-7 m and 1e-7 rad.
+ * Output: the trajectory of the middle of the rear axle, through every waypoint to rounding (1e-9
+ * of its coordinates), from rest at the first one, heading to the second, until it passes the last
+ * one. It is exact in time; between its samples position and attitude are within 1e-7 m and 1e-7
+ * rad.
  *
- * Model, a bicycle in x, y: at steering angle d the rear axle moves along a circle
- * of radius Wheelbase / tan(d) and the body turns by v / radius. At a waypoint the
- * car turns towards the next one until that is straight ahead, then drives
- * straight. In a turn the curvature increases at a constant rate along the path,
- * is constant and decreases again, so that the steering never exceeds
- * SteeringRate; the radius is the widest that neither departs from the straight
- * line between waypoints by more than TurnDeviation nor is wider than Speed needs,
- * or the tightest. Where no turn of less than 270 degrees leads to the waypoint,
- * the car makes a three-point turn: it stops, reverses on the opposite lock,
- * stops, and continues.
+ * Model, a bicycle in x, y: at steering angle d the rear axle moves along a circle of radius
+ * Wheelbase / tan(d) and the body turns by v / radius. At a waypoint the car turns towards the next
+ * one until that is straight ahead, then drives straight. In a turn the curvature increases at a
+ * constant rate along the path, is constant and decreases again, so that the steering never exceeds
+ * SteeringRate; the radius is the widest that neither departs from the straight line between
+ * waypoints by more than TurnDeviation nor is wider than Speed needs, or the tightest. Where no
+ * turn of less than 270 degrees leads to the waypoint, the car makes a three-point turn: it stops,
+ * reverses on the opposite lock, stops, and continues.
  *
- * Along the path m dv/dt = F - Drag v - m g sin(slope), g = 9.80665 m/s^2, with
- * F = EngineForce to accelerate, -BrakeForce to brake, and the balancing force at
- * constant speed: the closed forms of linear drag, without steps. The speed is
- * that of the fastest drive that stays below Speed and, in turns of radius R,
- * below sqrt(LateralAcceleration R). The terminal speed is EngineForce / Drag.
+ * Along the path m dv/dt = F - Drag v - m g sin(slope), g = 9.80665 m/s^2, with F = EngineForce to
+ * accelerate, -BrakeForce to brake, and the balancing force at constant speed: the closed forms of
+ * linear drag, without steps. The car drives as fast as it can while it stays below Speed and, in
+ * turns of radius R, below sqrt(LateralAcceleration R). The terminal speed is EngineForce / Drag.
  *
- * z follows the straight line from waypoint to waypoint along the path driven
- * forward (reversing is level), and the body pitches to that slope, over the
- * last Wheelbase before the slope changes. It does not roll. Legs of zero length
- * take no time.
+ * z follows the straight line from waypoint to waypoint along the path driven forward (reversing is
+ * level), and the body pitches to that slope, over the last Wheelbase before the slope changes. It
+ * does not roll. Legs of zero length take no time.
  *
- * In HELIOS files: Speed is movePerSec_m. The attribute drag is a loss per
- * pulse, without a mass, and has no physical counterpart; the defaults below
- * replace it. See Docs/platforms.md.
+ * In HELIOS files: Speed is movePerSec_m. The attribute drag is a loss per pulse, without a mass,
+ * and has no physical counterpart; the defaults below replace it. See Docs/platforms.md.
  *
- * Errors: fewer than two waypoints, no Speed, a speed that is not positive and
- * finite, a waypoint directly above or below the one before, a climb that needs
- * more than EngineForce or a descent more than BrakeForce, a leg that takes over
- * 1000 times as long as at Speed, and those of vtkHeliosPlatform.
+ * Errors: fewer than two waypoints, no Speed, a speed that is not positive and finite, a waypoint
+ * directly above or below the one before, a climb that needs more than EngineForce or a descent
+ * more than BrakeForce, a leg that takes over 1000 times as long as at Speed, and the errors of
+ * vtkHeliosPlatform.
  *
  * @sa
  * vtkHeliosPlatform vtkHeliosLinearPathPlatform vtkHeliosMulticopterPlatform

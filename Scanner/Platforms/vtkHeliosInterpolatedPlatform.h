@@ -4,32 +4,28 @@
  * @class   vtkHeliosInterpolatedPlatform
  * @brief   replays a recorded trajectory
  *
- * Input: one or more recorded trajectories instead of waypoints (vtkPolyData with
- * the point arrays GpsTime and Orientation, as written by
- * vtkHeliosTrajectoryReader), in any order: they are concatenated by time and may
- * not overlap. Two samples at one time are a jump.
+ * Input: one or more recorded trajectories instead of waypoints (vtkPolyData with the point arrays
+ * GpsTime and Orientation, as written by vtkHeliosTrajectoryReader), in any order: they are
+ * concatenated by time and may not overlap. Two samples at one time are a jump.
  *
- * Output: the trajectory of the legs, each a part [start, end] of the recorded
- * times; without legs all of it is leg 0. A leg has a sample at its start, the
- * recorded ones, and one at its end, all with its LegIds. The trajectory from
- * the end of a leg to a later start of the next is included, with LegIds -1; a
- * leg that teleports, or starts earlier, starts where the one before ended in
- * GpsTime, at another position.
+ * Output: the trajectory of the legs, each a part [start, end] of the recorded times; without legs
+ * the whole trajectory is leg 0. A leg has a sample at its start, the recorded ones, and one at its
+ * end, all with its LegIds. The trajectory from the end of a leg to a later start of the next is
+ * included, with LegIds -1; a leg that teleports, or starts earlier, starts where the one before
+ * ended in GpsTime, at another position.
  *
- * GpsTime counts from StartTime at the start of the first leg; with
- * KeepFileTimes it is the recorded time, and before a leg that teleports the
- * platform waits at the end of the one before (LegIds -1).
+ * GpsTime counts from StartTime at the start of the first leg; with KeepFileTimes it is the
+ * recorded time, and before a leg that teleports the platform waits at the end of the one before
+ * (LegIds -1).
  *
- * Between samples the position is linear in time, without an array Velocity in
- * the output; or cubic: Hermite's polynomial with Velocity, from the input or
- * else from the parabola through a sample and its neighbours. The attitude
- * rotates at a constant rate along the shorter arc.
+ * Between samples the position is linear in time, without an array Velocity in the output; or
+ * cubic: Hermite's polynomial with Velocity, from the input or else from the parabola through a
+ * sample and its neighbours. The attitude rotates at a constant rate along the shorter arc.
  *
- * Errors: an input without samples or without the arrays; samples that are not
- * finite, not unit quaternions or not ordered in time; inputs that overlap; a
- * leg that does not end after it starts, or exceeds the recorded times; with
- * KeepFileTimes a leg that starts before the one before ends, or times outside
- * [0, 1e12].
+ * Errors: an input without samples or without the arrays; samples that are not finite, not unit
+ * quaternions or not ordered in time; inputs that overlap; a leg that does not end after it starts,
+ * or exceeds the recorded times; with KeepFileTimes a leg that starts before the one before ends,
+ * or times outside [0, 1e12].
  *
  * @sa
  * vtkHeliosTrajectoryReader vtkHeliosPlatform
@@ -109,7 +105,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Not used: millions of samples are written directly to the output arrays.
+  /// Returns false and is not used: millions of samples are written directly to the output arrays.
   bool Move(vtkPolyData*, std::vector<State>&) override { return false; }
 
 private:

@@ -5,25 +5,21 @@
  * @brief   a multicopter or helicopter that tilts to accelerate
  *
  * Input: two or more waypoints with the point arrays
- * - Speed [m/s]: the maximum speed from that waypoint to the next (not used for
- *   the last one);
- * - StopAndTurn (optional, default 1): it comes to rest at the waypoint, hovers,
- *   turns to the next one at YawRate, and starts again;
- * - SmoothTurn (optional, default 0; overrides StopAndTurn): it cuts the corner by
- *   a banked turn between the legs before and after; the middle of the turn is
- *   nearest to the waypoint. With neither it passes the waypoint and turns to the
- *   next after that, swinging out;
- * - YawAtDeparture (optional, NaN: not given): the heading of its y axis from
- *   there on, clockwise from north (world y) [deg]; only at waypoints where it
- *   rests.
+ * - Speed [m/s]: the maximum speed from that waypoint to the next (not used for the last one);
+ * - StopAndTurn (optional, default 1): it comes to rest at the waypoint, hovers, turns to the next
+ *   one at YawRate, and starts again;
+ * - SmoothTurn (optional, default 0; overrides StopAndTurn): it cuts the corner by a banked turn
+ *   between the legs before and after; the middle of the turn is nearest to the waypoint. With
+ *   neither it passes the waypoint and turns to the next after that, swinging out;
+ * - YawAtDeparture (optional, NaN: not given): the heading of its y axis from there on, clockwise
+ *   from north (world y) [deg]; only at waypoints where it rests.
  *
- * Output: the trajectory of the mount's origin, from rest at the first waypoint to
- * the last one (at rest there if it stops and turns). It passes through every
- * waypoint to rounding (1e-9 of its coordinates), except where SmoothTurn cuts a
- * corner: by less than R (1 / cos(turn / 2) - 1) and the length of rolling in. In
- * time it is accurate to 1e-9 m; between its samples position and attitude are
- * within 1e-7 m and 1e-7 rad. A leg starts where it leaves its waypoint, turn on
- * the spot included, or in the middle of a smooth turn.
+ * Output: the trajectory of the mount's origin, from rest at the first waypoint to the last one (at
+ * rest there if it stops and turns). It passes through every waypoint to rounding (1e-9 of its
+ * coordinates), except where SmoothTurn cuts a corner: by less than R (1 / cos(turn / 2) - 1) and
+ * the length of rolling in. In time it is accurate to 1e-9 m; between its samples position and
+ * attitude are within 1e-7 m and 1e-7 rad. A leg starts where it leaves its waypoint, turn on the
+ * spot included, or in the middle of a smooth turn.
  *
  * Model: m a = T - m g z - DragCoefficient |v| v, g = 9.80665 m/s^2, with thrust T
  * along the body's z axis: the body tilts to T, and the scanner with it. Along a
@@ -37,23 +33,21 @@
  * legs. The nose stays along the path, or at the offset from it given by
  * YawAtDeparture.
  *
- * A turn that does not fit between its waypoints is flown slower; one of more than
- * 150 degrees, onto a vertical leg or slower than 2 % of Speed is a stop, with a
- * turn on the spot. With SlowdownEnabled off a warning reports this. Legs of zero
- * length take no time except the turn on the spot.
+ * A turn that does not fit between its waypoints is flown slower; one of more than 150 degrees,
+ * onto a vertical leg or slower than 2 % of Speed is a stop, with a turn on the spot. With
+ * SlowdownEnabled off a warning reports this. Legs of zero length take no time except the turn on
+ * the spot.
  *
- * In HELIOS files: Speed is movePerSec_m, StopAndTurn and SmoothTurn are those of
- * the leg, YawAtDeparture is -yawAtDeparture_deg, YawRate, PitchRate and RollRate
+ * In HELIOS files: Speed is movePerSec_m, StopAndTurn and SmoothTurn come from the leg, YawAtDeparture is -yawAtDeparture_deg, YawRate, PitchRate and RollRate
  * are yaw_speed_deg, pitch_speed_deg and roll_speed_deg, MaximumPitch and
  * MaximumRoll are pitch_offset_deg and roll_offset_deg, and DragCoefficient = m g
  * tan|base_pitch_deg| / v^2 with the fastest leg's v: it cruises there at that
  * pitch. See Docs/platforms.md.
  *
- * Errors: fewer than two waypoints, no Speed, a speed that is not positive and
- * finite, waypoints more than 1e9 m apart, thrust that does not lift the mass, a
- * drag of more than 1 kg/m per kilogram, a point array with more than one
- * component, a leg that takes over 1000 times as long as at Speed, and those of
- * vtkHeliosPlatform.
+ * Errors: fewer than two waypoints, no Speed, a speed that is not positive and finite, waypoints
+ * more than 1e9 m apart, thrust that does not lift the mass, a drag of more than 1 kg/m per
+ * kilogram, a point array with more than one component, a leg that takes over 1000 times as long as
+ * at Speed, and the errors of vtkHeliosPlatform.
  *
  * @sa
  * vtkHeliosPlatform vtkHeliosLinearPathPlatform vtkHeliosGroundVehiclePlatform

@@ -53,7 +53,7 @@ void AddArray(vtkPolyData* output, ArrayT* array, const char* name, int componen
   output->GetPointData()->AddArray(array);
 }
 
-/// One polyline through all points; one point is a vertex.
+/// Adds one polyline through all points; one point is a vertex.
 void AddCell(vtkPolyData* output)
 {
   const vtkIdType count = output->GetNumberOfPoints();

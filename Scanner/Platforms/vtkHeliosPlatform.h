@@ -4,27 +4,24 @@
  * @class   vtkHeliosPlatform
  * @brief   platform motion: waypoints in, trajectory out
  *
- * Input: waypoints (vtkPolyData), the points in order. Point arrays: LegIds
- * (optional, default 0, 1, 2 ...; the leg that starts at the waypoint), and
- * those of the platform, e.g. Speed.
+ * Input: waypoints (vtkPolyData), the points in order. Point arrays: LegIds (optional, default 0,
+ * 1, 2 ...; the leg that starts at the waypoint), and the arrays of the platform, e.g. Speed.
  *
- * Output: the trajectory (vtkPolyData), one polyline with the point arrays GpsTime [s]
- * from StartTime, never decreasing; Orientation (unit quaternion w, x, y, z, body to
- * world; body x right, y forward, z up), Velocity [m/s], LegIds. Between two samples
- * the position is the cubic polynomial of time through both positions with both
- * velocities (linear without Velocity), and the orientation rotates at a constant rate;
- * two samples at the same time are an instant turn. A single sample is a vertex and
- * holds at all times. The field data of the waypoints (CRS, GpsEpoch) is passed
- * through.
+ * Output: the trajectory (vtkPolyData), one polyline with the point arrays GpsTime [s] from
+ * StartTime, never decreasing; Orientation (unit quaternion w, x, y, z, body to world; body x
+ * right, y forward, z up), Velocity [m/s], LegIds. Between two samples the position is the cubic
+ * polynomial of time through both positions with both velocities (linear without Velocity), and the
+ * orientation rotates at a constant rate; two samples at the same time are an instant turn. A
+ * single sample is a vertex and holds at all times. The field data of the waypoints (CRS, GpsEpoch)
+ * is passed through.
  *
- * Errors: no waypoints, waypoints that are not finite, LegIds with more than
- * one component.
+ * Errors: no waypoints, waypoints that are not finite, LegIds with more than one component.
  *
  * To add one: subclass, implement Move().
  *
  * @sa
- * vtkHeliosStaticPlatform vtkHeliosLinearPathPlatform
- * vtkHeliosGroundVehiclePlatform vtkHeliosMulticopterPlatform
+ * vtkHeliosStaticPlatform vtkHeliosLinearPathPlatform vtkHeliosGroundVehiclePlatform
+ * vtkHeliosMulticopterPlatform
  */
 
 #ifndef vtkHeliosPlatform_h
@@ -92,10 +89,10 @@ protected:
   /// Returns a point array with one component, null if missing.
   static vtkDataArray* FindValues(vtkPolyData* waypoints, const char* name);
 
-  /// The leg that starts at a waypoint.
+  /// Returns the leg that starts at a waypoint.
   static int GetLegId(vtkPolyData* waypoints, vtkIdType waypoint);
 
-  /// The orientation of a level body whose y axis points along (x, y) of the world.
+  /// Computes the orientation of a level body whose y axis points along (x, y) of the world.
   static void HeadingToOrientation(double x, double y, double orientation[4]);
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -4,11 +4,11 @@
  * @class   vtkHeliosStaticPlatform
  * @brief   a static platform: a tripod
  *
- * Input: one waypoint. Output: one sample at that point, valid at all times:
- * level, its y axis at Heading, at rest.
+ * Input: one waypoint. Output: one sample at that point, valid at all times: level, its y axis at
+ * Heading, at rest.
  *
- * Errors: more than one waypoint (a survey has one scan position per leg), and
- * those of vtkHeliosPlatform.
+ * Errors: more than one waypoint (a survey has one scan position per leg), and the errors of
+ * vtkHeliosPlatform.
  *
  * @sa
  * vtkHeliosPlatform

@@ -64,15 +64,15 @@ public:
 
   bool AreIn(const vtkBoundingBox& box) const
   {
-    const std::array<double, 2> least = { box.GetMinPoint()[0], box.GetMinPoint()[1] };
-    const std::array<double, 2> most = { box.GetMaxPoint()[0], box.GetMaxPoint()[1] };
-    auto place = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), least);
-    while (place != this->Sorted.end() && !((*place)[1] >= least[1] && (*place)[1] <= most[1]) &&
-      (*place)[0] <= most[0])
+    const std::array<double, 2> minimum = { box.GetMinPoint()[0], box.GetMinPoint()[1] };
+    const std::array<double, 2> maximum = { box.GetMaxPoint()[0], box.GetMaxPoint()[1] };
+    auto place = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), minimum);
+    while (place != this->Sorted.end() &&
+      !((*place)[1] >= minimum[1] && (*place)[1] <= maximum[1]) && (*place)[0] <= maximum[0])
     {
       ++place;
     }
-    return place != this->Sorted.end() && (*place)[0] <= most[0];
+    return place != this->Sorted.end() && (*place)[0] <= maximum[0];
   }
 
   const std::vector<std::array<double, 2>>& Get() const { return this->Sorted; }
@@ -156,7 +156,7 @@ private:
   const Places& Near;
   vtkNew<vtkHeliosScene> Scene;
   vtkNew<vtkIntArray> PrototypeIds;
-  std::map<int, int> Numbers; ///< of meshes in Scene, by that in All
+  std::map<int, int> Numbers; ///< number of each mesh in Scene, by its number in All
 };
 
 /// Returns whether any triangle of a scene with instances has a ground material.
@@ -241,7 +241,7 @@ std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* ca
   return heights;
 }
 
-/// The first point whose x or y is not a number, or -1.
+/// Finds the first point whose x or y is not a number, or -1.
 vtkIdType FindPlaceNotFinite(vtkPolyData* points)
 {
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)

@@ -19,16 +19,16 @@ namespace helios
 {
 
 /**
- * The height of the highest surface at the x, y of each point, NaN without a surface; with
+ * Computes the height of the highest surface at the x, y of each point, NaN without a surface; with
  * groundOnly only of surfaces with a ground material, if the scene has any.
  */
 VTKHELIOSSCANNERRAYCASTING_EXPORT Status GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
 
-/// For each triangle of a scene whether its material is a ground; empty if none is.
+/// Finds, for each triangle of a scene, whether its material is a ground; empty if none is.
 VTKHELIOSSCANNERRAYCASTING_EXPORT std::vector<bool> FindGroundCells(vtkPolyData* scene);
 
-/// "point 3 at x 1, y 2"
+/// Returns "point 3 at x 1, y 2".
 std::string DescribePlace(vtkPolyData* points, vtkIdType index);
 
 } // namespace helios

@@ -51,7 +51,7 @@ public:
     const double y = p[1] - t[3];
     const double area = t[1] * t[5] - t[2] * t[4];
     const double middle[2] = { (t[5] * x - t[2] * y) / area - 1.0,
-      (t[1] * y - t[4] * x) / area - 1.0 }; // of the cell, from the middle of the first one
+      (t[1] * y - t[4] * x) / area - 1.0 }; // place of the cell, from the middle of the first one
     std::int64_t first[2], last[2];
     const std::int64_t count[2] = { this->Grid.Columns - 1, this->Grid.Rows - 1 };
     for (int i = 0; i < 2; ++i)
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  static constexpr double Slack = 0.5; ///< of pixels: exceeds the rounding of any geotransform
+  static constexpr double Slack = 0.5; ///< in pixels: exceeds the rounding of any geotransform
 
   static std::int64_t Clamp(double cell, std::int64_t count)
   {
@@ -79,7 +79,7 @@ private:
 
   const HeightGrid& Grid;
   const Similarity& Place;
-  double Reach[2]; ///< of a bounding box, in pixels
+  double Reach[2]; ///< half sides of a bounding box, in pixels
 };
 
 bool IsUpright(const Similarity& place)

@@ -199,7 +199,7 @@ bool TurbidGrid::MayMeet(
   const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const
 {
   const IndexRay ray = this->ToIndex(origin, direction);
-  double reach = 0.0; // of the corner farthest along the ray
+  double reach = 0.0; // reach of the corner farthest along the ray
   for (int axis = 0; axis < 3; ++axis)
   {
     reach += std::max(std::abs(ray.Origin[axis]), std::abs(this->Count[axis] - ray.Origin[axis])) /

@@ -41,7 +41,7 @@ struct TurbidHit
 class VTKHELIOSSCANNERRAYCASTING_EXPORT TurbidGrid
 {
 public:
-  /// For a spherical leaf angle distribution.
+  /// Projection of a spherical leaf angle distribution.
   static constexpr double SphericalProjection = 0.5;
 
   /// Reads an image and keeps its array alive.
@@ -49,8 +49,8 @@ public:
 
   vtkIdType GetNumberOfCells() const { return this->Pad->GetNumberOfValues(); }
 
-  /// G of a direction of any length: linear in its angle from the grid's z axis, symmetric about
-  /// the horizontal.
+  /// Returns G for a direction of any length: linear in its angle from the grid's z axis, symmetric
+  /// about the horizontal.
   double GetProjection(const Vec3& direction) const;
 
   /**
@@ -62,12 +62,13 @@ public:
   template <typename Visitor>
   void Traverse(const Vec3& origin, const Vec3& direction, double end, Visitor&& visit) const;
 
-  /// The point where a ray with a unit direction has passed an optical depth, at most to a range.
+  /// Finds the point where a ray with a unit direction has passed an optical depth, at most to a
+  /// range.
   TurbidHit FindDepth(const Vec3& origin, const Vec3& direction, double end, double depth) const;
 
   /**
-   * False if nothing within (t + apexOffset) tangent of a ray with a unit direction can hit the grid,
-   * t being the range along it.
+   * Returns false if nothing within (t + apexOffset) tangent of a ray with a unit direction can hit
+   * the grid, t being the range along the ray.
    */
   bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const;
 
@@ -85,7 +86,7 @@ private:
   Status CheckDensities() const;
 
   vtkSmartPointer<vtkDoubleArray> Pad;
-  double Count[3] = { 0.0, 0.0, 0.0 };           // of cells
+  double Count[3] = { 0.0, 0.0, 0.0 };           // number of cells
   vtkIdType Step[3] = { 1, 0, 0 };               // to the next cell
   Vec3 Corner{ 0.0, 0.0, 0.0 };                  // lowest
   Rotation ToCells;                              // from metres to cells

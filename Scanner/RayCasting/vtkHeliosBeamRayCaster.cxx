@@ -48,15 +48,15 @@ bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 
 bool vtkHeliosBeamRayCaster::BuildInstances(const helios::SceneGeometry& scene)
 {
-  vtkIdType most = std::max<vtkIdType>(
+  vtkIdType maximum = std::max<vtkIdType>(
     scene.GetMesh().GetNumberOfTriangles(), static_cast<vtkIdType>(scene.GetInstances().size()));
   for (const helios::Prototype& prototype : scene.GetPrototypes())
   {
-    most = std::max(most, prototype.GetMesh().GetNumberOfTriangles());
+    maximum = std::max(maximum, prototype.GetMesh().GetNumberOfTriangles());
   }
-  if (most > helios::BeamTree::MaximumTriangles)
+  if (maximum > helios::BeamTree::MaximumTriangles)
   {
-    vtkErrorMacro(<< "Build: the mesh or a prototype of the scene has " << most
+    vtkErrorMacro(<< "Build: the mesh or a prototype of the scene has " << maximum
                   << " triangles, or there are as many instances, and the ray caster \"beam\" "
                   << "supports at most " << helios::BeamTree::MaximumTriangles
                   << "; use a part of the scene.");

@@ -129,7 +129,7 @@ private:
   helios::SceneTree SceneTree;
 };
 
-/// "sample 3 at x 1, y 2, z 3 with 4 m"
+/// Returns "sample 3 at x 1, y 2, z 3 with 4 m".
 std::string Describe(vtkPolyData* path, vtkDoubleArray* clearances, vtkIdType sample)
 {
   double p[3];

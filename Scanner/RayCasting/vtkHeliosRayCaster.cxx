@@ -28,9 +28,9 @@ struct vtkHeliosRayCaster::Internals
   helios::StopCheck Check{ nullptr };
   std::unique_ptr<helios::ConeProbe> Probe;
   vtkWeakPointer<vtkPolyData> Scene;
-  vtkPoints* Points = nullptr;      ///< of the scene, which holds it
-  vtkCellArray* Polys = nullptr;    ///< of the scene, which holds it
-  vtkPolyData* Instances = nullptr; ///< of the scene, which holds it
+  vtkPoints* Points = nullptr;      ///< points of the scene, which holds them
+  vtkCellArray* Polys = nullptr;    ///< triangles of the scene, which holds them
+  vtkPolyData* Instances = nullptr; ///< instances of the scene, which holds them
   helios::TriangleMesh Flat;        ///< copies of instances, if there are any
   vtkMTimeType Time = 0;
 
@@ -80,7 +80,7 @@ private:
     return whole ? whole->GetInstances() : nullptr;
   }
 
-  /// Returns whether the instances and their prototypes are those of a scene.
+  /// Returns whether the instances and their prototypes are the scene's.
   bool HasInstancesOf(vtkPolyData* scene) const
   {
     if (GetInstances(scene) != this->Instances)

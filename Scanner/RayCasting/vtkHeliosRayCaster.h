@@ -49,25 +49,26 @@ public:
   bool Build(vtkPolyData* scene);
 
   /**
-   * The first hit of each of count rays; those adjacent in the array are traced together.
+   * Finds the first hit of each of count rays; adjacent rays in the array are traced together.
    */
   virtual void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const = 0;
 
   /**
-   * The first hits of beams, each of n nearby rays: byte-identical to Intersect(), but faster.
+   * Finds the first hits of beams, each of n nearby rays: byte-identical to Intersect(), but
+   * faster.
    */
   virtual void IntersectBeams(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
 
   /**
-   * For each of count rays whether anything lies in (0, MaximumRange].
+   * Finds, for each of count rays, whether anything lies in (0, MaximumRange].
    */
   virtual void Occluded(
     const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const = 0;
 
   /**
-   * The first hits of rays given as arrays of 3 components, for Python: fills ranges [units of the
-   * direction's length] and cellIds; of a miss infinite and -1. False after an error.
+   * Finds the first hits of rays given as arrays of 3 components, for Python: fills ranges [units
+   * of the direction's length] and cellIds; of a miss infinite and -1. False after an error.
    */
   bool Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions, vtkDoubleArray* ranges,
     vtkIdTypeArray* cellIds);
@@ -82,8 +83,8 @@ public:
   ///@}
 
   /**
-   * The size of all that was built for a scene in bytes: accelerator, cone probe, copies of points
-   * and corners.
+   * Returns the size of all that was built for a scene in bytes: accelerator, cone probe, copies of
+   * points and corners.
    */
   std::size_t GetMemorySize() const;
 
@@ -92,8 +93,9 @@ public:
   /// thread. Null without a scene, after an abort request, for too many triangles.
   const helios::ConeProbe* GetConeProbe();
 
-  /// Polled about ten times/s by Build() and GetConeProbe() (vtkHeliosObbTreeRayCaster: at the
-  /// start), in the calling thread. If it returns true, they stop, Build() with an error.
+  /// Sets a function that runs about ten times/s in Build() and GetConeProbe()
+  /// (vtkHeliosObbTreeRayCaster: at the start), in the calling thread. If it returns true, they
+  /// stop, Build() with an error.
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
   /// Returns the triangles of the built scene.
@@ -110,14 +112,15 @@ protected:
   /// Builds the accelerator of the mesh; false after an error.
   virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
 
-  /// The same for a scene with instances; the default makes one mesh of them.
+  /// Builds over a scene with instances; the default makes one mesh of them.
   virtual bool BuildInstances(const helios::SceneGeometry& scene);
 
 #ifndef __VTK_WRAP__
   /// Makes the cone probe of the built scene; the default has a tree of its own.
   virtual std::unique_ptr<helios::ConeProbe> MakeConeProbe();
 
-  /// To be called while an accelerator is built: it throws out of BuildAccelerator().
+  /// Returns the check to be called while an accelerator is built: it throws out of
+  /// BuildAccelerator().
   helios::StopCheck& GetStopCheck();
 #endif
 

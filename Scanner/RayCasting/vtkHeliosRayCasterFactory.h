@@ -32,9 +32,9 @@ public:
 
   ///@{
   /**
-   * The names of the backends in this process, the default one first: "beam",
-   * "embree", "bvh", "cgal", "obbtree" if all are built. Valid range of an index:
-   * [0, number - 1]; null outside.
+   * Return the names of the backends in this process, the default one first: "beam", "embree",
+   * "bvh", "cgal", "obbtree" if all are built. Valid range of an index: [0, number - 1]; null
+   * outside.
    */
   static int GetNumberOfBackends();
   static const char* GetBackendName(int index);

@@ -27,7 +27,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double MostWaypoints = 1e7;
+constexpr double MaximumWaypoints = 1e7;
 
 /// Returns the distance from a point to the next in x, y.
 double GetDistance(vtkPolyData* waypoints, vtkIdType i)
@@ -38,7 +38,7 @@ double GetDistance(vtkPolyData* waypoints, vtkIdType i)
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/// The ids of the legs, from the input or consecutive.
+/// Adds the ids of the legs, from the input or consecutive.
 void AddLegIds(vtkPointData* data, vtkIdType count)
 {
   if (!data->HasArray(names::LegIds))
@@ -121,10 +121,10 @@ bool vtkHeliosTerrainFollow::Insert(vtkPolyData* waypoints, vtkPolyData* output)
     pieces[static_cast<std::size_t>(i)] = std::max(1.0, needed);
     sum += pieces[static_cast<std::size_t>(i)];
   }
-  if (sum > MostWaypoints)
+  if (sum > MaximumWaypoints)
   {
     vtkErrorMacro(<< "Spacing " << this->Spacing << " m results in " << sum
-                  << " waypoints; give one that results in fewer than " << MostWaypoints << ".");
+                  << " waypoints; give one that results in fewer than " << MaximumWaypoints << ".");
     return false;
   }
 

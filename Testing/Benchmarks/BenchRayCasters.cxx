@@ -156,11 +156,11 @@ bool RunSet(
 bool IsTrue(const helios::TriangleMesh& mesh, const vtkHeliosConeHit& cone, double tolerance,
   const vtkHeliosRay* rays, const vtkHeliosHit* hits)
 {
-  bool isTrue = cone.Kind != vtkHeliosConeHit::OnePlane ||
+  bool isTrue = cone.Kind != vtkHeliosConeHit::PlanarFootprint ||
     (hits[0].CellId == cone.CellId && hits[0].Range == cone.Range);
-  for (int i = 0; i < 19 && cone.Kind != vtkHeliosConeHit::Mixed; ++i)
+  for (int i = 0; i < 19 && cone.Kind != vtkHeliosConeHit::Unresolved; ++i)
   {
-    isTrue = isTrue && (hits[i].CellId >= 0) == (cone.Kind == vtkHeliosConeHit::OnePlane);
+    isTrue = isTrue && (hits[i].CellId >= 0) == (cone.Kind == vtkHeliosConeHit::PlanarFootprint);
     isTrue = isTrue &&
       (hits[i].CellId < 0 ||
         std::abs(Refine(mesh, rays[i], cone.CellId) - hits[i].Range) <= 1.001 * tolerance + 1e-9);
@@ -198,7 +198,7 @@ bool RunProbe(vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
   }
   std::printf("          ConeProbe %.2f M/s: %.1f %% empty, %.1f %% planar to %g mm, %zu wrong\n",
     GetMedian(rates), 100 * counts[vtkHeliosConeHit::Empty] / number,
-    100 * counts[vtkHeliosConeHit::OnePlane] / number, 1e3 * tolerance, wrong);
+    100 * counts[vtkHeliosConeHit::PlanarFootprint] / number, 1e3 * tolerance, wrong);
   return wrong == 0;
 }
 

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr std::size_t MaximumLegend = 16;
-constexpr int MostTicks = 6;
+constexpr int MaximumTicks = 6;
 
 // 1, 2, 3, 4, 5 and more returns
 constexpr Rgb ReturnColors[] = { { 128, 128, 128 }, { 222, 184, 98 }, { 88, 172, 110 },
@@ -223,8 +223,9 @@ Legend CloudColors::MakeLegend(const Cloud& cloud, const std::vector<double>& va
 void CloudColors::AddTicks(const Cloud& cloud, Legend& legend) const
 {
   const std::string unit = this->GetUnit(cloud);
-  const Ticks ticks = this->IsLogarithmic() ? MakeLogTicks(this->Low, this->High, MostTicks, unit)
-                                            : MakeTicks(this->Low, this->High, MostTicks, unit);
+  const Ticks ticks = this->IsLogarithmic()
+    ? MakeLogTicks(this->Low, this->High, MaximumTicks, unit)
+    : MakeTicks(this->Low, this->High, MaximumTicks, unit);
   legend.Title += ticks.Unit.empty() ? "" : " [" + ticks.Unit + "]";
   legend.Colors.assign(this->Colors.begin(), this->Colors.end());
   for (const Tick& tick : ticks.List)

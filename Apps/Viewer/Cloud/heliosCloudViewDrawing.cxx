@@ -245,7 +245,7 @@ void CloudView::UpdatePass()
 //------------------------------------------------------------------------------
 void CloudView::ReportFrame(double seconds)
 {
-  constexpr std::size_t fewest = 20000;
+  constexpr std::size_t minimum = 20000;
   if (!this->Interacting)
   {
     return;
@@ -257,7 +257,7 @@ void CloudView::ReportFrame(double seconds)
     this->UpdatePass();
   }
   else if (seconds > 0.08 &&
-    (this->SampleRows.size() >> 1) / (mask / (this->SampleMask + 1) + 1) >= fewest)
+    (this->SampleRows.size() >> 1) / (mask / (this->SampleMask + 1) + 1) >= minimum)
   {
     this->MovingMask = 2 * mask + 1;
     this->Refresh();

@@ -24,8 +24,8 @@ namespace
 {
 
 constexpr std::size_t LongestQueue = 8;
-constexpr vtkIdType FewestPulses = 1024; // of a block
-constexpr vtkIdType MostPulses = 262144;
+constexpr vtkIdType MinimumPulses = 1024; // of a block
+constexpr vtkIdType MaximumPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
 constexpr double SamplesPerLeg = 2000.0; // of the trajectory
 
@@ -84,7 +84,7 @@ const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
 //------------------------------------------------------------------------------
 Simulation::Simulation(vtkHeliosSurvey* survey)
   : Survey(survey)
-  , PulsesPerBlock(16 * FewestPulses)
+  , PulsesPerBlock(16 * MinimumPulses)
   , Target(-std::numeric_limits<double>::infinity())
 {
   this->Source->SetSurvey(survey);
@@ -356,7 +356,7 @@ bool Simulation::RunBlock()
   {
     const double factor = std::clamp(SecondsPerBlock / seconds.count(), 0.5, 2.0);
     const auto pulses = static_cast<vtkIdType>(factor * static_cast<double>(this->PulsesPerBlock));
-    this->PulsesPerBlock = std::clamp(pulses, FewestPulses, MostPulses);
+    this->PulsesPerBlock = std::clamp(pulses, MinimumPulses, MaximumPulses);
   }
   this->NextPulse = end;
   const bool isLast = end == this->NumberOfPulses;

@@ -85,7 +85,7 @@ double RoundDown(double value)
 }
 
 //------------------------------------------------------------------------------
-Ticks MakeTicks(double low, double high, int most, const std::string& unit)
+Ticks MakeTicks(double low, double high, int maximum, const std::string& unit)
 {
   Ticks ticks;
   const Prefix prefix = FindPrefix(std::max(std::abs(low), std::abs(high)), unit);
@@ -95,12 +95,12 @@ Ticks MakeTicks(double low, double high, int most, const std::string& unit)
     return ticks;
   }
   // The next steps follow if rounding at the ends gives one tick too many.
-  for (double step = RoundUp((high - low) / std::max(1, most));; step = RoundUp(1.01 * step))
+  for (double step = RoundUp((high - low) / std::max(1, maximum));; step = RoundUp(1.01 * step))
   {
     const double tolerance = 1e-6 * step;
     const double first = std::ceil((low - tolerance) / step);
     const double last = std::floor((high + tolerance) / step);
-    if (last - first + 1.0 > std::max(2, most))
+    if (last - first + 1.0 > std::max(2, maximum))
     {
       continue;
     }
@@ -114,11 +114,11 @@ Ticks MakeTicks(double low, double high, int most, const std::string& unit)
 }
 
 //------------------------------------------------------------------------------
-Ticks MakeLogTicks(double low, double high, int most, const std::string& unit)
+Ticks MakeLogTicks(double low, double high, int maximum, const std::string& unit)
 {
   if (!IsRange(low, high) || !(low > 0.0) || high < 10.0 * low)
   {
-    Ticks ticks = MakeTicks(low, high, most, unit);
+    Ticks ticks = MakeTicks(low, high, maximum, unit);
     for (Tick& tick : ticks.List)
     {
       tick.Text += ticks.Unit.empty() ? "" : " " + ticks.Unit;
@@ -130,8 +130,9 @@ Ticks MakeLogTicks(double low, double high, int most, const std::string& unit)
   const int first = FindExponent(low);
   const int last = FindExponent(high);
   const double decades = std::log10(high / low);
-  const bool hasMore = 3.0 * decades <= most;
-  const int stride = std::max(1, static_cast<int>(std::ceil((decades + 1.0) / std::max(2, most))));
+  const bool hasMore = 3.0 * decades <= maximum;
+  const int stride =
+    std::max(1, static_cast<int>(std::ceil((decades + 1.0) / std::max(2, maximum))));
   for (int exponent = first; exponent <= last; exponent += stride)
   {
     for (const double digit : { 1.0, 2.0, 5.0 })

@@ -28,13 +28,13 @@ struct Ticks
  * W, J and Hz) that fits the larger end; all texts have the same decimals.
  * most: the largest number of ticks, at least 2. An empty or infinite range has no ticks.
  */
-Ticks MakeTicks(double low, double high, int most, const std::string& unit);
+Ticks MakeTicks(double low, double high, int maximum, const std::string& unit);
 
 /**
  * Ticks of a logarithmic range, 0 < low < high: powers of ten, with 2 and 5 times them where they
  * fit; linear ones below a ratio of 10. Texts have their unit: "200 nW", "1 uW" with the Greek mu.
  */
-Ticks MakeLogTicks(double low, double high, int most, const std::string& unit);
+Ticks MakeLogTicks(double low, double high, int maximum, const std::string& unit);
 
 /// Returns a value in a suitable unit with three significant digits: "12.3 nW"; 0 is "0 W".
 std::string DescribeValue(double value, const std::string& unit);

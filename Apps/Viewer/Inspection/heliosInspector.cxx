@@ -26,8 +26,8 @@ namespace
 {
 
 constexpr double PickPixels = 6.0;
-constexpr vtkIdType MostPulses = 4096; // of a line when re-run
-constexpr vtkIdType MostWaveforms = 256;
+constexpr vtkIdType MaximumPulses = 4096; // of a line when re-run
+constexpr vtkIdType MaximumWaveforms = 256;
 constexpr vtkIdType UsualLine = 1000; // pulses, if the scan has no lines or is unknown
 constexpr double WaveShare = 0.35;    // waveform height, of its length
 constexpr double LineShare = 0.015;   // waveform height in a line, of its range
@@ -292,7 +292,7 @@ void Inspector::ShowLine()
     this->Owner.ShowMessage("no waveforms: there is no echo with a pulse number yet");
     return;
   }
-  const vtkIdType line = std::min(this->FindLineLength(echo.Leg), MostPulses);
+  const vtkIdType line = std::min(this->FindLineLength(echo.Leg), MaximumPulses);
   const vtkIdType last = this->Row >= 0 ? echo.PulseId + line / 2 : echo.PulseId + 1;
   this->LineRecord = this->Find(echo.Leg, std::max<vtkIdType>(0, last - line), last, false);
   if (!this->LineRecord.valid())
@@ -353,7 +353,7 @@ void Inspector::ReceiveLine()
   if (status.IsOk() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
   {
     const vtkIdType count = record.Waveform->GetNumberOfRows();
-    const vtkIdType nth = (count + MostWaveforms - 1) / MostWaveforms;
+    const vtkIdType nth = (count + MaximumWaveforms - 1) / MaximumWaveforms;
     const Cloud& cloud = this->Owner.GetCloud();
     const Echo echo = cloud.GetEcho(this->Row >= 0 ? this->Row : cloud.GetNumberOfPoints() - 1);
     const double range = std::isnan(echo.Range) ? 100.0 : echo.Range;

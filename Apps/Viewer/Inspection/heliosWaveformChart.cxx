@@ -187,10 +187,10 @@ void WaveformChart::SetRanges(const PulseReading& reading)
 //------------------------------------------------------------------------------
 /// Ticks at round values, and a title with their unit.
 void WaveformChart::SetUpAxis(
-  int axis, const std::string& quantity, const std::string& unit, int most)
+  int axis, const std::string& quantity, const std::string& unit, int maximum)
 {
   vtkAxis* drawn = this->Chart->GetAxis(axis);
-  const Ticks ticks = MakeTicks(drawn->GetMinimum(), drawn->GetMaximum(), most, unit);
+  const Ticks ticks = MakeTicks(drawn->GetMinimum(), drawn->GetMaximum(), maximum, unit);
   vtkNew<vtkDoubleArray> values;
   vtkNew<vtkStringArray> texts;
   for (const Tick& tick : ticks.List)

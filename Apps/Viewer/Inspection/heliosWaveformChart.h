@@ -66,7 +66,7 @@ private:
   void AddPulse(const PulseReading& reading);
   void AddEchoes(const PulseReading& reading, int returnNumber);
   void AddTimes();
-  void SetUpAxis(int axis, const std::string& quantity, const std::string& unit, int most);
+  void SetUpAxis(int axis, const std::string& quantity, const std::string& unit, int maximum);
   void SetColors();
 
   vtkRenderer* Renderer;

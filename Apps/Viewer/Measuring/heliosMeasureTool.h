@@ -5,7 +5,7 @@
 #ifndef heliosMeasureTool_h
 #define heliosMeasureTool_h
 
-#include "heliosMarkLine.h"
+#include "heliosMeasurementLine.h"
 #include "heliosViewerTool.h"
 
 #include <string>
@@ -35,7 +35,7 @@ private:
   void Show();
 
   Viewer& Owner;
-  MarkLine Line;
+  MeasurementLine Line;
   std::vector<Vec3> Points; ///< world [m]
   bool IsOn = false;
 };

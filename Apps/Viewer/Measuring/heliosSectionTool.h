@@ -5,7 +5,7 @@
 #ifndef heliosSectionTool_h
 #define heliosSectionTool_h
 
-#include "heliosMarkLine.h"
+#include "heliosMeasurementLine.h"
 #include "heliosSlab.h"
 #include "heliosViewerTool.h"
 
@@ -42,7 +42,7 @@ private:
   void ViewAcross();
 
   Viewer& Owner;
-  MarkLine Line;
+  MeasurementLine Line;
   std::vector<Vec3> Ends; ///< world [m]
   std::optional<Slab> Shown;
   double Thickness = 0.0; ///< [m]

@@ -10,13 +10,13 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int LeastChart = 140; // height and width of a legible chart [pixels]
+constexpr int MinimumChart = 140; // height and width of a legible chart [pixels]
 
 /// The part of a length that is free; 0 if it is less than the minimum.
-int Fit(int wanted, int room, int least)
+int Fit(int wanted, int room, int minimum)
 {
   const int length = std::min(wanted, room);
-  return length >= std::min(wanted, least) ? length : 0;
+  return length >= std::min(wanted, minimum) ? length : 0;
 }
 
 } // namespace
@@ -129,8 +129,8 @@ void Layout::PlaceChart(const Rect& area, int bottom)
   const int left = editor.IsEmpty() ? area.X : editor.Right() + this->Gap;
   const int right = area.Right() - (this->RightColumn > 0 ? this->RightColumn + this->Gap : 0);
   const int top = status.IsEmpty() ? area.Top() : status.Y - this->Gap;
-  const int width = Fit(chart.Width, right - left, LeastChart);
-  const int height = Fit(chart.Height, top - bottom, LeastChart);
+  const int width = Fit(chart.Width, right - left, MinimumChart);
+  const int height = Fit(chart.Height, top - bottom, MinimumChart);
   this->Set(PanelId::Chart, { left, bottom, width, height });
 }
 

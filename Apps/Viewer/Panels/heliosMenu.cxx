@@ -107,13 +107,13 @@ void MenuList::Paint(Painter& painter, const Rect& rect) const
 std::vector<std::vector<HelpPage::Line>> HelpPage::MakeColumns(int lines) const
 {
   std::vector<std::vector<Line>> columns(1);
-  const auto most = static_cast<std::size_t>(std::max(3, lines));
+  const auto maximum = static_cast<std::size_t>(std::max(3, lines));
   for (const Menu& menu : this->Menus)
   {
     bool isFirst = true;
     for (const MenuItem& item : menu.Items)
     {
-      if (columns.back().size() + (isFirst ? 3 : 1) > most)
+      if (columns.back().size() + (isFirst ? 3 : 1) > maximum)
       {
         columns.emplace_back();
       }
@@ -163,8 +163,8 @@ bool HelpPage::Fits(const Rect& rect, int textSize) const
 //------------------------------------------------------------------------------
 int HelpPage::FindTextSize(const Rect& rect, int textSize) const
 {
-  constexpr int least = 6;
-  while (textSize > least && !this->Fits(rect, textSize))
+  constexpr int minimum = 6;
+  while (textSize > minimum && !this->Fits(rect, textSize))
   {
     --textSize;
   }

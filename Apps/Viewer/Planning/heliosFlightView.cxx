@@ -28,9 +28,9 @@ namespace flight = vtkHeliosFlightArrayNames;
 namespace
 {
 
-constexpr double Lift = 0.3;         // [m], of cells above the ground at their centres
-constexpr double Quantile = 0.995;   // of the densities: the highest colour
-constexpr vtkIdType MostLabels = 60; // more would cover each other
+constexpr double Lift = 0.3;            // [m], of cells above the ground at their centres
+constexpr double Quantile = 0.995;      // of the densities: the highest colour
+constexpr vtkIdType MaximumLabels = 60; // more would cover each other
 constexpr Rgb GapColor = { 235, 60, 55 };
 
 /// Returns the densities of all cells, sorted.
@@ -109,7 +109,7 @@ void FlightView::AddLines(vtkPolyData* waypoints)
     if (line != last)
     {
       last = line;
-      this->NumberOfLines < MostLabels
+      this->NumberOfLines < MaximumLabels
         ? this->AddLabel(std::to_string(static_cast<int>(line)), place)
         : void();
       ++this->NumberOfLines;

@@ -15,7 +15,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int FewestDivisions = 2;
+constexpr int MinimumDivisions = 2;
 
 } // namespace
 
@@ -31,7 +31,7 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType most, double divisions)
+vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType maximum, double divisions)
 {
   double size[3];
   vtkNew<vtkQuadricClustering> clustering;
@@ -48,10 +48,10 @@ vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType most, doubl
     int counts[3];
     std::transform(size, size + 3, counts,
       [&](double side)
-      { return std::max(FewestDivisions, static_cast<int>(divisions * side / longest)); });
+      { return std::max(MinimumDivisions, static_cast<int>(divisions * side / longest)); });
     clustering->SetNumberOfDivisions(counts);
     clustering->Update();
-    if (clustering->GetOutput()->GetNumberOfCells() <= most || divisions < FewestDivisions)
+    if (clustering->GetOutput()->GetNumberOfCells() <= maximum || divisions < MinimumDivisions)
     {
       return clustering->GetOutput();
     }

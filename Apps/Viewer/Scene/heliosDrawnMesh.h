@@ -19,7 +19,7 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh);
 
 /// Returns the triangles with corners merged in cubes so large that at most this many triangles
 /// remain; divisions: the first number of cubes along the longest side.
-vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType most, double divisions);
+vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh, vtkIdType maximum, double divisions);
 
 } // namespace helios::viewer
 

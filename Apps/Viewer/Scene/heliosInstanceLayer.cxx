@@ -40,7 +40,7 @@ constexpr const char* SourceName = "Source";
 /// Of the triangles that fill the pixels of a sphere, and how much fewer in the next trial.
 constexpr double FirstDensity = 1.0;
 constexpr double NextDensity = 0.5;
-constexpr int MostTrials = 12;
+constexpr int MaximumTrials = 12;
 
 /// Returns the triangles of each material of a mesh.
 std::map<int, std::vector<vtkTypeInt32>> SortByMaterial(vtkDataSet* data, vtkIdType count)
@@ -307,7 +307,7 @@ void InstanceLayer::SetInteracting(bool on)
 /// Before each frame: chooses the levels of detail if the view has changed.
 void InstanceLayer::ShowVisible()
 {
-  const vtkIdType most = this->Interacting ? MostWhileMoving : MostWhenStill;
+  const vtkIdType maximum = this->Interacting ? MaximumWhileMoving : MaximumWhenStill;
   const vtkMTimeType time = this->Renderer->GetActiveCamera()->GetMTime();
   const int height = this->Renderer->GetSize()[1];
   if (!this->Visible || (!this->IsDirty && time == this->ViewTime && height == this->ViewHeight))
@@ -318,7 +318,7 @@ void InstanceLayer::ShowVisible()
   this->ViewTime = time;
   this->ViewHeight = height;
   const std::vector<int> before = this->Chosen;
-  const bool isAll = this->NumberOfTriangles <= most;
+  const bool isAll = this->NumberOfTriangles <= maximum;
   if (isAll)
   {
     this->Chosen.assign(this->Glyphs.size(), 0);
@@ -329,12 +329,12 @@ void InstanceLayer::ShowVisible()
     const View view(this->Renderer);
     double density = FirstDensity;
     this->NumberDrawn = this->ChooseLevels(view, density);
-    for (int trial = 1; trial<MostTrials&& this->NumberDrawn> most; ++trial)
+    for (int trial = 1; trial<MaximumTrials&& this->NumberDrawn> maximum; ++trial)
     {
       density *= NextDensity;
       this->NumberDrawn = this->ChooseLevels(view, density);
     }
-    this->Hide(most);
+    this->Hide(maximum);
   }
   if (this->Chosen != before)
   {
@@ -368,9 +368,9 @@ vtkIdType InstanceLayer::ChooseLevels(const View& view, double density)
 
 //------------------------------------------------------------------------------
 /// Leaves out glyphs, evenly, until few enough triangles remain.
-void InstanceLayer::Hide(vtkIdType most)
+void InstanceLayer::Hide(vtkIdType maximum)
 {
-  const double share = static_cast<double>(most) / static_cast<double>(this->NumberDrawn);
+  const double share = static_cast<double>(maximum) / static_cast<double>(this->NumberDrawn);
   double kept = 0.0;
   for (std::size_t i = 0; share < 1.0 && i < this->Glyphs.size(); ++i)
   {

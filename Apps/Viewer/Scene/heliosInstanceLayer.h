@@ -51,8 +51,8 @@ public:
 
   ///@{
   /// Maximum number of triangles drawn: when still, and while the camera moves.
-  static constexpr vtkIdType MostWhenStill = 10000000;
-  static constexpr vtkIdType MostWhileMoving = 200000;
+  static constexpr vtkIdType MaximumWhenStill = 10000000;
+  static constexpr vtkIdType MaximumWhileMoving = 200000;
   ///@}
 
   /// Sets the instances of a scene (null: none). Its geometry must outlive this.
@@ -98,7 +98,7 @@ private:
   void AddGlyphs();
   void ShowVisible();
   vtkIdType ChooseLevels(const View& view, double density);
-  void Hide(vtkIdType most);
+  void Hide(vtkIdType maximum);
   void SetSources();
 
   vtkRenderer* Renderer;

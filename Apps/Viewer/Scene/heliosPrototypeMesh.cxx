@@ -28,7 +28,7 @@ namespace
 
 constexpr vtkIdType TriangleRatio = 6; // of the triangles of a level and of the next
 constexpr vtkIdType RasterRatio = 4;
-constexpr double MostDivisions = 128.0; // of coarse levels: a cube takes 80 bytes
+constexpr double MaximumDivisions = 128.0; // of coarse levels: a cube takes 80 bytes
 
 /// Some triangles of a mesh, with the points that they use, as floats relative to a centre.
 vtkSmartPointer<vtkPolyData> MakeLocal(
@@ -103,7 +103,7 @@ PrototypeMesh::PrototypeMesh(vtkIdType count, vtkIdType ratio, const Vec3& centr
   : Centre(centre)
 {
   this->Counts.push_back(count);
-  while (this->Counts.back() > Fewest)
+  while (this->Counts.back() > MinimumTriangles)
   {
     this->Counts.push_back(this->Counts.back() / ratio);
   }
@@ -151,8 +151,9 @@ vtkSmartPointer<vtkPolyData> PrototypeTriangles::MakeLevel(int level)
   const bool isAll = level == 1 && !this->HasLevel(0);
   vtkSmartPointer<vtkPolyData> finer = isAll ? this->MakeAll() : nullptr;
   finer = isAll ? finer.Get() : this->GetLevel(level - 1);
-  const vtkIdType most = this->GetCount(level);
-  return MakeCoarse(finer, most, std::min(MostDivisions, std::sqrt(static_cast<double>(most))));
+  const vtkIdType maximum = this->GetCount(level);
+  return MakeCoarse(
+    finer, maximum, std::min(MaximumDivisions, std::sqrt(static_cast<double>(maximum))));
 }
 
 //------------------------------------------------------------------------------

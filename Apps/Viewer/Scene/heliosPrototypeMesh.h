@@ -30,7 +30,7 @@ namespace helios::viewer
 class PrototypeMesh
 {
 public:
-  static constexpr vtkIdType Fewest = 16; ///< triangles of the last level, about
+  static constexpr vtkIdType MinimumTriangles = 16; ///< triangles of the last level, about
 
   virtual ~PrototypeMesh() = default;
   PrototypeMesh(const PrototypeMesh&) = delete;

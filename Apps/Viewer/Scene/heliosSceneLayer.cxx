@@ -172,10 +172,10 @@ void SceneLayer::DropCoarse()
 void SceneLayer::ShowWhatIsDue()
 {
   const bool isCoarse = this->Visible && this->Interacting && this->Drawn &&
-    this->Drawn->GetNumberOfCells() > MostWhileMoving;
+    this->Drawn->GetNumberOfCells() > MaximumWhileMoving;
   if (isCoarse && !this->Coarse)
   {
-    this->Coarse = MakeCoarse(this->Drawn, MostWhileMoving, Divisions);
+    this->Coarse = MakeCoarse(this->Drawn, MaximumWhileMoving, Divisions);
     this->CoarseMapper->SetInputData(this->Coarse);
   }
   this->Actor->SetVisibility(this->Visible && !isCoarse);

@@ -58,7 +58,7 @@ public:
   bool IsVisible() const { return this->Visible; }
 
   /// Maximum number of triangles drawn while the camera moves.
-  static constexpr vtkIdType MostWhileMoving = 200000;
+  static constexpr vtkIdType MaximumWhileMoving = 200000;
 
   /// Larger meshes are drawn coarsely while the camera moves. Default: off.
   void SetInteracting(bool on);

@@ -191,8 +191,8 @@ vtkIdType SceneView::GetNumberOfBoxes() const
 //------------------------------------------------------------------------------
 void SceneView::DrawBoxes()
 {
-  this->BoxSets[0] = MakeTurbidBoxes(this->Grids, MostBoxes, this->Origin);
-  this->BoxSets[1] = MakeTurbidBoxes(this->Grids, MostMovingBoxes, this->Origin);
+  this->BoxSets[0] = MakeTurbidBoxes(this->Grids, MaximumBoxes, this->Origin);
+  this->BoxSets[1] = MakeTurbidBoxes(this->Grids, MaximumMovingBoxes, this->Origin);
   this->BoxMapper->SetInputData(this->BoxSets[this->Interacting ? 1 : 0]);
 }
 

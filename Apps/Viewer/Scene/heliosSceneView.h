@@ -95,8 +95,8 @@ public:
 
   ///@{
   /// Maximum, over all grids: when still, and while the camera moves.
-  static constexpr vtkIdType MostBoxes = 20000;
-  static constexpr vtkIdType MostMovingBoxes = 2000;
+  static constexpr vtkIdType MaximumBoxes = 20000;
+  static constexpr vtkIdType MaximumMovingBoxes = 2000;
   ///@}
 
   /// While the camera moves, draws fewer and larger boxes, and large triangles for small ones in

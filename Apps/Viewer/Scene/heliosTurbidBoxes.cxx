@@ -31,7 +31,7 @@ namespace
 
 constexpr double SmallestEdge = 0.2; // of its cell
 constexpr vtkIdType Corners = 8;
-constexpr double MostSums = 2e6; // approximate: blocks of an almost empty grid
+constexpr double MaximumSums = 2e6; // approximate: blocks of an almost empty grid
 
 // Corners of the faces, counter-clockwise from outside; corner 1 is along x, 2 y, 4 z.
 constexpr double Shades[6] = { 0.75, 0.8, 0.85, 0.9, 0.6,
@@ -69,7 +69,7 @@ public:
   vtkIdType Gather(int edge);
 
   /// Enlarges the blocks until at most a number of them are filled.
-  void Fit(vtkIdType most);
+  void Fit(vtkIdType maximum);
 
   void MakeBoxes(const std::vector<Rgb>& colors, const Vec3& origin, vtkPolyData* boxes) const;
 
@@ -132,12 +132,12 @@ vtkIdType Blocks::Gather(int edge)
 }
 
 //------------------------------------------------------------------------------
-void Blocks::Fit(vtkIdType most)
+void Blocks::Fit(vtkIdType maximum)
 {
-  const double filled = static_cast<double>(this->CountCells()) / static_cast<double>(most);
-  const double all = static_cast<double>(this->Densities->GetNumberOfTuples()) / MostSums;
+  const double filled = static_cast<double>(this->CountCells()) / static_cast<double>(maximum);
+  const double all = static_cast<double>(this->Densities->GetNumberOfTuples()) / MaximumSums;
   int edge = std::max(1, static_cast<int>(std::cbrt(std::max(filled, all))));
-  while (this->Gather(edge) > most)
+  while (this->Gather(edge) > maximum)
   {
     ++edge;
   }
@@ -252,14 +252,15 @@ std::vector<Rgb> GetColors(vtkImageData* grid)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(vtkImageData* grid, vtkIdType most, const Vec3& origin)
+vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
+  vtkImageData* grid, vtkIdType maximum, const Vec3& origin)
 {
   auto boxes = vtkSmartPointer<vtkPolyData>::New();
   vtkDataArray* densities = grid->GetCellData()->GetArray(names::PAD);
   if (densities && densities->GetNumberOfTuples() == grid->GetNumberOfCells())
   {
     Blocks blocks(grid, densities);
-    blocks.Fit(std::max<vtkIdType>(1, most));
+    blocks.Fit(std::max<vtkIdType>(1, maximum));
     blocks.MakeBoxes(GetColors(grid), origin, boxes);
   }
   return boxes;
@@ -267,7 +268,7 @@ vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(vtkImageData* grid, vtkIdType most,
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
-  const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkIdType most, const Vec3& origin)
+  const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkIdType maximum, const Vec3& origin)
 {
   double cells = 0.0;
   for (vtkImageData* grid : grids)
@@ -279,7 +280,7 @@ vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
   {
     const double share = static_cast<double>(grid->GetNumberOfCells()) / cells;
     all->AddInputData(
-      MakeTurbidBoxes(grid, static_cast<vtkIdType>(share * static_cast<double>(most)), origin));
+      MakeTurbidBoxes(grid, static_cast<vtkIdType>(share * static_cast<double>(maximum)), origin));
   }
   grids.empty() ? void() : all->Update();
   return all->GetOutput();

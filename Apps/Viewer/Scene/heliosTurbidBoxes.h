@@ -26,11 +26,11 @@ namespace helios::viewer
  * from above. Coordinates are world coordinates relative to an origin [m].
  */
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
-  vtkImageData* grid, vtkIdType most, const Vec3& origin);
+  vtkImageData* grid, vtkIdType maximum, const Vec3& origin);
 
 /// Returns the same for several, sharing the number by their cells.
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
-  const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkIdType most, const Vec3& origin);
+  const std::vector<vtkSmartPointer<vtkImageData>>& grids, vtkIdType maximum, const Vec3& origin);
 
 } // namespace helios::viewer
 

@@ -132,14 +132,14 @@ struct CameraRig::Frustum
 
   /// The ends of x - slope * depth over all points, for low and high slopes.
   static void FindEnds(const std::vector<Vec3>& points, const Vec3& across, const Vec3& forward,
-    double lowSlope, double highSlope, double& least, double& most)
+    double lowSlope, double highSlope, double& minimum, double& maximum)
   {
-    least = HUGE_VAL;
-    most = -HUGE_VAL;
+    minimum = HUGE_VAL;
+    maximum = -HUGE_VAL;
     for (const Vec3& p : points)
     {
-      least = std::min(least, p.Dot(across) - lowSlope * p.Dot(forward));
-      most = std::max(most, p.Dot(across) - highSlope * p.Dot(forward));
+      minimum = std::min(minimum, p.Dot(across) - lowSlope * p.Dot(forward));
+      maximum = std::max(maximum, p.Dot(across) - highSlope * p.Dot(forward));
     }
   }
 
@@ -151,19 +151,19 @@ struct CameraRig::Frustum
   Vec3 FindEye(const std::vector<Vec3>& points, double tangent) const
   {
     const Vec3 axes[2] = { this->Right, this->Up };
-    double least[2], most[2];
+    double minimum[2], maximum[2];
     double depth = HUGE_VAL;
     for (int i = 0; i < 2; ++i)
     {
       const double low = tangent * this->Low[i], high = tangent * this->High[i];
-      FindEnds(points, axes[i], this->Forward, low, high, least[i], most[i]);
-      depth = std::min(depth, (least[i] - most[i]) / (high - low));
+      FindEnds(points, axes[i], this->Forward, low, high, minimum[i], maximum[i]);
+      depth = std::min(depth, (minimum[i] - maximum[i]) / (high - low));
     }
     Vec3 eye = depth * this->Forward;
     for (int i = 0; i < 2; ++i)
     {
-      const double low = least[i] + tangent * this->Low[i] * depth;
-      const double high = most[i] + tangent * this->High[i] * depth;
+      const double low = minimum[i] + tangent * this->Low[i] * depth;
+      const double high = maximum[i] + tangent * this->High[i] * depth;
       eye = eye + 0.5 * (low + high) * axes[i];
     }
     return eye;
@@ -173,17 +173,17 @@ struct CameraRig::Frustum
   double FindScale(const std::vector<Vec3>& points, Vec3& center) const
   {
     const Vec3 axes[2] = { this->Right, this->Up };
-    double least[2], most[2];
+    double minimum[2], maximum[2];
     double scale = 0.0;
     for (int i = 0; i < 2; ++i)
     {
-      FindEnds(points, axes[i], this->Forward, 0.0, 0.0, least[i], most[i]);
-      scale = std::max(scale, (most[i] - least[i]) / (this->High[i] - this->Low[i]));
+      FindEnds(points, axes[i], this->Forward, 0.0, 0.0, minimum[i], maximum[i]);
+      scale = std::max(scale, (maximum[i] - minimum[i]) / (this->High[i] - this->Low[i]));
     }
     for (int i = 0; i < 2; ++i)
     {
       const double middle =
-        0.5 * (least[i] + most[i]) - 0.5 * scale * (this->Low[i] + this->High[i]);
+        0.5 * (minimum[i] + maximum[i]) - 0.5 * scale * (this->Low[i] + this->High[i]);
       center = center + (middle - center.Dot(axes[i])) * axes[i];
     }
     return scale;

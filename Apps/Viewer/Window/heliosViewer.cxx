@@ -198,7 +198,7 @@ void Viewer::SetTheme(const std::string& name)
 //------------------------------------------------------------------------------
 int Viewer::RunInteractively()
 {
-  this->WriteWords();
+  this->UpdateStatus();
   this->Draw();
   this->Interactor->CreateRepeatingTimer(TimerMilliseconds);
   this->LastFrame = this->Now();
@@ -268,7 +268,7 @@ void Viewer::Frame(double seconds)
   {
     this->IsDirty = tool->OnFrame() || this->IsDirty;
   }
-  this->WriteWords();
+  this->UpdateStatus();
   this->PlacePanels();
 }
 

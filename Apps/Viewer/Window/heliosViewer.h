@@ -127,7 +127,7 @@ private:
   void AddReceivedPoints();
   void FinishLoading();
   void PlacePlatform(double seconds);
-  void WriteWords();
+  void UpdateStatus();
   void CountRates();
   bool IsFinished() const;
   void PlacePanels();

@@ -59,7 +59,7 @@ int Viewer::RunScripted()
     this->Frame(0.0);
     this->AddReceivedPoints();
     this->PointsView->SetAutomaticRange(); // of the full cloud
-    this->WriteWords();                    // the legend
+    this->UpdateStatus();                  // the legend
     this->SaveStill(this->Options.Still);
   }
   return this->ExitCode;

@@ -31,7 +31,7 @@ constexpr double SlowestUsualSpeed = 0.05;
 /// Rows are missing in steps so many times the usual one, and longer than a second.
 constexpr double GapFactor = 50.0;
 constexpr double ShortestGap = 1.0;
-constexpr std::size_t FewestRows = 4;
+constexpr std::size_t MinimumRows = 4;
 
 std::string Print(double number)
 {
@@ -50,11 +50,11 @@ std::string PrintBriefly(double number)
 }
 
 /// The steps between rows that are not at one time, of so many rows of a long file.
-constexpr std::size_t MostSteps = 100000;
+constexpr std::size_t MaximumSteps = 100000;
 std::vector<double> ListSteps(const TimedRows& rows)
 {
   std::vector<double> steps;
-  for (std::size_t i = 1; i < rows.Count; i += 1 + rows.Count / MostSteps)
+  for (std::size_t i = 1; i < rows.Count; i += 1 + rows.Count / MaximumSteps)
   {
     const double step = rows.GetTime(i) - rows.GetTime(i - 1);
     if (step > 0.0)
@@ -100,7 +100,7 @@ TimeFinding FindOtherUnit(const TimedRows& rows, double usual)
         true };
     }
   }
-  if (rows.Count >= FewestRows && usual > LongestUsualStep)
+  if (rows.Count >= MinimumRows && usual > LongestUsualStep)
   {
     return { 1,
       "time is " + Print(rows.GetTime(1)) + ", and rows are " + PrintBriefly(usual) +
@@ -113,7 +113,7 @@ TimeFinding FindOtherUnit(const TimedRows& rows, double usual)
 /// Steps of seconds with a platform that hardly moves.
 TimeFinding FindSlowMotion(const TimedRows& rows, double usual)
 {
-  if (rows.Count < FewestRows || usual < ShortestDoubtfulStep)
+  if (rows.Count < MinimumRows || usual < ShortestDoubtfulStep)
   {
     return {};
   }
@@ -154,7 +154,7 @@ TimeFinding FindGaps(const TimedRows& rows, double usual)
           "give all rows times of one",
         true };
     }
-    if (rows.Count >= FewestRows && step > ShortestGap && step > GapFactor * usual)
+    if (rows.Count >= MinimumRows && step > ShortestGap && step > GapFactor * usual)
     {
       first = count == 0 ? i : first;
       longest = std::max(longest, step);

@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr std::int64_t MaximumCells = std::int64_t(1) << 30; // slots are 31-bit
-constexpr double MostRelief = 1e4; // heights in units of the raster's width: boxes are floats
+constexpr double MaximumRelief = 1e4; // heights in units of the raster's width: boxes are floats
 
 /// The slots of a cell, a bit each.
 constexpr std::uint64_t UpperBit = 1;
@@ -264,7 +264,7 @@ void HeightField::AddBounds(std::int64_t row, const PixelRow& pixels)
 Status HeightField::CheckHeights() const
 {
   const double* b = this->Bounds;
-  if (b[5] - b[4] <= MostRelief * std::max(b[1] - b[0], b[3] - b[2]))
+  if (b[5] - b[4] <= MaximumRelief * std::max(b[1] - b[0], b[3] - b[2]))
   {
     return {};
   }

@@ -51,11 +51,11 @@ HELIOS_INLINE void SetExtents(
   }
   for (int i = 0; i < Width; ++i)
   {
-    const T least = std::min(low[i], low[i + Strips]);
-    const T most = std::max(high[i], high[i + Strips]);
-    const double below = static_cast<double>(least) - base;
-    const double above = static_cast<double>(most) - base;
-    const bool isNone = least > most;
+    const T minimum = std::min(low[i], low[i + Strips]);
+    const T maximum = std::max(high[i], high[i + Strips]);
+    const double below = static_cast<double>(minimum) - base;
+    const double above = static_cast<double>(maximum) - base;
+    const bool isNone = minimum > maximum;
     extents.Low[i] =
       isNone ? HeightPyramid::None : static_cast<float>(below - std::abs(below) * 0x1p-23);
     extents.High[i] =

@@ -436,9 +436,10 @@ bool PlanarTriangulation::FindCrossed(
 void PlanarTriangulation::FlipCrossed(Edge piece, std::vector<Edge> crossed)
 {
   const auto [a, b] = piece;
-  const std::size_t most = (crossed.size() + 1) * (crossed.size() + 1); // more than needed
+  const std::size_t maximum = (crossed.size() + 1) * (crossed.size() + 1); // more than needed
   std::size_t failures = 0;
-  for (std::size_t pass = 0; !crossed.empty() && failures <= crossed.size() && pass < most; ++pass)
+  for (std::size_t pass = 0; !crossed.empty() && failures <= crossed.size() && pass < maximum;
+       ++pass)
   {
     std::vector<Edge> left;
     for (const Edge& edge : crossed)
@@ -491,18 +492,18 @@ void PlanarTriangulation::Detour(Edge piece, Edge blocking, std::vector<Edge>& r
 {
   const int ends[4] = { blocking.first, blocking.second, piece.first, piece.second };
   int best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 4; ++i)
   {
     const auto [a, b] = i < 2 ? piece : blocking;
     const double area = 0.5 * std::abs(this->Turn(a, b, ends[i]));
-    if (area < least)
+    if (area < minimum)
     {
       best = i;
-      least = area;
+      minimum = area;
     }
   }
-  this->DetourArea += least;
+  this->DetourArea += minimum;
   if (best < 2)
   {
     rest.emplace_back(ends[best], piece.second);

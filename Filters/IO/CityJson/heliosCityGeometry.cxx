@@ -116,10 +116,10 @@ Status CityGeometry::AddSurface(const Json::Value& surface, const Json::Value& v
       return status;
     }
   }
-  if (3 * (this->Mesh.GetNumberOfTriangles() + surface.size()) > MostCorners)
+  if (3 * (this->Mesh.GetNumberOfTriangles() + surface.size()) > MaximumCorners)
   {
     return this->Fail(surface,
-      "more than " + std::to_string(MostCorners / 3) +
+      "more than " + std::to_string(MaximumCorners / 3) +
         " triangles; split "
         "the file into several scene parts");
   }

@@ -233,10 +233,11 @@ Status CityModel::ReadVertices(const JsonFile& file)
 {
   const Json::Value& vertices = GetMember(file.GetRoot(), "vertices");
   const std::int64_t first = this->Mesh.GetNumberOfPoints();
-  if (!vertices.isArray() || first + static_cast<std::int64_t>(vertices.size()) > MostCorners)
+  if (!vertices.isArray() || first + static_cast<std::int64_t>(vertices.size()) > MaximumCorners)
   {
     return Status::Error(file.GetPlace(vertices) + "vertices are " + Describe(vertices) +
-      ", not a list of at most " + std::to_string(MostCorners - first) + "; write the file again");
+      ", not a list of at most " + std::to_string(MaximumCorners - first) +
+      "; write the file again");
   }
   for (const Json::Value& vertex : vertices)
   {

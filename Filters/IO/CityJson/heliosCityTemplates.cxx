@@ -153,10 +153,10 @@ Status CityTemplates::AddVertices(
   const Json::Value& instance, const Shape& shape, const double* matrix, const double* place)
 {
   if (this->Mesh.GetNumberOfPoints() + static_cast<std::int64_t>(shape.Vertices.size()) >
-    MostCorners)
+    MaximumCorners)
   {
     return this->Geometry.Fail(instance,
-      "more than " + std::to_string(MostCorners) +
+      "more than " + std::to_string(MaximumCorners) +
         " vertices in all; split the file into several scene parts");
   }
   const double* v = shape.Points.data();

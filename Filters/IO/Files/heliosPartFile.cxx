@@ -261,7 +261,7 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
   return this->Cut(size);
 }
 
-bool PartFile::OpenNowhere(const std::string& path)
+bool PartFile::OpenCountOnly(const std::string& path)
 {
   this->Abandon();
   this->Path = path;

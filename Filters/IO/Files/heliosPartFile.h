@@ -52,7 +52,7 @@ public:
   bool Reopen(const std::string& path, std::uint64_t size);
 
   /// Counts bytes without writing them.
-  bool OpenNowhere(const std::string& path);
+  bool OpenCountOnly(const std::string& path);
 
   /// Appends bytes; on failure some of them may be in the file.
   bool Append(const char* bytes, std::size_t count);

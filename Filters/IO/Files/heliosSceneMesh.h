@@ -33,7 +33,7 @@ namespace helios
 constexpr double LargestExtent = 1e7;
 
 /// Maximum number of corners (and vertices) of 32-bit cells.
-constexpr std::int64_t MostCorners = std::numeric_limits<vtkTypeInt32>::max();
+constexpr std::int64_t MaximumCorners = std::numeric_limits<vtkTypeInt32>::max();
 
 /// Vertices, triangles and materials; after reading, call the functions in their order.
 class VTKHELIOSFILTERSIO_EXPORT SceneMesh

@@ -160,7 +160,7 @@ bool vtkHeliosStreamWriter::Open()
   {
     return false;
   }
-  if (!(this->CountOnly ? this->File->OpenNowhere(this->FileName)
+  if (!(this->CountOnly ? this->File->OpenCountOnly(this->FileName)
                         : this->File->Open(this->FileName)))
   {
     vtkErrorMacro(<< this->File->GetProblem() << "; choose another output folder");

@@ -119,10 +119,10 @@ private:
   Status CheckCount()
   {
     Status status = this->Document.ReadWhole(this->Accessor, "count", this->Path, 0, this->Count);
-    if (status.IsOk() && this->Count > MostCorners)
+    if (status.IsOk() && this->Count > MaximumCorners)
     {
       return this->Document.Fail(this->Path + ".count",
-        "is " + std::to_string(this->Count) + ", above " + std::to_string(MostCorners) +
+        "is " + std::to_string(this->Count) + ", above " + std::to_string(MaximumCorners) +
           "; split the file into several scene parts");
     }
     status = status.IsOk()

@@ -94,10 +94,10 @@ private:
     this->FirstPoint = static_cast<std::int64_t>(this->Mesh.Points.size()) / 3;
     this->NumberOfPoints = points.GetCount();
     this->Mesh.Points.insert(this->Mesh.Points.end(), points.Values.begin(), points.Values.end());
-    return this->FirstPoint + this->NumberOfPoints <= MostCorners
+    return this->FirstPoint + this->NumberOfPoints <= MaximumCorners
       ? Status()
-      : this->Document.Fail(
-          where, "the mesh has more than " + std::to_string(MostCorners) + " vertices; split it");
+      : this->Document.Fail(where,
+          "the mesh has more than " + std::to_string(MaximumCorners) + " vertices; split it");
   }
 
   /// Moves vertices by weight times displacement of each morph target.

@@ -127,10 +127,10 @@ Status GltfModel::CheckSize() const
     triangles += static_cast<double>(mesh.Materials.size());
     points += static_cast<double>(mesh.Points.size()) / 3.0;
   }
-  if (std::max(3.0 * triangles, points) > static_cast<double>(MostCorners))
+  if (std::max(3.0 * triangles, points) > static_cast<double>(MaximumCorners))
   {
     return Status::Error(this->Document.GetPath() + ": more than " +
-      std::to_string(MostCorners / 3) + " triangles or " + std::to_string(MostCorners) +
+      std::to_string(MaximumCorners / 3) + " triangles or " + std::to_string(MaximumCorners) +
       " vertices at all places; split the file into several scene parts");
   }
   const Status status = CheckMemory("triangles at all places", triangles, BytesPerTriangle);

@@ -26,10 +26,10 @@ constexpr std::size_t InfoHeaderSize = 40; // header of Windows
 constexpr std::size_t LongestHeader = 124;
 constexpr std::size_t MasksAt = 40; // in a header, or behind it
 constexpr std::size_t MaskBytes = 12;
-constexpr std::size_t AlphaMaskAt = 52;  // place of the alpha mask, if a header has one
-constexpr int ColorsUsed = 32;           // its place in a header
-constexpr double MostRowsPerByte = 64.0; // runs can leave out pixels: 255 rows by a move,
-constexpr double MostPixelsPerByte = 1e4; // or the rest of a row
+constexpr std::size_t AlphaMaskAt = 52;      // place of the alpha mask, if a header has one
+constexpr int ColorsUsed = 32;               // its place in a header
+constexpr double MaximumRowsPerByte = 64.0;  // runs can leave out pixels: 255 rows by a move,
+constexpr double MaximumPixelsPerByte = 1e4; // or the rest of a row
 
 enum Compression : unsigned
 {
@@ -63,8 +63,9 @@ public:
   unsigned char GetColor(unsigned pixel) const
   {
     const std::uint64_t value = (pixel & this->Bits) >> this->Shift;
-    const std::uint64_t most = this->Largest;
-    return static_cast<unsigned char>(most == 255 ? value : (255 * value + most / 2) / most);
+    const std::uint64_t maximum = this->Largest;
+    return static_cast<unsigned char>(
+      maximum == 255 ? value : (255 * value + maximum / 2) / maximum);
   }
 
 private:
@@ -241,11 +242,11 @@ bool BmpDecoder::ReadPalette()
   }
   const bool isCore = this->HeaderSize == CoreHeaderSize;
   const std::size_t entry = isCore ? 3 : 4;
-  const std::size_t most = std::size_t(1) << static_cast<unsigned>(this->Bits);
+  const std::size_t maximum = std::size_t(1) << static_cast<unsigned>(this->Bits);
   const std::size_t used = isCore ? 0 : this->Get(ColorsUsed, 4);
   const auto start = static_cast<std::int64_t>(FileHeaderSize + this->HeaderSize);
   const auto room = static_cast<std::size_t>(this->PixelsAt - start) / entry;
-  this->Palette.resize(std::min({ used > 0 ? used : most, most, room }));
+  this->Palette.resize(std::min({ used > 0 ? used : maximum, maximum, room }));
   for (auto& color : this->Palette)
   {
     std::array<unsigned char, 4> bytes{}; // blue green red
@@ -285,9 +286,9 @@ Status BmpDecoder::ReadHeader(StoredImage& stored)
   const double pixels = static_cast<double>(this->GetRowStep()) *
       static_cast<double>(std::max<std::int64_t>(0, this->Rows - 1)) +
     static_cast<double>(rowBytes);
-  const double runs = std::max(
-    static_cast<double>(this->Rows) / MostRowsPerByte, stored.CountPixels() / MostPixelsPerByte);
-  stored.LeastBytes = static_cast<double>(this->PixelsAt) + (this->HasRuns() ? runs : pixels);
+  const double runs = std::max(static_cast<double>(this->Rows) / MaximumRowsPerByte,
+    stored.CountPixels() / MaximumPixelsPerByte);
+  stored.MinimumBytes = static_cast<double>(this->PixelsAt) + (this->HasRuns() ? runs : pixels);
   stored.ExtraBytesPerPixel = static_cast<double>(this->Bits) / 8.0 /
     static_cast<double>(std::max<std::int64_t>(1, this->Rows));
   return {};

@@ -143,7 +143,7 @@ Status OpenImage::CheckSize() const
   {
     return Status::Error("is damaged: it has " + size);
   }
-  if (s.LeastBytes > static_cast<double>(this->Size))
+  if (s.MinimumBytes > static_cast<double>(this->Size))
   {
     return Status::Error("is damaged: " + size + " do not fit into a file of " +
       std::to_string(this->Size) + " bytes");

@@ -44,7 +44,7 @@ struct StoredImage
   std::int64_t Rows = 0;
   ImageOrientation Orientation = ImageOrientation::TopLeft;
   double ExtraBytesPerPixel = 0.0; ///< memory beside the 3 bytes of a pixel, while it is read
-  double LeastBytes = 0.0;         ///< fewest bytes of the pixels in any file
+  double MinimumBytes = 0.0;       ///< fewest bytes of the pixels in any file
   int ExifOrientation = 1;         ///< which is not applied
   bool HasAlpha = false;           ///< which is ignored
 

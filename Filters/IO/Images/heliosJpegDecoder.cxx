@@ -20,7 +20,7 @@ namespace helios
 namespace
 {
 
-constexpr int MostScans = 500;            // programs write ten; more are made to take time
+constexpr int MaximumScans = 500;         // programs write ten; more are made to take time
 constexpr int ExifMarker = JPEG_APP0 + 1; // and its longest segment
 constexpr unsigned LongestSegment = 0xffff;
 constexpr double BytesPerCoefficient = 2.0; // a progressive image is kept as a whole
@@ -93,9 +93,9 @@ void JpegDecoder::Warn(j_common_ptr jpeg, int level)
 void JpegDecoder::CountScans(j_common_ptr jpeg)
 {
   JpegDecoder* self = JpegDecoder::Get(jpeg);
-  if (self->Jpeg.input_scan_number > MostScans)
+  if (self->Jpeg.input_scan_number > MaximumScans)
   {
-    std::snprintf(self->Message, sizeof(self->Message), "it has more than %d scans", MostScans);
+    std::snprintf(self->Message, sizeof(self->Message), "it has more than %d scans", MaximumScans);
     std::longjmp(self->Return, 1);
   }
 }

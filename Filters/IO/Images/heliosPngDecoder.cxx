@@ -43,7 +43,7 @@ private:
   bool ParseHeader();
   bool Decode();
   Status MakeError() const;
-  double CountLeastBytes() const;
+  double CountMinimumBytes() const;
 
   std::FILE* File;
   png_structp Png = nullptr;
@@ -101,7 +101,7 @@ bool PngDecoder::ParseHeader()
 }
 
 // Computes the smallest size of IDAT, at the highest compression.
-double PngDecoder::CountLeastBytes() const
+double PngDecoder::CountMinimumBytes() const
 {
   const double bits = static_cast<double>(png_get_bit_depth(this->Png, this->Info)) *
     png_get_channels(this->Png, this->Info);
@@ -117,7 +117,7 @@ Status PngDecoder::ReadHeader(StoredImage& stored)
   }
   stored.Columns = png_get_image_width(this->Png, this->Info);
   stored.Rows = png_get_image_height(this->Png, this->Info);
-  stored.LeastBytes = this->CountLeastBytes();
+  stored.MinimumBytes = this->CountMinimumBytes();
   stored.HasAlpha = (png_get_color_type(this->Png, this->Info) & PNG_COLOR_MASK_ALPHA) != 0 ||
     png_get_valid(this->Png, this->Info, PNG_INFO_tRNS) != 0;
   stored.ExtraBytesPerPixel = static_cast<double>(sizeof(png_bytep)) /

@@ -54,7 +54,7 @@ private:
   char Kind = 0; // '1' to '6'
   std::int64_t Columns = 0;
   std::int64_t Rows = 0;
-  std::int64_t Most = 1; // value
+  std::int64_t Maximum = 1; // value
   std::size_t Channels = 1;
   std::vector<unsigned> Values; // values of a row
   std::vector<unsigned char> Bytes;
@@ -118,20 +118,20 @@ Status PnmDecoder::ReadHeader(StoredImage& stored)
   }
   this->Channels = this->Kind == '3' || this->Kind == '6' ? 3 : 1;
   if (!this->ReadNumber(LongestSide, this->Columns) || !this->ReadNumber(LongestSide, this->Rows) ||
-    (!this->IsBits() && !this->ReadNumber(Largest, this->Most)))
+    (!this->IsBits() && !this->ReadNumber(Largest, this->Maximum)))
   {
     return Status::Error(this->Fault);
   }
-  if (this->Most < 1)
+  if (this->Maximum < 1)
   {
     return Status::Error("is damaged: its largest value is 0");
   }
   stored.Columns = this->Columns;
   stored.Rows = this->Rows;
   const double samples = static_cast<double>(this->Channels) * stored.CountPixels();
-  const double least = this->IsBits() ? 1.0 : 2.0; // a digit, and a blank
-  const double bytes = this->IsBits() ? 0.125 : this->Most > 255 ? 2.0 : 1.0;
-  stored.LeastBytes = samples * (this->IsText() ? least : bytes) - 1.0;
+  const double minimum = this->IsBits() ? 1.0 : 2.0; // a digit, and a blank
+  const double bytes = this->IsBits() ? 0.125 : this->Maximum > 255 ? 2.0 : 1.0;
+  stored.MinimumBytes = samples * (this->IsText() ? minimum : bytes) - 1.0;
   stored.ExtraBytesPerPixel = static_cast<double>(this->Channels * (sizeof(unsigned) + 2)) /
     static_cast<double>(this->Rows > 0 ? this->Rows : 1);
   return {};
@@ -144,7 +144,7 @@ bool PnmDecoder::ReadWords()
     std::int64_t number = 0;
     if (this->Kind != '1')
     {
-      if (!this->ReadNumber(this->Most, number))
+      if (!this->ReadNumber(this->Maximum, number))
       {
         return false;
       }
@@ -171,7 +171,7 @@ bool PnmDecoder::ReadWords()
 bool PnmDecoder::ReadBytes()
 {
   const std::size_t count = this->Values.size();
-  const std::size_t wide = this->Most > 255 ? 2 : 1;
+  const std::size_t wide = this->Maximum > 255 ? 2 : 1;
   this->Bytes.resize(this->IsBits() ? (count + 7) / 8 : wide * count);
   if (std::fread(this->Bytes.data(), 1, this->Bytes.size(), this->File) != this->Bytes.size())
   {
@@ -183,10 +183,10 @@ bool PnmDecoder::ReadBytes()
     const unsigned value = this->IsBits() ? this->Bytes[i / 8] >> (7 - i % 8) & 1U
       : wide == 2 ? static_cast<unsigned>(this->Bytes[2 * i]) << 8U | this->Bytes[2 * i + 1]
                   : this->Bytes[i];
-    if (value > static_cast<unsigned>(this->Most))
+    if (value > static_cast<unsigned>(this->Maximum))
     {
       this->Fault = "is damaged: it has a value of " + std::to_string(value) + ", above " +
-        std::to_string(this->Most);
+        std::to_string(this->Maximum);
       return false;
     }
     this->Values[i] = value;
@@ -202,7 +202,7 @@ bool PnmDecoder::ReadRow()
 Status PnmDecoder::ReadPixels(const ImageRows& rows)
 {
   this->Values.resize(this->Channels * static_cast<std::size_t>(this->Columns));
-  const auto most = static_cast<unsigned>(this->Most);
+  const auto maximum = static_cast<unsigned>(this->Maximum);
   const unsigned flip = this->IsBits() ? 255U : 0U; // a bit is ink
   for (std::int64_t row = 0; row < this->Rows; ++row)
   {
@@ -213,7 +213,7 @@ Status PnmDecoder::ReadPixels(const ImageRows& rows)
     unsigned char* pixel = rows.Get(row);
     for (std::size_t i = 0; i < this->Values.size(); ++i)
     {
-      const unsigned value = ((255U * this->Values[i] + most / 2U) / most) ^ flip;
+      const unsigned value = ((255U * this->Values[i] + maximum / 2U) / maximum) ^ flip;
       for (std::size_t copies = this->Channels == 1 ? 3 : 1; copies > 0; --copies)
       {
         *pixel++ = static_cast<unsigned char>(value);

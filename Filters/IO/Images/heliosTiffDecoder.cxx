@@ -23,7 +23,7 @@ namespace
 
 constexpr double LargestRatio = 1e5; // largest ratio of a compression
 constexpr double Mebibyte = 1048576.0;
-constexpr double MostMemory = 1e15; // where the system tells none
+constexpr double MaximumMemory = 1e15; // where the system tells none
 
 struct TiffCloser
 {
@@ -134,7 +134,7 @@ Status TiffDecoder::MakeError() const
 bool TiffDecoder::Open()
 {
   TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
-  const double memory = std::min(MostMemory, Mebibyte * vtkHeliosMemoryLimit::GetAvailable());
+  const double memory = std::min(MaximumMemory, Mebibyte * vtkHeliosMemoryLimit::GetAvailable());
   TIFFOpenOptionsSetMaxSingleMemAlloc(options, static_cast<tmsize_t>(std::max(1.0, memory)));
   TIFFOpenOptionsSetErrorHandlerExtR(options, TiffDecoder::Fail, this);
   TIFFOpenOptionsSetWarningHandlerExtR(options, TiffDecoder::Warn, this);
@@ -263,7 +263,7 @@ Status TiffDecoder::ReadHeader(StoredImage& stored)
   }
   const int planes = this->IsPlanar ? this->Samples.GetNumberOfInks() : 1;
   const bool isPlain = this->GetShort(TIFFTAG_COMPRESSION) == COMPRESSION_NONE;
-  stored.LeastBytes = static_cast<double>(this->Samples.Bits) / 8.0 * this->Samples.PerPixel *
+  stored.MinimumBytes = static_cast<double>(this->Samples.Bits) / 8.0 * this->Samples.PerPixel *
     planes * stored.CountPixels() / (isPlain ? 1.0 : LargestRatio);
   stored.ExtraBytesPerPixel =
     static_cast<double>(planes) * static_cast<double>(this->BlockSize) / stored.CountPixels();

@@ -51,9 +51,9 @@ Status TiffSamples::SetKind(int photometric, int count, int inkSet)
 //------------------------------------------------------------------------------
 void TiffSamples::SetPalette(const std::array<std::uint16_t*, 3>& colors)
 {
-  constexpr unsigned mostBits = 16;
+  constexpr unsigned maximumBits = 16;
   const auto bits = static_cast<unsigned>(this->Bits);
-  this->Colors.resize(bits <= mostBits ? std::size_t(1) << bits : 0);
+  this->Colors.resize(bits <= maximumBits ? std::size_t(1) << bits : 0);
   bool areBytes = true; // some programs write bytes as 16 bits
   for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {

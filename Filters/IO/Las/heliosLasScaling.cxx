@@ -54,14 +54,14 @@ std::array<double, 3> Measure(
   const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     for (vtkIdType i = 0; i < count; ++i)
     {
       double point[3];
       points->GetPoint(i, point);
-      least = std::isfinite(point[axis]) ? std::min(least, point[axis]) : least;
-      most = std::isfinite(point[axis]) ? std::max(most, point[axis]) : most;
+      minimum = std::isfinite(point[axis]) ? std::min(minimum, point[axis]) : minimum;
+      maximum = std::isfinite(point[axis]) ? std::max(maximum, point[axis]) : maximum;
     }
     double first[3] = { 0.0, 0.0, 0.0 };
     if (count > 0)
@@ -71,7 +71,7 @@ std::array<double, 3> Measure(
     const double parts = IsAngle(system, axis) ? partsOfDegree : 1.0;
     offset[axis] =
       std::isfinite(first[axis]) ? std::round(parts * first[axis]) / parts + 0.0 : 0.0; // not -0
-    extents[axis] = least <= most ? most - least : 0.0;
+    extents[axis] = minimum <= maximum ? maximum - minimum : 0.0;
   }
   return extents;
 }

@@ -5,9 +5,9 @@
 #include "heliosCoordinateSystem.h"
 #include "heliosLasBlock.h"
 #include "heliosLasEncoder.h"
+#include "heliosLasFileHead.h"
 #include "heliosLasNamesFile.h"
 #include "heliosLasScaling.h"
-#include "heliosLasSheet.h"
 #include "heliosLasWaves.h"
 #include "heliosPartFile.h"
 #include "heliosSceneCrs.h"
@@ -78,7 +78,7 @@ void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
 void vtkHeliosLASWriter::Start(bool isResumed)
 {
   this->Names->Begin(this->GetOpenName(), isResumed);
-  this->Sheet.reset();
+  this->Head.reset();
   this->HasWarnedReturns = this->HasWarnedClasses = false;
   this->Packets = this->WriteWaveforms ? std::make_unique<helios::PartFile>() : nullptr;
 }
@@ -103,7 +103,7 @@ bool vtkHeliosLASWriter::Open()
   }
   const std::string head = helios::LasWaves::EncodeFileHead(helios::LasRecord::ExtendedHeadSize);
   const std::string path = this->GetPacketsName();
-  if (!(this->CountOnly ? this->Packets->OpenNowhere(path) : this->Packets->Open(path)) ||
+  if (!(this->CountOnly ? this->Packets->OpenCountOnly(path) : this->Packets->Open(path)) ||
     !this->Packets->Append(head.data(), head.size()))
   {
     this->FailFile(this->Packets->GetProblem());
@@ -128,8 +128,8 @@ bool vtkHeliosLASWriter::Reopen(
   helios::Status status;
   if (fileSize > 0)
   {
-    this->Sheet = std::make_unique<helios::LasSheet>();
-    status = this->Sheet->Read(this->GetOpenName() + helios::PartEnding, numberOfRecords,
+    this->Head = std::make_unique<helios::LasFileHead>();
+    status = this->Head->Read(this->GetOpenName() + helios::PartEnding, numberOfRecords,
       this->Packets != nullptr, packetsEnd);
   }
   if (status.IsOk() && this->Packets &&
@@ -143,7 +143,7 @@ bool vtkHeliosLASWriter::Reopen(
     this->Superclass::Abandon();
     return false;
   }
-  return !this->Sheet || this->OverwriteBytes(0, this->Sheet->Header.Encode());
+  return !this->Head || this->OverwriteBytes(0, this->Head->Header.Encode());
 }
 
 //------------------------------------------------------------------------------
@@ -170,20 +170,20 @@ bool vtkHeliosLASWriter::AddNames(vtkPolyData* echoes)
 
 //------------------------------------------------------------------------------
 /// Creates the file properties from the first block.
-bool vtkHeliosLASWriter::MakeSheet(
-  vtkPolyData* echoes, const helios::LasBlock& block, helios::LasSheet& sheet)
+bool vtkHeliosLASWriter::DescribeFile(
+  vtkPolyData* echoes, const helios::LasBlock& block, helios::LasFileHead& head)
 {
-  sheet.Crs = helios::GetCRS(echoes);
-  const bool isKnown = this->Sheet && this->Sheet->Crs == sheet.Crs;
+  head.Crs = helios::GetCRS(echoes);
+  const bool isKnown = this->Head && this->Head->Crs == head.Crs;
   helios::CoordinateSystem system;
   const helios::Status status =
-    sheet.Crs.empty() || isKnown ? helios::Status() : system.Set(sheet.Crs);
+    head.Crs.empty() || isKnown ? helios::Status() : system.Set(head.Crs);
   if (!status.IsOk())
   {
     return this->RefusePoints("the field array CRS of a block: " + status.Message());
   }
-  sheet.Wkt = isKnown ? this->Sheet->Wkt : (system.IsSet() ? system.GetWkt() : std::string());
-  if (sheet.Wkt.size() >= LongestRecord)
+  head.Wkt = isKnown ? this->Head->Wkt : (system.IsSet() ? system.GetWkt() : std::string());
+  if (head.Wkt.size() >= LongestRecord)
   {
     return this->RefusePoints("the CRS of a block is longer than the 65534 characters of a record");
   }
@@ -193,14 +193,14 @@ bool vtkHeliosLASWriter::MakeSheet(
     return this->RefusePoints("the field array GpsEpoch of a block is not one number; give seconds "
                               "of GPS time since 6 January 1980");
   }
-  sheet.Scaling.TimeShift = epoch != 0.0 ? epoch - helios::LasHeader::StandardTimeOffset : 0.0;
-  sheet.Arrays = helios::EncodeLasExtras(block.GetExtras());
-  sheet.Header.Encoding = helios::LasHeader::HasWkt |
+  head.Scaling.TimeShift = epoch != 0.0 ? epoch - helios::LasHeader::StandardTimeOffset : 0.0;
+  head.Arrays = helios::EncodeLasExtras(block.GetExtras());
+  head.Header.Encoding = helios::LasHeader::HasWkt |
     (epoch != 0.0 ? helios::LasHeader::StandardTime : 0) |
     (this->Packets ? helios::LasHeader::ExternalWaves : 0);
-  sheet.HasWaves = this->Packets != nullptr;
-  sheet.Header.Format = block.GetFormat();
-  sheet.Header.PointLength = block.GetPointLength();
+  head.HasWaves = this->Packets != nullptr;
+  head.Header.Format = block.GetFormat();
+  head.Header.PointLength = block.GetPointLength();
   return true;
 }
 
@@ -208,40 +208,40 @@ bool vtkHeliosLASWriter::MakeSheet(
 /// Writes the header and the records at the first block.
 bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* echoes)
 {
-  auto sheet = std::make_unique<helios::LasSheet>();
-  if (!this->MakeSheet(echoes, block, *sheet))
+  auto head = std::make_unique<helios::LasFileHead>();
+  if (!this->DescribeFile(echoes, block, *head))
   {
     return false;
   }
-  if (sheet->Wkt.empty() && !sheet->Crs.empty())
+  if (head->Wkt.empty() && !head->Crs.empty())
   {
-    vtkWarningMacro(<< this->GetOpenName() << ": the CRS " << sheet->Crs
+    vtkWarningMacro(<< this->GetOpenName() << ": the CRS " << head->Crs
                     << " cannot be written as WKT; the file has no CRS");
   }
-  sheet->Scaling.FullIntensity = this->FullIntensity;
+  head->Scaling.FullIntensity = this->FullIntensity;
   helios::CoordinateSystem system;
-  static_cast<void>(system.Set(sheet->Crs)); // checked above; may be none
-  helios::ChooseLasScaling(echoes, system, this->Scale, sheet->Scaling);
-  sheet->Header.Scale = sheet->Scaling.Scale;
-  sheet->Header.Offset = sheet->Scaling.Offset;
-  const helios::Status status = sheet->Header.CheckScaling();
+  static_cast<void>(system.Set(head->Crs)); // checked above; may be none
+  helios::ChooseLasScaling(echoes, system, this->Scale, head->Scaling);
+  head->Header.Scale = head->Scaling.Scale;
+  head->Header.Offset = head->Scaling.Offset;
+  const helios::Status status = head->Header.CheckScaling();
   if (!status.IsOk())
   {
     return this->RefusePoints("a block " + status.Message());
   }
-  this->Sheet = std::move(sheet);
+  this->Head = std::move(head);
   return this->WriteHead();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::WriteHead()
 {
-  helios::LasHeader& header = this->Sheet->Header;
+  helios::LasHeader& header = this->Head->Header;
   header.System = this->SystemIdentifier;
   header.Software = std::string("vtkHelios ") + vtkHeliosVersion::GetVersion();
   header.CreationDay = this->CreationDay;
   header.CreationYear = this->CreationYear;
-  const std::string records = this->Sheet->EncodeRecords(header.NumberOfRecords);
+  const std::string records = this->Head->EncodeRecords(header.NumberOfRecords);
   header.PointsBegin = static_cast<std::uint32_t>(helios::LasHeader::Size14 + records.size());
   const bool isWritten = this->WriteText(header.Encode() + records);
   this->EndHead();
@@ -251,37 +251,37 @@ bool vtkHeliosLASWriter::WriteHead()
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* echoes)
 {
-  helios::LasSheet next;
-  helios::LasSheet& sheet = *this->Sheet;
-  if (!this->MakeSheet(echoes, block, next))
+  helios::LasFileHead next;
+  helios::LasFileHead& head = *this->Head;
+  if (!this->DescribeFile(echoes, block, next))
   {
     return false;
   }
-  if (next.Arrays != sheet.Arrays || next.Header.PointLength != sheet.Header.PointLength)
+  if (next.Arrays != head.Arrays || next.Header.PointLength != head.Header.PointLength)
   {
     return this->RefusePoints("a block has other arrays than those before, which had the Extra "
                               "Bytes " +
-      sheet.ListArrays() + " and points of " + std::to_string(sheet.Header.PointLength) +
+      head.ListArrays() + " and points of " + std::to_string(head.Header.PointLength) +
       " bytes, and not " + next.ListArrays() + " and " + std::to_string(next.Header.PointLength) +
       " bytes; write it to another file");
   }
-  if (next.Wkt != sheet.Wkt)
+  if (next.Wkt != head.Wkt)
   {
     return this->RefusePoints(
       "a block has the CRS \"" + next.Crs + "\", unlike those before; write it to another file");
   }
-  if (next.Header.Encoding != sheet.Header.Encoding ||
-    (sheet.HasTime && next.Scaling.TimeShift != sheet.Scaling.TimeShift))
+  if (next.Header.Encoding != head.Header.Encoding ||
+    (head.HasTime && next.Scaling.TimeShift != head.Scaling.TimeShift))
   {
     return this->RefusePoints(
       "a block has another GpsEpoch than those before; write it to another file");
   }
-  if (!sheet.HasTime)
+  if (!head.HasTime)
   {
-    sheet.Scaling.TimeShift = next.Scaling.TimeShift;
-    sheet.Scaling.FullIntensity = this->FullIntensity;
-    sheet.HasTime = true;
-    sheet.Crs = next.Crs;
+    head.Scaling.TimeShift = next.Scaling.TimeShift;
+    head.Scaling.FullIntensity = this->FullIntensity;
+    head.HasTime = true;
+    head.Crs = next.Crs;
   }
   return true;
 }
@@ -290,7 +290,7 @@ bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* e
 bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
 {
   const vtkIdType start = this->GetFileSize();
-  helios::LasEncoder encoder(block, this->Sheet->Scaling, count);
+  helios::LasEncoder encoder(block, this->Head->Scaling, count);
   std::vector<char> bytes;
   while (encoder.HasPoints())
   {
@@ -298,15 +298,15 @@ bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
     {
       this->TruncateTo(start);
       return this->RefusePoints(
-        block.CheckRange(this->Sheet->Scaling, encoder.GetNext(), count).Message());
+        block.CheckRange(this->Head->Scaling, encoder.GetNext(), count).Message());
     }
     if (!this->WriteBytes(bytes.data(), bytes.size(), start))
     {
       return false;
     }
   }
-  this->Sheet->Header.Points.Add(encoder.GetSummary());
-  return this->OverwriteBytes(0, this->Sheet->Header.Encode());
+  this->Head->Header.Points.Add(encoder.GetSummary());
+  return this->OverwriteBytes(0, this->Head->Header.Encode());
 }
 
 //------------------------------------------------------------------------------
@@ -352,19 +352,19 @@ bool vtkHeliosLASWriter::SetBlock(
 bool vtkHeliosLASWriter::CheckSpacing(const helios::LasWaves& waves)
 {
   const std::uint32_t spacing = waves.GetSpacing();
-  if (spacing == 0 || spacing == this->Sheet->Spacing)
+  if (spacing == 0 || spacing == this->Head->Spacing)
   {
     return true;
   }
-  if (this->Sheet->Spacing != 0)
+  if (this->Head->Spacing != 0)
   {
     return this->RefusePoints("the waveforms of a block have a BinSize of " +
-      std::to_string(spacing) + " ps, and those before " + std::to_string(this->Sheet->Spacing) +
+      std::to_string(spacing) + " ps, and those before " + std::to_string(this->Head->Spacing) +
       " ps; write them to another file");
   }
-  this->Sheet->Spacing = spacing;
+  this->Head->Spacing = spacing;
   std::uint32_t count = 0;
-  return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count));
+  return this->OverwriteBytes(helios::LasHeader::Size14, this->Head->EncodeRecords(count));
 }
 
 //------------------------------------------------------------------------------
@@ -404,7 +404,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
   }
   const vtkIdType start = this->GetFileSize();
   const std::uint64_t packetsStart = this->Packets ? this->Packets->GetSize() : 0;
-  const bool isFirst = !this->Sheet;
+  const bool isFirst = !this->Head;
   const bool isKept = isFirst ? this->MakeHead(points, echoes) : this->CheckSame(points, echoes);
   if (!isKept || !this->CheckSpacing(waves) || !this->WritePackets(waves) ||
     !this->WritePoints(points, count))
@@ -415,7 +415,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     }
     if (isFirst)
     {
-      this->Sheet.reset(); // another block may become the first
+      this->Head.reset(); // another block may become the first
       this->TruncateTo(0);
     }
     return false;
@@ -442,10 +442,9 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::CollectBlocks()
   {
     blocks.push_back(this->Packets->CollectBlock());
   }
-  if (!this->IsOpen() && this->Sheet) // the heads are final
+  if (!this->IsOpen() && this->Head) // the heads are final
   {
-    blocks.push_back(
-      helios::MakeFileBlock(this->GetOpenName(), 0, this->Sheet->Header.PointsBegin));
+    blocks.push_back(helios::MakeFileBlock(this->GetOpenName(), 0, this->Head->Header.PointsBegin));
   }
   if (!this->IsOpen() && this->Packets)
   {
@@ -462,23 +461,23 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::CollectBlocks()
 //------------------------------------------------------------------------------
 std::string vtkHeliosLASWriter::GetHeadChecksum() const
 {
-  return this->Sheet && this->IsOpen()
+  return this->Head && this->IsOpen()
     ? helios::ComputeChecksum(
-        this->GetOpenName() + helios::PartEnding, 0, this->Sheet->Header.PointsBegin)
+        this->GetOpenName() + helios::PartEnding, 0, this->Head->Header.PointsBegin)
     : std::string();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::RestoreHead(const std::string& checksum)
 {
-  if (this->Superclass::RestoreHead(checksum) || !this->Sheet || this->Sheet->Spacing == 0)
+  if (this->Superclass::RestoreHead(checksum) || !this->Head || this->Head->Spacing == 0)
   {
     return this->GetHeadChecksum() == checksum;
   }
   // A block that is removed may be the first with waveforms.
-  this->Sheet->Spacing = 0;
+  this->Head->Spacing = 0;
   std::uint32_t count = 0;
-  return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count)) &&
+  return this->OverwriteBytes(helios::LasHeader::Size14, this->Head->EncodeRecords(count)) &&
     this->Superclass::RestoreHead(checksum);
 }
 
@@ -486,14 +485,14 @@ bool vtkHeliosLASWriter::RestoreHead(const std::string& checksum)
 /// Writes a file without points if there was no block.
 bool vtkHeliosLASWriter::WriteEmpty()
 {
-  this->Sheet = std::make_unique<helios::LasSheet>();
-  this->Sheet->Header.Encoding = helios::LasHeader::HasWkt;
+  this->Head = std::make_unique<helios::LasFileHead>();
+  this->Head->Header.Encoding = helios::LasHeader::HasWkt;
   if (this->Packets)
   {
-    this->Sheet->HasWaves = true;
-    this->Sheet->Header.Encoding |= helios::LasHeader::ExternalWaves;
-    this->Sheet->Header.Format = 9;
-    this->Sheet->Header.PointLength = helios::GetLasPointForm(9).Length;
+    this->Head->HasWaves = true;
+    this->Head->Header.Encoding |= helios::LasHeader::ExternalWaves;
+    this->Head->Header.Format = 9;
+    this->Head->Header.PointLength = helios::GetLasPointForm(9).Length;
   }
   const bool isWritten = this->WriteHead();
   this->NumberOfBytes += this->GetFileSize();
@@ -508,7 +507,7 @@ bool vtkHeliosLASWriter::Close()
     this->Abandon();
     return false;
   }
-  if (!this->Sheet && !this->WriteEmpty())
+  if (!this->Head && !this->WriteEmpty())
   {
     this->Abandon();
     return false;
@@ -531,7 +530,7 @@ bool vtkHeliosLASWriter::Close()
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::Abandon()
 {
-  bool good = !this->IsOpen() || this->Sheet || this->WriteEmpty();
+  bool good = !this->IsOpen() || this->Head || this->WriteEmpty();
   if (this->Packets && !this->Packets->Abandon())
   {
     good = this->FailFile(this->Packets->GetProblem());

@@ -62,7 +62,7 @@ namespace helios
 class LasBlock;
 class LasNamesFile;
 class LasWaves;
-struct LasSheet;
+struct LasFileHead;
 }
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosLASWriter : public vtkHeliosStreamWriter
@@ -172,7 +172,7 @@ private:
   bool RefusePoints(const std::string& problem);
   bool MakeHead(const helios::LasBlock& block, vtkPolyData* echoes);
   bool CheckSame(const helios::LasBlock& block, vtkPolyData* echoes);
-  bool MakeSheet(vtkPolyData* echoes, const helios::LasBlock& block, helios::LasSheet& sheet);
+  bool DescribeFile(vtkPolyData* echoes, const helios::LasBlock& block, helios::LasFileHead& head);
   bool WriteHead();
   bool WritePoints(helios::LasBlock& block, vtkIdType count);
   void Warn(const helios::LasBlock& block);
@@ -186,7 +186,7 @@ private:
   int CreationDay = 0;
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
-  std::unique_ptr<helios::LasSheet> Sheet;     // layout of the file; null before its first block
+  std::unique_ptr<helios::LasFileHead> Head;   // layout of the file; null before its first block
   std::unique_ptr<helios::LasNamesFile> Names; // names of parts and materials
   std::unique_ptr<helios::PartFile> Packets;   // null: points have no waveforms
   vtkSmartPointer<vtkTable> Waveforms;         // waveforms of the next block

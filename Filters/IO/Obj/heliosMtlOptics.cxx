@@ -21,7 +21,7 @@ constexpr const char* DissolveKey = "d";
 struct NumberKey
 {
   const char* Key;
-  double Least, Most;
+  double Minimum, Maximum;
   double MaterialOptics::*Value;
 };
 constexpr std::array<NumberKey, 8> NumberKeys = { {
@@ -110,8 +110,10 @@ bool MtlOptics::Finish(double specular, MaterialOptics& optics, TextReport& repo
     (water == this->Lines.end() || this->SetWater(water->second, optics, report)) &&
     this->SetDispersion(optics, report) &&
     std::all_of(NumberKeys.begin(), NumberKeys.end(),
-      [&](const NumberKey& number) {
-        return this->SetNumber(number.Key, number.Least, number.Most, optics.*number.Value, report);
+      [&](const NumberKey& number)
+      {
+        return this->SetNumber(
+          number.Key, number.Minimum, number.Maximum, optics.*number.Value, report);
       });
 }
 
@@ -211,7 +213,7 @@ bool MtlOptics::SetStandardKind(
 }
 
 bool MtlOptics::SetNumber(
-  const char* key, double least, double most, double& value, TextReport& report) const
+  const char* key, double minimum, double maximum, double& value, TextReport& report) const
 {
   const auto found = this->Lines.find(key);
   if (found == this->Lines.end())
@@ -220,10 +222,10 @@ bool MtlOptics::SetNumber(
   }
   TextWords words(found->second.Value);
   double number = 0.0;
-  if (words.Next(number) != TextWords::Number::Good || !(number >= least && number <= most))
+  if (words.Next(number) != TextWords::Number::Good || !(number >= minimum && number <= maximum))
   {
     return report.Fail(found->second.Place + key + ' ' + Quote(found->second.Value) +
-      " is not a number from " + ToText(least) + " to " + ToText(most));
+      " is not a number from " + ToText(minimum) + " to " + ToText(maximum));
   }
   value = number;
   return true;

@@ -55,7 +55,7 @@ private:
   bool SetStandardKind(
     const Line& line, double specular, MaterialOptics& optics, TextReport& report) const;
   bool SetNumber(
-    const char* key, double least, double most, double& value, TextReport& report) const;
+    const char* key, double minimum, double maximum, double& value, TextReport& report) const;
 
   std::map<std::string, Line, std::less<>> Lines; // by their key
 };

@@ -141,14 +141,14 @@ bool ObjParser::ReadVertex(TextWords& words)
 }
 
 // Checks numbers that are not used.
-bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int least)
+bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int minimum)
 {
   double unused;
   TextWords::Number status = TextWords::Number::Good;
   for (int count = 0; status == TextWords::Number::Good; ++count)
   {
     status = words.Next(unused);
-    if (status == TextWords::Number::None && count >= least)
+    if (status == TextWords::Number::None && count >= minimum)
     {
       return true;
     }

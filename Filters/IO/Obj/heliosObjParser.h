@@ -39,7 +39,7 @@ public:
   explicit ObjParser(TextReport& report);
 
   /// Maximum number of corners (and vertices) of 32-bit cells.
-  std::int64_t MaximumNumberOfCorners = MostCorners;
+  std::int64_t MaximumNumberOfCorners = MaximumCorners;
 
   /// Sets whether texture coordinates are read: u v of every corner, NaN without. Default: false.
   void SetReadsTextures(bool reads) { this->ReadsTextures = reads; }
@@ -67,7 +67,7 @@ private:
   bool ReadLine(std::string_view line);
   bool ReadStatement(std::string_view keyword, TextWords& words);
   bool ReadVertex(TextWords& words);
-  bool ReadNumbers(std::string_view keyword, TextWords& words, int least);
+  bool ReadNumbers(std::string_view keyword, TextWords& words, int minimum);
   bool ReadFace(TextWords& words);
   bool ReadCorner(TextWords& words);
   bool Resolve(Element& element, int& index);

@@ -23,7 +23,7 @@ constexpr std::string_view EpochMark = "# vtkHelios GpsEpoch:";
 constexpr std::string_view CrsMark = "# vtkHelios CRS:";
 constexpr std::string_view AmplitudeMark = "# vtkHelios intensity: Amplitude";
 constexpr std::string_view WholeMark = "# vtkHelios intensity: Intensity, 16 bits";
-constexpr std::uint64_t MostPoints = std::uint64_t(1) << 40;
+constexpr std::uint64_t MaximumPoints = std::uint64_t(1) << 40;
 constexpr int LargestCount = 100000;
 constexpr std::size_t LongestLine = 1 << 20;
 
@@ -113,7 +113,7 @@ public:
     }
     PcdHeader& header = this->Header;
     header.Width = this->Has("WIDTH") ? header.Width : this->Points;
-    if (header.Height > 0 && header.Width > MostPoints / header.Height)
+    if (header.Height > 0 && header.Width > MaximumPoints / header.Height)
     {
       return Status::Error("WIDTH " + std::to_string(header.Width) + " times HEIGHT " +
         std::to_string(header.Height) + " gives too many points; correct them");
@@ -218,7 +218,7 @@ private:
       std::uint64_t& number = key == "WIDTH" ? this->Header.Width
         : key == "HEIGHT"                    ? this->Header.Height
                                              : this->Points;
-      return words.size() == 1 && ToNumber(words[0], number) && number <= MostPoints
+      return words.size() == 1 && ToNumber(words[0], number) && number <= MaximumPoints
         ? Status()
         : Status::Error(key + " is not one whole number of at most 2^40; correct it");
     }

@@ -34,7 +34,7 @@ namespace
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
 constexpr std::uint64_t LargestPage = 1 << 16; // [bytes]
-constexpr std::uint64_t MostLzfRatio = 100;    // 3 bytes encode at most 264
+constexpr std::uint64_t MaximumLzfRatio = 100; // 3 bytes encode at most 264
 
 } // namespace
 
@@ -102,10 +102,10 @@ private:
     const std::uint64_t row = this->Header.Storage == helios::PcdStorage::Ascii
       ? 2 * columns // a digit and a blank each; the last line may lack its end
       : this->Header.GetRowSize();
-    const std::uint64_t most = this->Header.Storage == helios::PcdStorage::Compressed
-      ? this->DataSize * MostLzfRatio
+    const std::uint64_t maximum = this->Header.Storage == helios::PcdStorage::Compressed
+      ? this->DataSize * MaximumLzfRatio
       : this->DataSize + 1;
-    return count == 0 || row <= most / count
+    return count == 0 || row <= maximum / count
       ? helios::Status()
       : helios::Status::Error(this->DescribeShort(count * row));
   }

@@ -50,10 +50,10 @@ bool PlyFile::CheckSize()
 {
   const std::int64_t vertices = this->Header.Find("vertex")->Count;
   const std::int64_t faces = this->Header.Find("face")->Count;
-  if (vertices > MostCorners || 3 * faces > MostCorners)
+  if (vertices > MaximumCorners || 3 * faces > MaximumCorners)
   {
-    return this->Report.Fail(this->Path + ": more than " + std::to_string(MostCorners) +
-      " vertices or " + std::to_string(MostCorners / 3) +
+    return this->Report.Fail(this->Path + ": more than " + std::to_string(MaximumCorners) +
+      " vertices or " + std::to_string(MaximumCorners / 3) +
       " triangles; split the file into several scene parts");
   }
   const Status status = CheckMemory("faces", static_cast<double>(faces), BytesPerTriangle);
@@ -213,8 +213,9 @@ bool PlyFile::ReadRing()
     }
     ring.push_back(static_cast<vtkTypeInt32>(id));
   }
-  return this->Mesh.Corners.GetSize() + 3 * static_cast<std::int64_t>(ring.size()) <= MostCorners ||
-    this->Fail("more than " + std::to_string(MostCorners / 3) +
+  return this->Mesh.Corners.GetSize() + 3 * static_cast<std::int64_t>(ring.size()) <=
+    MaximumCorners ||
+    this->Fail("more than " + std::to_string(MaximumCorners / 3) +
       " triangles; split the file into several scene parts");
 }
 

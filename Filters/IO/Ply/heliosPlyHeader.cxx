@@ -27,7 +27,7 @@ constexpr struct
 
 constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
 
-constexpr std::int64_t MostRows = std::int64_t(1) << 40;
+constexpr std::int64_t MaximumRows = std::int64_t(1) << 40;
 
 /// Text of a header as UTF-8: characters beyond ASCII may be escaped, or Latin-1.
 std::string ToUtf8(std::string_view text)
@@ -114,7 +114,7 @@ private:
     element.Name = words.NextName();
     TextWords ahead = words;
     if (words.Next(element.Count) != TextWords::Number::Good || element.Count < 0 ||
-      element.Count > MostRows)
+      element.Count > MaximumRows)
     {
       return Status::Error("element " + Quote(element.Name) + " has the count " +
         Quote(ahead.Next()) + "; expected a whole number from 0 to 2^40");

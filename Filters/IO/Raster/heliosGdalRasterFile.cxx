@@ -438,8 +438,8 @@ double GdalRasterFile::CountPixels() const
     this->Band, 0, 0, static_cast<int>(this->Columns), static_cast<int>(this->Rows), 0, &percent);
   const double all = static_cast<double>(this->Columns) * static_cast<double>(this->Rows);
   const bool isKnown = (status & GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED) == 0 && percent >= 0.0;
-  const double least = (status & GDAL_DATA_COVERAGE_STATUS_DATA) != 0 ? 1.0 : 0.0;
-  return isKnown ? std::max(least, std::round(0.01 * percent * all)) : all;
+  const double minimum = (status & GDAL_DATA_COVERAGE_STATUS_DATA) != 0 ? 1.0 : 0.0;
+  return isKnown ? std::max(minimum, std::round(0.01 * percent * all)) : all;
 }
 
 void GdalRasterFile::CheckHeights(double lowest, double highest)

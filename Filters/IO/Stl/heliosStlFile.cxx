@@ -124,9 +124,9 @@ bool StlFile::FailSize(std::int64_t size, std::uint32_t count)
 //------------------------------------------------------------------------------
 bool StlFile::ReadBinary(std::FILE* file, std::uint32_t count)
 {
-  if (3 * static_cast<std::int64_t>(count) > MostCorners)
+  if (3 * static_cast<std::int64_t>(count) > MaximumCorners)
   {
-    return this->Report.Fail(this->Path + ": more than " + std::to_string(MostCorners / 3) +
+    return this->Report.Fail(this->Path + ": more than " + std::to_string(MaximumCorners / 3) +
       " triangles; split the file into several scene parts");
   }
   if (const Status status = CheckMemory("triangles", count, BytesPerTriangle); !status.IsOk())
@@ -277,9 +277,9 @@ bool StlFile::ReadVertex(TextWords& words)
   {
     return this->FailHere("the loop has a fourth vertex; a facet of STL has three");
   }
-  if (3 * (this->Mesh.GetNumberOfTriangles() + 1) > MostCorners)
+  if (3 * (this->Mesh.GetNumberOfTriangles() + 1) > MaximumCorners)
   {
-    return this->FailHere("more than " + std::to_string(MostCorners / 3) +
+    return this->FailHere("more than " + std::to_string(MaximumCorners / 3) +
       " triangles; split the file into several scene parts");
   }
   for (double& coordinate : point)

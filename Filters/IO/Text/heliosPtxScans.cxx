@@ -9,7 +9,7 @@ namespace helios
 namespace
 {
 
-constexpr int MostPtxLines = 10; // lines of the header of a scan
+constexpr int MaximumPtxLines = 10; // lines of the header of a scan
 
 /// Reads the lines of a PTX file.
 class PtxFinder
@@ -55,9 +55,9 @@ private:
 
   Status ReadHeader(TextScan& scan, std::int64_t& count)
   {
-    double numbers[MostPtxLines][4] = {};
-    const int columns[MostPtxLines] = { 1, 1, 3, 3, 3, 3, 4, 4, 4, 4 };
-    for (int i = 0; i < MostPtxLines; ++i)
+    double numbers[MaximumPtxLines][4] = {};
+    const int columns[MaximumPtxLines] = { 1, 1, 3, 3, 3, 3, 4, 4, 4, 4 };
+    for (int i = 0; i < MaximumPtxLines; ++i)
     {
       if ((i > 0 && !this->NextLine()) || !this->ReadNumbers(numbers[i], columns[i]))
       {

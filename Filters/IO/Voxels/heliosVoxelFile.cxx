@@ -131,7 +131,7 @@ bool VoxelFile::ReadKey(const std::string& key, std::string_view values)
 //------------------------------------------------------------------------------
 /// Reads three numbers, or one for all three if allowed.
 bool VoxelFile::ReadNumbers(
-  const std::string& key, std::string_view values, int least, double numbers[3])
+  const std::string& key, std::string_view values, int minimum, double numbers[3])
 {
   TextWords words(values);
   int count = 0;
@@ -139,7 +139,7 @@ bool VoxelFile::ReadNumbers(
   {
     ++count;
   }
-  if (count == 1 && least == 1)
+  if (count == 1 && minimum == 1)
   {
     numbers[1] = numbers[2] = numbers[0];
     count = 3;
@@ -151,11 +151,11 @@ bool VoxelFile::ReadNumbers(
       numbers, numbers + 3, [low](double x) { return x >= low && x <= LargestCoordinate; });
   return isGood ||
     this->Fail("#" + key + ": " + Quote(values) + " is not valid: expected " +
-      (least == 3 ? "three numbers" : "a number") + (isCorner ? " [m]" : " greater than 0") +
+      (minimum == 3 ? "three numbers" : "a number") + (isCorner ? " [m]" : " greater than 0") +
       ", such as " +
-      (key == "split"  ? "20 20 10"
-          : least == 3 ? "0 0 0"
-                       : "0.5"));
+      (key == "split"    ? "20 20 10"
+          : minimum == 3 ? "0 0 0"
+                         : "0.5"));
 }
 
 //------------------------------------------------------------------------------
@@ -361,8 +361,8 @@ bool VoxelFile::ReadValue(TextWords& words, Role role, double& value)
       " is not a number of double precision; write numbers such as 0.25 or 1e-3, and NaN for what "
       "is not known");
   }
-  const double most = role == Role::Pad ? 1e9 : 1.0 + 1e-6;
-  return std::isnan(value) || (value >= 0.0 && value <= most) ||
+  const double maximum = role == Role::Pad ? 1e9 : 1.0 + 1e-6;
+  return std::isnan(value) || (value >= 0.0 && value <= maximum) ||
     this->Fail(this->GetName(role) + " is " + std::to_string(value) + "; give 0 or more" +
       (role == Role::Pad ? " [m2/m3]" : ", up to 1") + ", and NaN for what is not known");
 }

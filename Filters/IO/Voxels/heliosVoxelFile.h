@@ -71,7 +71,7 @@ private:
 
   bool ReadKeys(std::string_view line);
   bool ReadKey(const std::string& key, std::string_view values);
-  bool ReadNumbers(const std::string& key, std::string_view values, int least, double numbers[3]);
+  bool ReadNumbers(const std::string& key, std::string_view values, int minimum, double numbers[3]);
   bool ReadNames(std::string_view line);
   bool FinishHead();
   bool CheckCount();

@@ -56,7 +56,7 @@ std::string GetText(vtkXMLDataElement* element, const char* name)
 
 /// Reads an integer attribute in [0, most].
 vtkTypeInt64 ReadCount(
-  vtkXMLDataElement* element, const char* name, vtkTypeInt64 missing, vtkTypeInt64 most)
+  vtkXMLDataElement* element, const char* name, vtkTypeInt64 missing, vtkTypeInt64 maximum)
 {
   const char* text = element->GetAttribute(name);
   if (!text)
@@ -69,10 +69,10 @@ vtkTypeInt64 ReadCount(
   const std::size_t last = words.find_last_not_of(" \n\r\t") + 1;
   const auto [end, error] =
     std::from_chars(words.data() + first, words.data() + std::max(first, last), value);
-  if (error != std::errc() || end != words.data() + last || value < 0 || value > most)
+  if (error != std::errc() || end != words.data() + last || value < 0 || value > maximum)
   {
     Fail(Quote(name, words) + " of " + element->GetName() + " is not valid: expected 0 to " +
-      std::to_string(most) + "; write the file again");
+      std::to_string(maximum) + "; write the file again");
   }
   return value;
 }

@@ -93,8 +93,8 @@ public:
     std::fill(this->Extremes.begin(), this->Extremes.end(), HUGE_VALF);
     for (std::size_t i = 0; i < from.size(); ++i)
     {
-      float& least = this->Extremes[this->BinOf[i]];
-      least = std::min(least, from[i]);
+      float& minimum = this->Extremes[this->BinOf[i]];
+      minimum = std::min(minimum, from[i]);
     }
     return ForChunks(values.size(), goOn,
       [&](std::size_t begin, std::size_t end)
@@ -104,7 +104,7 @@ public:
           {
             for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
             {
-              values[i] = sign * this->GetLeast(this->Points[i], from);
+              values[i] = sign * this->GetMinimum(this->Points[i], from);
             }
           });
       });
@@ -119,9 +119,9 @@ private:
       this->Low[axis] = bounds.Low[axis];
       extent[axis] = static_cast<double>(bounds.High[axis]) - static_cast<double>(bounds.Low[axis]);
     }
-    const double most = BinsOfPoint * static_cast<double>(this->Points.size()) + 4.0;
-    this->Side = std::max({ side, extent[0] / most, extent[1] / most });
-    while ((extent[0] / this->Side + 1.0) * (extent[1] / this->Side + 1.0) > 2.0 * most)
+    const double maximum = BinsOfPoint * static_cast<double>(this->Points.size()) + 4.0;
+    this->Side = std::max({ side, extent[0] / maximum, extent[1] / maximum });
+    while ((extent[0] / this->Side + 1.0) * (extent[1] / this->Side + 1.0) > 2.0 * maximum)
     {
       this->Side *= 1.5;
     }
@@ -141,38 +141,38 @@ private:
     return static_cast<std::size_t>(std::clamp(distance, 0.0, last));
   }
 
-  float GetLeast(const pcl::PointXYZ& p, const std::vector<float>& from) const
+  float GetMinimum(const pcl::PointXYZ& p, const std::vector<float>& from) const
   {
     const Rectangle window = { { p.x - this->Half, p.y - this->Half },
       { p.x + this->Half, p.y + this->Half } };
     const std::size_t columns[] = { this->GetBin(1, window.Low[1]),
       this->GetBin(1, window.High[1]) };
-    float least = HUGE_VALF;
+    float minimum = HUGE_VALF;
     const std::size_t last = this->GetBin(0, window.High[0]);
     for (std::size_t row = this->GetBin(0, window.Low[0]); row <= last; ++row)
     {
       for (std::size_t column = columns[0]; column <= columns[1]; ++column)
       {
         const std::size_t bin = row * this->Across[1] + column;
-        if (this->Extremes[bin] < least)
+        if (this->Extremes[bin] < minimum)
         {
           const bool isInside = window.Holds(this->Bounds[bin]);
-          least = isInside ? this->Extremes[bin] : this->GetLeast(bin, window, from, least);
+          minimum = isInside ? this->Extremes[bin] : this->GetMinimum(bin, window, from, minimum);
         }
       }
     }
-    return least;
+    return minimum;
   }
 
-  float GetLeast(
-    std::size_t bin, const Rectangle& window, const std::vector<float>& from, float least) const
+  float GetMinimum(
+    std::size_t bin, const Rectangle& window, const std::vector<float>& from, float minimum) const
   {
     for (std::size_t k = this->Begin[bin]; k < this->Begin[bin + 1]; ++k)
     {
       const std::size_t i = this->Order[k];
-      least = from[i] < least && window.Holds(this->Points[i]) ? from[i] : least;
+      minimum = from[i] < minimum && window.Holds(this->Points[i]) ? from[i] : minimum;
     }
-    return least;
+    return minimum;
   }
 
   const Cloud& Points;

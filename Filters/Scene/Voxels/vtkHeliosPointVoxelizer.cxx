@@ -265,19 +265,19 @@ bool vtkHeliosPointVoxelizer::Gather(
     return false;
   };
   const double available = 1048576.0 * vtkHeliosMemoryLimit::GetAvailable() / BytesPerCell;
-  const auto most = static_cast<vtkIdType>(std::min(available, 4e9));
+  const auto maximum = static_cast<vtkIdType>(std::min(available, 4e9));
   const auto gather = [&](const helios::VoxelInput& input)
   {
     if (again.Add(input) >= 0 || !bounds.Holds(again))
     {
       return fails();
     }
-    const bool fits = grid.Add(input.Get(), std::min(this->MaximumNumberOfCells, most));
-    if (!fits && most < this->MaximumNumberOfCells)
+    const bool fits = grid.Add(input.Get(), std::min(this->MaximumNumberOfCells, maximum));
+    if (!fits && maximum < this->MaximumNumberOfCells)
     {
       vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m: "
                     << helios::CheckMemory(
-                         "cells or more", static_cast<double>(most + 1), BytesPerCell)
+                         "cells or more", static_cast<double>(maximum + 1), BytesPerCell)
                          .Message()
                     << "; a larger VoxelSize gives fewer");
       return false;

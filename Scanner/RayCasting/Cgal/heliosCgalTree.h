@@ -22,8 +22,8 @@ public:
   CgalTree();
   ~CgalTree();
 
-  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  /// Throws Stopped on an abort request.
+  /// Builds over the triangles of a mesh that have an area; the mesh must outlive it. Throws
+  /// Stopped on an abort request.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
   /// Returns the hit with the smallest range and, of equals, the smallest triangle; triangle -1 for

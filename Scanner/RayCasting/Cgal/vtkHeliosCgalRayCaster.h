@@ -4,14 +4,13 @@
  * @class   vtkHeliosCgalRayCaster
  * @brief   the ray caster on CGAL's AABB tree
  *
- * CGAL's AABB tree in double precision, with triangle indices as primitives
- * over the scene's own points. It finds the candidate triangles of a ray, the
- * nearer box first; the common test decides hits and ranges. Its hits are
- * therefore bitwise identical to those of every other backend, and it needs no
- * local frame: no coordinate is rounded.
+ * CGAL's AABB tree in double precision, with triangle indices as primitives over the scene's own
+ * points. It finds the candidate triangles of a ray, the nearer box first; the common test decides
+ * hits and ranges. Its hits are therefore bitwise identical to the hits of every other backend, and
+ * it needs no local frame: no coordinate is rounded.
  *
- * An alternative to Embree and an independent check; Embree is many times
- * faster (Docs/ray-casters.md).
+ * An alternative to Embree and an independent check; Embree is many times faster
+ * (Docs/ray-casters.md).
  *
  * @warning
  * CGAL's AABB tree is under the GPL, and so is a program that links this module.

@@ -23,7 +23,7 @@ inline void InitContext(EmbreeContext& context)
   rtcInitIntersectContext(&context);
 }
 
-/// rtcIntersect1 or rtcOccluded1.
+/// Calls rtcIntersect1 or rtcOccluded1.
 template <typename RayT>
 void TraceRay(
   void (*trace)(RTCScene, EmbreeContext*, RayT*), RTCScene scene, EmbreeContext& context, RayT& ray)
@@ -31,7 +31,7 @@ void TraceRay(
   trace(scene, &context, &ray);
 }
 
-/// rtcIntersect4, 8, 16, or rtcOccluded4, 8, 16; rays that are not valid (-1) are left out.
+/// Calls rtcIntersect4, 8, 16, or rtcOccluded4, 8, 16; rays that are not valid (-1) are left out.
 template <typename RaysT>
 void TracePacket(void (*trace)(const int*, RTCScene, EmbreeContext*, RaysT*), const int* valid,
   RTCScene scene, EmbreeContext& context, void* rays)
@@ -59,7 +59,7 @@ inline void InitArguments(RTCOccludedArguments& arguments, EmbreeContext& contex
   arguments.context = &context;
 }
 
-/// rtcIntersect1 or rtcOccluded1.
+/// Calls rtcIntersect1 or rtcOccluded1.
 template <typename RayT, typename ArgumentsT>
 void TraceRay(
   void (*trace)(RTCScene, RayT*, ArgumentsT*), RTCScene scene, EmbreeContext& context, RayT& ray)
@@ -69,7 +69,7 @@ void TraceRay(
   trace(scene, &ray, &arguments);
 }
 
-/// rtcIntersect4, 8, 16, or rtcOccluded4, 8, 16; rays that are not valid (-1) are left out.
+/// Calls rtcIntersect4, 8, 16, or rtcOccluded4, 8, 16; rays that are not valid (-1) are left out.
 template <typename RaysT, typename ArgumentsT>
 void TracePacket(void (*trace)(const int*, RTCScene, RaysT*, ArgumentsT*), const int* valid,
   RTCScene scene, EmbreeContext& context, void* rays)

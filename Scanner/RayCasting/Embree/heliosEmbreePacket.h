@@ -13,11 +13,11 @@ namespace helios
 constexpr int MaximumWidth = 16; // rays that Embree traces at a time
 
 /**
- * The frame of the float boxes: the scene's box, centred and scaled by a power of two into
- * [-1, 1]^3. Boxes are padded by Pad = 8 u32, u32 = 2^-24: a float ray differs from its double by
- * u32 for the rounding of its origin and 2 u32 for that of its direction, a box by u32. The other
- * half of the pad covers the tolerance of the double test (BoxSlack) and the start of the float
- * ray, for origins up to 1e7 scene sizes away.
+ * The frame of the float boxes: the scene's box, centred and scaled by a power of two into [-1,
+ * 1]^3. Boxes are padded by Pad = 8 u32, u32 = 2^-24: a float ray differs from its double by u32
+ * for the rounding of its origin and by 2 u32 for its direction, a box by u32. The other half of
+ * the pad covers the tolerance of the double test (BoxSlack) and the start of the float ray, for
+ * origins up to 1e7 scene sizes away.
  */
 struct LocalFrame
 {
@@ -96,7 +96,7 @@ struct Packet
     return this->Quads[lane / QuadWidth].TestLane(lane % QuadWidth, pair, far);
   }
 
-  /// RayQuad::TestLane for all valid lanes.
+  /// Calls RayQuad::TestLane for all valid lanes.
   void TestLanes(const int* valid, const TrianglePair& pair, float* far);
 };
 

@@ -53,7 +53,7 @@ private:
   unsigned int Saved = 0;
 };
 
-/// The number of rays Embree traces at a time on this machine.
+/// Returns the number of rays Embree traces at a time on this machine.
 int GetNativeWidth(RTCDevice device)
 {
   if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
@@ -173,19 +173,19 @@ void EmbreeTree::SortTriangles(StopCheck& check)
     const double* p[3];
     this->GetPoints(i, p);
     bool isInside = true;
-    double least[3], most[3];
+    double minimum[3], maximum[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      least[axis] = Min(Min(p[0][axis], p[1][axis]), p[2][axis]);
-      most[axis] = Max(Max(p[0][axis], p[1][axis]), p[2][axis]);
-      isInside = isInside && least[axis] >= core[2 * axis] && most[axis] <= core[2 * axis + 1];
+      minimum[axis] = Min(Min(p[0][axis], p[1][axis]), p[2][axis]);
+      maximum[axis] = Max(Max(p[0][axis], p[1][axis]), p[2][axis]);
+      isInside = isInside && minimum[axis] >= core[2 * axis] && maximum[axis] <= core[2 * axis + 1];
     }
     const bool hasArea = SpansArea(p[0], p[1], p[2]);
     const bool isTaken = hasArea && isInside;
     for (int axis = 0; axis < 3 && isTaken; ++axis)
     {
-      low[axis] = Min(low[axis], least[axis]);
-      high[axis] = Max(high[axis], most[axis]);
+      low[axis] = Min(low[axis], minimum[axis]);
+      high[axis] = Max(high[axis], maximum[axis]);
     }
     if (hasArea && !isInside)
     {
@@ -340,7 +340,8 @@ void EmbreeTree::OnOccluded(const RTCOccludedFunctionNArguments* args)
   }
 }
 
-// The context's default is INCOHERENT; COHERENT loses hits with tiny direction components.
+// Traces coherently; the context's default is INCOHERENT, and COHERENT loses hits with tiny
+// direction components.
 void EmbreeTree::TraceFirst(Trace& trace, int alive) const
 {
   InitContext(trace.Context);

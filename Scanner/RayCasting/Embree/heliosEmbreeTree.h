@@ -29,7 +29,7 @@ public:
   EmbreeTree(const EmbreeTree&) = delete;
   void operator=(const EmbreeTree&) = delete;
 
-  /// Over a mesh, which must outlive it. Throws Stopped on an abort request.
+  /// Builds over a mesh, which must outlive it. Throws Stopped on an abort request.
   Status Build(const TriangleMesh& mesh, StopCheck& check);
   void Clear();
 
@@ -52,7 +52,7 @@ private:
   bool HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const;
   TrianglePair GetPair(unsigned int first) const;
 
-  /// The best hits of a packet, or any hits; stored in its rays.
+  /// Finds the best hits of a packet, or any hits; stores them in its rays.
   void TraceFirst(Trace& trace, int alive) const;
   void TraceAny(Trace& trace, int alive) const;
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;

@@ -85,7 +85,7 @@ void ObbSearch::Build(const TriangleMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// The part of a ray within the scene's box, about the middle; false for a miss.
+/// Computes the part of a ray within the scene's box, about the middle; false for a miss.
 bool ObbSearch::Clip(const TestRay& ray, double from[3], double to[3]) const
 {
   double low[3], high[3], entry, exit;

@@ -22,7 +22,7 @@ class TriangleMesh;
 class ObbSearch
 {
 public:
-  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
+  /// Builds over the triangles of a mesh that have an area; the mesh must outlive it.
   void Build(const TriangleMesh& mesh);
 
   /// Returns a hit found by the tree, with the range of the common test; triangle -1 for a miss.

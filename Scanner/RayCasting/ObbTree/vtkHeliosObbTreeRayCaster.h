@@ -4,11 +4,10 @@
  * @class   vtkHeliosObbTreeRayCaster
  * @brief   the ray caster on vtkOBBTree: a cross-check
  *
- * VTK's tree of oriented boxes over the scene, translated to its middle. Each ray
- * is clipped to the scene's box first, since the tree's cost grows with the length
- * of the segment, and intersected with a tolerance of 1e-9 of the scene's size;
- * without it the tree loses hits at edges. The tree decides whether a triangle is
- * hit; the range is that of the common test on the scene's own points.
+ * VTK's tree of oriented boxes over the scene, translated to its middle. Each ray is clipped to the
+ * scene's box first, since the tree's cost grows with the length of the segment, and intersected
+ * with a tolerance of 1e-9 of the scene's size; without it the tree loses hits at edges. The tree
+ * decides whether a triangle is hit; the common test on the scene's own points computes the range.
  *
  * It is hundreds to thousands of times slower than Embree (numbers: Docs/ray-casters.md), loses
  * some hits at shared edges, hits a surface up to 1e-9 of the scene's size beside it, and of

@@ -16,12 +16,12 @@ namespace helios
 namespace
 {
 
-HELIOS_INLINE double GetLeast(const Doubles& v)
+HELIOS_INLINE double GetMinimum(const Doubles& v)
 {
   return Min(Min(v[0], v[1]), Min(v[2], v[3]));
 }
 
-HELIOS_INLINE double GetMost(const Doubles& v)
+HELIOS_INLINE double GetMaximum(const Doubles& v)
 {
   return Max(Max(v[0], v[1]), Max(v[2], v[3]));
 }
@@ -67,7 +67,7 @@ HELIOS_INLINE bool AreAll(const Masks& m)
   return m[0] && m[1] && m[2] && m[3];
 }
 
-/// The rays whose direction is largest along an axis, forward or not.
+/// Returns the rays whose direction is largest along an axis, forward or not.
 HELIOS_INLINE Masks IsAlong(const RayTerms<Doubles>& rays, const Masks& isX, const Masks& isY,
   const RayAxes& axes, bool isForward)
 {
@@ -118,7 +118,7 @@ void BeamBundle::TraceTree(const PlacedTree& placed)
   }
 }
 
-/// The same, ray by ray.
+/// Traces ray by ray, with the same hits as in bundles.
 void BeamBundle::TraceEach()
 {
   for (int i = 0; i < this->Count; ++i)
@@ -152,7 +152,7 @@ void BeamBundle::TraceInstances()
     return;
   }
   this->SetReach();
-  const Frustum hull = this->Hull; // those of the instances replace it
+  const Frustum hull = this->Hull; // the hulls of the instances replace it
   BeamWalk walk(this->Scene.GetBoxes(), hull);
   BeamTree::Leaf leaf;
   float limit = hull.GetLimit(this->GetFarthest());
@@ -258,9 +258,9 @@ void BeamBundle::SetReach()
   for (int quad = 0; quad < this->Quads; ++quad)
   {
     const Doubles* o = this->Lanes[quad].Origin;
-    const Doubles most =
+    const Doubles maximum =
       Max(Max(Max<Doubles>(o[0], -o[0]), Max<Doubles>(o[1], -o[1])), Max<Doubles>(o[2], -o[2]));
-    this->Reach = Max(this->Reach, GetMost(most));
+    this->Reach = Max(this->Reach, GetMaximum(maximum));
   }
 }
 
@@ -327,27 +327,27 @@ HELIOS_INLINE void BeamBundle::SetIntervals(
   const double sign = this->IsForward ? 1.0 : -1.0;
   for (int i = 0; i < 3; ++i)
   {
-    Doubles least = this->GetRays(0).Origin[axes[i]];
-    Doubles most = least;
+    Doubles minimum = this->GetRays(0).Origin[axes[i]];
+    Doubles maximum = minimum;
     for (int quad = 1; quad < this->Quads; ++quad)
     {
-      least = Min(least, this->GetRays(quad).Origin[axes[i]]);
-      most = Max(most, this->GetRays(quad).Origin[axes[i]]);
+      minimum = Min(minimum, this->GetRays(quad).Origin[axes[i]]);
+      maximum = Max(maximum, this->GetRays(quad).Origin[axes[i]]);
     }
-    low[i] = GetLeast(least);
-    high[i] = GetMost(most);
+    low[i] = GetMinimum(minimum);
+    high[i] = GetMaximum(maximum);
   }
   for (int i = 0; i < 2; ++i)
   {
-    Doubles least = this->GetRays(0).Shear[i] * sign;
-    Doubles most = least;
+    Doubles minimum = this->GetRays(0).Shear[i] * sign;
+    Doubles maximum = minimum;
     for (int quad = 1; quad < this->Quads; ++quad)
     {
-      least = Min<Doubles>(least, this->GetRays(quad).Shear[i] * sign);
-      most = Max<Doubles>(most, this->GetRays(quad).Shear[i] * sign);
+      minimum = Min<Doubles>(minimum, this->GetRays(quad).Shear[i] * sign);
+      maximum = Max<Doubles>(maximum, this->GetRays(quad).Shear[i] * sign);
     }
-    slopeLow[i] = GetLeast(least);
-    slopeHigh[i] = GetMost(most);
+    slopeLow[i] = GetMinimum(minimum);
+    slopeHigh[i] = GetMaximum(maximum);
   }
 }
 
@@ -361,7 +361,7 @@ HELIOS_INLINE void BeamBundle::SetSlopes(const double low[3], const double high[
   for (int i = 0; i < 2; ++i)
   {
     const double slope = this->Filter.GetSlope(i);
-    Doubles most = Doubles();
+    Doubles maximum = Doubles();
     for (int quad = 0; quad < this->Quads; ++quad)
     {
       const RayTerms<Doubles>& rays = this->GetRays(quad);
@@ -373,10 +373,10 @@ HELIOS_INLINE void BeamBundle::SetSlopes(const double low[3], const double high[
         const Doubles ahead = this->Hull.Start + (low[2] - rays.Origin[axes[2]]) * sign;
         const Doubles x = rays.Origin[axes[i]] - middle[i] + own * ahead - slope * this->Hull.Start;
         const Doubles off = x * this->Hull.Scale - (own - slope) * this->Filter.GetDepth();
-        most = Max(most, Max<Doubles>(off, -off));
+        maximum = Max(maximum, Max<Doubles>(off, -off));
       }
     }
-    rest = Max(rest, GetMost(most));
+    rest = Max(rest, GetMaximum(maximum));
   }
   if (!this->Filter.SetError(rest))
   {
@@ -402,16 +402,16 @@ HELIOS_INLINE void BeamBundle::SetBlocks()
     const int last = std::min(quadsPerBlock * (block + 1), this->Quads);
     for (int i = 0; i < 2; ++i)
     {
-      Floats least = Load<Floats>(&this->Slopes[i][QuadWidth * first]);
-      Floats most = least;
+      Floats minimum = Load<Floats>(&this->Slopes[i][QuadWidth * first]);
+      Floats maximum = minimum;
       for (int quad = first + 1; quad < last; ++quad)
       {
         const Floats slopes = Load<Floats>(&this->Slopes[i][QuadWidth * quad]);
-        least = Min(least, slopes);
-        most = Max(most, slopes);
+        minimum = Min(minimum, slopes);
+        maximum = Max(maximum, slopes);
       }
-      const float low = Min(Min(least[0], least[1]), Min(least[2], least[3]));
-      const float high = Max(Max(most[0], most[1]), Max(most[2], most[3]));
+      const float low = Min(Min(minimum[0], minimum[1]), Min(minimum[2], minimum[3]));
+      const float high = Max(Max(maximum[0], maximum[1]), Max(maximum[2], maximum[3]));
       const float middle = 0.5f * (low + high);
       this->Middle[i][block] = middle;
       this->Half[i][block] = Max(high - middle, middle - low) * (1 + 0x1p-20f);
@@ -419,7 +419,7 @@ HELIOS_INLINE void BeamBundle::SetBlocks()
   }
 }
 
-/// The distance along Z of the current tree beyond which no ray can have a better hit.
+/// Returns the distance along Z of the current tree beyond which no ray can have a better hit.
 HELIOS_CLONES
 double BeamBundle::GetFarthest() const
 {
@@ -429,7 +429,7 @@ double BeamBundle::GetFarthest() const
     const Doubles& speed = this->GetRays(quad).Largest;
     farthest = Max<Doubles>(farthest, this->Lanes[quad].Range * Max<Doubles>(speed, -speed));
   }
-  return GetMost(farthest);
+  return GetMaximum(farthest);
 }
 
 } // namespace helios

@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /// The first hits of rays in the scene, without the outliers of its mesh.
+  /// Finds the first hits of rays in the scene, without the outliers of its mesh.
   void Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
 
 private:
@@ -75,7 +75,7 @@ private:
   bool HaveSameOrigin = false;
   RayLanes Lanes[MaximumRays / QuadWidth]; ///< padded with the last ray
 
-  double Reach = 0.0; ///< of the origins, if there are instances
+  double Reach = 0.0; ///< largest distance of the origins, if there are instances
 
   PlacedTree Placed;                                ///< the current tree; and in its frame:
   RayTerms<Doubles> Moved[MaximumRays / QuadWidth]; ///< the rays, if it is an instance's
@@ -85,12 +85,12 @@ private:
   Frustum Hull;
 
   LeafFilter Filter;
-  alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the filter's axis
+  alignas(64) float Slopes[2][MaximumRays]; ///< slopes of the rays relative to the filter's axis
 
   static constexpr int MaximumBlocks = 8;
   static constexpr int GroupsPerBlock = MaximumRays / GroupWidth / MaximumBlocks;
   int Blocks = 1;
-  float Middle[2][MaximumBlocks]; ///< of the slopes of a block, if any
+  float Middle[2][MaximumBlocks]; ///< middle of the slopes of a block, if any
   float Half[2][MaximumBlocks];   ///< from there to its sides
 };
 

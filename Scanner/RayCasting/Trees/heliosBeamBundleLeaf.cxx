@@ -22,10 +22,10 @@ typedef EightMasks GroupMasks;
 /// -2 inside.
 HELIOS_INLINE GroupMasks Compare(const Group e[3], const Group& error)
 {
-  const Group least = Min(Min(e[0], e[1]), e[2]);
-  const Group most = Max(Max(e[0], e[1]), e[2]);
-  const GroupMasks possible = (least >= -error) | (most <= error);
-  const GroupMasks certain = (least > error) | (most < -error);
+  const Group minimum = Min(Min(e[0], e[1]), e[2]);
+  const Group maximum = Max(Max(e[0], e[1]), e[2]);
+  const GroupMasks possible = (minimum >= -error) | (maximum <= error);
+  const GroupMasks certain = (minimum > error) | (maximum < -error);
   return possible + certain;
 }
 
@@ -118,7 +118,7 @@ HELIOS_INLINE void GetEdges(
   }
 }
 
-/// The blocks with rays that may hit a triangle, one byte per block.
+/// Returns the blocks with rays that may hit a triangle, one byte per block.
 HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
   const LeafFilter::Edges& edges, int triangle) const
 {
@@ -159,7 +159,8 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   return groups;
 }
 
-/// Returns the same for all groups, or those of candidate blocks.
+/// Returns the groups with rays that may hit a triangle, among all groups or the groups of
+/// candidate blocks.
 HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
 {

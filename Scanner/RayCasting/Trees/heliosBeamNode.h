@@ -23,7 +23,8 @@ inline float RoundUp(double x)
   return static_cast<float>(std::min(x + std::abs(x) * 0x1p-23, 1e30));
 }
 
-/// Child i covers Low[axis][i] to High[axis][i]: a node or, with the highest bit set, a leaf.
+/// A node whose child i covers Low[axis][i] to High[axis][i]: a node or, with the highest bit set,
+/// a leaf.
 struct alignas(64) BeamNode
 {
   static constexpr int Width = 8;
@@ -42,7 +43,7 @@ struct BeamLeaf
   int Count = 0;
   const vtkTypeInt32* Triangles = nullptr;
 
-  /// Where floats start: a coordinate of the triangles, and padding to ignore.
+  /// Returns where floats start: a coordinate of the triangles, and padding to ignore.
   const vtkTypeInt32* GetCorners(int corner, int axis) const
   {
     return this->Triangles + (1 + 3 * corner + axis) * this->Count;

@@ -28,7 +28,7 @@ typedef EightFloats Wide;
 typedef EightMasks WideMasks;
 static_assert(Width == 8, "a node's children are lanes");
 
-/// Eight bits per lane, one set.
+/// Returns eight bits per lane, one of them set.
 HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
 {
   return GetBytes(masks) & 0x0101010101010101u;

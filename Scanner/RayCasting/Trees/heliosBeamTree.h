@@ -71,14 +71,14 @@ public:
   /// The maximum number of triangles: leaves are indexed by 32-bit words.
   static constexpr vtkIdType MaximumTriangles = 200000000;
 
-  /// Over the triangles of a mesh that have an area; the mesh must outlive it. Empty if there are
-  /// too many. Throws Stopped on an abort request, and is then unusable.
+  /// Builds over the triangles of a mesh that have an area; the mesh must outlive it. Empty if
+  /// there are too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// The same, without outliers: all triangles are in the tree of floats.
+  /// Builds without outliers: all triangles are in the tree of floats.
   void BuildWhole(const TriangleMesh& mesh, StopCheck& check);
 
-  /// Over a height field, which must outlive it.
+  /// Builds over a height field, which must outlive it.
   void Build(const HeightField& field);
 
   bool HasOutliers() const { return this->OutliersExist; }
@@ -94,7 +94,7 @@ public:
 
   bool IsOfHeights() const { return this->Heights != nullptr; }
 
-  /// The corners of a triangle, in the buffer if they are not stored.
+  /// Returns the corners of a triangle, in the buffer if they are not stored.
   void GetPoints(vtkTypeInt32 triangle, double buffer[3][3], const double* points[3]) const
   {
     if (!this->IsOfHeights())
@@ -132,7 +132,7 @@ public:
     return this->IsOfHeights() ? this->ComputeCell(triangle) : triangle;
   }
 
-  /// The corners of a cell.
+  /// Returns the corners of a cell.
   void GetCellPoints(vtkIdType cell, double points[3][3]) const;
 
   /// Returns the outlier triangles.
@@ -149,7 +149,7 @@ public:
   bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
     const double slopeLow[2], const double slopeHigh[2], double error = 0.0) const;
 
-  /// The frustum of one ray.
+  /// Sets the frustum of one ray.
   bool SetFrustum(Frustum& frustum, const TestRay& ray, double error) const;
 
   /// Returns the largest coordinate of its corners, without the sign.
@@ -182,10 +182,10 @@ private:
 
   const TriangleMesh* Mesh = nullptr;
   double Centre[3] = { 0, 0, 0 };
-  double Half[3] = { 0, 0, 0 }; ///< of the box
+  double Half[3] = { 0, 0, 0 }; ///< half sides of the box
   double Scale = 0.0;           ///< a power of two, into [-1, 1]; zero for an empty tree
   std::vector<Node> Nodes;
-  std::vector<vtkTypeInt32> Leaves; ///< of each the count, the triangles and their corners
+  std::vector<vtkTypeInt32> Leaves; ///< per leaf the count, the triangles and their corners
   bool OutliersExist = false;
   Bvh Outliers;
   std::shared_ptr<const HeightTree> Heights; ///< null: over a mesh
@@ -197,7 +197,7 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
 public:
   BeamWalk(const BeamTree& tree, const Frustum& frustum);
 
-  /// The next leaf that the frustum enters at or before a limit; false after the last.
+  /// Finds the next leaf that the frustum enters at or before a limit; false after the last.
   bool GetNext(float limit, BeamTree::Leaf& leaf);
 
 private:

@@ -115,7 +115,7 @@ struct Bvh::Part
   vtkTypeInt32 First;
   vtkTypeInt32 Last;
   int Depth;
-  std::vector<Node> Nodes; // of it, the first on top
+  std::vector<Node> Nodes; // nodes to visit, the first on top
 };
 
 /// Splits ranges of primitives by the surface area heuristic over bins of their centres.

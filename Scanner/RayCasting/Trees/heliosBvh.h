@@ -26,8 +26,8 @@ class TriangleMesh;
 class VTKHELIOSSCANNERRAYCASTING_EXPORT Bvh
 {
 public:
-  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  /// Both throw Stopped on an abort request; the tree is then unusable until rebuilt.
+  /// Builds over the triangles of a mesh that have an area; the mesh must outlive it. Both throw
+  /// Stopped on an abort request; the tree is then unusable until rebuilt.
   void Build(const TriangleMesh& mesh, StopCheck& check);
   void Build(const TriangleMesh& mesh)
   {
@@ -35,7 +35,7 @@ public:
     this->Build(mesh, never);
   }
 
-  /// Over some triangles of a mesh, all of which have an area.
+  /// Builds over some triangles of a mesh, all of which have an area.
   void Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, StopCheck& check);
 
   /// Returns the hit with the smallest range and, of equals, the smallest triangle; triangle -1 for

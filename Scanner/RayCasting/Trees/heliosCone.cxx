@@ -15,8 +15,9 @@ namespace helios
 namespace
 {
 
-constexpr double Error = 0x1p-47; // of sums of a few products, relative to the largest of them
-constexpr double Margin = 1e-9;   // of the cone's width
+// rounding of sums of a few products, relative to the largest of them
+constexpr double Error = 0x1p-47;
+constexpr double Margin = 1e-9;   // share of the cone's width
 constexpr double Widest = 0.2;    // square of the sine of the half angle
 
 double Dot(const double a[3], const double b[3])
@@ -47,22 +48,23 @@ double GetLargestLength(const ConeCandidate& c)
 bool IsNear(const double a[2], const double b[2], double distance)
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };
-  const double most = distance * distance;
+  const double maximum = distance * distance;
   const double along = -(a[0] * d[0] + a[1] * d[1]);
   const double square = d[0] * d[0] + d[1] * d[1];
   if (along <= 0.0)
   {
-    return a[0] * a[0] + a[1] * a[1] <= most;
+    return a[0] * a[0] + a[1] * a[1] <= maximum;
   }
   if (along >= square)
   {
-    return b[0] * b[0] + b[1] * b[1] <= most;
+    return b[0] * b[0] + b[1] * b[1] <= maximum;
   }
   const double area = a[0] * d[1] - a[1] * d[0];
-  return area * area <= most * square;
+  return area * area <= maximum * square;
 }
 
-/// The part of a segment, from 0 to 1, inside a disc about the origin; false if all of it is outside.
+/// Computes the part of a segment, from 0 to 1, inside a disc about the origin; false if it is all
+/// outside.
 bool ClipToDisc(const double a[2], const double b[2], double radius, double part[2])
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };
@@ -371,10 +373,10 @@ void Cone::SetPlane(ConeCandidate& c) const
   }
   const double* n = plane.Normal;
   const double spread = this->Tangent * std::sqrt(n[0] * n[0] + n[1] * n[1]) + c.NormalDoubt;
-  const double least = n[2] - spread;
-  const double doubt = c.Reach * c.NormalDoubt; // of the constant
+  const double minimum = n[2] - spread;
+  const double doubt = c.Reach * c.NormalDoubt; // error of the constant
   plane.Nearest = std::max(0.0, plane.Constant - doubt) / (n[2] + spread);
-  plane.Farthest = least > 0.0 ? (plane.Constant + doubt) / least * (1 + Margin) : HUGE_VAL;
+  plane.Farthest = minimum > 0.0 ? (plane.Constant + doubt) / minimum * (1 + Margin) : HUGE_VAL;
 }
 
 /// Returns whether the direction in which the plane of a candidate is nearest meets the candidate.

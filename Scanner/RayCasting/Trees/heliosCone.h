@@ -30,14 +30,14 @@ struct ConeCandidate
   double Corners[3][3];
   double Reach;         ///< an upper bound of their distances
   double Edges[3][3];   ///< N_k, the cross product of the corners of the edge opposite corner k
-  double Errors[3];     ///< of N_k . d
+  double Errors[3];     ///< errors of N_k . d
   double Flat[3][2];    ///< the corners in the plane z = 1, if the triangle is before the apex
-  double FlatErrors[3]; ///< of those
-  double Normal[3];     ///< of the length of two areas
+  double FlatErrors[3]; ///< errors of Flat
+  double Normal[3];     ///< normal as long as twice the area
   double NormalDoubt;   ///< the error of its product with a unit direction
-  double Determinant;   ///< of the corners
-  double Sign;          ///< of the determinant; 0 if unresolved
-  bool IsBefore;        ///< all of it is before the apex
+  double Determinant;   ///< determinant of the corners
+  double Sign;          ///< sign of the determinant; 0 if unresolved
+  bool IsBefore;        ///< the whole triangle is before the apex
   bool Covers;          ///< the whole cone
   bool MayHoldAxis;     ///< the axis may hit it
   bool EdgeTouches[3];  ///< whether an edge touches the cone; none if it covers the cone
@@ -67,10 +67,10 @@ public:
   /// - w_z^2).
   double GetStretch(const RayAxes& axes) const;
 
-  /// The rows: two axes across, the axis; in the world.
+  /// Copies the rows: two axes across, the axis; in the world.
   void CopyFrame(double frame[3][3]) const;
 
-  /// The frustum about the cone; false for a cone that is too wide. Error: as of
+  /// Sets the frustum about the cone; false for a cone that is too wide. Error: see
   /// BeamTree::SetFrustum().
   bool SetHull(const BeamTree& tree, const RayAxes& axes, double error, Frustum& hull,
     LeafFilter& filter) const;

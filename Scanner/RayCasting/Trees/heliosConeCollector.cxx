@@ -76,7 +76,7 @@ ConeCollector::ConeCollector(const double origin[3], const double axis[3], doubl
 }
 
 //------------------------------------------------------------------------------
-bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t most, ConeView& view)
+bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t maximum, ConeView& view)
 {
   constexpr std::size_t transient =
     4; // times as many before those that a triangle hides are dropped
@@ -90,13 +90,13 @@ bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t most
       [&](const PlacedTree& placed, vtkTypeInt32 triangle)
       {
         queue.Add(placed, triangle, use);
-        return view.Triangles.size() <= transient * most;
+        return view.Triangles.size() <= transient * maximum;
       });
   queue.Finish(use);
   view.Farthest = this->Farthest;
   view.Finish();
   this->DropHidden(view);
-  return isWhole && view.Triangles.size() <= most;
+  return isWhole && view.Triangles.size() <= maximum;
 }
 
 //------------------------------------------------------------------------------

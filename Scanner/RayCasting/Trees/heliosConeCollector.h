@@ -21,8 +21,8 @@ class ConeCollector
 public:
   ConeCollector(const double origin[3], const double axis[3], double tanHalfAngle);
 
-  /// As ConeProbe::Collect().
-  bool Run(const SceneTree& scene, double nearest, std::size_t most, ConeView& view);
+  /// Collects the triangles in the cone, see ConeProbe::Collect().
+  bool Run(const SceneTree& scene, double nearest, std::size_t maximum, ConeView& view);
 
 private:
   void Add(const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view);

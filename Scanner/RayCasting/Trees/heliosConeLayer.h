@@ -24,7 +24,7 @@ struct ConeLayer
   };
 
   double Frame[3][3]; ///< in the world: two axes across, the axis
-  int Size = 0;       ///< of the pieces; 0: the cone has no such surface
+  int Size = 0;       ///< number of the pieces; 0: the cone has no such surface
   Piece Pieces[Capacity];
 };
 

@@ -36,9 +36,9 @@ public:
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
-    std::size_t most, ConeView& view) const override
+    std::size_t maximum, ConeView& view) const override
   {
-    return ConeCollector(origin, axis, tanHalfAngle).Run(*this->Tree, nearest, most, view);
+    return ConeCollector(origin, axis, tanHalfAngle).Run(*this->Tree, nearest, maximum, view);
   }
 
   std::size_t GetMemorySize() const override

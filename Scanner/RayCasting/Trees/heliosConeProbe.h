@@ -31,10 +31,10 @@ public:
   void operator=(const ConeProbe&) = delete;
 
   /**
-   * Probes a cone with its apex at origin about a unit axis. Empty and OnePlane, within limits, are
-   * exact for the whole cone; cell and range are those of vtkHeliosRayCaster::Intersect() for the
-   * axis. A layer, if given, is set to the surface that fills the cone, for OnePlane and for Mixed;
-   * to none if there is no such surface within the limits.
+   * Probes a cone with its apex at origin about a unit axis. Empty and PlanarFootprint, within limits, are
+   * exact for the whole cone; cell and range equal vtkHeliosRayCaster::Intersect() for the axis. A
+   * layer, if given, is set to the surface that fills the cone, for PlanarFootprint and for Unresolved; to none
+   * if there is no such surface within the limits.
    */
   virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
     const PlaneLimits& limits, ConeLayer* layer = nullptr) const = 0;
@@ -45,7 +45,7 @@ public:
    * False, and the view is not complete, if they are more than most, or if the cone is too wide.
    */
   virtual bool Collect(const double origin[3], const double axis[3], double tanHalfAngle,
-    double nearest, std::size_t most, ConeView& view) const = 0;
+    double nearest, std::size_t maximum, ConeView& view) const = 0;
 
   /// Bytes held besides the tree of a ray caster.
   virtual std::size_t GetMemorySize() const = 0;

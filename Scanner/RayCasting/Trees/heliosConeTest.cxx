@@ -15,12 +15,13 @@ namespace helios
 namespace
 {
 
-constexpr double Error = 0x1p-47;   // of sums of a few products, relative to the largest of them
-constexpr double Margin = 1e-9;     // of depths
-constexpr double NoLength = 1e-300; // of an edge
+// rounding of sums of a few products, relative to the largest of them
+constexpr double Error = 0x1p-47;
+constexpr double Margin = 1e-9;     // share of depths
+constexpr double NoLength = 1e-300; // length below which an edge is none
 constexpr int MaximumOutliers = 64; // tested one by one
 
-const vtkHeliosConeHit Unknown{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+const vtkHeliosConeHit Unknown{ vtkHeliosConeHit::Unresolved, -1, 0.0 };
 
 double Dot(const double a[3], const double b[3])
 {
@@ -60,10 +61,10 @@ bool Adjoins(const ConeCandidate& c, int edge, const ConeCandidate& other)
 /// Returns whether a triangle lies behind a plane by more than a distance.
 bool IsBehind(const ConeCandidate& c, const ConeCandidate::Plane& plane, double distance)
 {
-  const double least = plane.Constant * (1 + distance / plane.Nearest + Margin);
+  const double minimum = plane.Constant * (1 + distance / plane.Nearest + Margin);
   const double error = Error * GetLength(plane.Normal);
   return std::all_of(c.Corners, c.Corners + 3,
-    [&](const double* p) { return Dot(plane.Normal, p) - error * GetLength(p) > least; });
+    [&](const double* p) { return Dot(plane.Normal, p) - error * GetLength(p) > minimum; });
 }
 
 } // namespace
@@ -217,7 +218,7 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
     {
       this->FindLayer(*layer);
     }
-    return { vtkHeliosConeHit::OnePlane, this->Hit.CellId, this->Hit.Range };
+    return { vtkHeliosConeHit::PlanarFootprint, this->Hit.CellId, this->Hit.Range };
   }
   this->Count = count;
   if (layer && this->Limits.OfLayer.Distance > 0.0 && this->AreNear(this->Limits.OfLayer))
@@ -229,24 +230,24 @@ vtkHeliosConeHit ConeTest::Classify(ConeLayer* layer)
 
 /// Returns whether the members differ little from the first. Those behind are moved to the end, and
 /// not counted any more.
-bool ConeTest::AreNear(const PlaneLimits::Difference& most)
+bool ConeTest::AreNear(const PlaneLimits::Difference& maximum)
 {
   Member& first = this->Members[0];
   double folds = 0.0; // the sum of the distances at the rim
   for (int i = 1; i < this->Count;)
   {
     Member& c = this->Members[i];
-    const bool isOn = this->GetDistance(c, first) <= most.Distance;
+    const bool isOn = this->GetDistance(c, first) <= maximum.Distance;
     if (isOn || this->IsFold(c, first))
     {
       folds += isOn ? 0.0 : this->GetFoldDistance(c, first);
-      if (folds > most.Distance || !this->AreAlike(first, c, most.Contrast))
+      if (folds > maximum.Distance || !this->AreAlike(first, c, maximum.Contrast))
       {
         return false;
       }
       ++i;
     }
-    else if (IsBehind(c, first.Surface, most.Distance) || this->IsFarther(c))
+    else if (IsBehind(c, first.Surface, maximum.Distance) || this->IsFarther(c))
     {
       std::swap(c, this->Members[--this->Count]);
     }
@@ -341,8 +342,8 @@ double ConeTest::GetResponse(Member& c) const
 }
 
 //------------------------------------------------------------------------------
-/// How far the plane of a triangle is before that of another, at most, inside the cone; negative if
-/// it is behind all over.
+/// Returns how far the plane of a triangle is before another plane, at most, inside the cone;
+/// negative if it is behind all over.
 double ConeTest::GetLead(const Member& c, const Member& other) const
 {
   if (!(c.Surface.Farthest < NoHit && other.Surface.Farthest < NoHit))
@@ -361,7 +362,8 @@ bool ConeTest::IsBehindCover(const Member& c) const
     { return other.Covers && &other != &c && this->GetLead(c, other) <= this->Limits.Overlap; });
 }
 
-/// Returns whether a member ends inside the cone, at an edge beyond which no other goes on.
+/// Returns whether a member ends inside the cone, at an edge beyond which no other member
+/// continues.
 bool ConeTest::HasFreeEdge(int member) const
 {
   const Member& c = this->Members[member];
@@ -386,7 +388,7 @@ bool ConeTest::HasNoFreeEdges() const
   return true;
 }
 
-/// The members that adjoin an edge on its other side.
+/// Counts the members that adjoin an edge on its other side.
 int ConeTest::CountNeighbors(int member, int edge) const
 {
   const Member& c = this->Members[member];
@@ -429,7 +431,8 @@ void ConeTest::FindLayer(ConeLayer& layer)
 }
 
 //------------------------------------------------------------------------------
-/// The members that a direction near the axis meets, which is rarely on an edge, as the axis may be.
+/// Counts the members that a direction near the axis meets, which is rarely on an edge, unlike the
+/// axis.
 int ConeTest::CountNearAxis() const
 {
   const double x = 0.0123 * this->Shape.GetTangent();

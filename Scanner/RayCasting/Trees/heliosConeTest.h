@@ -17,7 +17,7 @@ namespace helios
 class SceneTree;
 
 /// Tests one cone: gathers the triangles that touch it, from front to back, and classifies them.
-/// What rounding leaves in doubt is Mixed.
+/// What rounding leaves in doubt is Unresolved.
 class ConeTest
 {
 public:
@@ -25,7 +25,7 @@ public:
   ConeTest(
     const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
-  /// As ConeProbe::Probe().
+  /// Tests a scene, see ConeProbe::Probe().
   vtkHeliosConeHit Run(const SceneTree& scene, ConeLayer* layer);
 
 private:
@@ -43,7 +43,7 @@ private:
   bool IsFarther(const Member& c) const;
   void DropFarther();
   vtkHeliosConeHit Classify(ConeLayer* layer);
-  bool AreNear(const PlaneLimits::Difference& most);
+  bool AreNear(const PlaneLimits::Difference& maximum);
   bool AreAlike(Member& a, Member& b, double contrast) const;
   double GetResponse(Member& c) const;
   double GetDistance(const Member& a, const Member& b) const;
@@ -69,9 +69,9 @@ private:
 
   int Count = 0;
   Member Members[MaximumMembers + 1]; ///< the last one is not counted
-  vtkHeliosHit Hit{ NoHit, -1 };      ///< of the axis
+  vtkHeliosHit Hit{ NoHit, -1 };      ///< first hit of the axis
   double Farthest = NoHit;            ///< depth beyond which hits are irrelevant
-  bool IsTraced = false;              ///< whether the hit is that of the whole scene
+  bool IsTraced = false;              ///< whether the hit is the first of the whole scene
   bool IsIncomplete = false;          ///< whether Farthest has increased
 };
 

@@ -29,8 +29,8 @@ inline bool SetAxis(const double origin[3], const double axis[3], TestRay& test)
 /**
  * Adds the triangles of a tree that may touch the cone, from front to back, as far as a depth along
  * its axis, which add() may reduce; false if add() returns false, or the cone is too wide. The axes
- * are those of the test of its axis. In the frame of the tree a length is scale times that of the
- * depth; error: as of BeamTree::SetFrustum().
+ * belong to the test of its axis. In the frame of the tree a length is scale times the length of
+ * the depth; error: see BeamTree::SetFrustum().
  */
 template <typename AddT>
 bool WalkTree(const Cone& cone, const RayAxes& axes, const BeamTree& tree, double error,
@@ -66,7 +66,7 @@ bool WalkTree(const Cone& cone, const RayAxes& axes, const BeamTree& tree, doubl
   return true;
 }
 
-/// The same for an instance, with the cone in the scene.
+/// Walks the tree of an instance, with the cone in the scene.
 template <typename AddT>
 bool WalkInstance(const Cone& cone, const PlacedTree& placed, const double& farthest, AddT add)
 {
@@ -81,7 +81,7 @@ bool WalkInstance(const Cone& cone, const PlacedTree& placed, const double& fart
       [&](vtkTypeInt32 triangle) { return add(placed, triangle); });
 }
 
-/// The same for the instances of a scene whose boxes the cone enters.
+/// Walks the instances of a scene whose boxes the cone enters.
 template <typename AddT>
 bool WalkInstances(
   const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
@@ -108,7 +108,7 @@ bool WalkInstances(
   return true;
 }
 
-/// The same for all triangles of a scene; add() is given their tree, too.
+/// Walks all triangles of a scene; add() is given their tree, too.
 template <typename AddT>
 bool WalkCone(
   const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)

@@ -13,8 +13,9 @@ namespace helios
 class TriangleMesh;
 
 /**
- * The box that contains all but a few corners in a thousand, with a margin of four times its size.
- * Anything outside it (a stray corner at 1e30) would reduce the float resolution of the rest.
+ * Computes the box that contains all but a few corners in a thousand, with a margin of four times
+ * its size. Anything outside it (a stray corner at 1e30) would reduce the float resolution of the
+ * rest.
  */
 VTKHELIOSSCANNERRAYCASTING_EXPORT void GetCoreBounds(const TriangleMesh& mesh, double bounds[6]);
 

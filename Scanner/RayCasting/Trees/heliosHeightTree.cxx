@@ -18,8 +18,8 @@ namespace
 
 constexpr int Width = BeamNode::Width;
 constexpr int LeafSize = BeamLeaf::Size;
-/// Of a box to floats, relative to its coordinates, of up to 1 for the pixels of triangles; and of
-/// the coordinates of pixels in double.
+/// Rounding of a box to floats, relative to its coordinates, of up to 1 for the pixels of
+/// triangles; and of the coordinates of pixels in double.
 constexpr double BoxRounding = 0x1p-22;
 constexpr double PixelRounding = 0x1p-50;
 
@@ -42,7 +42,8 @@ HELIOS_INLINE Doubles GetHeights(const T* heights, std::int64_t count)
     static_cast<double>(last), static_cast<double>(last) };
 }
 
-/// Returns the same operations as those of HeightGrid::GetPoint() and BeamTree::GetLocal().
+/// Sets the corners of a row by the same operations as HeightGrid::GetPoint() and
+/// BeamTree::GetLocal().
 HELIOS_INLINE void SetRow(const HeightGrid& grid, std::int64_t row, std::int64_t column,
   const double centre[3], double scale, PixelRow& pixels)
 {

@@ -15,9 +15,9 @@ namespace helios
 {
 
 /**
- * The nodes are those of the pyramid, the leaves its strips of two cells: up to four triangles. A
- * node has the number of its level, from the top, and its own in the level; the root is 0.
- * Triangles are slots of the field.
+ * A tree whose nodes are the nodes of the pyramid, and whose leaves are its strips of two cells: up
+ * to four triangles. A node has the number of its level, from the top, and its own in the level;
+ * the root is 0. Triangles are slots of the field.
  */
 class HeightTree
 {
@@ -32,7 +32,7 @@ public:
   void Prefetch(vtkTypeUInt32 number) const;
 
 private:
-  static constexpr int LevelShift = 27; ///< of the level in a number
+  static constexpr int LevelShift = 27; ///< place of the level in a number
   static constexpr vtkTypeUInt32 InLevel = (1u << LevelShift) - 1;
 
   /// Rows of a row-major table, without a division.
@@ -53,16 +53,16 @@ private:
   {
     const HeightPyramid::Extents* Extents = nullptr; ///< null: computed
     RowFinder Rows;
-    double Origin[2];     ///< of the first node, along x and y
+    double Origin[2];     ///< place of the first node, along x and y
     double ColumnStep[2]; ///< to the next node of a row
     double RowStep[2];
-    float Low[2][BeamNode::Width]; ///< of the children, from the place of the node
+    float Low[2][BeamNode::Width]; ///< sides of the children, from the place of the node
     float High[2][BeamNode::Width];
-    vtkTypeUInt32 ChildColumns; ///< of a node
+    vtkTypeUInt32 ChildColumns; ///< children of a node in a row
     vtkTypeUInt32 ChildRows;
-    vtkTypeUInt32 ChildrenPerRow;           ///< of the level below
-    vtkTypeUInt32 Base;                     ///< of the numbers of the children
-    vtkTypeUInt32 Offsets[BeamNode::Width]; ///< of their numbers, from that of the first
+    vtkTypeUInt32 ChildrenPerRow;           ///< children in a row of the level below
+    vtkTypeUInt32 Base;                     ///< smallest number of the children
+    vtkTypeUInt32 Offsets[BeamNode::Width]; ///< numbers of the children relative to the first
   };
 
   void SetLevel(const HeightPyramid::Level& from, Level& level) const;

@@ -18,7 +18,7 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
   const double width = std::max(slopeHigh[0] - slopeLow[0], slopeHigh[1] - slopeLow[1]);
   const int widest = slopeHigh[0] - slopeLow[0] == width ? 0 : 1;
   const double apart = high[widest] - low[widest];
-  // To the crossing of the rays.
+  // Computes the distance to the crossing of the rays.
   const double before = width * 1e6 > apart * hull.Scale ? apart / width : 0.0;
   this->Depth = (hull.Start + before) * hull.Scale;
   const double start = tree.GetLocal(low[2], axes[2]) + sign * hull.Start * hull.Scale;

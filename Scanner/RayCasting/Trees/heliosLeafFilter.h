@@ -30,13 +30,13 @@ public:
     int IsAlive[BeamTree::LeafSize]; ///< whether any ray may hit it; -1 or 0
   };
 
-  /// For rays within intervals, from which BeamTree::SetFrustum made a frustum.
+  /// Sets the axis for rays within intervals, from which BeamTree::SetFrustum made a frustum.
   void SetAxis(const BeamTree& tree, const Frustum& hull, const double low[3], const double high[3],
     const double slopeLow[2], const double slopeHigh[2]);
 
   /**
-   * The maximum offset of rays from their position in the filter, in the frame of the tree. False
-   * if the origins are too far for floats: then all hits are possible, with slopes of zero.
+   * Sets the maximum offset of rays from their position in the filter, in the frame of the tree.
+   * False if the origins are too far for floats: then all hits are possible, with slopes of zero.
    */
   bool SetError(double rest);
 
@@ -47,27 +47,27 @@ public:
 
   HELIOS_INLINE void SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const;
 
-  /// IsAlive of the edges within a limit.
+  /// Finds IsAlive of the edges within a limit.
   void FindAlive(const BeamTree::Leaf& leaf, float limit, int isAlive[BeamTree::LeafSize]) const;
 
 private:
   RayAxes Axes;
   bool IsForward = true;
   double Depth = 0.0;
-  double Largest = 0.0; ///< of the coordinates of the frustum's start
+  double Largest = 0.0; ///< largest coordinate of the frustum's start
   double Slack = 0.0;
-  float Place[3] = {};  ///< of the axis at the frustum's start, along X, Y, Z
-  float Slope[2] = {};  ///< of the axis, per unit along Z
+  float Place[3] = {};  ///< place of the axis at the frustum's start, along X, Y, Z
+  float Slope[2] = {};  ///< slope of the axis, per unit along Z
   float Spread[2] = {}; ///< the largest slope of a ray relative to it
   float Base = 0.0f;    ///< Depth
-  float Error = 0.0f;   ///< of the position of a ray
-  float Length = 0.0f;  ///< of the ray origins, along Z
+  float Error = 0.0f;   ///< error of the position of a ray
+  float Length = 0.0f;  ///< length of the ray origins, along Z
 };
 
 void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
 {
   Floats x[3], y[3], z[3];
-  Floats size = Floats(), far = Floats(), least = Floats() + 1e30f;
+  Floats size = Floats(), far = Floats(), minimum = Floats() + 1e30f;
   for (int k = 0; k < 3; ++k)
   {
     const Floats px = Load<Floats>(leaf.GetCorners(k, this->Axes.X));
@@ -79,16 +79,16 @@ void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges)
     z[k] = s + this->Base;
     size = Max<Floats>(size, Max<Floats>(x[k], -x[k]) + Max<Floats>(y[k], -y[k]));
     far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
-    least = Min(least, s);
+    minimum = Min(minimum, s);
   }
   // The edge function is a x b, a and b being the positions of two corners relative to the ray
   // where it passes them: with errors da and db, its error is da x b + a x db + da x db.
-  constexpr float edgeError = 0x1p-19f; // float rounding of it, relative to its terms
-  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // of a and b
+  constexpr float edgeError = 0x1p-19f; // float rounding of an edge function, relative to its terms
+  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // size of a and b
   const Floats error =
     reach * (2 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;
   const float uncertain = this->Error + this->Length;
-  ShortMasks positive = (least - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
+  ShortMasks positive = (minimum - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
   ShortMasks negative = positive;
   for (int k = 0; k < 3; ++k)
   {

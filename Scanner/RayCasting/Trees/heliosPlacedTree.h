@@ -18,15 +18,15 @@ namespace helios
 
 /**
  * The tree of the mesh of a scene, or of a prototype at an instance. Rays traverse the latter in
- * the frame of the prototype, but are tested against its triangles in the scene: hits are those of
- * a copy of the prototype, to the last bit.
+ * the frame of the prototype, but are tested against its triangles in the scene: hits equal the
+ * hits of a copy of the prototype, to the last bit.
  */
 class PlacedTree
 {
 public:
   PlacedTree() = default;
 
-  /// Of a mesh; scene: gives the cell ids, null: the tree does.
+  /// Places the tree of a mesh; scene: gives the cell ids, null: the tree does.
   PlacedTree(const BeamTree& tree, const SceneGeometry* scene)
     : Tree(&tree)
     , Scene(scene)
@@ -41,7 +41,7 @@ public:
 
   const BeamTree& GetTree() const { return *this->Tree; }
 
-  /// Returns whether the frame of the tree is not that of the scene.
+  /// Returns whether the tree has a frame of its own, unlike the scene's.
   bool IsMoved() const { return this->HasFrame; }
 
   /// Returns the cell id of a triangle.
@@ -52,7 +52,7 @@ public:
                           : this->Tree->GetCell(triangle);
   }
 
-  /// The corners of a triangle in the scene, in the buffer if they are not stored.
+  /// Returns the corners of a triangle in the scene, in the buffer if they are not stored.
   void GetPoints(vtkTypeInt32 triangle, double buffer[3][3], const double* points[3]) const
   {
     this->Tree->GetPoints(triangle, buffer, points);
@@ -63,8 +63,8 @@ public:
     }
   }
 
-  /// The rest is of instances only, moved or not.
-  ///@{
+  /// Return the properties of an instance, moved or not; for instances only.
+  /// @{
   const Similarity& GetPlace() const { return this->Instance->Place; }
 
   /// Returns a ray in the frame of the tree, with the same ranges.
@@ -78,9 +78,9 @@ public:
   }
 
   /**
-   * A bound of the distance by which a ray in the frame of the tree and a triangle of it are apart
-   * from those in the scene, for a ray that starts within a distance of the scene's origin, along
-   * each axis. Each coordinate is a sum of four terms of at most three times that size.
+   * Returns a bound of the distance by which a ray and a triangle in the frame of the tree differ
+   * from the same in the scene, for a ray that starts within a distance of the scene's origin,
+   * along each axis. Each coordinate is a sum of four terms of at most three times that size.
    */
   double GetError(double origin) const
   {

@@ -12,14 +12,14 @@
 namespace helios
 {
 
-/// What triangles have in common that count as one plane, or as one layer (ConeLayer).
+/// Limits within which triangles count as one plane, or as one layer (ConeLayer).
 struct PlaneLimits
 {
-  /// What two triangles may differ by.
+  /// Largest difference of two triangles.
   struct Difference
   {
     double Distance = 0.0; ///< from the plane of the first, along the axis, inside the cone [m]
-    double Contrast = 0.0; ///< of the energies that they return, relative to the larger
+    double Contrast = 0.0; ///< contrast of the energies that they return, relative to the larger
   };
 
   /// The energy that a triangle returns, in any unit; without it, all return the same.

@@ -24,7 +24,7 @@ namespace
 /// Returns a triangle for each instance of a scene, with the bounds of its box.
 vtkSmartPointer<vtkPolyData> MakeBoxes(const SceneGeometry& scene)
 {
-  constexpr double rounding = 0x1p-48; // of corners, beyond a box
+  constexpr double rounding = 0x1p-48; // rounding of corners, beyond a box
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   auto boxes = vtkSmartPointer<vtkPolyData>::New();
@@ -52,7 +52,8 @@ vtkSmartPointer<vtkPolyData> MakeBoxes(const SceneGeometry& scene)
   return boxes;
 }
 
-constexpr std::size_t SizeOfBox = 9 * sizeof(double) + 4 * sizeof(vtkTypeInt32); ///< of MakeBoxes()
+/// bytes of a box of MakeBoxes()
+constexpr std::size_t SizeOfBox = 9 * sizeof(double) + 4 * sizeof(vtkTypeInt32);
 
 /// Prepares a ray for a tree; false if it is no ray.
 bool SetRay(const PlacedTree& placed, const vtkHeliosRay& ray, TestRay& local)

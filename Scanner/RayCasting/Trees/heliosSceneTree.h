@@ -26,14 +26,14 @@ public:
   SceneTree(const SceneTree&) = delete;
   void operator=(const SceneTree&) = delete;
 
-  /// Of one mesh, which must outlive it. Throws Stopped on an abort request, here and below, and is
-  /// then unusable.
+  /// Builds over one mesh, which must outlive it. Throws Stopped on an abort request, here and
+  /// below, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// Of a height field, which must outlive it.
+  /// Builds over a height field, which must outlive it.
   void Build(const HeightField& field);
 
-  /// Of a scene, which must outlive it.
+  /// Builds over a scene, which must outlive it.
   void Build(const SceneGeometry& scene, StopCheck& check);
 
   std::size_t GetMemorySize() const;
@@ -47,7 +47,7 @@ public:
   const BeamTree& GetBoxes() const { return this->Boxes; }
   PlacedTree GetInstance(vtkTypeInt32 number) const;
 
-  /// The corners of a cell.
+  /// Returns the corners of a cell.
   void GetCellPoints(vtkIdType cell, double points[3][3]) const;
 
   /// Returns the first hit of a ray, without the outliers of the mesh.
@@ -67,8 +67,8 @@ public:
     vtkTypeInt32 Triangles[BeamTree::LeafSize];
   };
 
-  /// Returns whether a ray is occluded; the occluder, initially empty, is that of the previous ray
-  /// and is tested first.
+  /// Returns whether a ray is occluded; the occluder, initially empty, stopped the previous ray and
+  /// is tested first.
   bool IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const;
 
 private:

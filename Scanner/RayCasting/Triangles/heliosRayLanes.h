@@ -21,8 +21,8 @@ typedef int ShortMasks __attribute__((vector_size(4 * QuadWidth)));
 /// Four rays and their best hits so far.
 struct RayLanes : RayTerms<Doubles>
 {
-  Doubles Range;  ///< of the best hit; initially the ray's maximum
-  Masks Triangle; ///< of the best hit; initially NoTriangle
+  Doubles Range;  ///< range of the best hit; initially the ray's maximum
+  Masks Triangle; ///< triangle of the best hit; initially NoTriangle
 
   static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
 

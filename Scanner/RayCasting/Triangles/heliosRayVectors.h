@@ -51,14 +51,15 @@ HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
   return result;
 }
 
-/// The masks of four lanes whose bytes are not zero.
+/// Sets the masks of four lanes whose bytes are not zero.
 HELIOS_INLINE void SetMasks(std::uint32_t bytes, Masks& masks)
 {
   constexpr Masks ofLanes = { 0xff, 0xff00, 0xff0000, 0xff000000 };
   masks = ((Masks() + bytes) & ofLanes) != 0;
 }
 
-/// Of lanes inside a triangle but for an edge function of zero, removes those that are not inside.
+/// Removes the lanes that are not inside from lanes inside a triangle but for an edge function of
+/// zero.
 __attribute__((noinline)) inline void ResolveTies(
   const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
 {

@@ -28,7 +28,7 @@ bool IsOver(const Vec3& p, const Vec3 corners[3], const Vec3& normal)
 
 } // namespace
 
-// Ericson 2005, Real-Time Collision Detection, 5.1.9.
+// Computes the distance of two segments (Ericson 2005, Real-Time Collision Detection, 5.1.9).
 double SegmentToSegment(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1)
 {
   const Vec3 d0 = b0 - a0;

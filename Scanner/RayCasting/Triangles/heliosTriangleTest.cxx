@@ -30,7 +30,7 @@ TwoDoubles Product(double a, double b)
   return { product, std::fma(a, b, -product) };
 }
 
-/// a b - c d, to twice the precision of double before the last rounding.
+/// Returns a b - c d, to twice the precision of double before the last rounding.
 double DifferenceOfProducts(TwoDoubles a, TwoDoubles b, TwoDoubles c, TwoDoubles d)
 {
   const TwoDoubles ab = Product(a.High, b.High);

@@ -46,9 +46,9 @@ struct RayTerms
 {
   Real Origin[3];
   Real Direction[3];
-  Real Inverse[3]; ///< of the direction; 1e300 for a component of zero
+  Real Inverse[3]; ///< inverse of the direction; 1e300 for a component of zero
   Real Shear[2];   ///< direction x / z and y / z, of the axes below
-  Real Largest;    ///< of the direction's components: z
+  Real Largest;    ///< largest of the direction's components: z
   Real LargestInverse;
 };
 
@@ -74,7 +74,7 @@ struct TestRay : RayTerms<double>
   RayAxes Axes;
   double MaximumRange;
 
-  /// False for a ray that hits nothing: not finite, without length or with an empty range.
+  /// Sets a ray; false if it hits nothing: not finite, without length or with an empty range.
   inline bool Set(const vtkHeliosRay& ray);
 };
 
@@ -85,11 +85,13 @@ struct TrianglePlane
   int Pivot;
 };
 
-/// The normal of a triangle whose edges at the pivot are nearly parallel, in double-double.
+/// Computes the normal of a triangle whose edges at the pivot are nearly parallel, in
+/// double-double.
 VTKHELIOSSCANNERRAYCASTING_EXPORT void GetFlatNormal(
   const double* const points[3], int pivot, double normal[3]);
 
-/// The sign of a b - c d where the two products round to the same double, from their errors.
+/// Returns the sign of a b - c d where the two products round to the same double, from their
+/// errors.
 VTKHELIOSSCANNERRAYCASTING_EXPORT int GetSignOfTie(double a, double b, double c, double d);
 
 template <typename Real>
@@ -269,7 +271,7 @@ HELIOS_INLINE void GetBoxRange(
 template <typename PlaceT>
 struct RangeTerms
 {
-  PlaceT Distance; ///< of the plane, times the length of its normal
+  PlaceT Distance; ///< distance of the plane, times the length of its normal
   PlaceT Low[3];   ///< the box, widened
   PlaceT High[3];
 

@@ -29,13 +29,13 @@ struct vtkHeliosConeHit
 {
   enum Kinds
   {
-    Empty,    ///< no hit
-    OnePlane, ///< one plane over the whole cross-section, and nothing before it
-    Mixed     ///< anything else, or unresolved
+    Empty,           ///< no hit
+    PlanarFootprint, ///< one plane over the whole cross-section, and nothing before it
+    Unresolved       ///< anything else, or unresolved
   };
   int Kind;
   vtkIdType CellId; ///< hit by the axis
-  double Range;     ///< of this hit
+  double Range;     ///< range of this hit
 };
 
 #endif

@@ -267,7 +267,8 @@ public:
       return probe(this->Resting);
     }
     // A layer of the moving triangles is one of all if the others are away.
-    const bool isFilled = moving.Kind == vtkHeliosConeHit::OnePlane || (layer && layer->Size > 0);
+    const bool isFilled =
+      moving.Kind == vtkHeliosConeHit::PlanarFootprint || (layer && layer->Size > 0);
     ConeLayer none;
     if (isFilled &&
       this->Resting.Probe(origin, axis, tanHalfAngle, limits, layer ? &none : nullptr).Kind ==
@@ -279,7 +280,7 @@ public:
     {
       layer->Size = 0;
     }
-    return { vtkHeliosConeHit::Mixed, -1, 0.0 };
+    return { vtkHeliosConeHit::Unresolved, -1, 0.0 };
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
@@ -344,7 +345,7 @@ private:
         { return limits.GetResponse(this->GetCell(cell)); };
       }
       vtkHeliosConeHit hit = this->Cones->Probe(origin, axis, tanHalfAngle, own, layer);
-      const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
+      const bool isPlane = hit.Kind == vtkHeliosConeHit::PlanarFootprint;
       hit.CellId = isPlane ? this->GetCell(hit.CellId) : hit.CellId;
       for (int i = 0; layer && i < layer->Size; ++i)
       {

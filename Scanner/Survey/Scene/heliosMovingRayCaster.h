@@ -20,7 +20,7 @@ namespace helios
 
 /**
  * Two casters of one kind, for static and for moving triangles. Hits are bit-identical to those of
- * one caster for all. A cone that hits both is Mixed. Instances are static, and are not copied if
+ * one caster for all. A cone that hits both is Unresolved. Instances are static, and are not copied if
  * that kind does not copy them.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingRayCaster : public vtkHeliosRayCaster

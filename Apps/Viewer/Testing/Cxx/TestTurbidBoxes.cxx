@@ -148,7 +148,7 @@ TEST_CASE("TurbidBoxes: a rotated grid with any origin")
 TEST_CASE("TurbidBoxes: a million voxels are merged to the maximum number of boxes")
 {
   const auto grid = MakeGrid(Vec3(-5, -5, 0), 0.1, 100, 100, 100, { 0.5, 0.0 });
-  const vtkIdType most = SceneView::MostBoxes;
+  const vtkIdType most = SceneView::MaximumBoxes;
   const auto boxes = MakeTurbidBoxes(grid, most, Vec3(0, 0, 0));
   const vtkIdType count = boxes->GetNumberOfCells() / 6;
   CHECK(count == 25 * 25 * 25); // of 4 x 4 x 4 cells, the smallest below the limit
@@ -164,8 +164,8 @@ TEST_CASE("TurbidBoxes: a million voxels are merged to the maximum number of box
   view.SetGrids({ grid });
   CHECK(view.GetNumberOfBoxes() == count);
   view.SetInteracting(true);
-  CHECK(view.GetNumberOfBoxes() <= SceneView::MostMovingBoxes);
-  CHECK(view.GetNumberOfBoxes() > SceneView::MostMovingBoxes / 4);
+  CHECK(view.GetNumberOfBoxes() <= SceneView::MaximumMovingBoxes);
+  CHECK(view.GetNumberOfBoxes() > SceneView::MaximumMovingBoxes / 4);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200 - 100 * 99); // the last layer is empty
   view.SetInteracting(false);

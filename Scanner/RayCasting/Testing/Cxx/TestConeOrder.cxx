@@ -46,9 +46,9 @@ TEST_CASE("ConeOrder: a nearer hit may reach farther than the one found before",
   Soup soup = MakeDebris();
   AddPlane(soup, 10.0, 0.0, 1e5);
   AddPlane(soup, 9.95, 0.4, 3.0);
-  CHECK(Probe(soup, 1.0) == vtkHeliosConeHit::OnePlane);
+  CHECK(Probe(soup, 1.0) == vtkHeliosConeHit::PlanarFootprint);
   AddPlane(soup, 11.2, 0.0, 3.0);
-  CHECK(Probe(soup, 1.0) == vtkHeliosConeHit::Mixed);
+  CHECK(Probe(soup, 1.0) == vtkHeliosConeHit::Unresolved);
 }
 
 TEST_CASE("ConeOrder: surfaces hidden in the whole cone do not count", "[ConeOrder]")
@@ -57,7 +57,7 @@ TEST_CASE("ConeOrder: surfaces hidden in the whole cone do not count", "[ConeOrd
   Soup soup = MakeDebris();
   AddPlane(soup, 10.0, 0.0, 3.0);
   soup.AddTriangle({ 0, 8, 5 }, { -3, -3, 19 }, { 3, -3, 19 });
-  CHECK(Probe(soup, 0.01) == vtkHeliosConeHit::OnePlane);
+  CHECK(Probe(soup, 0.01) == vtkHeliosConeHit::PlanarFootprint);
 }
 
 TEST_CASE("ConeOrder: a plane before more triangles than a probe holds", "[ConeOrder]")
@@ -65,14 +65,14 @@ TEST_CASE("ConeOrder: a plane before more triangles than a probe holds", "[ConeO
   Soup soup = MakeDebris();
   AddPlane(soup, 10.0, 0.0, 1e5); // an outlier
   helios::AddLeaves(soup, 200, 0.05, { -1, -1, 12 }, { 1, 1, 14 });
-  CHECK(Probe(soup, 0.01) == vtkHeliosConeHit::OnePlane);
+  CHECK(Probe(soup, 0.01) == vtkHeliosConeHit::PlanarFootprint);
   Soup inTree = MakeDebris();
   for (int i = 0; i < 30; ++i) // corners before the plane, hidden in the cone
   {
     inTree.AddTriangle({ 0.1 * i, 8, 5 }, { -3, -3, 19.0 + i }, { 3, -3, 19.0 + i });
   }
   AddPlane(inTree, 10.0, 0.0, 3.0);
-  CHECK(Probe(inTree, 0.01) == vtkHeliosConeHit::OnePlane);
+  CHECK(Probe(inTree, 0.01) == vtkHeliosConeHit::PlanarFootprint);
 }
 
 TEST_CASE("ConeOrder: a tree of one leaf has its triangles once", "[ConeOrder]")

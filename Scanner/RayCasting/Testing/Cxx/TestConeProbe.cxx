@@ -254,7 +254,7 @@ Counts Probe(const Soup& soup, const std::vector<Cone>& cones, double tolerance)
     {
       fault = "another caster says something else";
     }
-    else if (hit.Kind != vtkHeliosConeHit::Mixed)
+    else if (hit.Kind != vtkHeliosConeHit::Unresolved)
     {
       fault = FindFault(*bvh, soup, cone, tolerance, hit);
     }
@@ -300,8 +300,8 @@ int ProbeAt(const Soup& soup, const Vec3& place, double tangent, const Vec3& fro
 }
 
 constexpr int Empty = vtkHeliosConeHit::Empty;
-constexpr int OnePlane = vtkHeliosConeHit::OnePlane;
-constexpr int Mixed = vtkHeliosConeHit::Mixed;
+constexpr int PlanarFootprint = vtkHeliosConeHit::PlanarFootprint;
+constexpr int Unresolved = vtkHeliosConeHit::Unresolved;
 
 /// A wall of six triangles about the origin.
 Soup MakeFan(int count = 6)
@@ -336,8 +336,8 @@ TEST_CASE("ConeProbe: never wrong over random scenes", "[ConeProbe]")
                        << counts.Kinds[1] << " plane, " << counts.Kinds[2] << " mixed");
         CHECK(counts.Fault == "");
         CHECK(counts.Kinds[Empty] > 20);
-        CHECK(counts.Kinds[OnePlane] > 40);
-        CHECK(counts.Kinds[Mixed] > 200);
+        CHECK(counts.Kinds[PlanarFootprint] > 40);
+        CHECK(counts.Kinds[Unresolved] > 200);
       }
     }
   }
@@ -348,12 +348,12 @@ TEST_CASE("ConeProbe: never wrong over a closed mesh and leaves", "[ConeProbe]")
   Soup sphere = helios::MakeIcosphere(3);
   const Counts inside = Probe(sphere, MakeCones(sphere, { 0, 0, 0 }, 0.9, 1000), 1e-4);
   CHECK(inside.Fault == "");
-  CHECK(inside.Kinds[OnePlane] > 100);
+  CHECK(inside.Kinds[PlanarFootprint] > 100);
   Soup forest = helios::MakeTerrain(40, 1.0);
   helios::AddLeaves(forest, 1000, 0.05, { 10, 10, 5 }, { 30, 30, 8 });
   const Counts crowns = Probe(forest, MakeCones(forest, { 20, 20, 5 }, 10, 1000), 1e-3);
   CHECK(crowns.Fault == "");
-  CHECK(crowns.Kinds[OnePlane] > 100);
+  CHECK(crowns.Kinds[PlanarFootprint] > 100);
 }
 
 TEST_CASE("ConeProbe: mostly planar over smooth terrain", "[ConeProbe]")
@@ -373,26 +373,26 @@ TEST_CASE("ConeProbe: mostly planar over smooth terrain", "[ConeProbe]")
     INFO("offset " << offset[0]);
     const Counts strict = Probe(soup, cones, 0.0);
     CHECK(strict.Fault == "");
-    CHECK(
-      strict.Kinds[OnePlane] > 160); // 2 r L / A = 0.04 * 3.4 of the cones at 100 m have an edge
-    CHECK(strict.Kinds[Mixed] > 5);
+    CHECK(strict.Kinds[PlanarFootprint] >
+      160); // 2 r L / A = 0.04 * 3.4 of the cones at 100 m have an edge
+    CHECK(strict.Kinds[Unresolved] > 5);
     const Counts tolerant = Probe(soup, cones, 0.01);
     CHECK(tolerant.Fault == "");
-    CHECK(tolerant.Kinds[OnePlane] > 185);
+    CHECK(tolerant.Kinds[PlanarFootprint] > 185);
   }
 }
 
 TEST_CASE("ConeProbe: a wall of triangles is planar, with a hole it is not", "[ConeProbe]")
 {
-  CHECK(ProbeAt(MakeFan(), { 0, 0, 0 }, 0.01) == OnePlane);
-  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.01) == OnePlane);
-  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.1) == OnePlane);
-  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.2) == Mixed);
-  CHECK(ProbeAt(MakeFan(), { 0.4, 0.3, 0 }, 0.01) == OnePlane);
+  CHECK(ProbeAt(MakeFan(), { 0, 0, 0 }, 0.01) == PlanarFootprint);
+  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.01) == PlanarFootprint);
+  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.1) == PlanarFootprint);
+  CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.2) == Unresolved);
+  CHECK(ProbeAt(MakeFan(), { 0.4, 0.3, 0 }, 0.01) == PlanarFootprint);
   CHECK(ProbeAt(MakeFan(), { 3, 0, 0 }, 0.01) == Empty);
-  CHECK(ProbeAt(MakeFan(5), { 0, 0, 0 }, 0.01) == Mixed);
+  CHECK(ProbeAt(MakeFan(5), { 0, 0, 0 }, 0.01) == Unresolved);
   CHECK(ProbeAt(MakeFan(5), { 0.4, -0.3, 0 }, 0.01) == Empty);
-  CHECK(ProbeAt(MakeFan(5), { 0.4, 0.3, 0 }, 0.01) == OnePlane);
+  CHECK(ProbeAt(MakeFan(5), { 0.4, 0.3, 0 }, 0.01) == PlanarFootprint);
   // A leaf before the wall, just within the cone, just outside, behind, and edge-on.
   const Vec3 from(0.4, 0.2, 5);
   const Vec3 to(0.4, 0.2, 0);
@@ -403,17 +403,18 @@ TEST_CASE("ConeProbe: a wall of triangles is planar, with a hole it is not", "[C
     return ProbeAt(soup, to, 0.01, from);
   };
   const double rim = 0.01 * 4.0; // at z = 1
-  CHECK(probeLeaf({ 0.4 + rim * (1 - 1e-7), 0.2, 1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == Mixed);
   CHECK(
-    probeLeaf({ 0.4 + rim * (1 + 1e-7), 0.2, 1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == OnePlane);
-  CHECK(probeLeaf({ 0.4, 0.2, 1 }, { 0.4 + 1e-9, 0.2, 1 }, { 0.4, 0.2 + 1e-9, 1 }) == Mixed);
-  CHECK(probeLeaf({ 0.4, 0.2, -1 }, { 0.5, 0.2, -1 }, { 0.5, 0.3, -1 }) == OnePlane);
-  CHECK(probeLeaf({ 0.4, 0.2, -1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == Mixed);
-  CHECK(probeLeaf({ 0.4, 0.2, 1 }, { 0.4, 0.2, 2 }, { 0.4, 0.3, 1 }) == Mixed);
-  CHECK(probeLeaf({ 0.4, 0.2, 6 }, { 0.5, 0.2, 6 }, { 0.5, 0.3, 7 }) == OnePlane);
+    probeLeaf({ 0.4 + rim * (1 - 1e-7), 0.2, 1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == Unresolved);
+  CHECK(probeLeaf({ 0.4 + rim * (1 + 1e-7), 0.2, 1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) ==
+    PlanarFootprint);
+  CHECK(probeLeaf({ 0.4, 0.2, 1 }, { 0.4 + 1e-9, 0.2, 1 }, { 0.4, 0.2 + 1e-9, 1 }) == Unresolved);
+  CHECK(probeLeaf({ 0.4, 0.2, -1 }, { 0.5, 0.2, -1 }, { 0.5, 0.3, -1 }) == PlanarFootprint);
+  CHECK(probeLeaf({ 0.4, 0.2, -1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == Unresolved);
+  CHECK(probeLeaf({ 0.4, 0.2, 1 }, { 0.4, 0.2, 2 }, { 0.4, 0.3, 1 }) == Unresolved);
+  CHECK(probeLeaf({ 0.4, 0.2, 6 }, { 0.5, 0.2, 6 }, { 0.5, 0.3, 7 }) == PlanarFootprint);
   // From all sides, closer than the wall, and from below through it.
-  CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 4.9 }) == OnePlane);
-  CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 5.1 }) == OnePlane);
+  CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 4.9 }) == PlanarFootprint);
+  CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 5.1 }) == PlanarFootprint);
 }
 
 TEST_CASE("ConeProbe: a fold is planar within the tolerance only", "[ConeProbe]")
@@ -429,12 +430,12 @@ TEST_CASE("ConeProbe: a fold is planar within the tolerance only", "[ConeProbe]"
     {
       const Counts counts = Probe(soup, { cone }, tolerance);
       CHECK(counts.Fault == "");
-      return counts.Kinds[OnePlane] == 1 ? OnePlane : Mixed;
+      return counts.Kinds[PlanarFootprint] == 1 ? PlanarFootprint : Unresolved;
     };
-    CHECK(getKind(slope * radius * 1.01 + 1e-9) == OnePlane);
+    CHECK(getKind(slope * radius * 1.01 + 1e-9) == PlanarFootprint);
     if (slope > 0)
     {
-      CHECK(getKind(slope * radius * 0.99) == Mixed);
+      CHECK(getKind(slope * radius * 0.99) == Unresolved);
     }
   }
 }
@@ -451,14 +452,14 @@ TEST_CASE("ConeProbe: unresolved in doubt", "[ConeProbe]")
   const ConeProbe* probe = caster->GetConeProbe();
   REQUIRE(probe);
   CHECK(caster->GetConeProbe() == probe); // made once
-  CHECK(probe->Probe(from, axis, 0.01, 1e-6).Kind == OnePlane);
-  CHECK(probe->Probe(from, axis, 0.0, 1e-6).Kind == OnePlane); // a line
-  CHECK(probe->Probe(from, axis, nan, 1e-6).Kind == Mixed);
-  CHECK(probe->Probe(from, axis, 0.01, nan).Kind == Mixed);
-  CHECK(probe->Probe(from, axis, 0.9, 1e-6).Kind == Mixed);
-  CHECK(probe->Probe(from, axis, -0.1, 1e-6).Kind == Mixed);
+  CHECK(probe->Probe(from, axis, 0.01, 1e-6).Kind == PlanarFootprint);
+  CHECK(probe->Probe(from, axis, 0.0, 1e-6).Kind == PlanarFootprint); // a line
+  CHECK(probe->Probe(from, axis, nan, 1e-6).Kind == Unresolved);
+  CHECK(probe->Probe(from, axis, 0.01, nan).Kind == Unresolved);
+  CHECK(probe->Probe(from, axis, 0.9, 1e-6).Kind == Unresolved);
+  CHECK(probe->Probe(from, axis, -0.1, 1e-6).Kind == Unresolved);
   const double nowhere[3] = { 0, 0, 0 };
-  CHECK(probe->Probe(from, nowhere, 0.01, 1e-6).Kind == Mixed);
+  CHECK(probe->Probe(from, nowhere, 0.01, 1e-6).Kind == Unresolved);
 }
 
 TEST_CASE("ConeProbe: of the scene built last", "[ConeProbe]")
@@ -467,7 +468,7 @@ TEST_CASE("ConeProbe: of the scene built last", "[ConeProbe]")
   const double axis[3] = { 0, 0, -1 };
   vtkNew<vtkHeliosBvhRayCaster> caster;
   REQUIRE(caster->Build(MakeFan().GetPolyData()));
-  CHECK(caster->GetConeProbe()->Probe(from, axis, 0.01, 1e-6).Kind == OnePlane);
+  CHECK(caster->GetConeProbe()->Probe(from, axis, 0.01, 1e-6).Kind == PlanarFootprint);
   Soup away;
   away.AddTriangle({ 50, 0, 0 }, { 51, 0, 0 }, { 50, 1, 0 });
   REQUIRE(caster->Build(away.GetPolyData()));
@@ -490,8 +491,8 @@ TEST_CASE("ConeProbe: distant triangles are included", "[ConeProbe]")
 {
   Soup soup = helios::MakeIcosphere(4);
   soup.AddTriangle({ -1e4, -1e4, 50 }, { 1e4, -1e4, 50 }, { 0, 2e4, 50 });
-  CHECK(ProbeAt(soup, { 0.1, 0.2, 5 + 45 }, 0.01, { 0.1, 0.2, 5 }) == OnePlane);
-  CHECK(ProbeAt(soup, { 0, 0, -9 }, 0.01, { 0, 0, 60 }) == OnePlane);
+  CHECK(ProbeAt(soup, { 0.1, 0.2, 5 + 45 }, 0.01, { 0.1, 0.2, 5 }) == PlanarFootprint);
+  CHECK(ProbeAt(soup, { 0, 0, -9 }, 0.01, { 0, 0, 60 }) == PlanarFootprint);
   CHECK(ProbeAt(soup, { 3, 0, 0 }, 0.01, { 3, 0, 5 }) == Empty);
 }
 
@@ -510,7 +511,7 @@ helios::ConeLayer FindLayer(const Soup& soup, double distance, double overlap = 
   const double axis[3] = { 0, 0, -1 };
   helios::ConeLayer layer;
   const vtkHeliosConeHit hit = caster->GetConeProbe()->Probe(from, axis, 1e-3, limits, &layer);
-  CHECK((hit.Kind == Mixed || layer.Size > 0));
+  CHECK((hit.Kind == Unresolved || layer.Size > 0));
   return layer;
 }
 

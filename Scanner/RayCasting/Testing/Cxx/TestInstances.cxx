@@ -227,7 +227,7 @@ TEST_CASE("instances: cones collect the triangles of a copy", "[instances]")
       // The members of a cone come in another order: there may be too many of them.
       const bool isEqual = hit.Kind == truth.Kind && hit.CellId == truth.CellId;
       different += isEqual ? 0 : 1;
-      CHECK((isEqual || hit.Kind == vtkHeliosConeHit::Mixed));
+      CHECK((isEqual || hit.Kind == vtkHeliosConeHit::Unresolved));
       ++kinds[hit.Kind];
 
       helios::ConeView own, all;
@@ -243,8 +243,8 @@ TEST_CASE("instances: cones collect the triangles of a copy", "[instances]")
     }
   }
   CHECK(different < 8); // of 600
-  CHECK(kinds[vtkHeliosConeHit::OnePlane] > 10);
-  CHECK(kinds[vtkHeliosConeHit::Mixed] > 10);
+  CHECK(kinds[vtkHeliosConeHit::PlanarFootprint] > 10);
+  CHECK(kinds[vtkHeliosConeHit::Unresolved] > 10);
   CHECK(triangles > 1000);
 }
 

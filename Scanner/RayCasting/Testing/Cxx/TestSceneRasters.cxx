@@ -198,8 +198,8 @@ TEST_CASE("scene rasters: cones see what they see of a mesh", "[sceneRasters]")
       REQUIRE(truth->GetConeProbe()->Collect(ray.Origin, axis.GetData(), tangent, 0.0, 10000, all));
       REQUIRE(own.Farthest == all.Farthest);
     }
-    CHECK(kinds[vtkHeliosConeHit::OnePlane] > 10);
-    CHECK(kinds[vtkHeliosConeHit::Mixed] > 10);
+    CHECK(kinds[vtkHeliosConeHit::PlanarFootprint] > 10);
+    CHECK(kinds[vtkHeliosConeHit::Unresolved] > 10);
   }
 }
 

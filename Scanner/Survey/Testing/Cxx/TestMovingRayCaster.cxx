@@ -193,9 +193,9 @@ TEST_CASE("MovingRayCaster: cones resolved by it are resolved equally in the who
     const vtkHeliosConeHit whole = ofKind->Probe(ray.Origin, up, 0.001, 0.01);
     const vtkHeliosConeHit hit = ofParts->Probe(ray.Origin, up, 0.001, 0.01);
     ++counts[hit.Kind];
-    REQUIRE((hit.Kind == whole.Kind || hit.Kind == vtkHeliosConeHit::Mixed));
-    REQUIRE((hit.Kind != vtkHeliosConeHit::Mixed || whole.Kind != vtkHeliosConeHit::Empty));
-    if (hit.Kind == vtkHeliosConeHit::OnePlane)
+    REQUIRE((hit.Kind == whole.Kind || hit.Kind == vtkHeliosConeHit::Unresolved));
+    REQUIRE((hit.Kind != vtkHeliosConeHit::Unresolved || whole.Kind != vtkHeliosConeHit::Empty));
+    if (hit.Kind == vtkHeliosConeHit::PlanarFootprint)
     {
       REQUIRE(hit.CellId == whole.CellId);
       REQUIRE(hit.Range == whole.Range);
@@ -205,7 +205,7 @@ TEST_CASE("MovingRayCaster: cones resolved by it are resolved equally in the who
     }
   }
   CHECK(counts[vtkHeliosConeHit::Empty] > 100);
-  CHECK(counts[vtkHeliosConeHit::Mixed] > 100);
+  CHECK(counts[vtkHeliosConeHit::Unresolved] > 100);
   CHECK(planes[0] > 0);
   CHECK((planes[1] > 0 || vtkHeliosScene::HasInstances(scene))); // which are before the moving ones
 }

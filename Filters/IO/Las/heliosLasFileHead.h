@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Properties shared by all blocks of a LAS file being written.
 
-#ifndef heliosLasSheet_h
-#define heliosLasSheet_h
+#ifndef heliosLasFileHead_h
+#define heliosLasFileHead_h
 
 #include "heliosLasBlock.h"
 #include "heliosStatus.h"
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-struct LasSheet
+struct LasFileHead
 {
   LasHeader Header;
   LasScaling Scaling;

@@ -22,7 +22,7 @@ namespace
 {
 
 /// Returns a formatted number; empty if it is unknown.
-std::string Say(const char* format, double value)
+std::string FormatNumber(const char* format, double value)
 {
   char text[64];
   std::snprintf(text, sizeof(text), format, value);
@@ -44,12 +44,13 @@ std::string Inspector::DescribeEcho() const
   std::string text = echo.PulseId < 0 ? Format("point %lld", static_cast<long long>(this->Row))
                                       : Format("pulse %lld", static_cast<long long>(echo.PulseId));
   text += Format(", return %d of %d", echo.ReturnNumber, echo.NumberOfReturns) +
-    Say(", at %.6f s", echo.GpsTime) + "\n";
-  text += std::isnan(echo.Range) ? "" : Say("%.3f m, ", echo.Range);
-  text += isRaw                  ? Say("intensity %.0f", echo.Amplitude)
+    FormatNumber(", at %.6f s", echo.GpsTime) + "\n";
+  text += std::isnan(echo.Range) ? "" : FormatNumber("%.3f m, ", echo.Range);
+  text += isRaw                  ? FormatNumber("intensity %.0f", echo.Amplitude)
     : std::isnan(echo.Amplitude) ? ""
                                  : DescribeValue(echo.Amplitude, "W");
-  text += Say(", %.2f ns wide", width) + Say(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
+  text += FormatNumber(", %.2f ns wide", width) +
+    FormatNumber(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
   text += "\n" + this->DescribeSurface(echo);
   if (this->Record.valid())
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosMarkLine.h"
+#include "heliosMeasurementLine.h"
 
 #include "heliosCloudView.h"
 #include "heliosSceneView.h"
@@ -27,7 +27,7 @@ constexpr double PickPixels = 6.0;
 } // namespace
 
 //------------------------------------------------------------------------------
-MarkLine::MarkLine(vtkRenderer* renderer)
+MeasurementLine::MeasurementLine(vtkRenderer* renderer)
   : Renderer(renderer)
 {
   vtkNew<vtkCoordinate> world;
@@ -44,13 +44,13 @@ MarkLine::MarkLine(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-MarkLine::~MarkLine()
+MeasurementLine::~MeasurementLine()
 {
   this->Renderer->RemoveActor2D(this->Actor);
 }
 
 //------------------------------------------------------------------------------
-void MarkLine::SetPoints(const std::vector<Vec3>& places, const Rgb& color)
+void MeasurementLine::SetPoints(const std::vector<Vec3>& places, const Rgb& color)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clicked points, joined by lines, in front of everything.
 
-#ifndef heliosMarkLine_h
-#define heliosMarkLine_h
+#ifndef heliosMeasurementLine_h
+#define heliosMeasurementLine_h
 
 #include "heliosColorMaps.h"
 #include "heliosPose.h"
@@ -22,14 +22,14 @@ namespace helios::viewer
 
 class Viewer;
 
-class MarkLine
+class MeasurementLine
 {
 public:
   /// The renderer must outlive the line.
-  explicit MarkLine(vtkRenderer* renderer);
-  ~MarkLine();
-  MarkLine(const MarkLine&) = delete;
-  void operator=(const MarkLine&) = delete;
+  explicit MeasurementLine(vtkRenderer* renderer);
+  ~MeasurementLine();
+  MeasurementLine(const MeasurementLine&) = delete;
+  void operator=(const MeasurementLine&) = delete;
 
   /// Points in renderer coordinates [m]; none: nothing is drawn.
   void SetPoints(const std::vector<Vec3>& points, const Rgb& color);

@@ -23,9 +23,9 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double RateSeconds = 0.5;  // averaging time of a rate
-constexpr double RestSeconds = 0.12; // of the mouse, until its coordinates are shown
-constexpr std::size_t MostLegs = 14; // listed
+constexpr double RateSeconds = 0.5;     // averaging time of a rate
+constexpr double RestSeconds = 0.12;    // of the mouse, until its coordinates are shown
+constexpr std::size_t MaximumLegs = 14; // listed
 
 /// "1.23 M".
 std::string ShortenNumber(double number)
@@ -49,7 +49,7 @@ std::string DescribeSpeed(double speed)
 } // namespace
 
 //------------------------------------------------------------------------------
-void Viewer::WriteWords()
+void Viewer::UpdateStatus()
 {
   const double now = this->Now();
   this->CountRates();
@@ -178,10 +178,10 @@ std::string Viewer::DescribeLegs() const
     return {};
   }
   const auto at = static_cast<std::size_t>(current - legs.data());
-  const std::size_t most = std::min(MostLegs, legs.size());
-  const std::size_t first = std::min(at - std::min(at, most / 2), legs.size() - most);
+  const std::size_t maximum = std::min(MaximumLegs, legs.size());
+  const std::size_t first = std::min(at - std::min(at, maximum / 2), legs.size() - maximum);
   std::string text = Format("%zu of %zu legs\n", at + 1, legs.size());
-  for (std::size_t i = first; i < first + most; ++i)
+  for (std::size_t i = first; i < first + maximum; ++i)
   {
     text += Format("%sleg %d  %.2f to %.2f s\n", i == at ? "> " : "", legs[i].Leg,
       legs[i].StartTime, legs[i].EndTime);

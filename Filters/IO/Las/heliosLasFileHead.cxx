@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosLasSheet.h"
+#include "heliosLasFileHead.h"
 
 #include "heliosLasFile.h"
 #include "heliosLasWaves.h"
@@ -69,7 +69,7 @@ bool ReadGpsEpoch(vtkPolyData* echoes, double& epoch)
   return true;
 }
 
-std::string LasSheet::EncodeRecords(std::uint32_t& count) const
+std::string LasFileHead::EncodeRecords(std::uint32_t& count) const
 {
   const LasRecord wkt{ LasProjectionUser, LasWktId, "OGC coordinate system WKT", this->Wkt + '\0' };
   const LasRecord extras{ LasSpecUser, LasExtraBytesId, "Extra Bytes", this->Arrays };
@@ -80,7 +80,7 @@ std::string LasSheet::EncodeRecords(std::uint32_t& count) const
     (this->HasWaves ? LasWaves::EncodeDescriptors(this->Spacing) : std::string());
 }
 
-std::string LasSheet::ListArrays() const
+std::string LasFileHead::ListArrays() const
 {
   std::vector<LasExtra> extras;
   static_cast<void>(DecodeLasExtras(this->Arrays, extras)); // made by EncodeLasExtras()
@@ -92,7 +92,7 @@ std::string LasSheet::ListArrays() const
   return text.empty() ? "none" : text;
 }
 
-Status LasSheet::Read(
+Status LasFileHead::Read(
   const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd)
 {
   LasFile file;
