@@ -49,7 +49,7 @@ std::string GetExtension(const fs::path& path)
   return extension;
 }
 
-/// Search folders of an XML file.
+/// Sets an XML file and its search folders.
 template <typename Reader>
 void SetInput(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
 {
@@ -73,13 +73,13 @@ Status ShowSurveyFile(Viewer& viewer, const std::string& fileName)
   return {};
 }
 
-/// The scene of a file, and what PlanTool draws above it.
+/// Shows the scene of a file, and the marks that PlanTool draws above it.
 Status ShowSceneFile(Viewer& viewer, const std::string& fileName, vtkPolyData* above = nullptr)
 {
   vtkNew<vtkHeliosPlannerReader> reader;
   ErrorText errors(reader);
   SetInput(reader.Get(), fileName, viewer.GetOptions().Assets);
-  reader->SetPlatform(DefaultPlatform); // of any file: only its scene is shown
+  reader->SetPlatform(DefaultPlatform); // any file: only its scene is shown
   reader->SetScanner(DefaultScanner);
   reader->KeepGridsOn();
   reader->InstancesOn();
@@ -99,7 +99,7 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName, vtkPolyData* a
   return {};
 }
 
-/// The scene of the planned survey; PlanTool shows the rest.
+/// Shows the scene of the planned survey; PlanTool shows the rest.
 Status ShowPlan(Viewer& viewer, const std::string& path)
 {
   Plan plan;
@@ -142,7 +142,7 @@ std::vector<SimulatedLeg> MakeLegs(
   return legs;
 }
 
-/// Finished runs and clouds, all together.
+/// Shows finished runs and clouds, all together.
 Status ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
 {
   CloudReader reader;

@@ -77,7 +77,7 @@ int main(int argc, char** argv)
     helios::viewer::Viewer viewer(options);
     return viewer.Run();
   }
-  catch (const std::exception& error) // of libraries, out of memory
+  catch (const std::exception& error) // from libraries, out of memory
   {
     std::cerr << "error: " << error.what() << "\n";
     return 1;

@@ -7,7 +7,8 @@
 
 #include "vtkPython.h" // Must be first
 
-/// check_input_file(path as bytes): why a path is not a file that can be read; empty if it may be.
+/// Implements check_input_file(path as bytes): returns why a path is not a file that can be read;
+/// empty if it may be.
 PyObject* heliosCheckInputFile(PyObject* self, PyObject* args);
 
 #endif

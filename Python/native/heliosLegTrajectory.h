@@ -8,8 +8,8 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * trajectory(source, leg, interval): GetTrajectory() of a vtkHeliosSurveySource; None for a leg
- * without pulses.
+ * Implements trajectory(source, leg, interval): calls GetTrajectory() of a vtkHeliosSurveySource;
+ * None for a leg without pulses.
  */
 PyObject* heliosGetTrajectory(PyObject* self, PyObject* args);
 

@@ -158,7 +158,8 @@ private:
   }
   ~Watch() override { Py_DECREF(this->Raised); }
 
-  /// A vtkPythonAlgorithm reports an error before it prints and clears the exception.
+  /// Stores an exception: a vtkPythonAlgorithm reports an error before it prints and clears the
+  /// exception.
   void StoreException()
   {
     const vtkPythonScopeGilEnsurer lock(true);

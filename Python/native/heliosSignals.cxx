@@ -21,7 +21,7 @@ constexpr std::size_t MaximumFiles = 64;
 constexpr std::size_t LongestLine = 8192;
 constexpr std::size_t LongestPath = 4096;
 
-// What follows is used by a signal handler: without locks, and without memory of the heap.
+// The following is used by a signal handler: without locks, and without memory of the heap.
 
 struct Text
 {
@@ -251,5 +251,5 @@ PyObject* heliosRemoveAtEnd(PyObject*, PyObject* args)
       break;
     }
   }
-  Py_RETURN_NONE; // of more files than are kept here, the .part stays
+  Py_RETURN_NONE; // the .part of further files stays
 }

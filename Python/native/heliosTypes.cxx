@@ -43,7 +43,7 @@ int Init(PyObject* self, PyObject*, PyObject* keywords)
   return result ? 0 : -1;
 }
 
-/// Python subclasses may set any attribute; so may names with an underscore.
+/// Sets an attribute: Python subclasses may set any; so may names with an underscore.
 int SetAttribute(PyObject* self, PyObject* name, PyObject* value)
 {
   const char* text = PyUnicode_AsUTF8(name);

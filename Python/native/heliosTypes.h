@@ -9,14 +9,15 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * set_hooks(configure, refuse, compose, describe): the functions called by extended classes:
- * configure(object, keywords) after construction with keywords, refuse(object, name) to raise if an
- * unknown name is read or assigned, compose(left, right) for >>, and describe(object) for repr().
+ * Implements set_hooks(configure, refuse, compose, describe): sets the functions called by extended
+ * classes: configure(object, keywords) after construction with keywords, refuse(object, name) to
+ * raise if an unknown name is read or assigned, compose(left, right) for >>, and describe(object)
+ * for repr().
  */
 PyObject* heliosSetHooks(PyObject* self, PyObject* args);
 
 /**
- * extend(cls, attributes): gives a wrapped class the attributes of a dictionary, keyword
+ * Implements extend(cls, attributes): gives a wrapped class the attributes of a dictionary, keyword
  * construction, assignment that rejects unknown names, a repr, and, for an algorithm, >>.
  */
 PyObject* heliosExtend(PyObject* self, PyObject* args);

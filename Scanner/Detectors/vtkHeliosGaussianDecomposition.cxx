@@ -240,11 +240,11 @@ private:
   double FitTrial()
   {
     return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MaximumEvaluations)
-      ? this->GetRest(this->Work.Trial)
+      ? this->GetResidual(this->Work.Trial)
       : std::numeric_limits<double>::infinity();
   }
 
-  double GetRest(const Components& components) const
+  double GetResidual(const Components& components) const
   {
     const helios::GaussianData& data = this->Work.Near;
     return std::max(helios::SumSquares(data, components),
@@ -296,7 +296,7 @@ private:
     this->IsolateComponent(i);
     const Components one = { this->Work.Best[i] };
     const auto count = static_cast<double>(this->Work.Near.X.size());
-    const double left = this->GetRest(one);
+    const double left = this->GetResidual(one);
     if (left <= count * 100.0 * Rounding * Rounding)
     {
       return; // no residual to explain

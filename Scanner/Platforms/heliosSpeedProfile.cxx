@@ -64,10 +64,10 @@ public:
     const double toEnd = this->Force.FindTimeTo(speed, this->Way.Length);
     double push = std::min(toCap, toEnd);
     double hold = 0.0;
-    const double left = this->GetRest(push);
+    const double left = this->GetRemainingDistance(push);
     if (left < 0.0)
     {
-      push = FindRoot([&](double t) { return this->GetRest(t); }, 0.0, push);
+      push = FindRoot([&](double t) { return this->GetRemainingDistance(t); }, 0.0, push);
     }
     else if (toCap < toEnd)
     {
@@ -78,7 +78,7 @@ public:
 
 private:
   /// Returns the distance left after full force for a time and full brake after that.
-  double GetRest(double time) const
+  double GetRemainingDistance(double time) const
   {
     const Travel travel = this->Force.At(this->Entry, time);
     return this->Way.Length - travel.Distance -

@@ -32,13 +32,13 @@ Way Vogel(int size)
   return { "Vogel", size, 0.02 };
 }
 
-/// What the promise is about.
+/// Quantity that the promise is about.
 struct Accuracy
 {
   double Half = 0.0; ///< median of the range error [m]
   double P95 = 0.0;
   double Rms = 0.0;
-  double Lost = 0.0;      ///< missed and invented echoes, of those of the reference
+  double Lost = 0.0;      ///< missed and invented echoes, relative to the reference
   double Amplitude = 0.0; ///< RMS, of a full footprint
 };
 

@@ -30,7 +30,7 @@ namespace
 struct Layout
 {
   const char* Name;
-  std::vector<const char*> Options; // of GDAL's writer
+  std::vector<const char*> Options; // options of GDAL's writer
   bool HasHoles;                    // one pixel in 61
 };
 
@@ -85,7 +85,7 @@ bool IsRight(const Raster& raster, vtkPolyData* scene)
     return false;
   }
   std::vector<std::int64_t>
-    pixels; // of the points; holes are isolated, so no point is without triangle
+    pixels; // share of the points; holes are isolated, so no point is without triangle
   for (std::int64_t i = 0; i < n * n; ++i)
   {
     if (!raster.IsHole(i))
@@ -158,7 +158,7 @@ double RunRead(const Raster& raster, const std::string& path)
   return isGood && values[1] == raster.GetValue(1) ? seconds : -1.0;
 }
 
-/// Allocates the memory of a scene of this many points and triangles, and writes to all of it once.
+/// Allocates the memory of a scene of this many points and triangles, and writes to it once.
 double RunAllocate(std::int64_t points, std::int64_t triangles)
 {
   const auto start = std::chrono::steady_clock::now();

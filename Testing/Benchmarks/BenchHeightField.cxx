@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A raster of heights as a height field and as a mesh: memory, time to build, rays a second.
 // Usage: BenchHeightField [side [beams]]
-#pragma GCC diagnostic ignored "-Wpsabi" // of heliosBeamBundle.h
+#pragma GCC diagnostic ignored "-Wpsabi" // heliosBeamBundle.h needs it
 
 #include "heliosBeamBundle.h"
 #include "heliosBenchClock.h"

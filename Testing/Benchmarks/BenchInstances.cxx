@@ -40,15 +40,15 @@ using helios::Vec3;
 
 constexpr int RaysPerBeam = 19;
 constexpr int Prototypes = 10;
-constexpr double Spacing = 4.0; // of the trees [m]
+constexpr double Spacing = 4.0; // distance of the trees [m]
 
 double Draw(std::uint64_t i, std::uint64_t k)
 {
   return helios::Uniform4(3, helios::RandomStream::Scene, i, k)[0];
 }
 
-/// Square leaves in an ellipsoid, 4 m across, from 3 to 15 m; their area is that of a leaf area index
-/// of 4.
+/// Makes square leaves in an ellipsoid, 4 m across, from 3 to 15 m; their area equals a leaf area
+/// index of 4.
 vtkSmartPointer<vtkPolyData> MakeTree(std::uint64_t number, vtkIdType triangles)
 {
   const vtkIdType leaves = triangles / 2;

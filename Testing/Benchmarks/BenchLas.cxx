@@ -104,7 +104,7 @@ double Write(vtkPolyData* block, const std::string& path, int blocks, bool hasEx
   return good ? CpuSeconds() - start : std::nan("");
 }
 
-/// As many bytes, without formatting.
+/// Writes as many bytes, without formatting.
 double WriteBare(const std::string& path, std::uintmax_t bytes)
 {
   const std::vector<char> block(1 << 20, 'x');

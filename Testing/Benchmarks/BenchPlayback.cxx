@@ -111,7 +111,7 @@ void WriteScene(const fs::path& folder)
 /// The legs of a survey, run without a player.
 struct Bare
 {
-  vtkNew<vtkHeliosSurveyPlayer> Owner; // of the messages
+  vtkNew<vtkHeliosSurveyPlayer> Owner; // owner of the messages
   helios::Messages Log{ Owner };
   helios::RunSettings Settings;
   vtkSmartPointer<vtkPolyData> Scene;

@@ -28,7 +28,7 @@ namespace
 using namespace helios::bench;
 using helios::Vec3;
 
-constexpr double LongTime = 1.0; // of a run timed only once [s]
+constexpr double LongTime = 1.0; // time of a run timed only once [s]
 
 const Way Reference{ "Vogel", 4096, 0.1 };
 const Way Doubled{ "Vogel", 8192, 0.1 };

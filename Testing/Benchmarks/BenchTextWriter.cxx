@@ -130,7 +130,7 @@ double Write(vtkDataObject* block, const std::string& path, int blocks = 1)
   return good ? CpuSeconds() - start : std::nan("");
 }
 
-/// The same text through fprintf from bare arrays.
+/// Writes the text through fprintf from bare arrays.
 double WriteByFprintf(vtkPolyData* echoes, const std::string& path)
 {
   const auto numbers = [echoes](const char* name)

@@ -34,9 +34,9 @@ using namespace helios::bench;
 
 constexpr double Divergence = 0.3e-3;
 constexpr double HalfWidth = 0.5 * Divergence; // w [rad]
-constexpr double Middle = 50.0;                // of the scene, along x and y [m]
-constexpr double Height = 40.0;                // of the wire [m]
-constexpr double Depth = 0.5;                  // of its echoes [m]
+constexpr double Middle = 50.0;                // middle of the scene, along x and y [m]
+constexpr double Height = 40.0;                // height of the wire [m]
+constexpr double Depth = 0.5;                  // depth of its echoes [m]
 constexpr double Tolerance = 1e-3;             // [m]; of the amplitude 1e-2
 
 enum class Target
@@ -72,7 +72,8 @@ double GetEnergy(double low, double high)
   return sum * (high - low) / steps;
 }
 
-/// The amplitude of a target across the beam, by that of a plane; its axis is at an offset.
+/// Computes the amplitude of a target across the beam, relative to a plane's; its axis is at an
+/// offset.
 double GetAmplitude(Target target, double width, double offset, double beam)
 {
   if (target == Target::Strip)
@@ -80,7 +81,7 @@ double GetAmplitude(Target target, double width, double offset, double beam)
     return GetEnergy((offset - 0.5 * width) / beam, (offset + 0.5 * width) / beam);
   }
   double sum = 0.0;
-  for (int side = -2; side < 2; ++side) // of eight, those before
+  for (int side = -2; side < 2; ++side) // the near four of eight sides
   {
     const double turn = 0.25 * vtkMath::Pi();
     const double low = 0.5 * width * std::sin(side * turn);
@@ -138,7 +139,7 @@ std::map<vtkIdType, double> GetEchoes(vtkPolyData* echoes, double range)
 
 struct Errors
 {
-  double Lost = 0.0;      ///< of the echoes that count
+  double Lost = 0.0;      ///< number of the echoes that count
   double Amplitude = 0.0; ///< RMS, of the largest
 
   bool IsAsGoodAs(const Errors& other) const
@@ -206,7 +207,7 @@ public:
 private:
   double Range;
   Bench Scanner;
-  std::vector<double> Expected; ///< of the pulses
+  std::vector<double> Expected; ///< expected echoes of the pulses
   double Largest = 0.0;
 };
 

@@ -59,7 +59,7 @@ struct Contender
 {
   const char* Name;
   std::function<void(const Rays&, Hits&, std::size_t, std::size_t)> Cast;
-  std::size_t Share = 1; // of its rays in a race: one in this many
+  std::size_t Share = 1; // share of its rays in a race: one in this many
 };
 
 /// The range in double from a ray to the plane of a triangle.

@@ -55,7 +55,7 @@ struct TradeErrors
   double RangeP99 = 0.0;     // [m]
   double AmplitudeRms = 0.0; // relative
 
-  /// Whether no error exceeds that of another method, or a negligible level.
+  /// Returns whether no error exceeds the error of another method, or a negligible level.
   bool IsNoWorse(const TradeErrors& other, const TradeErrors& floor) const
   {
     return this->RangeRms <= std::max(other.RangeRms, floor.RangeRms) &&

@@ -46,7 +46,7 @@ vtkStandardNewMacro(ListDeflector);
 struct ClosedForm
 {
   double Range = vtkMath::Nan();
-  double Share = vtkMath::Nan(); // of the amplitude of a plane across the beam at Range
+  double Share = vtkMath::Nan(); // share of the amplitude of a plane across the beam at Range
 };
 
 /// A scene and a beam from From to the parallelogram at Corner, all in the scene's frame.
@@ -54,13 +54,14 @@ struct TradeScene
 {
   std::string Name;
   vtkSmartPointer<vtkPolyData> Mesh;
-  Vec3 Offset; // of the mesh
+  Vec3 Offset; // cells of the mesh
   Vec3 From, Corner, U, V;
   double Divergence;
   std::function<ClosedForm(const Vec3& direction)> Truth;
 };
 
-/// To side * side squares of the target, line by line, at a random position within each.
+/// Returns rays to side * side squares of the target, line by line, at a random position within
+/// each.
 inline std::vector<Vec3> GetDirections(const TradeScene& scene, int side)
 {
   std::vector<Vec3> directions;
@@ -156,7 +157,7 @@ inline TradeScene MakeStepScene()
   {
     const Vec3 toEdge = Vec3(0, 0, 10) - from;
     const Vec3 normal =
-      toEdge.Cross(Vec3(0, 1, 0)).Normalized(); // of the plane of scanner and edge
+      toEdge.Cross(Vec3(0, 1, 0)).Normalized(); // normal of the plane of scanner and edge
     const double s = std::asin(normal.Dot(d)) / (0.5 * divergence);
     const double upper = ShareBeyond(normal[0] > 0 ? -s : s);
     ClosedForm form;

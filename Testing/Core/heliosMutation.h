@@ -95,7 +95,7 @@ private:
     }
   }
 
-  std::mt19937 Generator; // the same sequence everywhere
+  std::mt19937 Generator; // gives the same sequence everywhere
 };
 
 } // namespace helios

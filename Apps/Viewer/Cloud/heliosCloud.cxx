@@ -310,7 +310,7 @@ void Cloud::AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, 
 }
 
 //------------------------------------------------------------------------------
-/// Before AppendTags(), which counts the points.
+/// Appends colours, before AppendTags(), which counts the points.
 void Cloud::AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
 {
   if (!block.Has(CloudColumn::Color) && chunk.Colors.empty())

@@ -104,7 +104,7 @@ struct CloudChunk
 class Cloud
 {
 public:
-  /// Origin of the coordinates [m]; set before any data. Default: the first point, rounded.
+  /// Sets the origin of the coordinates [m], before any data. Default: the first point, rounded.
   bool SetOrigin(const Vec3& origin);
   const Vec3& GetOrigin() const { return this->Origin; }
 
@@ -126,10 +126,10 @@ public:
   /// Returns whether amplitudes are raw file values (Intensity), not watts.
   bool HasRawAmplitudes() const { return this->RawAmplitudes; }
 
-  /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without points.
+  /// Gets world bounds x0 x1 y0 y1 z0 z1 [m]; false without points.
   bool GetBounds(double bounds[6]) const;
 
-  /// First and last GPS time [s]; false without points.
+  /// Gets the first and last GPS time [s]; false without points.
   bool GetTimeRange(double range[2]) const;
 
   /// Returns the point of a row in [0, number of points).
@@ -144,10 +144,10 @@ public:
   /// Returns the name of a part in the field data of the blocks; empty: unknown.
   std::string GetPartName(int part) const;
 
-  /// The chunk that contains a row.
+  /// Finds the chunk that contains a row.
   const CloudChunk& FindChunk(vtkIdType row) const;
 
-  /// Memory in bytes, capacity included.
+  /// Returns the memory in bytes, capacity included.
   std::size_t GetMemorySize() const;
 
 private:
@@ -182,7 +182,7 @@ private:
   vtkIdType NumberOfDropped = 0;
   std::vector<std::unique_ptr<CloudChunk>> Chunks;
   std::vector<Tag> Tags;
-  vtkSmartPointer<vtkStringArray> PartNames; // of the latest block that has them
+  vtkSmartPointer<vtkStringArray> PartNames; // names of the latest block that has them
   std::unordered_map<Tag, std::uint32_t, TagHash> TagRows;
   std::uint32_t LastTag = 0;
 };

@@ -15,7 +15,7 @@ namespace helios::viewer
 
 constexpr std::uint8_t NoIncidence = 255;
 
-/// 512 steps per octave, from 2^-96 on; 0: not set.
+/// Encodes an amplitude in 512 steps per octave, from 2^-96 on; 0: not set.
 inline std::uint16_t EncodeAmplitude(double amplitude)
 {
   if (!(amplitude > 0.0))
@@ -51,7 +51,7 @@ inline std::uint8_t ToByte(double value)
 
 constexpr std::uint32_t NoColor = 0xFFFFFFFF;
 
-/// Red, green and blue in [0, 1] as one number.
+/// Packs red, green and blue in [0, 1] into one number.
 inline std::uint32_t PackColor(const double* rgb)
 {
   const auto byte = [rgb](int i)

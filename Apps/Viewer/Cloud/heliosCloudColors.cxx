@@ -89,7 +89,7 @@ Rgb CloudColors::Map(double value) const
   {
     return value < 0.0 ? Unknown : GetDistinctColor(static_cast<std::int64_t>(value));
   }
-  const double clamped = std::min(std::max(this->GetShare(value), 0.0), 1.0); // of NaN: 0
+  const double clamped = std::min(std::max(this->GetShare(value), 0.0), 1.0); // NaN becomes 0
   return this->Colors[static_cast<std::size_t>(std::min(255.0, 256.0 * clamped))];
 }
 

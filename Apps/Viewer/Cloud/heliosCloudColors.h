@@ -41,14 +41,14 @@ public:
   Rgb One = { 200, 205, 210 };
   double Low = 0.0;
   double High = 1.0;
-  Ramp Colors = MakeRamp(RampPart()); ///< of quantities
+  Ramp Colors = MakeRamp(RampPart()); ///< colours of quantities
 
   /// For unknown values.
   static constexpr Rgb Unknown = { 128, 128, 128 };
 
   /// Returns whether values are categories (classes, parts ...) rather than quantities.
   bool IsCategory() const;
-  /// Returns whether colours tell no value: those of the points, or one for all.
+  /// Returns whether colours show no value: the points' own colours, or one for all.
   bool IsPlain() const { return this->By == ColorBy::One || this->By == ColorBy::Own; }
   bool IsLogarithmic() const { return this->By == ColorBy::Amplitude; }
 
@@ -58,10 +58,10 @@ public:
   void Map(const Cloud& cloud, const CloudChunk& chunk, vtkIdType begin, vtkIdType end,
     std::uint8_t* rgba) const;
 
-  /// The ends that exclude 2 % of the values on either side, NaN ignored; false: no values.
+  /// Fits the ends to exclude 2 % of the values on either side, NaN ignored; false: no values.
   bool FitRange(std::vector<double> values);
 
-  /// "Height", "Amplitude" ...
+  /// Returns "Height", "Amplitude" ...
   std::string GetName(const Cloud& cloud) const;
 
   /// Returns the legend; of categories: those among values.

@@ -89,7 +89,7 @@ int CountListedPieces(const std::string& path)
   return std::max(1, count);
 }
 
-/// The leg in a file name (leg012_points.xyz), or -1.
+/// Returns the leg in a file name (leg012_points.xyz), or -1.
 int GetLeg(const std::string& path)
 {
   const std::string name = fs::path(path).filename().string();
@@ -102,7 +102,7 @@ int GetKind(const std::string& path)
   return RunFiles::GetKind(fs::path(path).filename().string());
 }
 
-/// legNNN_points.xyz: legNNN_trajectory.txt beside it.
+/// Returns legNNN_trajectory.txt beside legNNN_points.xyz.
 std::string GetTrajectoryName(const std::string& path)
 {
   const fs::path points(path);

@@ -35,7 +35,7 @@ using BlockFunction = std::function<bool(vtkPolyData*, double)>;
 class CloudReader
 {
 public:
-  /// Part names in id order; set those of the scene before reading text files.
+  /// Part names in id order; set the scene's names before reading text files.
   std::vector<std::string> PartNames;
 
   /// Files read so far, and the trajectories found.
@@ -59,9 +59,9 @@ private:
   Status ReadTrajectory(const std::string& path);
 
   BlockFunction OnBlock;
-  std::string Problem; // of a coordinate system
+  std::string Problem; // problem of a coordinate system
   bool Stopped = false;
-  double FirstShare = 0.0; // of the current file, of the total
+  double FirstShare = 0.0; // share of the current file in the total
   double ShareOfFile = 1.0;
 };
 

@@ -53,10 +53,10 @@ public:
   /// Updates from the changed cloud.
   void Update();
 
-  /// Coloured quantity. Default: Height.
+  /// Sets the coloured quantity. Default: Height.
   void SetColorBy(ColorBy by);
   ColorBy GetColorBy() const { return this->Colors.By; }
-  /// The colour of ColorBy::One.
+  /// Sets the colour of ColorBy::One.
   void SetColor(const Rgb& color);
 
   ///@{
@@ -72,11 +72,11 @@ public:
   const CloudColors& GetColors() const { return this->Colors; }
   ///@}
 
-  /// Size of a point [pixels], in [1, 50]. Default: 2.
+  /// Sets the size of a point [pixels], in [1, 50]. Default: 2.
   void SetPointSize(double size);
   double GetPointSize() const { return this->PointSize; }
 
-  /// Eye-dome lighting (EDL) of all solid props of the renderer. Default: off.
+  /// Sets eye-dome lighting (EDL) of all solid props of the renderer. Default: off.
   void SetEyeDomeLighting(bool on);
   bool GetEyeDomeLighting() const { return this->EyeDomeLighting; }
 
@@ -94,11 +94,11 @@ public:
   void SetSection(const std::optional<Slab>& slab);
   const std::optional<Slab>& GetSection() const { return this->Section; }
 
-  /// Points later than this [s] are not drawn. Default: infinity.
+  /// Sets the time [s] after which points are not drawn. Default: infinity.
   void SetTimeLimit(double time);
   double GetTimeLimit() const { return this->Window.TimeLimit; }
 
-  /// True while the camera moves: draws the sample only.
+  /// Sets whether the camera moves: then only the sample is drawn.
   void SetInteracting(bool on);
   bool IsInteracting() const { return this->Interacting; }
 
@@ -113,14 +113,14 @@ public:
   /// Returns the legend of the colours; without colours if there are no points, or one colour only.
   const Legend& GetLegend() const { return this->Scale; }
 
-  /// The part of the colour map for quantities. Default: all.
+  /// Sets the part of the colour map for quantities. Default: all.
   void SetRampPart(const RampPart& part);
 
-  /// Returns the echo drawn at a window pixel, or within a radius [pixels] of it.
+  /// Returns the echo drawn at a window pixel, or within a radius [pixels].
   std::optional<Echo> Pick(double x, double y, double radius) const;
 
-  /// Points drawn, including those outside the clip box in chunks that intersect it. Of a cloud
-  /// above GetWholeLimit(): in the last frame.
+  /// Returns the number of points drawn, including points outside the clip box in chunks that
+  /// intersect it; for a cloud above GetWholeLimit(), in the last frame.
   vtkIdType GetNumberOfDrawnPoints() const;
 
   /// Bytes besides the cloud's own.
@@ -156,7 +156,7 @@ private:
   bool Unshaded = false; // EDL is too slow while moving
   bool Stale = true;     // visible points are out of date
   vtkIdType WholeLimit = 2000000;
-  std::uint32_t MovingMask = 0; // of the sample's drawn rows
+  std::uint32_t MovingMask = 0; // mask of the sample's drawn rows
   std::unique_ptr<PixelMap> VisibleFrom;
   unsigned long Observer = 0;
   bool Visible = true;

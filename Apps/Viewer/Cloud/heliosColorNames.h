@@ -14,7 +14,7 @@
 namespace helios::viewer
 {
 
-/// In the order of cycling through them.
+/// Returns the colourings in the order of cycling through them.
 inline const std::vector<std::pair<std::string, ColorBy>>& GetColorings()
 {
   static const std::vector<std::pair<std::string, ColorBy>> colorings{

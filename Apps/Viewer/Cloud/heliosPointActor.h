@@ -45,7 +45,7 @@ public:
   void SetPointSize(double size);
   void SetPlanes(vtkPlaneCollection* planes);
 
-  /// Call after only Rgba has changed.
+  /// Marks the colours as changed; call it after only Rgba has changed.
   void ColorsChanged() { this->Changed = true; }
 
   std::size_t GetMemorySize() const;

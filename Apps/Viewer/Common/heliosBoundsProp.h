@@ -20,7 +20,7 @@ public:
   static BoundsProp* New() { VTK_STANDARD_NEW_BODY(BoundsProp); }
   vtkTypeMacro(BoundsProp, vtkProp);
 
-  /// x0 x1 y0 y1 z0 z1 in the renderer's coordinates; null: none.
+  /// Sets x0 x1 y0 y1 z0 z1 in the renderer's coordinates; null: none.
   void SetBounds(const double* bounds)
   {
     vtkMath::UninitializeBounds(this->Bounds);

@@ -22,7 +22,7 @@ const char* const Remedy =
   "; log in to a desktop, use ssh -X, or draw without a window: "
   "xvfb-run -a vtkhelios view ... --offscreen --still picture.png (Debian package xvfb)";
 
-/// Called by Xlib when its server is lost; Xlib exits when this returns.
+/// Runs when the server of Xlib is lost; Xlib exits when this returns.
 int OnLostDisplay(Display*)
 {
   std::cerr

@@ -13,7 +13,7 @@
 namespace helios::viewer
 {
 
-/// As printf formats it, up to 255 characters.
+/// Formats like printf, up to 255 characters.
 __attribute__((format(printf, 1, 2))) inline std::string Format(const char* format, ...)
 {
   char text[256];

@@ -14,7 +14,7 @@ namespace helios::viewer
 class FrameBudget
 {
 public:
-  static constexpr double Share = 0.04;     ///< of the time for drawing while computing
+  static constexpr double Share = 0.04;     ///< share of the time for drawing while computing
   static constexpr double Longest = 5.0;    ///< between two frames [s]
   static constexpr double AfterInput = 0.4; ///< input counts as ongoing [s]
 
@@ -30,7 +30,7 @@ public:
     this->Cost = seconds;
   }
 
-  /// Returns whether to draw now; isComputing: work goes on.
+  /// Returns whether to draw now; isComputing: a computation is running.
   bool IsDue(double now, bool isComputing) const
   {
     const double pause = std::min(Longest, this->Cost / Share);

@@ -54,7 +54,7 @@ public:
     return isInside ? y * this->Size[0] + x : -1;
   }
 
-  /// False for a point behind the camera or outside its depth range.
+  /// Maps a point to a pixel; false behind the camera or outside its depth range.
   bool Map(double x, double y, double z, double pixel[3]) const
   {
     const double* m = this->M;

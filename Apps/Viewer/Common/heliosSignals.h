@@ -10,7 +10,7 @@
 namespace helios::viewer
 {
 
-/// From now on SIGINT and SIGTERM end the process with exit code 130 or 143.
+/// Makes SIGINT and SIGTERM end the process with exit code 130 or 143.
 void EndOnSignals();
 
 /// Sets whether a file is being written, which a signal then removes.

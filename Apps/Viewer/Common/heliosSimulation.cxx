@@ -24,10 +24,10 @@ namespace
 {
 
 constexpr std::size_t LongestQueue = 8;
-constexpr vtkIdType MinimumPulses = 1024; // of a block
+constexpr vtkIdType MinimumPulses = 1024; // pulses of a block
 constexpr vtkIdType MaximumPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
-constexpr double SamplesPerLeg = 2000.0; // of the trajectory
+constexpr double SamplesPerLeg = 2000.0; // samples of the trajectory
 
 template <typename Data>
 vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
@@ -225,7 +225,7 @@ std::future<PulseRecord> Simulation::Submit(Request request)
 }
 
 //------------------------------------------------------------------------------
-/// The thread: loads, then runs blocks and requests until it is stopped.
+/// Runs in the thread: loads, then runs blocks and requests until it is stopped.
 void Simulation::Work()
 {
   const ErrorText errors(this->Source);
@@ -317,7 +317,7 @@ void Simulation::ReadLegs()
 }
 
 //------------------------------------------------------------------------------
-/// Under the mutex.
+/// Returns whether there is work; under the mutex.
 bool Simulation::HasWork() const
 {
   const bool isBefore =
@@ -326,7 +326,7 @@ bool Simulation::HasWork() const
 }
 
 //------------------------------------------------------------------------------
-/// The next block towards the target, short enough to react to a new target soon.
+/// Runs the next block towards the target, short enough to react to a new target soon.
 bool Simulation::RunBlock()
 {
   double target = 0.0;

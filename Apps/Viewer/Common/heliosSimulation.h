@@ -43,9 +43,9 @@ struct SimulatedLeg
   std::vector<Vec3> Positions; ///< of its samples
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
-  double LineFrequency = 0.0; ///< of the scan [Hz]; 0: unknown
-  PulseClock Clock;           ///< of one channel
-  ModelData Model;            ///< of the platform
+  double LineFrequency = 0.0; ///< lines of the scan per second [Hz]; 0: unknown
+  PulseClock Clock;           ///< clock of one channel
+  ModelData Model;            ///< model of the platform
   ModelData ScannerModel;
   Vec3 HeadAxis{ 0.0, 0.0, 1.0 };
   double HeadStart = 0.0; ///< [deg]
@@ -58,7 +58,7 @@ struct SimulatedLeg
   /// Platform pose [s]: clamped to the start and end of the leg.
   Pose GetPose(double time) const { return this->Path.GetPose(time); }
 
-  /// Pose of the scanner head on the platform [s]: its mount, rotated.
+  /// Returns the pose of the scanner head on the platform at a time [s]: its mount, rotated.
   Pose GetHead(double time) const;
 };
 
@@ -101,11 +101,11 @@ public:
   /// Returns the error; empty without one.
   std::string GetMessage() const;
 
-  ///@{
-  /// Known once loading has ended; null if that failed.
+  /// @{
+  /// Return results of loading, known once it has ended; null if it failed.
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
-  void GetBounds(double bounds[6]) const; ///< of both [m]
+  void GetBounds(double bounds[6]) const; ///< bounds of both [m]
   const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   double GetStartTime() const;
   double GetEndTime() const;
@@ -118,11 +118,11 @@ public:
   /// Returns the echoes of the blocks run since the last call.
   std::vector<vtkSmartPointer<vtkPolyData>> CollectEchoes();
 
-  /// The time up to which all echoes have been taken [s], and the pulses up to it.
+  /// Returns the time up to which all echoes have been collected [s], and the pulses up to it.
   double GetCollectedTime() const;
   vtkIdType GetCollectedPulses() const;
 
-  /// Wall time spent on computing blocks [s].
+  /// Returns the wall time spent on computing blocks [s].
   double GetComputingSeconds() const;
 
   /// Runs one pulse again, between two blocks, with all its data.
@@ -162,7 +162,7 @@ private:
   vtkIdType NumberOfPulses = 0;
   std::thread Thread;
 
-  // Of the thread only.
+  // Members that only the thread uses.
   vtkIdType NextPulse = 0;
   vtkIdType PulsesPerBlock;
 

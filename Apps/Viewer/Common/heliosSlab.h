@@ -17,7 +17,7 @@ namespace helios::viewer
 /// Points p with Low <= Normal p <= High [m].
 struct Slab
 {
-  Vec3 Normal{ 0.0, 1.0, 0.0 }; ///< of unit length
+  Vec3 Normal{ 0.0, 1.0, 0.0 }; ///< unit vector
   double Low = 0.0;
   double High = 0.0;
 

@@ -24,27 +24,27 @@ struct Theme
   Rgb Heading;          ///< headings, open menus
   Rgb Warning;          ///< messages
   Rgb Panel;            ///< behind text
-  std::uint8_t Opacity; ///< of panels, 255: opaque
-  Rgb Border;           ///< of panels; grid lines
-  Rgb Groove;           ///< of sliders
-  Rgb Handle;           ///< of sliders and the time bar
+  std::uint8_t Opacity; ///< opacity of panels, 255: opaque
+  Rgb Border;           ///< border of panels; grid lines
+  Rgb Groove;           ///< groove of sliders
+  Rgb Handle;           ///< handle of sliders and the time bar
   Rgb HeldHandle;       ///< while dragged
   Rgb Waveform;         ///< measured curve
   Rgb Fit;              ///< fitted curve
   Rgb Mark;             ///< selected echo, measured line
-  RampPart Ramp;        ///< of the colour map: without the end close to the background
+  RampPart Ramp;        ///< part of the colour map: without the end close to the background
 };
 
 /// Returns the theme of a name; the first of GetThemeNames() for an unknown one.
 const Theme& FindTheme(const std::string& name);
 
-/// dark, light.
+/// Returns dark, light.
 std::vector<std::string> GetThemeNames();
 
-/// Text height for a window [pixels], in [12, 28].
+/// Returns the text height for a window [pixels], in [12, 28].
 int GetTextSize(int width, int height);
 
-/// The font of the viewer: proportional, without shadow, of a size [pixels].
+/// Sets the font of the viewer: proportional, without shadow, with a size [pixels].
 void SetUpText(vtkTextProperty* letters, const Rgb& color, int size);
 
 /// Red, green and blue in [0, 1], as VTK's properties take them.

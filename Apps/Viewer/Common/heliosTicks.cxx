@@ -24,7 +24,7 @@ bool HasPrefixes(const std::string& unit)
   return unit == "W" || unit == "J" || unit == "Hz";
 }
 
-/// The prefix with which a value is in [1, 1000).
+/// Finds the prefix with which a value is in [1, 1000).
 Prefix FindPrefix(double value, const std::string& unit)
 {
   constexpr double rounding = 0.9995; // 999.5 has three digits as 1000
@@ -42,7 +42,7 @@ Prefix FindPrefix(double value, const std::string& unit)
   return *std::rbegin(Prefixes);
 }
 
-/// The power of ten of the first digit.
+/// Returns the power of ten of the first digit.
 int FindExponent(double value)
 {
   return static_cast<int>(std::floor(std::log10(value) + 1e-9));

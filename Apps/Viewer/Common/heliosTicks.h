@@ -20,7 +20,7 @@ struct Tick
 struct Ticks
 {
   std::vector<Tick> List; ///< ascending, inside the range
-  std::string Unit;       ///< of the texts, with its SI prefix; empty: none, or in the texts
+  std::string Unit;       ///< unit of the texts, with its SI prefix; empty: none, or in the texts
 };
 
 /**

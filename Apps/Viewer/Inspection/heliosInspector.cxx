@@ -26,7 +26,7 @@ namespace
 {
 
 constexpr double PickPixels = 6.0;
-constexpr vtkIdType MaximumPulses = 4096; // of a line when re-run
+constexpr vtkIdType MaximumPulses = 4096; // pulses of a line when re-run
 constexpr vtkIdType MaximumWaveforms = 256;
 constexpr vtkIdType UsualLine = 1000; // pulses, if the scan has no lines or is unknown
 constexpr double WaveShare = 0.35;    // waveform height, of its length
@@ -176,7 +176,7 @@ void Inspector::Inspect(vtkIdType row)
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of the pulse in the cloud: they are consecutive.
+/// Finds the echoes of the pulse in the cloud: they are consecutive.
 void Inspector::FindEchoes(const Echo& echo)
 {
   const Cloud& cloud = this->Owner.GetCloud();
@@ -236,7 +236,7 @@ std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType las
 }
 
 //------------------------------------------------------------------------------
-/// Steps in cloud order: the echoes of the pulse, then those of the next.
+/// Steps in cloud order: the echoes of the pulse, then the echoes of the next pulse.
 void Inspector::StepEcho(int step)
 {
   const vtkIdType row = this->Row + step;
@@ -281,7 +281,7 @@ vtkIdType Inspector::FindLineLength(int leg) const
 }
 
 //------------------------------------------------------------------------------
-/// Half a line before and after the echo; if none is selected, the line of the newest one.
+/// Shows half a line before and after the echo; if none is selected, the line of the newest one.
 void Inspector::ShowLine()
 {
   const Cloud& cloud = this->Owner.GetCloud();
@@ -386,7 +386,7 @@ void Inspector::Show()
 }
 
 //------------------------------------------------------------------------------
-/// True: the chart is drawn elsewhere than before, or in other colours.
+/// Places the chart; true: it is drawn elsewhere than before, or in other colours.
 bool Inspector::PlaceChart()
 {
   Hud& hud = this->Owner.GetHud();

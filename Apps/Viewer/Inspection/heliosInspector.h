@@ -24,8 +24,9 @@ class Viewer;
 struct Echo;
 
 /**
- * With a running survey, the pulse is run again; for a finished cloud, its waveform is searched
- * beside the file. Neither blocks: the known attributes of the echo are shown at once.
+ * Tool that shows a selected pulse. With a running survey, the pulse is run again; for a finished
+ * cloud, its waveform is searched beside the file. Neither blocks: the known attributes of the echo
+ * are shown at once.
  */
 class Inspector : public ViewerTool
 {

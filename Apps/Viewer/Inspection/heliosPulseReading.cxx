@@ -95,7 +95,7 @@ void ReadSubRays(vtkPolyData* hits, const SceneView* scene, PulseReading& readin
   }
 }
 
-/// The Gaussians of the echoes; their sum is the waveform.
+/// Fits the Gaussians of the echoes; their sum is the waveform.
 void FitGaussians(const std::vector<float>& samples, double startTime, PulseReading& reading)
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;

@@ -67,12 +67,12 @@ struct PulseReading
   std::string Problem; ///< with the waveform, as text
 };
 
-/// [m] to [ns], two-way.
+/// Converts [m] to [ns], two-way.
 double GetTwoWayTime(double range);
 
 /**
- * Extracts a pulse from a record; its outputs may be null. The parts of sub-rays are those of the
- * scene's cells. Gaussians below 1 % of the largest sample are dropped.
+ * Extracts a pulse from a record; its outputs may be null. The parts of sub-rays are the parts of
+ * the scene's cells. Gaussians below 1 % of the largest sample are dropped.
  */
 PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, const SceneView* scene);
 

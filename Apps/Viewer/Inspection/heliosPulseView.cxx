@@ -78,7 +78,7 @@ void SetUpRing(vtkActor2D* actor)
   actor->VisibilityOff();
 }
 
-/// End points of the beams: sub-rays, or else the echoes.
+/// Finds the end points of the beams: sub-rays, or else the echoes.
 std::vector<SubRayHit> FindEnds(const PulseReading& reading)
 {
   std::vector<SubRayHit> ends = reading.SubRays;

@@ -24,16 +24,16 @@ namespace helios::viewer
 class PulseView
 {
 public:
-  /// The renderer must outlive the view.
+  /// Draws with a renderer, which must outlive the view.
   explicit PulseView(vtkRenderer* renderer);
   ~PulseView();
   PulseView(const PulseView&) = delete;
   void operator=(const PulseView&) = delete;
 
-  /// Origin of everything drawn [m]; set it first.
+  /// Sets the origin of everything drawn [m]; set it first.
   void SetOrigin(const Vec3& origin) { this->Origin = origin; }
 
-  /// A ring around a position [m], of constant size on screen.
+  /// Draws a ring around a position [m], of constant size on screen.
   void SetMark(const Vec3& position);
 
   /**
@@ -43,8 +43,8 @@ public:
   void SetBeams(const PulseReading& reading);
 
   /**
-   * Waveforms as curves along their beams, the highest of a height [m], across the view: every nth,
-   * or those of one pulse alone (0 or more).
+   * Shows waveforms as curves along their beams, the highest of a height [m], across the view:
+   * every nth, or only the waveform of one pulse (0 or more).
    */
   Status SetWaveforms(vtkTable* waveforms, double height, int everyNth, std::int64_t pulse);
 
@@ -67,8 +67,8 @@ private:
   vtkNew<vtkActor2D> Mark;
   vtkNew<vtkActor> BeamActor;
   vtkNew<vtkActor2D> HitActor;
-  vtkNew<vtkActor> WaveformActor; // of a line
-  vtkNew<vtkActor2D> Curve;       // of one pulse, on top
+  vtkNew<vtkActor> WaveformActor; // waveforms of a line
+  vtkNew<vtkActor2D> Curve;       // waveform of one pulse, on top
   vtkNew<vtkPolyData> Beams;
   vtkNew<vtkPolyData> Hits;
   vtkNew<vtkPolyData> Waveforms;

@@ -37,7 +37,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int CurvePoints = 121; // of a Gaussian
+constexpr int CurvePoints = 121; // points of a Gaussian
 constexpr double CurveSigmas = 4.0;
 constexpr int ChartMargin = 6; // [pixels]
 
@@ -203,7 +203,7 @@ void WaveformChart::SetUpAxis(
 }
 
 //------------------------------------------------------------------------------
-/// An axis is drawn only with a plot: an invisible line.
+/// Adds the axis of times; it is drawn only with a plot: an invisible line.
 void WaveformChart::AddTimes()
 {
   vtkAxis* times = this->Chart->GetAxis(vtkAxis::TOP);
@@ -238,7 +238,7 @@ void WaveformChart::AddGaussians(const PulseReading& reading)
 }
 
 //------------------------------------------------------------------------------
-/// A Gaussian of the emitted pulse width, at the first echo: wider echoes were spread by the
+/// Adds a Gaussian of the emitted pulse width, at the first echo: wider echoes were spread by the
 /// target.
 void WaveformChart::AddPulse(const PulseReading& reading)
 {
@@ -315,7 +315,7 @@ bool WaveformChart::Place(const Rect& rect, const Theme& theme, int textSize)
 }
 
 //------------------------------------------------------------------------------
-/// Of all but the curves, which keep those they were added with.
+/// Sets the colours of all but the curves, which keep the colours they were added with.
 void WaveformChart::SetColors()
 {
   const Theme& theme = *this->Colors;

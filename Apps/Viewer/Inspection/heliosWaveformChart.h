@@ -30,7 +30,7 @@ struct Theme;
 class WaveformChart
 {
 public:
-  /// The renderer must outlive the chart.
+  /// Draws with a renderer, which must outlive the chart.
   explicit WaveformChart(vtkRenderer* renderer);
   ~WaveformChart();
   WaveformChart(const WaveformChart&) = delete;

@@ -33,8 +33,8 @@ using RunFiles = vtkHeliosRunFiles;
 namespace
 {
 
-constexpr double BytesPerPiece = 16e6;  // of text read at a time
-constexpr double BytesOfPoints = 400e3; // of a LAS file: each may have a waveform
+constexpr double BytesPerPiece = 16e6;  // bytes of text read at a time
+constexpr double BytesOfPoints = 400e3; // bytes of a LAS file: each may have a waveform
 
 /// Returns whether it is a LAS file whose points refer to packets, in it or in a .wdp beside it.
 bool HasPackets(const fs::path& path)
@@ -122,7 +122,7 @@ vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pi
   return nullptr;
 }
 
-/// Number of pieces of a size in a file.
+/// Returns the number of pieces of a size in a file.
 int CountPieces(const std::string& file, double bytesPerPiece)
 {
   std::error_code error;
@@ -192,7 +192,7 @@ vtkSmartPointer<vtkTable> SearchFile(const std::string& file,
   return Search(reader.Get(), file, CountPieces(file, BytesPerPiece), pulses, isEnding);
 }
 
-/// Puts those of a leg first.
+/// Moves the files of a leg to the front.
 void MoveToFront(std::vector<std::string>& files, int leg)
 {
   char name[32];

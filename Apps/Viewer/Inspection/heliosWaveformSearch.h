@@ -19,9 +19,9 @@ namespace helios::viewer
 {
 
 /**
- * Returns the files with waveforms of the inputs: those of a folder and its subfolders, or beside
- * legNNN_points.* the leg's legNNN_fullwave.txt, .pvtt or .las; LAS files whose points refer to
- * packets. Empty: none.
+ * Returns the files with waveforms of the inputs: the files of a folder and its subfolders, or
+ * beside legNNN_points.* the leg's legNNN_fullwave.txt, .pvtt or .las; LAS files whose points refer
+ * to packets. Empty: none.
  */
 std::vector<std::string> FindWaveformFiles(const std::vector<std::string>& inputs);
 
@@ -31,8 +31,8 @@ public:
   ~WaveformSearch(); ///< ends the thread
 
   /**
-   * Returns the waveforms of pulses [first, last) in files, those of a leg (-1: unknown) first. The
-   * future throws std::runtime_error with a message if no file has any. Ends an earlier search.
+   * Returns the waveforms of pulses [first, last) in files, first the files of a leg (-1: unknown).
+   * The future throws std::runtime_error with a message if no file has any. Ends an earlier search.
    */
   std::future<PulseRecord> Find(
     const std::vector<std::string>& files, int leg, vtkIdType first, vtkIdType last);

@@ -40,7 +40,7 @@ private:
   bool IsOn = false;
 };
 
-/// "distance 5.000 m, horizontal 3.000 m, vertical 4.000 m".
+/// Describes a distance: "distance 5.000 m, horizontal 3.000 m, vertical 4.000 m".
 std::string DescribeDistance(const Vec3& from, const Vec3& to);
 
 } // namespace helios::viewer

@@ -25,13 +25,13 @@ class Viewer;
 class MeasurementLine
 {
 public:
-  /// The renderer must outlive the line.
+  /// Draws with a renderer, which must outlive the line.
   explicit MeasurementLine(vtkRenderer* renderer);
   ~MeasurementLine();
   MeasurementLine(const MeasurementLine&) = delete;
   void operator=(const MeasurementLine&) = delete;
 
-  /// Points in renderer coordinates [m]; none: nothing is drawn.
+  /// Sets points in renderer coordinates [m]; none: nothing is drawn.
   void SetPoints(const std::vector<Vec3>& points, const Rgb& color);
 
 private:

@@ -19,7 +19,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double ThicknessShare = 0.04; // of the length of the section
+constexpr double ThicknessShare = 0.04; // share of the length of the section
 constexpr double ThicknessStep = 1.5;
 
 } // namespace
@@ -140,7 +140,7 @@ bool SectionTool::OnClick(int x, int y)
 }
 
 //------------------------------------------------------------------------------
-/// At right angles to the section, the first end at the left.
+/// Views at right angles to the section, the first end at the left.
 void SectionTool::ViewAcross()
 {
   const Vec3 center = 0.5 * (this->Ends[0] + this->Ends[1]) - this->Owner.GetOrigin();

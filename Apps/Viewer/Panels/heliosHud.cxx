@@ -163,7 +163,7 @@ void Hud::Paint(vtkContext2D* context) const
 }
 
 //------------------------------------------------------------------------------
-/// The background of the time bar, and a triangle or two bars.
+/// Paints the background of the time bar, and a triangle or two bars.
 void Hud::PaintPlayButton(Painter& painter) const
 {
   const Rect& bar = this->GetRect(PanelId::TimeBar);

@@ -39,7 +39,7 @@ public:
   void SetTheme(const Theme& theme) { this->Colors = &theme; }
   const Theme& GetTheme() const { return *this->Colors; }
 
-  /// Several lines each; empty: none.
+  /// Sets texts of several lines each; empty: none.
   void SetStatus(const std::string& text) { this->Status.SetText(text); }
   void SetLegs(const std::string& text) { this->Legs.SetText(text); }
   void SetMessage(const std::string& text) { this->Message.SetText(text); }
@@ -53,10 +53,10 @@ public:
   void SetMenus(const std::vector<Menu>& menus);
   const std::vector<Menu>& GetMenus() const { return this->Menus; }
 
-  /// True: there is a mouse, for the menu bar.
+  /// Sets whether there is a mouse, for the menu bar.
   void SetInteractive(bool isInteractive) { this->Bar.SetVisible(isInteractive); }
 
-  /// True: with a time bar.
+  /// Sets whether there is a time bar.
   void SetTimeBar(bool isShown) { this->HasTimeBar = isShown; }
   void SetPlaying(bool isPlaying) { this->IsPlaying = isPlaying; }
   void SetOnPlay(std::function<void()> onPlay) { this->OnPlay = std::move(onPlay); }
@@ -64,17 +64,17 @@ public:
   void SetHelpVisible(bool visible);
   bool IsHelpVisible() const { return this->Help.GetVisible(); }
 
-  /// All but the help.
+  /// Shows or hides all but the help.
   void SetVisible(bool visible);
   bool IsVisible() const { return this->Visible; }
 
-  /// True: only what belongs to a picture: legend, scale bar, axes.
+  /// Sets whether only the parts of a picture are drawn: legend, scale bar, axes.
   void SetStill(bool isStill) { this->IsStill = isStill; }
 
-  /// The panel of the editor; null: none.
+  /// Sets the panel of the editor; null: none.
   void SetEditor(const Panel* panel) { this->Editor = panel; }
 
-  /// The wanted size of the chart, which draws itself.
+  /// Sets the wanted size of the chart, which draws itself.
   void SetSize(PanelId id, const PanelSize& size);
 
   /// Places all panels in a window [pixels].
@@ -88,7 +88,7 @@ public:
   /// Returns the part of the time bar that its handle moves in.
   Rect GetTimeTrack() const;
 
-  /// A press of the left button; true: on a panel.
+  /// Handles a press of the left button; true: on a panel.
   bool OnPress(int x, int y);
 
   /// Closes menu and help; true: one was open.

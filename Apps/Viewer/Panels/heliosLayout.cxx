@@ -12,7 +12,7 @@ namespace
 
 constexpr int MinimumChart = 140; // height and width of a legible chart [pixels]
 
-/// The part of a length that is free; 0 if it is less than the minimum.
+/// Returns the part of a length that is free; 0 if it is less than the minimum.
 int Fit(int wanted, int room, int minimum)
 {
   const int length = std::min(wanted, room);
@@ -65,7 +65,8 @@ void Layout::PlaceBars()
 }
 
 //------------------------------------------------------------------------------
-/// A column: legs from the top, then the legend; axes at the bottom, the cursor to their left.
+/// Places a column: legs from the top, then the legend; axes at the bottom, the cursor to their
+/// left.
 void Layout::PlaceRight(const Rect& area)
 {
   const PanelSize legs = this->GetSize(PanelId::Legs), legend = this->GetSize(PanelId::Legend),
@@ -95,7 +96,8 @@ void Layout::PlaceRight(const Rect& area)
 }
 
 //------------------------------------------------------------------------------
-/// A column: status from the top, then the editor; scale bar, message and chart from the bottom.
+/// Places a column: status from the top, then the editor; scale bar, message and chart from the
+/// bottom.
 void Layout::PlaceLeft(const Rect& area)
 {
   const PanelSize status = this->GetSize(PanelId::Status), editor = this->GetSize(PanelId::Editor),
@@ -144,7 +146,7 @@ void Layout::PlaceMenu()
 }
 
 //------------------------------------------------------------------------------
-/// A panel that would cover one of higher priority, or leave the window, is not drawn.
+/// Hides a panel that would cover one of higher priority, or leave the window.
 void Layout::HideCovered()
 {
   const Rect window{ 0, 0, this->Width, this->Height };

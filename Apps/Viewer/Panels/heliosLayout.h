@@ -13,7 +13,7 @@
 namespace helios::viewer
 {
 
-/// By priority: the later ones give way.
+/// Panels by priority: the later ones give way.
 enum class PanelId : int
 {
   MenuBar,  ///< the top row
@@ -44,12 +44,12 @@ class Layout
 public:
   void SetWindow(int width, int height, int textSize);
 
-  /// The wanted size; empty: not shown.
+  /// Sets the wanted size; empty: not shown.
   void SetSize(PanelId id, const PanelSize& size) { this->Sizes[Index(id)] = size; }
 
   PanelSize GetSize(PanelId id) const { return this->Sizes[Index(id)]; }
 
-  /// The left end of the open menu.
+  /// Sets the left end of the open menu.
   void SetMenuPosition(int x) { this->MenuX = x; }
 
   void Place();
@@ -59,10 +59,10 @@ public:
   /// Returns the part of the window between menu bar and time bar.
   const Rect& GetView() const { return this->View; }
 
-  /// Between panels, and inside them around text [pixels].
+  /// Returns the gap between panels, and inside them around text [pixels].
   int GetGap() const { return this->Gap; }
 
-  /// The panel at a pixel; false: none.
+  /// Finds the panel at a pixel; false: none.
   bool Find(int x, int y, PanelId& id) const;
 
 private:

@@ -14,7 +14,7 @@
 namespace helios::viewer
 {
 
-/// What a legend shows.
+/// Contents of a legend.
 struct Legend
 {
   struct Mark

@@ -133,7 +133,7 @@ std::vector<std::vector<HelpPage::Line>> HelpPage::MakeColumns(int lines) const
 }
 
 //------------------------------------------------------------------------------
-/// The width of a column, and of its keys [pixels].
+/// Returns the width of a column, and of its keys [pixels].
 int HelpPage::MeasureColumn(const std::vector<Line>& column, int textSize, int& keys)
 {
   int texts = 0;

@@ -17,7 +17,7 @@ namespace helios::viewer
 struct MenuItem
 {
   std::string Text;
-  std::string Key;          ///< as shown
+  std::string Key;          ///< key in the form that is shown
   std::function<void()> Do; ///< null: for information only
 };
 
@@ -38,14 +38,14 @@ public:
 
   void SetVisible(bool visible) { this->IsVisible = visible; }
 
-  /// The open menu; -1: none.
+  /// Sets the open menu; -1: none.
   void SetOpen(int menu) { this->Open = menu; }
   int GetOpen() const { return this->Open; }
 
-  /// The left end of a title [pixels from the left end of the bar].
+  /// Returns the left end of a title [pixels from the left end of the bar].
   int GetTitlePosition(int menu, int textSize) const;
 
-  /// The menu at a position; -1: none.
+  /// Finds the menu at a position; -1: none.
   int FindMenu(int x, int textSize) const;
 
   PanelSize GetSize(int textSize) const override;
@@ -85,7 +85,7 @@ public:
   void SetVisible(bool visible) { this->IsVisible = visible; }
   bool GetVisible() const { return this->IsVisible; }
 
-  /// The largest text size with which all keys fit a rectangle [pixels]; at least 6.
+  /// Finds the largest text size with which all keys fit a rectangle [pixels]; at least 6.
   int FindTextSize(const Rect& rect, int textSize) const;
 
   bool Fits(const Rect& rect, int textSize) const;

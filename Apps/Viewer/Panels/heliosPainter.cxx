@@ -18,7 +18,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int DotsPerInch = 72; // of VTK's windows: a point is a pixel
+constexpr int DotsPerInch = 72; // dots of VTK's windows: a point is a pixel
 
 /// Returns the length of a text without its last UTF-8 character.
 std::size_t FindLastCharacter(const std::string& text)

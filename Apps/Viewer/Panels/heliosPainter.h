@@ -16,10 +16,10 @@ class vtkContext2D;
 namespace helios::viewer
 {
 
-/// The width of a line of text [pixels].
+/// Returns the width of a line of text [pixels].
 int MeasureText(const std::string& text, int textSize);
 
-/// The distance of two lines of text [pixels].
+/// Returns the distance of two lines of text [pixels].
 int GetLineHeight(int textSize);
 
 /// Returns the text, shortened to a width [pixels] by an ellipsis at its end.
@@ -44,21 +44,21 @@ public:
   {
   }
 
-  /// Returns the same with another text size [pixels].
+  /// Returns a painter with another text size [pixels].
   Painter WithTextSize(int textSize) const { return { this->Context, this->Colors, textSize }; }
 
   const Theme& GetTheme() const { return this->Colors; }
   int GetTextSize() const { return this->TextSize; }
   int GetLineHeight() const { return viewer::GetLineHeight(this->TextSize); }
 
-  /// The background of a panel, with a border.
+  /// Draws the background of a panel, with a border.
   void DrawPanel(const Rect& rect);
 
   void Fill(const Rect& rect, const Rgb& color, std::uint8_t opacity = 255);
   void DrawLine(double x0, double y0, double x1, double y1, const Rgb& color, double width = 1.0);
   void FillTriangle(const double (&xy)[6], const Rgb& color);
 
-  /// A line of text; y is its vertical centre.
+  /// Draws a line of text; y is its vertical centre.
   void DrawText(int x, int y, const std::string& text, const Rgb& color, Align align = Align::Left);
 
 private:

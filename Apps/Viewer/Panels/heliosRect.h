@@ -41,7 +41,7 @@ struct Rect
       other.X < this->Right() && this->Y < other.Top() && other.Y < this->Top();
   }
 
-  /// Less a margin on all sides.
+  /// Returns the rectangle less a margin on all sides.
   Rect Shrunk(int margin) const
   {
     return { this->X + margin, this->Y + margin, std::max(0, this->Width - 2 * margin),

@@ -21,7 +21,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double LargestShare = 0.2; // of the window's width
+constexpr double LargestShare = 0.2; // share of the window's width
 
 // Red, green and blue for x, y and z, bright enough for both themes.
 constexpr Rgb AxisColors[3] = { { 230, 85, 80 }, { 60, 170, 80 }, { 80, 140, 235 } };

@@ -14,7 +14,8 @@ class vtkRenderer;
 namespace helios::viewer
 {
 
-/// In perspective the length is that at the distance of the focal point, as its label says.
+/// Scale bar. In perspective its length holds at the distance of the focal point, as its label
+/// says.
 class ScaleBar : public Panel
 {
 public:
@@ -53,7 +54,7 @@ public:
 
   void SetVisible(bool visible) { this->IsVisible = visible; }
 
-  /// The direction of an axis on the screen: right, up, towards the viewer.
+  /// Computes the direction of an axis on the screen: right, up, towards the viewer.
   void GetDirection(int axis, double direction[3]) const;
 
   PanelSize GetSize(int textSize) const override;

@@ -14,10 +14,10 @@ namespace helios::viewer
 
 struct Theme;
 
-/// Without labels: panels draw them.
+/// Sets up a slider without labels: panels draw them.
 void SetUpSlider(vtkSliderRepresentation2D* slider);
 
-/// Along the middle of a rectangle [pixels].
+/// Places a slider along the middle of a rectangle [pixels].
 void PlaceSlider(vtkSliderRepresentation2D* slider, const Rect& track, const Theme& theme);
 
 } // namespace helios::viewer

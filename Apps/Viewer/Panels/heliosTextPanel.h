@@ -16,7 +16,7 @@ namespace helios::viewer
 class TextPanel : public Panel
 {
 public:
-  /// isWarning: in the colour of messages.
+  /// Makes a panel; isWarning: in the colour of messages.
   explicit TextPanel(bool isWarning = false)
     : IsWarning(isWarning)
   {
@@ -37,7 +37,7 @@ private:
   std::vector<std::string> Lines;
 };
 
-/// The space around the text of a panel [pixels].
+/// Returns the space around the text of a panel [pixels].
 int GetTextMargin(int textSize);
 
 } // namespace helios::viewer

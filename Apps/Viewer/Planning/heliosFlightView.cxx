@@ -29,7 +29,7 @@ namespace
 {
 
 constexpr double Lift = 0.3;            // [m], of cells above the ground at their centres
-constexpr double Quantile = 0.995;      // of the densities: the highest colour
+constexpr double Quantile = 0.995;      // quantile of the densities: the highest colour
 constexpr vtkIdType MaximumLabels = 60; // more would cover each other
 constexpr Rgb GapColor = { 235, 60, 55 };
 
@@ -88,7 +88,7 @@ void FlightView::AddCells(vtkPolyData* cells)
 }
 
 //------------------------------------------------------------------------------
-/// The scanner fires from an active waypoint to the next one; turns are not drawn.
+/// Adds lines: the scanner fires from an active waypoint to the next one; turns are not drawn.
 void FlightView::AddLines(vtkPolyData* waypoints)
 {
   vtkNew<vtkPoints> places;

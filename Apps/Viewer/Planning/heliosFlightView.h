@@ -21,7 +21,8 @@ class FlightView : public PlanLayer
 public:
   FlightView(vtkRenderer* renderer, const Plan& plan, const Vec3& origin);
 
-  /// From no pulse to the highest density; cells without a pulse have a colour of their own.
+  /// Returns the colour from no pulse to the highest density; cells without a pulse have a colour
+  /// of their own.
   static Rgb GetColor(double density, double highest);
 
   vtkIdType GetNumberOfLines() const { return this->NumberOfLines; }

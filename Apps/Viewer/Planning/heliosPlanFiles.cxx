@@ -29,7 +29,7 @@ fs::path GetFolder(const std::string& path)
   return fs::is_directory(path, error) ? fs::path(path) : fs::path(path).parent_path();
 }
 
-/// Null and an error if the file is not valid; null alone if it is missing.
+/// Reads a file; null and an error if it is not valid, null alone if it is missing.
 vtkSmartPointer<vtkPolyData> Read(const fs::path& path, Status& status)
 {
   std::error_code error;

@@ -24,7 +24,7 @@ struct Plan
   vtkSmartPointer<vtkPolyData> Candidates; ///< may be null
   vtkSmartPointer<vtkPolyData> TestPoints; ///< may be null
   vtkSmartPointer<vtkPolyData> Lines;      ///< waypoints of flight lines
-  vtkSmartPointer<vtkPolyData> Cells;      ///< of the area flown; may be null
+  vtkSmartPointer<vtkPolyData> Cells;      ///< cells of the area flown; may be null
   std::string Survey;                      ///< file; empty: missing
 };
 

@@ -48,11 +48,11 @@ public:
 protected:
   Vec3 ToRenderer(const double place[3]) const { return Vec3(place) - this->Origin; }
 
-  /// Points of a size [pixels], in their own colours or in one.
+  /// Adds points of a size [pixels], in their own colours or in one.
   void AddPoints(vtkPoints* points, const std::vector<Rgb>& colors, float size);
   void AddActor(vtkActor* actor);
 
-  /// A number over the picture, at a position in renderer coordinates.
+  /// Adds a number over the picture, at a position in renderer coordinates.
   void AddLabel(const std::string& text, const Vec3& place);
 
 private:

@@ -96,7 +96,7 @@ void PlanView::AddCandidates(vtkPolyData* candidates)
 }
 
 //------------------------------------------------------------------------------
-/// The instrument is at its planned position; small tripods are enlarged downwards.
+/// Adds the instruments at their planned positions; small tripods are enlarged downwards.
 void PlanView::AddPositions(vtkPolyData* positions, double size)
 {
   const auto model = MakePlatformModel(PlatformType::Static);

@@ -21,7 +21,8 @@ class PlanView : public PlanLayer
 public:
   PlanView(vtkRenderer* renderer, const Plan& plan, const Vec3& origin);
 
-  /// Not coverable, by no selected position, by 1, 2, and 3 or more.
+  /// Returns the colour of test points: not coverable, seen by no selected position, by 1, 2, and 3
+  /// or more.
   static const Rgb& GetColor(bool isCoverable, int scans);
 
   vtkIdType GetNumberOfPositions() const { return this->NumberOfPositions; }

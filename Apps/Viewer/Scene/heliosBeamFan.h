@@ -14,8 +14,8 @@ namespace helios::viewer
 
 class Cloud;
 
-/// At most count points of a cloud in time order, spread evenly over those measured in the duration
-/// [s] before a time [s]; an infinite time selects from the cloud's last points.
+/// Returns at most count points of a cloud in time order, spread evenly over the points measured in
+/// the duration [s] before a time [s]; an infinite time selects from the cloud's last points.
 std::vector<Vec3> FindNewestPoints(
   const Cloud& cloud, double time, double duration, std::size_t count);
 

@@ -37,7 +37,7 @@ namespace
 
 constexpr const char* SourceName = "Source";
 
-/// Of the triangles that fill the pixels of a sphere, and how much fewer in the next trial.
+/// Density of the triangles that fill the pixels of a sphere, and its reduction in the next trial.
 constexpr double FirstDensity = 1.0;
 constexpr double NextDensity = 0.5;
 constexpr int MaximumTrials = 12;
@@ -85,7 +85,7 @@ struct InstanceLayer::View
     return true;
   }
 
-  /// Of a sphere; infinite around the camera.
+  /// Returns the pixels of a sphere; infinite around the camera.
   double GetPixels(const Vec3& centre, double radius) const
   {
     const double distance = (centre - this->Position).Norm() - radius;
@@ -183,7 +183,7 @@ void InstanceLayer::AddPrototype(vtkDataSet* data, const helios::Prototype& tria
 }
 
 //------------------------------------------------------------------------------
-/// Empty sources, to be replaced by the levels of meshes that are drawn.
+/// Adds empty sources, to be replaced by the levels of meshes that are drawn.
 void InstanceLayer::AddSources()
 {
   int count = 0;
@@ -304,7 +304,7 @@ void InstanceLayer::SetInteracting(bool on)
 }
 
 //------------------------------------------------------------------------------
-/// Before each frame: chooses the levels of detail if the view has changed.
+/// Chooses the levels of detail before each frame, if the view has changed.
 void InstanceLayer::ShowVisible()
 {
   const vtkIdType maximum = this->Interacting ? MaximumWhileMoving : MaximumWhenStill;

@@ -69,7 +69,7 @@ public:
 
   void SetVisible(bool on);
 
-  /// Default: off.
+  /// Sets whether the camera moves. Default: off.
   void SetInteracting(bool on);
 
   /// Returns the triangles drawn in the last frame.
@@ -91,7 +91,7 @@ private:
     int Material;
     std::size_t Mesh;
   };
-  struct View; // what the camera sees
+  struct View; // view of the camera
 
   void AddPrototype(vtkDataSet* data, const helios::Prototype& triangles);
   void AddSources();
@@ -106,11 +106,11 @@ private:
   const SceneGeometry* Geometry = nullptr;
   std::vector<Prototype> Prototypes;
   std::vector<std::unique_ptr<PrototypeMesh>> Meshes;
-  std::vector<int> FirstSource;  // of the meshes, of their level 0; then of nothing
+  std::vector<int> FirstSource;  // first source of each mesh, its level 0; then of nothing
   std::vector<vtkPolyData*> Set; // the sources of the mapper; null: nothing
   std::vector<Glyph> Glyphs;
-  std::vector<Vec3> Centres; // of the glyphs, relative to the origin
-  std::vector<double> Radii; // of the glyphs
+  std::vector<Vec3> Centres; // centres of the glyphs, relative to the origin
+  std::vector<double> Radii; // radii of the glyphs
   std::vector<int> Chosen;   // levels of the glyphs; -1: not drawn
   vtkIdType NumberOfTriangles = 0;
   vtkIdType NumberDrawn = 0;

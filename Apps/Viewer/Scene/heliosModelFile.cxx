@@ -25,7 +25,7 @@ namespace
 
 constexpr const char* Instead = "; a simple model is shown instead";
 
-/// Suppresses warnings: material entries like those of scenes do not describe a picture.
+/// Suppresses warnings: material entries for scenes do not describe a picture.
 void Silence(vtkObject* reader)
 {
   vtkNew<vtkCallbackCommand> nobody;
@@ -33,7 +33,7 @@ void Silence(vtkObject* reader)
   reader->AddObserver(vtkCommand::WarningEvent, nobody);
 }
 
-/// One material: default colour.
+/// Colours cells; one material has the default colour.
 void ColorCells(vtkPolyData* model)
 {
   const MaterialTable materials = GetMaterials(model);

@@ -28,7 +28,7 @@ public:
   /// cannot be shown.
   vtkPolyData* Find(const ModelData& model);
 
-  /// Why a model that is set cannot be shown; empty: it can.
+  /// Returns why a model that is set cannot be shown; empty: it can.
   std::string GetProblem(const ModelData& model);
 
 private:

@@ -25,7 +25,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double SmallestShare = 0.04; // of the view's height
+constexpr double SmallestShare = 0.04; // share of the view's height
 
 void Show(vtkActor* actor, vtkPolyData* data)
 {
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkMatrix4x4> MakeMatrix(const Pose& pose, double s)
   return matrix;
 }
 
-/// [m], not 0.
+/// Returns the longest side [m], not 0.
 double GetLongestSide(vtkPolyData* model)
 {
   double bounds[6];

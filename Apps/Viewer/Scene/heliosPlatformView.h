@@ -32,13 +32,13 @@ public:
     std::shared_ptr<ModelFiles> models = std::make_shared<ModelFiles>());
   ~PlatformView();
 
-  /// The trajectories of the legs, as lines; scan positions as points.
+  /// Sets the trajectories of the legs, as lines; scan positions as points.
   void SetTrajectories(const std::vector<SimulatedLeg>& legs);
 
-  /// Platform, scanner, trajectories.
+  /// Shows or hides platform, scanner, trajectories.
   void SetVisible(bool visible);
 
-  /// Platform and scanner, which would block the view from the scanner.
+  /// Shows or hides platform and scanner, which would block the view from the scanner.
   void SetModelVisible(bool visible);
 
   void SetFanVisible(bool visible);
@@ -51,7 +51,7 @@ public:
   /// shown, or one of its kind if that cannot be shown.
   void Place(const SimulatedLeg& leg, const Pose& platform, double time);
 
-  /// The beams that end at these points, from the scanner [m].
+  /// Sets the beams that end at these points, from the scanner [m].
   void SetFan(const Vec3& scanner, const std::vector<Vec3>& ends);
 
   vtkIdType GetNumberOfBeams() const;
@@ -64,7 +64,7 @@ private:
   Vec3 Origin;
   std::shared_ptr<ModelFiles> Models;
   std::string Shown; // which models
-  double Size = 1.0; // of the platform [m]
+  double Size = 1.0; // size of the platform [m]
   bool HasModel = false;
   bool IsVisible = true;
   vtkNew<vtkActor> Body;

@@ -26,11 +26,11 @@ namespace helios::viewer
 namespace
 {
 
-constexpr vtkIdType TriangleRatio = 6; // of the triangles of a level and of the next
+constexpr vtkIdType TriangleRatio = 6; // triangles of a level over triangles of the next
 constexpr vtkIdType RasterRatio = 4;
-constexpr double MaximumDivisions = 128.0; // of coarse levels: a cube takes 80 bytes
+constexpr double MaximumDivisions = 128.0; // divisions of coarse levels: a cube takes 80 bytes
 
-/// Some triangles of a mesh, with the points that they use, as floats relative to a centre.
+/// Makes a mesh of some triangles, with the points that they use, as floats relative to a centre.
 vtkSmartPointer<vtkPolyData> MakeLocal(
   const TriangleMesh& mesh, const std::vector<vtkTypeInt32>& triangles, const Vec3& centre)
 {
@@ -70,7 +70,7 @@ std::vector<vtkTypeInt32> GetAllTriangles(const TriangleMesh& mesh)
   return all;
 }
 
-/// Every n-th pixel of a row and column of a grid; the heights are in a buffer.
+/// Copies every n-th pixel of a row and column of a grid; the heights are in a buffer.
 HeightGrid CopyEvery(const HeightGrid& grid, std::int64_t n, std::vector<float>& heights)
 {
   HeightGrid coarse = grid;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkPolyData> PrototypeTriangles::MakeAll() const
 }
 
 //------------------------------------------------------------------------------
-/// With the normals of the whole prototype: they are smooth where materials meet.
+/// Makes normals of the whole prototype: they are smooth where materials meet.
 vtkSmartPointer<vtkPolyData> PrototypeTriangles::MakeAllSmooth() const
 {
   const auto whole = MakeSmooth(MakeLocal(this->Mesh, GetAllTriangles(this->Mesh), this->Centre));

@@ -36,7 +36,7 @@ public:
   PrototypeMesh(const PrototypeMesh&) = delete;
   void operator=(const PrototypeMesh&) = delete;
 
-  /// Smooth over edges below 40 degrees, of level 0. Default: off.
+  /// Sets whether level 0 is smooth over edges below 40 degrees. Default: off.
   void SetSmooth(bool on);
 
   int GetNumberOfLevels() const { return static_cast<int>(this->Levels.size()); }

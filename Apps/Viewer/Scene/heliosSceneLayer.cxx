@@ -26,9 +26,9 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double Divisions = 160.0; // of coarse meshes along the longest side, at most
+constexpr double Divisions = 160.0; // divisions of coarse meshes along the longest side, at most
 
-/// Points in floats, relative to an origin.
+/// Returns points in floats, relative to an origin.
 vtkSmartPointer<vtkPoints> MakeLocal(vtkPolyData* mesh, const Vec3& origin)
 {
   vtkNew<vtkFloatArray> xyz;

@@ -42,10 +42,10 @@ public:
   /// Sets the triangles (null: none) and their cell ids in the scene; empty: the same.
   void SetMesh(vtkPolyData* mesh, const std::vector<vtkIdType>& cells = {});
 
-  /// Null: not set.
+  /// Returns the mesh; null: not set.
   vtkPolyData* GetMesh() const { return this->Mesh; }
 
-  /// The same triangles with other points.
+  /// Replaces the points of the same triangles.
   void Move(vtkPolyData* mesh);
 
   /// Builds the drawn mesh, relative to an origin [m]; smooth: over edges below 40 degrees.
@@ -60,14 +60,14 @@ public:
   /// Maximum number of triangles drawn while the camera moves.
   static constexpr vtkIdType MaximumWhileMoving = 200000;
 
-  /// Larger meshes are drawn coarsely while the camera moves. Default: off.
+  /// Sets whether the camera moves: larger meshes are then drawn coarsely. Default: off.
   void SetInteracting(bool on);
   bool IsCoarse() const;
 
   /// Draws only what is inside of planes; null: all.
   void SetClippingPlanes(vtkPlaneCollection* planes);
 
-  /// Ray intersection: the cell id in the scene, -1: none; and the normal.
+  /// Intersects a ray: the cell id in the scene, -1: none; and the normal.
   vtkHeliosHit Pick(const vtkHeliosRay& ray, Vec3& normal);
 
 private:

@@ -33,12 +33,12 @@ public:
 
 private:
   SceneView& View;
-  vtkNew<vtkObject> Owner; // of messages already given by the run
+  vtkNew<vtkObject> Owner; // owner of messages already given by the run
   Messages Log;
   std::unique_ptr<MovingScene> Parts; // null: nothing moves
   const SimulatedLeg* Leg = nullptr;  // they were moved for
   vtkIdType First = 0;                // first pulse of this state
-  vtkIdType Next = 0;                 // of the next state
+  vtkIdType Next = 0;                 // number of the next state
 };
 
 } // namespace helios::viewer

@@ -34,9 +34,9 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double BoxOpacity = 0.35; // of voxels: echoes are seen through
+constexpr double BoxOpacity = 0.35; // opacity of voxels: echoes are seen through
 
-/// World coordinates relative to an origin, at a depth in [0, 1] of a pixel.
+/// Returns world coordinates relative to an origin, for a pixel at a depth in [0, 1].
 Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
 {
   renderer->SetDisplayPoint(x, y, depth);
@@ -45,7 +45,7 @@ Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
   return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-/// Some triangles of a scene with their own points, their parts and materials.
+/// Extracts some triangles of a scene with their own points, their parts and materials.
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* scene, const std::vector<vtkIdType>& cells)
 {
   TriangleMesh mesh;

@@ -45,14 +45,14 @@ struct ScenePick
   vtkIdType Cell = -1;
   int Part = -1;         ///< -1: the scene has no parts
   int Material = -1;     ///< row of the materials
-  bool IsGround = false; ///< of the material
+  bool IsGround = false; ///< the material is ground
   std::string PartName;
   std::string MaterialName;
 };
 
 /**
- * Triangles with the optional arrays MaterialIds, PartIds and the material columns; those of a
- * vtkHeliosScene with its instances.
+ * Draws triangles with the optional arrays MaterialIds, PartIds and the material columns; for a
+ * vtkHeliosScene also its instances.
  */
 class SceneView
 {
@@ -63,13 +63,13 @@ public:
     ByPart
   };
 
-  /// The renderer must outlive the view.
+  /// Draws with a renderer, which must outlive the view.
   explicit SceneView(vtkRenderer* renderer);
   ~SceneView();
   SceneView(const SceneView&) = delete;
   void operator=(const SceneView&) = delete;
 
-  /// Origin of the renderer's coordinates [m]. Default: 0. Scenes may already be shown.
+  /// Sets the origin of the renderer's coordinates [m]. Default: 0. Scenes may already be shown.
   void SetOrigin(const Vec3& origin);
 
   /**
@@ -82,14 +82,14 @@ public:
   /// Not of scenes with instances.
   void SetMovingParts(const std::vector<int>& parts);
 
-  /// Their triangles in the current state; null: there are none.
+  /// Returns the triangles of the moving parts in the current state; null: there are none.
   vtkPolyData* GetMovingMesh() const { return this->Moving.GetMesh(); }
 
-  /// The same triangles, moved.
+  /// Replaces the same triangles by moved ones.
   void Move(vtkPolyData* parts);
 
-  /// The turbid voxels of the scene, as a limited number of translucent boxes with the visibility
-  /// of the mesh. They cannot be picked.
+  /// Sets the turbid voxels of the scene, drawn as a limited number of translucent boxes with the
+  /// visibility of the mesh. They cannot be picked.
   void SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids);
   vtkIdType GetNumberOfBoxes() const;
 
@@ -99,21 +99,21 @@ public:
   static constexpr vtkIdType MaximumMovingBoxes = 2000;
   ///@}
 
-  /// While the camera moves, draws fewer and larger boxes, and large triangles for small ones in
-  /// very large meshes. Default: off.
+  /// Sets whether the camera moves: draws fewer and larger boxes, and large triangles for small
+  /// ones in very large meshes. Default: off.
   void SetInteracting(bool on);
   bool IsCoarse() const { return this->Resting.IsCoarse(); }
 
   /// Returns the triangles of instances drawn in the last frame.
   vtkIdType GetInstanceTrianglesDrawn() const { return this->Instances.GetNumberDrawn(); }
 
-  /// Default: ByMaterial.
+  /// Sets the colouring. Default: ByMaterial.
   void SetColoring(Coloring coloring);
 
-  /// Smooth over edges below 40 degrees. Default: off (flat triangles).
+  /// Sets whether triangles are smooth over edges below 40 degrees. Default: off (flat triangles).
   void SetSmooth(bool on);
 
-  /// In [0, 1]. Default: 1.
+  /// Sets the opacity in [0, 1]. Default: 1.
   void SetOpacity(double opacity);
   void SetWireframe(bool on);
   void SetVisible(bool on);
@@ -129,10 +129,10 @@ public:
   /// Returns the first hit of the ray through a window pixel, in double precision.
   std::optional<ScenePick> Pick(double x, double y);
 
-  /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
+  /// Gets world bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
   bool GetBounds(double bounds[6]) const;
 
-  /// The part of a cell; -1: the scene has no parts, or no such cell.
+  /// Returns the part of a cell; -1: the scene has no parts, or no such cell.
   int GetPart(vtkIdType cell) const;
 
   /// Finds a part by its name, and its box [m]; false if no part of that name has triangles.

@@ -29,7 +29,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double SmallestEdge = 0.2; // of its cell
+constexpr double SmallestEdge = 0.2; // share of its cell
 constexpr vtkIdType Corners = 8;
 constexpr double MaximumSums = 2e6; // approximate: blocks of an almost empty grid
 
@@ -87,8 +87,8 @@ private:
   vtkImageData* Grid;
   vtkDataArray* Densities;
   int Cells[3];
-  int Edge = 1; // of a block, in cells
-  int Count[3]; // of blocks
+  int Edge = 1; // edge of a block, in cells
+  int Count[3]; // number of blocks
   std::vector<double> Sums;
   std::vector<vtkIdType> FirstCells; // with a density; their material is used
 };
@@ -144,7 +144,7 @@ void Blocks::Fit(vtkIdType maximum)
 }
 
 //------------------------------------------------------------------------------
-/// In cells, with the mean density of its block.
+/// Returns the box in cells, with the mean density of its block.
 Blocks::Box Blocks::GetBox(std::size_t block) const
 {
   const auto nx = static_cast<std::size_t>(this->Count[0]);
@@ -237,7 +237,7 @@ void Blocks::MakeBoxes(const std::vector<Rgb>& colors, const Vec3& origin, vtkPo
   boxes->GetCellData()->SetScalars(rgb);
 }
 
-/// Leaf colour is the default material.
+/// Returns the colours; the default is the colour of leaves.
 std::vector<Rgb> GetColors(vtkImageData* grid)
 {
   std::vector<Rgb> colors;

@@ -22,8 +22,8 @@ namespace helios::viewer
  * Returns a box for every grid cell with a plant area density; above a maximum number of boxes, or
  * for grids of many millions of cells, for cubes of n x n x n cells, with their mean. The volume of
  * a box is proportional to its density: the densest fill their cells. (The 98 % quantile is the
- * densest, since single cells may be extreme.) Colours are those of materials, shaded as if lit
- * from above. Coordinates are world coordinates relative to an origin [m].
+ * densest, since single cells may be extreme.) Colours come from materials, shaded as if lit from
+ * above. Coordinates are world coordinates relative to an origin [m].
  */
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
   vtkImageData* grid, vtkIdType maximum, const Vec3& origin);

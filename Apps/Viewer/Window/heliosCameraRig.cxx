@@ -23,11 +23,12 @@ namespace
 
 constexpr double ViewAngle = 45.0;        // [deg]
 constexpr double ScannerViewAngle = 75.0; // [deg]
-constexpr double FilledShare = 0.94;      // of the free part of the window, by the first view
-constexpr double DegreesPerSecond = 6.0;  // of the orbit
-constexpr double NearestFollow = 20.0;    // [m], from the platform
-constexpr double TurnSeconds = 0.4;       // for the scanner view to turn
-constexpr double LargestNumber = 1e9;     // of key frames [m, s]
+// share of the free part of the window, filled by the first view
+constexpr double FilledShare = 0.94;
+constexpr double DegreesPerSecond = 6.0; // speed of the orbit
+constexpr double NearestFollow = 20.0;   // [m], from the platform
+constexpr double TurnSeconds = 0.4;      // for the scanner view to turn
+constexpr double LargestNumber = 1e9;    // limit of key frames [m, s]
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
 Vec3 Unit(Vec3 v)
@@ -36,7 +37,7 @@ Vec3 Unit(Vec3 v)
   return v;
 }
 
-/// A number that allows camera interpolation.
+/// Returns whether a number allows camera interpolation.
 bool IsNumber(const Json::Value& value)
 {
   return value.isNumeric() && std::abs(value.asDouble()) <= LargestNumber;
@@ -130,7 +131,7 @@ struct CameraRig::Frustum
   Vec3 Right, Up, Forward;
   double Low[2], High[2]; ///< across, up
 
-  /// The ends of x - slope * depth over all points, for low and high slopes.
+  /// Finds the ends of x - slope * depth over all points, for low and high slopes.
   static void FindEnds(const std::vector<Vec3>& points, const Vec3& across, const Vec3& forward,
     double lowSlope, double highSlope, double& minimum, double& maximum)
   {
@@ -169,7 +170,7 @@ struct CameraRig::Frustum
     return eye;
   }
 
-  /// Half the height of a parallel view of all points [m]; moves the centre across.
+  /// Finds half the height of a parallel view of all points [m]; moves the centre across.
   double FindScale(const std::vector<Vec3>& points, Vec3& center) const
   {
     const Vec3 axes[2] = { this->Right, this->Up };
@@ -246,7 +247,7 @@ void CameraRig::Reset()
   const Vec3 eye = frustum.FindEye(this->GetFramedPoints(), tangent);
   const double distance = std::max(1e-3, (this->GetCenter() - eye).Dot(direction));
   const Vec3 focal = eye + distance * direction;
-  camera->ParallelProjectionOff(); // as a section leaves it
+  camera->ParallelProjectionOff(); // a section leaves it on
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetFocalPoint(focal.GetData());
   camera->SetPosition(eye.GetData());
@@ -316,7 +317,7 @@ void CameraRig::FollowScript()
 }
 
 //------------------------------------------------------------------------------
-/// Initially behind and above the platform; then moves with it.
+/// Follows the platform: initially behind and above it; then moves with it.
 void CameraRig::Follow(const Subject& subject)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

@@ -33,7 +33,7 @@ enum class CameraMode
   Script   ///< along key frames
 };
 
-/// Mode names used by options and the state file: free, fly, follow ...
+/// Returns the mode names used by options and the state file: free, fly, follow ...
 const std::vector<std::string>& GetCameraModeNames();
 std::string GetCameraModeName(CameraMode mode);
 
@@ -47,16 +47,16 @@ public:
   CameraMode GetMode() const { return this->Mode; }
   void SetMode(CameraMode mode);
 
-  /// Origin of the view coordinates [m]; key frames are in world coordinates.
+  /// Sets the origin of the view coordinates [m]; key frames are in world coordinates.
   void SetOrigin(const Vec3& origin) { this->Origin = origin; }
 
   /// Bounds of scene and cloud to be viewed.
   void SetBounds(const double bounds[6]);
 
-  /// The points to be framed; none: the corners of the bounds.
+  /// Sets the points to be framed; none: the corners of the bounds.
   void SetPoints(const std::vector<Vec3>& points) { this->Points = points; }
 
-  /// The parts of the window's height that panels cover at its bottom and top.
+  /// Sets the parts of the window's height that panels cover at its bottom and top.
   void SetMargins(double bottom, double top);
 
   /// Frames everything from the south-west and above.

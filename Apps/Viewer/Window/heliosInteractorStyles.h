@@ -10,7 +10,7 @@ class vtkRenderWindowInteractor;
 namespace helios::viewer
 {
 
-/// The user rotates the camera about its focal point, or flies it. VTK's own keys are off: the
+/// Makes the user rotate the camera about its focal point, or fly it. VTK's own keys are off: the
 /// viewer's keys apply.
 void UseStyle(vtkRenderWindowInteractor* interactor, bool flies);
 

@@ -33,17 +33,18 @@ public:
   /// Shows another time within the span [s].
   void Seek(double time) { this->Time = std::clamp(time, this->Start, this->End); }
 
-  /// Survey seconds per second; 1 is real time.
+  /// Returns survey seconds per second; 1 is real time.
   double GetSpeed() const { return this->Speed; }
   void SetSpeed(double speed) { this->Speed = speed > 0.0 ? speed : this->Speed; }
 
-  /// The next of the speeds 0.01, 0.02, 0.05 ... 1000 and full speed; down: a step of -1.
+  /// Changes to the next of the speeds 0.01, 0.02, 0.05 ... 1000 and full speed; down: a step of
+  /// -1.
   void ChangeSpeed(int steps);
 
   bool IsPlaying() const { return this->Playing; }
   void SetPlaying(bool playing) { this->Playing = playing; }
 
-  /// The time that the simulation must reach now, slightly ahead of the shown time [s].
+  /// Returns the time that the simulation must reach now, slightly ahead of the shown time [s].
   double GetTarget() const
   {
     return this->Playing ? this->Time + this->Speed * Lookahead : this->Time;

@@ -45,7 +45,7 @@ namespace
 constexpr int TimerMilliseconds = 15;
 constexpr double MessageSeconds = 6.0; // duration of a message
 constexpr std::size_t FanBeams = 90;
-constexpr double FanSeconds = 0.02; // of beams, if the scan has no lines
+constexpr double FanSeconds = 0.02; // time of beams, if the scan has no lines
 
 double GetSeconds()
 {
@@ -240,7 +240,7 @@ void Viewer::OnTimer()
 }
 
 //------------------------------------------------------------------------------
-/// Everything between two frames.
+/// Does everything between two frames.
 void Viewer::Frame(double seconds)
 {
   const double before = this->Clock.GetTime();

@@ -53,13 +53,13 @@ public:
   /// Shows the inputs until the user closes the window or the recording ends; returns an exit code.
   int Run();
 
-  ///@{
-  /// Used by tools and keys.
+  /// @{
+  /// Return the state for tools and keys.
   const ViewerOptions& GetOptions() const { return this->Options; }
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkRenderWindow* GetWindow() const { return this->Window; }
   vtkRenderWindowInteractor* GetInteractor() const { return this->Interactor; }
-  const Vec3& GetOrigin() const { return this->Origin; } ///< of everything drawn [m]
+  const Vec3& GetOrigin() const { return this->Origin; } ///< origin of everything drawn [m]
   Cloud& GetCloud() { return *this->Points; }
   CloudView& GetCloudView() { return *this->PointsView; }
   SceneView* GetSceneView() { return this->Mesh.get(); } ///< null: no scene (yet)
@@ -169,13 +169,13 @@ private:
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<CloudView> PointsView;
   std::unique_ptr<SceneView> Mesh;
-  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey
+  std::unique_ptr<SceneMover> Mover; // moves the mesh's parts; null: no survey
   std::unique_ptr<PlatformView> Platform;
   std::unique_ptr<Hud> Words;
   std::unique_ptr<TimeBar> Bar;
   std::unique_ptr<ViewerKeys> Keys;
   std::vector<std::unique_ptr<ViewerTool>> Tools;
-  std::vector<Vec3> LastEnds; // of the newest beams
+  std::vector<Vec3> LastEnds; // ends of the newest beams
 
   bool IsLoading = false;
   bool HasFailed = false;
@@ -198,7 +198,7 @@ private:
   double LastVideoFrame = 0.0;
   double FramesPerSecond = 0.0;
   vtkIdType NumberOfFrames = 0;
-  double RateSince = 0.0; // of counts per second
+  double RateSince = 0.0; // start of the counts per second
   vtkIdType RatePulses = 0;
   vtkIdType RatePoints = 0;
   double PulsesPerSecond = 0.0;

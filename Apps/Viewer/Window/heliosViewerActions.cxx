@@ -45,7 +45,7 @@ void ChangeColors(Viewer& viewer, int step)
   viewer.ShowMessage("colours: " + all[static_cast<std::size_t>(next)].first);
 }
 
-/// Half of the cloud's box in each direction, about its centre.
+/// Clips to half of the cloud's box in each direction, about its centre.
 void ToggleClipping(Viewer& viewer)
 {
   CloudView& view = viewer.GetCloudView();

@@ -116,7 +116,7 @@ void Viewer::OnKey()
 }
 
 //------------------------------------------------------------------------------
-/// A press of the left button; true: a panel has handled it.
+/// Handles a press of the left button; true: a panel has handled it.
 bool Viewer::OnPress()
 {
   this->Interactor->GetEventPosition(this->PressedAt[0], this->PressedAt[1]);

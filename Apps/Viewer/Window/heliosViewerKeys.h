@@ -22,7 +22,7 @@ class ViewerKeys
 public:
   struct Action
   {
-    std::string Heading; ///< of the following keys; empty: continues
+    std::string Heading; ///< heading of the following keys; empty: continues
     std::vector<std::string> Keys;
     std::string Shown; ///< for the help
     std::string What;

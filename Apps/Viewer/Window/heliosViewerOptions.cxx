@@ -132,7 +132,7 @@ void AddOutputs(CLI::App& app, ViewerOptions& options)
     ->option_text("FILE.xml");
 }
 
-/// "1280x800"; false if not valid.
+/// Reads "1280x800"; false if not valid.
 bool ReadSize(const std::string& text, ViewerOptions& options)
 {
   std::smatch parts;

@@ -19,8 +19,8 @@ struct ViewerOptions
   int Height = 800;
   bool Offscreen = false;
   bool HasSpeed = false; ///< one was set
-  bool FullSpeed = true; ///< as fast as possible
-  double Speed = 1.0;    ///< of time, where not FullSpeed
+  bool FullSpeed = true; ///< run as fast as possible
+  double Speed = 1.0;    ///< speed of time, where not FullSpeed
   bool Paused = false;
   double StartTime = -1.0; ///< [s] first shown time; negative: the start
   std::string Camera = "free";
@@ -32,7 +32,7 @@ struct ViewerOptions
   bool Words = true; ///< over the picture
   std::string Theme = "dark";
   std::string Record;   ///< video or frames
-  double Seconds = 0.0; ///< of the recording; 0: 10, or until stopped
+  double Seconds = 0.0; ///< length of the recording; 0: 10, or until stopped
   double FramesPerSecond = 25.0;
   std::string Still;               ///< a picture at the end
   std::string State;               ///< a JSON file of the viewer state

@@ -17,7 +17,7 @@ namespace helios::viewer
 {
 
 //------------------------------------------------------------------------------
-/// Non-interactive: every frame at its time, regardless of computing time.
+/// Runs without interaction: every frame at its time, regardless of computing time.
 int Viewer::RunScripted()
 {
   const double step = 1.0 / this->Options.FramesPerSecond;
@@ -58,7 +58,7 @@ int Viewer::RunScripted()
     this->WaitFor(time);
     this->Frame(0.0);
     this->AddReceivedPoints();
-    this->PointsView->SetAutomaticRange(); // of the full cloud
+    this->PointsView->SetAutomaticRange(); // range of the full cloud
     this->UpdateStatus();                  // the legend
     this->SaveStill(this->Options.Still);
   }

@@ -32,10 +32,10 @@ namespace helios::viewer
 namespace
 {
 
-constexpr std::size_t FramedPoints = 20000; // that the first view is fitted to
+constexpr std::size_t FramedPoints = 20000; // points that the first view is fitted to
 constexpr double FarTrajectory = 2.0;       // times the data's diagonal: not framed
 
-/// Every nth point of a scene [m].
+/// Returns every nth point of a scene [m].
 std::vector<Vec3> SamplePoints(vtkPolyData* scene)
 {
   std::vector<Vec3> points;
@@ -69,7 +69,7 @@ void DropOutliers(std::vector<Vec3>& points)
   }
 }
 
-/// Every nth point of a cloud [m], without outliers.
+/// Returns every nth point of a cloud [m], without outliers.
 std::vector<Vec3> SamplePoints(const Cloud& cloud)
 {
   std::vector<Vec3> points;
@@ -165,7 +165,7 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
 }
 
 //------------------------------------------------------------------------------
-/// All data in the middle of the part of the window between the panels.
+/// Shows all data in the middle of the part of the window between the panels.
 void Viewer::ResetCamera()
 {
   this->PlacePanels();
@@ -252,7 +252,7 @@ void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
 }
 
 //------------------------------------------------------------------------------
-/// After the thread has loaded the survey, or failed to.
+/// Finishes loading after the thread has loaded the survey, or failed to.
 void Viewer::FinishLoading()
 {
   const Simulation::Phase phase = this->Running->GetPhase();

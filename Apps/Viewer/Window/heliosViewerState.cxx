@@ -125,7 +125,7 @@ Json::Value ViewerState::DescribePanels() const
 }
 
 //------------------------------------------------------------------------------
-/// The texts of the legend and of the panels; the menus with their items.
+/// Describes the texts of the legend and of the panels, and the menus with their items.
 void ViewerState::DescribeTexts(Json::Value& state) const
 {
   const Legend& legend = this->Words.GetLegend();
@@ -193,7 +193,7 @@ void ViewerState::Write(const std::string& fileName) const
   }
   std::ostringstream text;
   text << this->Describe();
-  static_cast<void>(WriteUnsynced(fileName, text.str())); // of tests, which wait for it
+  static_cast<void>(WriteUnsynced(fileName, text.str())); // tests wait for the file
 }
 
 } // namespace helios::viewer

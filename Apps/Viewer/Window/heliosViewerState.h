@@ -37,7 +37,7 @@ struct ViewerState
 {
   vtkRenderWindow* Window;
   vtkRenderer* Renderer;
-  const Vec3& Origin; ///< of everything drawn [m]
+  const Vec3& Origin; ///< origin of everything drawn [m]
   const CameraRig& Camera;
   const PlayClock& Clock;
   const Recorder& Video;

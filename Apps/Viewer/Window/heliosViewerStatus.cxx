@@ -24,10 +24,10 @@ namespace
 {
 
 constexpr double RateSeconds = 0.5;     // averaging time of a rate
-constexpr double RestSeconds = 0.12;    // of the mouse, until its coordinates are shown
+constexpr double RestSeconds = 0.12;    // time the mouse rests until its coordinates are shown
 constexpr std::size_t MaximumLegs = 14; // listed
 
-/// "1.23 M".
+/// Shortens a number: "1.23 M".
 std::string ShortenNumber(double number)
 {
   if (number >= 1e6)
@@ -100,7 +100,7 @@ bool Viewer::IsFinished() const
 }
 
 //------------------------------------------------------------------------------
-/// Pulses and points per second, as received.
+/// Counts pulses and points per second, when received.
 void Viewer::CountRates()
 {
   const double now = this->Now();
@@ -168,7 +168,7 @@ std::string Viewer::DescribeCloud() const
 }
 
 //------------------------------------------------------------------------------
-/// One line per leg, around the active one.
+/// Describes one leg per line, around the active one.
 std::string Viewer::DescribeLegs() const
 {
   const auto& legs = this->Legs;

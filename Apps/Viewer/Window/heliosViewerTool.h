@@ -31,19 +31,19 @@ public:
   virtual std::string GetName() const = 0;
   virtual std::vector<KeyHelp> GetKeys() const = 0;
 
-  /// A key as X names it ("a", "plus", "Escape"); true: handled.
+  /// Handles a key by its X name ("a", "plus", "Escape"); true: handled.
   virtual bool OnKey(const std::string& key, bool control) = 0;
 
-  /// A click without a drag, at a pixel from the lower left; true: handled.
+  /// Handles a click without a drag, at a pixel from the lower left; true: handled.
   virtual bool OnClick(int x, int y) = 0;
 
-  /// Before every frame; true: a redraw is needed.
+  /// Runs before every frame; true: a redraw is needed.
   virtual bool OnFrame() { return false; }
 
-  /// After the panels of the window have been placed: places what is drawn in them.
+  /// Places the tool's drawings after the panels of the window have been placed.
   virtual void Place() {}
 
-  /// Another survey is shown: discard the data of the last one.
+  /// Discards the data of the last survey: another one is shown.
   virtual void OnNewSurvey() {}
 
   /// Returns a line for the status; empty: none.

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Reads pieces of VTK XML from memory: those of our own writers, without validation.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Reads pieces of VTK XML by vtkHelios's writers from memory, without validation.
 
 #ifndef heliosVtkXmlText_h
 #define heliosVtkXmlText_h

@@ -75,9 +75,9 @@ TEST_CASE("ScanPlan: without settings the filters have their defaults", "[ScanPl
   CHECK(plan->GetViewsheds()->GetMaximumElevation() == viewsheds->GetMaximumElevation());
   CHECK(plan->GetViewsheds()->GetMaximumIncidenceAngle() == 90.0);
   CHECK(plan->GetViewsheds()->GetMinimumPointDensity() == 0.0);
-  CHECK(plan->GetViewsheds()->GetAngularStep() == Approx(0.1)); // of the document's scan
+  CHECK(plan->GetViewsheds()->GetAngularStep() == Approx(0.1)); // step of the document's scan
   const vtkNew<Planner> planner;
-  CHECK(plan->GetPlanner()->GetMethod() == Planner::VIEWSHED_SIZE); // of documents
+  CHECK(plan->GetPlanner()->GetMethod() == Planner::VIEWSHED_SIZE); // default of documents
   CHECK(plan->GetPlanner()->GetRemovalOrder() == planner->GetRemovalOrder());
   CHECK(plan->GetPlanner()->GetMinimumCoverage() == planner->GetMinimumCoverage());
   CHECK(plan->GetPlanner()->GetCoverageOf() == planner->GetCoverageOf());

@@ -151,7 +151,7 @@ TEST_CASE(
 {
   Candidates candidates(helios::MakePyramidScene());
   candidates.Filter->SetMaximumSlope(30.0);
-  CHECK(candidates.Update()->GetNumberOfPoints() == 425); // of 441
+  CHECK(candidates.Update()->GetNumberOfPoints() == 425); // 441 in all
 }
 
 TEST_CASE(

@@ -149,7 +149,7 @@ TEST_CASE(
   Site site(rows.View());
   site.AddNormals();
   site.Filter->SetMethodToViewshedSize();
-  CHECK(site.GetSelected() == Choice{ 1, 2 }); // of equal ones the lower index leaves first
+  CHECK(site.GetSelected() == Choice{ 1, 2 }); // the lower index of equal ones leaves first
   CHECK(site.Log->Errors.empty());
   CHECK(site.GetArray(0, names::ViewshedSize)->GetComponent(2, 0) == 4.0);
   CHECK(site.GetArray(0, names::Exclusivity)->GetComponent(0, 0) == 0.0);

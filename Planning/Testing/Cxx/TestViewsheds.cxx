@@ -327,7 +327,7 @@ TEST_CASE("Viewsheds: bad input is an error", "[Viewsheds]")
     CHECK(
       fails("3000 candidates' views need 1.076 MiB, more than the memory limit (1 MiB); make the "
             "grids coarser, ask for the matrix in pieces, or allow more."));
-    views.Viewsheds->UpdatePiece(1, 2, 0); // half of it is allowed
+    views.Viewsheds->UpdatePiece(1, 2, 0); // half the size is allowed
     CHECK(views.Viewsheds->GetOutput()->GetNumberOfPoints() == 1500);
   }
   SECTION("abort")

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// What a whole beam hits, without sampling it.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Finds the surfaces that a whole beam hits, without sampling it.
 
 #ifndef heliosConeProbe_h
 #define heliosConeProbe_h

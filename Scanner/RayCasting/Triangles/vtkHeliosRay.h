@@ -31,7 +31,7 @@ struct vtkHeliosConeHit
   {
     Empty,           ///< no hit
     PlanarFootprint, ///< one plane over the whole cross-section, and nothing before it
-    Unresolved       ///< anything else, or unresolved
+    Unresolved       ///< anything else, or not decidable
   };
   int Kind;
   vtkIdType CellId; ///< hit by the axis

@@ -6,7 +6,7 @@
  *
  * A vtkHeliosSurveySource with the survey of FileName, for ParaView, whose properties are texts and
  * numbers. The file is read again when its name or the asset directories change, and by Reload().
- * Errors of the file are those of vtkHeliosSurveyReader. Points have a vertex each, which ParaView
+ * vtkHeliosSurveyReader lists the errors of the file. Points have a vertex each, which ParaView
  * draws.
  *
  * @sa

@@ -130,7 +130,7 @@ TEST_CASE("CameraRig: the first view fills the part of the window between the pa
       CHECK(box[1] <= 1.0);
       CHECK(box[2] >= bottom);
       CHECK(box[3] <= 1.0 - top);
-      CHECK(0.5 * (box[0] + box[1]) == Approx(0.5).margin(0.1)); // of the nearer corners
+      CHECK(0.5 * (box[0] + box[1]) == Approx(0.5).margin(0.1)); // middle of the nearer corners
       CHECK(0.5 * (box[2] + box[3]) == Approx(0.5 * (bottom + 1.0 - top)).margin(0.1));
     }
   }

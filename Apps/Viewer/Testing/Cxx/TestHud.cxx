@@ -140,7 +140,7 @@ TEST_CASE("Hud: a press on a title opens its menu, one on an item does it and cl
   CHECK(window.Panels.OnPress(x, y)); // a second press closes
   CHECK(window.Panels.GetMenuBar().GetOpen() == -1);
   CHECK(window.Panels.OnPress(x, y));
-  CHECK(window.Panels.OnPress(400, 300)); // as one beside it
+  CHECK(window.Panels.OnPress(400, 300)); // equal to one beside it
   CHECK_FALSE(window.Panels.OnPress(400, 300));
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("Hud: the scale bar has the length that it tells")
   CHECK(bar.GetLabel() == "10 m");
   window.Place();
   const Rect rect = window.Panels.GetRect(PanelId::ScaleBar).Shrunk(6);
-  int pixels = 0; // of the bar's lowest line
+  int pixels = 0; // middle of the bar's lowest line
   for (int x = 0; x < 800; ++x)
   {
     pixels += window.Has({ x, rect.Y, 1, 3 }, FindTheme("dark").Ink) ? 1 : 0;

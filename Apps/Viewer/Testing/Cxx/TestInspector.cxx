@@ -139,7 +139,7 @@ TEST_CASE("Inspector: a click selects a pulse on two steps")
     for (const SubRayHit& hit : reading.SubRays)
     {
       const bool isPlate = hit.Position[1] > 0.0;
-      // Ranges are those of a part on average: R w^2 / 4 farther than at its centroid.
+      // Ranges are of a part on average: R w^2 / 4 farther than at its centroid.
       CHECK(hit.Position[2] == Approx(isPlate ? StepHeight : 0.0).margin(2e-4));
       CHECK(viewer.GetSceneView()->GetPartName(hit.Part) == (isPlate ? "plate" : "ground"));
       hitsOfPlate += isPlate;

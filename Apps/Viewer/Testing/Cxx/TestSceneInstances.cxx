@@ -31,7 +31,7 @@ namespace
 {
 
 const Vec3 Far(500000.0, 5400000.0, 300.0);
-constexpr int PartsBefore = 2; // of the mesh
+constexpr int PartsBefore = 2; // triangles of the mesh
 
 void AddIds(vtkDataSetAttributes* data, const char* name, const std::vector<int>& ids)
 {
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkPolyData> MakeCopies(vtkHeliosScene* scene)
   return flat;
 }
 
-/// For a look at a test's picture: HELIOS_PICTURES is a folder for them.
+/// Saves a test's picture for a look: HELIOS_PICTURES is a folder for them.
 void SavePicture(Stage& stage, const std::string& name)
 {
   if (const char* folder = std::getenv("HELIOS_PICTURES"))

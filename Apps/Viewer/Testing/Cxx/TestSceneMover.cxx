@@ -22,7 +22,7 @@ using namespace helios::viewer;
 namespace
 {
 
-constexpr double Start = -10.0; // of the plate's centre, x [m]
+constexpr double Start = -10.0; // x of the plate's centre [m]
 
 /// The flight, with a plate of 4 m beside it or below it instead of the step.
 class MovingFiles : public StepFiles

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> MakeScene(const Vec3& origin)
   return scene;
 }
 
-/// The same squares with very many triangles.
+/// Makes squares of very many triangles.
 vtkSmartPointer<vtkPolyData> MakeFine(const Vec3& origin, int side)
 {
   std::vector<Vec3> corners;
@@ -182,7 +182,7 @@ TEST_CASE("SceneView: moving parts are drawn and picked at their current positio
   REQUIRE(view.GetMovingMesh());
   CHECK(view.GetMovingMesh()->GetNumberOfPoints() == 4);
   stage.Render();
-  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40); // as before
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40); // unchanged
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(view.GetMovingMesh());
   for (vtkIdType i = 0; i < 4; ++i)
@@ -212,10 +212,10 @@ TEST_CASE("SceneView: moving parts are drawn and picked at their current positio
   CHECK(stage.CountPixels(Black) == 200 * 200);
   REQUIRE(view.SetScene(MakeScene(Far)).IsOk());
   CHECK_FALSE(view.GetMovingMesh());
-  view.Move(moved); // of an earlier scene
+  view.Move(moved); // belongs to an earlier scene
   stage.Render();
   CHECK(IsNear(stage.GetColorAt(4, 0), Rgb{ 255, 205, 60 }));
-  view.SetMovingParts({ 0, 1 }); // all of it
+  view.SetMovingParts({ 0, 1 }); // all are drawn
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40);
 }
@@ -285,7 +285,7 @@ TEST_CASE("SceneView: large meshes are simplified while the camera moves")
   check(false);
   view.SetInteracting(true);
   check(true);
-  CHECK(view.Pick(140.5, 100.5)->Material == 1); // of the original triangles
+  CHECK(view.Pick(140.5, 100.5)->Material == 1); // bounds of the original triangles
   view.SetVisible(false);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);

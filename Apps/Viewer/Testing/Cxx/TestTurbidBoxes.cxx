@@ -151,7 +151,7 @@ TEST_CASE("TurbidBoxes: a million voxels are merged to the maximum number of box
   const vtkIdType most = SceneView::MaximumBoxes;
   const auto boxes = MakeTurbidBoxes(grid, most, Vec3(0, 0, 0));
   const vtkIdType count = boxes->GetNumberOfCells() / 6;
-  CHECK(count == 25 * 25 * 25); // of 4 x 4 x 4 cells, the smallest below the limit
+  CHECK(count == 25 * 25 * 25); // 4 x 4 x 4 cells, the smallest below the limit
   CHECK(boxes->GetNumberOfPoints() == 8 * count);
   double bounds[6];
   boxes->GetPoints()->GetBounds(bounds);

@@ -1,7 +1,6 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
 // Triangles of thousands of random polygons in any plane, near and far from the origin: their area
-// is that of the rings to 1e-9, they face along its normal, and they overlap nowhere.
+// equals the area of the rings to 1e-9, they face along its normal, and they overlap nowhere.
 #include "heliosPolygonTesting.h"
 
 #include <catch2/catch.hpp>
@@ -112,7 +111,7 @@ public:
 
   std::vector<std::vector<Place>> FindRings(bool turnsLeft) const
   {
-    std::multimap<Corner, Corner> sides; // of cells, counterclockwise
+    std::multimap<Corner, Corner> sides; // triangles of cells, counterclockwise
     for (int y = 0; y < this->Size; ++y)
     {
       for (int x = 0; x < this->Size; ++x)

@@ -269,7 +269,7 @@ TEST_CASE("PolygonTriangulator: all that crosses is reported", "[PolygonTriangul
   twice.Triangulate();
   CHECK_FALSE(twice.IsSimple);
 
-  Shape holes; // that overlap
+  Shape holes; // triangles that overlap
   holes.AddRing(MakeSquare(0, 0, 10));
   holes.AddRing(MakeSquare(1, 1, 4));
   holes.AddRing(MakeSquare(3, 3, 4));

@@ -30,7 +30,7 @@ vtkIdType CountLines(const std::string& path)
   return std::count(text.begin(), text.end(), '\n');
 }
 
-/// Makes the descriptor of an open file that of another one.
+/// Gives the descriptor of an open file the target of another one.
 bool Redirect(const std::string& path, const char* to)
 {
   for (const auto& entry : fs::directory_iterator("/proc/self/fd"))

@@ -46,7 +46,7 @@ struct Aborter
   }
 };
 
-/// Rough ground of 300 x 300 m, some of it dense.
+/// Makes rough ground of 300 x 300 m, partly dense.
 helios::Triples MakeGround(int count)
 {
   helios::Uniform uniform(6);

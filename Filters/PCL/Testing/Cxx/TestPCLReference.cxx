@@ -92,7 +92,7 @@ std::vector<int> GetPclClusters(const Cloud::Ptr& cloud, double tolerance, int l
   return ids;
 }
 
-/// The same without a library: each pair of points, in float like PCL's points.
+/// Computes the clusters without a library: each pair of points, in float like PCL's points.
 std::vector<int> GetFirstByPairs(const Cloud& cloud, double tolerance)
 {
   std::vector<int> first(cloud.size());

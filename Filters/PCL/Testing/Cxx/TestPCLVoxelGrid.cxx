@@ -35,7 +35,7 @@ Cell GetCell(const helios::Triple& p, double size)
 
 TEST_CASE("PCLVoxelGrid: the point nearest to the mean of each voxel", "[PCLVoxelGrid]")
 {
-  const double size = 0.5; // exact in double: the cells here are those of the grid
+  const double size = 0.5; // exact in double: these cells equal the grid's
   const helios::Triples points = MakePoints(20000);
   std::map<Cell, std::pair<helios::Triple, int>> cells; // sum and count
   for (const helios::Triple& p : points)

@@ -151,7 +151,7 @@ TEST_CASE("PcdReference: PCL's files are read", "[PcdReference]")
 namespace
 {
 
-/// A colour of a point: all values of 8 bits occur, among them those of denormal floats.
+/// Returns a colour of a point: all values of 8 bits occur, also denormal floats.
 std::uint8_t GetShade(std::size_t point, int component)
 {
   return static_cast<std::uint8_t>(point < 2 ? 0 : (point * (3 + 2 * component)) % 256);
@@ -325,6 +325,6 @@ TEST_CASE("PcdReference: PCL has no coordinates of 64 bits", "[PcdReference]")
   pcl::PointCloud<pcl::PointXYZI> cloud;
   REQUIRE(pcl::io::loadPCDFile(file.Path, cloud) == 0);
   REQUIRE(cloud.size() == 1000);
-  CHECK(cloud[9].x == 0.0F); // what Docs/pcl.md says
+  CHECK(cloud[9].x == 0.0F); // stated in Docs/pcl.md
   CHECK(cloud[9].intensity == 9e-9F);
 }

@@ -78,7 +78,7 @@ inline vtkSmartPointer<vtkPolyData> MakeCloud(const Triples& triples)
   return cloud;
 }
 
-/// The same random numbers on all platforms, for any library.
+/// Random numbers that are the same on all platforms, with any library.
 class Uniform
 {
 public:
@@ -90,7 +90,7 @@ public:
   {
     return low + (high - low) * (static_cast<double>(this->Generator()) + 0.5) / 4294967296.0;
   }
-  /// With mean 0 and standard deviation 1.
+  /// Returns a normal number with mean 0 and standard deviation 1.
   double Normal()
   {
     return std::sqrt(-2.0 * std::log((*this)(0.0, 1.0))) * std::cos((*this)(0.0, 2.0 * M_PI));

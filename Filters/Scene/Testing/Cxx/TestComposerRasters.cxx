@@ -25,7 +25,7 @@ helios::HeightRaster MakeRaster()
   return raster;
 }
 
-/// A raster and the mesh of it, with a material.
+/// A raster and its mesh, with a material.
 struct Terrain
 {
   vtkSmartPointer<vtkImageData> Image = MakeRaster().MakeImage<vtkFloatArray>();

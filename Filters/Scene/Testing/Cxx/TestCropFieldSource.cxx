@@ -169,7 +169,7 @@ TEST_CASE(
   CHECK(GetMoments(offsets).Mean == Approx(0.0).margin(4 * 0.02 / std::sqrt(n)));
   CHECK(GetMoments(offsets).Deviation == Approx(0.02).epsilon(0.02));
 
-  // The reported height is that of the stem.
+  // Checks that the reported height is the height of the stem.
   std::vector<double> tops(static_cast<std::size_t>(n), 0.0);
   vtkIntArray* parts = helios::GetIds(field->GetOutput(), names::PartIds);
   for (vtkIdType i = 2; i < mesh.GetNumberOfTriangles(); ++i)
@@ -327,7 +327,7 @@ TEST_CASE("CropFieldSource: leaves stay above the soil, stems are closed", "[Cro
   field->SetLeavesPerPlant(0);
   field->SetGroundRoughness(0.0);
   const helios::TriangleMesh mesh = Make(field);
-  CHECK(helios::CountOpenEdges(mesh) == 4); // those of the soil
+  CHECK(helios::CountOpenEdges(mesh) == 4); // triangles of the soil
 }
 
 TEST_CASE(

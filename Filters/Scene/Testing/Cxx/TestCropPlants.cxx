@@ -20,7 +20,7 @@ using helios::Vec3;
 /// A leaf, from its first and last triangle.
 struct Leaf
 {
-  Vec3 Left; // of its base; both coincide for a pointed leaf
+  Vec3 Left; // middle of its base; both coincide for a pointed leaf
   Vec3 Right;
   Vec3 Tip;
   int Part;
@@ -113,7 +113,8 @@ TEST_CASE("CropPlants: maize has its leaves in one plane, with random headings",
   }
   CHECK(off < 0.6 + 1e-9);
   CHECK(off > 0.5);
-  CHECK(sum.Norm() / 420 < 3.0 / std::sqrt(420.0)); // of 420 random directions: with p = 1e-4
+  // maximum of 420 random directions: with p = 1e-4
+  CHECK(sum.Norm() / 420 < 3.0 / std::sqrt(420.0));
 }
 
 TEST_CASE("CropPlants: leaves are at the golden angle around a stem", "[CropPlants]")
@@ -153,7 +154,7 @@ TEST_CASE("CropPlants: lengths and widths of leaves vary independently", "[CropP
   field->SetNumberOfRows(1);
   field->SetRowLength(3.2);
   const helios::TriangleMesh mesh = Make(field);
-  const double base = 0.09 / 0.8 * (1.0 - std::pow(0.4 / 0.6, 2)); // of width to length
+  const double base = 0.09 / 0.8 * (1.0 - std::pow(0.4 / 0.6, 2)); // ratio of width to length
   double least = 1e300;
   double most = 0.0;
   for (const Leaf& leaf : GetLeaves(field, mesh, 15))

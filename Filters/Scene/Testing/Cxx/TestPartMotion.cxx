@@ -87,7 +87,7 @@ TEST_CASE("PartMotion: helical motion", "[PartMotion]")
   Motion helix = Make(MotionKind::Helical, Vec3(0, 0, 2), 1.0);
   helix.Glide = 0.25;
   CheckPoint(Endless(helix).GetMap(720030) * Vec3(2, 0, 1),
-    Vec3(2 * std::cos(30 * Radians), 1.0, 1 + 0.25 * 720030), 1e-10); // of 180 km
+    Vec3(2 * std::cos(30 * Radians), 1.0, 1 + 0.25 * 720030), 1e-10); // relative to 180 km
 }
 
 TEST_CASE("PartMotion: reflections", "[PartMotion]")

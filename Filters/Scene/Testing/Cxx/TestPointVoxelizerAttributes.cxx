@@ -80,7 +80,8 @@ TEST_CASE(
   Voxelizing cells(MakeCloud(points, normals), 1.0);
   cells.Filter->SnapNeighborNormalOn();
   REQUIRE(cells.Run());
-  CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0)); // of those with a normal
+  // mean of the points with a normal
+  CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0));
 
   // For coincident points neither the first nor the last, but the same for any order.
   const Triples place = { { 0, 0, 0 }, { 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 } };

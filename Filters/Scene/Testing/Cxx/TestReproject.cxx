@@ -244,7 +244,8 @@ TEST_CASE("Reproject: directions rotate by the convergences of both grids", "[Re
   reproject->Update();
   vtkPointData* turned = reproject->GetOutput()->GetPointData();
 
-  // Grid north of zone 32 is Convergence east of north here, that of zone 33 equally far west.
+  // Grid north of zone 32 is Convergence east of north here, grid north of zone 33 equally far
+  // west.
   const double angle = vtkMath::RadiansFromDegrees(2.0 * Convergence);
   const helios::Vec3 velocity(turned->GetArray(names::Velocity)->GetTuple3(0));
   CHECK(velocity[0] == Approx(5.0 * std::sin(angle)).margin(1e-8));
@@ -473,5 +474,5 @@ TEST_CASE("Reproject: steps of a file are as fine in the other system", "[Reproj
   CHECK(moved.Scale[2] == 1e-5);
   reproject->SetTargetCRS("EPSG:25832");
   reproject->Update();
-  CHECK(helios::GetCoordinateSteps(reproject->GetOutput()).HasOffset); // the same points
+  CHECK(helios::GetCoordinateSteps(reproject->GetOutput()).HasOffset); // unchanged points
 }

@@ -388,7 +388,7 @@ TEST_CASE("SceneComposer: objects of parts that are split come after all parts",
   CHECK(composer->GetPartIsSplit(1));
 
   composer->SetPartIsSplit(0, true);
-  vtkNew<vtkPolyData> instances; // of the wall: parts 2 and 3, before the objects
+  vtkNew<vtkPolyData> instances; // ids of the wall: parts 2 and 3, before the objects
   vtkNew<vtkPoints> places;
   places->InsertNextPoint(0, 0, 0);
   places->InsertNextPoint(9, 0, 0);

@@ -66,7 +66,7 @@ TEST_CASE("SceneComposer: instances are what copies are, flattened", "[SceneInst
   flatten->Update();
   vtkPolyData* flat = flatten->GetOutput();
 
-  // The same parts as copies.
+  // Makes copies of the parts.
   vtkNew<vtkHeliosSceneComposer> copies;
   int part = 0;
   const auto add = [&](vtkPolyData* mesh, const Place& place)

@@ -310,7 +310,7 @@ TEST_CASE("SyntheticScene: the wood of trees is a closed surface", "[SyntheticSc
   {
     source->SetSpecies(species);
     const helios::TriangleMesh mesh = Make(source);
-    CHECK(helios::CountOpenEdges(mesh) == 4); // those of the leaf
+    CHECK(helios::CountOpenEdges(mesh) == 4); // triangles of the leaf
     CHECK(helios::GetVolume(mesh) > 0.0);
     CHECK(mesh.GetNumberOfTriangles() < 2000);
   }

@@ -22,7 +22,7 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// A mesh whose points are those of a grid of 5 x 5, and whose cells are numbered.
+/// Makes a mesh whose points are a grid of 5 x 5, and whose cells are numbered.
 vtkSmartPointer<vtkPolyData> MakeMesh(int type, const std::vector<Ids>& polygons,
   const std::vector<Ids>& strips = {}, bool withLine = false)
 {

@@ -66,7 +66,7 @@ TEST_CASE("WaterWaves: variance and slopes are those of the spectrum", "[WaterWa
     [&](double w) { return helios::GetWaveEnergy(wind, w) * std::pow(w, 4) / (9.80665 * 9.80665); });
   CHECK(field.GetVariance() == Approx(variance).epsilon(0.05));
   CHECK(field.GetMeanSquareSlope() == Approx(slopes).epsilon(0.05));
-  // what lies below 0.6 of the peak does not matter
+  // waves below 0.6 of the peak do not matter
   CHECK(Integrate(0.3 * w0, 0.6 * w0, [&](double w) { return helios::GetWaveEnergy(wind, w); }) <
     1e-3 * variance);
   // Yamaguchi (1984): the integral of the spectrum, for a peak of 3.3

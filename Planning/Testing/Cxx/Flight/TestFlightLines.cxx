@@ -123,7 +123,7 @@ TEST_CASE("FlightLines: turns", "[FlightLines]")
     // Circles of radius R: the outer ones touch both lines from outside, the middle one touches both.
     const double radius = 100.0;
     flight.Filter->SetTurnRadius(radius);
-    const double half = 0.5 * 80.0 + radius; // of the distance of the outer centres
+    const double half = 0.5 * 80.0 + radius; // half the distance of the outer centres
     const double lean = std::acos(half / (2.0 * radius));
     wanted = radius * (2.0 * lean + vtkMath::Pi() + 2.0 * lean);
   }

@@ -179,8 +179,8 @@ TEST_CASE("GaussianDecomposition: the separation of hidden echoes reaches its bo
   detector->SetDetectionThreshold(0.5);
   constexpr double bin = 1.0;
   constexpr int pulses = 600;
-  // Range bounds at SNR 50, sigma known. Below sigma the best estimate has a bias
-  // that falls with the square of the SNR: the bound is that of better ones.
+  // Range bounds at SNR 50, sigma known. Below sigma the best estimate has a bias that falls with
+  // the square of the SNR: the bound is the bound of better ones.
   struct Case
   {
     double Separation, Snr, Bound;

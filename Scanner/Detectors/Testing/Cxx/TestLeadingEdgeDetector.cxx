@@ -14,7 +14,7 @@ using namespace helios::testing;
 namespace
 {
 
-/// From the crossing of a level to the peak of a Gaussian [ns].
+/// Returns the time from the crossing of a level to the peak of a Gaussian [ns].
 double RiseTime(double amplitude, double level)
 {
   return PulseSigma * std::sqrt(2.0 * std::log(amplitude / level));

@@ -41,7 +41,7 @@ Polar ComputeErrors(const Model& model, double range, double zenith)
   Vec3 origin(0.0, 0.0, 0.0);
   model.MoveRay(origin.GetData(), ray.GetData());
   const Vec3 point = origin + (range - model.GetRangeError(0.0)) * ray;
-  const double side = zenith < 0.0 ? -1.0 : 1.0; // of the face
+  const double side = zenith < 0.0 ? -1.0 : 1.0; // side of the face
   const double across = std::hypot(point[0], point[1]);
   return { point.Norm() - range, std::atan2(side * point[0], side * point[1]),
     std::atan2(side * across, point[2]) - zenith };
@@ -176,7 +176,7 @@ TEST_CASE("PanoramicErrorModel: no ray moves without a parameter, or along the s
   Vec3 ray = Aim(1.0);
   Vec3 origin(0.0, 0.0, 0.0);
   CHECK_FALSE(model->MoveRay(origin.GetData(), ray.GetData()));
-  model->SetRangeOffset(0.01); // of ranges only
+  model->SetRangeOffset(0.01); // errors of ranges only
   CHECK_FALSE(model->MoveRay(origin.GetData(), ray.GetData()));
   model->SetTransitOffset(0.1);
   Vec3 shaft(1.0, 0.0, 0.0);

@@ -50,7 +50,7 @@ Counts Count(const vtkHeliosEchoDetector* detector, const std::vector<float>& sa
 /// A Gaussian echo with a mean number of detected photons.
 std::vector<float> MakeEcho(vtkHeliosPhotonCountingDetector* detector, double photons)
 {
-  const double area = PulseSigma * std::sqrt(2.0 * std::acos(-1.0)) * 1e-9; // of 1 W [J]
+  const double area = PulseSigma * std::sqrt(2.0 * std::acos(-1.0)) * 1e-9; // energy of 1 W [J]
   const double amplitude = photons * PhotonEnergy / detector->GetDetectionEfficiency() / area;
   return MakeSamples({ { amplitude, Centre } }, Bin, 2.0 * Centre);
 }

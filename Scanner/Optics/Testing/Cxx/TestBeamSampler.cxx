@@ -102,7 +102,7 @@ PlaneRanges GetPlaneRanges(vtkHeliosBeamSampler* sampler)
 double EdgeTruth(double s, double k)
 {
   const double end = std::acos(s / k);
-  const int steps = 400; // of Simpson's rule
+  const int steps = 400; // intervals of Simpson's rule
   double sum = 0.0;
   for (int i = 0; i <= steps; ++i)
   {
@@ -486,7 +486,7 @@ TEST_CASE("BeamSampler: all patterns are isotropic", "[BeamSampler]")
     CHECK(right == Approx(0.0).margin(1e-14)); // the half-planes x > 0 and x < 0 have equal energy
     if (quarters)
     {
-      CHECK(up == Approx(0.0).margin(1e-14)); // as have z > 0 and z < 0
+      CHECK(up == Approx(0.0).margin(1e-14)); // z > 0 and z < 0 have equal weight
     }
   };
   for (const int q : { 2, 3, 4, 5, 8 })
@@ -578,7 +578,7 @@ TEST_CASE("BeamSampler: the waist of a beam", "[BeamSampler]")
   struct Row
   {
     double Wavelength; // nm
-    double Angle;      // of w, mrad
+    double Angle;      // mrad, unit of w
     double Distance;   // m
     double Radius;     // m
     double Digits;

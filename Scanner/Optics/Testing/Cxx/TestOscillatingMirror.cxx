@@ -91,7 +91,7 @@ TEST_CASE("OscillatingMirror: triangular spacing in closed form", "[OscillatingM
   SetUp(mirror);
   CHECK(Spacing(mirror, 1000) == Approx(0.523598776).epsilon(1e-9));
   CHECK(Spacing(mirror, 3000) == Approx(-0.523598776).epsilon(1e-9));
-  // The same speed at 30 degrees, of a mirror that oscillates to 60.
+  // Compares the speed at 30 degrees with a mirror that oscillates to 60.
   mirror->SetScanFrequency(25.0);
   mirror->SetScanAngle(60.0);
   CHECK(mirror->GetScanAngle(3000) == Approx(30.0).epsilon(1e-14));

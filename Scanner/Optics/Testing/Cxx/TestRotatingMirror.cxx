@@ -249,7 +249,7 @@ TEST_CASE("RotatingMirror: the lines of a facet are conics on flat ground", "[Ro
   CHECK(mirror->GetFacet(1500) == 1);
   CHECK(mirror->GetFacet(1501) == 0);
   double d[3];
-  for (vtkIdType i = 600; i < 1400; ++i) // of 1000 pulses per line, the second
+  for (vtkIdType i = 600; i < 1400; ++i) // second line of 1000 pulses
   {
     REQUIRE(mirror->GetFacet(i) == 1);
     REQUIRE(mirror->GetDirection(i, d));

@@ -12,7 +12,7 @@ using helios::Vec3;
 namespace
 {
 
-/// The number of hits of beams, and of a last partial one, that differ from those of the bvh.
+/// Returns the number of hits of beams, and of a last partial one, that differ from the bvh's.
 int CountDifferences(
   const helios::Soup& soup, const std::vector<vtkHeliosRay>& rays, int raysPerBeam)
 {

@@ -221,7 +221,7 @@ TEST_CASE("Clearance: distance to a sphere is that to its centre less the radius
     const Vec3 out = dice.Direction();
     const Vec3 along = out.Cross(dice.Direction()).Normalized();
     const double distance = dice(5, 40);
-    const Vec3 nearest = Vec3(10, 20, 30) + distance * out; // of a segment that passes by
+    const Vec3 nearest = Vec3(10, 20, 30) + distance * out; // point of a segment that passes by
     samples.push_back(nearest - dice(1, 90) * along);
     samples.push_back(nearest + dice(1, 90) * along);
     truths.push_back(distance - 4);

@@ -176,7 +176,7 @@ std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const 
   const auto dot = [](const Point3& a, const Point3& b)
   { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   const auto getDepth = [&](const Point3& d) { return dot(normal, plane[0]) / dot(normal, d); };
-  // The error of a hit grows with the incidence, as that of a range: 8 u R / cos.
+  // Bounds the error of a hit, which grows with the incidence, like a range's: 8 u R / cos.
   const auto getError = [&](const Point3& d, double rounding)
   { return rounding * std::sqrt(dot(normal, normal) * dot(d, d)) / std::abs(dot(normal, d)); };
   const double rounding = 1e-9 * (isEmpty ? 1.0 : found.Range) +

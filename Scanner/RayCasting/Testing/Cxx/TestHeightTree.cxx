@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#pragma GCC diagnostic ignored "-Wpsabi" // of heliosBeamBundle.h
+#pragma GCC diagnostic ignored "-Wpsabi" // heliosBeamBundle.h needs it
 #include "heliosBeamBundle.h"
 #include "heliosConeProbe.h"
 #include "heliosHeightScenes.h"
@@ -113,7 +113,7 @@ std::array<int, 3> CheckCones(const HeightScene& scene, const std::vector<vtkHel
   const auto ofMesh = helios::MakeConeProbe(scene.OfMesh);
   Dice dice(31);
   std::array<int, 3> kinds{};
-  int probes = 0, layers = 0, views = 0; // that differ
+  int probes = 0, layers = 0, views = 0; // hits that differ
   for (const vtkHeliosRay& ray : rays)
   {
     if (ray.Origin[2] == scene.Mesh.GetCorner(0, 0)[2])

@@ -83,7 +83,7 @@ std::vector<vtkHeliosRay> MakeBeams(
   return rays;
 }
 
-/// Whether all hits are those of the copy, to the last bit.
+/// Returns whether all hits equal the copy's, to the last bit.
 bool AreEqual(const std::vector<vtkHeliosHit>& a, const std::vector<vtkHeliosHit>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -161,7 +161,7 @@ TEST_CASE("instances: hits are those of a copy, to the last bit", "[instances]")
     for (const double height : { 3.0, 100.0, 20000.0 })
     {
       const Vec3 from = offset + Vec3(40, 55, height);
-      for (const double width : { 0.1, 10.0 }) // of a beam where it ends
+      for (const double width : { 0.1, 10.0 }) // range of a beam where it ends
       {
         const double spread = width / std::max(height, 30.0);
         for (const double skew : { 0.0, 0.5 })
@@ -242,7 +242,7 @@ TEST_CASE("instances: cones collect the triangles of a copy", "[instances]")
       CHECK(CountMissing(own, all, tangent, farthest) == 0);
     }
   }
-  CHECK(different < 8); // of 600
+  CHECK(different < 8); // at least 10 of 600
   CHECK(kinds[vtkHeliosConeHit::PlanarFootprint] > 10);
   CHECK(kinds[vtkHeliosConeHit::Unresolved] > 10);
   CHECK(triangles > 1000);
@@ -375,7 +375,8 @@ TEST_CASE(
   same->ShallowCopy(scene);
   REQUIRE(beam->Build(same));
   CHECK(beam->GetGeometry().GetScene() == scene); // not built again
-  vtkNew<vtkHeliosScene> other;                   // the same mesh with other instances
+  // another scene of the same mesh with other instances
+  vtkNew<vtkHeliosScene> other;
   other->ShallowCopy(scene);
   other->SetInstances(MakeStand({ 0, 0, 0 }, 12)->GetInstances());
   REQUIRE(beam->Build(other));

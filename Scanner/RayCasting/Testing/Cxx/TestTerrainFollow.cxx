@@ -173,7 +173,7 @@ TEST_CASE("TerrainFollow: climbs before a step and descends after it", "[Terrain
     const double off = std::max({ 0.0, 100 - x, x - 200 });
     CHECK(way->GetPoint(i)[2] == Approx(20 + std::max(0.0, 60 - off)));
   }
-  follow.Filter->SetMaximumSlope(0); // as high as the highest
+  follow.Filter->SetMaximumSlope(0); // level, at the greatest height
   CHECK(follow.Run()->GetPoint(0)[2] == Approx(80));
 }
 

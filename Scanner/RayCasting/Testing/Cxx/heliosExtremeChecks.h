@@ -63,7 +63,7 @@ public:
     return Determinant(a, b, this->Corners[0]) / Determinant(a, b, this->Direction);
   }
 
-  /// Of the angle between the ray and the normal.
+  /// Returns the cosine of the angle between the ray and the normal.
   double GetCosine() const
   {
     LongReal a[3], b[3];
@@ -381,7 +381,8 @@ inline void CheckNeedles(vtkHeliosRayCaster& caster)
   }
 }
 
-/// A triangulated sphere, from 10 to 1e5 radii away: range error at most that of its facets.
+/// Checks a triangulated sphere, from 10 to 1e5 radii away: range error at most the error of its
+/// facets.
 inline void CheckSphere(vtkHeliosRayCaster& caster)
 {
   const struct
@@ -394,7 +395,7 @@ inline void CheckSphere(vtkHeliosRayCaster& caster)
     { 1e3, 0.999, 999.954790821563283 }, { 1e5, 0, 99999 }, { 1e5, 0.5, 99999.1339733462156 },
     { 1e5, 0.999, 99999.9552848321828 } };
   const Soup soup = MakeIcosphere(5);
-  double inner = 1.0; // the smallest radius: that of a facet's plane
+  double inner = 1.0; // smallest radius of a facet's plane
   for (const auto& [i, j, k] : soup.Triangles)
   {
     const Vec3 &a = soup.Points[i], &b = soup.Points[j], &c = soup.Points[k];

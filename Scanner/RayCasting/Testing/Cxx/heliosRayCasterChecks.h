@@ -124,7 +124,7 @@ void CheckLeaks(int level)
   }
 }
 
-/// Of triangles at equal range the lowest cell id wins, in any order of points.
+/// Checks that the lowest cell id wins among triangles at equal range, in any order of points.
 template <typename CasterT>
 void CheckTies()
 {

@@ -119,7 +119,7 @@ struct Truth
   double Easting, Northing;
 };
 
-/// By analytic continuation with 40 digits.
+/// Values by analytic continuation with 40 digits.
 const Truth UTMTruths[] = {
   { 49.4, 8.7, 32, 478233.5100801130027, 5471966.6981215651213 },
   { 0, 12, 32, 833978.5569194604536, 0 },
@@ -131,7 +131,7 @@ const Truth UTMTruths[] = {
   { 40, 29, 32, 2212740.643056014447, 4624280.9757602037603 },
 };
 
-/// The same, 60 to 75 degrees from the meridian.
+/// Values 60 to 75 degrees from the meridian.
 const Truth FarTruths[] = {
   { 30, 79, 32, 7757639.0347121435809, 6598258.9638546452634 },
   { 5, 74, 32, 10017742.795363911664, 1312194.6193369477267 },

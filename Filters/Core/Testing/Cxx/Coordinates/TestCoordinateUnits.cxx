@@ -73,11 +73,11 @@ TEST_CASE("CoordinateUnits: systems are compared by both parts, in any form", "[
   CHECK(Make("EPSG:25832+7837") != Make("EPSG:25832"));
   CHECK(Make("EPSG:25832+7837") != Make("EPSG:25832+5783")); // another height
   CHECK(Make("EPSG:25832+7837") != Make("EPSG:25833+7837"));
-  CHECK(Make("EPSG:2263").WithHeightUnit(SurveyFoot) == Make("EPSG:2263")); // as x and y
+  CHECK(Make("EPSG:2263").WithHeightUnit(SurveyFoot) == Make("EPSG:2263")); // same unit as x and y
   CHECK(Make("EPSG:2263").WithHeightUnit(1.0) != Make("EPSG:2263"));
   CHECK(Make("EPSG:2263").WithHeightUnit(1.0) == Make("EPSG:2263").WithHeightUnit(1.0));
   CHECK(Make("EPSG:2263").WithHeightUnit(1.0) != Make("EPSG:2263+5703"));
-  std::string bound = MakeWkt("EPSG:31467"); // as GDAL wrote it, with a transformation to WGS 84
+  std::string bound = MakeWkt("EPSG:31467"); // written by GDAL, with a transformation to WGS 84
   const std::string ellipsoid = "AUTHORITY[\"EPSG\",\"7004\"]],";
   bound.insert(
     bound.find(ellipsoid) + ellipsoid.size(), "TOWGS84[598.1,73.7,418.2,0.202,0.045,-2.455,6.7],");
@@ -159,7 +159,7 @@ TEST_CASE("CoordinateUnits: a plate moves with the epoch", "[CoordinateUnits]")
   const Point then = moveAt(2026.0);
   CHECK(transform.GetWarning(Speyer.data(), 1).empty());
   CHECK(std::hypot(then[0] - reference[0], then[1] - reference[1]) == Approx(0.40).margin(0.02));
-  helios::CoordinateTransform copy(transform); // of another thread
+  helios::CoordinateTransform copy(transform); // used by another thread
   Point image{};
   CHECK(copy.Forward(Speyer.data(), image.data(), 1) == -1);
   CHECK(image == then);

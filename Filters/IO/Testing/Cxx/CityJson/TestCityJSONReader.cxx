@@ -94,7 +94,7 @@ TEST_CASE("CityJSONReader: materials are replaced by name", "[CityJSONReader]")
   REQUIRE(reading.Read());
   const Material roof = reading.MaterialOf(2);
   CHECK(roof.Reflectance == 0.3);
-  CHECK(roof.Classification == 6); // of the model
+  CHECK(roof.Classification == 6); // class of the model
   const Material ground = reading.MaterialOf(reading.Triangles() - 1);
   CHECK(ground.Reflectance == 0.2);
   CHECK(ground.Classification == 3);

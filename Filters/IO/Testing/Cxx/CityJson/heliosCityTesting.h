@@ -15,8 +15,8 @@ namespace helios::city
 
 using Reading = SceneReading<vtkHeliosCityJSONReader>;
 
-/// The corners of a box of 4 m by 3 m by 2 m, in centimetres, those of a window of 1 m by 1 m in its
-/// front, and those of a square of 10 m around it, below.
+/// The corners of a box of 4 m by 3 m by 2 m, in centimetres, the corners of a window of 1 m by 1 m
+/// in its front, and the corners of a square of 10 m around it, below.
 inline const std::string Vertices =
   "[[0,0,0],[400,0,0],[400,300,0],[0,300,0],[0,0,200],[400,0,200],[400,300,200],[0,300,200],"
   "[100,0,50],[200,0,50],[200,0,150],[100,0,150],"

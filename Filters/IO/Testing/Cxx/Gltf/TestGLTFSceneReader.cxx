@@ -228,7 +228,7 @@ TEST_CASE("GLTFSceneReader: materials", "[GLTFSceneReader]")
   CHECK(std::isnan(reading.MaterialOf(0).Reflectance)); // not set
   CHECK(reading.MaterialOf(1).Name == "leaf");
   CHECK(reading.MaterialOf(1).Reflectance ==
-    Approx(0.2126 * 0.1 + 0.7152 * 0.5 + 0.0722 * 0.2)); // of the luminance
+    Approx(0.2126 * 0.1 + 0.7152 * 0.5 + 0.0722 * 0.2)); // weights of the luminance
   CHECK(reading.MaterialOf(2).Name == "material1");
   CHECK(std::isnan(reading.MaterialOf(2).Reflectance)); // the texture has the colour
   CHECK(reading.MaterialOf(3).Name == "default");

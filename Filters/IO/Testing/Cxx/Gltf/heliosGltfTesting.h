@@ -94,7 +94,7 @@ public:
       (uri.empty() ? "" : ",\"uri\":\"" + uri + "\"") + "}]}";
   }
 
-  /// With the buffer in it.
+  /// Makes a document with the buffer in it.
   std::string MakeText(const std::string& members) const
   {
     return this->MakeJson(

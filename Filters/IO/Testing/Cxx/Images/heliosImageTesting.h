@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Small images by the bytes of their formats, and what is read of them as text.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Small images by the bytes of their formats, and their pixels as text.
 
 #ifndef heliosImageTesting_h
 #define heliosImageTesting_h
@@ -70,13 +69,13 @@ inline std::string ReadBytesAsImage(const std::string& bytes)
   return message;
 }
 
-/// What is said of a damaged image.
+/// Returns the message about a damaged image.
 inline std::string Damaged(const std::string& format, const std::string& fault)
 {
   return "image: " + format + " image " + fault + "; get it again, or save it with another program";
 }
 
-/// A BMP of Windows: 40 bytes of header, what follows it, pixels.
+/// A BMP of Windows: 40 bytes of header, further parts, pixels.
 struct TestBmp
 {
   int Columns = 2;

@@ -97,7 +97,7 @@ TEST_CASE("LASVectors: the anchor in files of other programs", "[LASVectors]")
   writing.Writer->SetWaveforms(waveforms);
   REQUIRE((writing.Writer->Open() && writing.Writer->Write(echoes) && writing.Writer->Close()));
   std::string las = helios::ReadText(writing.Path);
-  const std::size_t at = GetNumber<std::uint32_t>(las, 96) + 30; // of the first point
+  const std::size_t at = GetNumber<std::uint32_t>(las, 96) + 30; // place in the first point
   const float location = 60000.0F;                               // [ps]
   double anchor[3];
   for (std::size_t k = 0; k < 3; ++k)

@@ -142,7 +142,7 @@ TEST_CASE("LASReader: colours of 8 bits", "[LASReader]")
   REQUIRE(reading.Read(0, 3));
   CHECK(red(0) == 1.0);
   CHECK(reading.Log->Warnings.empty());          // once per file
-  SetNumber<std::uint16_t>(bytes, at + 52, 256); // of the last point: 16 bits, in all pieces
+  SetNumber<std::uint16_t>(bytes, at + 52, 256); // value of the last point: 16 bits, in all pieces
   WriteFile(bytes);
   REQUIRE(reading.Read(0, 3));
   CHECK(red(0) == Approx(255.0 / 65535.0));

@@ -159,7 +159,7 @@ TEST_CASE("LASWaveforms: are read back", "[LASWaveforms]")
   REQUIRE(table);
   CHECK(table->GetNumberOfRows() == 0); // not requested
   reading.Reader->ReadWaveformsOn();
-  const int pieces = GENERATE(1, 5); // of 36 points, 12 waveforms
+  const int pieces = GENERATE(1, 5); // pieces of 36 points, 12 waveforms
   vtkIdType wave = 0;
   vtkIdType wrong = 0;
   for (int piece = 0; piece < pieces; ++piece)

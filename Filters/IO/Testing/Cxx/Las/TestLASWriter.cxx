@@ -323,7 +323,7 @@ TEST_CASE("LASWriter: steps by the unit of an axis, and by the file of the point
   const Triple offset{ 8.5, 49.25, 0.125 };
   CHECK(get("", 0.1, { 1e-7, 2e-7, 0.01 }, &offset) == Triple{ 1e-7, 2e-7, 0.01 });
   CHECK(GetNumber<double>(writing.Bytes(), 155) == 8.5);
-  writing.Writer->SetScale(0.001); // as wanted
+  writing.Writer->SetScale(0.001); // the wanted one
   CHECK(get("EPSG:25832", 1.0, { 1e-5, 1e-5, 1e-5 }, &offset) == Triple{ 0.001, 0.001, 0.001 });
 }
 

@@ -181,8 +181,8 @@ struct LasReading
   vtkDataArray* Get(const char* name) { return this->Cloud()->GetPointData()->GetArray(name); }
 };
 
-/// Counts values of an array that differ by more than a tolerance from those of another, from a
-/// tuple of the first on; -1 if the shapes differ.
+/// Counts values of an array that differ by more than a tolerance from the values of another, from
+/// a tuple of the first on; -1 if the shapes differ.
 inline vtkIdType CountWrong(
   vtkDataArray* read, vtkDataArray* written, vtkIdType from = 0, double tolerance = 0.0)
 {

@@ -103,8 +103,8 @@ struct LasWavePacket
   }
 };
 
-/// As in the specification: the anchor, point + location (X(t), Y(t), Z(t)), is the origin of the
-/// first sample and lies between scanner and point.
+/// Checks the rule of the specification: the anchor, point + location (X(t), Y(t), Z(t)), is the
+/// origin of the first sample and lies between scanner and point.
 inline void CheckAnchor(
   const LasWavePacket& packet, const double point[3], vtkTable* waveforms, vtkIdType wave)
 {

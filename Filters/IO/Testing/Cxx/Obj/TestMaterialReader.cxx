@@ -119,7 +119,8 @@ TEST_CASE("MaterialReader: random variations of a material", "[MaterialReader]")
     sum += x;
     squares += x * x;
   }
-  const double deviation = 0.2 / std::sqrt(3.0); // of a uniform distribution in +-0.2
+  // standard deviation of a uniform distribution in +-0.2
+  const double deviation = 0.2 / std::sqrt(3.0);
   CHECK(std::abs(sum / 1000) < 4.0 * deviation / std::sqrt(1000.0));
   CHECK(squares / 1000 == Approx(deviation * deviation).epsilon(0.1));
   reading.Reader->Modified();

@@ -29,7 +29,7 @@ const std::string Materials = "newmtl brick\nKd 1 0.5 2\nmap_Kd images/red brick
                               "newmtl none\nhelios_reflectance 0.2\n"
                               "newmtl scaled\nKd 0.5 0.5 0.5\nmap_Kd -s 2 2 1 a.png\n";
 
-const std::string OnePixel = "P5 1 1 255\nx"; // the kind of an image is not that of its name
+const std::string OnePixel = "P5 1 1 255\nx"; // the name does not give the kind of an image
 
 std::vector<double> GetCoordinates(ObjReading& reading, vtkIdType cell)
 {
@@ -82,7 +82,7 @@ TEST_CASE(
     folder.GetPath("brick.png");
   ObjReading reading(
     folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl brick\nf 1 2 3\n"));
-  REQUIRE(reading.Read()); // without colours nothing of it is read
+  REQUIRE(reading.Read()); // without colours the image is not opened
   reading.Reader->ReadColorsOn();
   CHECK_FALSE(reading.Read());
   CHECK(reading.Log->HasError(place + " does not exist; give it, or remove map_Kd"));

@@ -198,7 +198,7 @@ TEST_CASE("PCDFields: the header is ASCII, and gives back the same system and na
 
   helios::SetCrs(cloud,
     "a\xB0"
-    "b"); // of Latin-1, not UTF-8
+    "b"); // Latin-1, not UTF-8
   REQUIRE(files.Write(cloud));
   CHECK(IsAscii(files.Path));
   REQUIRE(files.Reading.Read());

@@ -42,7 +42,7 @@ std::string MakeRows()
   return rows;
 }
 
-/// The same data field by field.
+/// Writes the data field by field.
 std::string MakeFields()
 {
   const std::string rows = MakeRows();
@@ -119,7 +119,7 @@ TEST_CASE("PCDReader: ascii with all digits, types and counts", "[PCDReader]")
   CHECK(reading.Cloud()->GetPoints()->GetDataType() == VTK_DOUBLE);
   CHECK(reading.Cloud()->GetPoint(1)[1] == -20.0);
   CHECK(reading.Cloud()->GetPoint(1)[2] == 476000.123456789);
-  vtkDataArray* intensity = reading.Get(names::Intensity); // of unknown units
+  vtkDataArray* intensity = reading.Get(names::Intensity); // has unknown units
   REQUIRE((intensity && intensity->GetDataType() == VTK_FLOAT));
   CHECK(intensity->GetTuple1(0) == 0.5);
   CHECK(std::isnan(intensity->GetTuple1(1)));

@@ -58,7 +58,7 @@ void AppendBytes(std::string& bytes, T value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// As written by PCL.
+/// Header written by PCL.
 inline const std::string AsciiPcd = "# .PCD v.7 - Point Cloud Data file format\n"
                                     "VERSION .7\n"
                                     "FIELDS x y z intensity label\n"

@@ -46,7 +46,7 @@ void Append(std::string& bytes, T value, bool isBig)
   bytes.append(raw, sizeof(value));
 }
 
-/// The same as Square.
+/// Makes a binary file of Square.
 inline std::string MakeBinary(bool isBig)
 {
   std::string bytes = MakeHead(isBig ? "binary_big_endian" : "binary_little_endian", 5, 3);

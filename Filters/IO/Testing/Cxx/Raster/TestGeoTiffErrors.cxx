@@ -184,12 +184,12 @@ TEST_CASE("GeoTiffErrors: truncated files are errors", "[GeoTiffErrors]")
 TEST_CASE("GeoTiffErrors: more pixels than the file can contain", "[GeoTiffErrors]")
 {
   std::string bytes = MakeGoodBytes();
-  bytes[33] = '\x7f'; // of the number of rows
+  bytes[33] = '\x7f'; // byte of the number of rows
   CheckBytes(bytes,
     ": is damaged: 3 x 2130706434 pixels in 1065353217 blocks do not fit into a file of 326 bytes; "
     "get it again");
   bytes = MakeGoodBytes();
-  bytes[21] = '\x7f'; // of the number of columns
+  bytes[21] = '\x7f'; // byte of the number of columns
   CheckBytes(bytes,
     ": is damaged: 2130706435 x 2 pixels in 2 blocks do not fit into a file of 326 bytes; get it "
     "again");

@@ -224,11 +224,11 @@ TEST_CASE(
   {
     GDALDataType Type;
     double NoData;
-    double Value; // of the pixel
+    double Value; // value of the pixel
     vtkIdType Triangles;
   };
   constexpr double lowest = -std::numeric_limits<float>::max();
-  const Case cases[] = { { GDT_Float32, -9999.0, -9999.0, 11 }, // of 12
+  const Case cases[] = { { GDT_Float32, -9999.0, -9999.0, 11 }, // 11 of 12 pixels
     { GDT_Float32, -9999.9, -9999.9, 11 }, { GDT_Float32, 0.1, 0.1, 11 },
     { GDT_Float32, lowest, lowest, 11 },
     { GDT_Float32, -3.4028230607370965e+38, -3.4028230607370965e+38, 11 },

@@ -56,7 +56,7 @@ TEST_CASE("PointColumns: separators and line ends give the same points", "[Point
     REQUIRE(reading.CountPoints() == 2);
     CHECK(IsAt(reading.Cloud(), 0, 1.5, 2, 3));
     CHECK(IsAt(reading.Cloud(), 1, 4, 5, 6));
-    scene.Set(text); // as the loader of scenes reads it
+    scene.Set(text); // the loader of scenes reads it like this
     REQUIRE(scene.Read());
     REQUIRE(scene.CountPoints() == 2);
     CHECK(IsAt(scene.Cloud(), 0, 1.5, 2, 3));
@@ -66,7 +66,7 @@ TEST_CASE("PointColumns: separators and line ends give the same points", "[Point
 
 TEST_CASE("PointColumns: names become arrays", "[PointColumns]")
 {
-  // as PDAL writes CSV
+  // CSV by PDAL
   PointTextReading reading(
     "\"X\",\"Y\",\"Z\",\"Intensity\",\"ReturnNumber\",\"NumberOfReturns\","
     "\"Classification\",\"ScanAngleRank\",\"PointSourceId\",\"GpsTime\","
@@ -81,13 +81,13 @@ TEST_CASE("PointColumns: names become arrays", "[PointColumns]")
   CHECK(reading.Get(names::ScanAngle, 0) == -12.5);
   CHECK(reading.Get(names::LegIds, 0) == 6); // point sources of LAS begin at 1
   CHECK(reading.Get(names::GpsTime, 0) == 245380.78254962614);
-  CHECK(GetColor(reading, 0, 0) == Approx(256.0 / 65535.0)); // of 16 bits
+  CHECK(GetColor(reading, 0, 0) == Approx(256.0 / 65535.0)); // 16 bits
   CHECK(GetColor(reading, 0, 2) == 1.0);
   CHECK(reading.Log->HasWarning("a.xyz: columns with unknown names are not read: \"Own\""));
   CHECK(reading.Reader->GetIntensityRange()[1] == 65535);
   CHECK(reading.Reader->GetHasWholeIntensities());
 
-  // as CloudCompare writes text
+  // text by CloudCompare
   reading.Set("//X Y Z R G B scalar_Intensity Nx Ny Nz\n1 2 3 255 0 51 0.5 0 0.6 0.8\n");
   REQUIRE(reading.Read());
   CHECK(GetColor(reading, 0, 2) == Approx(0.2));
@@ -132,7 +132,7 @@ TEST_CASE("PointColumns: PTS begins with the number of its points", "[PointColum
   reading.Set("2\n1 2 3 -2048 255 0 51\n4 5 6 2047 0 0 0\n1\n7 8 9 0 1 1 1\n", "a.pts");
   REQUIRE(reading.Read());
   CHECK(reading.Kind() == "PTS");
-  REQUIRE(reading.CountPoints() == 3); // of two scans
+  REQUIRE(reading.CountPoints() == 3); // rows of two scans
   CHECK(reading.Reader->GetNumberOfCounted() == 3);
   CHECK(reading.Get(names::Intensity, 0) == -2048);
   CHECK(reading.Reader->GetIntensityRange()[0] == -2048);

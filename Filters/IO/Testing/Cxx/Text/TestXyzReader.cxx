@@ -84,7 +84,7 @@ TEST_CASE("XyzReader: normals and colours in any columns", "[XyzReader]")
   REQUIRE(reading.Read());
   CHECK(reading.Cloud()->GetPointData()->GetNormals()->GetName() == std::string(names::Normals));
   CHECK(reading.GetTriple(names::Normals, 0) == Triple{ 0.0, 0.6, 0.8 });
-  CHECK(reading.GetTriple(names::Normals, 1) == Triple{ 0, 0, -2 }); // as in the file
+  CHECK(reading.GetTriple(names::Normals, 1) == Triple{ 0, 0, -2 }); // value in the file
   CHECK(reading.GetTriple(names::RGB, 0) == Triple{ 1.0, 0.0, 51.0f / 255.0f });
 
   reading.Reader->SetNormalXIndex(5);

@@ -15,7 +15,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// X-Y-Z of HELIOS: yaw is applied to the body first; all axes are those of the world.
+/// Returns X-Y-Z of HELIOS: yaw is applied to the body first; all axes are axes of the world.
 helios::Quaternion Cardan(double roll, double pitch, double yaw)
 {
   return helios::AxisAngle({ 1, 0, 0 }, roll) * helios::AxisAngle({ 0, 1, 0 }, pitch) *
@@ -108,7 +108,8 @@ TEST_CASE("TrajectoryTextWriter: the angles restore the attitude", "[TrajectoryT
   for (std::uint64_t i = 0; i < 3000; ++i)
   {
     const auto u = helios::Uniform4(1, helios::RandomStream::Scene, i, 0);
-    orientations.emplace_back(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5, u[3] - 0.5); // of any length
+    // quaternion of any length
+    orientations.emplace_back(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5, u[3] - 0.5);
     // close to gimbal lock
     const double off = std::pow(10.0, -14 * u[2]);
     orientations.push_back(Cardan(360 * u[0], i % 2 == 0 ? 90 - off : off - 90, 360 * u[1]));

@@ -143,7 +143,7 @@ TEST_CASE("TrajectoryTimes: missing rows are a warning with row and length", "[T
   REQUIRE(reading.Read(Rows(times)));
   CHECK(reading.Log->HasWarning("apart (and 1 more gaps, up to 600 s); a leg"));
 
-  REQUIRE(reading.Read(Rows({ 0.0, 1.0, 2.0, 30.0, 31.0 }))); // as waypoints may be
+  REQUIRE(reading.Read(Rows({ 0.0, 1.0, 2.0, 30.0, 31.0 }))); // waypoints may be so far apart
   CHECK(reading.Log->Warnings.empty());
 }
 

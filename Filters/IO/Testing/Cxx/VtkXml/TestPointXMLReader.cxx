@@ -39,7 +39,7 @@ struct Reading
 
 using PointReading = Reading<vtkHeliosPointXMLReader>;
 
-/// A .vtp with ascii values, and one part of it replaced.
+/// A .vtp with ascii values, of which one part is replaced.
 struct DamagedFile
 {
   helios::TempFolder Folder;

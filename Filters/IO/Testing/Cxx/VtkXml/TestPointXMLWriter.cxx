@@ -157,7 +157,7 @@ TEST_CASE(
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(100);
-  vtkNew<vtkDoubleArray> column; // like that of a scene: the same in all blocks
+  vtkNew<vtkDoubleArray> column; // field data like a scene's: the same in all blocks
   column->SetName("Column");
   column->InsertNextValue(0.5);
   echoes->GetFieldData()->AddArray(column);

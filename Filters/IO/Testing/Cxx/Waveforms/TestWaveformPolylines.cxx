@@ -148,7 +148,7 @@ TEST_CASE("WaveformPolylines: by default the largest amplitude is displaced by H
   Polylines curves(40);
   curves.Filter->SetHeight(2.5);
   vtkPolyData* output = curves.Update();
-  const auto row = std::pair(output->GetNumberOfPoints() - 1, 819); // of 820 samples i 1e-9
+  const auto row = std::pair(output->GetNumberOfPoints() - 1, 819); // last of 820 samples i 1e-9
   CHECK(curves.GetSample(row.first) == Approx(1e-9 * row.second));
   CHECK(GetPoint(output, row.first)[2] - 100.5 == Approx(2.5).epsilon(1e-6));
   curves.Table->GetFieldData()->GetArray(names::Samples)->Fill(0.0);

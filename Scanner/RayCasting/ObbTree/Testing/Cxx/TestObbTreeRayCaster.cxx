@@ -38,7 +38,7 @@ TEST_CASE("ObbTreeRayCaster: rays in general position agree with brute force", "
       REQUIRE(occluded[i] == (hits[i].CellId >= 0 ? 1 : 0));
     }
     INFO("offset " << offset[0]);
-    CHECK(wrong == 0); // the range of a triangle is that of the common test
+    CHECK(wrong == 0); // the common test computes the range of a triangle
     CHECK(lost <= 5);
     CHECK(invented <= 40); // a quarter of the rays passes along edges, within the tolerance
   }
