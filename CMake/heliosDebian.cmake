@@ -4,7 +4,7 @@
 
 set(vtkhelios_debian_dir "${CMAKE_SOURCE_DIR}/Apps/Packages/Debian")
 
-# What the desktop and the shells read; man pages and completions exist once the script made them.
+# Files for the desktop and the shells; man pages and completions exist once the script made them.
 install(FILES "${vtkhelios_debian_dir}/vtkhelios.desktop"
   DESTINATION share/applications COMPONENT desktop EXCLUDE_FROM_ALL)
 install(FILES "${vtkhelios_debian_dir}/vtkhelios.svg"

@@ -4,7 +4,7 @@
 # which works beside another VTK.
 #
 # Wrapped modules load the modules that they depend on by full names, which are compiled in. With the
-# name vtkmodules they would load those of another VTK, and crash.
+# name vtkmodules they would load the modules of another VTK, and crash.
 
 # helios_add_depends(<list> <module>...)
 # Appends VTK modules and all that their wrapped classes need, in this order: needed ones first.
