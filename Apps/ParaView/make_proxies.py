@@ -45,9 +45,9 @@ class Proxy(typing.NamedTuple):
     shown: tuple = ()  # properties that are always visible; none given: all
     omitted: tuple = ()
     strategies: dict = {}  # property: classes of its values
-    extensions: str = ""  # of files that it reads
+    extensions: str = ""  # file names that it reads
     representation: str = ""
-    header: str = ""  # of a class that only the plugin has
+    header: str = ""  # a class that only the plugin has
     base: str = ""  # its base class
 
     @property
@@ -162,7 +162,8 @@ FILES = {
     ),
 }
 
-# Those of all algorithms; and PulseWindow, whose default exceeds the 32 bits that ParaView reads.
+# Properties of all algorithms; and PulseWindow, whose default exceeds the 32 bits that ParaView
+# reads.
 LEFT_OUT = {"AbortExecute", "Progress", "ProgressText", "PulseWindow"}
 
 
@@ -275,7 +276,8 @@ def split_words(camel):
 
 
 def make_own_properties(proxy):
-    """Those of a class of the plugin, from its header: names of files and folders."""
+    """Makes the properties of a class of the plugin, from its header: names of files and
+    folders."""
     text = (PLUGIN / proxy.header).read_text() if proxy.header else ""
     for doc, body in re.findall(r"/\*\*\n((?:   \*[^/].*\n)*)   \*/\n((?:  \w.*;\n)+)", text):
         setter = re.search(r"void ((?:Set|Add)(\w+))\(const char\*", body)

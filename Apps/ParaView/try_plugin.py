@@ -104,7 +104,7 @@ def try_scanner(scene):
 
 
 def try_flight(scene):
-    """A path 40 m up: its times are those of its speed."""
+    """A path 40 m up: its times follow from its speed."""
     line = simple.Line(Point1=[-50, 0, 40], Point2=[50, 0, 40], Resolution=1)
     with_speed = simple.Calculator(Input=line, ResultArrayName="Speed", Function="20")
     path = make("LinearPathPlatform", Input=with_speed)

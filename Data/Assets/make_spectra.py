@@ -28,7 +28,7 @@ import sys
 import numpy as np
 
 WAVELENGTHS = np.round(np.arange(0.35, 2.5001, 0.01), 2)  # [um]
-LINES_NM = (532, 905, 1064, 1550)  # of common scanners
+LINES_NM = (532, 905, 1064, 1550)  # wavelengths of common scanners
 
 
 def interpolate(table):
@@ -38,7 +38,7 @@ def interpolate(table):
 
 
 def interpolate_log(table):
-    """As interpolate(), of the logarithm."""
+    """Interpolates like interpolate(), in the logarithm."""
     return np.exp(interpolate([(x, np.log(y)) for x, y in table]))
 
 
@@ -161,9 +161,9 @@ def snow(grain=0.4e-3, soot=0.97):
 
 # --- leaves ----------------------------------------------------------------------------------------------------------
 
-# What a leaf holds takes light in: chlorophylls and carotenoids [cm^2/ug], water [1/cm], dry matter [cm^2/g].
-# Positions and widths are those of the published features, heights are set so that leaves of usual content
-# reflect what is published (Jacquemoud, Baret 1990).
+# What a leaf holds takes light in: chlorophylls and carotenoids [cm^2/ug], water [1/cm], dry matter
+# [cm^2/g]. Positions and widths are taken from the published features, heights are set so that
+# leaves of usual content reflect what is published (Jacquemoud, Baret 1990).
 K_PIGMENT = gaussians(
     (0.34, 0.045, 0.055),
     (0.43, 0.036, 0.058),
@@ -242,7 +242,8 @@ LEAF_INDEX = interpolate(
 
 
 def diffuse_transmission(index, widest_deg):
-    """What a surface lets in of light from a cone, by Fresnel's formulas."""
+    """Returns the share of diffuse light that enters a surface from a cone, by Fresnel's
+    formulas."""
     theta = np.radians((np.arange(200) + 0.5) / 200.0 * widest_deg)[:, None]
     cos_in = np.cos(theta)
     cos_out = np.sqrt(1.0 - (np.sin(theta) / index) ** 2)
@@ -253,7 +254,8 @@ def diffuse_transmission(index, widest_deg):
 
 
 def plate_transmission(k):
-    """Of diffuse light through a plate of optical depth k, without its surfaces: 2 E3(k)."""
+    """Returns the diffuse light through a plate of optical depth k, without its surfaces: 2
+    E3(k)."""
     mu = (np.arange(400) + 0.5)[:, None] / 400.0
     return np.mean(2.0 * mu * np.exp(-k / mu), axis=0)
 

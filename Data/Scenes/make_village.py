@@ -19,8 +19,8 @@ import sys
 import numpy as np
 import vtkhelios
 
-SIDE = 240.0  # of the terrain [m]
-SQUARES = 400  # of the terrain, a side
+SIDE = 240.0  # side of the terrain [m]
+SQUARES = 400  # squares at a side of the terrain
 RELIEF = 16.0  # between its highest and lowest place at most [m]
 LANE_WIDTH = 4.5
 
@@ -91,7 +91,7 @@ class House:
     x: float
     y: float
     z: float
-    heading: float  # of its x [deg]
+    heading: float  # angle of its x [deg]
     length: float
     height: float
 
@@ -121,7 +121,7 @@ class Ground:
         self.houses = []
 
     def level(self, x, y, hills):
-        """The heights of the ground where those of the hills are given."""
+        """Returns the heights of the ground for the heights of the hills."""
         slope = lane_slope(x)
         foot = x + (y - lane(x)) * slope / (1.0 + slope * slope)  # the lane's nearest place, about
         across = np.hypot(x - foot, y - lane(foot))
@@ -279,7 +279,7 @@ def write_houses(file, houses):
 
 
 def is_free(x, y, houses):
-    """Whether there is room for a tree: not over the lane, not over a roof."""
+    """Returns whether there is room for a tree: not over the lane, not over a roof."""
     near = np.linspace(x - 25, x + 25, 101)
     away = np.min(np.hypot(near - x, lane(near) - y))
     return away > LANE_WIDTH / 2 + 6.0 and all(h.get_distance(x, y) > 4.5 for h in houses)

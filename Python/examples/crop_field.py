@@ -49,7 +49,7 @@ SURVEY = """\
 </document>
 """
 
-COLOURS = {  # of the picture of the scene, by material
+COLOURS = {  # colours of the picture of the scene, by material
     "soil": (0.52, 0.41, 0.30),
     "crop_stem": (0.58, 0.66, 0.36),
     "crop_leaf": (0.35, 0.60, 0.25),

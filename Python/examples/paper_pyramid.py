@@ -37,7 +37,7 @@ def make_scene():
             polys.InsertCellPoint(number)
 
     for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)):
-        for ring in (0, 4):  # of ground, then of the base
+        for ring in (0, 4):  # ring of the ground, then of the base
             add(ring + i, ring + j, ring + 4 + j)
             add(ring + i, ring + 4 + j, ring + 4 + i)
         add(8 + i, 8 + j, 12)

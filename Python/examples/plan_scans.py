@@ -34,7 +34,7 @@ def make_plan(scene):
         test_grid=1,
         ground="open",  # nothing above it: neither on nor in the boxes
         height=1.7,
-        range_min=1.5,  # m: as for a VZ-400
+        range_min=1.5,  # m: the range of a VZ-400
         elevation_min=-50,  # deg
         elevation_max=50,
         max_incidence=FLATTEST,

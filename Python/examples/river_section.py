@@ -21,7 +21,7 @@ from vtkhelios.example_surveys import river, write_example
 SECTION = 120.0  # its x, from the western edge [m]
 HALF_WIDTH = 1.0  # [m]
 SURFACE, BED = 9, 40  # classes
-SPEED = 0.299792458  # of light [m/ns]
+SPEED = 0.299792458  # speed of light [m/ns]
 
 
 def fly(folder, **options):

@@ -8,7 +8,7 @@ from vtkhelios.cli._fit_report import shown
 
 SQUARE = 2.0  # side of the squares in which pulses of strips are counted [m]
 STRIP_VALUES = ("height above ground", "speed", "course", "angle residual")
-ATTITUDE = ("roll", "pitch", "yaw off the course")  # of Strip.angles
+ATTITUDE = ("roll", "pitch", "yaw off the course")  # keys of Strip.angles
 VERDICTS = {True: "agrees", False: "differs", None: ""}
 
 
@@ -69,7 +69,7 @@ def metric_row(result, name, title="", millimetres=False):
 
 
 def shift_row(result):
-    """The height of the planes of the second cloud above those of the first."""
+    """Returns the height of the planes of the second cloud above the first cloud's."""
     shift = result.shift[2]
     if shift is None:
         shift = "not determined"

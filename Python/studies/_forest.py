@@ -7,11 +7,11 @@ import numpy as np
 import vtkhelios
 
 MODELS = (("Conifer", 1), ("Conifer", 2), ("Conifer", 3), ("Broadleaf", 4))
-MODEL_HEIGHT, LEAVES = 14.0, 4000  # of a model
+MODEL_HEIGHT, LEAVES = 14.0, 4000  # height and leaves of a model
 DENSITY = 0.08  # trees/m²
 HEIGHTS = 10.5, 4.0, 3.0, 22.0  # mean, standard deviation, smallest, largest [m]
 SPACING = 1.6  # between stems [m]
-BORDER = 60.0  # of ground around the trees [m]
+BORDER = 60.0  # border of ground around the trees [m]
 
 MATERIALS = """\
 newmtl ground

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Georeferencing of recorded pulses: with vtkHelios, and in numpy without it.
 
-Pulses are those of a CSD file of Optech, as documented by PDAL's readers.optech: a header with
+Pulses come from a CSD file of Optech, as documented by PDAL's readers.optech: a header with
 misalignment and IMU offset angles, then a record per pulse with time, ranges, scan angle, attitude
 and position. The angles turn right, forward, up axes by R3(heading) R1(-pitch) R2(-roll).
 """
@@ -111,7 +111,8 @@ def to_local(points, origin):
 
 
 def write_sbet(path, pulses):
-    """The poses of pulses as an SBET file; a second before and after they are those of the ends."""
+    """Writes the poses of pulses as an SBET file; a second before and after they equal the poses at
+    the ends."""
     names = "latitude", "longitude", "height"
     records = np.zeros((len(pulses["time"]) + 2, 17))
     records[1:-1, 0] = pulses["time"]

@@ -16,7 +16,7 @@ class Table(typing.NamedTuple):
     page: str  # file name in Docs/validation
     name: str
     titles: list
-    rows: list  # of lists of texts
+    rows: list  # lists of texts
     keys: int = 1
 
 
@@ -64,5 +64,5 @@ def replace_table(text, table):
 
 
 def lines_of(cells):
-    """The cells with a space at either side, but those of the rule below the titles."""
+    """Returns the cells with a space at either side, without the rule below the titles."""
     return [cell if cell == "---" else f" {cell} " if cell else " " for cell in cells]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Spots of a conical scanner, fitted by a smooth flight and a pattern.
 
-Spots are those of a qfit file (12 words) of NASA's Airborne Topographic Mapper, as documented by
+Spots come from a qfit file (12 words) of NASA's Airborne Topographic Mapper, as documented by
 PDAL's readers.qfit: time, latitude, longitude, height, scan azimuth, pitch and roll of a shot, but
 neither its range nor the position of the aircraft. These are unknowns of the fit: a parabola in the
 plane, a line in height, a heading that turns evenly, the phase and angle of the mirror, and the tilt
@@ -15,7 +15,7 @@ import numpy as np
 
 from _georeference import to_ecef, to_local, turn
 
-STEPS = np.array([1.0] * 8 + [1e-4] * 7)  # of the derivatives; m, then rad
+STEPS = np.array([1.0] * 8 + [1e-4] * 7)  # steps of the derivatives; m, then rad
 X, V, A, Z, HEADING, ANGLE, PHASE, TILT, YAW = 0, 2, 4, 6, 8, 10, 11, 12, 14  # unknowns
 PATTERN = [0, 1, 2, 3, Z, PHASE, YAW]  # fitted first
 ALL = [0, 1, 2, 3, 4, 5, Z, Z + 1, HEADING + 1, ANGLE, PHASE, TILT, TILT + 1, YAW]

@@ -9,7 +9,7 @@ import vtkhelios
 
 from vtkhelios import formats
 
-# Classes of the materials of a model of 3dfier, as those of its cloud.
+# Classes of the materials of a model of 3dfier, equal to the classes of its cloud.
 CLASSES = {
     "Building": 6,
     "BuildingWall": 6,
@@ -95,7 +95,7 @@ def wall_places(corners):
 
 
 def is_near(points, places):
-    """Whether each place has a point within NEAR, by VTK's locator."""
+    """Returns whether each place has a point within NEAR, by VTK's locator."""
     from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
     from vtkmodules.vtkCommonCore import reference
 

@@ -115,7 +115,7 @@ def normal_of(polygon):
 
 
 def find_inner(points, polygon, margin):
-    """Whether points are inside a convex polygon by a margin, in plan view [m]."""
+    """Returns whether points are inside a convex polygon by a margin, in plan view [m]."""
     inner = np.ones(len(points), bool)
     middle = polygon.mean(axis=0)[:2]
     for a, b in zip(np.roll(polygon, 1, axis=0)[:, :2], polygon[:, :2]):

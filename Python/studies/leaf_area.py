@@ -28,8 +28,8 @@ TRIPOD = 1.7  # m, from the tripod's foot to the beam origin
 EDGE = 0.043  # m, of the triangles in the box
 WAIST = 0.5 * 0.35e-3  # the beam's radius at 1/e2, over the distance
 LEAF = 0.4  # reflectance
-FIRST_RADIUS = 1.05  # of the beam, in w, for first echoes: measured here, not theory
-WEAK = 0.1  # apparent reflectance of the weakest strong echo, over that of a leaf
+FIRST_RADIUS = 1.05  # radius of the beam, in w, for first echoes: measured here, not theory
+WEAK = 0.1  # apparent reflectance of the weakest strong echo, over a leaf's
 
 
 class Stand:
@@ -102,7 +102,7 @@ class Rays(typing.NamedTuple):
 def scan(stand, distance, height, sides=(0,), resolution=0.1, beam=False):
     """One cloud per side, with all pulses, of scanners facing the leaves from a distance [m].
 
-    height is that of the scanner [m], sides are headings [deg], resolution is between pulses [deg].
+    height is the scanner's [m], sides are headings [deg], resolution is between pulses [deg].
     Without a beam every pulse is a line; else it has its footprint and several echoes.
     """
     low, high = stand.box
@@ -157,7 +157,8 @@ def calibrate():
 
 
 def count(stand, rays, grid):
-    """In every voxel: leaf hits, path length [m], and that of the rays that hit a leaf there."""
+    """Counts in every voxel: leaf hits, path length [m], and path length of the rays that hit a
+    leaf there."""
     met, voxels = find_met(rays, grid)
     leaf = stand.leaves[rays.cells[met]]
     met, voxels = met[leaf], voxels[leaf]
@@ -289,8 +290,8 @@ def study_beam(stand, distances, resolution, cell=0.5):
 def study_positions(stand, resolution, cells, distance=10.0, all_sides=8):
     """Rows: 1, 2, 4 and 8 scans around the tree together, by voxel size; and the layers.
 
-    Layers are those of the smallest voxels: height, and leaf area per metre [m2/m], the true one,
-    and those derived from one scan and from all.
+    Layers come from the smallest voxels: height, and leaf area per metre [m2/m], the true one,
+    and the areas derived from one scan and from all.
     """
     clouds = scan(stand, distance, TRIPOD, 360 / all_sides * np.arange(all_sides), resolution)
     rays, rows = [follow(cloud) for cloud in clouds], []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scan patterns of the catalogue, against those of the instruments: the table of Docs/validation/patterns.md.
+"""Scan patterns of the catalogue, against the instruments': the table of Docs/validation/patterns.md.
 
     build/venv/bin/python Python/studies/patterns.py [DATA] [--quick] [--ouster-python PYTHON]
 
@@ -146,14 +146,15 @@ def ouster_revolution(metadata):
 
 
 def our_revolution(metadata, columns, beams):
-    """The same by the scanner made of the metadata: columns x beams x 3, in the sensor's frame."""
+    """Returns the revolution of the scanner made from the metadata: columns x beams x 3, in the
+    sensor's frame."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "ouster.xml"
         path.write_text(instruments.read_ouster(metadata, "sensor"))
         rate = columns * beams * 10
         found = pulses_of(f"{path}#sensor", columns * beams, rate, scan_frequency=10, columns=True)
     order = np.lexsort((found["ChannelIds"], found["ColumnIds"]))
-    origins = found["Origin"][order] - [0, 0, 1.5]  # of the tripod
+    origins = found["Origin"][order] - [0, 0, 1.5]  # position of the tripod
     back = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]  # x of the sensor is y, its y is -x
     shape = (columns, beams, 3)
     return (origins @ back).reshape(shape), (found["Direction"][order] @ back).reshape(shape)

@@ -25,7 +25,7 @@ import _study
 import vtkhelios
 from _village import area_of, cut, find_hull, find_inner, make_village, normal_of, outline
 
-SWATH = 1.15  # of the strip, over the width of the village
+SWATH = 1.15  # width of the strip, over the width of the village
 FACET = 90.0  # deg, sweep of a mirror facet
 GROUND = 2.0  # m: lower echoes are ignored
 ALIKE = 10.0  # deg, between found and true normals: larger is another plane
@@ -132,7 +132,7 @@ def fit_plane(points):
 
 
 def fit_roof(points):
-    """The same with least squares of heights: noise is along the beams, which come from above.
+    """Fits a plane by least squares of heights: noise is along the beams, which come from above.
 
     Squares of distances would flatten a slope whose sine is q by noise^2 q sqrt(1 - q^2) / v^2.
     """
@@ -145,7 +145,7 @@ def fit_roof(points):
 
 
 def measure(cloud, echoes, polygon, noise):
-    """Errors of the plane of some echoes against that of a polygon, and their theoretical sigma.
+    """Errors of the plane of some echoes against the plane of a polygon, and their theoretical sigma.
 
     tilts: of the normal, towards the two axes [rad]; offset: along it, at the polygon's centre [m].
     """

@@ -92,7 +92,7 @@ def line_spacing(pulses, place):
 
 
 def read_strips(data):
-    """The pulses of each strip of the tiles, as of read_flight(), with their first points."""
+    """Reads the pulses of each strip of the tiles, like read_flight(), with their first points."""
     for name in TILES:
         flight = read_flight(data / f"als/{name}.laz")
         for leg in np.unique(flight["LegIds"]):

@@ -24,7 +24,7 @@ PARTS = {
     "range [mm]": ("rangeP95_m", 1e3),
     **{title: WAYS[title] for title in list(WAYS)[3:]},
 }
-HIDDEN = ("ray caster cgal", "ray caster obbtree")  # of the page: they are compared elsewhere
+HIDDEN = ("ray caster cgal", "ray caster obbtree")  # not on the page: they are compared elsewhere
 
 
 def main(path):
@@ -68,7 +68,7 @@ def cost(microseconds, row):
 
 
 def difference(row, whole):
-    """Costs less those of the whole model."""
+    """Returns costs less the costs of the whole model."""
     time = row["us_per_pulse"] - whole["us_per_pulse"]
     memory = (row["memory_bytes"] - whole["memory_bytes"]) / 1e6
     is_told = abs(time) >= 0.1 * whole["us_per_pulse"]

@@ -24,7 +24,7 @@ from _palmer import fit_pattern, palmer, read_qfit
 
 __all__ = ["DATA", "palmer", "platform_of", "read_csd", "read_qfit", "fit_pattern"]
 
-PULSES_PER_SECOND = 1 / 14.00023801e-6  # of the Optech file
+PULSES_PER_SECOND = 1 / 14.00023801e-6  # rate of the Optech file
 COMPONENTS = ("east", "north", "up", "pitch", "roll", "heading")
 POINTS = {  # comparison: words of the page
     "local": "local system (`ENU`), against geocentric coordinates",
@@ -120,7 +120,8 @@ def compare_laws(pulses):
 
 
 def compare_wander(path):
-    """Direction of motion of two SBET records less that of their velocity [deg], by the use of the
+    """Returns the direction of motion of two SBET records less the direction of their velocity
+    [deg], by the use of the
     wander angle."""
     records = np.fromfile(path, "<f8").reshape(-1, 17)[:2]
     latitude, height = records[0, 1], records[0, 3]
@@ -164,7 +165,7 @@ def compare_projection(folder, count=2000):
     expected = np.stack([*projection(*degrees), records[:, 3]], -1)
     convergence = np.radians(projection.get_factors(*degrees).meridian_convergence)
     w, x, y, z = rows["Orientation"].T
-    yaw = np.arctan2(2 * (x * y - w * z), 1 - 2 * (x * x + z * z))  # of y, clockwise
+    yaw = np.arctan2(2 * (x * y - w * z), 1 - 2 * (x * x + z * z))  # heading of y, clockwise
     turned = np.sin(yaw - (records[:, 9] - convergence))
     return np.abs(rows["points"] - expected).max(), np.abs(turned).max()
 
@@ -266,7 +267,7 @@ def draw(pulses, residual, out):
     law = np.exp(-5 * lags / 60)
     axes[3].plot(5 * lags, law, lw=1, label="exp(-s / T)")
     ratio = np.exp(-2 * 5 / 60)
-    band = 2 * np.sqrt((1 + ratio) / (1 - ratio) / len(x))  # of large lags (Bartlett)
+    band = 2 * np.sqrt((1 + ratio) / (1 - ratio) / len(x))  # spread of large lags (Bartlett)
     axes[3].fill_between(5 * lags, law - band, law + band, alpha=0.2, label="2 standard errors")
     axes[3].set(xlabel="lag s [s]", ylabel="autocorrelation", title="28 h of the up component")
     axes[3].legend()
@@ -274,7 +275,7 @@ def draw(pulses, residual, out):
 
 
 SLOW_ERROR_TIME = 60.0  # correlation time [s]
-WINDOWS = [(40, 45), (70, 72), (70, 75), (100, 105)]  # of the ATM [s]
+WINDOWS = [(40, 45), (70, 72), (70, 75), (100, 105)]  # windows of the ATM [s]
 
 
 def make_tables(data, _tools):

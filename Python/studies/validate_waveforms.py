@@ -81,7 +81,8 @@ def read_starts(path):
 
 
 def match_echoes(path, relative_threshold, ringing_time):
-    """Of each packet: the maker's echoes (rows), the detected ones nearest to them, all detected."""
+    """Returns, for each packet, the maker's echoes (rows), the detected ones nearest to them, all
+    detected."""
     maker, starts = read_maker(path), read_starts(path)
     pulses, ranges, widths = detect(
         path, "--relative-threshold", relative_threshold, "--ringing-time", ringing_time

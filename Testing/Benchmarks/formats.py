@@ -25,7 +25,7 @@ REPEATS = 3
 def make_chunk(count, seed):
     random = np.random.default_rng(seed)
     xyz = random.uniform(0, 500, (count, 3)) + [476000.0, 5473000.0, 100.0]
-    xyz[:, 0] = np.sort(xyz[:, 0])  # as along a flight
+    xyz[:, 0] = np.sort(xyz[:, 0])  # order along a flight
     return {
         "points": np.round(xyz, 4),
         "GpsTime": np.arange(count) * 2e-6 + seed,
@@ -96,7 +96,7 @@ def run(what, source, target):
 
 
 def check(source, target):
-    """The same points, in some order."""
+    """Checks that two files have the same points, in some order."""
     from vtkhelios import formats
 
     sums = []

@@ -33,7 +33,7 @@ PROGRAM = (
 
 
 def name_phase(stop):
-    """What the command did last, without names and numbers."""
+    """Returns the last activity of the command, without names and numbers."""
     if stop.delay < STARTING:
         return "starting"
     lines = [line for line in stop.errors.splitlines() if PROGRESS.match(line)]
@@ -49,7 +49,8 @@ def name_phase(stop):
 
 def measure(case, inputs, outputs, moments):
     """Prints the lines of a case; returns the number of faults."""
-    blocked = ["env", "--block-signal=INT", "--block-signal=TERM"]  # as the launcher does
+    # environment that the launcher sets
+    blocked = ["env", "--block-signal=INT", "--block-signal=TERM"]
     program = [*blocked, sys.executable, "-P", "-c", PROGRAM]
     life = case.life
     if not life:

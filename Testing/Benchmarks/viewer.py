@@ -23,7 +23,7 @@ from vtkhelios.cli import view
 
 
 def is_over(time_shown):
-    """Whether all echoes have arrived, or none can arrive."""
+    """Returns whether all echoes have arrived, or none can arrive."""
     phase, computed, end = (time_shown[name] for name in ("phase", "computed", "end"))
     return phase == "failed" or (phase == "finished" and computed >= end)
 

@@ -25,7 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Python/tes
 from webcloud._browser import Browser  # noqa: E402  of the tests
 
 REPEATS = 5
-MOST_DRAWN = 1_000_000  # of the first view, without leaving out points
+MOST_DRAWN = 1_000_000  # points of the first view, without leaving out points
 
 
 def make_cloud(count):

@@ -53,7 +53,7 @@ def test_usage():
 
 
 def make_folder(folder, release):
-    """What helios_make_root takes for a Debian that is there already."""
+    """Makes a folder that helios_make_root accepts as a finished Debian."""
     (folder / "usr/bin").mkdir(parents=True)
     (folder / "usr/bin/apt-get").touch(mode=0o755)
     (folder / "etc").mkdir()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the point formats store: written here and read by other readers, and the reverse.
+"""Contents that the point formats store: written here and read by other readers, and the reverse.
 
     build/venv/bin/python Testing/Integration/format_matrix.py          prints the tables
     build/venv/bin/python Testing/Integration/format_matrix.py --write  writes them to Docs/files.md
@@ -187,13 +187,13 @@ def read_text(path):
 
 
 def read_pcd(path):
-    """By the layout of PCD: rgb packed as PCL does, or three floats."""
+    """Reads the layout of PCD: rgb packed as PCL does, or three floats."""
     data = path.read_bytes()
     begin = data.index(b"DATA binary\n") + len(b"DATA binary\n")
     head = [line.split() for line in data[:begin].decode().splitlines()]
     rows = {line[0]: line[1:] for line in head}
     origins = [line[3:] for line in head if line[:3] == ["#", "vtkHelios", "origin:"]]
-    origin = origins[0] if origins else [0, 0, 0]  # of floats only
+    origin = origins[0] if origins else [0, 0, 0]  # floats only
     kinds = zip(rows["FIELDS"], rows["TYPE"], rows["SIZE"], map(int, rows["COUNT"]))
     dtype = [(name, f"({count},){kind.lower()}{size}") for name, kind, size, count in kinds]
     table = np.frombuffer(data, np.dtype(dtype), COUNT, begin)
@@ -213,7 +213,7 @@ def read_pcd(path):
     }
 
 
-# By ending: the reader of another program, and its name.
+# Reader of another program by ending, and its name.
 READERS = {
     "las": (read_las, "laspy"),
     "laz": (read_las, "laspy, lazrs"),
@@ -357,7 +357,7 @@ def classify(column, truth, found):
     error = float(np.abs(np.asarray(values, float) - truth[column]).max())
     if column.startswith("rgb"):
         return "exact" if error < 1e-6 else "8 bits" if error < 0.5 / 255 + 1e-6 else "wrong"
-    limits = {"times": 5e-7}  # of double precision
+    limits = {"times": 5e-7}  # limits of double precision
     if error <= limits.get(column, 0.0):
         return "exact"
     return f"{error:.0e}" if column in limits and error < 1 else "wrong"
@@ -373,7 +373,7 @@ def classify_points(truth, points):
 
 
 def convert_one(ending, program, truth, colours, convert):
-    """What comes back of a file, or None if it is refused."""
+    """Returns the contents of a converted file, or None if it is refused."""
     with tempfile.TemporaryDirectory() as folder:
         try:
             return convert(pathlib.Path(folder) / f"a.{ending}", program, truth, colours)

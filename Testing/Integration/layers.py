@@ -10,7 +10,7 @@ import graphlib
 import pathlib
 import re
 
-# From the bottom up; the modules of a layer are independent.
+# Layers from the bottom up; the modules of a layer are independent.
 LAYERS = [
     ["FiltersCore"],
     ["FiltersIO", "FiltersScene", "FiltersPCL"],
@@ -51,8 +51,8 @@ HOMES = {
     r"(coin/)?(Cbc|Clp|Osi|Coin)": "PlanningCbc",
 }
 
-# What opens a file to read it. A unit that does calls CheckInputFile() or OpenInput() first, so that
-# the file is an input of the run; except units that read other files.
+# Functions that open a file to read it. A unit that uses one calls CheckInputFile() or OpenInput()
+# first, so that the file is an input of the run; except units that read other files.
 _OPENING = re.compile(
     r"ifstream|\bfopen\(|\bO_RDONLY\b|\bGDALOpenEx\(|\bload_file\(|\bCanReadFile\(path"
 )

@@ -97,7 +97,7 @@ def test_missing_files_are_found():
 
 
 def test_version():
-    """The version of CMakeLists.txt is that of the newest release and of the citation."""
+    """The version of CMakeLists.txt equals the newest release's and the citation's."""
     version = re.search(
         r"project\(vtkHelios VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()
     )

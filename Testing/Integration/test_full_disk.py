@@ -124,7 +124,7 @@ def test_full_at_any_point(name, disk, tmp_path):
     assert summaries[0] == summaries[1]
     for file in summaries[0]["legs"][0][
         "files"
-    ]:  # of LAS with its waveforms, of an index with its pieces
+    ]:  # files of LAS with its waveforms, of an index with its pieces
         path = folder / file["name"]
         stem = path.with_suffix("").name
         with_it = [

@@ -97,7 +97,7 @@ KINDS = {
     "mesh.bin": (struct.pack("<f", 7.5), struct.pack("<f", 7.625)),
     "all.vrt": BYTE,
     "inner.vrt": BYTE,  # a tile of all.vrt
-    "tile.tif": (struct.pack("<f", 2.25), struct.pack("<f", 2.5)),  # of inner.vrt
+    "tile.tif": (struct.pack("<f", 2.25), struct.pack("<f", 2.5)),  # input of inner.vrt
     "tile.tif.aux.xml": BYTE,  # beside it
     "points.xyz": (b"0.5", b"0.6"),
     "points.las": (b"byte: 0", b"byte: 1"),
@@ -303,7 +303,7 @@ def test_the_table_has_every_input(folder):
 
 
 def test_the_run_opens_no_other_file(folder, tmp_path):
-    """As the kernel sees it."""
+    """The kernel's record is compared."""
     if not shutil.which("strace"):
         pytest.skip("no strace")
     trace = tmp_path / "trace"
@@ -407,7 +407,7 @@ def test_an_archive_is_an_input(folder, tmp_path, capsys):
 
 
 def test_epochs_have_the_files_that_they_read(folder, tmp_path):
-    """Whether the epoch before was loaded by the same process or not."""
+    """The files do not depend on whether the same process loaded the epoch before."""
     copy = tmp_path / "copy"
     shutil.copytree(folder.path, copy, ignore=shutil.ignore_patterns("all"))
     for name in ("old", "new"):
@@ -441,11 +441,11 @@ OTHER = ["ground.mtl", "grass.ppm", "spectra/clay.txt", "mesh.bin", "tile.tif", 
 
 @pytest.mark.parametrize("name", OTHER)
 def test_workers_name_the_file(name, folder):
-    """What one worker has loaded is compared with what another one has."""
+    """The files that one worker has loaded are compared with another worker's."""
     survey = vtkhelios.read_survey(folder.survey, assets=[folder.path])
     options = dict(colors=True)
     task = _tasks.make_task(survey, options)
-    _tasks._here.clear()  # as in another process
+    _tasks._here.clear()  # like in another process
     windows, total, loaded = _tasks.find_windows(task, None)
     assert {
         os.path.relpath(each["file"], folder.path) for each in json.loads(loaded)["inputs"]
@@ -456,7 +456,7 @@ def test_workers_name_the_file(name, folder):
     task["fingerprint"] = json.dumps({**json.loads(task["fingerprint"]), "inputs": []})
     survey = vtkhelios.read_survey(folder.survey, assets=[folder.path])
     with Change(folder.path / name, keeps_time=True):
-        _tasks._loaded[task["key"]] = survey  # of a worker that has read it after the change
+        _tasks._loaded[task["key"]] = survey  # survey of a worker that has read it after the change
         with pytest.raises(vtkhelios.PipelineError) as caught:
             _tasks.compute_block(json.dumps(task), 0, 1000, loaded)
     _tasks._loaded.clear()

@@ -47,7 +47,7 @@ FORMATS = {
     "xml": ["--format", "vtp", "--waveforms", "--seed", "3"],
     "las": ["--format", "las", "--waveforms", "--seed", "3"],
 }
-KILLS = 12  # of each format
+KILLS = 12  # kills of each format
 BLOCK = ["--pulses-per-block", "1000"]
 
 # The folder, the seed, number of kills, a command line. Runs it to the end; then repeatedly in

@@ -121,7 +121,7 @@ def test_three_kinds_in_one_scene(run):
     ground = single & (part == 0)
     away = np.abs(points[ground, 2] - GROUND)
     assert np.quantile(away, 0.99) < 2e-3
-    # If a part cuts the footprint the echo is that of the rest: at most the footprint away.
+    # If a part cuts the footprint the echo belongs to the rest: at most the footprint away.
     cosine = np.cos(np.radians(echoes["IncidenceAngle"][ground]))
     assert np.all(away < CONE * echoes["Range"][ground] / cosine + 1e-5)
     assert np.all(echoes["ClassificationIds"][part == 0] == 2)

@@ -33,7 +33,7 @@ def test_every_class_and_property_has_its_text(pages):
                 assert f"\n### {markdown.escape(key)}\n" in text, (name, key)
     text = (pages / "classes/vtkHeliosInstrument.md").read_text()
     assert "the bin size of the waveform \\[ns\\]. Valid range" in text
-    assert "### abort" not in text  # of every VTK algorithm
+    assert "### abort" not in text  # method of every VTK algorithm
 
 
 def test_every_document_is_in_a_table_of_contents(pages):

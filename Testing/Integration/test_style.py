@@ -32,7 +32,8 @@ def tracked(*suffixes):
 
 
 def run(tool, *arguments):
-    """What a tool prints, of the environment or of the system; skips if it is not installed."""
+    """Returns the output of a tool of the environment or of the system; skips if it is not
+    installed."""
     program = shutil.which(tool, path=pathlib.Path(sys.executable).parent) or shutil.which(tool)
     if not program:
         pytest.skip(f"{tool} is not installed")

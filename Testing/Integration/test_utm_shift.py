@@ -85,7 +85,7 @@ def test_measurements_are_unchanged(clouds):
     near, far = clouds
     for name in ("PulseIds", "ReturnNumber"):
         assert np.array_equal(near[name], far[name])
-    # The cell is that of the sub-ray nearest in range: some are equally near.
+    # The cell belongs to the sub-ray nearest in range: some are equally near.
     assert np.count_nonzero(near["CellIds"] != far["CellIds"]) <= 1e-4 * len(near["CellIds"])
     check_same(far["Range"] - near["Range"])
     assert np.allclose(far["Amplitude"], near["Amplitude"], rtol=1e-3, atol=0)

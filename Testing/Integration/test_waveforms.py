@@ -123,7 +123,7 @@ def test_echoes_are_where_their_waveforms_peak(run, fwf):
     assert (echoes["WaveformIds"] == echoes["PulseIds"]).all()
     several = np.flatnonzero(echoes["NumberOfReturns"] > 1)
     assert len(several) > 20
-    sigma = 3.0 / 2.3548  # of a pulse, at most
+    sigma = 3.0 / 2.3548  # width of a pulse, at most
     for i in np.concatenate([several[:200], np.arange(0, len(echoes["Range"]), 97)]):
         row = rows[echoes["WaveformIds"][i]]
         samples, bin_size = samples_of(waveforms, row), waveforms["BinSize"][row]

@@ -54,7 +54,7 @@ def pieces(element, form):
     children = list(element)
     if form == "reordered":
         attributes.reverse()
-        # What the dialect finds by name, wherever it is.
+        # Elements that the dialect finds by name, wherever they are.
         if element.tag in ("document", "leg", "scanner", "platform"):
             children.reverse()
     gap = {"one attribute a line": "\n", "comments": " <!--<leg x='1'/>-->\n<?x y?>"}.get(form, "")
@@ -76,7 +76,7 @@ FORMS = ("one line", "one attribute a line", "comments", "reordered")
 
 
 def reformat(text, form):
-    """The same document in another form."""
+    """Rewrites the document in another form."""
     head = "<?xml version='1.0'?>"
     if form == "comments":
         head += "<!DOCTYPE document SYSTEM 'none.dtd' [<!ELEMENT leg ANY>]><!-- <document/> -->"

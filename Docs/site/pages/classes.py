@@ -69,7 +69,8 @@ def own_properties(cls):
 
 
 def own_methods(cls):
-    """The methods that a class adds, but for those of its properties and of all VTK classes."""
+    """Returns the methods that a class adds, without methods of its properties and of all VTK
+    classes."""
     accessors = {
         f"{verb}{value.camel}" for value in own_properties(cls).values() for verb in ("Get", "Set")
     }
@@ -82,7 +83,7 @@ def own_methods(cls):
 
 
 def summary(cls):
-    """What a class is, in one sentence without its name."""
+    """Returns a class's description in one sentence without its name."""
     first = " ".join((cls.__doc__ or "").split("\n\n")[0].split())
     return first.partition(" - ")[2] or first
 
@@ -124,7 +125,7 @@ def _methods(cls):
 
 
 def _belongs(name, accessors):
-    """Whether a method is one of a property's others: SetXToY, XOn, GetXMinValue."""
+    """Returns whether a method is one of a property's others: SetXToY, XOn, GetXMinValue."""
     stems = {accessor[3:] for accessor in accessors}
     found = re.fullmatch(r"Set(\w+?)To\w+|(\w+)(?:On|Off)|Get(\w+)M(?:in|ax)Value", name)
     return bool(found) and any(group in stems for group in found.groups())

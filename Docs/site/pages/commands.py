@@ -32,7 +32,7 @@ def make(folder):
 
 
 def help_of(*words):
-    """What --help prints, for 100 columns."""
+    """Returns the text of --help, for 100 columns."""
     done = subprocess.run(
         [sys.executable, "-P", "-m", "vtkhelios", *words, "--help"],
         capture_output=True,

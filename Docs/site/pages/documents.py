@@ -33,7 +33,7 @@ def find():
 
 
 def make(folder, reference):
-    """Copies the documents; the first page has the table of contents, with that of the reference."""
+    """Copies the documents; the first page has the table of contents, with the entries of the reference."""
     for document in find():
         place = folder / page_of(document)
         place.parent.mkdir(parents=True, exist_ok=True)

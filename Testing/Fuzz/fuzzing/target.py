@@ -14,7 +14,7 @@ import zlib
 from . import mutators
 from .outcomes import Refused, check
 
-KEPT = pathlib.Path(__file__).absolute().parents[1] / "seeds"  # of all earlier failures
+KEPT = pathlib.Path(__file__).absolute().parents[1] / "seeds"  # inputs of all earlier failures
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 KEPT_SHARE = 0.1  # fraction of mutants made from kept files
 
@@ -35,7 +35,7 @@ class Target:
     """
 
     name = ""
-    kind = "text"  # of mutators.KINDS
+    kind = "text"  # key of mutators.KINDS
     weight = 1.0  # its fraction of the cases
     modules = ()  # to import before workers are forked
 

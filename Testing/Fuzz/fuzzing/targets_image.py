@@ -15,7 +15,7 @@ from .outcomes import check, check_finite
 from .target import Seed, Target, need, update
 
 WIDTH, HEIGHT = 13, 9
-MOST_PIXELS = 4_000_000  # that are compared
+MOST_PIXELS = 4_000_000  # pixels that are compared
 WALL = """\
 mtllib a.mtl
 v -5 5 -5
@@ -63,7 +63,7 @@ class Texture(Target):
         return seeds + self.more_seeds()
 
     def more_seeds(self):
-        """Of variants that Pillow does not write."""
+        """Returns seeds of variants that Pillow does not write."""
         return []
 
     def run(self, path, data):
@@ -77,7 +77,7 @@ class Texture(Target):
             self.compare(colors.reshape(height, width, 3)[::-1], data)
 
     def compare(self, rows, data):
-        """With another program, where that reads the file as well."""
+        """Compares with another program, where that reads the file as well."""
         from PIL import Image
 
         try:
@@ -147,7 +147,8 @@ class Tiff(Texture):
     """TIFF images, whose damaged tags can be read in several ways."""
 
     def is_comparable(self, image):
-        """Of an entry that is there twice, and of palettes that are too long, it takes another part."""
+        """Returns whether a file is comparable: Pillow uses another part of an entry that is there
+        twice, and of palettes that are too long."""
         return False
 
 

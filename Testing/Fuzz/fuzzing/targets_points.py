@@ -54,7 +54,7 @@ def expected_count(kind, data):
 
 
 def is_row(line):
-    """Whether a line begins with three numbers: it is neither names nor a number of points."""
+    """Returns whether a line begins with three numbers: it is neither names nor a number of points."""
     try:
         return len([float(word) for word in line.split()[:3]]) == 3
     except ValueError:
@@ -187,7 +187,7 @@ class LasSource(Points):
 
         try:
             source = points.las_source(path)
-        except (ValueError, OSError) as error:  # as documented
+        except (ValueError, OSError) as error:  # documented so
             raise PipelineError([str(error)]) from error
         cloud = update(source)
         check_polydata(cloud)
@@ -272,7 +272,7 @@ def crc32c(data):
 
 
 def mend_pages(data):
-    """The same bytes with valid checksums, if the file has whole pages."""
+    """Returns the same bytes with valid checksums, if the file has whole pages."""
     if len(data) % PAGE or not data:
         return data
     pages = []

@@ -17,7 +17,7 @@ POINTS = ("_points", "_trajectory", "_pulse", "_fullwave")
 
 
 def is_data(name):
-    """Whether a file of a run must be identical in any case."""
+    """Returns whether a file of a run must be identical in any case."""
     return any(part in name for part in POINTS)
 
 

@@ -165,7 +165,7 @@ class Voxels(Target):
             check(not np.isinf(values).any(), f"{fields.GetArrayName(index)} is infinite")
 
 
-ROW = re.compile(rb"[-+.\d]\S*\s*[\s,]\s*[-+.\d]\S*")  # of a spectrum, or meant to be one
+ROW = re.compile(rb"[-+.\d]\S*\s*[\s,]\s*[-+.\d]\S*")  # row of a spectrum, or meant to be one
 
 
 class Spectrum(Target):

@@ -202,7 +202,7 @@ class AttributeText(Target):
                 for number, text in enumerate(self.texts)]  # fmt: skip
 
     def quoted(self, data):
-        """As an attribute: control characters not allowed in XML are dropped."""
+        """Quotes an attribute: control characters not allowed in XML are dropped."""
         text = data.decode("utf-8", "replace")
         text = "".join(c for c in text if c >= " " and c not in "\ufffe\uffff" or c in "\t\n")
         return xml.sax.saxutils.quoteattr(text)

@@ -46,7 +46,7 @@ def check(path, expected, tolerance=0):
 
 
 def narrow(values, most=65535):
-    """As 8 bits, rounded."""
+    """Rounds to 8 bits."""
     return np.floor(values * 255.0 / most + 0.5).astype(np.uint8)
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Waveforms of an airborne RIEGL scanner, LAS 1.4 point format 9, against PulseWaves of the same pulses.
 
-The files are those of github.com/PulseWaves/PulseWaves, data/RIEGL. HELIOS_DATA names the folder that
+The files come from github.com/PulseWaves/PulseWaves, data/RIEGL. HELIOS_DATA names the folder that
 has them as real/waveform/; without it: data of a folder "shared" beside the repository."""
 
 import os
