@@ -7,7 +7,8 @@ import re
 import subprocess
 import sys
 
-PULSES = 20_850  # of make_survey(): 0.5 s at 100 kHz, the mirror emits over 100 of 240 degrees
+# pulses of make_survey(): 0.5 s at 100 kHz, the mirror emits over 100 of 240 degrees
+PULSES = 20_850
 
 
 def expect_failure(done, message):

@@ -57,7 +57,7 @@ def test_intervals_contain_their_values(fence, tmp_path):
     assert reference["rangeP95_m"][0] < 1e-4
     check = reference["check"]
     assert check["subRays"] == 32768 and 16 < check["pulses"] < 200
-    assert 0 < check["rangeP95_m"][0] < 1e-3  # of the sub-rays
+    assert 0 < check["rangeP95_m"][0] < 1e-3  # error of the sub-rays
 
 
 def test_slats_are_seen_by_visible_areas_and_missed_by_few_sub_rays(fence, tmp_path):

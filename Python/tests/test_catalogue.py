@@ -73,7 +73,7 @@ def test_every_instrument_is_complete(scanner):
         "beamDivergence_rad",
         "accuracy_m",
     }
-    # The field of prisms and of spinning heads is that of their beams.
+    # The field of prisms and of spinning heads equals the field of their beams.
     field = set() if scanner.optics in ("risley", "spinning") else {"scanAngleMax_deg"}
     assert needed | field | {"rangeMin_m"} <= set(scanner.numbers)
     assert scanner.optics in ("line", "risley") or "scanFreqMax_Hz" in scanner.numbers
@@ -114,7 +114,7 @@ def test_scanners_of_other_folders(tmp_path):
     (own,) = find_scanners("my own", [tmp_path])
     assert own.reference == "mine/own.xml#own"
     assert own.pulse_frequencies == (1e5, 2e5)
-    assert own.pulse_rate == 4e5  # of two channels
+    assert own.pulse_rate == 4e5  # rate of two channels
     assert own.field_of_view == 200
     assert own.source_of("beamDivergence_rad").note == "a guess"
     assert own.source_of("rangeMin_m") is None

@@ -160,7 +160,7 @@ def check_angles(scanner, cloud, frequency):
 
 
 def check_blind_cone(scanner, cloud):
-    """Of a dome the field is about the zenith, of the others about the horizon."""
+    """The field of a dome is about the zenith, of the others about the horizon."""
     up = cloud.pulses[DIRECTION][:, 2]
     half = half_angle(scanner)
     if half > 90.0:  # from the zenith
@@ -195,7 +195,7 @@ def check_lines(cloud, spacing):
     crossings = np.nonzero((angles[:-1] < 0) & (angles[1:] >= 0))[0]
     assert len(crossings) >= LINES - 1
     before, after = angles[crossings], angles[crossings + 1]
-    share = before / (before - after)  # of the way to the next echo, at angle 0
+    share = before / (before - after)  # share of the way to the next echo, at angle 0
     at_nadir = (1 - share) * y[crossings] + share * y[crossings + 1]
     assert np.diff(at_nadir) == pytest.approx(spacing, rel=0.02)
 

@@ -205,7 +205,7 @@ def test_vertices_are_small_and_kept_with_the_data():
     data = Cloud(data).polydata
     gc.collect()
     np.full(100_001, 7, np.int32)  # would reuse the memory
-    assert 0.7 < (data.GetActualMemorySize() - bare) / 800 < 1.3  # of 8 bytes/point [kB]
+    assert 0.7 < (data.GetActualMemorySize() - bare) / 800 < 1.3  # relative to 8 bytes/point [kB]
     assert [data.GetCell(k).GetPointId(0) for k in (0, 1, 99_999)] == [0, 1, 99_999]
 
 

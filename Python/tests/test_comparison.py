@@ -16,7 +16,7 @@ from vtkhelios.comparison._planes import draw_equal
 from vtkhelios.comparison._pulses import Lines
 
 SIDE, ALONG, ACROSS, NOISE = 60.0, 0.25, 0.4, 0.02  # [m]
-MULTIPLE = 0.3  # of the pulses have a second return
+MULTIPLE = 0.3  # share of the pulses that have a second return
 
 
 def make_survey(seed, noise=NOISE, shift=(0.0, 0.0, 0.0), slope=0.0, multiple=MULTIPLE):
@@ -69,7 +69,7 @@ def same():
 
 @pytest.fixture(scope="module")
 def other():
-    """Of roofs: noisier, sparser and shifted."""
+    """Roofs that are noisier, sparser and shifted."""
     moved = make_survey(2, noise=0.03, shift=(0.08, -0.05, 0.03), slope=0.4)
     return vtkhelios.compare(make_survey(1, slope=0.4), thin(moved, 0.5), cell=2.0)
 
@@ -109,7 +109,7 @@ def test_two_samples_of_a_plane_agree_and_are_registered(same):
 
 
 def test_spacing_of_nearest_points_of_a_random_plane():
-    """Of a Poisson process of density d, the median is sqrt(ln 2 / (pi d))."""
+    """The median of a Poisson process of density d is sqrt(ln 2 / (pi d))."""
     points = np.random.default_rng(1).uniform(0, 100, (100_000, 3)) * [1, 1, 0]
     result = vtkhelios.compare(points[:50_000], points)
     row = result["nearest-neighbour spacing"]
@@ -280,7 +280,7 @@ def test_lines_of_mirrors(mirror):
     assert row.a.value == pytest.approx(ACROSS, rel=1e-3)
 
 
-# What is missing or wrong
+# Missing and wrong inputs.
 
 
 def test_one_point_and_few_points_are_not_measured():

@@ -293,7 +293,7 @@ def test_period_of_too_few_or_no_period():
 
 
 def test_laws_of_oscillating_mirrors():
-    """As vtkHeliosOscillatingMirror."""
+    """Computes the angle of vtkHeliosOscillatingMirror."""
     for turning in (0.0, 0.3, 1.0, "sinusoidal"):
         mirror = vtkhelios.vtkHeliosOscillatingMirror()
         mirror.SetPulseFrequency(1000)
@@ -341,7 +341,7 @@ def test_bcts_and_autzen_oscillate():
     assert any("units of 0.3048 m" in note for note in fit.notes)
 
 
-# What is missing or wrong
+# Missing and wrong inputs.
 
 
 def changed(cloud, **columns):

@@ -25,9 +25,10 @@ SURVEY = """\
   <scene id="s"><part><filter type="{loader}"><param key="filepath" value="{file}"/></filter></part></scene>
 </document>
 """
-DISTANCE = 20.0  # of a wall in front of the tripod [m]
-PERIOD = 0.01  # of its slanted strips, as wide as the gaps: 5 mm, less than the footprint of 7 mm
-DENSITY, THICKNESS = 1.5, 1.0  # of leaves in a wall [m2/m3], [m]
+DISTANCE = 20.0  # distance of a wall in front of the tripod [m]
+# period of its slanted strips, as wide as the gaps: 5 mm, less than the footprint of 7 mm
+PERIOD = 0.01
+DENSITY, THICKNESS = 1.5, 1.0  # leaves in a wall [m2/m3], [m]
 
 
 def write_strips(path):

@@ -137,7 +137,7 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
     (survey.parent / "scene.xml").write_text(scene)
     own = 1e6 + vtkhelios_memory()
     run = ["run", str(survey), "--dry-run", "--memory", f"{own + 5e7:.0f}"]
-    assert cli.main(run) == 0  # as instances
+    assert cli.main(run) == 0  # stored as instances
     capsys.readouterr()
     assert cli.main([*run, "--no-instances"]) == 1
     err = capsys.readouterr().err

@@ -7,7 +7,7 @@ import pytest
 
 import vtkhelios
 
-SIZE = 1e-5  # of a misalignment, m or rad
+SIZE = 1e-5  # size of a misalignment, m or rad
 
 # Property, whether it is an angle, and range, azimuth, zenith angle of the NIST model, true less
 # reported, with k = 1 in the front face and -1 in the back face, and the zenith angle in 0 ... pi.

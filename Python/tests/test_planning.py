@@ -81,8 +81,8 @@ def test_settings_reach_the_filters(rooms):
     assert np.ptp(plan.test_points.points[:16, 0]) == pytest.approx(7.5)
 
 
-# What a document says, and what the caller says: a value, the value that the caller gives, and what
-# the report says of both.
+# Values of a document and of the caller: a value, the value that the caller gives, and what the
+# report says of both.
 GIVEN = {
     "method": ("best", "optimal"),
     "grid": (2, 1.5),

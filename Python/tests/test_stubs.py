@@ -25,7 +25,7 @@ def stubs():
 
 
 def own_members(tree, cls):
-    """Names in a class of a stub, without those of VTK's classes, which differ by its version."""
+    """Names in a class of a stub, without names of VTK's classes, which differ by its version."""
     mine = {name for name in vars(cls) if name[0].isupper()}  # methods in C++; not of its bases
     mine |= {snake_case(name[3:]) for name in mine if name.startswith("Get")}
     names = (
@@ -39,7 +39,7 @@ def test_stub_is_current(stubs):
     trees = {getattr(node, "name", ""): node for node in ast.parse(text).body}
     head, blocks = stubs.make_blocks(vtkhelios)
     for name, block in blocks.items():  # classes of optional modules may be missing here, not there
-        if VTK_VERSION.startswith("9.1."):  # that of the stub
+        if VTK_VERSION.startswith("9.1."):  # version of the stub
             assert f"\n{block}" in text, f"{name} has changed: {CURE}"
         cls = getattr(vtkhelios, name)
         made = own_members(ast.parse(block).body[0], cls)

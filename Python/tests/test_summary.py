@@ -124,7 +124,7 @@ def test_summary_that_is_not_a_file(tmp_path):
 
 
 def test_resuming_a_finished_run(make_survey, tmp_path, capsys):
-    """The messages are those of its summary."""
+    """The messages equal the summary's."""
     arguments = ["run", str(make_survey(stop=1)), "--output", str(tmp_path / "out"), "--resume"]
     assert cli.main(arguments[:-1]) == 0 and cli.main(arguments) == 0
     assert "the run in" in capsys.readouterr().out

@@ -32,7 +32,7 @@ def test_scan_along_a_trajectory():
     cloud = _scan(_flight())
     assert cloud["GpsTime"].min() >= 0 and np.ptp(cloud["GpsTime"]) == pytest.approx(2, abs=0.01)
     assert np.abs(cloud.points[cloud["IncidenceAngle"] < 60, 2]).max() < 2e-3
-    # the nearest echoes are below: at the height of the flight less that of the mount
+    # the nearest echoes are below: at the height of the flight less the height of the mount
     nearest = cloud["Range"].min()
     assert 39 < nearest < 41
     assert _scan(_flight(height=80))["Range"].min() == pytest.approx(nearest + 40, abs=0.01)

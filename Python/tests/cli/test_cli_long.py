@@ -207,7 +207,7 @@ def test_interrupted_epochs(number, command_line, make_epochs, tmp_path):
 
     done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
     assert done.returncode == 0, done.stderr
-    assert "Nothing is left to do" in done.stdout  # of the first epoch
+    assert "Nothing is left to do" in done.stdout  # run of the first epoch
     whole = command_line("run", survey, "--output", tmp_path / "whole", "--epoch", 1, *more)
     assert whole.returncode == 0, whole.stderr
     name = "plane/play001/leg000_points.xyz"

@@ -125,7 +125,7 @@ def test_convert(small_disk, small_runs, ending):
 
 
 def test_detect(small_disk, small_runs):
-    """What the error tells of is kept."""
+    """The data that the error names are kept."""
     disk, call = small_disk
     waveforms = small_runs["vtp"] / "leg000_fullwave.pvtt"
     done = call("40k", "detect", waveforms, "-o", disk / "a.xyz", "--quiet")
@@ -175,7 +175,7 @@ def expect_full_of_files(done, folder):
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "24k"])
 def test_plan(small_disk, make_survey, size):
-    """For any first file without space."""
+    """Any first file may lack space."""
     disk, call = small_disk
     make_survey()
     scene = disk.parent / "scene.xml"
@@ -307,7 +307,7 @@ def test_message(number, cure):
 
 
 def test_message_without_a_number():
-    """Of numpy, for one."""
+    """A MemoryError of numpy has none, for one."""
     said = _files.cannot_be_written(OSError("673 written"), "a.bin", "OUT")
     assert said == "a.bin: cannot be written: 673 written; give another OUT"
 

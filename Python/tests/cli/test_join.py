@@ -20,7 +20,7 @@ OPTIONS = ["--waveforms", "--pulses", "--pulses-per-block", "3000", "--seed", "7
 
 
 def digests(folder):
-    """The SHA-256 of every file of a run; that of the summary without its timings."""
+    """The SHA-256 of every file of a run; the summary's without its timings."""
     found = {}
     for path in sorted(path for path in folder.iterdir() if path.is_file()):
         data = path.read_bytes()

@@ -20,7 +20,7 @@ SCENES = """\
 
 
 def say(capsys, *words):
-    """What a command prints, if it succeeds."""
+    """Returns the output of a command that succeeds."""
     assert cli.main([*map(str, words)]) == 0
     return capsys.readouterr().out
 
@@ -93,7 +93,7 @@ def test_unreadable_files_are_warnings(tmp_path, capsys):
 
 
 def end_of(capsys, *words):
-    """What a command that ends by argparse prints."""
+    """Returns the output of a command that ends by argparse."""
     with pytest.raises(SystemExit) as end:
         cli.main([*words])
     assert end.value.code == 0

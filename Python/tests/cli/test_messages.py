@@ -42,7 +42,7 @@ SCENE = """\
 
 @pytest.fixture
 def survey(tmp_path):
-    """Of a scanner of four channels whose mirror does not sweep."""
+    """A survey by a scanner of four channels whose mirror does not sweep."""
     (tmp_path / "many.xml").write_text(SCANNERS)
     (tmp_path / "scene.xml").write_text(SCENE)
     (tmp_path / "ground.obj").write_text("v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n")

@@ -37,7 +37,7 @@ needs_mpi = pytest.mark.skipif(
 
 
 def digests(folder):
-    """The SHA-256 of every file of a run; that of the summary without its timings."""
+    """The SHA-256 of every file of a run; the summary's without its timings."""
     found = {}
     for path in sorted(path for path in folder.iterdir() if path.is_file()):
         data = path.read_bytes()
@@ -103,7 +103,7 @@ def test_a_killed_rank_leaves_a_run_to_resume(make_survey, command_line, tmp_pat
     os.kill(victim, signal.SIGKILL)
     _, errors = process.communicate(timeout=120)
     assert process.returncode != 0
-    assert "signal 9" in errors, errors  # of mpiexec
+    assert "signal 9" in errors, errors  # message of mpiexec
     assert "points so far are kept in" in errors and "--resume continues the run" in errors
     assert journal.exists()
     resumed = run_ranks(2, survey, tmp_path / "out", *more, "--resume")
@@ -192,7 +192,7 @@ def test_number_of_threads():
 
 
 def test_a_build_without_mpi(make_survey, command_line, monkeypatch, tmp_path):
-    broken = tmp_path / "sitecustomize.py"  # as if the module were missing
+    broken = tmp_path / "sitecustomize.py"  # acts like a missing module
     broken.write_text("import sys\nsys.modules['vtkhelios.vtkHeliosScannerMpi'] = None\n")
     monkeypatch.setenv("OMPI_COMM_WORLD_SIZE", "2")
     environment = {**os.environ, "PYTHONPATH": f"{tmp_path}:{PACKAGE}"}

@@ -89,7 +89,7 @@ def test_the_same_kind_has_the_same_bytes(tmp_path, examples):
         assert path.read_bytes() == (examples["mls"] / path.name).read_bytes()
 
 
-# What the scenes hold.
+# Contents of the scenes.
 
 
 @pytest.mark.parametrize("kind", [als, river], ids=["als", "river"])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run makes besides the echoes: the same in memory, in files, in blocks and in the report."""
+"""Outputs of a run besides the echoes: the same in memory, in files, in blocks and in the report."""
 
 import argparse
 import json
@@ -15,7 +15,7 @@ from vtkhelios._properties import properties
 from vtkhelios.cli._run.outputs import add_output_arguments, set_outputs
 from vtkhelios.cli._settings import describe_options
 
-PORTS = {"points": None, "pulse": "pulses", "hits": "sub_rays"}  # of files: attribute of a Cloud
+PORTS = {"points": None, "pulse": "pulses", "hits": "sub_rays"}  # files only: attribute of a Cloud
 OF_ONE_FORMAT = {"colors": "las", "truth": "vtp", "columns": "vtp"}
 
 
@@ -63,7 +63,7 @@ def test_the_report_has_words_for_all_options(survey, tmp_path):
 
 
 def test_the_table_has_all_properties():
-    """Of the classes: those of outputs are Generate... and Write..."""
+    """Properties of outputs are named Generate... and Write..."""
     for cls, table, start in (
         (vtkhelios.vtkHeliosSurveySource, in_memory(), "generate_"),
         (vtkhelios.vtkHeliosSurveyPlayer, in_files(), "write_"),

@@ -148,7 +148,7 @@ def test_the_survey_runs_from_the_positions(plan, tmp_path, command_line):
     for row in summary["positions"]:
         pulses = np.loadtxt(tmp_path / f"scans/room/leg{row['scan']:03}_pulse.txt", max_rows=9)
         wanted = np.tile([row["x"], row["y"], row["z"]], (9, 1))
-        assert np.allclose(pulses[:, :3], wanted, atol=1e-3)  # as in the text
+        assert np.allclose(pulses[:, :3], wanted, atol=1e-3)  # rounded in the text
     legs = vtkhelios.vtkHeliosSurveyReader()
     legs.SetFileName(str(survey))
     legs.AddAssetDirectory(str(vtkhelios.data_directory() / "Assets"))

@@ -49,7 +49,7 @@ def test_cells_of_a_size(chunks):
 
 @pytest.mark.parametrize("shift", [0.0, 5_473_000.3])
 def test_joined_cells(shift):
-    """For any order, the cells are those of the last size."""
+    """The cells have the last size, in any order."""
     random = np.random.default_rng(2)
     parts = [random.uniform(0, size, (500, 2)) + shift for size in (0.01, 1.0, 300.0, 900.0)]
     for order in (parts, parts[::-1]):
@@ -233,7 +233,7 @@ def test_names_are_escaped(tmp_path, report):
     assert report(run)[0] == 0
     text = (run / "report.html").read_text()
     assert "strips &lt;&amp;&gt;" in text and "strips <&>" not in text
-    assert "Overlap" not in text  # of one leg
+    assert "Overlap" not in text  # it has one leg
 
 
 def test_summary_texts_are_escaped(tmp_path, report):

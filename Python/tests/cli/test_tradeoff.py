@@ -28,7 +28,7 @@ from vtkhelios._tradeoff_run import confirm
 from vtkhelios.cli._tradeoff.pictures import make_picture
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 
-SETTINGS = ("survey", "sub-rays", "tolerance")  # that a survey can name; some ray casters, too
+SETTINGS = ("survey", "sub-rays", "tolerance")  # names that a survey can use; some ray casters, too
 ROOM = "".join(
     f"v {x} {y} {z}\n" for z in (0, 9) for x, y in ((-20, -20), (20, -20), (20, 20), (-20, 20))
 )
@@ -270,7 +270,7 @@ def test_too_few_pulses_are_refused(fence):
 
 
 def test_times_too_short_to_measure(make_survey, monkeypatch):
-    """Of surveys of few pulses: results and a picture, whose axes are logarithmic."""
+    """Surveys of few pulses have results and a picture, whose axes are logarithmic."""
     monkeypatch.setattr(Sampler, "_time_window", lambda *_: 0.0)
     result = vtkhelios.read_survey(make_survey(stop=1)).tradeoff(pulses=10, parts=False)
     assert all(row.seconds > 0 for row in result.ways)
@@ -523,7 +523,7 @@ def test_without_attitude_interpolation_that_of_the_last_sample_holds():
     whole = survey.run(**options).pulses
     held = survey.run(**options, without="attitude").pulses
 
-    def find_heading(cloud):  # of the plane in which the beams lie, from that of the start
+    def find_heading(cloud):  # angle of the plane in which the beams lie, from the start's
         across = cloud["Direction"][:, :2]
         return np.degrees(np.arctan2(across[:, 1], across[:, 0])) % 180
 

@@ -101,7 +101,7 @@ def test_pyvista():
     pyvista = pytest.importorskip("pyvista")
     check_cube(vtkhelios.Scene(pyvista.Cube()))
     sphere = pyvista.Sphere()
-    assert vtkhelios.Scene(sphere).polydata is sphere  # of the same VTK, and of triangles
+    assert vtkhelios.Scene(sphere).polydata is sphere  # from the same VTK, and all triangles
     blocks = pyvista.MultiBlock()
     for name, mesh in (("box", pyvista.Cube()), ("ball", sphere)):
         blocks[name] = mesh

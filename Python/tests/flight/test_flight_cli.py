@@ -43,7 +43,7 @@ def test_files_check_and_page(plan, tmp_path):
     assert report["settings"]["sideOverlap_percent"] == 20
     check = report["check"]
     assert check["empty"] == 0 and abs(check["bias_percent"]) < 2
-    # The echoes are those of the files of the strips, counted by an independent sum.
+    # The echoes equal the echoes in the files of the strips, counted by an independent sum.
     strips = [
         folder / f"check/ground_als/strip{i:03}_points.pvtp" for i in range(len(report["lines"]))
     ]

@@ -111,7 +111,7 @@ def test_limits_of_the_instrument(flat):
     assert plan.cells["FlyingHeight"].min() >= 90
 
 
-# Predicted against simulated. The tolerance of the mean is that of the edges of cells and lines.
+# Predicted against simulated. The tolerance of the mean comes from the edges of cells and lines.
 
 FLIGHTS = {  # scanner: settings, tolerance of the mean [%], of 95 % of the cells [%]
     "copter_uls": (dict(flying_height=60, density=4, scan_angle=35, pulse_frequency=50e3), 0.5, 5),

@@ -236,7 +236,7 @@ def test_merged_files_keep_their_waveforms(small_runs, convert, tmp_path):
 
 
 def test_a_run_with_separate_waveforms(small_runs, convert, tmp_path):
-    """Points of format 6, and with --waveforms those of format 9 with their packets."""
+    """Points of format 6, and with --waveforms of format 9 with their packets."""
     pytest.importorskip("lazrs")
     survey = small_runs["las"].parents[1] / "survey.xml"
     words = ["run", survey, "--format", "las", "--output", tmp_path, "--waveforms", "--quiet"]
@@ -298,7 +298,7 @@ def test_returns_classes_and_every_nth(las, convert, tmp_path):
         "single": count == 1,
     }
     for returns, mask in masks.items():
-        for ending in ("laz", "ply"):  # as records and as arrays
+        for ending in ("laz", "ply"):  # once as records and once as arrays
             path = tmp_path / f"{returns}.{ending}"
             assert convert(las, path, "--returns", returns)[0] == 0
             assert np.array_equal(read(path)["GpsTime"], whole["GpsTime"][mask])
@@ -306,7 +306,7 @@ def test_returns_classes_and_every_nth(las, convert, tmp_path):
     found = read(tmp_path / "n.las")
     assert np.array_equal(found["GpsTime"], whole["GpsTime"][::7])
     with formats.open_reader(tmp_path / "n.las") as reader:
-        assert reader.count == len(found["GpsTime"])  # as in the header
+        assert reader.count == len(found["GpsTime"])  # count in the header
     code, _, err = convert(las, tmp_path / "x.las", "--class", "9")
     assert code == 1 and "none of the" in err and not list(tmp_path.glob("x.*"))
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios detect on LAS with waveforms: of a run, and of an airborne RIEGL scanner.
 
-The instrument's file is that of github.com/PulseWaves/PulseWaves, data/RIEGL; see test_pulsewaves.py.
+The instrument's file comes from github.com/PulseWaves/PulseWaves, data/RIEGL; see test_pulsewaves.py.
 """
 
 import importlib.util
@@ -99,8 +99,8 @@ def test_options_of_the_gaussian_detector(small_runs, detect, option):
 def test_echoes_of_an_instrument_equal_the_makers():
     """Separations of two echoes and widths of single ones: Docs/validation/waveforms.md has the table."""
     row = load_study().compare_echoes(RIEGL, relative_threshold=0.1, ringing_time=30.0)
-    assert row["packets with the maker's number of echoes"] > 2290  # of 2375
-    assert row["pairs found"] >= 119  # of 144, of which 15 have one maximum
+    assert row["packets with the maker's number of echoes"] > 2290  # 2375 in all
+    assert row["pairs found"] >= 119  # 144 in all, of which 15 have one maximum
     assert row["separation: median absolute deviation [mm]"] < 5.0
     assert abs(row["separation: median difference [mm]"]) < 2.5
     assert abs(row["width: median difference [%]"]) < 1.0

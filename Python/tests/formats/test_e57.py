@@ -73,7 +73,7 @@ def limits_of(name, low, high, kind="double"):
 @pytest.mark.parametrize(
     ("kind", "values", "head", "expected"),
     [
-        # of the limits, of any kind of number
+        # Limits of any kind of number.
         ("double", [0.0, 0.5, 1.0], limits_of("intensity", 0, 1), [0, 32768, 65535]),
         ("double", [1.0, 2.0, 3.0], limits_of("intensity", 1, 3), [0, 32768, 65535]),
         ((0, 2047, 0.001, 0.0), [0, 1.0235, 2.047],
@@ -287,7 +287,7 @@ def test_colours_of_16_bits_after_those_of_8_are_named(tmp_path):
 
 
 def test_intensities_come_back(tmp_path):
-    """Those of 16 bits with their limits, and not as amplitudes."""
+    """Intensities of 16 bits come back with their limits, and not as amplitudes."""
     points = {"points": np.zeros((3, 3))}
     for values in (np.array([0, 7, 65535], np.uint16), np.array([0.5, 1.5, 2.5])):
         write(tmp_path / "a.e57", {**points, "Intensity": values})

@@ -37,7 +37,7 @@ def fails(path, message):
 
 @pytest.fixture
 def laz(tmp_path):
-    """5000 points of format 7 or similar, in one chunk; their offset, and that of the chunk table."""
+    """5000 points of format 7 or similar, in one chunk; their offset, and the offset of the chunk table."""
     pytest.importorskip("lazrs")
     path = tmp_path / "a.laz"
     write(path)
@@ -252,7 +252,7 @@ def test_points_that_are_not_finite(tmp_path, ending):
 # Libraries
 
 
-class PanicException(BaseException):  # noqa: N818  the name that those of Rust have
+class PanicException(BaseException):  # noqa: N818  the name that panics of Rust have
     pass
 
 

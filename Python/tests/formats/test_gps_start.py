@@ -36,7 +36,7 @@ def test_las_has_adjusted_standard_time(make_survey, tmp_path):
     encoding, other = read_las(tmp_path / "timed")
     assert encoding & 1 == 1 and other == EPOCH - 1e9 + time
     with formats.open_reader(tmp_path / "timed/plane") as reader:
-        assert reader.header.epoch == pytest.approx(1e9)  # of adjusted standard time
+        assert reader.header.epoch == pytest.approx(1e9)  # offset of adjusted standard time
     options = [
         json.loads((tmp_path / name / "plane/run_summary.json").read_text())["options"]
         for name in ("plain", "timed")

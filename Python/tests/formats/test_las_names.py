@@ -183,7 +183,7 @@ def test_an_abandoned_file_leaves_no_names(tmp_path):
 
 
 def test_a_resumed_file_has_the_names(tmp_path):
-    """Of its first part: no block comes after the interruption."""
+    """A resumed file has the names of its first part: no block comes after the interruption."""
     writer = vtkhelios.vtkHeliosLASWriter(file_name=str(tmp_path / "a.las"))
     chunk, header = make_chunk(), make_header()
     assert writer.Open() and writer.Write(formats._base.to_cloud(chunk, header))

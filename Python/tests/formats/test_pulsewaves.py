@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""PulseWaves: files made here by the specification, damaged ones, and those of an instrument."""
+"""PulseWaves: files made here by the specification, damaged ones, and files of an instrument."""
 
 import os
 import pathlib
@@ -100,7 +100,7 @@ def test_pulses_and_samples_by_the_specification(tmp_path, appended):
     assert np.allclose(back["Origin"][:, 2], 30.0)
     out = vtkhelios.arrays(found.outgoing)
     assert out["PulseIds"].tolist() == [0] and samples_of(out) == [[1, 2, 3]]
-    # of the optical centre, four units before the anchor
+    # Place of the optical centre, four units before the anchor.
     assert np.allclose(out["Origin"][0], [11, 20, 30 + 4 * 0.149])
     assert np.isclose(HALF_LIGHT * out["StartTime"][0], 0.149 * (10 - 3))
 
@@ -210,6 +210,6 @@ def test_samples_and_places_equal_those_of_las():
         away.append(distance.min())
     assert len(used) == len(away) == 2375
     assert max(away) < 0.006 and np.median(away) < 0.003
-    assert len(segments) == 2392  # those of the second detector, too
+    assert len(segments) == 2392  # also of the second detector
     out = vtkhelios.arrays(found.outgoing)
     assert len(out["PulseIds"]) == 2368 and (out["Count"] == 24).all()

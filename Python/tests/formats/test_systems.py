@@ -169,7 +169,7 @@ def test_degrees_of_a_las_file_stay_where_they_are(run, tmp_path):
         assert np.array_equal(
             sort(read(tmp_path / f"b.{ending}")[0]), sort(read(tmp_path / "a.las")[0])
         )
-    copc = laspy.open(tmp_path / "b.copc.laz").header  # as laspy sees it
+    copc = laspy.open(tmp_path / "b.copc.laz").header  # value that laspy reads
     assert copc.scales.tolist() == [1e-7, 2e-8, 0.01] and copc.offsets[0] == 8.5123
     code, _, _ = run("convert", tmp_path / "b.vtp", tmp_path / "c.xyz")
     text = (tmp_path / "c.xyz").read_text().split()
@@ -283,7 +283,7 @@ def test_merge_moves_every_input_from_its_own_system(run, tmp_path):
     points = make_points(50)
     write(tmp_path / "a.vtp", points, UTM)
     write(tmp_path / "b.vtp", points, "EPSG:25833")
-    write(tmp_path / "c.vtp", points)  # in that of --crs
+    write(tmp_path / "c.vtp", points)  # in the system of --crs
     inputs = [tmp_path / f"{name}.vtp" for name in "abc"]
     code, _, err = run("convert", "--merge", *inputs, tmp_path / "m.vtp", "--crs", "EPSG:25833")
     assert code == 0, err
@@ -324,7 +324,7 @@ def test_the_pose_of_a_scan_moves_with_its_points(run, tmp_path):
     moved = read(tmp_path / "b.e57")[1].scans[0]
     assert np.abs(np.array(moved.translation) - read(tmp_path / "q.vtp")[0][0]).max() < 1e-6
     angle = 2 * np.degrees(np.arctan2(moved.rotation[3], moved.rotation[0]))
-    convergence = 6 * np.sin(np.radians(49.4))  # of two meridians 6 degrees apart
+    convergence = 6 * np.sin(np.radians(49.4))  # convergence of two meridians 6 degrees apart
     assert abs(abs(angle) - convergence) < 0.02
 
 

@@ -42,7 +42,7 @@ def run(small_runs):
 
 
 def read_kitti(folder, poses):
-    """As the development kit does: points of all scans in the coordinates of the first one."""
+    """Reads like the development kit: points of all scans in the coordinates of the first one."""
     sequence, clouds = folder / "sequences/00", []
     calibration = {}
     for line in (sequence / "calib.txt").read_text().splitlines():
@@ -191,7 +191,7 @@ def test_poses_between_samples():
     poses._places = np.array([[0.0, 0, 0], [10, 0, 0]])
     poses._turns = np.array([[1.0, 0, 0, 0], [half, 0, 0, half]])
     pose = poses.at(1 / 3)
-    forward = np.deg2rad(90 + 30)  # of the body, counter-clockwise from east
+    forward = np.deg2rad(90 + 30)  # yaw of the body, counter-clockwise from east
     assert np.allclose(pose[:3, 0], [np.cos(forward), np.sin(forward), 0])
     left = forward + np.pi / 2
     assert np.allclose(pose[:3, 1], [np.cos(left), np.sin(left), 0])

@@ -196,7 +196,7 @@ def write_text(path):
 
 def promise(path):
     """64 million pixels in a small file that is whole."""
-    rows = zlib.compress(bytes(1001 * 8000), 9)  # of one bit
+    rows = zlib.compress(bytes(1001 * 8000), 9)  # pixels of one bit
     chunks = [(b"IHDR", struct.pack(">IIBBBBB", 8000, 8000, 1, 0, 0, 0, 0)), (b"IDAT", rows)]
     data = b"\x89PNG\r\n\x1a\n"
     for name, content in [*chunks, (b"IEND", b"")]:
@@ -289,7 +289,7 @@ def test_memory_counts_textures_by_their_headers(room, command_line):
 
 
 def needed_memory(command_line, run):
-    """What --dry-run estimates [bytes]."""
+    """Returns the bytes that --dry-run estimates."""
     done = command_line(*run, "--dry-run", "--json")
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)["memory_bytes"]

@@ -156,7 +156,7 @@ def turn_up(corners):
 
 
 def signature(corners, digits):
-    """Of triangles in any order: centre, and area vector without its sign, sorted."""
+    """Returns centre and area vector without its sign, sorted, of triangles in any order."""
     a, b, c = (corners[:, i] for i in range(3))
     areas = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
     rows = np.column_stack([corners.mean(axis=1), areas])[areas > 1e-9]
@@ -201,7 +201,7 @@ def test_triangles_are_those_of_vtk(forest):
     leaves = reader.GetOutput().NewIterator()
     area, moment = 0.0, np.zeros(3)
     while not leaves.IsDoneWithTraversal():
-        triangles = vtkTriangleFilter()  # of strips
+        triangles = vtkTriangleFilter()  # splits strips
         triangles.SetInputData(leaves.GetCurrentDataObject())
         triangles.Update()
         mesh = triangles.GetOutput()

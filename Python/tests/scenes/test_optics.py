@@ -102,7 +102,7 @@ def test_a_pane_lets_the_wall_behind_through():
 
 
 def test_a_pane_of_a_medium_is_as_slow_as_its_group_index():
-    phase, group = 1.50065, 1.52007  # of BK7 at 1550 nm
+    phase, group = 1.50065, 1.52007  # refractive index of BK7 at 1550 nm
     glass = {"kind": "pane", "thickness": 0.1}
     clouds = [
         vtkhelios.scan(make_room({**glass, **index}), **SCAN)

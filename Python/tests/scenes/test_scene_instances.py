@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes with instances in Python: plans, pictures, boxes are those of copies."""
+"""Scenes with instances in Python: plans, pictures, boxes equal the results of copies."""
 
 import os
 import shutil

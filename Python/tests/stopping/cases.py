@@ -32,7 +32,7 @@ PROGRESS = re.compile(r" *\d+ % |warning: |Note: ")
 
 @dataclasses.dataclass
 class Case:
-    """A command: its words, where {in} is the folder of inputs and {out} that of the outputs."""
+    """A command: its words, where {in} is the folder of inputs and {out} the folder of outputs."""
 
     name: str
     words: str
@@ -178,7 +178,7 @@ class Stop:
         self.number, self.delay, self.outputs = number, delay, outputs
 
     def find_fault(self):
-        """What is wrong with a stop, or None."""
+        """Returns the fault of a stop, or None."""
         if self.left:
             return f"processes are left: {self.left}"
         lines = [line for line in self.errors.splitlines() if not PROGRESS.match(line)]
@@ -202,7 +202,7 @@ class Stop:
 
 
 def is_whole(path):
-    """Whether a file with a final name has its end."""
+    """Returns whether a file with a final name has its end."""
     data, ending = path.read_bytes(), path.suffix
     if ".part" in path.suffixes or any(".part" in each.suffixes for each in path.parents):
         return True

@@ -8,7 +8,7 @@ import pytest
 
 from stopping.cases import CASES, LAUNCHER, SIGNALS, Stop, make_inputs
 
-SHARES = (0.15, 0.4, 0.65, 0.9)  # of the life of a command
+SHARES = (0.15, 0.4, 0.65, 0.9)  # shares of the life of a command
 FIRST = (0.0, 0.01, 0.05, 0.1, 0.2)  # s, while it starts
 
 pytestmark = pytest.mark.skipif(not LAUNCHER.is_file(), reason="the launcher is not built")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scan patterns of the catalogue against those of the instruments."""
+"""Scan patterns of the catalogue against the instruments'."""
 
 import importlib
 import pathlib

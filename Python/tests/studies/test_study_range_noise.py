@@ -20,7 +20,7 @@ def study(monkeypatch):
 
 @pytest.mark.parametrize("distance, incidence", [(50, 0), (25, 75), (100, 60)])
 def test_spread_is_the_bound(study, distance, incidence):
-    """Of 1,000 ranges the spread is known to 2.2 %, one sigma."""
+    """The spread of 1,000 ranges is known to 2.2 %, one sigma."""
     row = study.compare(study.reference_noise(), distance, incidence, 1000)
     assert row["Gaussian"] == pytest.approx(row["bound"], rel=0.08)
     assert row["Peak"] > 1.5 * row["bound"]

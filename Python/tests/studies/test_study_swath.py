@@ -35,7 +35,7 @@ def test_rate_lines_and_speed_of_a_flight(study, flown):
 
 
 def test_times_per_degree_of_a_flight(study, flown):
-    """Pulses between half degrees, from whole degrees: those of the mirror within a pulse."""
+    """Pulses between half degrees, from whole degrees: the times of the mirror within a pulse."""
     found = RATE * study.times_per_degree(flown)
     expected = RATE * study.mirror_times(RATE, FREQUENCY, ANGLE, TURNING)
     assert np.abs(found - expected).max() < 1.0

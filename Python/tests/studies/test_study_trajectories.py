@@ -54,7 +54,7 @@ def test_optech_scan_angles(study):
 
 
 def test_laws_of_the_optech_mirror(study):
-    """The rounded triangle of harmonics is that of our mirror; no law reaches the noise."""
+    """The rounded triangle of harmonics equals the law of our mirror; no law reaches the noise."""
     pulses, _ = study.read_csd(_need(study, "sensor/optech_sample.csd"))
     found = study.compare_laws(pulses)
     rms = {name: np.sqrt(np.mean(residual**2)) for name, (residual, _) in found.items()}
@@ -169,7 +169,7 @@ def test_navigation_grade_is_that_of_a_real_report(study):
 
 
 def test_strips_differ_by_their_slow_errors(study):
-    """Height differences of two strips over a plane are those of the errors at their times."""
+    """Height differences of two strips over a plane equal the errors at their times."""
     strips = study.fly_strips(seed=3)
     for strip in strips:
         assert strip["heights"] == pytest.approx(strip["expected"], abs=2e-3)

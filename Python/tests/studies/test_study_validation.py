@@ -53,7 +53,7 @@ def made(validation, monkeypatch, tmp_path):
 
 
 def test_a_table_replaces_that_of_its_page(made, capsys):
-    """Rows of keys only are those of the page; without one there, they are left out."""
+    """Rows of keys only come from the page; without one there, they are left out."""
     validation, folder, _ = made
     assert validation.main(["--pages", str(folder)]) == 0
     new = (folder / "page.md").read_text()
@@ -115,7 +115,7 @@ SLOW_PAGES = {"ahn3.md", "forest.md"}  # a minute; real_clouds has tests of its 
 
 
 def test_the_pages_are_up_to_date(validation, pages, monkeypatch, capsys):
-    """With the data: all tables between comments are made, and are those of the pages."""
+    """All tables between comments are made from the data, and equal the pages'."""
     data = importlib.import_module("_study").real_data()
     if not all((data / name).is_dir() for name in ("als", "pattern", "sensor", "waveform")):
         pytest.skip("no data of real instruments")
