@@ -161,9 +161,9 @@ def snow(grain=0.4e-3, soot=0.97):
 
 # --- leaves ----------------------------------------------------------------------------------------------------------
 
-# What a leaf holds takes light in: chlorophylls and carotenoids [cm^2/ug], water [1/cm], dry matter
-# [cm^2/g]. Positions and widths are taken from the published features, heights are set so that
-# leaves of usual content reflect what is published (Jacquemoud, Baret 1990).
+# The contents of a leaf absorb light: chlorophylls and carotenoids [cm^2/ug], water [1/cm], dry
+# matter [cm^2/g]. Positions and widths are taken from the published features, heights are set so
+# that leaves of usual content reflect what is published (Jacquemoud, Baret 1990).
 K_PIGMENT = gaussians(
     (0.34, 0.045, 0.055),
     (0.43, 0.036, 0.058),

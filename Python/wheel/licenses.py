@@ -55,7 +55,7 @@ def describe(package):
 
 
 def describe_built(source):
-    """What find_package() returns, of a source package that build.sh has compiled."""
+    """Describes the result of find_package() for a source package that build.sh has compiled."""
     changes = (source / "debian/changelog").read_text(encoding="utf-8")
     return source.name, re.match(r"\S+ \((.*?)\)", changes)[1], source / "debian/copyright"
 

@@ -19,7 +19,7 @@ import zipfile
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PYTHON = os.environ.get("HELIOS_PYTHON", "/usr/bin/python3")  # of the wheel that is tested
+PYTHON = os.environ.get("HELIOS_PYTHON", "/usr/bin/python3")  # Python of the wheel that is tested
 REFERENCE = ROOT / "build/bin/vtkhelios"
 LARGEST = 60_000_000  # bytes
 

@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Formatting, spelling and licence lines of all tracked files."""
 
+import ast
 import collections
+import io
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tokenize
 
 import pytest
 
@@ -123,3 +126,83 @@ def test_errors_are_a_status():
         if "or an empty string" in " ".join((ROOT / name).read_text().replace("///", "").split())
     ]
     assert told == [], "return helios::Status (heliosStatus.h)"
+
+
+# Openings of comments that leave out their subject: "Of a run", "as in the file", "What a file has".
+_NO_SUBJECT = re.compile(r"(?:@[{\w]+\s+)*(?:of|as|that of|those of|what)\b", re.IGNORECASE)
+_CXX_TOKENS = re.compile(
+    r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/', re.DOTALL
+)
+_HEAD = re.compile(r"(?:SPDX-[^\n]*\n\s*)+")
+
+
+def find_cxx_comments(text):
+    """Yields line and text of every comment of C++; lines of // that follow each other are one."""
+    lines = text.split("\n")
+    begin, block, end, line, at = 0, [], 0, 1, 0
+    for token in _CXX_TOKENS.finditer(text):
+        comment = token.group()
+        if comment[0] != "/":
+            continue
+        line, at = line + text.count("\n", at, token.start()), token.start()
+        whole = lines[line - 1].strip().startswith("//")
+        if block and not (whole and line == end + 1 and comment[:3] == block[0][:3]):
+            yield begin, _strip(block)
+            block = []
+        begin = begin if block else line
+        block.append(comment)
+        end = line if whole else 0
+    if block:
+        yield begin, _strip(block)
+
+
+def _strip(comments):
+    """Returns the words of comments without their marks, and without the licence."""
+    words = "\n".join(re.sub(r"(?m)^\s*(?:/\*+|\*+/?|///?[<!]?)|\*+/$", "", c) for c in comments)
+    return _HEAD.sub("", words.strip()).strip()
+
+
+def find_python_comments(text):
+    """Yields line and text of every docstring and comment of Python."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)):
+            words = ast.get_docstring(node)
+            if words:
+                yield node.body[0].lineno, words
+    end = 0
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT:
+            line = token.start[0]
+            whole = token.line.strip().startswith("#")
+            if not (whole and line == end + 1):
+                yield line, token.string.strip("# ")
+            end = line if whole else 0
+
+
+def find_without_subject(name, text):
+    """Returns "line: begin" of the comments of a file that leave out what they speak of."""
+    find = find_python_comments if name.endswith(".py") else find_cxx_comments
+    return [f"{line}: {words[:50]}" for line, words in find(text) if _NO_SUBJECT.match(words)]
+
+
+def test_comments_without_subject_are_found():
+    text = (
+        '// SPDX-License-Identifier: x\n// What a file has.\nint a; // of a run\nf("// as one");\n'
+        "/// Returns the rest\n/// of a line.\nint b; ///< as in the file\n"
+        "/**\n * Of a run, or a part.\n */\n/// @{\n/// Those of others.\n// Offset of a block\n"
+    )
+    found = find_without_subject("a.h", text)
+    assert [line.split(":")[0] for line in found] == ["1", "3", "7", "8", "11"]
+    text = (
+        '"""As another."""\n\n\ndef f():\n    """Returns what it has."""\n    return 1  # of two\n'
+    )
+    found = find_without_subject("a.py", text)
+    assert [line.split(":")[0] for line in found] == ["1", "6"]
+
+
+def test_comments_have_a_subject():
+    found = {
+        name: find_without_subject(name, (ROOT / name).read_text())
+        for name in tracked(".h", ".cxx", ".py")
+    }
+    assert {name: lines for name, lines in found.items() if lines} == {}

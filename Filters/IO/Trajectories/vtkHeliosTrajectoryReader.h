@@ -156,7 +156,7 @@ public:
   {
     RIGHT_FORWARD_UP = 0,
     FORWARD_LEFT_UP = 1,   ///< axes of ROS
-    FORWARD_RIGHT_DOWN = 2 ///< of aviation
+    FORWARD_RIGHT_DOWN = 2 ///< axes of aviation
   };
 
   ///@{
