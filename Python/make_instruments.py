@@ -31,8 +31,8 @@ instrument, not across instruments.
 
 | not in the catalogue | because |
 |---|---|
-| polygons with unlike facets (RIEGL VUX-120, VUX-160) | all facets of a mirror are alike |
-| photon-counting receivers with arrays of beams (SPL100, Geiger mode) | each pulse has one beam and a linear detector |
+| polygons with unlike facets (RIEGL VUX-120, VUX-160) | their angles have not been looked up; `facetPitches_deg` and `facetRolls_deg` set them |
+| photon-counting receivers with arrays of beams (SPL100, Geiger mode) | a pulse has one beam; the receiver itself is modelled (`echoDetector="photonCounting"`) |
 """
 
 COLUMNS = {  # title: attribute, factor
