@@ -274,3 +274,10 @@ def test_points_that_are_not_in_order():
     chunk = {"GpsTime": np.array([0.0, 0.6, 0.1]), "points": np.zeros((3, 3))}
     with pytest.raises(formats.FormatError, match="not in order of time; give --window leg"):
         list(_scans._split([chunk], 0.0, 0.5, "a.las"))
+
+
+def test_points_before_the_first_time_of_the_trajectory_are_in_the_first_window():
+    """Trajectories in text have times of nine digits, LAS has all."""
+    chunk = {"points": np.zeros((3, 3)), "GpsTime": np.array([4.66666, 4.7, 4.8])}
+    split = _scans._split(iter([chunk]), 4.66667, 0.1, "leg002_points.las")
+    assert [(number, len(part["GpsTime"])) for number, part in split] == [(0, 2), (1, 1)]

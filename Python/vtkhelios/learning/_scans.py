@@ -64,7 +64,10 @@ def _split(chunks, start, window, name):
     number, parts = None, []
     for chunk in chunks:
         times = chunk[GPS_TIME]
-        numbers = np.floor((times - start) / window).astype(np.int64) if window else 0 * times
+        # The times of a trajectory in text are rounded: a pulse may come before the first of them.
+        numbers = (
+            np.floor(np.maximum(times - start, 0) / window).astype(int) if window else 0 * times
+        )
         edges = np.flatnonzero(np.diff(numbers)) + 1
         for part in np.split(np.arange(len(times)), edges):
             if not len(part):

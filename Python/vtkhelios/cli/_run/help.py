@@ -19,7 +19,8 @@ With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Do
 format 6 or 7, which all programs read. With --waveforms legNNN_fullwave.las beside it, the same
 points with waveforms, point format 9 or 10, and their samples in legNNN_fullwave.wdp; PDAL and
 QGIS refuse these formats. With --waveforms-in-points legNNN_points.las has format 9 or 10, with
-legNNN_points.wdp, and is the only LAS file of the leg. Other files are text.
+legNNN_points.wdp, and is the only LAS file of the leg. The names of parts and materials are beside
+each LAS file, as legNNN_points.names.json. Other files are text.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every

@@ -25,12 +25,14 @@ layouts:
                    pulses without an echo, of runs with --pulses; the pose of the platform as /tf.
                    Needs mcap and rosbags: pip install mcap rosbags
 
-A scan is a time window of the run, in the frame of the platform at its middle: x forward, y left, z up.
+A scan is a time window of a leg, in the frame of the platform at its middle: x forward, y left, z up
+(S3DIS: along the axes of the run).
 Labels are those of SemanticKITTI, by class (terrain, vegetation, building, road ...) and by words in
-the names of materials: bark, wood, trunk ... are trunk (71), leaf, needle ... vegetation (70). Only
-runs in VTK XML (--format vtp) store the names of materials; of others, give their numbers.
+the names of materials: bark, wood, trunk ... are trunk (71), leaf, needle ... vegetation (70). Runs
+as text do not store the names of materials: give their numbers, or run with --format las or vtp.
 
---labels FILE (JSON): {"classes": {"2": 72}, "materials": {"bark": 71, "3": 70}}
+--labels FILE (JSON): {"classes": {"2": 72}, "materials": {"bark": 71, "3": 70}}; it replaces both
+tables.
 
 examples:
   vtkhelios export output/street kitti --semantickitti
