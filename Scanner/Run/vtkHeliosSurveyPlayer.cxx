@@ -4,6 +4,7 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosNoEchoes.h"
 #include "heliosPartReader.h"
 #include "heliosRankBlocks.h"
 #include "heliosRankServer.h"
@@ -376,7 +377,7 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
   }
   this->Player->NumberOfPulses = this->Runner->GetNumberOfPulsesToRun();
   this->Player->Sampling = this->Runner->DescribeSampling();
-  return this->Runner->GetNumberOfPulses() > 0 || this->Fail(this->Runner->ExplainNoEchoes());
+  return this->Runner->GetNumberOfPulses() > 0 || this->Fail(helios::ExplainNoEchoes(*this->Runner));
 }
 
 //------------------------------------------------------------------------------
@@ -469,7 +470,7 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   const bool isPart = this->Settings.Part.IsSet();
   if (counts.Echoes == 0 && !isPart)
   {
-    return this->Fail(this->Runner->ExplainNoEchoes());
+    return this->Fail(helios::ExplainNoEchoes(*this->Runner));
   }
   if (!isPart)
   {

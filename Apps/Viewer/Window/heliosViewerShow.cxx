@@ -225,7 +225,7 @@ void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
   const std::size_t count = points.size();
   for (const SimulatedLeg& leg : this->Legs)
   {
-    for (const Vec3& position : { leg.Positions.front(), leg.Positions.back() })
+    for (Vec3 position : { leg.Positions.front(), leg.Positions.back() })
     {
       all.AddPoint(position.GetData());
       points.push_back(position);

@@ -49,6 +49,7 @@ LegRunner::LegRunner(
   , Files(survey, settings.Part.IsSet() ? MakePartSettings(settings) : settings)
   , Scene(scene)
   , Scanner(survey, scene, settings, log)
+  , Own(this->Scanner, (settings.PulsesPerBlock - 1) / this->GetPulsesPerPiece() + 1)
 {
 }
 
@@ -262,11 +263,6 @@ vtkIdType LegRunner::GetPulsesPerPiece() const
     : std::min(block, PulsesPerPiece);
 }
 
-vtkIdType LegRunner::GetPiecesPerBlock() const
-{
-  return (this->Settings.PulsesPerBlock - 1) / this->GetPulsesPerPiece() + 1;
-}
-
 //------------------------------------------------------------------------------
 bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
@@ -362,47 +358,9 @@ void LegRunner::WatchPiece(const LegRun& run, vtkIdType piece, vtkIdType count)
 }
 
 //------------------------------------------------------------------------------
-LegPiece LegRunner::Collect(const Outputs& outputs)
-{
-  LegPiece piece;
-  for (const LegOutput& output : outputs)
-  {
-    piece.push_back(helios::CollectPiece(
-      output, [this](int port, std::size_t channel) { return this->CopyOutput(port, channel); }));
-  }
-  return piece;
-}
-
-//------------------------------------------------------------------------------
-/// A shallow copy of the output of the scanner, which may then be released.
-vtkSmartPointer<vtkDataObject> LegRunner::CopyOutput(int port, std::size_t channel) const
-{
-  using Data = vtkSmartPointer<vtkDataObject>;
-  const bool isJoint = channel == LegOutput::AllChannels;
-  const Data data =
-    isJoint ? this->Scanner.GetOutput(port) : Data(this->Scanner.GetOutput(port, channel));
-  auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  return copy;
-}
-
-//------------------------------------------------------------------------------
 bool LegRunner::Write(const Outputs& outputs)
 {
-  return WriteOutputs(outputs, this->Collect(outputs));
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Compute(const LegPlan&, vtkIdType piece, vtkIdType count)
-{
-  return this->Scanner.Update(static_cast<int>(piece), static_cast<int>(count));
-}
-
-//------------------------------------------------------------------------------
-void LegRunner::Count(ScanCounts& counts)
-{
-  this->Scanner.Count(counts);
-  this->Scanner.ReleaseOutput();
+  return WriteOutputs(outputs, this->Own.Collect(outputs));
 }
 
 //------------------------------------------------------------------------------
@@ -433,61 +391,6 @@ void LegRunner::Listen(vtkHeliosStreamWriter* writer)
 std::string LegRunner::GetRayCasterName() const
 {
   return this->Scanner.GetRayCasterName();
-}
-
-//------------------------------------------------------------------------------
-std::string LegRunner::ExplainNoEchoes() const
-{
-  const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
-  const ScannerData& scanner = this->Survey.GetScanner(leg);
-  const std::string& where = this->Survey.Legs[leg].Where;
-  Sentence text;
-  text << where << (where.empty() ? "" : ": ") << "No points: ";
-  if (this->NumberOfPulses == 0)
-  {
-    text << "no leg fires a pulse, since no leg is active and has a duration above 0; set "
-            "active=\"true\" for one";
-  }
-  else if (this->Counts.PulsesFired == 0 && scanner.Type == Optics::RisleyPrisms)
-  {
-    text << "no pulse left the scanner, since its prisms reflect all of them; check angle1_deg to "
-            "angle3_deg and refrIndex1 to refrIndex3 of scanner "
-         << scanner.Id;
-  }
-  else if (this->Counts.PulsesFired == 0)
-  {
-    text
-      << "no pulse left the scanner, since its mirror angle is never between verticalAngleMin_deg "
-         "and verticalAngleMax_deg; check these and the scan angles";
-  }
-  else if (this->Counts.PulsesHit == 0 && this->Counts.HitsOutOfRange == 0)
-  {
-    const LegPlan& plan = this->Plans.front();
-    const Vec3 p(plan.Platform->GetOutput()->GetPoint(0));
-    double b[6];
-    this->Scene->GetBounds(b);
-    text << "none of " << this->Counts.PulsesFired << " pulses hit the scene. It spans x " << b[0]
-         << " to " << b[1] << ", y " << b[2] << " to " << b[3] << ", z " << b[4] << " to " << b[5]
-         << "; leg " << plan.Leg << " starts at " << p[0] << ", " << p[1] << ", " << p[2]
-         << ". Check where the legs are, the scan angles and the scanner's mount";
-  }
-  else if (this->Counts.PulsesHit == 0)
-  {
-    text << "every surface hit is nearer than rangeMin_m=\"" << scanner.RangeMin << "\"";
-    if (scanner.RangeMax < VTK_DOUBLE_MAX)
-    {
-      text << " or farther than rangeMax_m=\"" << scanner.RangeMax << "\"";
-    }
-    text << " of scanner " << scanner.Id << "; check where the legs are, and the unit of the scene";
-  }
-  else
-  {
-    text << "the strongest of " << this->Counts.PulsesHit << " returns has "
-         << this->Counts.LargestAmplitude << " W, below the detection threshold of "
-         << scanner.DetectionThreshold << " W (receivedEnergyMin_W) of scanner " << scanner.Id
-         << "; check the reflectances, the range and averagePower_w";
-  }
-  return text.str();
 }
 
 } // namespace helios

@@ -14,6 +14,7 @@
 #include "heliosRunProgress.h"
 #include "heliosRunSettings.h"
 #include "heliosScanCounts.h"
+#include "heliosScannerBlocks.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerRunModule.h" // For export macro
 
@@ -35,15 +36,15 @@ class RunJournal;
 /// Called after every block, and while pieces of it are computed; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
 
-/// Runs legs with blocks of its scanner, a source itself, or of another source.
-class VTKHELIOSSCANNERRUN_EXPORT LegRunner : public BlockSource
+/// Runs legs, with the blocks of its own scanner or of another source.
+class VTKHELIOSSCANNERRUN_EXPORT LegRunner
 {
 public:
   using Outputs = LegOutputs;
 
   LegRunner(
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
-  ~LegRunner() override;
+  ~LegRunner();
 
   /// Plans the legs and counts their pulses; false after an error.
   bool Plan();
@@ -58,7 +59,7 @@ public:
   ///@}
 
   /// Sets where blocks are from in place of the scanner; null: the scanner.
-  void SetSource(BlockSource* source) { this->Source = source ? source : this; }
+  void SetSource(BlockSource* source) { this->Source = source ? source : &this->Own; }
 
   /// The files that Plan() has opened: trajectories, spectra, emitted pulses.
   const InputFiles& GetInputs() const { return this->Inputs; }
@@ -92,13 +93,8 @@ public:
   /// The outputs of the leg that the scanner is set up for, with unopened writers.
   Outputs MakeOutputs(const LegPlan& plan) const;
 
-  ///@{
-  /// Blocks of the scanner, which is set up for their leg.
-  vtkIdType GetPiecesPerBlock() const override;
-  bool Compute(const LegPlan& plan, vtkIdType piece, vtkIdType count) override;
-  LegPiece Collect(const Outputs& outputs) override;
-  void Count(ScanCounts& counts) override;
-  ///@}
+  /// The blocks of the scanner, which is set up for their leg.
+  ScannerBlocks& GetBlocks() { return this->Own; }
 
   /// Writes the output of the scanner; false after an error.
   bool Write(const Outputs& outputs);
@@ -116,9 +112,6 @@ public:
 
   /// The size of scene and ray caster [bytes].
   double GetSceneSize() const { return this->Scanner.GetSceneSize(); }
-
-  /// Explains why a run has no echo, and how to fix it.
-  std::string ExplainNoEchoes() const;
 
 private:
   /// Pieces [First, Last) of the Count pieces of a leg.
@@ -151,7 +144,6 @@ private:
   bool RunPieces(const PieceRange& pieces, LegRun& run);
   void WatchPiece(const LegRun& run, vtkIdType piece, vtkIdType count);
   vtkIdType CountPulsesBefore(const LegPlan& plan, vtkIdType piece, vtkIdType count) const;
-  vtkSmartPointer<vtkDataObject> CopyOutput(int port, std::size_t channel) const;
 
   const SurveyData& Survey;
   RunSettings Settings;
@@ -162,7 +154,8 @@ private:
   std::function<bool(double)> OnProgress;
   std::vector<LegPlan> Plans;
   InputFiles Inputs;
-  BlockSource* Source = this;
+  ScannerBlocks Own;
+  BlockSource* Source = &this->Own;
   vtkIdType NumberOfPulses = 0;
   vtkIdType NumberOfPulsesToRun = 0;
   vtkIdType FirstPulse = 0; // that is run

@@ -3,6 +3,7 @@
 #include "heliosLoadedSurvey.h"
 
 #include "heliosMessages.h"
+#include "heliosNoEchoes.h"
 #include "heliosPulseCount.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -62,7 +63,7 @@ bool LoadedSurvey::Plan(const RunSettings& settings)
   }
   if (this->Runner->GetNumberOfPulses() == 0)
   {
-    this->Log.Error(this->Runner->ExplainNoEchoes());
+    this->Log.Error(ExplainNoEchoes(*this->Runner));
   }
   return this->Runner->GetNumberOfPulses() > 0;
 }

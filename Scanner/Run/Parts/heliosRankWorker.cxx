@@ -86,12 +86,12 @@ bool RankWorker::Fill(const LegPlan& plan, RankMessage& block)
   {
     before.push_back(output.Writer->GetNumberOfRecords());
   }
-  if (!this->Runner.Compute(plan, block.Index, plan.NumberOfBlocks) ||
+  if (!this->Runner.GetBlocks().Compute(plan, block.Index, plan.NumberOfBlocks) ||
     !this->Runner.Write(this->Outputs))
   {
     return false;
   }
-  this->Runner.Count(block.Counts);
+  this->Runner.GetBlocks().Count(block.Counts);
   for (std::size_t i = 0; i < this->Outputs.size(); ++i)
   {
     block.Records.push_back({ this->Outputs[i].Writer->GetNumberOfRecords() - before[i],
