@@ -22,7 +22,7 @@
 #include "heliosSubRays.h"
 #include "heliosSurfaceColors.h"
 #include "heliosTurbidMedium.h"
-#include "heliosWantedOutputs.h"
+#include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <cmath>
@@ -112,7 +112,7 @@ struct ScanModel
   int ReturnSelection = 0;
   int MaximumNumberOfReturns = 0; // 0: all
   std::uint64_t Seed = 0;
-  WantedOutputs Wants;
+  vtkHeliosEchoAlgorithm::Outputs Wants;
 
   /// The energy that a surface returns along an axis, relative to that of a white one.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const

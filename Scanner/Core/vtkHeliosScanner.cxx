@@ -95,7 +95,6 @@ vtkHeliosScanner::vtkHeliosScanner()
   , Batch(new helios::BatchSize)
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(4);
   this->RayCaster = helios::MakeDefaultRayCaster();
   this->BeamSampler = vtkSmartPointer<vtkHeliosBeamSampler>::New();
   this->EchoDetector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
@@ -141,15 +140,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FirstPulseId: " << this->FirstPulseId << "\n"
      << indent << "PulseIdStride: " << this->PulseIdStride << "\n"
      << indent << "LegId: " << this->LegId << "\n"
-     << indent << "ChannelId: " << this->ChannelId << "\n"
-     << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
-     << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
-     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
-     << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
-     << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
-     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
-     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
-     << indent << "GenerateColors: " << this->GenerateColors << "\n";
+     << indent << "ChannelId: " << this->ChannelId << "\n";
 }
 
 // The strategies have identical Set and Get methods.
@@ -199,24 +190,6 @@ int vtkHeliosScanner::FillInputPortInformation(int port, vtkInformation* info)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosScanner::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosScanner::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   }
   return 1;
 }
@@ -294,7 +267,7 @@ bool vtkHeliosScanner::CheckSettings()
                   << "); give two indices, the second not below the first, from 0");
     return false;
   }
-  if (this->GenerateDecibels &&
+  if (this->Wanted.Decibels &&
     !(this->EchoDetector->GetDetectionThreshold() > 0.0 && this->AveragePower > 0.0))
   {
     vtkErrorMacro(<< "GenerateDecibels is on, with a DetectionThreshold of "
@@ -310,7 +283,7 @@ bool vtkHeliosScanner::CheckSettings()
                   << LongestGate << " m");
     return false;
   }
-  if (this->MTAZone > 0 && this->GenerateWaveforms)
+  if (this->MTAZone > 0 && this->Wanted.Waveforms)
   {
     vtkErrorMacro(<< "MTAZone is " << this->MTAZone
                   << " and GenerateWaveforms is on: waveforms cannot be taken for those of other "
@@ -412,7 +385,7 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
   }
   scan.Model.Surfaces.SetWavelength(this->Wavelength);
   return status.IsOk() &&
-    (!this->GenerateColors || this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan));
+    (!this->Wanted.Colors || this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan));
 }
 
 //------------------------------------------------------------------------------
@@ -534,15 +507,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.ReturnSelection = this->ReturnSelection;
   m.MaximumNumberOfReturns = this->MaximumNumberOfReturns;
   m.Seed = static_cast<std::uint64_t>(this->Seed);
-  helios::WantedOutputs& wants = m.Wants;
-  wants.Waveforms = this->GenerateWaveforms;
-  wants.Pulses = this->GeneratePulses;
-  wants.SubRays = this->GenerateSubRays;
-  wants.Truth = this->GenerateTruth;
-  wants.ScanFlags = this->GenerateScanFlags;
-  wants.Columns = this->GenerateColumns;
-  wants.Decibels = this->GenerateDecibels;
-  wants.Colors = this->GenerateColors;
+  m.Wants = this->Wanted;
   return true;
 }
 
@@ -581,7 +546,7 @@ helios::ScanTraits vtkHeliosScanner::GetTraits()
   helios::ScanTraits traits;
   traits.HasDivergence = this->BeamSampler->GetBeamDivergence() > 0.0;
   traits.IsFixed = this->Sampling == FIXED;
-  traits.StoresWaveforms = this->GenerateWaveforms;
+  traits.StoresWaveforms = this->Wanted.Waveforms;
   traits.MergesReturns = this->MergeReturns;
   return traits;
 }

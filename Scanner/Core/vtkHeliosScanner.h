@@ -361,81 +361,6 @@ public:
   vtkGetMacro(PulseIdStride, vtkIdType);
   ///@}
 
-  ///@{
-  /**
-   * Set/Get the outputs computed in addition to the echoes. Default: off.
-   */
-  vtkSetMacro(GenerateWaveforms, bool);
-  vtkGetMacro(GenerateWaveforms, bool);
-  vtkBooleanMacro(GenerateWaveforms, bool);
-  vtkSetMacro(GeneratePulses, bool);
-  vtkGetMacro(GeneratePulses, bool);
-  vtkBooleanMacro(GeneratePulses, bool);
-  vtkSetMacro(GenerateSubRays, bool);
-  vtkGetMacro(GenerateSubRays, bool);
-  vtkBooleanMacro(GenerateSubRays, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes have TruePoint, the point hit, without any
-   * instrument error, and Normal, of the surface there; in scenes with mirrors or glass also
-   * SpecularEvents, how many of them were on the way. Default: off.
-   */
-  vtkSetMacro(GenerateTruth, bool);
-  vtkGetMacro(GenerateTruth, bool);
-  vtkBooleanMacro(GenerateTruth, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes have ScanDirectionFlag and EdgeOfFlightLine, which are those of
-   * their pulse by the deflector; 0 for one without lines. Default: off.
-   */
-  vtkSetMacro(GenerateScanFlags, bool);
-  vtkGetMacro(GenerateScanFlags, bool);
-  vtkBooleanMacro(GenerateScanFlags, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes, and the pulses, have ColumnIds: the column of a
-   * pulse in its revolution, from 0, of a deflector that fires in columns. With
-   * ChannelIds it is the pixel of an organized cloud. Default: off.
-   */
-  vtkSetMacro(GenerateColumns, bool);
-  vtkGetMacro(GenerateColumns, bool);
-  vtkBooleanMacro(GenerateColumns, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes have the amplitudes that instruments of RIEGL report:
-   * RelativeAmplitude, 10 log10(P / P0) of their amplitude P above the
-   * DetectionThreshold P0 [dB], and Reflectance, 10 log10(P / Pw) above the
-   * amplitude Pw that a white diffuse plane across the whole beam has at the same
-   * range [dB]. DetectionThreshold and AveragePower must be positive then. Default: off.
-   */
-  vtkSetMacro(GenerateDecibels, bool);
-  vtkGetMacro(GenerateDecibels, bool);
-  vtkBooleanMacro(GenerateDecibels, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes have RGB (float, [0..1]), the colour of the surface where the echo
-   * is: that of the cell data RGB of the scene, else that of the point data RGB between the corners,
-   * else the base colour of the material (Material.Color) times its texture, bilinear
-   * (Material.Texture, and cell data TextureCoordinates); black without. A texture that cannot be
-   * read is an error; vtkHeliosImageReader lists the formats. They are read again once the scene
-   * changes. See ReadColors of vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
-   * Default: off.
-   */
-  vtkSetMacro(GenerateColors, bool);
-  vtkGetMacro(GenerateColors, bool);
-  vtkBooleanMacro(GenerateColors, bool);
-  ///@}
-
   /**
    * The sampling that results from Sampling and the tolerances, as text.
    */
@@ -503,8 +428,6 @@ protected:
   ~vtkHeliosScanner() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -564,14 +487,6 @@ private:
   vtkIdType PulseIdStride = 1;
   int LegId = 0;
   int ChannelId = 0;
-  bool GenerateWaveforms = false;
-  bool GeneratePulses = false;
-  bool GenerateSubRays = false;
-  bool GenerateTruth = false;
-  bool GenerateScanFlags = false;
-  bool GenerateColumns = false;
-  bool GenerateDecibels = false;
-  bool GenerateColors = false;
   int MTAZone = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;

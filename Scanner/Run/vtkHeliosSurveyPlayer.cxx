@@ -73,7 +73,6 @@ public:
 
 private:
   bool CheckSettings();
-  helios::WantedOutputs GetWantedOutputs() const;
   bool CheckPart();
   bool Check(const helios::Status& status);
   bool OpenParts();
@@ -165,32 +164,15 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  this->Settings.Wants = this->GetWantedOutputs();
+  this->Settings.Wants = player->Wanted;
   if (!player->Source->CheckOptions(this->Settings))
   {
     return this->Fail();
   }
   this->Settings.Folder = player->GetRunFolder();
-  this->Settings.WaveformsInPoints = player->WaveformsInPoints;
-  this->Settings.SplitByChannel = player->SplitByChannel;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
   return this->Check(helios::SetFormat(TextOf(player->Format), this->Settings)) &&
     this->CheckPart();
-}
-
-//------------------------------------------------------------------------------
-helios::WantedOutputs vtkHeliosSurveyPlayer::Internals::GetWantedOutputs() const
-{
-  helios::WantedOutputs wants;
-  wants.Waveforms = this->Player->WriteWaveforms;
-  wants.Pulses = this->Player->WritePulses;
-  wants.SubRays = this->Player->WriteHits;
-  wants.Truth = this->Player->WriteTruth;
-  wants.ScanFlags = this->Player->WriteScanFlags;
-  wants.Columns = this->Player->WriteColumns;
-  wants.Decibels = this->Player->WriteDecibels;
-  wants.Colors = this->Player->WriteColors;
-  return wants;
 }
 
 //------------------------------------------------------------------------------
@@ -806,18 +788,12 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "OutputDirectory: " << (this->OutputDirectory ? this->OutputDirectory : "(none)")
      << "\n"
-     << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
-     << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
-     << indent << "WaveformsInPoints: " << this->WaveformsInPoints << "\n"
-     << indent << "WriteScanFlags: " << this->WriteScanFlags << "\n"
-     << indent << "WriteDecibels: " << this->WriteDecibels << "\n"
-     << indent << "WriteColors: " << this->WriteColors << "\n"
-     << indent << "WritePulses: " << this->WritePulses << "\n"
-     << indent << "WriteHits: " << this->WriteHits << "\n"
-     << indent << "WriteTruth: " << this->WriteTruth << "\n"
-     << indent << "WriteColumns: " << this->WriteColumns << "\n"
-     << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
-     << indent << "Overwrite: " << this->Overwrite << "\n"
+     << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n";
+  for (const auto& row : vtkHeliosEchoAlgorithm::GetOutputRows())
+  {
+    os << indent << row.FileProperty << ": " << this->Wanted.*row.Flag << "\n";
+  }
+  os << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"
      << indent << "Part: " << this->Part << " of " << this->NumberOfParts << "\n"
      << indent << "PartCommand: " << this->PartCommand << "\n"

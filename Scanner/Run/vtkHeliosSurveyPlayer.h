@@ -47,6 +47,7 @@
 #ifndef vtkHeliosSurveyPlayer_h
 #define vtkHeliosSurveyPlayer_h
 
+#include "vtkHeliosEchoAlgorithm.h"    // For the outputs
 #include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For the source and the ranks
@@ -119,104 +120,22 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the waveforms are written. Default: off.
+   * Set/Get what is written besides the echoes: the properties of the table of outputs of
+   * vtkHeliosEchoAlgorithm, with the same arrays. Default: off.
+   *
+   * WaveformsInPoints says where the waveforms of Format "las" are. Off: legNNN_points.las has point
+   * format 6 or 7, which all programs read, and legNNN_fullwave.las the same points with waveforms,
+   * point format 9 or 10, whose packets are in legNNN_fullwave.wdp. On: only legNNN_points.las, of
+   * format 9 or 10, and legNNN_points.wdp.
+   *
+   * WriteScanFlags adds two columns to text; points in LAS always have the flags. With WriteDecibels
+   * text has these two columns and two more; in LAS they are Extra Bytes with the names of RIEGL.
+   * WriteColors needs "las" or "vtp", WriteTruth and WriteColumns "vtp". The hits of WriteHits,
+   * points with PulseIds, Weight (share of the energy of the pulse, (0, 1]), Range [m], CellIds and
+   * IncidenceAngle [deg], are VTK XML in any Format. With SplitByChannel every channel of a scanner
+   * has its own files.
    */
-  vtkSetMacro(WriteWaveforms, bool);
-  vtkGetMacro(WriteWaveforms, bool);
-  vtkBooleanMacro(WriteWaveforms, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get where the waveforms of Format "las" are. Off: legNNN_points.las has point format 6 or 7,
-   * which all programs read, and legNNN_fullwave.las the same points with waveforms, point format 9
-   * or 10, whose packets are in legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or 10,
-   * and legNNN_points.wdp. Default: off.
-   */
-  vtkSetMacro(WaveformsInPoints, bool);
-  vtkGetMacro(WaveformsInPoints, bool);
-  vtkBooleanMacro(WaveformsInPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether echoes in text and VTK XML have ScanDirectionFlag and EdgeOfFlightLine; text has
-   * two more columns then. Points in LAS always have them. Default: off.
-   */
-  vtkSetMacro(WriteScanFlags, bool);
-  vtkGetMacro(WriteScanFlags, bool);
-  vtkBooleanMacro(WriteScanFlags, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether echoes have RelativeAmplitude and Reflectance [dB] (GenerateDecibels of
-   * vtkHeliosScanner). Text has the two columns of WriteScanFlags and two more then; in LAS they are
-   * Extra Bytes with the names of RIEGL. Default: off.
-   */
-  vtkSetMacro(WriteDecibels, bool);
-  vtkGetMacro(WriteDecibels, bool);
-  vtkBooleanMacro(WriteDecibels, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether echoes have RGB, the colour of the surface (GenerateColors of
-   * vtkHeliosScanner), and the meshes are read with their colours. An error with the format xyz,
-   * which has no colours. Default: off.
-   */
-  vtkSetMacro(WriteColors, bool);
-  vtkGetMacro(WriteColors, bool);
-  vtkBooleanMacro(WriteColors, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the pulses are written, including those without a hit. Default: off.
-   */
-  vtkSetMacro(WritePulses, bool);
-  vtkGetMacro(WritePulses, bool);
-  vtkBooleanMacro(WritePulses, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the hits of sub-rays are written: points with PulseIds, Weight (share of the
-   * energy of the pulse, (0, 1]), Range [m], CellIds and IncidenceAngle [deg], output 3 of
-   * vtkHeliosScanner. They are VTK XML in any Format. Default: off.
-   */
-  vtkSetMacro(WriteHits, bool);
-  vtkGetMacro(WriteHits, bool);
-  vtkBooleanMacro(WriteHits, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes are written with TruePoint, the point hit, without any noise or
-   * error, and Normal, of the surface there; with Format "vtp" only. Default: off.
-   */
-  vtkSetMacro(WriteTruth, bool);
-  vtkGetMacro(WriteTruth, bool);
-  vtkBooleanMacro(WriteTruth, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether the echoes, and the pulses, are written with ColumnIds: of spinning optics, the
-   * column of a pulse in its revolution; with Format "vtp" only. Default: off.
-   */
-  vtkSetMacro(WriteColumns, bool);
-  vtkGetMacro(WriteColumns, bool);
-  vtkBooleanMacro(WriteColumns, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether every channel of a scanner has its own files. Default: off.
-   */
-  vtkSetMacro(SplitByChannel, bool);
-  vtkGetMacro(SplitByChannel, bool);
-  vtkBooleanMacro(SplitByChannel, bool);
+  vtkHeliosFileOutputsMacro();
   ///@}
 
   ///@{
@@ -383,16 +302,7 @@ private:
   vtkSmartPointer<vtkHeliosRanks> Ranks;
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
-  bool WriteWaveforms = false;
-  bool WaveformsInPoints = false;
-  bool WriteScanFlags = false;
-  bool WriteDecibels = false;
-  bool WriteColors = false;
-  bool WritePulses = false;
-  bool WriteHits = false;
-  bool WriteTruth = false;
-  bool WriteColumns = false;
-  bool SplitByChannel = false;
+  vtkHeliosEchoAlgorithm::Outputs Wanted;
   bool Overwrite = false;
   bool Resume = false;
   bool WasFinished = false;

@@ -75,7 +75,6 @@ public:
 private:
   bool CheckSurvey();
   helios::RunInputs GetInputs() const;
-  helios::WantedOutputs GetWantedOutputs() const;
   bool ReportProgress(double progress);
 
   vtkWeakPointer<vtkHeliosSurvey> Observed;
@@ -128,21 +127,6 @@ helios::RunInputs vtkHeliosSurveySource::Internals::GetInputs() const
 }
 
 //------------------------------------------------------------------------------
-helios::WantedOutputs vtkHeliosSurveySource::Internals::GetWantedOutputs() const
-{
-  helios::WantedOutputs wants;
-  wants.Waveforms = this->Source->GenerateWaveforms;
-  wants.Pulses = this->Source->GeneratePulses;
-  wants.SubRays = this->Source->GenerateSubRays;
-  wants.Truth = this->Source->GenerateTruth;
-  wants.ScanFlags = this->Source->GenerateScanFlags;
-  wants.Columns = this->Source->GenerateColumns;
-  wants.Decibels = this->Source->GenerateDecibels;
-  wants.Colors = this->Source->GenerateColors;
-  return wants;
-}
-
-//------------------------------------------------------------------------------
 bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& settings)
 {
   if (!this->CheckSurvey())
@@ -158,7 +142,7 @@ bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& setting
 bool vtkHeliosSurveySource::Internals::Prepare()
 {
   helios::RunSettings settings;
-  settings.Wants = this->GetWantedOutputs();
+  settings.Wants = this->Source->Wanted;
   const auto onStep = [this](const std::string&) { return this->ReportProgress(0.0); };
   return this->CheckOptions(settings) && this->Survey.GetLoader().Load(onStep, settings) &&
     this->Survey.Plan(settings);
@@ -216,7 +200,6 @@ vtkHeliosSurveySource::vtkHeliosSurveySource()
 {
   this->Options = vtkSmartPointer<vtkHeliosRunOptions>::New();
   this->SetNumberOfInputPorts(4);
-  this->SetNumberOfOutputPorts(helios::WantedOutputs::NumberOfPorts);
 }
 
 //------------------------------------------------------------------------------
@@ -466,7 +449,7 @@ std::string vtkHeliosSurveySource::DescribeSampling()
 std::string vtkHeliosSurveySource::GetFingerprint()
 {
   helios::RunSettings settings;
-  settings.Wants.Colors = this->GenerateColors; // part of what is loaded
+  settings.Wants.Colors = this->Wanted.Colors; // part of what is loaded
   return this->CheckOptions(settings)
     ? helios::ToLine(helios::MakeFingerprint(this->GetLoader().GetSurvey(), settings))
     : std::string();
@@ -521,25 +504,6 @@ int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* in
   info->Remove(INPUT_REQUIRED_DATA_TYPE());
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurveySource::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(
-    vtkDataObject::DATA_TYPE_NAME(), port == helios::WaveformPort ? "vtkTable" : "vtkPolyData");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurveySource::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
-  for (int port = 0; port < helios::WantedOutputs::NumberOfPorts; ++port)
-  {
-    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  }
   return 1;
 }
 
@@ -605,14 +569,6 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Survey: " << (this->Survey ? this->Survey->GetName() : "(none)") << "\n"
-     << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
-     << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
-     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
-     << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
-     << indent << "GenerateScanFlags: " << this->GenerateScanFlags << "\n"
-     << indent << "GenerateColumns: " << this->GenerateColumns << "\n"
-     << indent << "GenerateDecibels: " << this->GenerateDecibels << "\n"
-     << indent << "GenerateColors: " << this->GenerateColors << "\n"
      << indent << "Instances: " << this->Instances << "\n"
      << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
      << indent << "Options:\n";

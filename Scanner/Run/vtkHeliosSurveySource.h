@@ -43,9 +43,9 @@
 #ifndef vtkHeliosSurveySource_h
 #define vtkHeliosSurveySource_h
 
+#include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosScannerRunModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For the survey
+#include "vtkSmartPointer.h"           // For the survey
 
 #include <atomic>     // For Abort()
 #include <functional> // For LoadScene()
@@ -64,11 +64,11 @@ class SurveyLoader;
 struct RunSettings;
 }
 
-class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosSurveySource : public vtkPolyDataAlgorithm
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosSurveySource : public vtkHeliosEchoAlgorithm
 {
 public:
   static vtkHeliosSurveySource* New();
-  vtkTypeMacro(vtkHeliosSurveySource, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHeliosSurveySource, vtkHeliosEchoAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -86,38 +86,6 @@ public:
    */
   void SetOptions(vtkHeliosRunOptions* options);
   vtkHeliosRunOptions* GetOptions() const;
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get which outputs are computed besides the echoes, and whether the echoes have TruePoint
-   * and Normal, ScanDirectionFlag and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-   * GenerateColors the meshes are read with their colours. Default: off.
-   */
-  vtkSetMacro(GenerateWaveforms, bool);
-  vtkGetMacro(GenerateWaveforms, bool);
-  vtkBooleanMacro(GenerateWaveforms, bool);
-  vtkSetMacro(GeneratePulses, bool);
-  vtkGetMacro(GeneratePulses, bool);
-  vtkBooleanMacro(GeneratePulses, bool);
-  vtkSetMacro(GenerateSubRays, bool);
-  vtkGetMacro(GenerateSubRays, bool);
-  vtkBooleanMacro(GenerateSubRays, bool);
-  vtkSetMacro(GenerateTruth, bool);
-  vtkGetMacro(GenerateTruth, bool);
-  vtkBooleanMacro(GenerateTruth, bool);
-  vtkSetMacro(GenerateScanFlags, bool);
-  vtkGetMacro(GenerateScanFlags, bool);
-  vtkBooleanMacro(GenerateScanFlags, bool);
-  vtkSetMacro(GenerateColumns, bool);
-  vtkGetMacro(GenerateColumns, bool);
-  vtkBooleanMacro(GenerateColumns, bool);
-  vtkSetMacro(GenerateDecibels, bool);
-  vtkGetMacro(GenerateDecibels, bool);
-  vtkBooleanMacro(GenerateDecibels, bool);
-  vtkSetMacro(GenerateColors, bool);
-  vtkGetMacro(GenerateColors, bool);
-  vtkBooleanMacro(GenerateColors, bool);
   ///@}
 
   ///@{
@@ -236,8 +204,6 @@ protected:
   ~vtkHeliosSurveySource() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -254,14 +220,6 @@ private:
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   vtkSmartPointer<vtkHeliosRunOptions> Options;
-  bool GenerateWaveforms = false;
-  bool GeneratePulses = false;
-  bool GenerateSubRays = false;
-  bool GenerateTruth = false;
-  bool GenerateScanFlags = false;
-  bool GenerateColumns = false;
-  bool GenerateDecibels = false;
-  bool GenerateColors = false;
   bool Instances = false;
   vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
 

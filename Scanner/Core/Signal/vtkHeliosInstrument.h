@@ -27,9 +27,9 @@
 #ifndef vtkHeliosInstrument_h
 #define vtkHeliosInstrument_h
 
+#include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For the samples of a pulse
+#include "vtkSmartPointer.h"            // For the samples of a pulse
 
 #include <string> // For error messages
 
@@ -41,10 +41,10 @@ struct Air;
 }
 class vtkDataArray;
 
-class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkPolyDataAlgorithm
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkHeliosEchoAlgorithm
 {
 public:
-  vtkTypeMacro(vtkHeliosInstrument, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHeliosInstrument, vtkHeliosEchoAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The shape of the transmitted pulse.

@@ -50,7 +50,7 @@ LegOutputs LegFiles::MakeOutputs(const LegPlan& plan) const
   LegOutputs outputs;
   for (const int port : Ports)
   {
-    const bool isInPoints = port == WaveformPort && this->Settings.WaveformsInPoints;
+    const bool isInPoints = port == WaveformPort && this->Settings.Wants.WaveformsInPoints;
     if (this->Settings.Wants.HasPort(port) && !isInPoints)
     {
       this->AddOutputs(plan, port, outputs);
@@ -65,7 +65,7 @@ void LegFiles::AddOutputs(const LegPlan& plan, int port, LegOutputs& outputs) co
 {
   const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
   const std::size_t channels = scanner.GetNumberOfChannels();
-  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
+  const bool isSplit = this->Settings.Wants.SplitByChannel && channels > 1;
   for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
     const std::string channel = isSplit ? scanner.GetChannel(k).Channel : "";
@@ -123,7 +123,7 @@ bool HasXml(const RunSettings& settings)
 RunSettings MakePartSettings(RunSettings settings)
 {
   settings.Format = settings.Format == "las" ? "vtp" : settings.Format;
-  settings.WaveformsInPoints = false;
+  settings.Wants.WaveformsInPoints = false;
   return settings;
 }
 

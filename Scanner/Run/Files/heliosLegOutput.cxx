@@ -27,7 +27,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   if (isLas && (port == EchoPort || port == WaveformPort))
   {
     const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
-    las->SetWriteWaveforms(port == WaveformPort || settings.WaveformsInPoints);
+    las->SetWriteWaveforms(port == WaveformPort || settings.Wants.WaveformsInPoints);
     writer = las;
   }
   else if (port == WaveformPort && isXml)

@@ -6,6 +6,9 @@
 #include "heliosRunSettings.h"
 #include "vtkHeliosRunFiles.h"
 
+#include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 namespace helios
@@ -13,6 +16,8 @@ namespace helios
 
 namespace
 {
+
+using Outputs = vtkHeliosEchoAlgorithm::Outputs;
 
 Status CheckName(const std::string& format)
 {
@@ -28,21 +33,20 @@ Status CheckName(const std::string& format)
   return Status::Error("Format is \"" + format + "\"; give " + Enumerate(formats, "or") + ".");
 }
 
-Status CheckArrays(const std::string& format, const WantedOutputs& wants)
+/// Checks that files of the format can have what is wanted; waveforms of other formats have files of
+/// their own.
+Status CheckOutputs(const std::string& format, const Outputs& wants)
 {
-  if (wants.Colors && format == "xyz")
+  for (const auto& row : vtkHeliosEchoAlgorithm::GetOutputRows())
   {
-    return Status::Error("WriteColors is on, but Format \"xyz\" has no colours; give las or vtp.");
-  }
-  if (wants.Truth && format != "vtp")
-  {
-    return Status::Error("WriteTruth is on, but files of the format " + format +
-      " cannot store true points; set Format to vtp.");
-  }
-  if (wants.Columns && format != "vtp")
-  {
-    return Status::Error("WriteColumns is on, but files of the format " + format +
-      " cannot store columns of revolutions; set Format to vtp.");
+    std::istringstream words(row.Formats);
+    const std::vector<std::string> formats(std::istream_iterator<std::string>(words), {});
+    if (wants.*row.Flag && row.Flag != &Outputs::WaveformsInPoints &&
+      std::find(formats.begin(), formats.end(), format) == formats.end())
+    {
+      return Status::Error(std::string(row.FileProperty) + " is on, but files of the Format \"" +
+        format + "\" cannot have " + row.Title + "; give " + Enumerate(formats, "or") + ".");
+    }
   }
   return {};
 }
@@ -52,8 +56,8 @@ Status CheckArrays(const std::string& format, const WantedOutputs& wants)
 //------------------------------------------------------------------------------
 Status SetFormat(const std::string& format, RunSettings& settings)
 {
-  WantedOutputs& wants = settings.Wants;
-  for (const Status& status : { CheckName(format), CheckArrays(format, wants) })
+  Outputs& wants = settings.Wants;
+  for (const Status& status : { CheckName(format), CheckOutputs(format, wants) })
   {
     if (!status.IsOk())
     {
@@ -62,7 +66,7 @@ Status SetFormat(const std::string& format, RunSettings& settings)
   }
   const bool isLas = format == "las";
   settings.Format = format;
-  settings.WaveformsInPoints = settings.WaveformsInPoints && isLas && wants.Waveforms;
+  wants.WaveformsInPoints = wants.WaveformsInPoints && isLas && wants.Waveforms;
   wants.ScanFlags =
     wants.ScanFlags || isLas || (format == "xyz" && wants.Decibels); // one order of columns
   return {};

@@ -190,7 +190,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetInterpolateOrientation(!options.IsWithout("attitude"));
   channel->SetSeed(this->Settings.Options.Seed);
   channel->SetPulseStep(this->Settings.Options.PulseStep);
-  this->ApplyOutputs(channel);
+  channel->SetWantedOutputs(this->Settings.Wants);
   return channel;
 }
 
@@ -224,20 +224,6 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::ApplyOutputs(vtkHeliosScanner* channel) const
-{
-  const WantedOutputs& wants = this->Settings.Wants;
-  channel->SetGenerateWaveforms(wants.Waveforms);
-  channel->SetGeneratePulses(wants.Pulses);
-  channel->SetGenerateSubRays(wants.SubRays);
-  channel->SetGenerateTruth(wants.Truth);
-  channel->SetGenerateScanFlags(wants.ScanFlags);
-  channel->SetGenerateColumns(wants.Columns);
-  channel->SetGenerateDecibels(wants.Decibels);
-  channel->SetGenerateColors(wants.Colors);
-}
-
-//------------------------------------------------------------------------------
 void LegScanner::SetOptions(const RunOptions& options)
 {
   this->Settings.Options = options;
@@ -245,12 +231,12 @@ void LegScanner::SetOptions(const RunOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::SetOutputs(const WantedOutputs& wants)
+void LegScanner::SetOutputs(const vtkHeliosEchoAlgorithm::Outputs& wants)
 {
   this->Settings.Wants = wants;
   for (vtkHeliosScanner* channel : this->Channels)
   {
-    this->ApplyOutputs(channel);
+    channel->SetWantedOutputs(this->Settings.Wants);
   }
 }
 
@@ -327,7 +313,7 @@ double LegScanner::GetMemorySize() const
   double kibibytes = 0.0;
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
+    for (int port = 0; port < vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts; ++port)
     {
       vtkDataObject* output = this->GetOutput(port, k);
       kibibytes += output ? static_cast<double>(output->GetActualMemorySize()) : 0.0;

@@ -55,7 +55,7 @@ public:
   void SetOptions(const RunOptions& options);
 
   /// Sets what is computed besides the echoes.
-  void SetOutputs(const WantedOutputs& wants);
+  void SetOutputs(const vtkHeliosEchoAlgorithm::Outputs& wants);
 
   /// The pulses of all channels in the windows.
   vtkIdType CountPulses();
@@ -98,7 +98,6 @@ private:
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
   void SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) const;
-  void ApplyOutputs(vtkHeliosScanner* channel) const;
   void ApplyWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);

@@ -87,7 +87,7 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
 {
   this->ReleaseOutput();
   this->Gathered.assign(
-    this->Channels.size(), std::vector<PiecePile>(WantedOutputs::NumberOfPorts));
+    this->Channels.size(), std::vector<PiecePile>(vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts));
   const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
   const vtkIdType begin = std::max(this->FirstPulse,
     helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate));
@@ -161,7 +161,7 @@ void LegScanner::Gather()
   AddCounts(this->Channels, this->GatheredCounts);
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
+    for (int port = 0; port < vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts; ++port)
     {
       if (this->Settings.Wants.HasPort(port))
       {

@@ -7,7 +7,7 @@
 
 #include "heliosRunOptions.h"
 #include "heliosRunPart.h"
-#include "heliosWantedOutputs.h"
+#include "vtkHeliosEchoAlgorithm.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -29,12 +29,10 @@ struct RunSettings
 {
   RunOptions Options;     ///< with the seed of the survey if it has none
   bool HasEpochs = false; ///< whether the survey has several epochs
-  WantedOutputs Wants;
-  bool WaveformsInPoints = false; ///< LAS: in one file with the points
+  vtkHeliosEchoAlgorithm::Outputs Wants;
 
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, las, vtp
-  bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
   RunPart Part; ///< that is run
 

@@ -129,7 +129,7 @@ bool LoadedSurvey::Run(
   vtkIdType first, vtkIdType last, const ProgressCallback& onProgress, Piles& piles)
 {
   Progress progress{ onProgress, std::max<vtkIdType>(1, last - first) };
-  piles = Piles(WantedOutputs::NumberOfPorts);
+  piles = Piles(vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts);
   for (const LegPlan& plan : this->Runner->GetPlans())
   {
     const Shots shots = this->FindShots(plan, first, last);
@@ -165,7 +165,7 @@ bool LoadedSurvey::RunLeg(const LegPlan& plan, const Shots& shots, Progress& pro
     {
       return false;
     }
-    for (int port = 0; port < WantedOutputs::NumberOfPorts; ++port)
+    for (int port = 0; port < vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts; ++port)
     {
       if (this->Settings.Wants.HasPort(port))
       {

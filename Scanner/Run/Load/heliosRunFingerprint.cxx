@@ -46,25 +46,16 @@ Json::Value DescribePart(const RunPart& part)
 
 Json::Value DescribeOptions(const RunSettings& settings)
 {
-  const WantedOutputs& wants = settings.Wants;
   Json::Value options;
   settings.Options.Describe(options);
   options["format"] = settings.Format;
-  options["waveforms"] = wants.Waveforms;
-  options["waveformsInPoints"] = settings.WaveformsInPoints;
-  options["scanFlags"] = wants.ScanFlags;
-  options["pulses"] = wants.Pulses;
-  const std::pair<const char*, bool> others[] = { { "hits", wants.SubRays },
-    { "truth", wants.Truth }, { "columns", wants.Columns }, { "decibels", wants.Decibels },
-    { "colors", wants.Colors } };
-  for (const auto& [name, isWanted] : others)
+  for (const auto& row : vtkHeliosEchoAlgorithm::GetOutputRows())
   {
-    if (isWanted)
+    if (row.IsListedIfOff || settings.Wants.*row.Flag)
     {
-      options[name] = true;
+      options[row.Key] = settings.Wants.*row.Flag;
     }
   }
-  options["splitByChannel"] = settings.SplitByChannel;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)
   {
