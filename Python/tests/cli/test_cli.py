@@ -374,7 +374,7 @@ def test_columns_are_written_as_vtp(command_line, make_survey, tmp_path):
     survey.write_text(re.sub(r'(verticalAngle|headRotate)\w+="[^"]*"', "", text))
     done = command_line("run", survey, "--columns", "--output", tmp_path / "text")
     assert done.returncode == 1
-    assert "cannot store columns of revolutions; set Format to vtp" in done.stderr
+    assert "cannot have columns of spinning optics; give vtp" in done.stderr
     options = "--columns", "--pulses", "--format", "vtp", "--output", tmp_path / "vtp"
     done = command_line("run", survey, *options)
     assert done.returncode == 0, done.stderr
@@ -390,7 +390,7 @@ def test_truth_is_written_as_vtp(command_line, make_survey, tmp_path):
     survey = make_survey(stop=2)
     done = command_line("run", survey, "--truth", "--output", tmp_path / "text")
     assert done.returncode == 1
-    assert "cannot store true points; set Format to vtp" in done.stderr
+    assert "cannot have points and normals without noise; give vtp" in done.stderr
     options = "--truth", "--format", "vtp", "--output", tmp_path / "vtp"
     done = command_line("run", survey, *options)
     assert done.returncode == 0, done.stderr

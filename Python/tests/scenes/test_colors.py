@@ -347,6 +347,6 @@ def test_run_to_writes_colours_where_the_format_has_them(room, tmp_path):
     cloud = vtkhelios.Cloud(reader.GetOutput())
     check_colors(cloud.points, cloud["RGB"], 4 * 0.01 / 255 + 1e-4)
     with pytest.raises(
-        vtkhelios.PipelineError, match='Format "xyz" has no colours; give las or vtp'
+        vtkhelios.PipelineError, match='"xyz" cannot have colours of surfaces; give las or vtp'
     ):
         survey.run_to(tmp_path / "text", colors=True)

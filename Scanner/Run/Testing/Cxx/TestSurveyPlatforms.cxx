@@ -272,8 +272,8 @@ TEST_CASE("SurveyPlatforms: true points are written beside the reported ones", "
   REQUIRE(reading.Good);
   Playing playing(files, reading);
   playing.Player->WriteTruthOn();
-  playing.CheckFails({ "WriteTruth is on, but files of the format xyz cannot store true points; "
-                       "set Format to vtp." });
+  playing.CheckFails({ "WriteTruth is on, but files of the Format \"xyz\" cannot have points and "
+                       "normals without noise; give vtp." });
   playing.Player->SetFormat("vtp");
   REQUIRE(playing.Player->Run());
   vtkNew<vtkHeliosPointXMLReader> reader;
