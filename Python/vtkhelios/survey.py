@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _native
+from ._options import in_python
 from ._outputs import in_files, in_memory
 from ._paths import from_vtk, text_from_vtk, to_vtk
 from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
@@ -28,25 +29,7 @@ from .scene import Scene, add_parts
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
-# Options of a run, and their properties of vtkHeliosRunOptions.
-_OPTIONS = {
-    "seed": "seed",
-    "noise": "noise",
-    "tolerance": "range_tolerance",
-    "energy_tolerance": "energy_tolerance",
-    "sub_rays": "number_of_sub_rays",
-    "max_sub_rays": "maximum_sub_rays",
-    "sub_ray_pattern": "sub_ray_pattern",
-    "bin_size": "bin_size",
-    "detector": "echo_detector",
-    "ray_caster": "ray_caster",
-    "weather": "weather",
-    "gps_start": "gps_start",
-    "epoch": "epoch",
-    "without": "without",
-    "pulse_step": "pulse_step",
-    "accuracy_report": "accuracy_report",
-}
+_OPTIONS = in_python()
 # How a run stores the scene, and what it returns besides echoes: properties of vtkHeliosSurveySource.
 _OUTPUTS = {"instances": "instances", **in_memory()}
 

@@ -16,7 +16,7 @@ using Outputs = vtkHeliosEchoAlgorithm::Outputs;
 using Row = vtkHeliosEchoAlgorithm::OutputRow;
 
 constexpr std::pair<const char*, const char * Row::*> Fields[] = { { "name", &Row::Name },
-  { "property", &Row::Property }, { "file_property", &Row::FileProperty }, { "key", &Row::Key },
+  { "source", &Row::Property }, { "player", &Row::FileProperty }, { "key", &Row::Key },
   { "arrays", &Row::Arrays }, { "formats", &Row::Formats }, { "title", &Row::Title },
   { "state", &Row::State }, { "help", &Row::Help } };
 

@@ -123,10 +123,10 @@ public:
   ///@{
   /**
    * Get a field of a row of the table of outputs: "name", of options, such as "scan_flags";
-   * "property", of this class, empty for outputs of files only; "file_property", of
-   * vtkHeliosSurveyPlayer; "key", in the options of run_summary.json; "arrays" and "formats", names
-   * separated by blanks; "title" and "state", of a report, if it is on; "help", of the command line.
-   * Null for another row or field.
+   * "source" and "player", the properties of this class and of vtkHeliosSurveyPlayer, the first empty
+   * for outputs of files only; "key", in the options of run_summary.json; "arrays" and "formats",
+   * names separated by blanks; "title" and "state", of a report, if it is on; "help", of the command
+   * line. Null for another row or field.
    */
   static int GetNumberOfOutputs();
   static const char* GetOutputText(int output, const std::string& field);

@@ -17,15 +17,70 @@
 #include "vtkHeliosScannerRunModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <memory> // For the private data
 #include <string> // For names
+
+#ifndef __VTK_WRAP__
+namespace Json
+{
+class Value;
+}
 
 namespace helios
 {
-struct RunOptions;
-}
 
-class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosRunOptions : public vtkObject
+class Status;
+
+/// Properties of vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
+struct RunOptions
+{
+  int Epoch = 0;
+  vtkIdType Seed = -1; ///< negative: as in the survey, else 0
+  bool Noise = true;
+  double RangeTolerance = 0.0;  ///< [m]
+  double EnergyTolerance = 0.0; ///< relative
+  int NumberOfSubRays = 0;      ///< fixed
+  int MaximumSubRays = 0;       ///< of adaptive sampling, of a beam; 0: the default of the scanner
+  std::string SubRayPattern;    ///< of the fixed ones
+  double BinSize = 0.0;         ///< [ns]
+  std::string EchoDetector;
+  std::string RayCaster;
+  std::string Weather;        ///< see ParseWeather()
+  std::string GpsStart;       ///< see vtkHeliosGpsTime::Parse()
+  std::string Without;        ///< names of parts of the model, separated by blanks
+  vtkIdType PulseStep = 1;    ///< a sample: every n-th pulse
+  bool AccuracyReport = true; ///< changes no echo: not among those that are compared
+
+  /// Whether a part of the model is left out.
+  bool IsWithout(const std::string& part) const;
+
+  /// The pattern of vtkHeliosBeamSampler for the fixed sub-rays: without SubRayPattern circles if
+  /// they give that number, else a spiral.
+  int GetPattern() const;
+
+  bool operator==(const RunOptions& other) const;
+
+  /// Returns an error if a value is not valid: which one, and what is expected.
+  Status FindFault() const;
+
+  /// Adds the options to those of a run's summary, without the epoch and the accuracy report.
+  void Describe(Json::Value& options) const;
+
+private:
+  Status CheckSampling() const;
+  Status CheckPattern() const;
+  Status CheckParts() const;
+  Status CheckWeather() const;
+  Status CheckGpsStart() const;
+};
+
+} // namespace helios
+
+#define vtkHeliosRunOptionsData , protected helios::RunOptions
+#else
+#define vtkHeliosRunOptionsData
+#endif
+
+class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosRunOptions : public vtkObject vtkHeliosRunOptionsData
 {
 public:
   static vtkHeliosRunOptions* New();
@@ -37,8 +92,8 @@ public:
    * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
    * the survey's GetNumberOfEpochs() - 1]. Default: 0.
    */
-  void SetEpoch(int epoch);
-  int GetEpoch() const;
+  vtkSetClampMacro(Epoch, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Epoch, int);
   ///@}
 
   ///@{
@@ -46,17 +101,16 @@ public:
    * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
    * 0. Default: -1.
    */
-  void SetSeed(vtkIdType seed);
-  vtkIdType GetSeed() const;
-  vtkIdType GetSeedMaxValue() const;
+  vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
+  vtkGetMacro(Seed, vtkIdType);
   ///@}
 
   ///@{
   /**
    * Set/Get whether ranges have the scanner's noise. Default: on.
    */
-  void SetNoise(bool noise);
-  bool GetNoise() const;
+  vtkSetMacro(Noise, bool);
+  vtkGetMacro(Noise, bool);
   vtkBooleanMacro(Noise, bool);
   ///@}
 
@@ -66,12 +120,12 @@ public:
    * in vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
    * Default: 0, as in the survey.
    */
-  void SetRangeTolerance(double tolerance);
-  double GetRangeTolerance() const;
+  vtkSetMacro(RangeTolerance, double);
+  vtkGetMacro(RangeTolerance, double);
   double GetRangeToleranceMinValue() const;
   double GetRangeToleranceMaxValue() const;
-  void SetEnergyTolerance(double tolerance);
-  double GetEnergyTolerance() const;
+  vtkSetMacro(EnergyTolerance, double);
+  vtkGetMacro(EnergyTolerance, double);
   double GetEnergyToleranceMinValue() const;
   double GetEnergyToleranceMaxValue() const;
   ///@}
@@ -82,9 +136,8 @@ public:
    * beamSampleQuality in surveys; any other number, rounded up to a multiple of 4, on a spiral. Valid range: [0, 65536]. Default: 0,
    * as in the survey.
    */
-  void SetNumberOfSubRays(int count);
-  int GetNumberOfSubRays() const;
-  int GetNumberOfSubRaysMaxValue() const;
+  vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
+  vtkGetMacro(NumberOfSubRays, int);
   ///@}
 
   ///@{
@@ -93,8 +146,8 @@ public:
    * 16, 36 ... sub-rays, Circles 1, 7, 19 ..., Vogel any multiple of 4. Default: empty, Circles if
    * they give the number, else Vogel.
    */
-  void SetSubRayPattern(const std::string& name);
-  std::string GetSubRayPattern() const;
+  vtkSetMacro(SubRayPattern, const std::string&);
+  vtkGetMacro(SubRayPattern, std::string);
   ///@}
 
   /**
@@ -108,8 +161,8 @@ public:
    * vtkHeliosScanner::SetMaximumNumberOfSubRays(): a limit of its time. Valid range: 0 or [1024,
    * 2^24]. Default: 0, the default of the scanner.
    */
-  void SetMaximumSubRays(int count);
-  int GetMaximumSubRays() const;
+  vtkSetMacro(MaximumSubRays, int);
+  vtkGetMacro(MaximumSubRays, int);
   int GetMaximumSubRaysMinValue() const;
   int GetMaximumSubRaysMaxValue() const;
   ///@}
@@ -118,8 +171,8 @@ public:
   /**
    * Set/Get the bins of waveforms [ns]. Valid range: [0, 1e6]. Default: 0, as in the survey.
    */
-  void SetBinSize(double size);
-  double GetBinSize() const;
+  vtkSetMacro(BinSize, double);
+  vtkGetMacro(BinSize, double);
   ///@}
 
   ///@{
@@ -127,8 +180,8 @@ public:
    * Set/Get the echo detector for waveforms, one of GetEchoDetectorNames(). Default: empty, that of
    * the survey.
    */
-  void SetEchoDetector(const std::string& name);
-  std::string GetEchoDetector() const;
+  vtkSetMacro(EchoDetector, const std::string&);
+  vtkGetMacro(EchoDetector, std::string);
   ///@}
 
   /**
@@ -141,8 +194,8 @@ public:
    * Set/Get the ray caster by its name, vtkHeliosRayCasterFactory::GetBackendName(). Default: empty, that
    * of the survey, else the first.
    */
-  void SetRayCaster(const std::string& name);
-  std::string GetRayCaster() const;
+  vtkSetMacro(RayCaster, const std::string&);
+  vtkGetMacro(RayCaster, std::string);
   ///@}
 
   ///@{
@@ -150,8 +203,8 @@ public:
    * Set/Get a kind of weather and its amount, such as "fog 0.2", as
    * vtkHeliosInstrument::SetWeather(), for all scanners. Default: empty, that of the survey.
    */
-  void SetWeather(const std::string& weather);
-  std::string GetWeather() const;
+  vtkSetMacro(Weather, const std::string&);
+  vtkGetMacro(Weather, std::string);
   ///@}
 
   ///@{
@@ -160,8 +213,8 @@ public:
    * "2026-07-01 12:00:00" of UTC: points then have the field array GpsEpoch, and files of points the
    * times of a clock. Default: empty, that of the survey, else not known.
    */
-  void SetGpsStart(const std::string& start);
-  std::string GetGpsStart() const;
+  vtkSetMacro(GpsStart, const std::string&);
+  vtkGetMacro(GpsStart, std::string);
   ///@}
 
   ///@{
@@ -173,8 +226,8 @@ public:
    * platform stands still during a scan line (1 / scan frequency); "attitude", it has the orientation
    * of the last sample of its trajectory. Default: empty, none.
    */
-  void SetWithout(const std::string& parts);
-  std::string GetWithout() const;
+  vtkSetMacro(Without, const std::string&);
+  vtkGetMacro(Without, std::string);
   ///@}
 
   /**
@@ -187,8 +240,8 @@ public:
    * Set/Get how many pulses have one that is fired: a sample of the run, as by
    * vtkHeliosScanner::SetPulseStep(). Valid range: [1, 2^53]. Default: 1, all.
    */
-  void SetPulseStep(vtkIdType step);
-  vtkIdType GetPulseStep() const;
+  vtkSetClampMacro(PulseStep, vtkIdType, 1, 9007199254740992LL);
+  vtkGetMacro(PulseStep, vtkIdType);
   ///@}
 
   ///@{
@@ -196,16 +249,28 @@ public:
    * Set/Get whether a run of vtkHeliosSurveyPlayer computes some of its pulses again with a
    * reference, and adds "accuracy" to its summary. Changes no echo. Default: on.
    */
-  void SetAccuracyReport(bool report);
-  bool GetAccuracyReport() const;
+  vtkSetMacro(AccuracyReport, bool);
+  vtkGetMacro(AccuracyReport, bool);
   vtkBooleanMacro(AccuracyReport, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Get a field of a row of the table of options: "property", of this class; "name", in Python;
+   * "key", in the options of run_summary.json, empty for one that changes no echo; "title", of a
+   * report; "words", there, for a value, which {} stands for, times "scale"; "argument", of the
+   * command line, empty for none, its "metavar", "help", and "choices", separated by blanks. Empty for
+   * another row or field.
+   */
+  static int GetNumberOfOptions();
+  static std::string GetOptionText(int option, const std::string& field);
   ///@}
 
 #ifndef __VTK_WRAP__
   /// All options.
   const helios::RunOptions& GetData() const
   {
-    return *this->Data;
+    return *this;
   }
 #endif
 
@@ -216,11 +281,6 @@ protected:
 private:
   vtkHeliosRunOptions(const vtkHeliosRunOptions&) = delete;
   void operator=(const vtkHeliosRunOptions&) = delete;
-
-  template <typename T>
-  void Set(T& option, const T& value);
-
-  std::unique_ptr<helios::RunOptions> Data;
 };
 
 #endif

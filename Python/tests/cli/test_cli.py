@@ -373,8 +373,8 @@ def test_columns_are_written_as_vtp(command_line, make_survey, tmp_path):
     )
     survey.write_text(re.sub(r'(verticalAngle|headRotate)\w+="[^"]*"', "", text))
     done = command_line("run", survey, "--columns", "--output", tmp_path / "text")
-    assert done.returncode == 1
-    assert "cannot have columns of spinning optics; give vtp" in done.stderr
+    assert done.returncode == 2
+    assert "--columns needs --format vtp: files of the format xyz cannot have columns" in done.stderr
     options = "--columns", "--pulses", "--format", "vtp", "--output", tmp_path / "vtp"
     done = command_line("run", survey, *options)
     assert done.returncode == 0, done.stderr
@@ -389,8 +389,8 @@ def test_columns_are_written_as_vtp(command_line, make_survey, tmp_path):
 def test_truth_is_written_as_vtp(command_line, make_survey, tmp_path):
     survey = make_survey(stop=2)
     done = command_line("run", survey, "--truth", "--output", tmp_path / "text")
-    assert done.returncode == 1
-    assert "cannot have points and normals without noise; give vtp" in done.stderr
+    assert done.returncode == 2
+    assert "--truth needs --format vtp: files of the format xyz cannot have points" in done.stderr
     options = "--truth", "--format", "vtp", "--output", tmp_path / "vtp"
     done = command_line("run", survey, *options)
     assert done.returncode == 0, done.stderr

@@ -13,16 +13,16 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from .._paths import from_vtk, text_from_vtk, to_vtk
 from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
-from ..vtkHeliosScannerRayCasting import vtkHeliosRayCasterFactory
 from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
-from ._parser import number, part_of_run, whole_number
+from ._parser import part_of_run, whole_number
 from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
 from ._reading import missing_folder
 from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
 from ._run.help import EPILOG
-from ._run.outputs import add_output_arguments, set_outputs
+from ._run.options import add_option_arguments, set_options
+from ._run.outputs import add_output_arguments, find_fault, set_outputs
 from ._run.ranks import NoMpi, count_threads, start_ranks
 from ._stopping import ESTIMATE, RUN, StopRequest, report_stop, run_player, set_outcome
 
@@ -34,15 +34,9 @@ def detectors():
     return vtkHeliosRunOptions.GetEchoDetectorNames().split()
 
 
-def ray_casters():
-    """The names of the ray casters in this build, the default one first."""
-    factory = vtkHeliosRayCasterFactory
-    return [factory.GetBackendName(index) for index in range(factory.GetNumberOfBackends())]
-
-
 def add_arguments(parser):
     parser.epilog = EPILOG
-    player, options = vtkHeliosSurveyPlayer(), vtkHeliosRunOptions()
+    player = vtkHeliosSurveyPlayer()
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
     add_assets_argument(parser)
     parser.add_argument(
@@ -80,27 +74,12 @@ def add_arguments(parser):
         help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
     add_output_arguments(parser)
-    add_sampling_arguments(parser, options)
-    parser.add_argument(
-        "--seed",
-        metavar="N",
-        type=whole_number(options.GetSeedMaxValue()),
-        help="seed of all random numbers: the same seed gives byte-identical files, "
-        "for any number of threads (default: the survey's, else 0)",
-    )
-    parser.add_argument(
-        "--no-noise", action="store_true", help="ranges without the scanner's noise"
-    )
+    add_option_arguments(parser)
     parser.add_argument(
         "--no-instances",
         action="store_true",
         help="copy the mesh of a file for each part that has it, instead of storing it once, and make "
         "meshes of height rasters",
-    )
-    parser.add_argument(
-        "--no-accuracy-report",
-        action="store_true",
-        help="do not compute 200 to 1000 of the pulses again to measure the accuracy of the run",
     )
     parser.add_argument(
         "--threads",
@@ -110,14 +89,6 @@ def add_arguments(parser):
         help="number of threads; 0: one per processor core (default: %(default)s)",
     )
     add_memory_argument(parser)
-    parser.add_argument(
-        "--ray-caster",
-        metavar="NAME",
-        choices=ray_casters(),
-        default="",
-        help="ray caster: %(choices)s (default: the survey's rayCaster, else the first); "
-        "the points are the same (obbtree: nearly); Docs/ray-casters.md compares their cost",
-    )
     parser.add_argument(
         "--pulses-per-block",
         metavar="N",
@@ -157,64 +128,6 @@ def add_earlier_run_arguments(parser):
     )
 
 
-def add_sampling_arguments(parser, options):
-    parser.add_argument(
-        "--range-tolerance",
-        metavar="M",
-        type=number(options.GetRangeToleranceMinValue(), options.GetRangeToleranceMaxValue()),
-        default=0.0,
-        help="adaptive beam sampling: 95th percentile of the range error [m] "
-        "(default: the survey's, else 0.001)",
-    )
-    parser.add_argument(
-        "--energy-tolerance",
-        metavar="F",
-        type=number(options.GetEnergyToleranceMinValue(), options.GetEnergyToleranceMaxValue()),
-        default=0.0,
-        help="adaptive beam sampling: RMS of the amplitude error, relative to a full footprint, "
-        "and missed and invented echoes (default: the survey's, else 0.01)",
-    )
-    parser.add_argument(
-        "--max-sub-rays",
-        metavar="N",
-        type=whole_number(options.GetMaximumSubRaysMaxValue(), options.GetMaximumSubRaysMinValue()),
-        default=0,
-        help="adaptive beam sampling: the most sub-rays of a beam with too many surfaces for visible "
-        "areas; the end of a run tells for how many pulses it is not enough (default: 65536)",
-    )
-    parser.add_argument(
-        "--sub-rays",
-        metavar="N",
-        type=whole_number(options.GetNumberOfSubRaysMaxValue()),
-        default=0,
-        help="a fixed number of sub-rays instead: 1, 7, 19, 37, 62 ... on circles, "
-        "as with beamSampleQuality, other numbers on a spiral",
-    )
-    parser.add_argument(
-        "--detector",
-        metavar="NAME",
-        choices=detectors(),
-        default="",
-        help="echo detector: peak (log-parabola), gaussian (decomposition), "
-        "cfd (constant fraction), leadingEdge, photonCounting (default: the survey's, else peak)",
-    )
-    parser.add_argument(
-        "--gps-start",
-        metavar="TIME",
-        default="",
-        help="when the survey starts: YYYY-MM-DD hh:mm:ss of UTC, or with a zone "
-        "(2026-07-01T12:00:00+02:00), Unix seconds, or GPS seconds as gps:1467000000; LAS then has adjusted "
-        "standard time (default: the survey's gpsStartTime, else not known)",
-    )
-    parser.add_argument(
-        "--weather",
-        metavar="TEXT",
-        default="",
-        help='fog, smoke or dust and the visibility [km], or rain, snow or sleet [mm/h], such as "fog '
-        "0.2\": light is lost and scattered back (default: the survey's, else none)",
-    )
-
-
 def contradiction(arguments):
     """Which arguments exclude each other, or are not valid; or None."""
     if arguments.gps_start and (fault := vtkHeliosGpsTime.GetFault(to_vtk(arguments.gps_start))):
@@ -226,8 +139,8 @@ def contradiction(arguments):
         )
     if arguments.waveforms_in_points and not (arguments.waveforms and arguments.format == "las"):
         return "--waveforms-in-points needs --format las and --waveforms: give all three"
-    if arguments.colors and arguments.format not in ("las", "vtp"):
-        return "--colors needs --format las or vtp: text has no colours"
+    if fault := find_fault(arguments):
+        return fault
     if arguments.check_all and not arguments.resume:
         return "--check-all needs --resume: give both"
     if arguments.dry_run and arguments.part:
@@ -347,17 +260,8 @@ def make_player(arguments, survey, messages):
         player.SetPartCommand(to_vtk(command_of_part(arguments)))
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
     options = player.GetOptions()
-    options.SetRangeTolerance(arguments.range_tolerance)
-    options.SetEnergyTolerance(arguments.energy_tolerance)
-    options.SetNumberOfSubRays(arguments.sub_rays)
-    options.SetMaximumSubRays(arguments.max_sub_rays)
-    options.SetEchoDetector(arguments.detector)
+    set_options(options, arguments)
     options.SetSeed(seed)
-    options.SetNoise(not arguments.no_noise)
-    options.SetRayCaster(arguments.ray_caster)
-    options.SetWeather(arguments.weather)
-    options.SetGpsStart(to_vtk(arguments.gps_start))
-    options.SetAccuracyReport(not arguments.no_accuracy_report)
     messages.info(
         f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"

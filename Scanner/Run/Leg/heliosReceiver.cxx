@@ -5,7 +5,6 @@
 #include "heliosConstants.h"
 #include "heliosEchoComparison.h"
 #include "heliosRadiometry.h"
-#include "heliosRunOptions.h"
 #include "heliosSurveyData.h"
 #include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
@@ -15,6 +14,7 @@
 #include "vtkHeliosPanoramicErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosPhotonCountingDetector.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosScanner.h"
 
 #include <vtkNew.h>

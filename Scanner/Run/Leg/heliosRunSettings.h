@@ -5,9 +5,9 @@
 #ifndef heliosRunSettings_h
 #define heliosRunSettings_h
 
-#include "heliosRunOptions.h"
 #include "heliosRunPart.h"
 #include "vtkHeliosEchoAlgorithm.h"
+#include "vtkHeliosRunOptions.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>

@@ -12,5 +12,16 @@ def add_output_arguments(parser):
 
 def set_outputs(player, arguments):
     for output in OUTPUTS:
-        setter = f"Set{''.join(map(str.capitalize, output.player.split('_')))}"
-        getattr(player, setter)(getattr(arguments, output.name))
+        getattr(player, f"Set{output.player}")(getattr(arguments, output.name))
+
+
+def find_fault(arguments):
+    """What the format cannot have; or None."""
+    for output in OUTPUTS:
+        formats = output.formats.split()
+        if getattr(arguments, output.name) and arguments.format not in formats:
+            return (
+                f"{output.option} needs --format {' or '.join(formats)}: files of the format "
+                f"{arguments.format} cannot have {output.title}"
+            )
+    return None

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of a run, as its summary has them, in words with units."""
 
+from ..._options import OPTIONS
 from ..._outputs import OUTPUTS
+from ...vtkHeliosScannerRun import vtkHeliosRunOptions
 
 FORMATS = {"xyz": "text (.xyz)", "las": "LAS 1.4 (.las)", "vtp": "VTK XML (.vtp)"}
 
@@ -21,13 +23,6 @@ def describe_options(options):
             rows.append((title, text))
     order = [title for title, _ in _WORDS.values()]
     return sorted(rows, key=lambda row: order.index(row[0]) if row[0] in order else len(order))
-
-
-def _measure(unit, scale=1.0):
-    """A number with its unit; 0: not given."""
-    return (
-        lambda value: f"{scale * value:.6g} {unit}" if _is_number(value) and value else _text(value)
-    )
 
 
 def _is_number(value):
@@ -53,27 +48,26 @@ def _format(value):
     return FORMATS.get(value, _text(value))
 
 
-def _step(value):
-    return "" if value == 1 else f"one of {value:,}" if _is_number(value) else _text(value)
+def _option(option):
+    """Words for a value of an option; without a scale for the default, too."""
+    default = getattr(vtkHeliosRunOptions(), f"Get{option.property}")()
+
+    def describe(value):
+        if isinstance(default, bool):
+            return _flag(*option.words.split())(value)
+        if not option.scale:
+            return str(value)
+        if value == default or not value or not _is_number(value):
+            return "" if value == default else _text(value)
+        number = f"{float(option.scale) * value:.6g}" if isinstance(default, float) else f"{value:,}"
+        return option.words.format(number)
+
+    return describe
 
 
 _WORDS = {  # in the order of a page: title, text of a value
     "format": ("format", _format),
-    "seed": ("seed of random numbers", str),
-    "noise": ("noise", _flag("on", "off")),
-    "rangeTolerance_m": ("range tolerance", _measure("mm", 1e3)),
-    "energyTolerance": ("energy tolerance", _measure("%", 1e2)),
-    "subRays": ("sub-rays per pulse", _count("(fixed sampling)")),
-    "maximumSubRays": ("maximum of sub-rays per pulse", _count("")),
-    "subRayPattern": ("pattern of sub-rays", _text),
-    "binSize_ns": ("waveform bins", _measure("ns")),
-    "detector": ("echo detector", _text),
-    "rayCaster": ("ray caster asked for", _text),
-    "without": ("parts of the model left out", _text),
-    "pulseStep": ("pulses computed", _step),
-    "weather": ("weather", _text),
-    "gpsStart": ("start of the survey", _text),
-    "play": ("epoch", str),
+    **{option.key: (option.title, _option(option)) for option in OPTIONS if option.key},
     **{output.key: (output.title, _flag(output.state)) for output in OUTPUTS},
     "pulsesPerBlock": ("pulses per block", _count("")),
 }

@@ -3,9 +3,9 @@
 // Elliptical beams of the dialect.
 #include "heliosReceiver.h"
 
-#include "heliosRunOptions.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosScanner.h"
 
 #include <vtkNew.h>

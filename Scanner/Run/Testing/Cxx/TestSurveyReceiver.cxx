@@ -3,7 +3,6 @@
 // Sampling, waveforms, detection and noise in the dialect: read, checked, set up, and run.
 #include "heliosReceiver.h"
 
-#include "heliosRunOptions.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"

@@ -3,8 +3,8 @@
 // Zones of multiple-time-around ranges in the dialect.
 #include "heliosReceiver.h"
 
-#include "heliosRunOptions.h"
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosScanner.h"
 
 #include <vtkNew.h>
