@@ -107,14 +107,14 @@ def make_platforms(dialect):
 
 
 def make_files(dialect):
-    from vtkhelios import _run_files
+    from vtkhelios.core import run_files
 
     rows = []
     for kind, option in FILES.items():
-        number = getattr(_run_files.Files, kind)
-        names = [f"`{_run_files.file_of_leg(0, number, name)}`" for name in _run_files.FORMATS]
+        number = getattr(run_files.Files, kind)
+        names = [f"`{run_files.file_of_leg(0, number, name)}`" for name in run_files.FORMATS]
         rows.append([kind.lower(), f"`{option}`" if option else "always", *names])
-    formats = [f"`--format {name}`" for name in _run_files.FORMATS]
+    formats = [f"`--format {name}`" for name in run_files.FORMATS]
     return make_table(["files of a leg", "written", *formats], rows)
 
 

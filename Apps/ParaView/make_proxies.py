@@ -15,7 +15,8 @@ import typing
 import xml.etree.ElementTree as ET
 
 import vtkhelios
-from vtkhelios._properties import Property, properties
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkhelios.core.properties import Property, properties
 
 PLUGIN = pathlib.Path(__file__).resolve().parent / "Plugin"
 HEAD = """\
@@ -185,7 +186,7 @@ def make_file(proxies):
 
 
 def find_group(proxy):
-    if not issubclass(find_class(proxy), vtkhelios._public.vtkAlgorithm):
+    if not issubclass(find_class(proxy), vtkAlgorithm):
         return STRATEGIES
     return "filters" if proxy.inputs else "sources"
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from vtkhelios.cli._fit_report import shown
+from vtkhelios.reports.fit import shown
 
 SQUARE = 2.0  # side of the squares in which pulses of strips are counted [m]
 STRIP_VALUES = ("height above ground", "speed", "course", "angle residual")

@@ -23,7 +23,7 @@ import numpy as np
 import _pages
 import _study
 import vtkhelios
-from vtkhelios import instruments
+from vtkhelios.surveys import instruments
 
 PLANE = (
     [[-500, -500, -1], [500, -500, -1], [500, 500, -1], [-500, 500, -1]],

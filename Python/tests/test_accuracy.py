@@ -10,7 +10,7 @@ import pytest
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
-from vtkhelios.cli._accuracy import accuracy_lines
+from vtkhelios.reports.accuracy import accuracy_lines
 from vtkhelios.formats._summary import parse_summary
 
 MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")

@@ -84,7 +84,7 @@ def test_every_instrument_is_complete(scanner):
 def test_every_scanner_is_valid(scanner):
     survey = vtkhelios.vtkHeliosSurvey()
     survey.AddAssetDirectory(str(ASSETS))
-    with vtkhelios._pipeline.MessageLog() as log:
+    with vtkhelios.core.pipeline.MessageLog() as log:
         log.watch(survey)
         assert survey.AddScannerFromFile(scanner.reference) == 0
     assert log.errors == []

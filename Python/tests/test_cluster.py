@@ -114,7 +114,9 @@ def test_delayed_blocks_without_a_cluster_share_the_survey(fence):
 
 
 def compute(client, task, **options):
-    return client.submit(_tasks.compute_block, task, 0, 1000, pure=False, **options).result(120)
+    return client.submit(
+        _tasks.compute_block, vtkhelios.read_survey, task, 0, 1000, pure=False, **options
+    ).result(120)
 
 
 def count_scenes(client):

@@ -11,7 +11,7 @@ import pytest
 import vtkhelios
 from vtkhelios import formats
 from vtkhelios.comparison._blocks import Blocks, kolmogorov_smirnov, total_variation
-from vtkhelios._systems import find_difference
+from vtkhelios.core.systems import find_difference
 from vtkhelios.comparison._planes import draw_equal
 from vtkhelios.comparison._pulses import Lines
 

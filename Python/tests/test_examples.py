@@ -150,7 +150,7 @@ def test_pcl_filters():
 
 
 def test_crop_field(tmp_path, capsys, read_pixels):
-    from vtkhelios import picture
+    from vtkhelios.reports import picture
 
     results = load("crop_field").main(tmp_path, rows=4, row_length=3.0, lines=50, speed=60)
     said = capsys.readouterr().out

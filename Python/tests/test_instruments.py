@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios import instruments
+from vtkhelios.surveys import instruments
 
 LEGACY = {
     "prod_line": "OS-1-3",

@@ -11,7 +11,8 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import vtkhelios
-from vtkhelios import cli, formats, measured_pulse
+from vtkhelios import cli, formats
+from vtkhelios.surveys import measured_pulse
 
 RIEGL = "waveform/100429_152240_2535pt_UTM.pls"
 

@@ -97,7 +97,7 @@ def test_import_is_silent_and_loads_no_rendering():
 
 def test_a_run_starts_without_what_it_does_not_use():
     code = (
-        "import sys, vtkhelios.cli.run; slow = {'numpy', 'rich', 'vtkhelios._public'};"
+        "import sys, vtkhelios.cli.run; slow = {'numpy', 'rich', 'vtkhelios.core.classes'};"
         "libraries = open('/proc/self/maps').read();"
         "print(slow & set(sys.modules), 'libgdal' in libraries, 'libpcl' in libraries)"
     )

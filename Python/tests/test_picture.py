@@ -10,7 +10,7 @@ import time
 import numpy as np
 import pytest
 
-from vtkhelios import picture
+from vtkhelios.reports import picture
 
 
 @pytest.fixture

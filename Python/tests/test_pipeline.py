@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 import vtkhelios
-from vtkhelios._pipeline import clean_message, upstream
+from vtkhelios.core.pipeline import clean_message, upstream
 
 
 class Source(VTKPythonAlgorithmBase):

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios import planning
-from vtkhelios._plans.settings import SETTINGS, SettingError, report_settings
+from vtkhelios.plans import plan as planning
+from vtkhelios.plans.settings import SETTINGS, SettingError, report_settings
 from vtkhelios.cli import main
 
 SIZE, HEIGHT = 4.0, 3.0  # m, of a room

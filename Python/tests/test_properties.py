@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios._properties import make_properties, properties, snake_case
+from vtkhelios.core.properties import make_properties, properties, snake_case
 
 
 @pytest.mark.parametrize(

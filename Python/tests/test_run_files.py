@@ -8,7 +8,7 @@ import re
 
 import pytest
 
-from vtkhelios import _run_files as files
+from vtkhelios.core import run_files as files
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "Python/vtkhelios"
 NAMES = re.compile(
@@ -38,7 +38,7 @@ def test_library_has_no_names_of_its_own(path):
         for line, text in short_texts(path.read_text())
         if NAMES.search(text)
     ]
-    assert found == [], "use vtkhelios._run_files"
+    assert found == [], "use vtkhelios.core.run_files"
 
 
 def test_names_are_found():

@@ -4,7 +4,7 @@
 
 import pytest
 
-from vtkhelios.cli._report import table_lines
+from vtkhelios.reports.run import table_lines
 
 
 def make_leg(number, count):

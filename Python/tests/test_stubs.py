@@ -10,7 +10,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios._built_with import VTK_VERSION
-from vtkhelios._properties import snake_case
+from vtkhelios.core.properties import snake_case
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CURE = "run build/venv/bin/python Python/make_stubs.py"

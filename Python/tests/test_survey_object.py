@@ -11,7 +11,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import vtkhelios
-from vtkhelios._watching import ProgressLine
+from vtkhelios.core.watching import ProgressLine
 
 FLAT = ([[-60, -60, 0], [60, -60, 0], [60, 60, 0], [-60, 60, 0]], [[0, 1, 2], [0, 2, 3]])
 TRIPOD = dict(scan_frequency=100, vertical=(-40, 60), head=(0, 30), head_speed=60)

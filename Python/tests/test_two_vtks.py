@@ -14,7 +14,7 @@ import sys
 
 import pytest
 
-from vtkhelios import _vtk
+from vtkhelios.core import vtk_check as _vtk
 from vtkhelios._built_with import VTK_LIBRARY, VTK_VERSION
 
 PYPI = pathlib.Path(__file__).resolve().parents[2] / "build/other-vtk"

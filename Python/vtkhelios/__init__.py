@@ -38,38 +38,58 @@ The classes work with those of stock vtkmodules in one process:
 >>> waypoint = vtkLineSource()
 """
 
-import importlib
-import pathlib
+import importlib.util
 import sys
 
-from ._process.start import handle_signals, is_command
+from .core.folders import data_directory
+from .core.start import handle_signals, is_command
 
 if is_command(sys.argv, sys.orig_argv):
     handle_signals()
 
-from ._vtk import check_vtk
+from .core.vtk_check import check_vtk
 
 check_vtk()  # before any binary module
 
 # Before _native, which links to its libraries.
 from . import vtkHeliosScannerRun as _  # noqa: F401
 
-
-def data_directory():
-    """The folder with the scanners, platforms and surveys shipped with vtkHelios (a Path)."""
-    return pathlib.Path(__file__).absolute().parent / "data"
+_HOMES = {
+    "clouds.cloud": ("Cloud", "Records"),
+    "clouds.filter": ("filter",),
+    "comparison": ("Comparison", "compare"),
+    "core.arrays": ("arrays",),
+    "core.compose": ("Pipeline", "select_ports"),
+    "core.folders": ("data_directory",),
+    "core.pipeline": ("PipelineError", "update"),
+    "fitting": ("Fit", "fit"),
+    "flight": ("plan_flight",),
+    "plans.plan": ("Plan", "plan"),
+    "scenes.scene": ("Scene",),
+    "surveys.scanning": ("make_survey", "scan"),
+    "surveys.survey": ("Survey", "read_survey"),
+}
+_HOME = {name: module for module, names in _HOMES.items() for name in names}
 
 
 def __getattr__(name):
-    """A public name, once it is used: vtkhelios run starts without those that it does not use."""
-    if not name.startswith("_") or name in ("__all__", "__version__"):
-        public = importlib.import_module("._public", __name__)
-        if name in ("__all__", *getattr(public, "__all__", ()), "__version__"):
-            globals()[name] = getattr(public, name)
-        if name in globals():  # else, while _public is imported, it may be a submodule
-            return globals()[name]
+    """A module, a class or a public name, once it is used: others are not imported."""
+    if name in _HOME or name in ("__all__", "__version__") or name.startswith("vtkHelios"):
+        classes = importlib.import_module(f"{__name__}.core.classes")
+        found = classes.vtk_classes()
+        if name == "__all__":
+            return [*sorted(_HOME), *found]
+        if name == "__version__":
+            return classes.version()
+        if name in _HOME:
+            found = vars(importlib.import_module(f"{__name__}.{_HOME[name]}"))
+        if name in found:
+            globals()[name] = found[name]
+            return found[name]
+    elif not name.startswith("_") and importlib.util.find_spec(f"{__name__}.{name}"):
+        return importlib.import_module(f"{__name__}.{name}")
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__():
-    return sorted({*globals(), *importlib.import_module("._public", __name__).__all__})
+    return sorted({*globals(), *__getattr__("__all__")})

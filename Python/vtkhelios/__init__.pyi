@@ -9,17 +9,18 @@ from vtkmodules.vtkCommonDataModel import vtkAbstractCellLocator, vtkAbstractPoi
 from vtkmodules.vtkCommonExecutionModel import vtkImageAlgorithm, vtkPointSetAlgorithm, vtkPolyDataAlgorithm, vtkTableAlgorithm
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from . import array_names as array_names, catalogue as catalogue
-from ._arrays import arrays as arrays
-from ._compose import Pipeline as Pipeline, select_ports as select_ports
-from ._filter import filter as filter
-from ._pipeline import PipelineError as PipelineError, update as update
+from .core.arrays import arrays as arrays
+from .core.compose import Pipeline as Pipeline, select_ports as select_ports
+from .clouds.filter import filter as filter
+from .core.pipeline import PipelineError as PipelineError, update as update
 from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
-from .scanning import make_survey as make_survey, scan as scan
-from .cloud import Cloud as Cloud, Records as Records
-from .planning import Plan as Plan, plan as plan, plan_flight as plan_flight
-from .scene import Scene as Scene
-from .survey import Survey as Survey, read_survey as read_survey
+from .surveys.scanning import make_survey as make_survey, scan as scan
+from .clouds.cloud import Cloud as Cloud, Records as Records
+from .flight import plan_flight as plan_flight
+from .plans.plan import Plan as Plan, plan as plan
+from .scenes.scene import Scene as Scene
+from .surveys.survey import Survey as Survey, read_survey as read_survey
 
 __version__: str
 

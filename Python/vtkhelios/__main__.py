@@ -5,7 +5,7 @@
 import sys
 
 from .cli import main
-from .cli._streams import fill_standard_descriptors
+from .core.streams import fill_standard_descriptors
 
 fill_standard_descriptors()
 sys.exit(main())

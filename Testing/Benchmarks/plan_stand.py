@@ -18,7 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import vtkhelios
-from vtkhelios.scene import flatten
+from vtkhelios.scenes.scene import flatten
 
 PROTOTYPES, SPACING = 10, 4.0
 LEAF_AREA = 4.0 * SPACING**2  # m2 of a tree

@@ -12,7 +12,7 @@ from _small_run import write_survey
 
 import vtkhelios
 from vtkhelios import cli, example_surveys, formats, scene
-from vtkhelios._run_files import FORMATS
+from vtkhelios.core.run_files import FORMATS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS = ROOT / "Docs"

@@ -446,11 +446,11 @@ def test_workers_name_the_file(name, folder):
     options = dict(colors=True)
     task = _tasks.make_task(survey, options)
     _tasks._here.clear()  # like in another process
-    windows, total, loaded = _tasks.find_windows(task, None)
+    windows, total, loaded = _tasks.find_windows(vtkhelios.read_survey, task, None)
     assert {
         os.path.relpath(each["file"], folder.path) for each in json.loads(loaded)["inputs"]
     } == (set(KINDS))
-    assert len(_tasks.compute_block(task, 0, 1000, loaded))
+    assert len(_tasks.compute_block(vtkhelios.read_survey, task, 0, 1000, loaded))
     _tasks._loaded.clear()
     task = json.loads(task)
     task["fingerprint"] = json.dumps({**json.loads(task["fingerprint"]), "inputs": []})
@@ -458,7 +458,7 @@ def test_workers_name_the_file(name, folder):
     with Change(folder.path / name, keeps_time=True):
         _tasks._loaded[task["key"]] = survey  # survey of a worker that has read it after the change
         with pytest.raises(vtkhelios.PipelineError) as caught:
-            _tasks.compute_block(json.dumps(task), 0, 1000, loaded)
+            _tasks.compute_block(vtkhelios.read_survey, json.dumps(task), 0, 1000, loaded)
     _tasks._loaded.clear()
     message = f"not the survey of another worker, since {folder.path / name} has changed"
     assert message in str(caught.value) and "give all workers the same files" in str(caught.value)

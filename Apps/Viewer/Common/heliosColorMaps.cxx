@@ -18,7 +18,7 @@ struct ClassColor
   Rgb Color;
 };
 
-// LAS 1.4 R15, table 17; colours as Python/vtkhelios/picture.py draws them.
+// LAS 1.4 R15, table 17; colours as Python/vtkhelios/reports/picture.py draws them.
 constexpr ClassColor Classes[] = {
   { 0, "never classified", { 199, 199, 204 } },
   { 1, "unclassified", { 170, 170, 176 } },

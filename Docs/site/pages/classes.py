@@ -60,7 +60,7 @@ def page(cls):
 
 def own_properties(cls):
     """The properties that a class adds to its bases, by name."""
-    kind = sys.modules["vtkhelios._properties"].Property
+    kind = sys.modules["vtkhelios.core.properties"].Property
     found = {name: value for name, value in vars(cls).items() if isinstance(value, kind)}
     stock = next(base for base in cls.__mro__ if not _is_own(base))
     return {

@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 import vtkhelios
 
 from vtkhelios.cli import main, make_parser
-from vtkhelios.cli._report import unresolved_lines
+from vtkhelios.reports.run import unresolved_lines
 
 from _command_line import PULSES, expect_failure, start
 

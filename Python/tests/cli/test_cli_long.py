@@ -19,9 +19,9 @@ import pytest
 
 import vtkhelios
 from vtkhelios import _native
-from vtkhelios._process.start import is_command
+from vtkhelios.core.start import is_command
 from vtkhelios.cli._messages import Messages
-from vtkhelios.cli._reading import make_reader
+from vtkhelios.core.reading import make_reader
 from vtkhelios.cli.run import run_epoch
 
 from _command_line import PULSES, expect_failure, start
@@ -287,7 +287,7 @@ def test_reading_stops_before_the_end_of_a_file(make_survey, tmp_path):
 
 DEAF = """
 from vtkhelios.cli._stopping import Stopping, set_outcome
-from vtkhelios._process.unfinished import set_unfinished
+from vtkhelios.core.unfinished import set_unfinished
 with Stopping():
     set_outcome("a.txt was not written")
     set_unfinished("a.txt.part")

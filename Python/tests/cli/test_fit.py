@@ -12,7 +12,7 @@ import pytest
 import vtkhelios
 from vtkhelios import cli, formats
 from vtkhelios.cli import fit
-from vtkhelios.cli._fit_report import shown
+from vtkhelios.reports.fit import shown
 from vtkhelios.fitting import Value
 
 LINES, PULSES, HEIGHT, SPEED = 50.0, 50_000.0, 300.0, 50.0

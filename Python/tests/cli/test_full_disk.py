@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios import _files, cli
+from vtkhelios.core import files as _files
+from vtkhelios import cli
 
 
 def can_mount():
@@ -203,7 +204,7 @@ def test_flight_plan(small_disk, make_survey, size):
 
 def test_picture(small_disk):
     """Size of a disk that holds the beginning."""
-    from vtkhelios import picture
+    from vtkhelios.reports import picture
 
     disk, _ = small_disk
     code = (

@@ -10,8 +10,8 @@ import signal
 import pytest
 
 import vtkhelios
-from vtkhelios.cli._reading import make_reader
-from vtkhelios.cli._report import epochs_lines, join_reports
+from vtkhelios.core.reading import make_reader
+from vtkhelios.reports.run import epochs_lines, join_reports
 from vtkhelios.cli.join import read_part
 
 from _command_line import expect_failure, start

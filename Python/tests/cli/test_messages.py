@@ -8,9 +8,9 @@ import pytest
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 from vtkhelios import cli
-from vtkhelios._pipeline import MessageLog, PipelineError, SimilarMessages, conclude
+from vtkhelios.core.pipeline import MessageLog, PipelineError, SimilarMessages, conclude
 from vtkhelios.cli._messages import Messages
-from vtkhelios.cli._settings import describe_options
+from vtkhelios.reports.options import describe_options
 
 CHANNELS = "".join(f'<channel id="{i}"/>' for i in range(4))
 SCANNERS = f"""\

@@ -12,10 +12,10 @@ import pytest
 
 import vtkhelios
 from vtkhelios import arrays, cli, update
-from vtkhelios._outputs import OUTPUTS, in_files, in_memory
-from vtkhelios._properties import properties
+from vtkhelios.surveys.outputs import OUTPUTS, in_files, in_memory
+from vtkhelios.core.properties import properties
 from vtkhelios.cli._run.outputs import add_output_arguments, set_outputs
-from vtkhelios.cli._settings import describe_options
+from vtkhelios.reports.options import describe_options
 
 PORTS = {"points": None, "pulse": "pulses", "hits": "sub_rays"}  # files only: attribute of a Cloud
 OF_ONE_FORMAT = {"colors": "las", "truth": "vtp", "columns": "vtp"}

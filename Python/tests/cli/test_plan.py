@@ -19,11 +19,12 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import vtkhelios
 
 from vtkhelios.cli import main
-from vtkhelios._plans.settings import SETTINGS
-from vtkhelios.cli import _plan_check, _plan_options, _plan_report
+from vtkhelios.plans.settings import SETTINGS
+from vtkhelios.cli import _plan_check, _plan_options
+from vtkhelios.reports import plan as _plan_report
 from vtkhelios.cli._parser import Parser
 from vtkhelios.cli._task import PlanWatch
-from vtkhelios.planning import Step
+from vtkhelios.plans.plan import Step
 
 PLANNER = """\
 <document>

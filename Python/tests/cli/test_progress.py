@@ -7,7 +7,8 @@ import time
 import pytest
 
 from vtkhelios.cli._messages import Messages
-from vtkhelios.cli._progress import Lines, Pace, amount, duration, speed
+from vtkhelios.cli._progress import Lines, Pace
+from vtkhelios.core.words import amount, duration, speed
 
 
 def test_steady_pace():

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from vtkhelios import cli, formats
-from vtkhelios.cli._raster import Histogram, Raster
+from vtkhelios.reports.raster import Histogram, Raster
 
 SIDE = 256
 

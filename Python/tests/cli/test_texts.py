@@ -15,10 +15,10 @@ from vtkmodules.vtkCommonCore import vtkObject, vtkOutputWindow
 
 import vtkhelios
 from vtkhelios import _native, cli
-from vtkhelios._paths import from_vtk, to_vtk
-from vtkhelios._pipeline import MessageLog, report_error
+from vtkhelios.core.paths import from_vtk, to_vtk
+from vtkhelios.core.pipeline import MessageLog, report_error
 from vtkhelios.cli._messages import Messages
-from vtkhelios.cli._streams import visible
+from vtkhelios.core.streams import visible
 from vtkhelios.formats import _waveforms
 
 ODD = os.fsdecode(b"odd\xff\xfe")  # a file name that is not UTF-8
@@ -186,7 +186,7 @@ def test_reader_that_fails_without_a_message_raises(make_survey, monkeypatch):
         def Read(self):
             return False
 
-    monkeypatch.setattr("vtkhelios.cli._reading.vtkHeliosSurveyReader", Silent)
+    monkeypatch.setattr("vtkhelios.core.reading.vtkHeliosSurveyReader", Silent)
     with pytest.raises(vtkhelios.PipelineError, match="survey.xml: cannot be read"):
         vtkhelios.read_survey(make_survey())
 

@@ -20,12 +20,12 @@ import pytest
 from vtkmodules.vtkCommonCore import vtkStringArray
 
 import vtkhelios
-from vtkhelios import _scene_meshes as meshes
-from vtkhelios._accuracy import MEASURES, Estimate, Sampler
-from vtkhelios._pipeline import PipelineError
-from vtkhelios._survey_text import has_survey, with_ray_caster, with_sampling
-from vtkhelios._tradeoff_run import confirm
-from vtkhelios.cli._tradeoff.pictures import make_picture
+from vtkhelios.scenes import meshes as meshes
+from vtkhelios.surveys.accuracy import MEASURES, Estimate, Sampler
+from vtkhelios.core.pipeline import PipelineError
+from vtkhelios.surveys.text import has_survey, with_ray_caster, with_sampling
+from vtkhelios.surveys.tradeoff_run import confirm
+from vtkhelios.reports.tradeoff_pictures import make_picture
 from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
 
 SETTINGS = ("survey", "sub-rays", "tolerance")  # names that a survey can use; some ray casters, too

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from vtkhelios._plans.kinds import SettingError
+from vtkhelios.plans.kinds import SettingError
 from vtkhelios.flight._area import box_area, contains, measure, read_area, to_polydata
 
 CORNERS = [(0.0, 0.0), (10.0, 0.0), (10.5, 5.25), (0.0, 6.0)]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import vtkhelios
-from vtkhelios._plans.kinds import SettingError
+from vtkhelios.plans.kinds import SettingError
 from vtkhelios.flight._check import check_plan
 from vtkhelios.flight._settings import ALL, check_flight_settings
 

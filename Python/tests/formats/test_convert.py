@@ -20,7 +20,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios import cli, formats
-from vtkhelios.cli._points import Selection
+from vtkhelios.points.selection import Selection
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios import cli, formats
-from vtkhelios._systems import Metres, find_difference, find_system
+from vtkhelios.core.systems import Metres, find_difference, find_system
 
 ENDINGS = ["las", "laz", "copc.laz", "xyz", "ply", "pcd", "vtp", "e57"]
 SURVEY_FOOT = 1200 / 3937

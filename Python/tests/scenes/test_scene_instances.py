@@ -13,11 +13,11 @@ import pytest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import vtkhelios
-from vtkhelios import _scene_meshes as meshes
-from vtkhelios._arrays import arrays
-from vtkhelios.cli._reading import look_up
-from vtkhelios.planning import PLATFORM, SCANNER
-from vtkhelios.scene import count_triangles, flatten, has_instances
+from vtkhelios.scenes import meshes as meshes
+from vtkhelios.core.arrays import arrays
+from vtkhelios.core.reading import look_up
+from vtkhelios.plans.document import PLATFORM, SCANNER
+from vtkhelios.scenes.scene import count_triangles, flatten, has_instances
 
 TREES = 12
 
@@ -204,7 +204,7 @@ def _corners(mesh):
 
 def test_a_tradeoff_of_instances(stand, monkeypatch):
     """Measures the instances themselves; what needs copies is left out if there are too many."""
-    from vtkhelios import _tradeoff_run
+    from vtkhelios.surveys import tradeoff_run as _tradeoff_run
 
     monkeypatch.setattr(_tradeoff_run, "MOST_COPIED", 100)
     monkeypatch.setattr(_tradeoff_run, "MOST_TRIANGLES", 100)

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 import vtkhelios
+from vtkhelios.core.classes import vtk_classes
 
 STUDIES = pathlib.Path(__file__).resolve().parents[2] / "studies"
 
@@ -118,9 +119,7 @@ def test_edges_have_no_effect_without_a_footprint(study):
 
 
 def test_without_pcl(study, monkeypatch):
-    public = sys.modules["vtkhelios._public"]
-    monkeypatch.delattr(public, "vtkHeliosPCLPlanes", raising=False)
-    monkeypatch.setattr(public, "__all__", [n for n in public.__all__ if n != "vtkHeliosPCLPlanes"])
+    monkeypatch.delitem(vtk_classes(), "vtkHeliosPCLPlanes", raising=False)
     monkeypatch.delattr(vtkhelios, "vtkHeliosPCLPlanes", raising=False)
     with pytest.raises(ImportError, match="needs vtkHeliosPCLPlanes.*VTKHELIOS_ENABLE_PCL=ON"):
         study.study(quick=True)

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The XML files of folders."""
 
-import importlib
 import pathlib
 import xml.etree.ElementTree as ElementTree
+
+from ..core.folders import data_directory
 
 
 class CatalogueError(ValueError):
@@ -13,7 +14,7 @@ class CatalogueError(ValueError):
 
 def shipped_assets():
     """The folder of the scanners and platforms that are part of vtkHelios."""
-    return importlib.import_module("vtkhelios").data_directory() / "Assets"
+    return data_directory() / "Assets"
 
 
 def read_folders(read_file, folders, warn=None):

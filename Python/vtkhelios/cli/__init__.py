@@ -23,11 +23,11 @@ import importlib
 import pkgutil
 import sys
 
+from ..core.streams import standard_streams
 from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
 from ._stopping import Stopping, is_stopping, leave, report_stop
-from ._streams import standard_streams
 
 DESCRIPTION = (
     "Simulates LiDAR surveys: reads a survey file and writes the echoes that the scanner would "

@@ -5,18 +5,20 @@
 import numpy as np
 
 from .. import formats
-from .._systems import Metres
 
 from ..array_names import (
-    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS,
-    RETURN_NUMBER, UNITS,
+    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS, RETURN_NUMBER,
+    UNITS,
 )  # fmt: skip
 from ..catalogue._files import CatalogueError, read_root
+from ..core.paths import text_from_vtk
+from ..core.reading import make_reader
+from ..core.systems import Metres
 from ..formats._base import rows_of
 from ..formats._names import NAMES
 from ..formats._records import RecordReader
 from ..formats._run import is_run
-from ._raster import FARTHEST, Raster, is_near, tally
+from ..reports.raster import FARTHEST, Raster, is_near, tally
 
 RECORDS = (".las", ".laz", ".copc.laz")
 POINTS_A_CELL = 8  # for the point spacing
@@ -265,8 +267,6 @@ def inspect_xml(path, assets, messages):
 
 def inspect_document(path, root, assets, messages):
     """Facts about a document without a survey, or None after an error."""
-    from ._reading import make_reader
-
     reader = make_reader(str(path), assets)
     messages.watch(reader)
     if not reader.Check():
@@ -302,9 +302,6 @@ def _inspect_part(part):
 
 def inspect_survey(path, assets, messages):
     """Facts about a survey, or None after an error."""
-    from .._paths import text_from_vtk
-    from ._reading import make_reader
-
     reader = make_reader(str(path), assets)
     messages.watch(reader)
     if not reader.Read():

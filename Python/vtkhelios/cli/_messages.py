@@ -6,14 +6,14 @@ import sys
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
-from .._pipeline import (
+from ..core.pipeline import (
     SimilarMessages,
     is_executive_message,
     observe_messages,
     remove_observers,
 )
+from ..core.streams import visible
 from ._stopping import is_stopping
-from ._streams import visible
 
 
 def say_error(text):

@@ -12,10 +12,10 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
-from .._run_files import POINTS, file_of_leg
 from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS, RETURN_NUMBER
+from ..core.reading import make_reader
+from ..core.run_files import POINTS, file_of_leg
 from ._progress import make_progress
-from ._reading import make_reader
 from ._stopping import Interrupted, StopRequest, run_player, set_outcome
 
 SAME_PULSE = 1e-7  # rad, between the directions of the returns of a pulse

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan."""
 
-from .._plans.settings import SETTINGS
-from ..planning import PLATFORM, SCANNER
-from ._reading import add_assets_argument
+from ..plans.document import PLATFORM, SCANNER
+from ..plans.settings import SETTINGS
 from ._parser import number, whole_number
+from ._reading import add_assets_argument
 
 
 def value_of(name):

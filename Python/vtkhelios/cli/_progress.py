@@ -4,14 +4,14 @@
 
 import collections
 import importlib.util
-import math
 import sys
 import threading
 import time
 
-from .._paths import from_vtk
+from ..core.paths import from_vtk
+from ..core.streams import unfiltered, visible
+from ..core.words import amount, duration, speed
 from ._stopping import is_stopping, set_terminal
-from ._streams import unfiltered, visible
 
 SECONDS_BETWEEN_LINES = 2.0
 SECONDS_BETWEEN_BARS = 0.1
@@ -42,29 +42,6 @@ class Pace:
         """Seconds until total is reached, never negative; None if unknown."""
         rate = self.rate()
         return max(0.0, (total - self._samples[-1][1]) / rate) if rate else None
-
-
-def duration(seconds):
-    """1:02:03, 2:03 or 0:03; dashes for None."""
-    if seconds is None:
-        return "-:--"
-    whole = int(seconds + 0.5)
-    hours, minutes = whole // 3600, whole // 60 % 60
-    return f"{hours}:{minutes:02}:{whole % 60:02}" if hours else f"{minutes}:{whole % 60:02}"
-
-
-def amount(count):
-    """A number of pulses or points: 20,850, 1.23 M."""
-    return f"{count / 1e6:,.2f} M" if count >= 999_995 else f"{count:,}"
-
-
-def speed(rate):
-    """A rate, to three digits: 0.25, 3,900, 1.23 M."""
-    if rate >= 999_500:
-        return f"{rate / 1e6:,.2f} M"
-    if rate < 10:
-        return f"{rate:.2g}"
-    return f"{round(rate, 2 - math.floor(math.log10(rate))):,.0f}"
 
 
 class Progress:

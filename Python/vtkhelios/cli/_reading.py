@@ -1,15 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Readers of XML files, and where they look up what these name."""
+"""Options that several commands have: --assets, --memory and --height-unit."""
 
 import argparse
-import pathlib
 import re
 
-from .. import data_directory
-from .._paths import to_vtk
+from ..core.systems import HEIGHT_UNITS
 from ..vtkHeliosFiltersCore import vtkHeliosMemoryLimit
-from ..vtkHeliosScannerSurvey import vtkHeliosSurveyReader
 
 SIZES = {"": 1, "k": 1e3, "m": 1e6, "g": 1e9, "t": 1e12}
 SIZES |= {f"{unit}i": 1024**power for power, unit in enumerate("kmgt", 1)}
@@ -52,23 +49,26 @@ def limit_memory(arguments):
     vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
 
 
-def missing_folder(assets):
-    """The error in the folders of --assets, or None."""
-    missing = (folder for folder in assets if not pathlib.Path(folder).is_dir())
-    folder = next(missing, None)
-    return None if folder is None else f"--assets {folder}: no such folder"
+def height_unit(text):
+    """The unit of heights of an option [m]."""
+    if text in HEIGHT_UNITS:
+        return HEIGHT_UNITS[text]
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 1e-6 <= value <= 1e6:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is no unit of heights: {', '.join(HEIGHT_UNITS)}, or its metres"
+        )
+    return value
 
 
-def make_reader(path, assets):
-    """A reader of a survey."""
-    return look_up(vtkHeliosSurveyReader(), path, assets)
-
-
-def look_up(reader, path, assets):
-    """A reader, or writer, that searches the user's folders, the file's own, then the shipped data."""
-    shipped = data_directory()
-    beside = str(pathlib.Path(path).parent)
-    reader.SetFileName(to_vtk(path))
-    for folder in dict.fromkeys([*assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]):
-        reader.AddAssetDirectory(to_vtk(folder))
-    return reader
+def add_height_unit_argument(parser):
+    parser.add_argument(
+        "--height-unit",
+        metavar="UNIT",
+        type=height_unit,
+        help="unit of the heights of the inputs: m, ft, us-ft, or metres (default: as their "
+        "coordinate system states, else that of x and y)",
+    )

@@ -16,8 +16,8 @@ import sys
 import threading
 
 from .. import _native
-from .._pipeline import SECONDS_BETWEEN_SIGNS, upstream
-from ._streams import unfiltered, visible
+from ..core.pipeline import SECONDS_BETWEEN_SIGNS, upstream
+from ..core.streams import unfiltered, visible
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 LONGEST = 0.4  # s, from the signal to the end

@@ -4,7 +4,8 @@
 
 import time
 
-from ._progress import Pace, amount, duration, speed
+from ..core.words import amount, duration, speed
+from ._progress import Pace
 
 
 class Watched:

@@ -5,20 +5,20 @@
 import pathlib
 
 from .. import formats
-from .._pipeline import PipelineError
-from .._systems import add_height_unit_argument
 from ..comparison import POINTS, SAMPLE
 from ..comparison._compare import compare_watched
-from . import _charts
-from ._compare_report import comparison_lines, write_comparison_page
-from .._files import cannot_be_written, write_whole
+from ..core.files import cannot_be_written, write_whole
+from ..core.pipeline import PipelineError
+from ..reports import charts
+from ..reports.comparison import comparison_lines, write_comparison_page
+from ..reports.page import load_template
 from ._messages import Messages
-from ._page import load_template
+from ._parser import number, whole_number
 from ._progress import make_progress
+from ._reading import add_height_unit_argument
 from ._stopping import set_outcome
 from ._task import StepWatch
 from .plan import shown_warnings
-from ._parser import number, whole_number
 
 SUMMARY = "compare two clouds: returns, spacing, planes, heights, distances, with intervals"
 
@@ -132,7 +132,7 @@ def run(arguments):
 def compare_files(arguments, messages):
     files = find_output(arguments)
     if files:
-        _charts.load()  # before all points are read
+        charts.load()  # before all points are read
         load_template()
     set_outcome("nothing was written")
     result = measure(arguments, messages)

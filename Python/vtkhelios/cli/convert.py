@@ -7,17 +7,17 @@ import pathlib
 import time
 
 from .. import formats
-from .._systems import add_height_unit_argument
 from ..formats._run import RunReader, is_run
+from ..points.conversion import Conversion
+from ..points.selection import RETURNS, Selection
+from ..reports.run import readable
 from . import _meshes
-from ._conversion import Conversion
 from ._messages import Messages
-from ._points import RETURNS, Selection
+from ._parser import number, whole_number
 from ._progress import make_progress
-from ._report import readable
+from ._reading import add_height_unit_argument
 from ._stopping import set_outcome
 from ._task import Task
-from ._parser import number, whole_number
 
 SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
 

@@ -14,15 +14,15 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from .. import formats
-from .._paths import to_vtk
-from .._run_files import PART
-from .._process.unfinished import set_unfinished
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
+from ..core.paths import to_vtk
+from ..core.run_files import PART
+from ..core.unfinished import set_unfinished
 from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
-from .run import detectors
 from ._parser import number, whole_number
 from ._stopping import set_outcome
+from .run import detectors
 
 SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
 

@@ -5,16 +5,16 @@
 import pathlib
 
 from .. import formats
+from ..core.files import cannot_be_written
 from ..fitting import POINTS
 from ..fitting._fit import fit_watched
 from ..fitting._write import FILES, write_fit
-from .._files import cannot_be_written
-from ._fit_report import fit_lines
+from ..reports.fit import fit_lines
 from ._messages import Messages
+from ._parser import number, whole_number
 from ._progress import make_progress
 from ._stopping import set_outcome
 from ._task import StepWatch
-from ._parser import number, whole_number
 
 FIT_FILE = "fit.json"
 SUMMARY = "find the instrument and the flight of an airborne cloud, and write them as a survey"

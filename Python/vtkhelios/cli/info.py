@@ -6,14 +6,13 @@ import json
 import pathlib
 
 from .. import formats
-from .._systems import add_height_unit_argument
 from ..formats._endings import DOCUMENTS
 from . import _meshes
-from ._meshes import describe_crs
 from ._inspect import Inspection, inspect_xml
+from ._meshes import describe_crs
 from ._messages import Messages
 from ._progress import make_progress
-from ._reading import add_assets_argument
+from ._reading import add_assets_argument, add_height_unit_argument
 from ._task import Task
 from .list_ import list_entries
 

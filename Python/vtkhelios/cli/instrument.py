@@ -4,9 +4,9 @@
 
 import pathlib
 
-from .. import instruments, measured_pulse
+from ..core.files import cannot_be_written, write_whole
 from ..formats import FormatError
-from .._files import cannot_be_written, write_whole
+from ..surveys import instruments, measured_pulse
 from ._messages import Messages
 
 SUMMARY = "write a scanner from the calibration of its manufacturer, or its recorded pulse"

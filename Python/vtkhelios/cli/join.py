@@ -7,8 +7,8 @@ import json
 import os
 import pathlib
 
-from .._files._json import parse_json
-from .._run_files import JOURNAL_NAME
+from ..core.json_files import parse_json
+from ..core.run_files import JOURNAL_NAME
 from ..formats import FormatError
 from . import run as run_command
 from ._messages import say_error

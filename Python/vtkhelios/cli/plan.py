@@ -11,19 +11,20 @@ import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from .._paths import from_vtk, require_utf8
-from .._pipeline import PipelineError
-from .._plans.files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
-from .._plans.settings import SettingError
-from ..planning import Plan, PlanTask
-from .._files import cannot_be_written, find_unwritable
+from ..core.files import cannot_be_written, find_unwritable
+from ..core.paths import from_vtk, require_utf8
+from ..core.pipeline import PipelineError
+from ..plans.files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
+from ..plans.plan import Plan, PlanTask
+from ..plans.settings import SettingError
+from ..reports.plan import file_lines, print_table, result_lines
+from ..reports.run import counted
 from ._flight.options import add_flight_arguments, find_misplaced
+from ._flight.run import make_flight_plan
 from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import add_plan_arguments, given_settings, option_of
-from ._plan_report import file_lines, print_table, result_lines
 from ._progress import make_progress
-from ._report import counted
 from ._stopping import set_outcome
 from ._task import PlanWatch
 
@@ -124,8 +125,6 @@ def make_plan(arguments, messages):
         messages.error(problem)
         return 2
     if arguments.als:
-        from ._flight.run import make_flight_plan
-
         return make_flight_plan(arguments, messages)
     task = PlanTask(arguments.input, arguments.assets, **given_settings(arguments))
     for name in ("SceneReference", "PlatformReference", "ScannerReference"):

@@ -6,21 +6,21 @@ import json
 import pathlib
 
 from .. import formats
-from .._run_files import SUMMARY_NAME
+from ..core.files import cannot_be_written, write_whole
+from ..core.run_files import SUMMARY_NAME
 from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
 from ..formats._summary import REPORT, check_summary
-from . import _charts
-from .._files import cannot_be_written, write_whole
-from ._figures import Figures
+from ..reports import charts
+from ..reports.figures import Figures
+from ..reports.page import load_template, write_page
+from ..reports.run import readable
 from ._messages import Messages
-from ._page import load_template, write_page
+from ._parser import number, whole_number
 from ._progress import make_progress
-from ._report import readable
 from ._stopping import set_outcome
 from ._task import Task
 from ._web import ReportCloud
-from ._parser import number, whole_number
 
 SUMMARY = "write a report page of a run in HTML: maps, histograms, timings, inputs, the cloud"
 
@@ -100,7 +100,7 @@ def make_report(arguments, messages):
     for path in filter(None, (page, cloud_page.path)):
         if path.exists() and not arguments.overwrite:
             raise formats.FormatError(f"{path}: already exists; give --overwrite to replace it")
-    _charts.load()  # before all points are read
+    charts.load()  # before all points are read
     load_template()
     figures = Figures(arguments.cell)
     with RunReader(folder) as reader:

@@ -10,16 +10,16 @@ import signal
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from .._paths import from_vtk, text_from_vtk, to_vtk
-from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
+from ..core.paths import from_vtk, text_from_vtk, to_vtk
+from ..core.reading import make_reader, missing_folder
+from ..core.run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
+from ..reports.run import epochs_lines, estimate_lines, join_reports, summary_lines
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
 from ._parser import part_of_run, whole_number
 from ._progress import make_progress
-from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
-from ._reading import missing_folder
-from ._report import epochs_lines, estimate_lines, join_reports, summary_lines
+from ._reading import add_assets_argument, add_memory_argument, limit_memory
 from ._run.help import EPILOG
 from ._run.options import add_option_arguments, set_options
 from ._run.outputs import add_output_arguments, find_fault, set_outputs

@@ -6,9 +6,9 @@ import pathlib
 
 import vtkhelios
 
-from .._files import cannot_be_written, write_whole
-from ._stopping import set_outcome
+from ..core.files import cannot_be_written, write_whole
 from ._messages import Messages
+from ._stopping import set_outcome
 
 SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or tables of it"
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios tradeoff: what accuracy costs on a survey, and what its scene requires."""
 
-import contextlib
 import argparse
+import contextlib
 import os
 import pathlib
 import re
@@ -12,23 +12,24 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
-from .._pipeline import PipelineError
-from .._plans.settings import SettingError
-from .._survey_text import with_ray_caster, with_sampling
-from .._tradeoff_run import make_tradeoff
-from ..planning import PLATFORM, SCANNER
-from .._files import cannot_be_written, write_files, write_whole
+from ..core.files import cannot_be_written, write_files, write_whole
+from ..core.pipeline import PipelineError
+from ..core.words import duration
+from ..plans.document import PLATFORM, SCANNER
+from ..plans.settings import SettingError
+from ..reports.tradeoff import megabytes, result_lines
+from ..reports.tradeoff_pictures import make_parts_picture, make_picture
+from ..surveys.text import with_ray_caster, with_sampling
+from ..surveys.tradeoff_run import make_tradeoff
 from ._messages import Messages
+from ._parser import whole_number
 from ._plan_options import option_of, value_of
-from ._progress import duration, make_progress
+from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, limit_memory
 from ._stopping import set_outcome
 from ._task import StepWatch
 from ._tradeoff.input import open_input
-from ._tradeoff.pictures import make_parts_picture, make_picture
-from ._tradeoff.report import megabytes, result_lines
 from .plan import shown_warnings
-from ._parser import whole_number
 
 SUMMARY = "measure accuracy against time on a survey, and what its scene requires of the model"
 

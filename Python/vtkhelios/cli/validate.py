@@ -7,13 +7,14 @@ import json
 import pathlib
 import re
 
-from .._pipeline import SimilarMessages, observe_messages, remove_observers
-from .._survey_text import has_survey
+from ..core.pipeline import SimilarMessages, observe_messages, remove_observers
+from ..core.reading import make_reader, missing_folder
+from ..core.streams import visible
+from ..surveys.text import has_survey
 from ..vtkHeliosScannerRun import vtkHeliosSurveySource
 from ._messages import Messages, say_error
 from ._optics import describe_optics
-from ._reading import add_assets_argument, make_reader, missing_folder
-from ._streams import visible
+from ._reading import add_assets_argument
 
 SUMMARY = "list all errors in surveys, scenes, scanners or platforms (XML)"
 

@@ -17,8 +17,10 @@ import tempfile
 import vtkhelios
 
 from .._built_with import HAS_VIEWER, VTK_PACKAGE
+from ..core.display import end_with_parent, start_display
+from ..core.folders import data_directory
 from ..formats._endings import converted_for_view
-from .._process.display import end_with_parent, start_display
+from . import _web, run_command
 from ._messages import say_error
 from ._stopping import SIGNALS, Interrupted, claim_line
 
@@ -40,7 +42,7 @@ def find_viewer():
 
 def command(viewer, arguments):
     """The command of the viewer."""
-    shipped = vtkhelios.data_directory()
+    shipped = data_directory()
     full = [viewer, *arguments]
     if arguments and not {"-h", "--help", "--version"} & set(arguments):
         full += ["--assets", f"{shipped}", "--assets", f"{shipped}/Assets"]
@@ -84,8 +86,6 @@ def needs_conversion(argument):
 
 def convert_inputs(arguments, folder):
     """The arguments with converted clouds, or None after an error, which is printed."""
-    from . import run_command
-
     converted = []
     for number, argument in enumerate(arguments):
         if needs_conversion(argument):
@@ -127,8 +127,6 @@ def run_viewer(full):
 
 def start(arguments):
     if "--html" in {word.split("=")[0] for word in arguments}:
-        from . import _web
-
         return _web.start(arguments)
     viewer = find_viewer()
     if viewer is None:

@@ -6,7 +6,7 @@ import collections
 import itertools
 import uuid
 
-from .._watching import Progress
+from ..core.watching import Progress
 from . import need
 from ._tasks import compute_block, find_windows, make_task
 
@@ -32,9 +32,10 @@ def make_delayed(survey, pulses, legs, options):
     delayed = need("dask").delayed
     pulses = check_pulses(pulses)
     task = make_task(survey, options)
-    windows, _, loaded = delayed(find_windows, pure=False)(task, legs).compute()
+    read = survey.origin.read
+    windows, _, loaded = delayed(find_windows, pure=False)(read, task, legs).compute()
     compute, loaded = delayed(compute_block, pure=False), delayed(loaded)
-    return [compute(task, *window, loaded) for window in split_windows(windows, pulses)]
+    return [compute(read, task, *window, loaded) for window in split_windows(windows, pulses)]
 
 
 def iterate_blocks(survey, client, pulses, progress, legs, options):
@@ -42,10 +43,11 @@ def iterate_blocks(survey, client, pulses, progress, legs, options):
     _check_client(client)
     pulses = check_pulses(pulses)
     task = make_task(survey, options)
+    read = survey.origin.read
     with Progress(progress) as watched:
-        windows, total, loaded = client.submit(find_windows, task, legs, pure=False).result()
+        windows, total, loaded = client.submit(find_windows, read, task, legs, pure=False).result()
         blocks = split_windows(windows, pulses)
-        for (_, last), cloud in _compute_in_order(client, task, loaded, blocks):
+        for (_, last), cloud in _compute_in_order(client, (read, task), loaded, blocks):
             if watched.callback:
                 watched.callback(None, last / total)
             yield cloud
@@ -60,7 +62,7 @@ def _compute_in_order(client, task, loaded, windows):
             for first, last in itertools.islice(windows, max(0, free)):
                 key = f"{name}-{first}"
                 future = client.submit(
-                    compute_block, task, first, last, loaded, key=key, pure=False
+                    compute_block, *task, first, last, loaded, key=key, pure=False
                 )
                 pending.append(((first, last), future))
             if not pending:

@@ -5,17 +5,18 @@
 import os
 import uuid
 
-from .._paths import from_vtk
-from .._pipeline import MessageLog, conclude
+from ..core.paths import from_vtk
+from ..core.pipeline import MessageLog, conclude
 
 
 class Origin:
-    """The file of a survey, and the folders that it was read with; made before it is read."""
+    """The file of a survey, the folders and the function that it is read with; made before that."""
 
-    def __init__(self, path, assets):
+    def __init__(self, path, assets, read):
         self.path = os.path.abspath(path)
         self.assets = [os.path.abspath(folder) for folder in assets]
         self.folder = os.getcwd()
+        self.read = read
         self.key = uuid.uuid4().hex  # read again, it is another survey
         self._state = _file_state(self.path)
         self._time = None

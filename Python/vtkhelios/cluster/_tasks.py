@@ -11,9 +11,8 @@ import weakref
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from .._paths import from_vtk
-from .._pipeline import MessageLog, PipelineError, conclude
-from ..survey import check_options, read_survey
+from ..core.paths import from_vtk
+from ..core.pipeline import MessageLog, PipelineError, conclude
 
 MOST_SURVEYS = 2  # that a worker keeps loaded
 
@@ -24,7 +23,6 @@ _lock = threading.Lock()
 
 def make_task(survey, options):
     """A survey with its options as JSON: no data, only what it is read from."""
-    check_options(options)
     origin = survey.origin
     if origin is None:
         raise ValueError(
@@ -54,21 +52,21 @@ def _make_plain(value):
     )
 
 
-def find_windows(task, legs):
+def find_windows(read, task, legs):
     """The ranges of pulse ids of legs, the number of pulses of all legs, and what was loaded."""
     with _naming_worker():
         task = json.loads(task)
-        survey = _find_survey(task)
+        survey = _find_survey(read, task)
         windows, total = survey.pulse_windows(task["options"], legs)
         with _watching(survey.source_of(task["options"])) as source:
             return windows, total, from_vtk(source.ComputeLoadedFingerprint())
 
 
-def compute_block(task, first, last, loaded=None):
+def compute_block(read, task, first, last, loaded=None):
     """The Cloud of the pulses first to last - 1, of the same files as those of find_windows()."""
     with _naming_worker():
         task = json.loads(task)
-        survey = _find_survey(task)
+        survey = _find_survey(read, task)
         cloud = survey.run_window(task["options"], (first, last), _make_watch())
         if loaded is not None:
             _check_loaded(survey, task, loaded)
@@ -103,14 +101,14 @@ def _other_survey(task, other, difference):
     )
 
 
-def _find_survey(task):
-    """The survey of a task; read if this process does not have it."""
+def _find_survey(read, task):
+    """The survey of a task; read, by the function read, if this process does not have it."""
     key = task["key"]
     with _lock:
         survey = _here.get(key) or _loaded.get(key)
         if survey is None:
             _set_threads()
-            survey = _loaded[key] = _read_survey(task)
+            survey = _loaded[key] = _read_survey(read, task)
         if key in _loaded:
             _loaded.move_to_end(key)
         while len(_loaded) > MOST_SURVEYS:
@@ -118,10 +116,10 @@ def _find_survey(task):
         return survey
 
 
-def _read_survey(task):
+def _read_survey(read, task):
     folder = task["folder"]  # may be of another computer
     assets = [*task["assets"], os.path.dirname(task["path"])]
-    survey = read_survey(task["path"], assets + [folder] * os.path.isdir(folder))
+    survey = read(task["path"], assets + [folder] * os.path.isdir(folder))
     survey.warn = _find_warn()
     difference = from_vtk(survey.source().CompareFingerprint(task["fingerprint"]))
     if difference:

@@ -8,7 +8,8 @@ Estimate(value=..., lower=..., upper=...)
 >>> pandas.DataFrame(result.table.rows)
 """
 
-from .._watching import Progress
+from ..core.watching import Progress
+from ._compare import compare_watched
 from .result import Comparison, Histogram, Row
 
 __all__ = ["Comparison", "Histogram", "Row", "compare"]
@@ -55,8 +56,6 @@ def compare(
     Raises FormatError (a ValueError) for files that cannot be read, clouds without points and
     different coordinate systems, ValueError for settings outside their range.
     """
-    from ._compare import compare_watched  # reads files: needs the whole package
-
     settings = {"mesh": mesh, "cell": cell, "points": points, "sample": sample, "seed": seed}
     settings["height_unit"] = height_unit
     with Progress(progress) as watched:

@@ -11,7 +11,7 @@ import typing
 
 import numpy as np
 
-from .._accuracy import Estimate
+from ..surveys.accuracy import Estimate
 
 DRAWS = 400
 FEWEST = 8  # tiles: fewer give no interval

@@ -6,10 +6,10 @@ import pathlib
 
 import numpy as np
 
-from ..cloud import data_of
+from ..core.arrays import data_of
+from ..core.systems import find_difference
 from ..formats import FormatError
-from .._systems import find_difference
-from ..scene import Scene, flatten
+from ..scenes.scene import Scene, flatten
 from ._blocks import DRAWS
 from ._ground import Ground, choose_cell, choose_tile, draw_tiles
 from ._inputs import Source, is_path

@@ -7,17 +7,17 @@ import pathlib
 import numpy as np
 
 from .. import formats
-from .._run_files import POINTS, SUMMARY_NAME, kind_of
-from .._systems import Metres, find_difference
 
 from ..array_names import (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INTENSITY, LEG_IDS,
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
-from ..cloud import data_of
+from ..core.arrays import data_of
+from ..core.run_files import POINTS, SUMMARY_NAME, kind_of
+from ..core.systems import Metres, find_difference
 from ..formats import FormatError
-from ..formats._endings import points
 from ..formats._base import Header, from_cloud, rows_of, select
+from ..formats._endings import points
 
 SOURCE = "Source"  # number of the file of a point
 KEPT = (

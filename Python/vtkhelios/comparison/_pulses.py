@@ -5,7 +5,8 @@
 import numpy as np
 
 from ..array_names import (
-    CHANNEL_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
+    CHANNEL_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE,
+    SCAN_DIRECTION_FLAG,
 )  # fmt: skip
 from ._inputs import SOURCE
 

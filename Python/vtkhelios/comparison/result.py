@@ -8,9 +8,8 @@ import math
 
 import numpy as np
 
-from .._accuracy import Estimate
-from ..tradeoff import Table
-
+from ..surveys.accuracy import Estimate
+from ..surveys.tradeoff import Table
 
 ROUNDING = 1e-9  # smaller numbers are rounding errors
 

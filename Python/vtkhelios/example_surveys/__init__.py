@@ -15,7 +15,8 @@ import os
 import pathlib
 import shutil
 
-from .._files import new_folder
+from ..core.files import new_folder
+from ..core.folders import data_directory
 
 __all__ = ["KINDS", "write_example"]
 
@@ -52,7 +53,7 @@ def write_example(kind, folder):
 
 
 def _write_files(kind, name, folder):
-    shipped = importlib.import_module("vtkhelios").data_directory() / "Examples"
+    shipped = data_directory() / "Examples"
     shutil.copy(shipped / "materials.mtl", folder)
     for path in (shipped / kind).iterdir():
         if path.name != "README.md":

@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from .._paths import to_vtk
-from .._pipeline import update
+from ..core.paths import to_vtk
+from ..core.pipeline import update
 from ..vtkHeliosFiltersIO import vtkHeliosObjSceneWriter
 from ..vtkHeliosFiltersScene import vtkHeliosSyntheticScene
 

@@ -3,8 +3,10 @@
 """A Cloud as an object of pandas, PyVista or Open3D; see the methods of Cloud."""
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..array_names import NORMALS, ORIENTATION, RGB, UNITS
+from ..core.paths import text_from_vtk
 from . import load
 
 _AXES = {3: "XYZ", 4: "XYZW"}
@@ -62,8 +64,6 @@ def add_fields(mesh, data):
 
 def scene_to_pyvista(mesh):
     """The mesh of Scene.to_pyvista()."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
     pyvista, polys = load("pyvista"), mesh.GetPolys()
     if not mesh.GetNumberOfPolys():
         return pyvista.PolyData()
@@ -99,10 +99,6 @@ _OPEN3D = {NORMALS: "normals", RGB: "colors"}  # as its own functions expect
 
 def read_fields(data):
     """The field arrays of VTK data by name: numpy arrays without a copy, and lists of texts."""
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    from .._paths import text_from_vtk
-
     held, fields = data.GetFieldData(), {}
     for index in range(held.GetNumberOfArrays()):
         array = held.GetAbstractArray(index)

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes of other libraries as a vtkPolyData of triangles; see Scene."""
 
-import importlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -11,7 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
-from .._pipeline import update
+from ..core.classes import vtk_class
+from ..core.pipeline import update
 from ._meshes import Mesh, read_parts
 
 FACE_IDS = "FaceIds"  # of the polygons that triangles are made of, while a mesh is converted
@@ -34,7 +34,7 @@ def read_polydata(source):
 
 def triangulate(mesh):
     """(mesh of triangles, polygon of each triangle); the mesh itself and None if it has nothing else."""
-    cutter = importlib.import_module("vtkhelios").vtkHeliosTriangulate()
+    cutter = vtk_class("vtkHeliosTriangulate")()
     if cutter.HasOnlyTriangles(mesh):
         return mesh, None
     numbered = vtkPolyData()

@@ -8,7 +8,8 @@ Value(name='pulse frequency', unit='Hz', value=..., uncertainty=..., how=...)
 >>> result.write("fitted", scene="scene.xml#city")
 """
 
-from .._watching import Progress
+from ..core.watching import Progress
+from ._fit import fit_watched
 from .result import Fit, Strip, Value
 
 __all__ = ["Fit", "Strip", "Value", "fit"]
@@ -39,8 +40,6 @@ def fit(*clouds, unit=None, points=POINTS, progress=None):
     can be found: without points, times or angles, or with too few pulses; ValueError for settings
     outside their range.
     """
-    from ._fit import fit_watched  # reads files: needs the whole package
-
     with Progress(progress) as watched:
         tell = watched.callback or (lambda *_: None)
         return fit_watched(clouds, lambda _name, share: tell(None, share), unit, points)

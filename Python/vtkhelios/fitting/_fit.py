@@ -9,7 +9,7 @@ from ..formats import FormatError
 from ._edges import find_footprint
 from ._inputs import Pulses, find_strips, read_flight
 from ._mirror import find_angles, find_mirror, share_law
-from ._noise import find_planes, find_separation, find_threshold, noise_with_error, noise_rows
+from ._noise import find_planes, find_separation, find_threshold, noise_rows, noise_with_error
 from ._periods import find_pulse_period
 from ._trajectory import find_track
 from ._values import Values

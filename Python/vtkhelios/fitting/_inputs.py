@@ -7,11 +7,11 @@ import numpy as np
 from .. import formats
 
 from ..array_names import (
-    CHANNEL_IDS, CLASSIFICATION_IDS, EDGE_OF_FLIGHT_LINE, GPS_TIME, INTENSITY, AMPLITUDE, LEG_IDS,
+    AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, EDGE_OF_FLIGHT_LINE, GPS_TIME, INTENSITY, LEG_IDS,
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
-from .._systems import Metres, find_difference
 from ..comparison._inputs import chunk_of, describe, is_path, list_files
+from ..core.systems import Metres, find_difference
 from ..formats import FormatError
 
 KEPT = (

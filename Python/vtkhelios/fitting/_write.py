@@ -7,7 +7,7 @@ import xml.sax.saxutils
 
 import numpy as np
 
-from .._files import write_files
+from ..core.files import write_files
 from ._mirror import OSCILLATING, ROTATING
 
 MARGIN = 0.5  # of the ground over its half width

@@ -9,7 +9,8 @@ import typing
 
 import numpy as np
 
-from ..tradeoff import Table
+from ..surveys.tradeoff import Table
+from ._write import write_fit
 
 
 @dataclasses.dataclass
@@ -104,8 +105,6 @@ class Fit:
 
         Raises OSError if a file cannot be written.
         """
-        from ._write import write_fit
-
         return write_fit(self, folder, scene)
 
     def _repr_html_(self):

@@ -2,19 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Areas of flight plans: polygons in WKT, GeoJSON, text, VTK XML, or arrays."""
 
-import importlib
 import os
 import pathlib
 import re
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .._files._json import JsonError, parse_json
-from .._paths import to_vtk
-from .._pipeline import update
-from .._plans.kinds import SettingError
+from ..core.classes import vtk_class
+from ..core.json_files import JsonError, parse_json
+from ..core.paths import to_vtk
+from ..core.pipeline import update
+from ..plans.kinds import SettingError
 
 FARTHEST = 1e9  # coordinate [m]
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
@@ -90,7 +90,7 @@ def _signed_area(ring):
 def _read_file(path):
     kind = pathlib.Path(path).suffix.lower()
     if kind == ".vtp":
-        reader = importlib.import_module(__package__.partition(".")[0]).vtkHeliosPointXMLReader()
+        reader = vtk_class("vtkHeliosPointXMLReader")()
         reader.SetFileName(to_vtk(path))
         return _check(_from_polydata(update(reader)), path)
     try:
@@ -178,8 +178,6 @@ def _make_ring(rows):
 
 
 def _from_polydata(data):
-    from vtkmodules.vtkCommonCore import vtkIdList
-
     polygons = []
     for cells in (data.GetPolys(), data.GetLines()):
         ids = vtkIdList()

@@ -4,8 +4,8 @@
 
 import numpy as np
 
-from ..array_names import PULSE_DENSITY
-from ._report import spread
+from ..array_names import PULSE_DENSITY, RETURN_NUMBER
+from ._summary import spread
 from ._terrain import Grid
 
 LEAST_PULSES = 100  # per cell of the comparison, on average
@@ -111,8 +111,6 @@ def _look_up(plan, places):
 
 def check_plan(plan, progress=None):
     """Simulates a FlightPlan in memory, without noise; returns the comparison of Counts.compare()."""
-    from ..array_names import RETURN_NUMBER
-
     counts, survey = Counts(plan), plan.survey()
     legs = [leg.index for leg in survey.legs if leg.active]
     for leg in legs:

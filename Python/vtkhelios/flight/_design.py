@@ -6,12 +6,12 @@ On flat ground at the height h below the path, a scanner with the rate g(a) of p
 unit of the tangent a (vtkHeliosSwath) leaves g(a) / (v h) pulses per square metre at the speed v.
 """
 
-import importlib
 import math
 import typing
 
-from .._pipeline import update
-from .._plans.kinds import SettingError
+from ..core.classes import vtk_class
+from ..core.pipeline import update
+from ..plans.kinds import SettingError
 from ._settings import BANK, GRAVITY, SPEEDS, WIDEST
 
 HEIGHTS = 24  # tried between the limits
@@ -92,7 +92,7 @@ class Designer:
 
     def make_lines(self, design, altitude=0.0):
         """The updated vtkHeliosFlightLines of a design."""
-        lines = _class("vtkHeliosFlightLines")()
+        lines = vtk_class("vtkHeliosFlightLines")()
         lines.SetInputData(self.area)
         lines.SetSwathWidth(design.swath_width)
         lines.SetLineSpacing(design.line_spacing)
@@ -285,7 +285,3 @@ class Designer:
             return self.settings["turn_radius"]
         bank = math.radians(BANK.get(self.instrument.use, BANK["airborne"]))
         return speed**2 / (GRAVITY * math.tan(bank))
-
-
-def _class(name):
-    return getattr(importlib.import_module(__package__.partition(".")[0]), name)

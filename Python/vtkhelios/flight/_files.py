@@ -6,11 +6,12 @@ import csv
 import io
 import json
 
-from .._files import write_whole
-from .._plans.files import SCENE, SUMMARY, SURVEY, new_plan
-from .._write import write_points
+from ..core.files import write_whole
+from ..core.write import write_points
+from ..plans.files import SCENE, SUMMARY, SURVEY, new_plan
+from ..reports.flight_page import write_page
+from ..reports.flight_picture import make_picture
 from ._follow import line_waypoints
-from ._picture import make_picture
 from ._survey import scene_file, write_survey
 
 LINES, CELLS, TABLE = "lines.vtp", "cells.vtp", "lines.csv"
@@ -69,8 +70,6 @@ def picture_file(plan, folder):
 
 def page_file(plan, counts, folder):
     """Writes the page; counts: of a simulation, or None. Returns its path."""
-    from ._page import write_page
-
     return _write(folder / PAGE, write_page(plan, counts))
 
 

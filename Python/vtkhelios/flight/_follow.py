@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Flight lines that follow the ground."""
 
-import importlib
 import math
 
 import numpy as np
@@ -10,8 +9,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
-from .._pipeline import update
 from ..array_names import ACTIVE, LEG_IDS
+from ..core.classes import vtk_class
+from ..core.pipeline import update
 from ._terrain import Grid, points_of
 
 WAYPOINTS_PER_HEIGHT = 4  # their spacing is a quarter of the flying height
@@ -28,7 +28,7 @@ def follow_terrain(terrain, lines, height, max_climb, cell):
     spacing = max(cell, height / WAYPOINTS_PER_HEIGHT)
     low, high = places.min(axis=0) - 2 * cell, places.max(axis=0) + 2 * cell
     cell = max(cell, math.sqrt(np.prod(high - low) / MOST_CELLS))
-    follow = _class("vtkHeliosTerrainFollow")()
+    follow = vtk_class("vtkHeliosTerrainFollow")()
     follow.SetInputData(0, lines)
     follow.SetInputData(1, terrain.mesh(Grid(low - cell, high + cell, cell)))
     follow.SetHeight(height)
@@ -67,7 +67,3 @@ def line_lengths(data):
     return np.array(
         [np.linalg.norm(np.diff(each, axis=0), axis=1).sum() for each in line_waypoints(data)]
     )
-
-
-def _class(name):
-    return getattr(importlib.import_module(__package__.partition(".")[0]), name)

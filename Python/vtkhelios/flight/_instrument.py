@@ -3,13 +3,14 @@
 """The scanner of a flight plan: its limits, and the distribution of its pulses across the path."""
 
 import functools
-import importlib
 import math
 
 from .. import catalogue
-from .._paths import to_vtk
-from .._pipeline import MessageLog, PipelineError, conclude
-from .._plans.kinds import SettingError
+from ..core.classes import vtk_class
+from ..core.folders import data_directory
+from ..core.paths import to_vtk
+from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..plans.kinds import SettingError
 from ._settings import PLATFORM, PLATFORMS
 
 SWEEPS = {"rotating": 1, "oscillating": 2, "conic": 2, "palmer": 2}  # per scan period
@@ -63,7 +64,7 @@ class Instrument:
         if scan_angle:
             attributes["scanAngle_deg"] = scan_angle
         survey = self._make_survey(attributes)
-        swath = _class("vtkHeliosSwath")()
+        swath = vtk_class("vtkHeliosSwath")()
         with MessageLog() as log:
             log.watch(swath)
             succeeded = swath.Build(survey, 0)
@@ -73,8 +74,8 @@ class Instrument:
         return swath
 
     def _make_survey(self, attributes):
-        survey = _class("vtkHeliosSurvey")()
-        shipped = importlib.import_module(__package__.partition(".")[0]).data_directory()
+        survey = vtk_class("vtkHeliosSurvey")()
+        shipped = data_directory()
         with MessageLog() as log:
             log.watch(survey)
             for folder in [*self._assets, ".", shipped, shipped / "Assets"]:
@@ -128,7 +129,3 @@ def _middle_frequency(survey):
         return {}
     fastest = number("scanProduct", math.inf) / max(number("scanAngleMax_deg", 0.0), 1e-9)
     return {"scanFreq_hz": max(low, min((low + high) / 2, fastest))}
-
-
-def _class(name):
-    return getattr(importlib.import_module(__package__.partition(".")[0]), name)

@@ -2,26 +2,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Flight plans: lines, speed and frequencies over an area, and the pulse density that they give."""
 
-import importlib
 import math
 import pathlib
 
 import numpy as np
 
-from .._paths import from_vtk
-from .._pipeline import update
-from .._plans.kinds import SettingError
 from ..array_names import FLYING_HEIGHT, NUMBER_OF_STRIPS, STRIP_DENSITY
-from ..cloud import Cloud
-from ..planning import PLATFORM as TRIPOD
-from ..planning import SCANNER as TRIPOD_SCANNER
-from ..planning import _check_assets, _make_document
+from ..clouds.cloud import Cloud
+from ..core.classes import vtk_class
+from ..core.paths import from_vtk
+from ..core.pipeline import update
+from ..plans.document import PLATFORM as TRIPOD
+from ..plans.document import SCANNER as TRIPOD_SCANNER
+from ..plans.document import check_assets, make_document
+from ..plans.kinds import SettingError
+from ..scenes.scene import Scene
 from ._area import box_area, contains, measure, read_area, to_polydata
 from ._design import Designer, Relief
+from ._files import write_plan
+from ._follow import follow_terrain, line_lengths, line_waypoints
 from ._instrument import Instrument
-from ._report import make_report
 from ._settings import check_flight_settings
-from ._follow import follow_terrain, line_lengths
+from ._summary import make_report
+from ._survey import make_survey
 from ._terrain import MOST_CELLS, Grid, Terrain, make_places
 
 __all__ = ["FlightPlan"]
@@ -50,7 +53,7 @@ class FlightPlan:
     """
 
     def __init__(self, scene, assets=(), name=None, **settings):
-        self.assets = _check_assets(assets)
+        self.assets = check_assets(assets)
         self.settings = check_flight_settings(settings)
         self.source, self.document = _read_document(scene, self.assets)
         self.name = f"{from_vtk(self.document.GetPlanName())}_als" if name is None else name
@@ -78,8 +81,6 @@ class FlightPlan:
 
     def survey(self):
         """The Survey of the flight, to run in memory; of a scene in memory or in a file."""
-        from ._survey import make_survey
-
         return make_survey(self)
 
     def write(self, folder="output", overwrite=False, picture=False):
@@ -88,9 +89,11 @@ class FlightPlan:
         They are in a folder with the plan's name below the given one. overwrite replaces an earlier
         plan, else it is a FileExistsError. picture adds plan.png.
         """
-        from ._files import write_plan
-
         return write_plan(self, pathlib.Path(folder), overwrite, picture)
+
+    def line_waypoints(self):
+        """The waypoints of each line, n x 3 [m]."""
+        return line_waypoints(self.flight)
 
     def has_scene_in_memory(self):
         return self.document.GetNumberOfInputConnections(0) > 0
@@ -159,7 +162,7 @@ class FlightPlan:
         self.swath = self.instrument.make_swath(
             self.design.pulse_frequency, self.design.scan_frequency, self.design.scan_angle
         )
-        density = _class("vtkHeliosPulseDensity")()
+        density = vtk_class("vtkHeliosPulseDensity")()
         density.SetSwath(self.swath)
         density.SetInputData(0, self._places)
         density.SetInputData(1, data)
@@ -229,7 +232,7 @@ class FlightPlan:
 
 def _read_document(scene, assets):
     """The file of a plan, None for a scene in memory, and the reader of its scene."""
-    source, document = _make_document(scene, assets)
+    source, document = make_document(scene, assets)
     document.SetPlatform(TRIPOD)  # the reader checks them, and no one else uses them
     document.SetScanner(TRIPOD_SCANNER)
     update(document)
@@ -237,15 +240,9 @@ def _read_document(scene, assets):
 
 
 def _box(scene):
-    from ..scene import Scene
-
     return Scene(scene).bounds
 
 
 def _describe_box(scene):
     low, high = _box(scene)
     return f"x {low[0]:.6g} to {high[0]:.6g}, y {low[1]:.6g} to {high[1]:.6g} m"
-
-
-def _class(name):
-    return getattr(importlib.import_module(__package__.partition(".")[0]), name)

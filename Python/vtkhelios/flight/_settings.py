@@ -6,7 +6,7 @@ import difflib
 import numbers
 import typing
 
-from .._plans.kinds import SettingError
+from ..plans.kinds import SettingError
 
 SCANNER = "scanners.xml#rotating_als"
 PLATFORMS = {"unmanned": "platforms.xml#copter_linearpath"}  # by the use of the scanner

@@ -2,22 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The survey of a flight plan."""
 
-import importlib
 import pathlib
 import tempfile
 
-from .._paths import from_vtk, to_vtk
-from .._pipeline import MessageLog, PipelineError, conclude
-from .._plans.files import SCENE, refer
-from ..scene import Scene
+from ..core.classes import vtk_class
+from ..core.paths import from_vtk, to_vtk
+from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..core.reading import look_up
+from ..plans.files import SCENE, refer
+from ..scenes.scene import Scene
+from ..surveys.survey import read_survey
 
 STAND_IN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"  # for a scene that stays in memory
 
 
 def write_survey(plan, path, scene=None):
     """Writes the survey of a FlightPlan, of its scene or of a mesh file; returns the path."""
-    from ..cli._reading import look_up
-
     folder = path.parent
     scene = scene or from_vtk(plan.document.GetSceneReference()) or plan.source
 
@@ -25,7 +25,7 @@ def write_survey(plan, path, scene=None):
         path = reference.partition("#")[0]
         return to_vtk(refer(reference, folder) if pathlib.Path(path).exists() else reference)
 
-    writer = importlib.import_module(__package__.partition(".")[0]).vtkHeliosSurveyWriter()
+    writer = vtk_class("vtkHeliosSurveyWriter")()
     look_up(writer, str(path), plan.assets)
     writer.SetInputDataObject(plan.flight)
     writer.SetSurveyName(to_vtk(plan.name))
@@ -63,8 +63,6 @@ def scene_file(plan, folder):
 
 def make_survey(plan):
     """The Survey of a FlightPlan; a scene in memory stays there."""
-    from ..survey import read_survey
-
     with tempfile.TemporaryDirectory(prefix="vtkhelios-") as name:
         folder, in_memory = pathlib.Path(name), plan.has_scene_in_memory()
         if in_memory:

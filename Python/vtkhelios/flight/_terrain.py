@@ -2,16 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The ground of a flight plan: heights of a scene on a grid."""
 
-import importlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .._arrays import arrays
-from .._pipeline import update
 from ..array_names import NORMAL, ON_GROUND
+from ..core.arrays import arrays
+from ..core.classes import vtk_class
+from ..core.pipeline import update
 
 MOST_CELLS = 250_000
 
@@ -57,7 +57,7 @@ class Terrain:
 
     def heights(self, places):
         """The height at places (n x 2) [m]; NaN where there is no ground."""
-        snap = _class("vtkHeliosGroundSnap")()
+        snap = vtk_class("vtkHeliosGroundSnap")()
         snap.SetInputData(0, make_points(np.column_stack([places, np.zeros(len(places))])))
         snap.SetInputDataObject(1, self.scene)
         snap.SetAllowMissing(True)
@@ -134,7 +134,3 @@ def make_points(coordinates):
 
 def points_of(data):
     return vtk_to_numpy(data.GetPoints().GetData())
-
-
-def _class(name):
-    return getattr(importlib.import_module(__package__.partition(".")[0]), name)

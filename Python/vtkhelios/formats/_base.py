@@ -15,20 +15,18 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
 
 from .. import _native
-from .._arrays import arrays
-from .._files import drop_part, keep_part, open_part, part_of
-from .._pipeline import MessageLog
-from .._process.unfinished import set_unfinished
-from .._systems import find_system
-
 
 from ..array_names import (
-    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS,
-    COORDINATE_SCALE, CRS,
-    DEVIATION, ECHO_WIDTH, EDGE_OF_FLIGHT_LINE, GPS_EPOCH, GPS_TIME, INCIDENCE_ANGLE,
+    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, COORDINATE_SCALE,
+    CRS, DEVIATION, ECHO_WIDTH, EDGE_OF_FLIGHT_LINE, GPS_EPOCH, GPS_TIME, INCIDENCE_ANGLE,
     INTENSITY, LEG_IDS, MATERIAL_IDS, NEAR_INFRARED, NUMBER_OF_RETURNS, PART_IDS, PART_NAME,
     PULSE_IDS, RANGE, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG, USER_DATA, WAVEFORM_IDS,
 )  # fmt: skip
+from ..core.arrays import arrays
+from ..core.files import drop_part, keep_part, open_part, part_of
+from ..core.pipeline import MessageLog
+from ..core.systems import find_system
+from ..core.unfinished import set_unfinished
 
 ROWS = 500_000  # points of a chunk
 

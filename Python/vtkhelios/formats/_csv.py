@@ -4,9 +4,8 @@
 
 import numpy as np
 
-import vtkhelios
-
 from ..array_names import NORMAL, NORMALS, RGB
+from ..core.classes import vtk_class
 from ._base import FileWriter, rows_of
 from ._text import TextReader
 
@@ -45,7 +44,7 @@ class CsvWriter(FileWriter):
             if name == RGB:
                 values = np.rint(np.nan_to_num(values) * FULL).clip(0, FULL).astype(np.int64)
             if values.ndim == 1:
-                yield vtkhelios.vtkHeliosPointTextReader.GetCommonName(name) or name, values
+                yield vtk_class("vtkHeliosPointTextReader").GetCommonName(name) or name, values
                 continue
             parts = NAMES.get(name) or [f"{name}{k}" for k in range(values.shape[1])]
             yield from zip(parts, values.T)

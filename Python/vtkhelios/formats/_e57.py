@@ -6,14 +6,27 @@ import dataclasses
 
 import numpy as np
 
-from .._systems import Metres
-
 from ..array_names import (
     AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, RETURN_NUMBER, RGB,
 )  # fmt: skip
+from ..core.systems import Metres
 from ._base import ROWS, Reader, Scan, guarded, need
-from ._e57_fields import COLOURS, DIRECTION_ONLY, FULL, KNOWN, OURS, POLAR, STATES, XYZ, Range
-from ._e57_fields import check_flags, find_range, full_colour, number_of, rotation_matrix
+from ._e57_fields import (
+    COLOURS,
+    DIRECTION_ONLY,
+    FULL,
+    KNOWN,
+    OURS,
+    POLAR,
+    STATES,
+    XYZ,
+    Range,
+    check_flags,
+    find_range,
+    full_colour,
+    number_of,
+    rotation_matrix,
+)
 from ._e57_writer import E57Writer
 from ._union import explain_missing, fill, join_layouts, layout_of
 

@@ -8,12 +8,11 @@ import uuid
 
 import numpy as np
 
-import vtkhelios
-
 from ..array_names import (
     AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, PULSE_IDS, RETURN_NUMBER, RGB,
 )  # fmt: skip
-from .._systems import Metres
+from ..core.classes import version
+from ..core.systems import Metres
 from ._base import ROWS, FileWriter, need, rows_of
 from ._e57_fields import COLOURS, DIRECTION_ONLY, FULL, OTHERS, OURS, XYZ, rotation_matrix
 from ._grid import find_grid
@@ -193,7 +192,7 @@ class E57Writer(FileWriter):
         libe57, image = self._libe57, self._image
         node.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         node.set("name", libe57.StringNode(image, scan.name))
-        words = f"{OURS if self._is_amplitude else OTHERS} ({vtkhelios.__version__})"
+        words = f"{OURS if self._is_amplitude else OTHERS} ({version()})"
         node.set("description", libe57.StringNode(image, words))
         pose = self._structure()
         node.set("pose", pose)

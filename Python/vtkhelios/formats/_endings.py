@@ -2,11 +2,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What each command does with the files of an ending: the list that errors and Docs/files.md have.
 
-Points are those of vtkhelios.formats.FORMATS, where an ending is added; meshes those of the dialect's
+Points are those of FORMATS, where an ending is added; meshes those of the dialect's
 loaders (heliosXmlFilter.cxx); the viewer's own are those of heliosCloudReader.cxx.
 """
 
-from .._paths import to_vtk
+from ..core.classes import vtk_class
+from ..core.paths import to_vtk
+
+# By the end of a name, the longest first: module, reader, writer (None: it is read only).
+FORMATS = {
+    ".copc.laz": ("_copc", "CopcReader", "CopcWriter"),
+    ".las": ("_las", "LasReader", "LasWriter"),
+    ".laz": ("_las", "LazReader", "LazWriter"),
+    ".xyz": ("_text", "TextReader", "TextWriter"),
+    ".csv": ("_csv", "TextReader", "CsvWriter"),
+    ".txt": ("_text", "TextReader", None),
+    ".asc": ("_text", "TextReader", None),
+    ".pts": ("_text", "TextReader", None),
+    ".ptx": ("_text", "TextReader", None),
+    ".pvtp": ("_vtp", "PiecesReader", "PiecesWriter"),
+    ".vtp": ("_vtp", "VtpReader", "VtpWriter"),
+    ".ply": ("_ply", "PlyReader", "PlyWriter"),
+    ".pcd": ("_pcd", "PcdReader", "PcdWriter"),
+    ".e57": ("_e57", "E57Reader", "E57Writer"),
+}
 
 DOCUMENTS = (".xml",)
 
@@ -24,15 +43,11 @@ COMMANDS = ("info", "convert from", "convert to", "compare", "plan", "view", "sc
 
 
 def _dialect():
-    import vtkhelios
-
-    return vtkhelios.vtkHeliosDialect
+    return vtk_class("vtkHeliosDialect")
 
 
 def points():
     """The endings of points, the longest first."""
-    from . import FORMATS
-
     return tuple(FORMATS)
 
 
@@ -75,8 +90,6 @@ def explain_no_points(path):
 
 def describe(ending):
     """What the commands do with an ending, in the order of COMMANDS; empty: nothing."""
-    from . import FORMATS
-
     uses = dict.fromkeys(COMMANDS, "")
     if ending in FORMATS:
         uses |= {"info": "points", "convert from": "points", "compare": "points"}

@@ -12,11 +12,20 @@ import tempfile
 
 import numpy as np
 
-import vtkhelios
-
-from .._run_files import PART
-from ._base import FileWriter, FormatError, Header, Reader, StreamWriter
-from ._base import call, check_file, from_cloud, need, to_cloud
+from ..core.classes import vtk_class
+from ..core.run_files import PART
+from ._base import (
+    FileWriter,
+    FormatError,
+    Header,
+    Reader,
+    StreamWriter,
+    call,
+    check_file,
+    from_cloud,
+    need,
+    to_cloud,
+)
 from ._las_check import HEADER_BYTES
 from ._names import add_names, check_names, drop_part_names, watch_part, write_names
 from ._records import EXTENDED_HEAD, RecordReader, RecordWriter
@@ -57,7 +66,7 @@ def has_waveforms(path):
 class LasReader(Reader):
     def __init__(self, path):
         super().__init__(path)
-        self._reader = vtkhelios.vtkHeliosLASReader()
+        self._reader = vtk_class("vtkHeliosLASReader")()
         self._reader.SetFileName(self.path)
         self.count, words, self.has_waveforms = _head(self.path)
         self.kind = f"LAS {words}"
@@ -117,7 +126,7 @@ class LazReader(Reader):
             writer.close(bare=True)
             file.seek(58)
             file.write(OWN_SOFTWARE)  # colours are scaled here
-        reader = vtkhelios.vtkHeliosLASReader()
+        reader = vtk_class("vtkHeliosLASReader")()
         reader.SetFileName(str(path))
         known = len(self.notes)
         _call(self, reader, reader.Update)
@@ -161,7 +170,7 @@ class LazReader(Reader):
 
 class LasWriter(StreamWriter):
     def __init__(self, path, header):
-        super().__init__(path, header, vtkhelios.vtkHeliosLASWriter())
+        super().__init__(path, header, vtk_class("vtkHeliosLASWriter")())
         watch_part(path)
 
     def close(self):
@@ -182,7 +191,7 @@ class Encoder:
         self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
         self._las = pathlib.Path(self._folder.name) / "points.las"
         self._part = pathlib.Path(f"{self._las}{PART}")
-        self._writer = vtkhelios.vtkHeliosLASWriter()
+        self._writer = vtk_class("vtkHeliosLASWriter")()
         self._writer.SetFileName(str(self._las))
         self._begin = 0  # of points in the file
         self.model = None  # a RecordReader of the first chunk: the head

@@ -7,10 +7,10 @@ import pathlib
 
 import numpy as np
 
-from .._files import part_of
-from .._paths import from_vtk, to_vtk
-from .._process.unfinished import set_unfinished
 from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
+from ..core.files import part_of
+from ..core.paths import from_vtk, to_vtk
+from ..core.unfinished import set_unfinished
 from ..vtkHeliosFiltersIO import vtkHeliosPointNames
 from ._base import FormatError
 

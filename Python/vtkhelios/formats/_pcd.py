@@ -6,11 +6,11 @@ Binary, x y z as floats relative to an origin in a comment, as in PCL's point ty
 coarser than a resolution; rgb, intensity, label and normals as PCL has them.
 """
 
-import vtkhelios
 
-from .._paths import to_vtk
-from .._systems import find_system
 from ..array_names import INTENSITY
+from ..core.classes import vtk_class
+from ..core.paths import to_vtk
+from ..core.systems import find_system
 from ._base import Header, Reader, StreamWriter, call, from_cloud, rows_of, select
 from ._intensity import IntensityScale
 
@@ -24,7 +24,7 @@ class PcdReader(Reader):
 
     def __init__(self, path):
         super().__init__(path)
-        reader = vtkhelios.vtkHeliosPCDReader()
+        reader = vtk_class("vtkHeliosPCDReader")()
         reader.SetFileName(to_vtk(self.path))
         call(self, reader, reader.Update)
         self._chunk = from_cloud(reader.GetOutput())
@@ -44,7 +44,7 @@ class PcdReader(Reader):
 
 class PcdWriter(StreamWriter):
     def __init__(self, path, header):
-        super().__init__(path, header, vtkhelios.vtkHeliosPCDWriter())
+        super().__init__(path, header, vtk_class("vtkHeliosPCDWriter")())
 
     def put(self, chunk):
         if not self.stream.IsOpen():

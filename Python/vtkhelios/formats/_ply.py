@@ -7,10 +7,9 @@ numpy record, so writing is a header and copies.
 
 import numpy as np
 
-import vtkhelios
-
-from .._paths import to_vtk
 from ..array_names import INTENSITY, NORMALS, RGB
+from ..core.classes import vtk_class
+from ..core.paths import to_vtk
 from ._base import FileWriter, Header, Reader, call, from_cloud, rows_of
 from ._ply_names import PlyNames, to_ascii
 
@@ -28,7 +27,7 @@ COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 class PlyReader(Reader):
     def __init__(self, path):
         super().__init__(path)
-        self._reader = vtkhelios.vtkHeliosPLYPointReader()
+        self._reader = vtk_class("vtkHeliosPLYPointReader")()
         self._reader.SetFileName(to_vtk(self.path))
         fields = self._read(0, 2**31 - 1)  # few points, if any
         self.count = self._reader.GetNumberOfVertices()

@@ -4,12 +4,11 @@
 
 import numpy as np
 
-import vtkhelios
-
 from ..array_names import (
     CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, EDGE_OF_FLIGHT_LINE, INTENSITY,
     NEAR_INFRARED, NORMALS, NUMBER_OF_RETURNS, RETURN_NUMBER, RGB, SCAN_DIRECTION_FLAG, USER_DATA,
 )  # fmt: skip
+from ..core.classes import vtk_class
 from ._base import SCALARS
 from ._intensity import IntensityScale
 
@@ -23,7 +22,7 @@ WHOLE = {
 
 def _find(name):
     """The array that a property is, and the component of it; None: not known."""
-    finder = vtkhelios.vtkHeliosPointTextReader
+    finder = vtk_class("vtkHeliosPointTextReader")
     if name.lower().startswith("pointsource"):  # counts from 1: an array of its own
         return None, 0
     return finder.GetArrayOfColumn(name), finder.GetComponentOfColumn(name)

@@ -10,7 +10,7 @@ import struct
 
 import numpy as np
 
-from .._run_files import PART
+from ..core.run_files import PART
 from ._base import ROWS, FormatError, check_file, is_failure, need
 from ._las_check import HEADER_BYTES, Damage, Unsupported, check_header, check_points
 

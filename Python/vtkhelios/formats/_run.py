@@ -8,14 +8,15 @@ import pathlib
 
 import numpy as np
 
-import vtkhelios
-
-from .._run_files import (
-    JOURNAL_NAME, POINTS, PULSES, SUMMARY_NAME, TRAJECTORY, WAVEFORMS,
-    beside, is_epoch, kind_of, number_of, stem_of,
-)  # fmt: skip
 from ..array_names import CHANNEL_IDS, DIRECTION, GPS_TIME, LEG_IDS, ORIENTATION, PULSE_IDS
+from ..core.classes import vtk_class
+
+from ..core.run_files import (
+    JOURNAL_NAME, POINTS, PULSES, SUMMARY_NAME, TRAJECTORY, WAVEFORMS, beside, is_epoch, kind_of,
+    number_of, stem_of,
+)  # fmt: skip
 from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
+from ._open import open_file
 from ._summary import read_summary
 from ._text import TextReader
 from ._vtp import PiecesReader
@@ -39,7 +40,7 @@ class RunReader(Reader):
         if not self.files:
             self.fail(f"its {SUMMARY_NAME} lists no point files; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
-        self._text = vtkhelios.vtkHeliosPointTextReader()  # one, for the names of parts
+        self._text = vtk_class("vtkHeliosPointTextReader")()  # one, for the names of parts
         self.notes = [] if only else self._find_unnamed()
         self._readers = [self._open(name) for name in self.files]
         self.header = self._readers[0].header
@@ -88,12 +89,10 @@ class RunReader(Reader):
         self.fail(f"is a folder without {SUMMARY_NAME}; give the folder of a run, or files")
 
     def _open(self, name):
-        from . import open_reader
-
         path = self.folder / name
         if path.suffix == ".xyz":
             return TextReader(path, self._text)
-        return open_reader(path)
+        return open_file(path)
 
     def read_chunks(self, rows):
         for self.scan, (name, reader) in enumerate(zip(self.files, self._readers)):
@@ -164,7 +163,7 @@ def _text_pulses(path, rows=ROWS):
 
 def _text_trajectory(owner, path):
     """x y z, GPS time, roll pitch yaw, as written by vtkHeliosTrajectoryTextWriter."""
-    reader = vtkhelios.vtkHeliosTrajectoryReader()
+    reader = vtk_class("vtkHeliosTrajectoryReader")()
     reader.SetFileName(str(path))
     reader.UseWriterFormat()
     call(owner, reader, reader.Update)

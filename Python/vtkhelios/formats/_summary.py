@@ -4,9 +4,8 @@
 
 import json
 
-import vtkhelios
-
-from .._files._json import JsonError, parse_json
+from ..core.classes import vtk_class
+from ..core.json_files import JsonError, parse_json
 from ._base import FormatError, check_file
 
 CURE = "run the survey again"
@@ -53,7 +52,7 @@ EXPECTED = {
 }
 
 # Contents of a summary: a dict by its keys, a list by its one kind of entry; any keys in OPTIONS.
-_COUNTS = vtkhelios.vtkHeliosScanner.GetCountNames().split()
+_COUNTS = vtk_class("vtkHeliosScanner").GetCountNames().split()
 _OPTIONS = {None: _option}
 _MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")
 _MEASURES = {name: [_number] for name in (*_MEASURES, "amplitudeRms", "widthRms_ns")}

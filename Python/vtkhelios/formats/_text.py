@@ -9,10 +9,9 @@ import pathlib
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkMath
 
-import vtkhelios
-
-from .._paths import to_vtk
 from ..array_names import AMPLITUDE, INTENSITY
+from ..core.classes import vtk_class
+from ..core.paths import to_vtk
 from ._base import Header, Reader, Scan, StreamWriter, call, check_file, from_cloud, rows_of
 from ._intensity import IntensityScale
 
@@ -28,7 +27,7 @@ class TextReader(Reader):
         """reader: one that has read other files of the run; names of parts keep their numbers."""
         super().__init__(path)
         check_file(path)
-        self._reader = reader or vtkhelios.vtkHeliosPointTextReader()
+        self._reader = reader or vtk_class("vtkHeliosPointTextReader")()
         self._reader.SetFileName(to_vtk(self.path))
         call(self, self._reader, self._reader.ReadLayout)
         columns, self._layout = self._reader.GetNumberOfColumns(), self._reader.GetKind()
@@ -111,7 +110,7 @@ class TextWriter(StreamWriter):
     """The eleven columns."""
 
     def __init__(self, path, header):
-        super().__init__(path, header, vtkhelios.vtkHeliosPointTextWriter(fill_missing=True))
+        super().__init__(path, header, vtk_class("vtkHeliosPointTextWriter")(fill_missing=True))
         arrays = range(self.stream.GetNumberOfArrays())
         self._names = {self.stream.GetArrayName(index) for index in arrays}
 

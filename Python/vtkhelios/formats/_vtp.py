@@ -10,12 +10,21 @@ from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-import vtkhelios
-
-from .._files import drop_part
-from .._write import write_points
-from ._base import Header, Reader, StreamWriter, Writer
-from ._base import call, check_file, from_cloud, rows_of, select, to_cloud
+from ..core.classes import vtk_class
+from ..core.files import drop_part
+from ..core.write import write_points
+from ._base import (
+    Header,
+    Reader,
+    StreamWriter,
+    Writer,
+    call,
+    check_file,
+    from_cloud,
+    rows_of,
+    select,
+    to_cloud,
+)
 
 
 class VtpReader(Reader):
@@ -34,7 +43,7 @@ class VtpReader(Reader):
     def _open(self, name):
         if not vtkXMLPolyDataReader().CanReadFile(name):
             self.fail(f"{name} is not a VTK XML file of points (vtkPolyData); convert it first")
-        reader = vtkhelios.vtkHeliosPointXMLReader()
+        reader = vtk_class("vtkHeliosPointXMLReader")()
         reader.SetFileName(name)
         call(self, reader, reader.UpdateInformation)
         return reader
@@ -75,7 +84,7 @@ class PiecesWriter(StreamWriter):
     """One piece per chunk."""
 
     def __init__(self, path, header):
-        super().__init__(path, header, vtkhelios.vtkHeliosPointXMLWriter())
+        super().__init__(path, header, vtk_class("vtkHeliosPointXMLWriter")())
         self._pieces = 0
 
     def put(self, chunk):

@@ -6,11 +6,10 @@ import pathlib
 
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
-import vtkhelios
-
-from .._arrays import arrays
-from .._paths import to_vtk
-from .._run_files import POINTS, WAVEFORMS, beside, file_of_leg, kind_of
+from ..core.arrays import arrays
+from ..core.classes import vtk_class
+from ..core.paths import to_vtk
+from ..core.run_files import POINTS, WAVEFORMS, beside, file_of_leg, kind_of
 from ._base import FormatError, call
 from ._las import check_waveforms, has_waveforms
 from ._pulsewaves import read_pulsewaves
@@ -31,10 +30,10 @@ def make_waveform_reader(path, one_way=False):
         return reader
     if is_las(path):
         check_waveforms(path)
-        reader = vtkhelios.vtkHeliosLASReader()
+        reader = vtk_class("vtkHeliosLASReader")()
         reader.ReadWaveformsOn()
     elif {".pvtt", ".vtt"} & set(pathlib.Path(path).suffixes):
-        reader = vtkhelios.vtkHeliosWaveformXMLReader()
+        reader = vtk_class("vtkHeliosWaveformXMLReader")()
     elif str(path).lower().endswith(WITHOUT):
         raise FormatError(
             f"{path}: files of this kind have no waveforms; give those of a run, such as "
@@ -42,7 +41,7 @@ def make_waveform_reader(path, one_way=False):
             "waveforms, or PulseWaves (.pls)"
         )
     else:
-        reader = vtkhelios.vtkHeliosWaveformTextReader()
+        reader = vtk_class("vtkHeliosWaveformTextReader")()
         reader.SetOneWayTimes(one_way)
     reader.SetFileName(to_vtk(path))
     return reader

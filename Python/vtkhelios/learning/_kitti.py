@@ -13,7 +13,7 @@ sequences/00/origin.txt            the pose of the first scan in the run, 4 x 4
 
 import numpy as np
 
-from .._files import write_table, write_whole
+from ..core.files import write_table, write_whole
 from ._labels import find_instances, find_intensities
 
 # From the scanner (x forward, y left, z up) to the camera (x right, y down, z forward).

@@ -8,12 +8,11 @@ import re
 
 import numpy as np
 
-from .._files._json import JsonError, parse_json
-
 from ..array_names import (
     AMPLITUDE, CLASSIFICATION_IDS, INTENSITY, MATERIAL_IDS, MATERIAL_NAME, PART_IDS, RANGE,
     REFLECTANCE,
 )  # fmt: skip
+from ..core.json_files import JsonError, parse_json
 from ..formats import FormatError
 
 # Labels of SemanticKITTI by ASPRS class: terrain, vegetation, building, other ground, road, other

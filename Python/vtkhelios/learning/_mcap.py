@@ -14,8 +14,8 @@ A stamp is GpsTime, or, if the points have a GpsEpoch, the Unix time that ROS us
 
 import numpy as np
 
-from .._files import naming
 from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
+from ..core.files import naming
 from ..exchange import load
 from ..formats import Header
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime

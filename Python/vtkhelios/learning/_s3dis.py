@@ -10,8 +10,8 @@ A room is a scan. Coordinates are relative to those of Area_1/origin.txt, whole 
 
 import numpy as np
 
-from .._files import write_table
 from ..array_names import CLASSIFICATION_IDS, PART_IDS, RGB
+from ..core.files import write_table
 from ._labels import find_intensities
 
 NAMES = {

@@ -7,8 +7,8 @@ import pathlib
 
 import numpy as np
 
-from .._arrays import arrays
-from .._systems import Metres, find_system
+from ..core.arrays import arrays
+from ..core.systems import Metres, find_system
 from ..formats._base import FormatError, Header, rows_of, select
 from ..formats._run import RunReader
 from ..formats._waveforms import find_waveforms, waveform_tables

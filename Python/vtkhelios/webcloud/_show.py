@@ -4,7 +4,7 @@
 
 import html
 
-from .._files import write_whole
+from ..core.files import write_whole
 from ._contents import Contents
 
 LIMIT = 200_000  # points, as the notebook file holds the page

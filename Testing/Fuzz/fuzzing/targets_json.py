@@ -47,7 +47,7 @@ class Area(Target):
         return [Seed("corners.txt", text.encode())]
 
     def run(self, path, data):
-        from vtkhelios._plans.kinds import SettingError
+        from vtkhelios.plans.kinds import SettingError
         from vtkhelios.flight._area import contains, measure, read_area
 
         try:

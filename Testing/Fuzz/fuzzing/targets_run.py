@@ -11,7 +11,7 @@ from .outcomes import check, check_count
 from .target import Seed, Target, collect_warnings, command_line, need
 from .targets_points import parse_strict, read_points
 
-CHARTS = ("matplotlib.pyplot", "matplotlib.backends.backend_agg", "vtkhelios.cli._charts")
+CHARTS = ("matplotlib.pyplot", "matplotlib.backends.backend_agg", "vtkhelios.reports.charts")
 BLOCK = 40  # pulses
 POINTS = ("_points", "_trajectory", "_pulse", "_fullwave")
 
@@ -82,7 +82,7 @@ def counts_of(summary):
 def resume(folder, form, resume, blocks=None, output="out"):
     """Runs the survey of a folder; optionally only some blocks, then stops like Ctrl-C."""
     from vtkhelios import PipelineError
-    from vtkhelios._pipeline import MessageLog
+    from vtkhelios.core.pipeline import MessageLog
 
     os.chdir(folder)  # names do not depend on the folder
     survey = vtkhelios.read_survey("survey.xml")

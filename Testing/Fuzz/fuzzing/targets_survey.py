@@ -134,7 +134,7 @@ class DryRun(Survey):
     def run(self, path, data):
         player = vtkhelios.vtkHeliosSurveyPlayer()
         from vtkhelios import PipelineError
-        from vtkhelios._pipeline import MessageLog
+        from vtkhelios.core.pipeline import MessageLog
 
         from .target import collect_warnings
 
@@ -171,7 +171,7 @@ class Planner(Target):
 
     def run(self, path, data):
         from vtkhelios import PipelineError
-        from vtkhelios._pipeline import MessageLog
+        from vtkhelios.core.pipeline import MessageLog
 
         reader = vtkhelios.vtkHeliosPlannerReader()
         reader.SetFileName(str(path.with_name("plan.xml")))

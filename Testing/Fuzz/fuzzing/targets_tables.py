@@ -113,7 +113,7 @@ class NavigationReport(Target):
 
     def run(self, path, data):
         report = vtkhelios.vtkHeliosNavigationReport()
-        with vtkhelios._pipeline.MessageLog() as log:
+        with vtkhelios.core.pipeline.MessageLog() as log:
             log.watch(report)
             good = report.Read(str(path))
         if not good:

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan --als."""
 
-from ..._plans.settings import SETTINGS as TRIPOD_SETTINGS
 from ...flight._settings import ALL, NUMBERS
+from ...plans.settings import SETTINGS as TRIPOD_SETTINGS
 from .._parser import number
 
 SHARED = ("scanner", "platform", "pulse_frequency")  # with plans of scan positions

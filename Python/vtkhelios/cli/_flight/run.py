@@ -6,17 +6,17 @@ import json
 import pathlib
 import shlex
 
-from ..._paths import require_utf8
+from ...core.files import cannot_be_written, find_unwritable
+from ...core.paths import require_utf8
 from ...flight import FlightPlan
 from ...flight._check import Counts
-from ..._plans.files import new_plan
 from ...flight._files import FILES, data_files, has_plan, page_file, picture_file, summary_file
-from ..._files import cannot_be_written, find_unwritable
+from ...plans.files import new_plan
+from ...reports.flight import check_lines, flight_lines, lacks, print_lines
+from ...reports.plan import file_lines
 from .._plan_check import read_strips, simulate
-from .._plan_report import file_lines
 from .._stopping import set_outcome
 from .options import given_flight_settings
-from .report import check_lines, flight_lines, lacks, print_lines
 
 
 def make_flight_plan(arguments, messages):

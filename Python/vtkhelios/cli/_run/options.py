@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios run that are properties of vtkHeliosRunOptions."""
 
-from ..._options import OPTIONS
+from ...surveys.options import OPTIONS
 from ..._paths import to_vtk
 from ...vtkHeliosScannerRun import vtkHeliosRunOptions
 from .._parser import number, whole_number

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios run that are on or off: what it writes besides the echoes."""
 
-from ..._outputs import OUTPUTS
+from ...surveys.outputs import OUTPUTS
 
 
 def add_output_arguments(parser):

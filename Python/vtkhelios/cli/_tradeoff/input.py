@@ -6,12 +6,12 @@ import pathlib
 
 import vtkhelios
 
-from ..._paths import from_vtk, text_from_vtk, to_vtk
-from ..._plans.files import survey_file
-from ..._run_files import PART
-from ..._survey_text import has_survey
-from ...planning import Plan, PlanTask
-from ...survey import Survey
+from ...core.paths import from_vtk, text_from_vtk, to_vtk
+from ...core.run_files import PART
+from ...plans.files import survey_file
+from ...plans.plan import Plan, PlanTask
+from ...surveys.survey import Survey
+from ...surveys.text import has_survey
 from ..run import read_survey
 
 PLAN_SETTINGS = ("platform", "scanner", "resolution", "grid")

@@ -4,8 +4,8 @@
 
 import urllib.parse
 
+from ...reports.run import readable
 from ...webcloud import Contents
-from .._report import readable
 from .view_page import write_page
 
 

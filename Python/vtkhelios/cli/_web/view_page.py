@@ -6,14 +6,15 @@ import pathlib
 import sys
 
 from ... import formats
-from ..._pipeline import PipelineError
+from ...core.files import cannot_be_written, write_whole
+from ...core.pipeline import PipelineError
+from ...reports.run import readable
+from ...surveys.survey import read_survey
 from ...webcloud import LIMIT, Contents
-from ..._files import cannot_be_written, write_whole
 from .._messages import Messages
 from .._parser import Parser, whole_number
 from .._progress import make_progress
 from .._reading import add_assets_argument
-from .._report import readable
 from .._stopping import set_outcome
 from .._task import Task
 from ._arrays import NAMES, find_array
@@ -109,8 +110,6 @@ def _read(arguments, messages):
 
 
 def _run_survey(arguments, names):
-    from ...survey import read_survey
-
     survey = read_survey(arguments.input, arguments.assets)
     cloud = survey.run(
         progress=sys.stderr.isatty() and not arguments.quiet, waveforms=arguments.waveforms

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios list: what a survey may name."""
 
+import json
+
+from ...core.reading import missing_folder
 from .._messages import Messages
-from .._reading import add_assets_argument, missing_folder
+from .._reading import add_assets_argument
 from . import _platforms, _scanners, _scenes
 
 SUMMARY = "list what a survey may name: scanners, platforms, scenes"
@@ -60,8 +63,6 @@ def list_entries(kind, text, assets, as_json, messages):
         messages.error(module.explain_none(text))
         return 1
     if as_json:
-        import json
-
         print(json.dumps({kind: [module.facts_of(each) for each in found]}, indent=2))
         return 0
     rows = [module.COLUMNS, *map(module.row_of, found)]

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Changes of a loaded survey."""
 
-from ..._pipeline import MessageLog, conclude
+from ...core.pipeline import MessageLog, conclude
 from ._errors import PyHeliosToolsException
 from ._settings import change
 

@@ -8,7 +8,7 @@ import os
 import pathlib
 import tempfile
 
-from ..._run_files import POINTS, kind_of
+from ...core.run_files import POINTS, kind_of
 from ._errors import PyHeliosToolsException
 
 FORMAT = "%Y-%m-%d_%H-%M-%S"

@@ -8,12 +8,11 @@ import typing
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from ..._paths import text_from_vtk
-
 from ...array_names import (
     MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME, MATERIAL_REFLECTANCE,
     MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY, PART_IDS,
 )  # fmt: skip
+from ...core.paths import text_from_vtk
 from ._errors import Closed
 from ._output import Vector
 

@@ -5,7 +5,7 @@
 import math
 import typing
 
-from ..._pipeline import MessageLog, PipelineError, conclude
+from ...core.pipeline import MessageLog, PipelineError, conclude
 from ._errors import Closed
 
 

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from ...array_names import GPS_TIME
 from ...cluster._blocks import split_windows
-from ...survey import read_survey
+from ...surveys.survey import read_survey
 from ._changes import check_survey, find_part, move_part, remove_noise, rotate_part, scale_part
 from ._coordinates import find_rotations
 from ._errors import not_covered

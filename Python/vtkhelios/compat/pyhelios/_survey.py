@@ -5,7 +5,7 @@
 import itertools
 import math
 
-from ..._paths import text_from_vtk, to_vtk
+from ...core.paths import text_from_vtk, to_vtk
 from ._errors import Closed, NotCoveredError
 from ._output import Vector
 from ._settings import DEGREES, Setting, Settings, change, name_all

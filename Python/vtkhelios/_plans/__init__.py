@@ -1,3 +1,0 @@
-# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-# SPDX-License-Identifier: BSD-3-Clause
-"""Plans: settings, files, reports."""

@@ -1,0 +1,121 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios export: a run in the layout of a public data set."""
+
+import argparse
+import pathlib
+
+from .. import formats, learning
+from ..core.files import cannot_be_written, new_folder
+from ..formats._run import RunReader, is_run
+from ._messages import Messages
+from ._progress import make_progress
+from ._stopping import set_outcome
+from ._task import Task
+
+SUMMARY = "write a run as KITTI, SemanticKITTI, S3DIS or MCAP (ROS 2)"
+WINDOW = 0.1  # [s], of the 10 Hz of KITTI
+
+EPILOG = """\
+layouts:
+  --kitti          sequences/00/velodyne/000000.bin, times.txt, calib.txt; poses/00.txt
+  --semantickitti  the same, with labels/000000.label (instances are parts) and poses.txt
+  --s3dis          Area_1/ROOM/ROOM.txt and Annotations/CLASS_NUMBER.txt; a room is a scan
+  --mcap           scans.mcap: PointCloud2 with ring, time offset, intensity, range and return number; the
+                   pulses without an echo, of runs with --pulses; the pose of the platform as /tf.
+                   Needs mcap and rosbags: pip install mcap rosbags
+
+A scan is a time window of a leg, in the frame of the platform at its middle: x forward, y left, z up
+(S3DIS: along the axes of the run).
+Labels are those of SemanticKITTI, by class (terrain, vegetation, building, road ...) and by words in
+the names of materials: bark, wood, trunk ... are trunk (71), leaf, needle ... vegetation (70). Runs
+as text do not store the names of materials: give their numbers, or run with --format las or vtp.
+
+--labels FILE (JSON): {"classes": {"2": 72}, "materials": {"bark": 71, "3": 70}}; it replaces both
+tables.
+
+examples:
+  vtkhelios export output/street kitti --semantickitti
+  vtkhelios export output/forest forest --s3dis --window leg
+  vtkhelios export output/street street --mcap --window 0.05
+
+OUT appears when it is complete.
+
+exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
+"""
+
+
+def window(text):
+    """An argparse type: seconds, or None for "leg"."""
+    if text == "leg":
+        return None
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 1e-6 <= seconds <= 1e6:
+        raise argparse.ArgumentTypeError(
+            f"{text} is not valid: expected seconds, 1e-6 to 1e6, or leg"
+        )
+    return seconds
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("folder", metavar="RUN", help="the folder of a run")
+    parser.add_argument("output", metavar="OUT", help="a new folder")
+    layouts = parser.add_mutually_exclusive_group(required=True)
+    for name in ("kitti", "semantickitti", "s3dis", "mcap"):
+        layouts.add_argument(f"--{name}", dest="layout", action="store_const", const=name,
+                             help="see below")  # fmt: skip
+    parser.add_argument(
+        "--window",
+        metavar="S|leg",
+        type=window,
+        default=WINDOW,
+        help=f"duration of a scan [s], or leg: a scan is a leg (default: {WINDOW})",
+    )
+    parser.add_argument("--labels", metavar="FILE", help="labels of classes and materials (JSON)")
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def run(arguments):
+    with Messages(quiet=arguments.quiet) as messages:
+        try:
+            return export(arguments, messages)
+        except (formats.FormatError, ImportError) as error:
+            messages.error(str(error))
+        except OSError as error:
+            messages.error(cannot_be_written(error, arguments.output, "OUT"))
+        return 1
+
+
+def export(arguments, messages):
+    folder, output = pathlib.Path(arguments.folder), pathlib.Path(arguments.output)
+    if not is_run(folder):
+        raise formats.FormatError(f"{folder}: is not a folder; give the folder of a run")
+    if output.exists() and (not output.is_dir() or any(output.iterdir())):
+        raise formats.FormatError(f"{output}: already exists; give a new or empty folder")
+    labels = learning.Labels.read(arguments.labels) if arguments.labels else learning.Labels()
+    with RunReader(folder) as reader:
+        task = Task("exporting", reader.count)
+        set_outcome(f"{output} was not written")
+        with new_folder(output) as new:
+            writer = learning.WRITERS[arguments.layout](new, labels, reader.header.fields)
+            with make_progress(task, messages, quiet=arguments.quiet):
+                scans, points = writer.write(
+                    counted_scans(learning.read_scans(reader, arguments.window), task)
+                )
+        set_outcome(f"{output} is written")
+    messages.info(f"{arguments.layout} {output}: {scans:,} scans, {points:,} points")
+    return 0
+
+
+def counted_scans(scans, task):
+    """The scans; shows the progress. FormatError if there are none."""
+    scan = None
+    for scan in scans:
+        yield scan
+        task.advance(len(scan.arrays["points"]))
+    if scan is None:
+        raise formats.FormatError("the run has no points; run the survey again")

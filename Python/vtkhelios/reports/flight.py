@@ -1,0 +1,117 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The result of a flight plan as text."""
+
+from .plan import print_rows
+
+MOST_ROWS = 50
+COLUMNS = (  # of the table of lines: title, text
+    ("line", lambda row: str(row["line"])),
+    ("x0 [m]", lambda row: f"{row['begin'][0]:.2f}"),
+    ("y0 [m]", lambda row: f"{row['begin'][1]:.2f}"),
+    ("x1 [m]", lambda row: f"{row['end'][0]:.2f}"),
+    ("y1 [m]", lambda row: f"{row['end'][1]:.2f}"),
+    ("z [m]", lambda row: heights(row)),
+    ("heading [deg]", lambda row: f"{row['heading_deg']:.1f}"),
+    ("length [m]", lambda row: f"{row['length_m']:,.1f}"),
+    ("time [s]", lambda row: f"{row['time_s']:.1f}"),
+)
+
+
+def heights(row):
+    low, high = row["lowest_m"], row["highest_m"]
+    return f"{low:.1f}" if high - low < 0.05 else f"{low:.1f} to {high:.1f}"
+
+
+def print_lines(rows):
+    """The lines on standard output."""
+    print_rows(rows[:MOST_ROWS], COLUMNS)
+    if len(rows) > MOST_ROWS:
+        print(f"and {len(rows) - MOST_ROWS} more; all are in lines.csv")
+
+
+def flight_lines(report):
+    """The design and the prediction, as text."""
+    scan, flight, predicted = report["scan"], report["flight"], report["predicted"]
+    lines = (
+        f", {scan['scanFrequency_Hz']:.4g} Hz scan frequency" if scan["scanFrequency_Hz"] else ""
+    )
+    yield (
+        f"scan     {scan['scanner']}: {scan['pulseFrequency_Hz'] / 1000:g} kHz{lines}, swath of "
+        f"{2 * scan['halfSwath_deg']:.1f} deg, {flight['swathWidth_m']:.4g} m"
+    )
+    height = predicted["flyingHeight_m"]
+    yield (
+        f"flight   {flight['lines']} lines every {flight['lineSpacing_m']:.4g} m, {flight['speed_m_s']:.4g} m/s; "
+        f"{height['minimum']:.4g} to {height['maximum']:.4g} m above ground"
+    )
+    turns = (
+        f"{flight['turnTime_s']:g} s"
+        if flight["turnTime_s"]
+        else f"radius {flight['turnRadius_m']:.4g} m"
+    )
+    yield (
+        f"time     {duration(flight['time_s'])}: lines {flight['lineLength_m'] / 1000:.4g} km, turns "
+        f"{flight['turnLength_m'] / 1000:.4g} km ({turns})"
+    )
+    yield from predicted_lines(predicted)
+
+
+def predicted_lines(predicted):
+    strip, density = predicted["strip_1_m2"], predicted["density_1_m2"]
+    yield (
+        f"density  of a strip at least {strip['minimum']:.4g}, on average {predicted['meanOfStrips_1_m2']:.4g} "
+        f"pulses/m2; of all at least {density['minimum']:.4g}, on average {density['mean']:.4g}"
+    )
+    if predicted["along_m"] is not None:
+        yield (
+            f"spacing  at most {predicted['along_m']:.3g} m along and {predicted['across_m']:.3g} m across, "
+            "in a strip"
+        )
+    yield (
+        f"covered  {predicted['covered_percent']:.2f} % of {predicted['area_m2']:,.0f} m2, "
+        f"{predicted['overlap_percent']:.1f} % by two strips or more; {predicted['met_percent']:.2f} % with "
+        f"{predicted['required_1_m2']:.4g} pulses/m2 or more of one strip"
+    )
+
+
+def duration(seconds):
+    minutes, rest = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes:02} min" if hours else f"{minutes} min {rest:02} s"
+
+
+def lacks(report):
+    """Warnings about what a plan does not reach."""
+    predicted, settings = report["predicted"], report["settings"]
+    if predicted["covered_percent"] < 100:
+        yield (
+            f"{100 - predicted['covered_percent']:.2f} % of the area is in no strip: the ground rises above "
+            "the lines or drops below the largest range; give --terrain-following, or a larger "
+            "--side-overlap"
+        )
+    if predicted["met_percent"] < 99:
+        yield (
+            f"{100 - predicted['met_percent']:.1f} % of the area has less than "
+            f"{predicted['required_1_m2']:.4g} pulses/m2 of one strip, on slopes or far below the lines; give "
+            "--terrain-following, or lower --min-speed"
+        )
+    if predicted["flyingHeight_m"]["minimum"] < settings["nohd_m"] * (1 - 1e-9):
+        yield (
+            f"the lowest height above the ground is {predicted['flyingHeight_m']['minimum']:.4g} m, below "
+            f"--nohd {settings['nohd_m']:g}; give a larger --max-climb or --flying-height"
+        )
+
+
+def check_lines(check):
+    """The result of a simulation."""
+    predicted, simulated = check["predicted_1_m2"], check["simulated_1_m2"]
+    yield (
+        f"check    {check['firstReturns']:,} first returns in {check['cells']:,} cells of {check['cell_m']:.3g} m: "
+        f"predicted {predicted['mean']:.4g}, simulated {simulated['mean']:.4g} pulses/m2 "
+        f"({check['bias_percent']:+.2f} %); least {predicted['minimum']:.4g} and {simulated['minimum']:.4g}"
+    )
+    yield (
+        f"         95 % of the cells agree within {check['within95_percent']:.1f} %; {check['empty']:,} of "
+        f"{check['gapCells']:,} cells of {check['gapCell_m']:.3g} m have no return"
+    )

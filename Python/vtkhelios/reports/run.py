@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run, or its estimate, as text: from the report of the player."""
+
+from ..core.run_files import SUMMARY_NAME
+from ..core.words import duration
+from .accuracy import accuracy_lines
+
+MAXIMUM_LEGS = 20
+MAXIMUM_FILES = 12
+
+COLUMNS = (  # of a table of legs: title, width, text
+    ("leg", 5, lambda leg: str(leg["leg"])),
+    ("start [s]", 12, lambda leg: f"{leg['start_s']:.3f}"),
+    ("lasts [s]", 12, lambda leg: f"{leg['duration_s']:.3f}"),
+    ("pulses", 15, lambda leg: f"{leg['pulses']:,}"),
+    ("fired", 15, lambda leg: f"{leg['pulsesFired']:,}"),
+    ("points", 15, lambda leg: f"{leg['points']:,}"),
+)
+
+
+def summary_lines(report, folder):
+    """A finished run."""
+    totals, timings = report["totals"], report["timings"]
+    versions = report["versions"]
+    yield (
+        f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
+        f"ray caster {report['rayCaster']}"
+    )
+    yield f"sampling {report['sampling']}"
+    if len(report["legs"]) > 1:
+        is_joined = "parts_s" in timings  # its legs were computed in the parts
+        times = [] if is_joined else [("time [s]", 10, timings["legs_s"])]
+        yield from table_lines(report["legs"], times)
+    yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
+    yield from unresolved_lines(totals)
+    yield f"points   {totals['points']:,} ({totals['firstReturns']:,} first returns)"
+    yield f"time     {describe_time(totals, timings)}; {timings['load_s']:.2f} s to load the scene"
+    yield from file_lines(report["legs"], folder)
+    if "accuracy" in report:
+        yield from accuracy_lines(report["accuracy"])
+
+
+def describe_time(totals, timings):
+    """How long a run took, and its rates; one of parts was computed when they ran."""
+    seconds = max(timings["run_s"], 1e-9)
+    if "parts_s" in timings:
+        return f"{timings['parts_s']:.2f} s in the parts, {seconds:.2f} s to join them"
+    return (
+        f"{seconds:.2f} s with {counted(timings['threads'], 'thread')}: "
+        f"{totals['pulsesFired'] / seconds / 1e6:.2f} M pulses/s, "
+        f"{totals['points'] / seconds / 1e6:.2f} M points/s"
+    )
+
+
+def file_lines(legs, folder):
+    """The files of a run, including the summary."""
+    files = [(file["name"], file["bytes"]) for leg in legs for file in leg["files"]]
+    lines = [f"{folder / name} ({readable(size)})" for name, size in files[:MAXIMUM_FILES]]
+    if len(files) > MAXIMUM_FILES:
+        lines.append(f"and {len(files) - MAXIMUM_FILES} more in {folder}")
+    lines.append(f"{folder / SUMMARY_NAME}")
+    for index, line in enumerate(lines):
+        yield f"{'' if index else 'files':8} {line}"
+
+
+def estimate_lines(report):
+    """An estimated run."""
+    totals = report["totals"]
+    yield f"sampling {report['sampling']}"
+    sizes = [readable(leg["bytes"]) for leg in report["legs"]]
+    yield from table_lines(report["legs"], [("bytes", 12, sizes)])
+    share = totals["pulsesSampled"] / max(1, totals["pulses"])
+    yield f"legs     {len(report['legs'])}, {totals['duration_s']:.3f} s"
+    yield f"pulses   {totals['pulses']:,}, {totals['pulsesFired']:,} of them fired"
+    yield f"points   {totals['points']:,}"
+    yield f"files    {readable(totals['bytes'])}"
+    yield f"memory   {readable(report['memory_bytes'])}"
+    yield (
+        f"time     {duration(report['load_s'] + report['run_s'])} "
+        f"({(report['load_s'] + report['run_s']) / 60:.2f} minutes) "
+        f"with {counted(report['threads'], 'thread')}"
+    )
+    yield f"         estimated from {100 * share:.0f} % of the pulses; nothing was written"
+
+
+def join_reports(epochs, reports):
+    """Merges the reports of several epochs, with their sums."""
+    joined = {"plays": [{"play": epoch, **report} for epoch, report in zip(epochs, reports)]}
+    names = reports[0]["totals"]
+    joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
+    times = [each.get("timings", each) for each in reports]
+    names = [name for name in ("load_s", "run_s", "parts_s") if name in times[0]]
+    joined["timings"] = {name: sum(each[name] for each in times) for name in names}
+    if "memory_bytes" in reports[0]:  # of estimates: epochs run one at a time
+        joined["memory_bytes"] = max(each["memory_bytes"] for each in reports)
+    return joined
+
+
+def epochs_lines(joined):
+    """All epochs of a survey together."""
+    totals, timings = joined["totals"], joined["timings"]
+    seconds = timings["load_s"] + timings["run_s"]
+    yield f"epochs   {len(joined['plays'])}, of the same legs"
+    yield f"pulses   {totals['pulsesFired']:,}"
+    yield f"points   {totals['points']:,}"
+    if "memory_bytes" in joined:
+        yield f"files    {readable(totals['bytes'])}"
+        yield f"memory   {readable(joined['memory_bytes'])}"
+    if "parts_s" in timings:
+        yield f"time     {timings['parts_s']:.2f} s in the parts, {seconds:.2f} s to join them"
+    else:
+        yield f"time     {duration(seconds)} ({seconds / 60:.2f} minutes)"
+
+
+def table_lines(legs, more):
+    """The legs, one per line; more columns are (title, width, one value per leg)."""
+    shown = legs[:MAXIMUM_LEGS]
+    columns = [(title, width, [text(leg) for leg in shown]) for title, width, text in COLUMNS]
+    for title, width, values in more:
+        texts = [value if isinstance(value, str) else f"{value:.2f}" for value in values]
+        columns.append((title, width, texts[:MAXIMUM_LEGS]))
+    padded = [_padded([title, *texts], width) for title, width, texts in columns]
+    for index, cells in enumerate(zip(*padded)):
+        yield f"{'' if index else 'legs':8}" + "".join(cells).removeprefix("  ")
+    if len(legs) > MAXIMUM_LEGS:
+        yield f"         and {len(legs) - MAXIMUM_LEGS} more"
+
+
+def _padded(texts, width):
+    """Texts of one column, at its width or the longest plus two blanks."""
+    width = max(width, 2 + max(map(len, texts)))
+    return [f"{text:>{width}}" for text in texts]
+
+
+def describe_paths(totals):
+    """How pulses were sampled, and their cost."""
+    pulses = totals["pulsesFired"]
+    ways = {
+        "planar": totals["pulsesOnPlane"],
+        "without bins": totals["pulsesWithoutBins"],
+        "binned": totals["pulsesBinned"],
+    }
+    ways["without hits"] = pulses - sum(ways.values())
+    counts = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
+    return f"{counts or 'none'}; {totals['subRays'] / max(1, pulses):.1f} sub-rays per pulse"
+
+
+def unresolved_lines(totals):
+    """For how many pulses the tolerances may not be kept."""
+    count = totals.get("pulsesUnresolved", 0)
+    if count > 0:
+        share = 100 * count / max(1, totals["pulsesFired"])
+        yield (
+            f"         {count:,} of them ({share:.2g} %) need more sub-rays for the tolerances: "
+            "give --max-sub-rays"
+        )
+
+
+def counted(number, what):
+    """1 thread, 2 threads."""
+    return f"{number} {what}{'s'[: number != 1]}"
+
+
+def readable(size):
+    """A human-readable number of bytes: 1.2 MB."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"
