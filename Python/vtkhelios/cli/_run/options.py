@@ -3,7 +3,7 @@
 """The options of vtkhelios run that are properties of vtkHeliosRunOptions."""
 
 from ...surveys.options import OPTIONS
-from ..._paths import to_vtk
+from ...core.paths import to_vtk
 from ...vtkHeliosScannerRun import vtkHeliosRunOptions
 from .._parser import number, whole_number
 
