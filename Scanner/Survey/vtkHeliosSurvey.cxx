@@ -3,11 +3,13 @@
 #include "vtkHeliosSurvey.h"
 
 #include "heliosEpochs.h"
-#include "heliosSurveyMaker.h"
+#include "heliosSurveyDocument.h"
+#include "heliosXmlValue.h"
 
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <map>
 
 vtkStandardNewMacro(vtkHeliosSurvey);
 
@@ -26,24 +28,65 @@ std::string JoinNames(const std::vector<DataT>& all)
   return names;
 }
 
-/// The attributes of a kind; none if the kind does not exist.
-const std::vector<helios::Attribute>& FindAttributes(const std::string& kind)
+/// The items with attributes, by their names; null: none.
+const helios::SurveyItem* FindItem(const std::string& kind)
 {
-  static const std::vector<helios::Attribute> none;
-  return kind == "survey" ? helios::GetAttributes<helios::SurveyData>()
-    : kind == "scene"     ? helios::GetAttributes<helios::SceneData>()
-    : kind == "part"      ? helios::GetAttributes<helios::PartData>()
-    : kind == "scanner"   ? helios::GetAttributes<helios::ScannerData>()
-    : kind == "platform"  ? helios::GetAttributes<helios::PlatformData>()
-    : kind == "leg"       ? helios::GetAttributes<helios::LegSettings>()
-                          : none;
+  static const std::map<std::string, helios::SurveyItem> items = {
+    { "survey", helios::SurveyItem::Survey },
+    { "scene", helios::SurveyItem::Scene },
+    { "part", helios::SurveyItem::Part },
+    { "scanner", helios::SurveyItem::Scanner },
+    { "platform", helios::SurveyItem::Platform },
+    { "leg", helios::SurveyItem::Leg },
+  };
+  const auto found = items.find(kind);
+  return found == items.end() ? nullptr : &found->second;
 }
+
+std::vector<std::string> ListAttributes(const std::string& kind)
+{
+  const helios::SurveyItem* item = FindItem(kind);
+  return item ? helios::SurveyDocument::ListAttributes(*item) : std::vector<std::string>();
+}
+
+using Item = helios::SurveyItem;
 
 } // namespace
 
+/// The document, and the data read from it.
+class vtkHeliosSurvey::Internals
+{
+public:
+  explicit Internals(vtkHeliosSurvey* survey)
+    : Survey(survey)
+    , Document(std::make_unique<helios::SurveyDocument>(survey))
+  {
+  }
+
+  /// Passes on a success; after a change all data is read again when it is asked for.
+  template <typename ResultT>
+  ResultT Change(ResultT result, bool isGood)
+  {
+    if (isGood)
+    {
+      this->IsRead = this->IsChecked = false;
+      this->Survey->Modified();
+    }
+    return result;
+  }
+  bool Change(bool isGood) { return this->Change(isGood, isGood); }
+  int Change(int index) { return this->Change(index, index >= 0); }
+
+  vtkHeliosSurvey* Survey;
+  std::unique_ptr<helios::SurveyDocument> Document;
+  helios::SurveyData Data;
+  bool IsRead = false;
+  bool IsChecked = false;
+};
+
 //------------------------------------------------------------------------------
 vtkHeliosSurvey::vtkHeliosSurvey()
-  : Maker(new helios::SurveyMaker(this))
+  : Inside(new Internals(this))
 {
 }
 
@@ -53,125 +96,155 @@ vtkHeliosSurvey::~vtkHeliosSurvey() = default;
 //------------------------------------------------------------------------------
 helios::SurveyData& vtkHeliosSurvey::GetData()
 {
-  return this->Maker->GetData();
+  if (!this->Inside->IsRead)
+  {
+    this->Inside->Data = this->Inside->Document->Resolve(nullptr);
+    this->Inside->IsRead = true;
+  }
+  return this->Inside->Data;
 }
 
 //------------------------------------------------------------------------------
 const helios::SurveyData& vtkHeliosSurvey::GetData() const
 {
-  return this->Maker->GetData();
+  return const_cast<vtkHeliosSurvey*>(this)->GetData();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::Check()
 {
-  return this->Maker->Check();
+  if (!this->Inside->IsChecked)
+  {
+    this->Inside->Data = this->Inside->Document->Resolve(this);
+    this->Inside->IsRead = true;
+    this->Inside->IsChecked = !this->Inside->Document->HasError();
+  }
+  return this->Inside->IsChecked;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::ReadDocument(
+  std::unique_ptr<helios::SurveyDocument> document, vtkObject* owner)
+{
+  this->Inside->Data = document->Resolve(owner);
+  this->Inside->IsRead = true;
+  this->Inside->IsChecked = !document->HasError();
+  this->Inside->Document = std::move(document);
+  this->Inside->Document->SetOwner(this);
+  this->Modified();
+  return this->Inside->IsChecked;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::WriteFile(const std::string& fileName)
+{
+  const helios::Status status = this->Inside->Document->Write(fileName);
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+  }
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::AddAssetDirectory(const std::string& directory)
 {
-  std::vector<std::string> all = this->Maker->GetAssetDirectories();
+  std::vector<std::string> all = this->Inside->Document->GetAssetDirectories();
   all.push_back(directory);
-  this->Maker->SetAssetDirectories(all);
+  this->Inside->Document->SetAssetDirectories(all);
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::RemoveAllAssetDirectories()
 {
-  this->Maker->SetAssetDirectories({});
+  this->Inside->Document->SetAssetDirectories({});
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::SetName(const std::string& name)
 {
-  this->Maker->SetSurvey("name", name);
+  this->SetSurveyAttribute("name", name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetSurveyAttribute(const std::string& name, const std::string& value)
 {
-  return this->Maker->SetSurvey(name, value);
+  return this->Inside->Change(this->Inside->Document->Set({ Item::Survey }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetSurveyAttribute(const std::string& name)
 {
-  return this->Maker->GetSurvey(name);
+  return this->Inside->Document->Get({ Item::Survey }, name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetSceneAttribute(const std::string& name, const std::string& value)
 {
-  return this->Maker->Set(this->Maker->FindScene(), name, value);
+  return this->Inside->Change(this->Inside->Document->Set({ Item::Scene }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetSceneAttribute(const std::string& name)
 {
-  return this->Maker->Get(this->Maker->FindScene(), name);
+  return this->Inside->Document->Get({ Item::Scene }, name);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddScanner(const std::string& id)
 {
-  return this->Maker->AddScanner(id);
+  return this->Inside->Change(this->Inside->Document->AddScanner(id));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddScannerFromFile(const std::string& reference)
 {
-  return this->Maker->AddScannerFromFile(reference);
+  return this->Inside->Change(this->Inside->Document->AddFromFile(Item::Scanner, reference));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfScanners() const
 {
-  return static_cast<int>(this->GetData().Scanners.size());
+  return this->Inside->Document->GetNumberOf(Item::Scanner);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddPlatform(const std::string& id)
 {
-  return this->Maker->AddPlatform(id);
+  return this->Inside->Change(this->Inside->Document->AddPlatform(id));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddPlatformFromFile(const std::string& reference)
 {
-  return this->Maker->AddPlatformFromFile(reference);
+  return this->Inside->Change(this->Inside->Document->AddFromFile(Item::Platform, reference));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfPlatforms() const
 {
-  return static_cast<int>(this->GetData().Platforms.size());
+  return this->Inside->Document->GetNumberOf(Item::Platform);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddChannel(int scanner)
 {
-  return this->Maker->AddChannel(scanner);
+  return this->Inside->Change(this->Inside->Document->AddChannel(scanner));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfChannels(int scanner)
 {
-  const helios::ScannerData* data = this->Maker->FindScanner(scanner);
-  return data ? static_cast<int>(data->GetNumberOfChannels()) : 0;
+  return this->Inside->Document->GetNumberOfChannels(scanner);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetScannerAttribute(
   int scanner, const std::string& name, const std::string& value)
 {
-  const int count = this->GetNumberOfChannels(scanner);
-  bool isGood = count > 0;
-  for (int channel = 0; isGood && channel < count; ++channel)
-  {
-    isGood = this->SetChannelAttribute(scanner, channel, name, value);
-  }
-  return isGood;
+  return this->Inside->Change(this->Inside->Document->Set({ Item::Scanner, scanner }, name, value));
 }
 
 //------------------------------------------------------------------------------
@@ -184,68 +257,72 @@ std::string vtkHeliosSurvey::GetScannerAttribute(int scanner, const std::string&
 bool vtkHeliosSurvey::SetChannelAttribute(
   int scanner, int channel, const std::string& name, const std::string& value)
 {
-  return this->Maker->Set(this->Maker->FindScanner(scanner, channel), name, value);
+  return this->Inside->Change(
+    this->Inside->Document->Set({ Item::Scanner, scanner, channel }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetChannelAttribute(int scanner, int channel, const std::string& name)
 {
-  return this->Maker->Get(this->Maker->FindScanner(scanner, channel), name);
+  return this->Inside->Document->Get({ Item::Scanner, scanner, channel }, name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetPlatformAttribute(
   int platform, const std::string& name, const std::string& value)
 {
-  return this->Maker->SetPlatform(platform, name, value);
+  return this->Inside->Change(
+    this->Inside->Document->Set({ Item::Platform, platform }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPlatformAttribute(int platform, const std::string& name)
 {
-  return this->Maker->GetPlatform(platform, name);
+  return this->Inside->Document->Get({ Item::Platform, platform }, name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetLegAttribute(int leg, const std::string& name, const std::string& value)
 {
-  return this->Maker->Set(this->Maker->FindLeg(leg), name, value);
+  return this->Inside->Change(this->Inside->Document->Set({ Item::Leg, leg }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetLegAttribute(int leg, const std::string& name)
 {
-  return this->Maker->Get(this->Maker->FindLeg(leg), name);
+  return this->Inside->Document->Get({ Item::Leg, leg }, name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetPartAttribute(int part, const std::string& name, const std::string& value)
 {
-  return this->Maker->SetPart(part, name, value);
+  return this->Inside->Change(this->Inside->Document->Set({ Item::Part, part }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPartAttribute(int part, const std::string& name)
 {
-  return this->Maker->GetPart(part, name);
+  return this->Inside->Document->Get({ Item::Part, part }, name);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddLeg(int scanner, int platform)
 {
-  return this->Maker->AddLeg(scanner, platform);
+  return this->Inside->Change(this->Inside->Document->AddLeg(scanner, platform));
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::RemoveLeg(int leg)
 {
-  this->Maker->RemoveLeg(leg);
+  this->Inside->Document->RemoveLeg(leg);
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::RemoveAllLegs()
 {
-  this->Maker->RemoveAllLegs();
+  this->Inside->Document->RemoveAllLegs();
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
@@ -259,58 +336,59 @@ bool vtkHeliosSurvey::SetLegPosition(int leg, double x, double y, double z)
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddPart(const std::string& loader, const std::string& file)
 {
-  return this->Maker->AddPart(loader, file);
+  return this->Inside->Change(this->Inside->Document->AddPart(loader, file));
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurvey::RemoveAllParts()
 {
-  this->Maker->RemoveAllParts();
+  this->Inside->Document->RemoveAllParts();
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::AddPartTable(const std::string& file)
 {
-  return this->Maker->AddPartTable(file);
+  return this->Inside->Change(this->Inside->Document->AddPartTable(file));
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetPartTableAttribute(
   int table, const std::string& name, const std::string& value)
 {
-  return this->Maker->SetPartTable(table, name, value);
+  return this->Inside->Change(this->Inside->Document->Set({ Item::PartTable, table }, name, value));
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPartTableAttribute(int table, const std::string& name)
 {
-  return this->Maker->GetPartTable(table, name);
+  return this->Inside->Document->Get({ Item::PartTable, table }, name);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetPartTableRows(int table, const std::string& text)
 {
-  return this->Maker->SetPartTableRows(table, text);
+  return this->Inside->Change(this->Inside->Document->SetPartTableRows(table, text));
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::RotatePart(int part, const std::string& axis, double angle)
 {
-  return this->Maker->RotatePart(part, axis, angle);
+  return this->Inside->Change(this->Inside->Document->RotatePart(part, axis, angle));
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfAttributes(const std::string& kind)
 {
-  return static_cast<int>(FindAttributes(kind).size());
+  return static_cast<int>(ListAttributes(kind).size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetAttributeName(const std::string& kind, int index)
 {
-  const std::vector<helios::Attribute>& all = FindAttributes(kind);
+  const std::vector<std::string> all = ListAttributes(kind);
   const bool exists = index >= 0 && index < static_cast<int>(all.size());
-  return exists ? all[static_cast<std::size_t>(index)].Name : std::string();
+  return exists ? all[static_cast<std::size_t>(index)] : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -376,7 +454,7 @@ std::string vtkHeliosSurvey::GetPartName(int part) const
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfLegs() const
 {
-  return static_cast<int>(this->GetData().Legs.size());
+  return this->Inside->Document->GetNumberOfLegs();
 }
 
 //------------------------------------------------------------------------------
@@ -417,7 +495,7 @@ double vtkHeliosSurvey::GetLegScanFrequency(int leg) const
 //------------------------------------------------------------------------------
 const helios::LegData* vtkHeliosSurvey::FindLeg(int leg) const
 {
-  const bool exists = leg >= 0 && leg < this->GetNumberOfLegs();
+  const bool exists = leg >= 0 && leg < static_cast<int>(this->GetData().Legs.size());
   return exists ? &this->GetData().Legs[static_cast<std::size_t>(leg)] : nullptr;
 }
 

@@ -45,7 +45,7 @@ namespace helios
 {
 struct LegData;
 struct SurveyData;
-class SurveyMaker;
+class SurveyDocument;
 }
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurvey : public vtkObject
@@ -227,6 +227,13 @@ public:
   ///@}
 
   /**
+   * Write the survey, however it was made, to an XML file, which reads back as the same survey with the
+   * same asset directories. What it refers to in other files stays there, unless it was changed; files
+   * are named from the new folder. An existing file is replaced. Returns false after an error.
+   */
+  bool WriteFile(const std::string& fileName);
+
+  /**
    * Check the survey: reports all errors and warnings, of scanners and of legs with their inherited
    * values and limits. Returns false after an error. A survey that has not changed since it was
    * checked, or read without error, is valid. Scene and trajectory are not required: they may be
@@ -295,6 +302,9 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  /// Replaces the survey by a document, whose errors are reported for an owner. False after an error.
+  bool ReadDocument(std::unique_ptr<helios::SurveyDocument> document, vtkObject* owner);
+
   ///@{
   /// All data; call Modified() after a change. A leg is changed by its settings: the methods above
   /// make all legs of theirs again.
@@ -313,7 +323,8 @@ private:
 
   const helios::LegData* FindLeg(int leg) const;
 
-  std::unique_ptr<helios::SurveyMaker> Maker;
+  class Internals;
+  std::unique_ptr<Internals> Inside;
 };
 
 #endif

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurveyReader.h"
 
-#include "heliosAssets.h"
 #include "heliosMessages.h"
-#include "heliosSurveyData.h"
+#include "heliosSurveyDocument.h"
 #include "heliosXmlFile.h"
-#include "heliosXmlSurvey.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkObjectFactory.h>
@@ -50,11 +48,9 @@ bool vtkHeliosSurveyReader::Try(TaskT task)
     vtkErrorMacro(<< "FileName is not set; give the name of a survey XML file.");
     return false;
   }
-  helios::Messages log(this);
   try
   {
-    task(log);
-    return !log.HasError();
+    return task();
   }
   catch (const std::exception& error) // standard library errors: out of memory, file system
   {
@@ -68,12 +64,14 @@ bool vtkHeliosSurveyReader::Read()
 {
   vtkNew<vtkHeliosSurvey> survey;
   const bool isGood = this->Try(
-    [this, &survey](helios::Messages& log)
+    [this, &survey]
     {
-      helios::Assets assets(log, this->AssetDirectories);
-      assets.NeedsScene = this->SceneRequired;
-      assets.NeedsTrajectories = this->TrajectoriesRequired;
-      survey->GetData() = helios::ReadSurvey(assets.Load(this->FileName), assets, log);
+      using helios::AssetNeed;
+      auto document = std::make_unique<helios::SurveyDocument>(this);
+      document->SetAssetDirectories(this->AssetDirectories);
+      document->SetNeeds(this->SceneRequired ? AssetNeed::Required : AssetNeed::Replaced,
+        this->TrajectoriesRequired ? AssetNeed::Required : AssetNeed::Replaced);
+      return document->Load(this->FileName) && survey->ReadDocument(std::move(document), this);
     });
   this->Survey = isGood ? survey.Get() : nullptr;
   return isGood;
@@ -82,8 +80,13 @@ bool vtkHeliosSurveyReader::Read()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyReader::Check()
 {
-  return this->Try([this](helios::Messages& log)
-    { helios::CheckFile(this->FileName, this->AssetDirectories, log); });
+  return this->Try(
+    [this]
+    {
+      helios::Messages log(this);
+      helios::CheckFile(this->FileName, this->AssetDirectories, log);
+      return !log.HasError();
+    });
 }
 
 //------------------------------------------------------------------------------

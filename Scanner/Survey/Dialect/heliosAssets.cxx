@@ -80,7 +80,7 @@ const XmlDocument* Assets::Load(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-const XmlDocument* Assets::Add(std::unique_ptr<XmlDocument> document)
+const XmlDocument* Assets::Add(std::shared_ptr<XmlDocument> document)
 {
   if (!document)
   {

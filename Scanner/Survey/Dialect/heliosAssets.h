@@ -17,6 +17,14 @@ namespace helios
 
 class Messages;
 
+/// Whether something that a survey refers to is read.
+enum class AssetNeed
+{
+  Required,
+  Optional, // read if it is given
+  Replaced  // by something else: it need not exist
+};
+
 /**
  * Relative names are searched in the asset directories (and the folder data of each), then in the
  * folder of the referring file, then in the working directory. A document is read once.
@@ -30,7 +38,7 @@ public:
   const XmlDocument* Load(const std::string& path);
 
   /// Adds a document under its path.
-  const XmlDocument* Add(std::unique_ptr<XmlDocument> document);
+  const XmlDocument* Add(std::shared_ptr<XmlDocument> document);
 
   /// The paths of all loaded documents, in alphabetical order.
   std::vector<std::string> GetDocumentPaths() const;
@@ -51,9 +59,14 @@ public:
   /// The same for a reference that is not from a file.
   XmlElement FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from);
 
-  /// Whether scenes and trajectories are needed: those replaced by others need not exist.
-  bool NeedsScene = true;
-  bool NeedsTrajectories = true;
+  AssetNeed Scene = AssetNeed::Required;
+  AssetNeed Trajectories = AssetNeed::Required;
+
+  ///@{
+  /// Set/Get the asset directories.
+  void SetDirectories(const std::vector<std::string>& all) { this->Directories = all; }
+  const std::vector<std::string>& GetDirectories() const { return this->Directories; }
+  ///@}
 
   /// The folders searched for a file named in this document.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;
@@ -64,7 +77,7 @@ private:
 
   Messages& Log;
   std::vector<std::string> Directories;
-  std::map<std::string, std::unique_ptr<XmlDocument>> Documents;
+  std::map<std::string, std::shared_ptr<XmlDocument>> Documents;
 };
 
 } // namespace helios

@@ -26,19 +26,12 @@ constexpr struct
   { ".json", Loader::CityJson }, { ".jsonl", Loader::CityJson }, { ".gltf", Loader::Gltf },
   { ".glb", Loader::Gltf } };
 
-/// Resolves aliases of filter types.
-std::string FindType(const std::string& given)
-{
-  const std::string type = ToLower(given);
-  return type == "crstransform" || type == "transform" ? "crs" : type;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
 XmlFilter::XmlFilter(const XmlElement& element)
   : Element(element)
-  , Type(FindType(element.GetText("type")))
+  , Type(GetFilterType(element.GetText("type")))
   , Rule(FindXmlRule("filter:" + this->Type))
 {
   element.CheckNames();
@@ -115,6 +108,13 @@ bool XmlFilter::Read(const char* key, bool& target) const
 bool XmlFilter::Read(const char* key, Vec3& target) const
 {
   return this->Has(key) && ParseVector(this->GetValue(key), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+std::string GetFilterType(const std::string& given)
+{
+  const std::string type = ToLower(given);
+  return type == "crstransform" || type == "transform" ? "crs" : type;
 }
 
 //------------------------------------------------------------------------------

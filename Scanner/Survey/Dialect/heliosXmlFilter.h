@@ -62,6 +62,9 @@ private:
   std::map<std::string, XmlElement> Parameters;
 };
 
+/// The type of a filter as in FindXmlRule(), whatever its case, without aliases.
+std::string GetFilterType(const std::string& given);
+
 /// The supported filter types; loaders come first, in the order of Loader.
 const std::vector<std::string>& GetFilterTypes();
 

@@ -11,9 +11,6 @@ namespace helios
 namespace
 {
 
-/// The maximum depth of nested templates: deeper ones are cyclic.
-constexpr int DeepestTemplate = 32;
-
 /// Reads the settings of one leg, after those of its templates.
 class LegReader
 {
@@ -52,7 +49,7 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
   if (element.Read("trajectory", file))
   {
     trajectory.Where = element.Where();
-    trajectory.File = this->Files.NeedsTrajectories
+    trajectory.File = this->Files.Trajectories != AssetNeed::Replaced
       ? this->Files.FindFile({ "trajectory", file, element.Where() }, element.GetDocument())
       : this->Files.FindPath(file, element.GetDocument());
   }

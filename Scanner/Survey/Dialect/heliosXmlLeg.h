@@ -13,6 +13,9 @@ namespace helios
 
 class Assets;
 
+/// The maximum depth of nested templates: deeper ones are cyclic.
+constexpr int DeepestTemplate = 32;
+
 /// Reads a <leg>; values that it does not give are those of settings.
 LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files);
 

@@ -28,9 +28,6 @@ public:
 
   PartData Read();
 
-  /// Reads the filters of a part that is already read, without its loader, and its swaps.
-  PartData ReadMore(const PartData& part);
-
   /// Reads a <swap> of a part that is already read.
   SwapData ReadSwap(const PartData& part);
 
@@ -86,16 +83,6 @@ PartData PartReader::Read()
       "> has no loader; add a <filter type=\"objloader\"> or another one of " +
       Enumerate(GetLoaders()));
   }
-  this->CheckTurbid();
-  this->ReadSwaps();
-  return this->Part;
-}
-
-//------------------------------------------------------------------------------
-PartData PartReader::ReadMore(const PartData& part)
-{
-  this->Part = part;
-  this->ReadFilters();
   this->CheckTurbid();
   this->ReadSwaps();
   return this->Part;
@@ -450,27 +437,6 @@ PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& as
     SetMotion(element, motion, swap.Part);
   }
   return part;
-}
-
-//------------------------------------------------------------------------------
-void ReadMadePart(const XmlElement& element, const XmlElement& scene,
-  const std::function<bool(const char* name)>& hasSet, Assets& assets, PartData& part)
-{
-  const bool moves = hasSet("dmotion");
-  part.Crs = hasSet("crs") ? std::vector<CrsData>() : part.Crs;
-  part.Repair = !hasSet("repair") && part.Repair;
-  PartData made = part;
-  made.Swaps = hasSet("swap") ? std::vector<SwapData>() : part.Swaps;
-  part = PartReader(element, assets).ReadMore(made);
-  if (moves)
-  {
-    const MotionData motion = ReadMotion(element, scene);
-    SetMotion(element, motion, part);
-    for (SwapData& swap : part.Swaps)
-    {
-      SetMotion(element, motion, swap.Part);
-    }
-  }
 }
 
 } // namespace helios

@@ -47,17 +47,14 @@ public:
   {
   }
 
-  PartTableData Read(const std::string& rows);
+  PartTableData Read();
 
 private:
   void CheckRanges();
   void ReadModel(const XmlElement& model);
-  void ReadRows(const std::string& text);
+  void ReadRows();
   void ReadRowElements();
   void ReadRowFile();
-  void ReadRowText(const std::string& text);
-  template <typename ReadT>
-  void ReadColumns(const ReadT& read);
   void AddFileModels();
   void AddFileModel(const TableRow& row);
 
@@ -69,7 +66,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-PartTableData TableReader::Read(const std::string& rows)
+PartTableData TableReader::Read()
 {
   this->Element.CheckNames();
   this->Table.Where = this->Element.Where();
@@ -80,7 +77,7 @@ PartTableData TableReader::Read(const std::string& rows)
   {
     this->ReadModel(model);
   }
-  this->ReadRows(rows);
+  this->ReadRows();
   this->AddFileModels();
   return this->Table;
 }
@@ -123,18 +120,16 @@ void TableReader::ReadModel(const XmlElement& element)
 }
 
 //------------------------------------------------------------------------------
-void TableReader::ReadRows(const std::string& text)
+void TableReader::ReadRows()
 {
   const bool hasFile = this->Element.Has("file");
-  const bool hasText = !text.empty();
-  const bool hasElements = static_cast<bool>(this->Element.GetChild("row"));
-  if (hasFile + hasText + hasElements > 1)
+  if (hasFile && this->Element.GetChild("row"))
   {
-    this->Log.Error(this->Table.Where +
-      ": <partTable> has rows from two of: a file, <row> children, and a text; give one of them");
+    this->Log.Error(
+      this->Table.Where + ": <partTable> has a file and <row> children; give one of them");
     return;
   }
-  hasFile ? this->ReadRowFile() : hasText ? this->ReadRowText(text) : this->ReadRowElements();
+  hasFile ? this->ReadRowFile() : this->ReadRowElements();
   if (this->Table.Rows.empty() && !this->Log.HasError())
   {
     this->Log.Error((hasFile ? this->Table.File : this->Table.Where) +
@@ -175,26 +170,11 @@ void TableReader::ReadRowFile()
   // Rows name files from the folder of the table, which is a document of the survey, too.
   this->RowDocument =
     this->Files.Add(XmlDocument::Make(this->Table.File, "<document/>", this->Log));
-  this->ReadColumns([this](RowTable& table, const RowTable::RowMaker& make)
-    { table.ReadFile(this->Table.File, make); });
-}
-
-//------------------------------------------------------------------------------
-void TableReader::ReadRowText(const std::string& text)
-{
-  this->ReadColumns([this, &text](RowTable& table, const RowTable::RowMaker& make)
-    { table.ReadText(this->Table.Where + ", rows", text, make); });
-}
-
-//------------------------------------------------------------------------------
-template <typename ReadT>
-void TableReader::ReadColumns(const ReadT& read)
-{
   RowTable table("row", this->Log);
   table.AddRequired("x", "the place of the part [m]");
   table.AddRequired("y", "the place of the part [m]");
   table.SetSkipsUnknown(true);
-  read(table,
+  table.ReadFile(this->Table.File,
     [this](const std::string& where) -> void*
     {
       this->Table.Rows.emplace_back().Where = where;
@@ -248,51 +228,19 @@ void TableReader::AddFileModel(const TableRow& row)
                    : "the models are " + Enumerate(names)));
 }
 
-} // namespace
-
-//------------------------------------------------------------------------------
-SceneData ReadScene(const XmlElement& element, Assets& assets)
-{
-  SceneData scene;
-  scene.Where = element.Where();
-  scene.File = element.GetDocument().GetPath();
-  element.ReadStored(scene);
-  scene.Name = element.Has("name") ? scene.Name : scene.Id;
-  scene.SpectraFolders = FindSpectraFolders(element.GetDocument(), assets);
-  element.CheckNames();
-  const std::vector<XmlElement> parts = element.GetChildren("part");
-  for (const XmlElement& part : parts)
-  {
-    AddPart(ReadPart(part, element, assets), scene.Parts);
-  }
-  const std::vector<XmlElement> tables = element.GetChildren("partTable");
-  for (const XmlElement& table : tables)
-  {
-    ReadPartTable(table, assets, {}, scene.Parts);
-  }
-  if (parts.empty() && tables.empty())
-  {
-    element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
-      " has no <part>; add one with a loader: " + Enumerate(GetLoaders()));
-  }
-  CheckEpochs(scene, element.GetMessages());
-  return scene;
-}
-
-//------------------------------------------------------------------------------
-void ReadPartTable(
-  const XmlElement& element, Assets& assets, const std::string& rows, std::vector<PartData>& parts)
+/// Adds the parts of a <partTable>.
+void ReadPartTable(const XmlElement& element, Assets& assets, std::vector<PartData>& parts)
 {
   Messages& log = element.GetMessages();
   const int before = log.GetNumberOfErrors();
-  const PartTableData table = TableReader(element, assets).Read(rows);
+  const PartTableData table = TableReader(element, assets).Read();
   if (log.GetNumberOfErrors() == before)
   {
     AddTableParts(table, parts, log);
   }
 }
 
-//------------------------------------------------------------------------------
+/// Checks that every epoch has a part to scan.
 void CheckEpochs(const SceneData& scene, Messages& log)
 {
   for (int epoch = 1; epoch < CountEpochs(scene); ++epoch)
@@ -307,6 +255,38 @@ void CheckEpochs(const SceneData& scene, Messages& log)
       return;
     }
   }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+SceneData ReadScene(const XmlElement& element, Assets& assets, std::vector<XmlElement>* elements)
+{
+  SceneData scene;
+  scene.Where = element.Where();
+  scene.File = element.GetDocument().GetPath();
+  element.ReadStored(scene);
+  scene.Name = element.Has("name") ? scene.Name : scene.Id;
+  scene.SpectraFolders = FindSpectraFolders(element.GetDocument(), assets);
+  element.CheckNames();
+  const std::vector<XmlElement> parts = element.GetChildren("part");
+  for (const XmlElement& part : parts)
+  {
+    AddPart(ReadPart(part, element, assets), scene.Parts);
+    elements ? elements->resize(scene.Parts.size(), part) : void();
+  }
+  const std::vector<XmlElement> tables = element.GetChildren("partTable");
+  for (const XmlElement& table : tables)
+  {
+    ReadPartTable(table, assets, scene.Parts);
+  }
+  if (parts.empty() && tables.empty() && assets.Scene == AssetNeed::Required)
+  {
+    element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
+      " has no <part>; add one with a loader: " + Enumerate(GetLoaders()));
+  }
+  CheckEpochs(scene, element.GetMessages());
+  return scene;
 }
 
 //------------------------------------------------------------------------------

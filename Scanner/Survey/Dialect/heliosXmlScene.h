@@ -14,15 +14,9 @@
 namespace helios
 {
 
-/// The parts of a <scene>, with their files found.
-SceneData ReadScene(const XmlElement& element, Assets& assets);
-
-/// Adds the parts of a <partTable>; rows: its rows as the text of a CSV file, if there is no file.
-void ReadPartTable(
-  const XmlElement& element, Assets& assets, const std::string& rows, std::vector<PartData>& parts);
-
-/// Checks that every epoch has a part to scan.
-void CheckEpochs(const SceneData& scene, Messages& log);
+/// The parts of a <scene>, with their files found; elements: that of each part that is not of a table.
+SceneData ReadScene(
+  const XmlElement& element, Assets& assets, std::vector<XmlElement>* elements = nullptr);
 
 /// The folders searched for the spectra of materials named in a document.
 std::vector<std::string> FindSpectraFolders(const XmlDocument& document, const Assets& assets);

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace helios
 {
@@ -25,9 +26,10 @@ namespace
 class SurveyReader
 {
 public:
-  SurveyReader(Assets& assets, Messages& log)
+  SurveyReader(Assets& assets, Messages& log, SurveyElements& elements)
     : Files(assets)
     , Log(log)
+    , Elements(elements)
   {
   }
 
@@ -41,8 +43,11 @@ private:
   void ReadScan(const XmlElement& scan, SurveyData& data);
   void AddLeg(
     const XmlElement& element, const LegSettings& base, const XmlElement& from, SurveyData& data);
+  void ReadGiven(SurveyData& data);
   std::size_t FindScanner(const XmlElement& from, SurveyData& data);
   std::size_t FindPlatform(const XmlElement& from, SurveyData& data);
+  std::size_t AddScanner(const XmlElement& element, SurveyData& data);
+  std::size_t AddPlatform(const XmlElement& element, SurveyData& data);
   XmlElement FindRequired(const XmlElement& from, const char* tag);
   PlatformData MakeInterpolated();
   void Resolve(SurveyData& data);
@@ -50,8 +55,10 @@ private:
 
   Assets& Files;
   Messages& Log;
+  SurveyElements& Elements;
   XmlElement Survey;
-  std::map<const void*, std::size_t> Scanners; // by their element; null: none was found
+  std::map<std::string, XmlElement> References; // found before, by tag and text
+  std::map<const void*, std::size_t> Scanners;  // by their element; null: none was found
   std::map<const void*, std::size_t> Platforms;
   Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the following legs
   bool StartsScan = false;
@@ -68,6 +75,7 @@ void SurveyReader::Read(const XmlElement& survey, SurveyData& data)
   this->ReadName(survey, data);
   survey.ReadStored(data);
   this->ReadScene(survey, data);
+  this->ReadGiven(data);
   this->ReadLegs(survey, data);
 }
 
@@ -87,13 +95,28 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
 //------------------------------------------------------------------------------
 void SurveyReader::ReadScene(const XmlElement& survey, SurveyData& data)
 {
-  if (!this->Files.NeedsScene)
+  const AssetNeed need = this->Files.Scene;
+  const bool isRead =
+    need == AssetNeed::Required || (need == AssetNeed::Optional && survey.Has("scene"));
+  this->Elements.Scene = isRead ? this->FindRequired(survey, "scene") : XmlElement();
+  this->Elements.Parts.clear();
+  if (this->Elements.Scene)
   {
-    return;
+    data.Scene = helios::ReadScene(this->Elements.Scene, this->Files, &this->Elements.Parts);
   }
-  if (const XmlElement scene = this->FindRequired(survey, "scene"))
+}
+
+//------------------------------------------------------------------------------
+/// Reads the scanners and platforms that were given first, in their order.
+void SurveyReader::ReadGiven(SurveyData& data)
+{
+  for (const XmlElement& element : std::exchange(this->Elements.Scanners, {}))
   {
-    data.Scene = helios::ReadScene(scene, this->Files);
+    this->AddScanner(element, data);
+  }
+  for (const XmlElement& element : std::exchange(this->Elements.Platforms, {}))
+  {
+    this->AddPlatform(element, data);
   }
 }
 
@@ -102,7 +125,11 @@ XmlElement SurveyReader::FindRequired(const XmlElement& from, const char* tag)
 {
   if (from.Has(tag))
   {
-    return this->Files.FindElement(tag, from, tag);
+    const std::string reference = std::string(tag) + " " + from.GetText(tag);
+    const auto known = this->References.find(reference);
+    return known != this->References.end()
+      ? known->second
+      : this->References[reference] = this->Files.FindElement(tag, from, tag);
   }
   this->Log.Error(from.Where() + ": <" + from.GetTag() + "> has no attribute " + tag + "; add " +
     tag + "=\"file.xml#id\"");
@@ -112,7 +139,13 @@ XmlElement SurveyReader::FindRequired(const XmlElement& from, const char* tag)
 //------------------------------------------------------------------------------
 std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
 {
-  const XmlElement element = this->FindRequired(from, "scanner");
+  return this->AddScanner(this->FindRequired(from, "scanner"), data);
+}
+
+//------------------------------------------------------------------------------
+/// The scanner of an element, read once.
+std::size_t SurveyReader::AddScanner(const XmlElement& element, SurveyData& data)
+{
   const auto known = this->Scanners.find(element.GetIdentity());
   if (known != this->Scanners.end())
   {
@@ -131,6 +164,7 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
     this->BadScanners.insert(data.Scanners.size());
   }
   data.Scanners.push_back(scanner);
+  this->Elements.Scanners.push_back(element);
   return this->Scanners[element.GetIdentity()] = data.Scanners.size() - 1;
 }
 
@@ -138,8 +172,17 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
 std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
 {
   const bool isInterpolated = from.GetText("platform") == "interpolated";
-  const XmlElement element = isInterpolated ? XmlElement() : this->FindRequired(from, "platform");
-  const void* const identity = (isInterpolated ? this->Survey : element).GetIdentity();
+  return this->AddPlatform(
+    isInterpolated ? this->Survey : this->FindRequired(from, "platform"), data);
+}
+
+//------------------------------------------------------------------------------
+/// The platform of an element, read once; of <survey>: the interpolated one.
+std::size_t SurveyReader::AddPlatform(const XmlElement& from, SurveyData& data)
+{
+  const void* const identity = from.GetIdentity();
+  const bool isInterpolated = identity == this->Survey.GetIdentity();
+  const XmlElement element = isInterpolated ? XmlElement() : from;
   const auto known = this->Platforms.find(identity);
   if (known != this->Platforms.end())
   {
@@ -156,6 +199,7 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
     this->BadPlatforms.insert(data.Platforms.size());
   }
   data.Platforms.push_back(platform);
+  this->Elements.Platforms.push_back(from);
   return this->Platforms[identity] = data.Platforms.size() - 1;
 }
 
@@ -199,8 +243,8 @@ void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
   if (data.Settings.empty())
   {
     this->Log.Error(survey.Where() + ": survey " + data.Name + " has 0 <leg>; add one");
-    this->FindScanner(survey, data); // may have errors, too
-    this->FindPlatform(survey, data);
+    data.Scanners.empty() ? void(this->FindScanner(survey, data)) : void(); // may have errors, too
+    data.Platforms.empty() ? void(this->FindPlatform(survey, data)) : void();
   }
   this->Resolve(data);
 }
@@ -269,7 +313,7 @@ void SurveyReader::Resolve(SurveyData& data)
     {
       good.push_back(leg);
       CheckJourney(data, leg, this->Log);
-      if (this->Files.NeedsTrajectories && NeedsTrajectory(data, leg))
+      if (this->Files.Trajectories == AssetNeed::Required && NeedsTrajectory(data, leg))
       {
         this->Log.Error(data.Legs[leg].Where +
           ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
@@ -309,8 +353,10 @@ std::string MakeFolderName(std::string name)
 }
 
 //------------------------------------------------------------------------------
-SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log)
+SurveyData ReadSurvey(
+  const XmlDocument* document, Assets& assets, Messages& log, SurveyElements* elements)
 {
+  SurveyElements others;
   SurveyData data;
   if (!document)
   {
@@ -330,7 +376,7 @@ SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log
   {
     log.Warning(surveys[1].Where() + ": of several surveys in one file only the first is used");
   }
-  ReadSurvey(surveys.front(), assets, log, data);
+  SurveyReader(assets, log, elements ? *elements : others).Read(surveys.front(), data);
   data.Documents = assets.GetDocumentPaths();
   return data;
 }
@@ -338,7 +384,8 @@ SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log
 //------------------------------------------------------------------------------
 void ReadSurvey(const XmlElement& element, Assets& assets, Messages& log, SurveyData& data)
 {
-  SurveyReader(assets, log).Read(element, data);
+  SurveyElements elements;
+  SurveyReader(assets, log, elements).Read(element, data);
 }
 
 } // namespace helios

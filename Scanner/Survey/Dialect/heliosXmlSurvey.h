@@ -6,20 +6,35 @@
 #define heliosXmlSurvey_h
 
 #include "heliosSurveyData.h"
+#include "heliosXmlElement.h"
 
 #include <string>
+#include <vector>
 
 namespace helios
 {
 
 class Assets;
 class Messages;
-class XmlDocument;
-class XmlElement;
+
+/// The elements that a survey is read from.
+struct SurveyElements
+{
+  ///@{
+  /// One for each scanner or platform of the data; an interpolated platform is the <survey>. Those
+  /// given before reading are read first, used or not.
+  std::vector<XmlElement> Scanners;
+  std::vector<XmlElement> Platforms;
+  ///@}
+
+  XmlElement Scene;
+  std::vector<XmlElement> Parts; ///< one for each part of the scene that is not of a table
+};
 
 /// The first survey of a document, which may be null, with all references. Complete only if log has
 /// no error then.
-SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
+SurveyData ReadSurvey(
+  const XmlDocument* document, Assets& assets, Messages& log, SurveyElements* elements = nullptr);
 
 /// The survey of an element; its name without a name is that of data.FileName.
 void ReadSurvey(const XmlElement& element, Assets& assets, Messages& log, SurveyData& data);

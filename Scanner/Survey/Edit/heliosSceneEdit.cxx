@@ -8,6 +8,7 @@
 #include "heliosSceneBuilder.h"
 #include "heliosSceneReaders.h"
 #include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlPart.h"
@@ -194,7 +195,7 @@ pugi::xml_node SceneEdit::Internals::GetPart(int part) const
 void SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
 {
   this->Document.reset();
-  pugi::xml_node copy = scene.CopyTo(this->Document);
+  pugi::xml_node copy = this->Document.append_copy(scene.GetNode());
   if (!copy.attribute("id"))
   {
     copy.prepend_attribute("id") = UsualId;

@@ -6,6 +6,7 @@
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
 #include "heliosSurveyEdit.h"
+#include "heliosSurveyDocument.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"

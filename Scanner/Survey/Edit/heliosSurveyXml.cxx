@@ -10,10 +10,6 @@
 #include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
 
-#include <filesystem>
-
-namespace fs = std::filesystem;
-
 namespace helios
 {
 
@@ -120,25 +116,6 @@ Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
       fileName + ": not written: the survey could not be run: " + log.GetLastError());
   }
   return WriteWhole(fileName, text);
-}
-
-//------------------------------------------------------------------------------
-std::string ReferTo(const std::string& path, const std::string& folder,
-  const std::vector<std::string>& assetDirectories)
-{
-  const fs::path whole = fs::absolute(path).lexically_normal();
-  std::vector<std::string> bases = assetDirectories;
-  bases.push_back(folder.empty() ? "." : folder);
-  for (const std::string& base : bases)
-  {
-    // A trailing slash of the folder would make its last part empty.
-    const fs::path way = whole.lexically_relative(fs::absolute(base + "/.").lexically_normal());
-    if (!way.empty() && way != "." && *way.begin() != "..")
-    {
-      return way.string();
-    }
-  }
-  return whole.string();
 }
 
 } // namespace helios

@@ -22,13 +22,6 @@ VTKHELIOSSCANNERSURVEY_EXPORT SurveyData ReadSurveyText(const std::string& fileN
 VTKHELIOSSCANNERSURVEY_EXPORT Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, Messages& log);
 
-/**
- * How a file in a folder refers to another: by its name in one of the asset directories, by the
- * relative path if it is below the folder, else by its absolute path.
- */
-VTKHELIOSSCANNERSURVEY_EXPORT std::string ReferTo(const std::string& path,
-  const std::string& folder, const std::vector<std::string>& assetDirectories);
-
 } // namespace helios
 
 #endif

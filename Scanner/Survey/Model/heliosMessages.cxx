@@ -70,6 +70,15 @@ Messages::Messages(vtkObject* owner)
 }
 
 //------------------------------------------------------------------------------
+void Messages::Restart(vtkObject* owner)
+{
+  this->Owner = owner;
+  this->Seen.clear();
+  this->LastError.clear();
+  this->NumberOfErrors = 0;
+}
+
+//------------------------------------------------------------------------------
 void Messages::Error(const std::string& text)
 {
   if (this->IsMuted)

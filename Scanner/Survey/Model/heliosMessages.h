@@ -56,6 +56,9 @@ public:
   /// While muted, no error is reported or counted: for a run that is stopped on request.
   void Mute(bool isMuted) { this->IsMuted = isMuted; }
 
+  /// Forgets all messages, and reports the next ones for another owner.
+  void Restart(vtkObject* owner);
+
   bool HasError() const { return this->NumberOfErrors > 0; }
 
   /// Counts repeated errors too, so that a change shows that something failed.

@@ -130,6 +130,7 @@ std::unique_ptr<XmlDocument> XmlDocument::MakeOf(
 {
   auto document = XmlDocument::Make(place, std::move(text), messages);
   document->IsMade = true;
+  document->SetPlace(document->GetRoot().GetNode().first_child(), place);
   return document;
 }
 
@@ -155,13 +156,13 @@ bool XmlDocument::Parse(std::string text)
     text = Latin1ToUtf8(text);
   }
   this->LineEnds = FindLineEnds(text);
-  const pugi::xml_parse_result result = this->Tree.load_buffer(
-    text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+  const pugi::xml_parse_result result = this->Tree.load_buffer(text.data(), text.size(),
+    pugi::parse_default | pugi::parse_doctype | pugi::parse_comments, pugi::encoding_utf8);
   const bool isEmpty = result.status == pugi::status_no_document_element;
   if (!result && !isEmpty)
   {
     std::string reason = result.description();
-    this->Log->Error(this->Where(result.offset) + ": this is not XML: " + reason +
+    this->Log->Error(this->WhereOffset(result.offset) + ": this is not XML: " + reason +
       "; close every element, and quote every value");
   }
   return result || isEmpty;
@@ -180,7 +181,7 @@ bool XmlDocument::CheckRoot()
     }
     else if (node.type() == pugi::node_element && root)
     {
-      this->Log->Error(this->Where(node.offset_debug()) + ": a second root element <" +
+      this->Log->Error(this->WhereOffset(node.offset_debug()) + ": a second root element <" +
         node.name() + ">; put everything into one <document>");
     }
     else if (node.type() == pugi::node_element)
@@ -190,7 +191,7 @@ bool XmlDocument::CheckRoot()
   }
   if (std::string(root.name()) != "document")
   {
-    this->Log->Error(this->Where(root ? root.offset_debug() : 0) + ": the root element is " +
+    this->Log->Error(this->WhereOffset(root ? root.offset_debug() : 0) + ": the root element is " +
       (root ? std::string("<") + root.name() + ">" : std::string("missing")) +
       "; that of a HELIOS file is <document>");
     return false;
@@ -226,7 +227,7 @@ void XmlDocument::CheckElements()
     const std::string duplicate = FindDuplicate(node);
     if (!duplicate.empty())
     {
-      this->Log->Error(this->Where(node.offset_debug()) + ": <" + node.name() +
+      this->Log->Error(this->WhereOffset(node.offset_debug()) + ": <" + node.name() +
         "> has the attribute " + duplicate + " twice; leave one of them");
     }
   }
@@ -247,13 +248,60 @@ std::size_t XmlDocument::FindLine(std::ptrdiff_t offset) const
 }
 
 //------------------------------------------------------------------------------
-std::string XmlDocument::Where(std::ptrdiff_t offset) const
+std::string XmlDocument::WhereOffset(std::ptrdiff_t offset) const
 {
   const std::size_t line = this->FindLine(offset);
   const std::ptrdiff_t start = line == 0 ? 0 : this->LineEnds[line - 1] + 1;
   const bool isRepeated = std::binary_search(this->Repeated.begin(), this->Repeated.end(), offset);
   return this->Path + ":" + std::to_string(line + 1) +
     (isRepeated ? ":" + std::to_string(offset - start) : std::string());
+}
+
+//------------------------------------------------------------------------------
+std::string XmlDocument::Where(pugi::xml_node node) const
+{
+  const auto own = this->Places.find(node.internal_object());
+  if (own != this->Places.end())
+  {
+    return own->second;
+  }
+  if (const std::ptrdiff_t offset = node.offset_debug(); offset >= 0 && !this->IsMade)
+  {
+    return this->WhereOffset(offset);
+  }
+  for (pugi::xml_node from = node.parent(); from; from = from.parent())
+  {
+    const auto above = this->Places.find(from.internal_object());
+    if (above != this->Places.end())
+    {
+      const bool isBelow = above->second.find(", ") != std::string::npos;
+      return above->second + (isBelow ? "/" : ", ") + MakePath(node, from);
+    }
+  }
+  return this->Path;
+}
+
+//------------------------------------------------------------------------------
+const std::string* XmlDocument::GetPlace(pugi::xml_node node) const
+{
+  const auto found = this->Places.find(node.internal_object());
+  return found == this->Places.end() ? nullptr : &found->second;
+}
+
+//------------------------------------------------------------------------------
+void XmlDocument::SetPlace(pugi::xml_node node, const std::string& place)
+{
+  this->Places[node.internal_object()] = place;
+}
+
+//------------------------------------------------------------------------------
+void XmlDocument::ForgetPlaces(pugi::xml_node node)
+{
+  this->Places.erase(node.internal_object());
+  for (const pugi::xml_node child : node.children())
+  {
+    this->ForgetPlaces(child);
+  }
 }
 
 } // namespace helios

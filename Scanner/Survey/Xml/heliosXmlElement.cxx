@@ -56,7 +56,7 @@ const Vec3* FindRotationAxis(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-std::string MakePath(pugi::xml_node node)
+std::string MakePath(pugi::xml_node node, pugi::xml_node from)
 {
   std::string path;
   const auto getName = [](pugi::xml_node of)
@@ -65,7 +65,7 @@ std::string MakePath(pugi::xml_node node)
     const char* key = tag == "filter" ? "type" : tag == "param" ? "key" : nullptr;
     return key ? of.attribute(key).value() : of.name();
   };
-  for (; node.parent().parent().parent(); node = node.parent())
+  for (; node && node != from; node = node.parent())
   {
     const std::string name = getName(node);
     std::size_t index = 0;
@@ -84,12 +84,7 @@ std::string MakePath(pugi::xml_node node)
 //------------------------------------------------------------------------------
 std::string XmlElement::Where() const
 {
-  if (!this->Document->HasLines())
-  {
-    const std::string path = MakePath(this->Node);
-    return this->Document->GetPath() + (path.empty() ? "" : ", ") + path;
-  }
-  return this->Document->Where(this->Node.offset_debug());
+  return this->Document->Where(this->Node);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace helios
@@ -41,16 +42,25 @@ public:
   Messages& GetMessages() const { return *this->Log; }
   XmlElement GetRoot() const;
 
-  bool HasLines() const { return !this->IsMade; }
+  /// The place of an element in messages: "file:line", or "file:line:column" after another element
+  /// with its name in the line. Columns count bytes, from 1. An element that was not read from a file,
+  /// or was changed since, has the place that was set for it, or its path from the nearest element
+  /// with one, as in "part 0, dmotion[1]/motion".
+  std::string Where(pugi::xml_node node) const;
 
-  /// "file:line" of an offset in the file; "file:line:column" for an element after another with its
-  /// name in the line. Columns count bytes, from 1.
-  std::string Where(std::ptrdiff_t offset) const;
+  /// Sets the place of an element, and forgets that of an element that is removed.
+  void SetPlace(pugi::xml_node node, const std::string& place);
+  const std::string* GetPlace(pugi::xml_node node) const; ///< that was set; null: none
+  void ForgetPlaces(pugi::xml_node node);
+
+  /// The tree of a document that is changed.
+  pugi::xml_document& GetTree() { return this->Tree; }
 
 private:
   XmlDocument() = default;
   bool Parse(std::string text);
   bool CheckRoot();
+  std::string WhereOffset(std::ptrdiff_t offset) const;
   std::size_t FindLine(std::ptrdiff_t offset) const;
   void CheckElements();
 
@@ -59,15 +69,15 @@ private:
   pugi::xml_document Tree;
   std::vector<std::ptrdiff_t> LineEnds;
   std::vector<std::ptrdiff_t> Repeated; // elements after others with their name in a line, in order
-  bool IsMade = false;                  // not from a file
+  std::unordered_map<const void*, std::string> Places; // by their elements
+  bool IsMade = false;                                 // not from a file
 };
 
 /// The axis of a rotation: x, y, z, or the names of the Java program; null for others.
 const Vec3* FindRotationAxis(const std::string& name);
 
-/// The path of an element below the first one of its document, as in dmotion[1]/motion; empty: that
-/// one.
-std::string MakePath(pugi::xml_node node);
+/// The path of an element from one that holds it, as in dmotion[1]/motion; empty: that one.
+std::string MakePath(pugi::xml_node node, pugi::xml_node from);
 
 /// An element of a document, or none. It is valid as long as its document.
 class XmlElement
@@ -89,8 +99,8 @@ public:
   /// Its place, for messages only: "file:line", or "file:line:column".
   std::string Where() const;
 
-  /// Adds a copy of the element to a node, and returns it.
-  pugi::xml_node CopyTo(pugi::xml_node parent) const { return parent.append_copy(this->Node); }
+  /// The element in the tree of its document.
+  pugi::xml_node GetNode() const { return this->Node; }
 
   const XmlDocument& GetDocument() const { return *this->Document; }
   Messages& GetMessages() const { return this->Document->GetMessages(); }

@@ -86,7 +86,7 @@ std::vector<XmlElementRule> MakeLegRules()
       Flag("smoothTurn", "multicopter: turns in flight; overrides stopAndTurn").At<Leg, &LegData::SmoothTurn>(),
       Flag("slowdownEnabled", "multicopter: slows down before waypoints and in turns").At<Leg, &LegData::SlowsDown>(),
       Number("yawAtDeparture_deg", "multicopter: heading at departure, anticlockwise from north").In("deg", Angle).Default("to the next leg").At<Leg, &LegData::YawAtDeparture>(),
-      Text("trajectory", "interpolated platform: the file of its trajectory").File().At<Leg, Track, &TrajectoryFileData::File>(),
+      Text("trajectory", "interpolated platform: the file of its trajectory").Names(XmlFile::Needed).At<Leg, Track, &TrajectoryFileData::File>(),
       Word("trajectoryFormat", "~auto columns sbet tum euroc", "format of the trajectory file; auto: by its ending, .sbet and .out SBET, .tum TUM, others text columns").At<Leg, Track, &TrajectoryFileData::Format>(),
       Text("trajectoryCrs", "SBET: geographic coordinate system of the file, as EPSG:n, WKT or PROJ; it is transformed to that of the scene, or to the UTM zone of its first record").Default("EPSG:4979").At<Leg, Track, &TrajectoryFileData::Crs>(),
       Word("trajectoryBody", "~rightForwardUp forwardLeftUp forwardRightDown", "TUM, EuRoC: axes x, y, z of the body").At<Leg, Track, &TrajectoryFileData::Body>(),

@@ -48,7 +48,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
       Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
       Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
       Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
-      Text("pulseShape", "gaussian, helios, or a text file (CSV) of times [ns] and powers").Default("gaussian").By<SetPulseShape, GetPulseShape, Receiver>(),
+      Text("pulseShape", "gaussian, helios, or a text file (CSV) of times [ns] and powers").Default("gaussian").Names(XmlFile::Beside).By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
       Number("winSize_ns", "an echo within this time of a higher one is discarded").In("ns", { 0.0, 1e6 }).At<Receiver, &ReceiverData::PeakWindow>(),
       Number("maxFullwaveRange_ns", "maximum length of the waveform; 0: as long as the target requires").In("ns", { 0.0, 1e9 }).At<Receiver, &ReceiverData::MaximumLength>(),

@@ -29,6 +29,16 @@ enum class XmlKind
   Reference // file.xml#id, #id or id
 };
 
+/// How a value names files.
+enum class XmlFile
+{
+  None,
+  Needed,   // a file, searched in the asset directories
+  Optional, // likewise, or another word
+  Pattern,  // a folder and a regular expression
+  Beside    // a file beside the document or in the working directory, or another word
+};
+
 /// The use of a value.
 enum class XmlUse
 {
@@ -78,7 +88,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   bool IsInverted = false;                                ///< a boolean whose opposite is stored
   bool HasBlanks = false;                                 ///< blanks and tabs are part of the text
   bool IsAlias = false; ///< another name of an attribute, which overrides it
-  bool IsFile = false;  ///< a file, searched in the asset directories
+  XmlFile File = XmlFile::None;
 
   ///@{
   XmlValueRule In(const char* unit) const;
@@ -93,7 +103,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule Checked(Status (*findFault)(const std::string& text)) const;
   XmlValueRule KeepsBlanks() const;
   XmlValueRule Alias() const;
-  XmlValueRule File() const;
+  XmlValueRule Names(XmlFile file) const;
   ///@}
 
   /// Stored in a struct at a chain of members and indices of arrays.

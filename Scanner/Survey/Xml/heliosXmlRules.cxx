@@ -149,9 +149,9 @@ XmlValueRule XmlValueRule::Alias() const
 }
 
 //------------------------------------------------------------------------------
-XmlValueRule XmlValueRule::File() const
+XmlValueRule XmlValueRule::Names(XmlFile file) const
 {
-  return Change(*this, &XmlValueRule::IsFile, true);
+  return Change(*this, &XmlValueRule::File, file);
 }
 
 //------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ std::vector<XmlValueRule> MakeScannerValues()
     Number("scanFreqMax_Hz", "maximum scan frequency; 0: no limit").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMax>(),
     Number("headRotatePerSecMax_deg", "maximum head rotation speed").In("deg/s", { 0.0, 1e6 }).At<&ScannerData::HeadRotateSpeedMax>(),
     Number("deflectAngle_deg", "no program reads it").In("deg").Ignored(),
-    Text("visModel", "model of the head in vtkhelios view, a file as for model of a platform; it rotates with the head").Default("a simple model").At<&ScannerData::Model, &ModelData::Name>(),
+    Text("visModel", "model of the head in vtkhelios view, a file as for model of a platform; it rotates with the head").Default("a simple model").Names(XmlFile::Optional).At<&ScannerData::Model, &ModelData::Name>(),
     Number("beamQualityFactor", "M2 of the beam; without it the beam has no waist").In("", { 1.0, 1e4 }).At<Receiver, &ReceiverData::BeamQualityFactor>(),
     Number("atmosphericExtinction_1_m", "extinction; overrides the visibility").In("1/m", { 0.0, 1e3 }).Default("from the visibility").At<Receiver, &ReceiverData::Extinction>(),
     Number("lidarRatio_sr", "extinction of the air over its backscatter, which makes echoes; 0: no backscatter").In("sr", { 0.0, 1e6 }).At<Receiver, &ReceiverData::LidarRatio>(),
@@ -163,7 +163,7 @@ std::vector<XmlElementRule> MakeScannerRules()
 
   { "beams", "spinning: the beams in the order in which they fire; their numbers are the channels",
     {
-      Text("file", "a CSV file with a line of names of columns, which are the attributes of beam, and a line per beam").Default("beam children").File().At<&ScannerData::BeamFile>(),
+      Text("file", "a CSV file with a line of names of columns, which are the attributes of beam, and a line per beam").Default("beam children").Names(XmlFile::Needed).At<&ScannerData::BeamFile>(),
     },
     { Many("beam") } },
 

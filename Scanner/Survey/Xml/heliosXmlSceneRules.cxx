@@ -48,7 +48,7 @@ std::vector<XmlElementRule> MakeSceneRules()
 
   { "partTable", "parts from a list, after all other parts of the scene: a row for each place where a model stands",
     {
-      Text("file", "a CSV file with a line of names of columns, which are the attributes of row, and a line per part").Default("row children").File().At<&PartTableData::File>(),
+      Text("file", "a CSV file with a line of names of columns, which are the attributes of row, and a line per part").Default("row children").Names(XmlFile::Needed).At<&PartTableData::File>(),
       Integer("seed", "seed of the random values of the table, which --seed does not change").In("", { 0.0, 2147483647.0 }).At<&PartTableData::Seed>(),
       Number("yawMin_deg", "lowest random yaw_deg").In("deg", HeadAngle).At<&PartTableData::YawMin>(),
       Number("yawMax_deg", "highest random yaw_deg").In("deg", HeadAngle).At<&PartTableData::YawMax>(),
@@ -67,7 +67,7 @@ std::vector<XmlElementRule> MakeSceneRules()
 
   { "row", "a part of a table: the model, as its filters make it, is rotated, scaled and moved",
     {
-      Text("model", "id of a model, or a file with a mesh").Default("one of the models at random").At<&TableRow::Model>(),
+      Text("model", "id of a model, or a file with a mesh").Default("one of the models at random").Names(XmlFile::Optional).At<&TableRow::Model>(),
       Number("x", "place of the origin of the model").In("m").Required().At<&TableRow::X>(),
       Number("y", "place of the origin of the model").In("m").Required().At<&TableRow::Y>(),
       Number("z", "place of the origin of the model").In("m").Default("that at which its lowest corner is on the ground below").At<&TableRow::Z>(),

@@ -9,6 +9,7 @@
 
 #include <vtkType.h>
 
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <typeinfo>
@@ -47,7 +48,8 @@ struct XmlStore
 {
   const std::type_info* Owner = nullptr; ///< the type of the struct; null: not stored
   XmlPlace (*Find)(void* owner) = nullptr;
-  XmlPlace (*FindDefault)() = nullptr; ///< in a struct that no one changes
+  XmlPlace (*FindDefault)() = nullptr;            ///< in a struct that no one changes
+  std::shared_ptr<void> (*MakeOwner)() = nullptr; ///< a struct with the defaults
 };
 
 namespace store
@@ -97,6 +99,12 @@ OwnerT& GetUnchanged()
   return unchanged;
 }
 
+template <typename OwnerT>
+std::shared_ptr<void> MakeOwner()
+{
+  return std::make_shared<OwnerT>();
+}
+
 template <auto First>
 using Owner = decltype(OwnerOf(First));
 
@@ -138,7 +146,7 @@ template <auto First, auto... Rest>
 XmlStore MakeStore()
 {
   return { &typeid(store::Owner<First>), store::Find<First, Rest...>,
-    store::FindDefault<First, Rest...> };
+    store::FindDefault<First, Rest...>, store::MakeOwner<store::Owner<First>> };
 }
 
 /// The store of a member with functions of its own: Set(member, value, log) and Get(member).
@@ -146,7 +154,7 @@ template <auto Set, auto Get, auto First>
 XmlStore MakeAccess()
 {
   return { &typeid(store::Owner<First>), store::FindAccess<Set, Get, First>,
-    store::FindDefaultAccess<Set, Get, First> };
+    store::FindDefaultAccess<Set, Get, First>, store::MakeOwner<store::Owner<First>> };
 }
 
 } // namespace helios

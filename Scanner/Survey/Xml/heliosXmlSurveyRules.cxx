@@ -36,7 +36,7 @@ std::vector<XmlElementRule> MakeSurveyRules()
       Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
       Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
       Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
-      Text("pulseShape", "gaussian, helios, or a text file of times [ns] and powers").Default("gaussian").By<SetPulseShape, GetPulseShape, Receiver>(),
+      Text("pulseShape", "gaussian, helios, or a text file of times [ns] and powers").Default("gaussian").Names(XmlFile::Beside).By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
       Reference("scanner", "the instrument, file.xml#id, #id or id").Default("that of each leg"),
       Reference("platform", "the platform that carries it; interpolated: a trajectory from files").Default("that of each leg"),

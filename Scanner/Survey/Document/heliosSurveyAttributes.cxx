@@ -1,0 +1,596 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Attributes of the items of a survey, by their paths.
+#include "heliosElementPath.h"
+#include "heliosSurveyDocument.h"
+#include "heliosXmlFilter.h"
+#include "heliosXmlLeg.h"
+#include "heliosXmlPlatform.h"
+#include "heliosXmlSurvey.h"
+#include "heliosXmlText.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The elements with the attributes of an item.
+struct ItemRow
+{
+  std::vector<const char*> Own; ///< named without a prefix; the first one that knows a name is set
+  std::vector<const char*> Inside; ///< with one value each, named element/attribute
+};
+
+const ItemRow& GetRow(SurveyItem item)
+{
+  static const std::map<SurveyItem, ItemRow> rows = {
+    { SurveyItem::Survey, { { "survey" }, {} } },
+    { SurveyItem::Scene, { { "scene" }, {} } },
+    { SurveyItem::Part, { { "part" }, {} } },
+    { SurveyItem::PartTable, { { "partTable" }, {} } },
+    { SurveyItem::Scanner,
+      { { "scanner", "FWFSettings" },
+        { "channel", "beamOrigin", "rangeError", "deflectionError", "headError",
+          "panoramicError" } } },
+    { SurveyItem::Platform,
+      { { "platform" },
+        { "scannerMount", "positionXNoise", "positionYNoise", "positionZNoise", "attitudeXNoise",
+          "attitudeYNoise", "attitudeZNoise", "navigationError" } } },
+    { SurveyItem::Leg, { { "platformSettings", "scannerSettings", "leg" }, {} } },
+  };
+  return rows.at(item);
+}
+
+/// The first of the elements of an item that knows a name; null: none.
+const XmlElementRule* FindRule(SurveyItem item, const std::string& name)
+{
+  for (const char* tag : GetRow(item).Own)
+  {
+    const XmlElementRule* rule = FindXmlRule(tag);
+    if (ElementPath::Knows(*rule, name))
+    {
+      return rule;
+    }
+  }
+  return nullptr;
+}
+
+/// The path from the element of an item, which begins with the name of an element inside it.
+std::string MakeFullPath(const XmlElementRule& rule, pugi::xml_node node, const std::string& path)
+{
+  const bool isOwn = std::string(rule.Name) == node.name() || std::string(node.name()) == "channel";
+  return isOwn && std::string(rule.Name) != "FWFSettings" ? path
+                                                          : std::string(rule.Name) + "/" + path;
+}
+
+/// Whether two attributes are one value of the data.
+bool IsSame(const XmlValueRule& a, const XmlValueRule& b)
+{
+  const bool isSameName = std::string(a.Name) == b.Name;
+  return a.Use == XmlUse::Used && b.Use == XmlUse::Used &&
+    (a.Store.Owner && b.Store.Owner ? a.Store.Find == b.Store.Find : isSameName);
+}
+
+bool IsTolerance(const std::string& name)
+{
+  return name == "rangeTolerance_m" || name == "energyTolerance";
+}
+
+constexpr const char* FixedSubRays = "beamSampleQuality";
+constexpr const char* ChannelPrefix = "channel/";
+
+bool StartsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+std::string GetFolder(const XmlDocument& document)
+{
+  return std::filesystem::path(document.GetPath()).parent_path().string();
+}
+
+/// The attribute of an element that is the value of a rule; empty: not given.
+std::string ReadSame(const XmlElement& element, const XmlValueRule& rule)
+{
+  for (const bool isAlias : { false, true })
+  {
+    for (const XmlValueRule& value : FindXmlRule(element.GetTag())->Values)
+    {
+      std::string text;
+      if (value.IsAlias == isAlias && IsSame(value, rule) && element.Read(value.Name, text))
+      {
+        text = value.HasBlanks ? element.GetNode().attribute(value.Name).value() : text;
+        return NormalizeValue(
+          { value.Name, text, element.Where(), GetFolder(element.GetDocument()) }, value);
+      }
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SurveyDocument::ListAttributes(SurveyItem item)
+{
+  std::vector<std::string> names;
+  const auto add = [&names](const XmlElementRule& rule, const std::string& prefix)
+  {
+    for (const XmlValueRule& value : rule.Values)
+    {
+      const std::string name = prefix + value.Name;
+      const bool isNew = std::find(names.begin(), names.end(), name) == names.end();
+      value.Store.Owner && !value.IsAlias && isNew ? names.push_back(name) : void();
+    }
+  };
+  const ItemRow& row = GetRow(item);
+  for (const char* tag : row.Own)
+  {
+    add(*FindXmlRule(tag), "");
+  }
+  item == SurveyItem::Scanner ? add(*FindXmlRule("detectorSettings"), "") : void();
+  for (const char* tag : row.Inside)
+  {
+    const XmlElementRule& rule = *FindXmlRule(tag);
+    std::string(tag) == "channel" ? names.push_back("channel/id")
+                                  : add(rule, std::string(tag) + "/");
+  }
+  for (const XmlElementRule& rule : GetXmlRules())
+  {
+    const std::string name = rule.Name;
+    item == SurveyItem::Part&& StartsWith(name, "filter:") ? add(rule, name.substr(7) + "/")
+                                                           : void();
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::Set(const SurveyPlace& place, const std::string& path, const std::string& text)
+{
+  this->Log.Restart(this->Owner);
+  if (place.Item == SurveyItem::Scanner)
+  {
+    return this->SetScanner(place, path, text);
+  }
+  if (place.Item == SurveyItem::Platform)
+  {
+    return this->SetPlatform(place, path, text);
+  }
+  if (place.Item == SurveyItem::Scene)
+  {
+    return this->SetIn(this->MakeScene(), place.Item, path, text);
+  }
+  if (place.Item == SurveyItem::Part || place.Item == SurveyItem::PartTable)
+  {
+    this->TakeOverScene();
+  }
+  const bool isName = place.Item == SurveyItem::Survey && path == "name";
+  place.Item == SurveyItem::Leg ? this->FoldOrigins() : void();
+  const Found found = this->Find(place);
+  return found &&
+    this->SetIn(
+      found, place.Item, path, isName ? MakeFolderName(text.empty() ? "survey" : text) : text);
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::SetIn(
+  const Found& found, SurveyItem item, const std::string& path, const std::string& text)
+{
+  const std::string name = ElementPath::GetFirstName(path);
+  const XmlValue value{ path, text, found.Where, GetFolder(*this->Own) };
+  const XmlElementRule* rule = FindRule(item, name);
+  if (!rule)
+  {
+    std::vector<std::string> names;
+    for (const char* tag : GetRow(item).Own)
+    {
+      const std::vector<std::string> more = ElementPath::ListNames(*FindXmlRule(tag));
+      names.insert(names.end(), more.begin(), more.end());
+    }
+    return RefuseName(value, name, names, this->Log);
+  }
+  const pugi::xml_node node = found.Element.GetNode();
+  ElementPath target(node, MakeFullPath(*rule, node, path), value);
+  std::string given = text;
+  const bool isGood = target.Follow(!text.empty(), this->Log) && this->CheckLoader(found, name) &&
+    this->FindFiles(given, target.GetRule(), value) && target.Check(given, this->Log);
+  if (!isGood)
+  {
+    return text.empty() && !this->Log.HasError();
+  }
+  const bool isId = path == "id" &&
+    (item == SurveyItem::Scanner || item == SurveyItem::Platform || item == SurveyItem::Scene) &&
+    std::string(node.name()) != "channel";
+  const std::vector<pugi::xml_attribute> references =
+    isId ? this->FindReferences(found.Element) : std::vector<pugi::xml_attribute>();
+  target.Set(isId ? this->MakeId(node.name(), given) : given, *this->Own);
+  for (pugi::xml_attribute reference : references)
+  {
+    reference.set_value(this->Refer(found.Element).c_str());
+  }
+  target.GetRule() ? this->RemoveSame(found, item, *target.GetRule(), target.GetNode()) : void();
+  this->Change(target.GetNode(), found.Where);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Removes what would override an attribute that was set.
+void SurveyDocument::RemoveSame(
+  const Found& found, SurveyItem item, const XmlValueRule& rule, pugi::xml_node kept)
+{
+  const std::string name = rule.Name;
+  for (const char* tag : GetRow(item).Own)
+  {
+    pugi::xml_node node = found.Element.GetNode();
+    node = kept == node || std::string(node.name()) == tag ? node : node.child(tag);
+    for (const XmlValueRule& value : FindXmlRule(tag)->Values)
+    {
+      const bool isOther = node != kept || std::string(value.Name) != name;
+      if (node && rule.Store.Owner && isOther && IsSame(value, rule))
+      {
+        node.remove_attribute(value.Name);
+        node.remove_child(value.Name);
+      }
+    }
+  }
+  const auto remove = [&](const char* other)
+  { item == SurveyItem::Scanner ? kept.remove_attribute(other) : false; };
+  if (IsTolerance(name)) // of fixed and adaptive sub-rays, the last one given counts
+  {
+    remove(FixedSubRays);
+  }
+  else if (name == FixedSubRays)
+  {
+    remove("rangeTolerance_m");
+    remove("energyTolerance");
+  }
+  else if (name == "filepath" && std::string(kept.name()) == "filter")
+  {
+    kept.remove_child(kept.find_child_by_attribute("param", "key", "efilepath"));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A part has one loader.
+bool SurveyDocument::CheckLoader(const Found& found, const std::string& name)
+{
+  const std::vector<std::string> loaders = GetLoaders();
+  const auto isLoader = [&loaders](const std::string& type)
+  { return std::find(loaders.begin(), loaders.end(), type) != loaders.end(); };
+  if (std::string(found.Element.GetNode().name()) == "part" && isLoader(name))
+  {
+    for (const XmlElement& filter : found.Element.GetChildren("filter"))
+    {
+      const std::string type = GetFilterType(filter.GetText("type"));
+      if (isLoader(type) && type != name)
+      {
+        this->Log.Error(
+          found.Where + ": its loader is " + type + ", not " + name + "; add another part");
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Finds the files that a value names, and what a reference refers to; false after an error.
+bool SurveyDocument::FindFiles(std::string& text, const XmlValueRule* rule, const XmlValue& value)
+{
+  if (!rule || text.empty())
+  {
+    return true;
+  }
+  const XmlValue given{ value.Name, text, value.Where };
+  if (rule->File == XmlFile::Needed)
+  {
+    text = this->Files.FindFile(given, *this->Own);
+  }
+  else if (rule->File == XmlFile::Pattern)
+  {
+    const std::vector<std::string> files = this->Files.FindFiles(given, *this->Own);
+    const std::string pattern = text.substr(text.rfind('/') + 1);
+    text = files.empty() ? text
+                         : (std::filesystem::path(files.front()).parent_path() / pattern).string();
+  }
+  else if (rule->Kind == XmlKind::Reference && text != "interpolated")
+  {
+    const std::string tag = rule->Name == std::string("basePlatform") ? "platform" : rule->Name;
+    this->Files.FindElement(tag.c_str(), given, *this->Own);
+  }
+  return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::SetScanner(
+  const SurveyPlace& place, const std::string& path, const std::string& text)
+{
+  const int count = this->GetNumberOfChannels(place.Index);
+  std::string where = "scanner " + std::to_string(place.Index);
+  if (count == 0)
+  {
+    return false;
+  }
+  if (place.Channel >= count)
+  {
+    this->Log.Error(where + ", channel " + std::to_string(place.Channel) +
+      " does not exist; there are " + std::to_string(count) + ", counted from 0");
+    return false;
+  }
+  const std::string name = ElementPath::GetFirstName(path);
+  if (!FindRule(SurveyItem::Scanner, name) && FindXmlRule("detectorSettings")->FindValue(name))
+  {
+    return this->SetIn({ this->MakeElement(this->GetSurvey()), where }, SurveyItem::Survey,
+      "detectorSettings/" + path, text);
+  }
+  const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, place.Index);
+  this->TakeOverrides(name);
+  const bool isOfChannel = StartsWith(path, ChannelPrefix);
+  if (isOfChannel && !this->GetChannel(scanner, 0))
+  {
+    scanner.GetNode().append_child("channels").append_child("channel");
+  }
+  const XmlElement one =
+    this->GetChannel(scanner, isOfChannel ? std::max(0, place.Channel) : place.Channel);
+  if (one)
+  {
+    where += ", channel " + std::to_string(std::max(0, place.Channel));
+    const std::string own = isOfChannel ? path.substr(std::string(ChannelPrefix).size()) : path;
+    return this->SetIn({ one, where }, SurveyItem::Scanner, own, text);
+  }
+  return this->SetWhole({ scanner, where }, path, text);
+}
+
+//------------------------------------------------------------------------------
+/// Sets an attribute of a scanner and of its channels that do not inherit it.
+bool SurveyDocument::SetWhole(
+  const Found& scanner, const std::string& path, const std::string& text)
+{
+  bool isGood = this->SetIn(scanner, SurveyItem::Scanner, path, text);
+  for (int i = 0; isGood && this->GetChannel(scanner.Element, i); ++i)
+  {
+    const XmlElement channel = this->GetChannel(scanner.Element, i);
+    const XmlValue value{ path, text, "" };
+    const XmlElementRule* rule = FindRule(SurveyItem::Scanner, ElementPath::GetFirstName(path));
+    ElementPath own(channel.GetNode(), MakeFullPath(*rule, channel.GetNode(), path), value);
+    Messages silent(nullptr);
+    const bool hasOwn = channel.Has("optics") || (own.Follow(false, silent) && !own.Get().empty());
+    isGood = !hasOwn ||
+      this->SetIn({ channel, scanner.Where + ", channel " + std::to_string(i) },
+        SurveyItem::Scanner, path, text);
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// Moves what a survey overrides of its scanners into each of them, so that one can be changed.
+void SurveyDocument::TakeOverrides(const std::string& name)
+{
+  const XmlElementRule* rule = FindRule(SurveyItem::Scanner, name);
+  const XmlValueRule* wanted = rule ? rule->FindValue(name) : nullptr;
+  pugi::xml_node survey = this->GetSurvey();
+  for (pugi::xml_node node :
+    { survey.child("FWFSettings"), survey.child("detectorSettings"), survey })
+  {
+    for (const XmlValueRule& value : FindXmlRule(node ? node.name() : "survey")->Values)
+    {
+      const bool isMeant = wanted &&
+        (IsSame(value, *wanted) || (IsTolerance(name) && std::string(value.Name) == FixedSubRays));
+      const std::string text = node.attribute(value.Name).value();
+      if (isMeant && value.Store.Owner && !text.empty())
+      {
+        node.remove_attribute(value.Name);
+        for (std::size_t i = 0; i < this->Elements.Scanners.size(); ++i)
+        {
+          const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, static_cast<int>(i));
+          this->SetWhole({ scanner, "scanner " + std::to_string(i) }, value.Name, text);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The platform below an interpolated one, made if there is none; others as they are.
+XmlElement SurveyDocument::GetBasePlatform(const XmlElement& platform)
+{
+  if (platform.GetIdentity() != this->GetSurvey().internal_object())
+  {
+    return platform;
+  }
+  return platform.Has("basePlatform")
+    ? this->Files.FindElement("platform", platform, "basePlatform")
+    : XmlElement();
+}
+
+//------------------------------------------------------------------------------
+/// Makes a platform follow the trajectories of its legs.
+bool SurveyDocument::SetInterpolated(const SurveyPlace& place)
+{
+  XmlElement& platform = this->Elements.Platforms[static_cast<std::size_t>(place.Index)];
+  const XmlElement survey = this->MakeElement(this->GetSurvey());
+  for (std::size_t i = 0; i < this->Elements.Platforms.size(); ++i)
+  {
+    if (this->Elements.Platforms[i].GetIdentity() == survey.GetIdentity())
+    {
+      const bool isThis = static_cast<int>(i) == place.Index;
+      isThis ? void()
+             : this->Log.Error("platform " + std::to_string(place.Index) +
+                 ": type=\"interpolated\": a survey has one such platform, which is platform " +
+                 std::to_string(i) + "; use it for the leg");
+      return isThis;
+    }
+  }
+  const std::vector<pugi::xml_attribute> references = this->FindReferences(platform);
+  pugi::xml_node node = survey.GetNode();
+  node.remove_attribute("basePlatform");
+  SetAttribute(node, "basePlatform", this->Refer(platform));
+  for (pugi::xml_attribute reference : references)
+  {
+    reference.set_value("interpolated");
+  }
+  platform = survey;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::SetPlatform(
+  const SurveyPlace& place, const std::string& path, const std::string& text)
+{
+  Found found = this->Find(place);
+  if (!found || (path == "type" && text == "interpolated"))
+  {
+    return found && this->SetInterpolated(place);
+  }
+  const XmlElement platform = this->TakeOver(SurveyItem::Platform, place.Index);
+  XmlElement& entry = this->Elements.Platforms[static_cast<std::size_t>(place.Index)];
+  if (path == "type" && entry.GetIdentity() != platform.GetIdentity()) // no longer interpolated
+  {
+    const std::vector<pugi::xml_attribute> references = this->FindReferences(entry);
+    this->GetSurvey().remove_attribute("basePlatform");
+    entry = platform;
+    for (pugi::xml_attribute reference : references)
+    {
+      reference.set_value(this->Refer(platform).c_str());
+    }
+  }
+  // An element of the survey overrides that of its platforms.
+  const std::string name = ElementPath::GetFirstName(path);
+  const pugi::xml_node override = this->GetSurvey().child(name.c_str());
+  const bool isOfPlatform = FindXmlRule("platform")->FindChild(name) != nullptr;
+  for (std::size_t i = 0; override && isOfPlatform && i < this->Elements.Platforms.size(); ++i)
+  {
+    const XmlElement one = this->TakeOver(SurveyItem::Platform, static_cast<int>(i));
+    const bool isInterpolated = one.GetIdentity() != this->Elements.Platforms[i].GetIdentity();
+    if (name != "scannerMount" || isInterpolated)
+    {
+      one.GetNode().remove_child(name.c_str());
+      one.GetNode().append_copy(override);
+    }
+  }
+  override&& isOfPlatform ? this->GetSurvey().remove_child(override) : false;
+  return this->SetIn({ platform, found.Where }, place.Item, path, text);
+}
+
+//------------------------------------------------------------------------------
+std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& path)
+{
+  this->Log.Restart(this->Owner);
+  const Found found = this->Find(place);
+  if (!found)
+  {
+    return {};
+  }
+  const std::vector<XmlElement> layers = this->ListLayers(found, place);
+  const bool isOfChannel = place.Item == SurveyItem::Scanner && StartsWith(path, ChannelPrefix);
+  if (isOfChannel)
+  {
+    const XmlElement channel = this->GetChannel(found.Element, std::max(0, place.Channel));
+    return channel ? channel.GetText(path.substr(std::string(ChannelPrefix).size()).c_str())
+                   : std::string();
+  }
+  if (place.Item == SurveyItem::Platform && path == "type" && found.Element.GetTag() == "survey")
+  {
+    return "interpolated";
+  }
+  const std::string name = ElementPath::GetFirstName(path);
+  const XmlValue value{ path, "", found.Where };
+  const XmlElementRule* detector = FindXmlRule("detectorSettings");
+  const XmlElementRule* rule = FindRule(place.Item, name);
+  rule = !rule && place.Item == SurveyItem::Scanner && detector->FindValue(name) ? detector : rule;
+  if (!rule)
+  {
+    const XmlElementRule& first = *FindXmlRule(GetRow(place.Item).Own.front());
+    RefuseName(value, name, ElementPath::ListNames(first), this->Log);
+    return {};
+  }
+  const XmlValueRule* own = rule->FindValue(name);
+  if (own && own->Use == XmlUse::Used && path.find('/') == std::string::npos)
+  {
+    for (const XmlElement& layer : layers)
+    {
+      const std::string text = ReadSame(layer, *own);
+      if (!text.empty())
+      {
+        return text;
+      }
+    }
+    return GetDefault(*own);
+  }
+  const XmlValueRule* last = nullptr;
+  for (const XmlElement& layer : layers)
+  {
+    if (!FindXmlRule(layer.GetTag())->FindChild(name) && layer.GetTag() == "survey" &&
+      place.Item != SurveyItem::Survey)
+    {
+      continue;
+    }
+    ElementPath target(layer.GetNode(), path, value);
+    if (!ElementPath::Knows(*FindXmlRule(layer.GetTag()), name) || !target.Follow(false, this->Log))
+    {
+      continue;
+    }
+    last = target.GetRule();
+    const std::string text = target.Get();
+    if (!text.empty())
+    {
+      return last
+        ? NormalizeValue({ path, text, found.Where, GetFolder(layer.GetDocument()) }, *last)
+        : text;
+    }
+  }
+  return last ? GetDefault(*last) : std::string();
+}
+
+//------------------------------------------------------------------------------
+/// The elements that may give an attribute of an item, those that override others first.
+std::vector<XmlElement> SurveyDocument::ListLayers(const Found& found, const SurveyPlace& place)
+{
+  std::vector<XmlElement> layers;
+  const auto add = [&layers](const XmlElement& element)
+  { element ? layers.push_back(element) : void(); };
+  const XmlElement survey = this->MakeElement(this->GetSurvey());
+  if (place.Item == SurveyItem::Scanner)
+  {
+    add(survey);
+    add(survey.GetChild("detectorSettings"));
+    add(survey.GetChild("FWFSettings"));
+    const XmlElement channel = this->GetChannel(found.Element, std::max(0, place.Channel));
+    channel ? add(channel.GetChild("FWFSettings")) : void();
+    add(channel);
+    add(found.Element.GetChild("FWFSettings"));
+  }
+  else if (place.Item == SurveyItem::Platform)
+  {
+    add(survey);
+    add(this->GetBasePlatform(found.Element));
+    return layers;
+  }
+  else if (place.Item == SurveyItem::Leg)
+  {
+    this->AddTemplates(found.Element.GetChild("scannerSettings"), layers);
+    this->AddTemplates(found.Element.GetChild("platformSettings"), layers);
+  }
+  add(found.Element);
+  return layers;
+}
+
+//------------------------------------------------------------------------------
+/// Adds settings of a leg and the templates below them.
+void SurveyDocument::AddTemplates(const XmlElement& settings, std::vector<XmlElement>& layers)
+{
+  XmlElement element = settings;
+  for (int depth = 0; element && depth < DeepestTemplate; ++depth)
+  {
+    layers.push_back(element);
+    element = element.Has("template")
+      ? this->Files.FindElement(element.GetTag().c_str(), element, "template")
+      : XmlElement();
+  }
+}
+
+} // namespace helios
