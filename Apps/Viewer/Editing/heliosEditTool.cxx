@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosEditTool.h"
 
+#include "heliosEditArea.h"
 #include "heliosErrorText.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"
@@ -244,10 +245,16 @@ void EditTool::SetCorner(const ScenePick& pick)
     return;
   }
   this->Remember();
-  SetArea(this->Edit, this->Corner, pick.Position);
+  this->Edit.Corners[0] = this->Corner;
+  this->Edit.Corners[1] = pick.Position;
+  this->Edit.HasArea = true;
+  const Status status = FlyArea(this->Edit);
+  this->Edit.HasArea = status.IsOk();
   this->SetMode(Mode::Scanner);
   this->ShowGhost();
-  this->Owner.ShowMessage("flight lines: " + std::to_string(this->Edit.Legs.size() / 2));
+  this->Owner.ShowMessage(status.IsOk()
+      ? "flight lines: " + std::to_string(this->Edit.Legs.size() / 2)
+      : status.Message());
 }
 
 //------------------------------------------------------------------------------

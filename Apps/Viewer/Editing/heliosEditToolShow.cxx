@@ -3,6 +3,7 @@
 // The initial state of an edited survey, and its display.
 #include "heliosEditTool.h"
 
+#include "heliosEditArea.h"
 #include "heliosErrorText.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"
@@ -225,6 +226,10 @@ void EditTool::ShowGhost()
 {
   this->Ghost.reset();
   this->HasChanges = true;
+  if (const Status status = FlyArea(this->Edit); !status.IsOk())
+  {
+    this->Owner.ShowMessage(status.Message());
+  }
   if (PlatformView* last = this->Owner.GetPlatformView())
   {
     last->SetVisible(!this->IsOn);

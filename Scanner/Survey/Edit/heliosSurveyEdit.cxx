@@ -203,35 +203,10 @@ void Place(const SurveyEdit& edit, EditLeg& leg)
   data.OnGround = data.OnGround && !edit.IsMoving();
 }
 
-/// Replaces all legs by strips.
-void FlyArea(SurveyEdit& edit)
-{
-  const double angle = std::isnan(edit.Settings.ScanAngle) ? 20.0 : edit.Settings.ScanAngle;
-  const FlightLines plan = MakeFlightLines(
-    edit.Corners[0], edit.Corners[1], edit.Height, std::clamp(angle, 1e-3, 89.0), edit.Overlap);
-  edit.Legs.clear();
-  for (const auto& line : plan.Lines)
-  {
-    for (const bool isStart : { true, false })
-    {
-      EditLeg leg;
-      leg.Settings = edit.Settings;
-      leg.Settings.Leg.Position = RoundComputed(isStart ? line.first : line.second);
-      leg.Settings.Leg.Active = isStart;
-      leg.Ground = leg.Settings.Leg.Position[2] - edit.Height;
-      edit.Legs.push_back(leg);
-    }
-  }
-}
-
 /// Updates the edit after a change of the platform or a number.
 void Follow(SurveyEdit& edit)
 {
   edit.HasArea = edit.HasArea && edit.IsMoving();
-  if (edit.HasArea)
-  {
-    FlyArea(edit);
-  }
   for (EditLeg& leg : edit.Legs)
   {
     Place(edit, leg);
@@ -254,37 +229,6 @@ void BeginAgain(SurveyEdit& edit)
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-FlightLines MakeFlightLines(
-  const Vec3& corner, const Vec3& opposite, double height, double scanAngle, double overlap)
-{
-  FlightLines plan;
-  Vec3 low;
-  Vec3 high;
-  for (int i = 0; i < 3; ++i)
-  {
-    low[i] = std::min(corner[i], opposite[i]);
-    high[i] = std::max(corner[i], opposite[i]);
-  }
-  plan.Axis = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
-  const int across = 1 - plan.Axis;
-  const double swath = 2.0 * height * std::tan(vtkMath::RadiansFromDegrees(scanAngle));
-  plan.Spacing = swath * (1.0 - 0.01 * overlap);
-  const double width = high[across] - low[across];
-  const double more = std::ceil((width - swath) / plan.Spacing - 1e-9);
-  const int count = 1 + static_cast<int>(std::clamp(more, 0.0, 999.0));
-  for (int i = 0; i < count; ++i)
-  {
-    Vec3 from = low;
-    from[across] = 0.5 * (low[across] + high[across]) + (i - 0.5 * (count - 1)) * plan.Spacing;
-    from[2] = high[2] + height;
-    Vec3 to = from;
-    to[plan.Axis] = high[plan.Axis];
-    i % 2 == 0 ? plan.Lines.emplace_back(from, to) : plan.Lines.emplace_back(to, from);
-  }
-  return plan;
-}
 
 //------------------------------------------------------------------------------
 std::vector<EditRange> FindRanges(const SurveyEdit& edit)
@@ -439,12 +383,22 @@ void RemoveLeg(SurveyEdit& edit, std::size_t leg)
 }
 
 //------------------------------------------------------------------------------
-void SetArea(SurveyEdit& edit, const Vec3& corner, const Vec3& opposite)
+void SetLines(SurveyEdit& edit, const std::vector<FlightLine>& lines)
 {
-  edit.Corners[0] = corner;
-  edit.Corners[1] = opposite;
-  edit.HasArea = true;
-  Follow(edit);
+  edit.Legs.clear();
+  for (const FlightLine& line : lines)
+  {
+    for (const bool isStart : { true, false })
+    {
+      EditLeg leg;
+      leg.Settings = edit.Settings;
+      leg.Settings.Leg.Position = RoundComputed(isStart ? line.first : line.second);
+      leg.Settings.Leg.Active = isStart;
+      leg.Ground = leg.Settings.Leg.Position[2] - edit.Height;
+      edit.Legs.push_back(leg);
+      Place(edit, edit.Legs.back());
+    }
+  }
 }
 
 } // namespace helios

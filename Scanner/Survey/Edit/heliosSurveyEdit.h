@@ -47,6 +47,9 @@ struct EditLeg
   double Ground = 0.0; ///< [m], z of the point clicked
 };
 
+/// The begin and the end of a flight line [m].
+using FlightLine = std::pair<Vec3, Vec3>;
+
 /**
  * Plain data, changed by the functions below. One platform carries one scanner on all legs. The
  * position of a leg of a moving platform is Height above its ground.
@@ -72,22 +75,6 @@ struct SurveyEdit
 
   bool IsMoving() const { return this->PlatformModel.Type != PlatformType::Static; }
 };
-
-/// The positions of strips [m], and the axis (0: x, 1: y) along which they are flown.
-struct FlightLines
-{
-  int Axis = 0;
-  double Spacing = 0.0;
-  std::vector<std::pair<Vec3, Vec3>> Lines; ///< in alternating directions
-};
-
-/**
- * Strips over a rectangle along its longer side, at a height above the higher corner [m], with a
- * half scan angle in (0, 89] [deg] and an overlap in [0, 95] [%]: centered, 2 h tan(a) (1 -
- * overlap) apart, and the fewest that cover it.
- */
-VTKHELIOSSCANNERSURVEY_EXPORT FlightLines MakeFlightLines(
-  const Vec3& corner, const Vec3& opposite, double height, double scanAngle, double overlap);
 
 /// The settings of an instrument on a platform, and their limits.
 VTKHELIOSSCANNERSURVEY_EXPORT std::vector<EditRange> FindRanges(const SurveyEdit& edit);
@@ -118,8 +105,8 @@ VTKHELIOSSCANNERSURVEY_EXPORT void AddLeg(SurveyEdit& edit, const Vec3& place, b
 VTKHELIOSSCANNERSURVEY_EXPORT void MoveLeg(
   SurveyEdit& edit, std::size_t leg, const Vec3& place, bool onGround);
 VTKHELIOSSCANNERSURVEY_EXPORT void RemoveLeg(SurveyEdit& edit, std::size_t leg);
-VTKHELIOSSCANNERSURVEY_EXPORT void SetArea(
-  SurveyEdit& edit, const Vec3& corner, const Vec3& opposite);
+/// Replaces all legs by flight lines, which fire, and the turns between them.
+VTKHELIOSSCANNERSURVEY_EXPORT void SetLines(SurveyEdit& edit, const std::vector<FlightLine>& lines);
 ///@}
 
 /// Converts a survey to one that can be edited, to be saved in a folder. Returns as text what

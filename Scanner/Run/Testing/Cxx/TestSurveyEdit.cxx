@@ -87,56 +87,24 @@ bool IsSame(vtkPolyData* a, vtkPolyData* b)
 
 } // namespace
 
-TEST_CASE(
-  "SurveyEdit: strips lie 2 h tan(a) (1 - overlap) apart and cover the rectangle", "[SurveyEdit]")
-{
-  const double height = 100.0;
-  const double angle = 30.0;
-  const double swath = 2.0 * height * std::tan(vtkMath::RadiansFromDegrees(angle));
-  for (const double overlap : { 0.0, 20.0, 60.0, 95.0 })
-  {
-    for (const double width : { 1.0, 115.0, 500.0 })
-    {
-      INFO("overlap " << overlap << ", width " << width);
-      const FlightLines plan = MakeFlightLines(
-        { 10.0, 700.0, 5.0 }, { 810.0, 700.0 - width, 2.0 }, height, angle, overlap);
-      CHECK(plan.Axis == 0);
-      CHECK(plan.Spacing == Approx(swath * (1.0 - overlap / 100.0)).epsilon(1e-14));
-      const double first = plan.Lines.front().first[1];
-      const double last = plan.Lines.back().first[1];
-      CHECK(0.5 * (first + last) == Approx(700.0 - 0.5 * width));
-      CHECK(last - first == Approx(plan.Spacing * double(plan.Lines.size() - 1)).margin(1e-9));
-      CHECK(last - first + swath >= width - 1e-6);
-      const bool isFewest = plan.Lines.size() == 1 || last - first - plan.Spacing + swath < width;
-      CHECK(isFewest);
-      for (std::size_t i = 0; i < plan.Lines.size(); ++i)
-      {
-        CHECK(plan.Lines[i].first[0] == (i % 2 == 0 ? 10.0 : 810.0));
-        CHECK(plan.Lines[i].second[0] == (i % 2 == 0 ? 810.0 : 10.0));
-        CHECK(plan.Lines[i].first[2] == 105.0);
-      }
-    }
-  }
-  CHECK(MakeFlightLines({ 0, 0, 0 }, { 10, 20, 0 }, 50.0, 30.0, 0.0).Axis == 1);
-}
-
-TEST_CASE("SurveyEdit: legs of a rectangle fire, turns do not", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: flight lines fire, turns do not", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files, "plane", "als");
   CHECK(SetSetting(hand.Edit, "height", 40.0).empty());
   CHECK(SetSetting(hand.Edit, "scanAngle", 15.0).empty());
   CHECK(SetSetting(hand.Edit, "overlap", 75.0).empty());
-  SetArea(hand.Edit, { -20.0, -15.0, 0.0 }, { 20.0, 15.0, 0.0 });
+  SetLines(hand.Edit,
+    { { { -20.0, 10.0, 40.0 }, { 20.0, 10.0, 40.0 } },
+      { { 20.0, 0.0, 40.0 }, { -20.0, 0.0, 40.0 } },
+      { { -20.0, -10.0, 40.0 }, { 20.0, -10.0, 40.0 } } });
   REQUIRE(hand.Edit.Legs.size() == 6);
   for (std::size_t i = 0; i < 6; ++i)
   {
     CHECK(hand.Edit.Legs[i].Settings.Leg.Active == (i % 2 == 0));
     CHECK(hand.Edit.Legs[i].Settings.Leg.Position[2] == 40.0);
   }
-  // The lines are updated with their parameters.
-  SetSetting(hand.Edit, "overlap", 0.0);
-  CHECK(hand.Edit.Legs.size() == 4);
+  CHECK(hand.Edit.Legs[3].Settings.Leg.Position[0] == -20.0);
   SetSetting(hand.Edit, "height", 30.0);
   CHECK(hand.Edit.Legs.front().Settings.Leg.Position[2] == 30.0);
   SetSetting(hand.Edit, "speed", 20.0);
