@@ -8,7 +8,7 @@
 #include "heliosColumnProfile.h"
 #include "heliosMaterialTable.h"
 #include "heliosPencil.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "heliosScanModel.h"
 #include "heliosSurfaceResponse.h"
 

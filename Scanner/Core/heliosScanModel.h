@@ -14,7 +14,7 @@
 #include "heliosPulseSample.h"
 #include "heliosRadiometry.h"
 #include "heliosRangeZones.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "heliosSamplingPlan.h"
 #include "heliosScanPath.h"
 #include "heliosSceneGeometry.h"

@@ -5,7 +5,6 @@
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosNoEchoes.h"
-#include "heliosPartReader.h"
 #include "heliosRankBlocks.h"
 #include "heliosRankServer.h"
 #include "heliosRankWorker.h"
@@ -17,6 +16,7 @@
 #include "heliosRunFormat.h"
 #include "heliosRunInputs.h"
 #include "heliosRunJournal.h"
+#include "heliosRunPartReader.h"
 #include "heliosRunSummary.h"
 #include "heliosStatus.h"
 #include "heliosSurveyLoader.h"
@@ -109,7 +109,7 @@ private:
   bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
   std::unique_ptr<helios::RunJournal> Journal;
-  std::unique_ptr<helios::PartReader> Parts;      // null: pulses are computed
+  std::unique_ptr<helios::RunPartReader> Parts;   // null: pulses are computed
   std::unique_ptr<helios::RankBlocks> RankSource; // null: by this process
   std::unique_ptr<helios::RankWorker> Worker;     // of a rank other than 0
   std::unique_ptr<helios::LegRunner> Runner;
@@ -207,7 +207,8 @@ bool vtkHeliosSurveyPlayer::Internals::OpenParts()
   {
     return true;
   }
-  this->Parts = std::make_unique<helios::PartReader>(this->GetSurvey(), this->Settings, this->Log);
+  this->Parts =
+    std::make_unique<helios::RunPartReader>(this->GetSurvey(), this->Settings, this->Log);
   return this->Check(this->Parts->Open(this->Player->PartFolders)) &&
     this->Check(this->Parts->CheckFingerprints(this->Fingerprint));
 }
@@ -561,7 +562,7 @@ bool vtkHeliosSurveyPlayer::Internals::StartRanks()
     return true;
   }
   this->RankSource = std::make_unique<helios::RankBlocks>(ranks,
-    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), this->Log,
+    helios::LegFiles(this->GetSurvey(), helios::MakeRunPartSettings(this->Settings)), this->Log,
     [this] { return this->ReportStep(this->Player->Message); });
   return this->RankSource->Begin(this->Settings.Options.Epoch) || this->Fail();
 }
@@ -605,7 +606,7 @@ bool vtkHeliosSurveyPlayer::Internals::LoadForRank(int epoch)
     return false;
   }
   this->Worker = std::make_unique<helios::RankWorker>(
-    helios::LegFiles(this->GetSurvey(), helios::MakePartSettings(this->Settings)), *this->Runner,
+    helios::LegFiles(this->GetSurvey(), helios::MakeRunPartSettings(this->Settings)), *this->Runner,
     this->Log);
   return true;
 }

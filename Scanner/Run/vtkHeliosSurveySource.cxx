@@ -8,7 +8,7 @@
 #include "heliosMessages.h"
 #include "heliosPathCell.h"
 #include "heliosPulseCount.h"
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunProgress.h"
 #include "vtkHeliosEchoComparison.h"

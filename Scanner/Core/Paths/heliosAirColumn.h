@@ -5,7 +5,7 @@
 #ifndef heliosAirColumn_h
 #define heliosAirColumn_h
 
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <functional>

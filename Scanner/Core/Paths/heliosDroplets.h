@@ -6,7 +6,7 @@
 #define heliosDroplets_h
 
 #include "heliosAirColumn.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>

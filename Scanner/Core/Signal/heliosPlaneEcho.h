@@ -6,7 +6,7 @@
 #define heliosPlaneEcho_h
 
 #include "heliosConstants.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 
 #include <cmath>
 

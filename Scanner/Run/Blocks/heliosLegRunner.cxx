@@ -46,7 +46,7 @@ LegRunner::LegRunner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
-  , Files(survey, settings.Part.IsSet() ? MakePartSettings(settings) : settings)
+  , Files(survey, settings.Part.IsSet() ? MakeRunPartSettings(settings) : settings)
   , Scene(scene)
   , Scanner(survey, scene, settings, log)
   , Own(this->Scanner, (settings.PulsesPerBlock - 1) / this->GetPulsesPerPiece() + 1)
@@ -258,7 +258,7 @@ vtkIdType LegRunner::GetPulsesPerPiece() const
 {
   const vtkIdType block = this->Settings.PulsesPerBlock;
   const bool isPart = this->Settings.Part.IsSet();
-  return HasXml(isPart ? MakePartSettings(this->Settings) : this->Settings)
+  return HasXml(isPart ? MakeRunPartSettings(this->Settings) : this->Settings)
     ? block
     : std::min(block, PulsesPerPiece);
 }

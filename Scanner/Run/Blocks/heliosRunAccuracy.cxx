@@ -4,7 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosPulseSample.h"
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 #include "heliosStatus.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosScene.h"

@@ -120,7 +120,7 @@ bool HasXml(const RunSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-RunSettings MakePartSettings(RunSettings settings)
+RunSettings MakeRunPartSettings(RunSettings settings)
 {
   settings.Format = settings.Format == "las" ? "vtp" : settings.Format;
   settings.Wants.WaveformsInPoints = false;

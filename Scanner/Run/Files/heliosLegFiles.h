@@ -21,7 +21,7 @@ struct SurveyData;
 class LegFiles
 {
 public:
-  /// Of a run, or of a part of it as by MakePartSettings().
+  /// Of a run, or of a part of it as by MakeRunPartSettings().
   LegFiles(const SurveyData& survey, const RunSettings& settings);
 
   /// The outputs of a leg, with unopened writers.
@@ -50,7 +50,7 @@ bool HasXml(const RunSettings& settings);
 
 /// The settings of the files of parts. Text is that of the run. LAS is VTK XML, which has the exact
 /// numbers: the header of a LAS file, by which its points are rounded, depends on all parts.
-RunSettings MakePartSettings(RunSettings settings);
+RunSettings MakeRunPartSettings(RunSettings settings);
 
 } // namespace helios
 

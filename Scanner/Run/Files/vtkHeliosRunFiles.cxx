@@ -34,7 +34,7 @@ constexpr KindOfFile Kinds[] = {
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
 constexpr std::string_view EpochFolder = "play";
-constexpr std::string_view PartFolder = "part";
+constexpr std::string_view RunPartFolder = "part";
 constexpr std::string_view PartCount = "of";
 constexpr std::string_view Channel = "_dev";
 constexpr std::string_view ConvertedPoints = ".laz";
@@ -147,7 +147,7 @@ int vtkHeliosRunFiles::GetEpoch(const std::string& folder)
 //------------------------------------------------------------------------------
 std::string vtkHeliosRunFiles::GetPartName(int part, int parts)
 {
-  return Pad(PartFolder, std::to_string(part)) + Pad(PartCount, std::to_string(parts));
+  return Pad(RunPartFolder, std::to_string(part)) + Pad(PartCount, std::to_string(parts));
 }
 
 //------------------------------------------------------------------------------

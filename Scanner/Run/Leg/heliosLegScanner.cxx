@@ -7,7 +7,7 @@
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 #include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"

@@ -12,9 +12,9 @@ void PiecePile::Add(vtkDataObject* piece)
 {
   auto data = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
   data->ShallowCopy(piece);
-  this->Parts.push_back({ data, 1 });
-  while (this->Parts.size() > 1 &&
-    this->Parts[this->Parts.size() - 2].Pieces <= this->Parts.back().Pieces)
+  this->Groups.push_back({ data, 1 });
+  while (this->Groups.size() > 1 &&
+    this->Groups[this->Groups.size() - 2].Pieces <= this->Groups.back().Pieces)
   {
     this->JoinLast();
   }
@@ -23,19 +23,19 @@ void PiecePile::Add(vtkDataObject* piece)
 //------------------------------------------------------------------------------
 void PiecePile::Finish()
 {
-  while (this->Parts.size() > 1)
+  while (this->Groups.size() > 1)
   {
     this->JoinLast();
   }
-  this->Whole = this->Parts.empty() ? nullptr : this->Parts.front().Data;
+  this->Whole = this->Groups.empty() ? nullptr : this->Groups.front().Data;
 }
 
 //------------------------------------------------------------------------------
 void PiecePile::JoinLast()
 {
-  const Part last = this->Parts.back();
-  this->Parts.pop_back();
-  Part& before = this->Parts.back();
+  const Merged last = this->Groups.back();
+  this->Groups.pop_back();
+  Merged& before = this->Groups.back();
   before = { MergeChannels({ before.Data, last.Data }), before.Pieces + last.Pieces };
 }
 

@@ -29,14 +29,14 @@ public:
   vtkDataObject* Get() const { return this->Whole; }
 
 private:
-  struct Part
+  struct Merged
   {
     vtkSmartPointer<vtkDataObject> Data;
     vtkIdType Pieces;
   };
   void JoinLast();
 
-  std::vector<Part> Parts;
+  std::vector<Merged> Groups;
   vtkSmartPointer<vtkDataObject> Whole;
 };
 

@@ -3,7 +3,7 @@
 // Scans with a pulse of samples: asymmetric, with ringing.
 #include "../../../Core/Testing/Cxx/heliosScannerBench.h"
 #include "heliosConstants.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Elliptical beams of the dialect.
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"

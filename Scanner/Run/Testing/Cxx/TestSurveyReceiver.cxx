@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sampling, waveforms, detection and noise in the dialect: read, checked, set up, and run.
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Zones of multiple-time-around ranges in the dialect.
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosRunOptions.h"

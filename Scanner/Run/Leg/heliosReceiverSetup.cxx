@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosReceiver.h"
+#include "heliosReceiverSetup.h"
 
 #include "heliosConstants.h"
 #include "heliosEchoComparison.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sets up a scanner from its data and the options of a run.
 
-#ifndef heliosReceiver_h
-#define heliosReceiver_h
+#ifndef heliosReceiverSetup_h
+#define heliosReceiverSetup_h
 
 #include "vtkHeliosScannerRunModule.h" // For export macro
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The folder of a part of a run: what its journal states, and whether its files are complete.
 
-#ifndef heliosPartFolder_h
-#define heliosPartFolder_h
+#ifndef heliosRunPartFolder_h
+#define heliosRunPartFolder_h
 
 #include "heliosRunPart.h"
 #include "heliosRunProgress.h"
@@ -22,17 +22,17 @@ namespace helios
 struct LegPlan;
 
 /// A block of a part.
-struct PartBlock
+struct RunPartBlock
 {
   std::size_t Leg = 0;
   std::vector<FileProgress> Files; ///< Records are those of the block
   ScanCounts Counts;               ///< of the block
 };
 
-class PartFolder
+class RunPartFolder
 {
 public:
-  explicit PartFolder(const std::string& path);
+  explicit RunPartFolder(const std::string& path);
 
   /// Reads the journal, and the summary if there is one.
   Status Read();
@@ -48,7 +48,7 @@ public:
 
   const RunPart& GetPart() const { return this->Part; }
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
-  const std::vector<PartBlock>& GetBlocks() const { return this->Blocks; }
+  const std::vector<RunPartBlock>& GetBlocks() const { return this->Blocks; }
 
   /// How long its blocks took [s].
   double GetSeconds() const;
@@ -64,7 +64,7 @@ private:
   std::string Path;
   RunPart Part;
   Json::Value Fingerprint;
-  std::vector<PartBlock> Blocks;
+  std::vector<RunPartBlock> Blocks;
   ScanCounts Counts;                        // of the blocks so far
   std::map<std::string, vtkIdType> Records; // of the files so far
   std::map<std::size_t, double> Seconds;    // of the legs so far

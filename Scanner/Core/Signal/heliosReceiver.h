@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From the sub-rays of a pulse to the received waveform and its echoes.
 
-#ifndef heliosReturn_h
-#define heliosReturn_h
+#ifndef heliosReceiver_h
+#define heliosReceiver_h
 
 #include "heliosPeaks.h"
 #include "heliosPulseShape.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosConstants.h"
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 #include "vtkHeliosPeakDetector.h"
 
 #include <vtkNew.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosPartFolder.h"
+#include "heliosRunPartFolder.h"
 
 #include "heliosLegPlan.h"
 #include "heliosRunCheck.h"
@@ -46,25 +46,25 @@ RunPart ReadPart(const Json::Value& fingerprint)
 } // namespace
 
 //------------------------------------------------------------------------------
-PartFolder::PartFolder(const std::string& path)
+RunPartFolder::RunPartFolder(const std::string& path)
   : Path(path)
 {
 }
 
 //------------------------------------------------------------------------------
-std::string PartFolder::Describe() const
+std::string RunPartFolder::Describe() const
 {
   return this->Path + ": part " + this->Part.GetText();
 }
 
 //------------------------------------------------------------------------------
-std::string PartFolder::GetCure(const char* option) const
+std::string RunPartFolder::GetCure(const char* option) const
 {
   return std::string("; run it with --part ") + this->Part.GetText() + " " + option;
 }
 
 //------------------------------------------------------------------------------
-Status PartFolder::Read()
+Status RunPartFolder::Read()
 {
   RunJournal journal(this->Path);
   if (!journal.Exists())
@@ -94,7 +94,7 @@ Status PartFolder::Read()
 
 //------------------------------------------------------------------------------
 /// The summary of a finished part, which is not needed, states the same as its journal.
-Status PartFolder::CheckSummary() const
+Status RunPartFolder::CheckSummary() const
 {
   const RunFolder folder(this->Path);
   Json::Value summary;
@@ -116,14 +116,14 @@ Status PartFolder::CheckSummary() const
 
 //------------------------------------------------------------------------------
 /// Adds a line of the journal.
-void PartFolder::AddBlock(std::size_t leg, const LegProgress& progress)
+void RunPartFolder::AddBlock(std::size_t leg, const LegProgress& progress)
 {
   if (progress.IsDone)
   {
     return; // a line at the end of a leg
   }
   this->Seconds[leg] = progress.Seconds;
-  PartBlock block{ leg, progress.Files, Subtract(progress.Counts, this->Counts) };
+  RunPartBlock block{ leg, progress.Files, Subtract(progress.Counts, this->Counts) };
   this->Counts = progress.Counts;
   for (FileProgress& file : block.Files)
   {
@@ -134,7 +134,7 @@ void PartFolder::AddBlock(std::size_t leg, const LegProgress& progress)
 }
 
 //------------------------------------------------------------------------------
-Status PartFolder::Check(const std::vector<LegPlan>& plans) const
+Status RunPartFolder::Check(const std::vector<LegPlan>& plans) const
 {
   const std::vector<LegPlan> legs = SelectPart(plans, this->Part);
   const auto expected = static_cast<std::size_t>(CountBlocks(legs));
@@ -151,20 +151,20 @@ Status PartFolder::Check(const std::vector<LegPlan>& plans) const
 }
 
 //------------------------------------------------------------------------------
-Status PartFolder::CheckBlock(const FileBlock& block) const
+Status RunPartFolder::CheckBlock(const FileBlock& block) const
 {
   return RunCheck(this->Path, this->GetCure("--overwrite")).CheckBlock(block);
 }
 
 //------------------------------------------------------------------------------
-double PartFolder::GetSeconds() const
+double RunPartFolder::GetSeconds() const
 {
   return std::accumulate(this->Seconds.begin(), this->Seconds.end(), 0.0,
     [](double sum, const auto& leg) { return sum + leg.second; });
 }
 
 //------------------------------------------------------------------------------
-std::string PartFolder::FindFile(const std::string& name) const
+std::string RunPartFolder::FindFile(const std::string& name) const
 {
   return RunCheck(this->Path).FindFile(name);
 }

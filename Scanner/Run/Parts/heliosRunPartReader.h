@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads the blocks of a run from its parts.
 
-#ifndef heliosPartReader_h
-#define heliosPartReader_h
+#ifndef heliosRunPartReader_h
+#define heliosRunPartReader_h
 
 #include "heliosBlockSource.h"
 #include "heliosLegFiles.h"
-#include "heliosPartFolder.h"
+#include "heliosRunPartFolder.h"
 #include "heliosStatus.h"
 
 #include <vtkDataObject.h>
@@ -25,11 +25,11 @@ namespace helios
 
 class Messages;
 
-class PartReader : public BlockSource
+class RunPartReader : public BlockSource
 {
 public:
-  PartReader(const SurveyData& survey, const RunSettings& settings, Messages& log);
-  ~PartReader() override;
+  RunPartReader(const SurveyData& survey, const RunSettings& settings, Messages& log);
+  ~RunPartReader() override;
 
   /// Reads the journals of all parts, in any order: they must be those of one run.
   Status Open(const std::vector<std::string>& folders);
@@ -52,8 +52,8 @@ private:
 
   struct Block
   {
-    const PartFolder* Part;
-    const PartBlock* Data;
+    const RunPartFolder* Part;
+    const RunPartBlock* Data;
   };
 
   Status Sort();
@@ -65,7 +65,7 @@ private:
 
   LegFiles Files;
   Messages& Log;
-  std::vector<PartFolder> Parts;
+  std::vector<RunPartFolder> Parts;
   std::vector<Block> Blocks;                     // of the run
   std::map<std::size_t, std::size_t> FirstBlock; // of a leg
   const Block* Current = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosPartReader.h"
+#include "heliosRunPartReader.h"
 
 #include "heliosMessages.h"
 #include "heliosRunFingerprint.h"
@@ -38,17 +38,17 @@ vtkSmartPointer<vtkDataObject> ReadXml(const std::string& path, Messages& log)
 } // namespace
 
 //------------------------------------------------------------------------------
-PartReader::PartReader(const SurveyData& survey, const RunSettings& settings, Messages& log)
-  : Files(survey, MakePartSettings(settings))
+RunPartReader::RunPartReader(const SurveyData& survey, const RunSettings& settings, Messages& log)
+  : Files(survey, MakeRunPartSettings(settings))
   , Log(log)
 {
 }
 
 //------------------------------------------------------------------------------
-PartReader::~PartReader() = default;
+RunPartReader::~RunPartReader() = default;
 
 //------------------------------------------------------------------------------
-Status PartReader::Open(const std::vector<std::string>& folders)
+Status RunPartReader::Open(const std::vector<std::string>& folders)
 {
   this->Parts.clear();
   for (const std::string& folder : folders)
@@ -65,15 +65,15 @@ Status PartReader::Open(const std::vector<std::string>& folders)
 
 //------------------------------------------------------------------------------
 /// Sorts the parts by number; an error if two have the same, or are of another division.
-Status PartReader::Sort()
+Status RunPartReader::Sort()
 {
-  const auto number = [](const PartFolder& part) { return part.GetPart().Number; };
+  const auto number = [](const RunPartFolder& part) { return part.GetPart().Number; };
   std::stable_sort(this->Parts.begin(), this->Parts.end(),
-    [&number](const PartFolder& a, const PartFolder& b) { return number(a) < number(b); });
+    [&number](const RunPartFolder& a, const RunPartFolder& b) { return number(a) < number(b); });
   for (std::size_t i = 1; i < this->Parts.size(); ++i)
   {
-    const PartFolder& part = this->Parts[i];
-    const PartFolder& before = this->Parts[i - 1];
+    const RunPartFolder& part = this->Parts[i];
+    const RunPartFolder& before = this->Parts[i - 1];
     if (part.GetPart().Count != this->Parts.front().GetPart().Count)
     {
       return Status::Error(part.Describe() + " cannot be joined with " +
@@ -89,7 +89,7 @@ Status PartReader::Sort()
 }
 
 //------------------------------------------------------------------------------
-Status PartReader::FindMissing() const
+Status RunPartReader::FindMissing() const
 {
   std::vector<std::string> missing;
   RunPart part = this->Parts.empty() ? RunPart() : this->Parts.front().GetPart();
@@ -111,9 +111,9 @@ Status PartReader::FindMissing() const
 }
 
 //------------------------------------------------------------------------------
-Status PartReader::CheckFingerprints(const Json::Value& fingerprint) const
+Status RunPartReader::CheckFingerprints(const Json::Value& fingerprint) const
 {
-  for (const PartFolder& part : this->Parts)
+  for (const RunPartFolder& part : this->Parts)
   {
     const std::string difference = CompareFingerprints(part.GetFingerprint(), fingerprint);
     if (!difference.empty())
@@ -126,16 +126,16 @@ Status PartReader::CheckFingerprints(const Json::Value& fingerprint) const
 }
 
 //------------------------------------------------------------------------------
-Status PartReader::FindBlocks(const std::vector<LegPlan>& plans)
+Status RunPartReader::FindBlocks(const std::vector<LegPlan>& plans)
 {
   this->Blocks.clear();
-  for (const PartFolder& part : this->Parts)
+  for (const RunPartFolder& part : this->Parts)
   {
     if (Status status = part.Check(plans); !status.IsOk())
     {
       return status;
     }
-    for (const PartBlock& block : part.GetBlocks())
+    for (const RunPartBlock& block : part.GetBlocks())
     {
       this->Blocks.push_back({ &part, &block });
     }
@@ -150,14 +150,14 @@ Status PartReader::FindBlocks(const std::vector<LegPlan>& plans)
 }
 
 //------------------------------------------------------------------------------
-double PartReader::GetSeconds() const
+double RunPartReader::GetSeconds() const
 {
   return std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0,
-    [](double sum, const PartFolder& part) { return sum + part.GetSeconds(); });
+    [](double sum, const RunPartFolder& part) { return sum + part.GetSeconds(); });
 }
 
 //------------------------------------------------------------------------------
-bool PartReader::Check(const Status& status)
+bool RunPartReader::Check(const Status& status)
 {
   if (!status.IsOk())
   {
@@ -168,7 +168,7 @@ bool PartReader::Check(const Status& status)
 
 //------------------------------------------------------------------------------
 /// What the current block has of a file.
-FileProgress PartReader::FindFile(const LegOutput& file) const
+FileProgress RunPartReader::FindFile(const LegOutput& file) const
 {
   const std::string name = GetName(file.Writer);
   const auto& files = this->Current->Data->Files;
@@ -178,7 +178,7 @@ FileProgress PartReader::FindFile(const LegOutput& file) const
 }
 
 //------------------------------------------------------------------------------
-bool PartReader::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
+bool RunPartReader::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
 {
   this->Current = &this->Blocks[this->FirstBlock.at(plan.Leg) + static_cast<std::size_t>(block)];
   this->CurrentFiles = this->Files.MakeOutputs(plan);
@@ -189,7 +189,7 @@ bool PartReader::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
 
 //------------------------------------------------------------------------------
 /// Checks the bytes of a file in the current block, and reads those of VTK XML.
-bool PartReader::ReadPiece(const LegOutput& file)
+bool RunPartReader::ReadPiece(const LegOutput& file)
 {
   for (const FileBlock& block : this->FindFile(file).Blocks)
   {
@@ -215,7 +215,7 @@ bool PartReader::ReadPiece(const LegOutput& file)
 }
 
 //------------------------------------------------------------------------------
-LegPiece PartReader::Collect(const LegOutputs& outputs)
+LegPiece RunPartReader::Collect(const LegOutputs& outputs)
 {
   LegPiece piece;
   for (const LegOutput& output : outputs)
@@ -227,7 +227,7 @@ LegPiece PartReader::Collect(const LegOutputs& outputs)
 
 //------------------------------------------------------------------------------
 /// The data of VTK XML, or the rows of text.
-OutputPiece PartReader::CollectOne(const LegOutput& output)
+OutputPiece RunPartReader::CollectOne(const LegOutput& output)
 {
   const LegOutput& file = FindOutput(this->CurrentFiles, output);
   if (IsXml(file))
@@ -248,7 +248,7 @@ OutputPiece PartReader::CollectOne(const LegOutput& output)
 }
 
 //------------------------------------------------------------------------------
-void PartReader::Count(ScanCounts& counts)
+void RunPartReader::Count(ScanCounts& counts)
 {
   counts.Add(this->Current->Data->Counts);
   this->Pieces.clear();

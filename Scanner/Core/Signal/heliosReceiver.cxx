@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
-#include "heliosReturn.h"
+#include "heliosReceiver.h"
 
 #include "heliosConstants.h"
 #include "heliosDetectorOffset.h"
