@@ -315,7 +315,7 @@ def find_properties(proxy, cls):
 
 def shorten(doc):
     """The help of a property, without what is true of all."""
-    text = re.sub(r"^(?:Set/Get|Set|Get) (?:whether )?", "", collapse(doc))
+    text = re.sub(r"^(?:Set/Get|Sets?|Gets?) (?:whether )?", "", collapse(doc))
     return text[:1].upper() + text[1:]
 
 
