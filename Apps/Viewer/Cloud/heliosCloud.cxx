@@ -196,7 +196,7 @@ void Cloud::AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop)
   if (!block.Has(CloudColumn::Amplitude))
   {
     vtkDataArray* raw = echoes->GetPointData()->GetArray(names::Intensity);
-    raw = raw ? raw : echoes->GetPointData()->GetArray("intensity"); // of PLY
+    raw = raw ? raw : echoes->GetPointData()->GetArray("intensity"); // name in PLY
     block.Read(CloudColumn::Amplitude, raw, echoes->GetNumberOfPoints());
     this->RawAmplitudes = this->RawAmplitudes || raw;
   }

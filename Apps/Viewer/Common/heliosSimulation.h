@@ -38,9 +38,9 @@ struct SimulatedLeg
   double EndTime = 0.0;   ///< [s]
   vtkIdType FirstPulse = 0;
   vtkIdType LastPulse = 0; ///< past the end
-  Pose Mount;              ///< of the scanner on its platform
+  Pose Mount;              ///< pose of the scanner on its platform
   Trajectory Path;
-  std::vector<Vec3> Positions; ///< of its samples
+  std::vector<Vec3> Positions; ///< positions of its samples
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
   double LineFrequency = 0.0; ///< lines of the scan per second [Hz]; 0: unknown

@@ -52,7 +52,7 @@ struct PlyElement
   int Find(const std::string& name) const;
 };
 
-/// What a file is read as: the vertices and faces of a mesh, or vertices as points.
+/// Contents that a file is read as: the vertices and faces of a mesh, or vertices as points.
 enum class PlyContent
 {
   Mesh,
@@ -64,7 +64,7 @@ struct PlyHeader
   PlyStorage Storage = PlyStorage::Text;
   std::vector<PlyElement> Elements;
   int Axes[3] = { -1, -1, -1 };             ///< the properties x, y and z of a vertex
-  std::map<std::string, std::string> Marks; ///< of comments: comment vtkhelios KEY VALUE
+  std::map<std::string, std::string> Marks; ///< marks in comments: comment vtkhelios KEY VALUE
   std::int64_t DataBegin = 0;               ///< [bytes]
   std::int64_t DataLine = 0;                ///< number of the first line of data
 

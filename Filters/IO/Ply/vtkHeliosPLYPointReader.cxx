@@ -51,12 +51,12 @@ constexpr struct
 struct Column
 {
   std::string Name;
-  int Axis = -1; // of a coordinate
+  int Axis = -1; // axis of a coordinate
   int VtkType = VTK_DOUBLE;
   const char* TypeName = "";
-  double Low = 0.0; // of the values of the type
+  double Low = 0.0; // range of the values of the type
   double High = 0.0;
-  std::vector<double> Values; // of the rows read last
+  std::vector<double> Values; // values of the rows read last
   vtkSmartPointer<vtkDataArray> Array;
 
   bool IsReal() const { return this->VtkType == VTK_FLOAT || this->VtkType == VTK_DOUBLE; }
@@ -277,8 +277,8 @@ private:
   helios::PlyHeader Header;
   std::unique_ptr<helios::PlySource> Source;
   std::vector<Column> Columns;
-  std::vector<helios::PlyType> Types; // of the columns
-  std::vector<double> Row;            // of the file
+  std::vector<helios::PlyType> Types; // types of the columns
+  std::vector<double> Row;            // values of a row of the file
   double Epoch = 0.0;
   vtkIdType Next = 0; // the row that is read next
 };

@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Of the last update: the number of points of the file, and its format: ascii,
+   * Get, from the last update, the number of points of the file, and its format: ascii,
    * binary_little_endian or binary_big_endian.
    */
   vtkGetMacro(NumberOfVertices, vtkIdType);
@@ -77,7 +77,7 @@ private:
 
   char* FileName = nullptr;
   vtkIdType NumberOfVertices = 0;
-  std::unique_ptr<Vertices> File; // of the last update
+  std::unique_ptr<Vertices> File; // file of the last update
 };
 
 #endif

@@ -65,7 +65,7 @@ WaveField::WaveField(const Wind& wind, double shortest, std::uint64_t seed)
       const double spread = 2.0 / vtkMath::Pi() * Square(std::cos(angle));
       const double energy =
         GetWaveEnergy(wind, w) * spread * (w * step) * (vtkMath::Pi() / Directions);
-      const double k = Square(w) / StandardGravity; // of deep water
+      const double k = Square(w) / StandardGravity; // deep water
       const double heading = vtkMath::RadiansFromDegrees(wind.Direction) + angle;
       this->Waves.push_back({ k * std::cos(heading), k * std::sin(heading), w,
         2.0 * vtkMath::Pi() * u[2], std::sqrt(2.0 * energy) });
