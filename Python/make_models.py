@@ -54,7 +54,7 @@ def make_table(titles, rows):
 
 
 def brief(cls):
-    """What a class is, by the first sentence of its documentation."""
+    """Returns a class's description, by the first sentence of its documentation."""
     return " ".join(cls.__doc__.split("\n\n")[0].split()).partition(" - ")[2]
 
 

@@ -49,7 +49,7 @@ public:
   const std::vector<Eigen::Vector3d>& GetMoving() const { return this->Moving; }
 
   /// @{
-  /// Return the state after the last motion but one; the last two differ little after convergence.
+  /// Returns the state after the last motion but one; the last two differ little after convergence.
   double GetResidual() const { return this->Residual; }
   std::size_t GetNumberOfPairs() const { return this->NumberOfPairs; }
   ///@}

@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Return the channel of a pulse, from 0, for optics with several channels; and its delay after
+   * Returns the channel of a pulse, from 0, for optics with several channels; and its delay after
    * pulse / PulseFrequency [s] if channels do not fire evenly. By default there is one, without
    * delay: 0 and 0.
    */
@@ -73,7 +73,7 @@ public:
 
   ///@{
   /**
-   * Return, for optics that scan lines, the flags of LAS 1.4: 1 while the scan angle increases,
+   * Returns, for optics that scan lines, the flags of LAS 1.4: 1 while the scan angle increases,
    * else 0; and whether a pulse is the last one emitted before the scan reverses or the next facet
    * starts a line. By default there are no lines: 0 and false.
    */

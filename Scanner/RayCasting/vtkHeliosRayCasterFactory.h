@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * Return the names of the backends in this process, the default one first: "beam", "embree",
+   * Returns the names of the backends in this process, the default one first: "beam", "embree",
    * "bvh", "cgal", "obbtree" if all are built. Valid range of an index: [0, number - 1]; null
    * outside.
    */

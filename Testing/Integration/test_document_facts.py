@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the documents say of names, lists, options and files is what the code has."""
+"""Statements of the documents on names, lists, options and files are true of the code."""
 
 import argparse
 import importlib.util
@@ -89,7 +89,7 @@ def test_ray_casters():
     factory = vtkhelios.vtkHeliosRayCasterFactory
     names = {factory.GetBackendName(i) for i in range(factory.GetNumberOfBackends())}
     listed = set(first_cells(DOCS / "ray-casters.md", "# Ray casters"))
-    optional = {"embree", "cgal", "obbtree"}  # of a module that a build may leave out
+    optional = {"embree", "cgal", "obbtree"}  # backends of modules that a build may leave out
     assert listed - optional <= names <= listed
 
 
@@ -145,7 +145,7 @@ def options_of_commands():
         ROOT / "Apps/Viewer/Window/heliosViewerOptions.cxx",
         *(ROOT / "Python/vtkhelios/cli/_web").glob("*.py"),
     ]
-    for source in sources:  # of programs of their own
+    for source in sources:  # sources of programs of their own
         found["view"] |= set(re.findall(r'"!?(--[a-z-]+)[ ",]', source.read_text()))
     return found
 
@@ -229,7 +229,7 @@ def test_names_in_pages_exist(page):
     if page.name == "running.md":  # keys of run_summary.json
         text = re.sub(r"^- `(legs|timings)`.*\n(?:  .*\n)*", "", text, flags=re.M)
     if page.name == "from-helios.md":
-        text = text.replace("`speed_m_s`", "")  # of pyhelios
+        text = text.replace("`speed_m_s`", "")  # a name of pyhelios
     assert find_strange_names(text) == []
 
 

@@ -102,7 +102,7 @@ public:
   std::string GetMessage() const;
 
   /// @{
-  /// Return results of loading, known once it has ended; null if it failed.
+  /// Returns results of loading, known once it has ended; null if it failed.
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
   void GetBounds(double bounds[6]) const; ///< bounds of both [m]

@@ -54,7 +54,7 @@ public:
   int Run();
 
   /// @{
-  /// Return the state for tools and keys.
+  /// Returns the state for tools and keys.
   const ViewerOptions& GetOptions() const { return this->Options; }
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkRenderWindow* GetWindow() const { return this->Window; }

@@ -78,15 +78,15 @@ private:
   double GetSmallestSize() const;
 };
 
-/// The size of a number in binary files [bytes].
+/// Returns the size of a number in binary files [bytes].
 inline std::size_t GetSize(PlyType type)
 {
   constexpr std::size_t sizes[] = { 1, 1, 2, 2, 4, 4, 4, 8 };
   return sizes[static_cast<std::size_t>(type)];
 }
 
-///@{
-/// The name in headers.
+/// @{
+/// Returns the name in headers.
 const char* GetName(PlyType type);
 const char* GetName(PlyStorage storage);
 ///@}

@@ -136,7 +136,7 @@ public:
   }
 
 private:
-  /// The next number, whose bytes are there.
+  /// Returns the next number, whose bytes are there.
   double Decode(PlyType type)
   {
     const std::size_t size = GetSize(type);

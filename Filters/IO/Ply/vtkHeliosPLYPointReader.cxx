@@ -71,7 +71,7 @@ struct Column
       : std::max(vtkDataArray::GetDataTypeMin(this->VtkType), -LargestWhole);
   }
 
-  /// Whether a value is one of the type.
+  /// Returns whether a value is one of the type.
   bool Accepts(double value) const
   {
     return value >= this->Low && value <= this->High ? this->IsReal() || std::floor(value) == value

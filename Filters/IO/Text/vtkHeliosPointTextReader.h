@@ -116,7 +116,7 @@ public:
 
   ///@{
   /**
-   * Get, from the layout, the number of columns, and the kind of the file: echoes, x y z, named
+   * Returns, from the layout, the number of columns, and the kind of the file: echoes, x y z, named
    * columns, PTS or PTX.
    */
   int GetNumberOfColumns() const;
@@ -125,8 +125,8 @@ public:
 
   ///@{
   /**
-   * Get, from the layout, the number of scans, and the matrix from the frame of a scanner to the
-   * world; false without one: only PTX has it.
+   * Returns, from the layout, the number of scans, and the matrix from the frame of a scanner to
+   * the world; false without one: only PTX has it.
    */
   int GetNumberOfScans() const;
   bool GetScanMatrix(int scan, double matrix[16]) const;

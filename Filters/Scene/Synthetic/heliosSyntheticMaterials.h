@@ -66,7 +66,7 @@ inline Material Needle()
 {
   return MakeMaterial("needle", 0.35, HighVegetation);
 }
-/// Return shrubs: stems equal bark, leaves equal leaves of trees.
+/// Returns shrubs: stems equal bark, leaves equal leaves of trees.
 inline Material Stem()
 {
   return MakeMaterial("stem", 0.3, LowVegetation);
@@ -80,7 +80,7 @@ inline Material Soil()
 {
   return MakeMaterial("soil", 0.3, GroundClass);
 }
-/// Return crops: stems and leaves equal shrubs; ears are ripe straw: assumed.
+/// Returns crops: stems and leaves equal shrubs; ears are ripe straw: assumed.
 inline Material CropStem()
 {
   return MakeMaterial("crop_stem", 0.3, LowVegetation);

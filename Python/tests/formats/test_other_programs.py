@@ -167,7 +167,7 @@ def test_damaged_intensities_of_ply(tmp_path):
 
 
 def test_escapes(tmp_path):
-    """What the writer escapes, the reader restores."""
+    """The reader restores the characters that the writer escapes."""
     for text in ("a", "ä\\u00e4\\", "🛰", "°" * 5, "\ud800"):
         assert to_ascii(text).isascii() and "\\" not in to_ascii(text).replace("\\u", "")
         write(tmp_path / "a.ply", {"points": np.zeros((1, 3)), text: np.zeros(1)})

@@ -63,7 +63,7 @@ public:
     }
   }
 
-  /// Return the properties of an instance, moved or not; for instances only.
+  /// Returns the properties of an instance, moved or not; for instances only.
   /// @{
   const Similarity& GetPlace() const { return this->Instance->Place; }
 

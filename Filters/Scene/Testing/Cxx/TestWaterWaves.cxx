@@ -63,7 +63,8 @@ TEST_CASE("WaterWaves: variance and slopes are those of the spectrum", "[WaterWa
   const double variance =
     Integrate(0.6 * w0, last, [&](double w) { return helios::GetWaveEnergy(wind, w); });
   const double slopes = Integrate(0.6 * w0, last,
-    [&](double w) { return helios::GetWaveEnergy(wind, w) * std::pow(w, 4) / (9.80665 * 9.80665); });
+    [&](double w)
+    { return helios::GetWaveEnergy(wind, w) * std::pow(w, 4) / (9.80665 * 9.80665); });
   CHECK(field.GetVariance() == Approx(variance).epsilon(0.05));
   CHECK(field.GetMeanSquareSlope() == Approx(slopes).epsilon(0.05));
   // waves below 0.6 of the peak do not matter
@@ -94,7 +95,7 @@ TEST_CASE("WaterWaves: waves move with the wind, at the speed of the peak", "[Wa
 {
   const Wind wind{ 6.0, 0.0, 2000.0 };
   const helios::WaveField field(wind, 0.5, 5);
-  const double speed = 9.80665 / helios::GetPeakFrequency(wind); // of phases
+  const double speed = 9.80665 / helios::GetPeakFrequency(wind); // speed of phases
   const auto correlate = [&](double shift)
   {
     double sum = 0.0;
