@@ -9,6 +9,7 @@
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
+#include "heliosSurveyDocument.h"
 #include "heliosSurveyXml.h"
 #include "heliosViewer.h"
 #include "vtkHeliosSurvey.h"
