@@ -64,7 +64,8 @@ class vtkHeliosSurveySource;
 
 namespace helios
 {
-struct ScanCounts;
+class SurveyRun;
+struct RunState;
 }
 
 class VTKHELIOSSCANNERRUN_EXPORT vtkHeliosSurveyPlayer : public vtkObject
@@ -253,27 +254,27 @@ public:
    * Get the fraction of pulses done, in [0, 1]; the current leg and the number of legs; the current
    * step, or the result of the run, as text.
    */
-  vtkGetMacro(Progress, double);
-  vtkGetMacro(CurrentLeg, int);
+  double GetProgress() const;
+  int GetCurrentLeg() const;
   int GetNumberOfLegs() const;
-  std::string GetMessage() const { return this->Message; }
+  std::string GetMessage() const;
   ///@}
 
   /**
    * The run_summary.json of the last Run(), or the result of the last Estimate(), as JSON. Empty
    * before, and after a failure.
    */
-  std::string GetReport() const { return this->Report; }
+  std::string GetReport() const;
 
   /**
    * Whether Run() found a run that was already finished, and did nothing.
    */
-  vtkGetMacro(WasFinished, bool);
+  bool GetWasFinished() const;
 
   /**
    * The number of pulse indices of the run, known once the scene is loaded.
    */
-  vtkGetMacro(NumberOfPulses, vtkIdType);
+  vtkIdType GetNumberOfPulses() const;
 
   /**
    * A count of the blocks done, by its name: "pulses", pulse indices, whether emitted or not;
@@ -285,7 +286,7 @@ public:
   /**
    * Describes the sampling of the beam as text.
    */
-  std::string GetSampling() const { return this->Sampling; }
+  std::string GetSampling() const;
 
 protected:
   vtkHeliosSurveyPlayer();
@@ -295,9 +296,6 @@ private:
   vtkHeliosSurveyPlayer(const vtkHeliosSurveyPlayer&) = delete;
   void operator=(const vtkHeliosSurveyPlayer&) = delete;
 
-  class Internals;
-  friend class Internals;
-
   vtkSmartPointer<vtkHeliosSurveySource> Source;
   vtkSmartPointer<vtkHeliosRanks> Ranks;
   char* OutputDirectory = nullptr;
@@ -305,7 +303,6 @@ private:
   vtkHeliosEchoAlgorithm::Outputs Wanted;
   bool Overwrite = false;
   bool Resume = false;
-  bool WasFinished = false;
   int Part = 1;
   int NumberOfParts = 0;
   std::string PartCommand;
@@ -314,16 +311,9 @@ private:
   vtkIdType BytesToCheck = 1073741824;
 
   std::atomic<bool> AbortRequested{ false };
-  double Progress = 0.0;
-  int CurrentLeg = 0;
-  vtkIdType NumberOfPulses = 0;
-  std::unique_ptr<helios::ScanCounts> Counts;
-  std::string Sampling;
-  std::string Message;
-  std::string Report;
+  std::unique_ptr<helios::RunState> State;
 
-  void Reset();
-  bool Attempt(bool (Internals::*work)());
+  bool Attempt(bool (helios::SurveyRun::*work)());
 };
 
 #endif

@@ -25,8 +25,7 @@ struct TextScan
   std::int64_t Begin = 0; ///< position of the first row
   std::int64_t End = 0;
   bool HasMatrix = false;
-  double Matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0,
-    1 }; ///< row by row
+  double Matrix[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }; ///< row by row
 };
 
 /// A column that is read.

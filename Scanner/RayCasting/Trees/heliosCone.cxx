@@ -17,8 +17,8 @@ namespace
 
 // rounding of sums of a few products, relative to the largest of them
 constexpr double Error = 0x1p-47;
-constexpr double Margin = 1e-9;   // share of the cone's width
-constexpr double Widest = 0.2;    // square of the sine of the half angle
+constexpr double Margin = 1e-9; // share of the cone's width
+constexpr double Widest = 0.2;  // square of the sine of the half angle
 
 double Dot(const double a[3], const double b[3])
 {

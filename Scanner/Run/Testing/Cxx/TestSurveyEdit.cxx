@@ -5,6 +5,7 @@
 
 #include "heliosMessages.h"
 #include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
 #include "heliosSurveyFiles.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlValue.h"
