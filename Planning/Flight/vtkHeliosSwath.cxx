@@ -214,8 +214,8 @@ bool vtkHeliosSwath::Build(vtkHeliosSurvey* survey, int leg)
     return false;
   }
   sampler.Store();
-  this->RangeMin = scanner.RangeMin;
-  this->RangeMax = scanner.RangeMax;
+  this->RangeMin = scanner.Receiver.RangeMin;
+  this->RangeMax = scanner.Receiver.RangeMax;
   return true;
 }
 

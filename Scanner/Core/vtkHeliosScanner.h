@@ -464,8 +464,6 @@ private:
   double RangeTolerance;
   double EnergyTolerance;
   int MaximumNumberOfSubRays;
-  int MaximumSpecularEvents = 8;
-  double LeastSpecularShare = 1e-4;
   double MountPosition[3] = { 0.0, 0.0, 0.0 };
   double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double BeamOrigin[3] = { 0.0, 0.0, 0.0 };
@@ -487,7 +485,6 @@ private:
   vtkIdType PulseIdStride = 1;
   int LegId = 0;
   int ChannelId = 0;
-  int MTAZone = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;
   std::unique_ptr<helios::BatchSize> Batch; // of the last scan

@@ -402,6 +402,13 @@ void RemoveSmall(const vtkHeliosWaveform& waveform, double fraction, double ring
 } // namespace
 
 //------------------------------------------------------------------------------
+void vtkHeliosGaussianDecomposition::SetInstrument(const vtkHeliosInstrumentData& instrument)
+{
+  this->Superclass::SetInstrument(instrument);
+  this->SetMinimumSeparation(instrument.PeakWindow);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosGaussianDecomposition::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

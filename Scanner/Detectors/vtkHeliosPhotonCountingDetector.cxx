@@ -30,6 +30,16 @@ double GetPhotonEnergy(double wavelength)
 } // namespace
 
 //------------------------------------------------------------------------------
+void vtkHeliosPhotonCountingDetector::SetInstrument(const vtkHeliosInstrumentData& instrument)
+{
+  this->Superclass::SetInstrument(instrument);
+  this->SetWavelength(instrument.Wavelength);
+  this->SetDetectionEfficiency(instrument.PhotonEfficiency);
+  this->SetDarkCountRate(instrument.DarkCountRate);
+  this->SetTimeJitter(instrument.TimeJitter);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosPhotonCountingDetector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

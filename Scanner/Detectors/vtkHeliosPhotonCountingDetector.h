@@ -87,6 +87,10 @@ public:
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
 
+#ifndef __VTK_WRAP__
+  void SetInstrument(const vtkHeliosInstrumentData& instrument) override;
+#endif
+
 protected:
   vtkHeliosPhotonCountingDetector() = default;
   ~vtkHeliosPhotonCountingDetector() override = default;
@@ -95,8 +99,8 @@ private:
   vtkHeliosPhotonCountingDetector(const vtkHeliosPhotonCountingDetector&) = delete;
   void operator=(const vtkHeliosPhotonCountingDetector&) = delete;
 
-  double DetectionEfficiency = 0.3;
-  double Wavelength = 1064.0;
+  double DetectionEfficiency = vtkHeliosInstrumentData().PhotonEfficiency;
+  double Wavelength = vtkHeliosInstrumentData().Wavelength;
   double DarkCountRate = 0.0;
   double TimeJitter = 0.0;
 };

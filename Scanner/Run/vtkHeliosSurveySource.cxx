@@ -373,7 +373,7 @@ void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
 double vtkHeliosSurveySource::GetLegPulseLength(int leg) const
 {
   const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(leg) : nullptr;
-  return plan ? this->GetLoader().GetSurvey().GetScanner(plan->Leg).PulseLength : 0.0;
+  return plan ? this->GetLoader().GetSurvey().GetScanner(plan->Leg).Receiver.PulseLength : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,13 @@ void vtkHeliosEchoDetector::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosEchoDetector::SetInstrument(const vtkHeliosInstrumentData& instrument)
+{
+  this->SetDetectionThreshold(instrument.DetectionThreshold);
+  this->SetDeadTime(instrument.DeadTime);
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosEchoDetector::GetCalibrationAmplitude() const
 {
   return this->DetectionThreshold > 0.0 ? 1000.0 * this->DetectionThreshold : 1.0;

@@ -16,6 +16,7 @@
 #ifndef vtkHeliosEchoDetector_h
 #define vtkHeliosEchoDetector_h
 
+#include "vtkHeliosInstrumentData.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
@@ -75,22 +76,36 @@ public:
   vtkGetMacro(DeadTime, double);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// Sets the properties that are values of an instrument, as a survey does.
+  virtual void SetInstrument(const vtkHeliosInstrumentData& instrument);
+#endif
+
   /**
    * Whether echoes have a Deviation. Default: no.
    */
-  virtual bool GivesDeviation() const { return false; }
+  virtual bool GivesDeviation() const
+  {
+    return false;
+  }
 
   /**
    * Whether an echo is a maximum of the waveform and may be found without bins
    * where that is faster. Default: no.
    */
-  virtual bool FindsMaxima() const { return false; }
+  virtual bool FindsMaxima() const
+  {
+    return false;
+  }
 
   /**
    * Whether there may be echoes of pulses that return nothing: dark counts.
    * Default: no.
    */
-  virtual bool HasDarkCounts() const { return false; }
+  virtual bool HasDarkCounts() const
+  {
+    return false;
+  }
 
   /**
    * The amplitude [W] for which times of pulses that are not Gaussian are
@@ -113,7 +128,7 @@ protected:
   /// Removes echoes, from an index on, within the dead time after one that remains.
   void RemoveDead(std::vector<vtkHeliosDetectedEcho>& echoes, std::size_t first) const;
 
-  double DetectionThreshold = 1e-13;
+  double DetectionThreshold = vtkHeliosInstrumentData().DetectionThreshold;
   double DeadTime = 0.0;
 
 private:

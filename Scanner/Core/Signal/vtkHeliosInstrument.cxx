@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
+#include <variant>
 
 namespace
 {
@@ -21,15 +23,81 @@ namespace
 // The most samples of a waveform: 39 km in bins of 0.25 ns.
 constexpr double LongestWaveform = 1 << 20;
 
+using Data = vtkHeliosInstrumentData;
+
+constexpr double Tiny = 1e-300; // for a range open at zero
+
+/// A value that is printed and, if it is a number with a range, checked.
+struct InstrumentRow
+{
+  const char* Name;
+  std::variant<double Data::*, int Data::*, std::string Data::*> Member;
+  double Low = -VTK_DOUBLE_MAX;
+  double High = VTK_DOUBLE_MAX;
+  const char* Unit = "";
+  const char* Cure = "";
+};
+
+// clang-format off
+const InstrumentRow Rows[] = {
+  { "PulseLength", &Data::PulseLength, 1e-3, 1e6, " ns", "give the full width at half maximum" },
+  { "PulseShape", &Data::PulseShape },
+  { "PulseFileName", &Data::PulseFile },
+  { "BinSize", &Data::BinSize, 1e-4, 1e3, " ns", "use a sixteenth of the pulse length" },
+  { "MaximumWaveformLength", &Data::MaximumWaveformLength, 0.0, 1e12, " ns", "0 for no limit" },
+  { "NumberOfBins", &Data::NumberOfBins, 0.0, 1e8, "", "0 for no limit" },
+  { "AveragePower", &Data::AveragePower, 0.0, 1e12, " W", "give the power of the pulse" },
+  { "Wavelength", &Data::Wavelength, 200.0, 20000.0, " nm", "give it in nanometres" },
+  { "OpticalEfficiency", &Data::OpticalEfficiency, Tiny, 1.0, "", "give the fraction of the light that passes the optics, above 0" },
+  { "ReceiverDiameter", &Data::ReceiverDiameter, Tiny, 100.0, " m", "give the aperture in metres, above 0" },
+  { "AtmosphericVisibility", &Data::AtmosphericVisibility, 1e-3, VTK_DOUBLE_MAX, " km", "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
+  { "AtmosphericExtinction", &Data::AtmosphericExtinction, -1.0, 1e3, " 1/m", "-1 derives it from AtmosphericVisibility" },
+  { "AtmosphericLidarRatio", &Data::AtmosphericLidarRatio, 0.0, 1e6, " sr", "0 for air without backscatter" },
+  { "DropletDiameter", &Data::DropletDiameter, 0.0, 0.05, " m", "0 for no single drops" },
+  { "Weather", &Data::Weather },
+  { "DetectorNoise", &Data::DetectorNoise, 0.0, 1e6, " W", "0 for none" },
+  { "SaturationPower", &Data::SaturationPower, 0.0, 1e6, " W", "0 for none" },
+  { "SolarIrradiance", &Data::SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
+  { "FilterBandwidth", &Data::FilterBandwidth, 0.0, 1e6, " nm", "1 nm is usual" },
+  { "FieldOfView", &Data::FieldOfView, 0.0, 1.0, " rad", "give the full angle" },
+  { "RangeAccuracy", &Data::RangeAccuracy, 0.0, 1e3, " m", "0 for none" },
+  { "RangeAccuracyPerMeter", &Data::RangeAccuracyPerMeter, 0.0, 1.0, " m/m", "0 for none" },
+  { "RangeAccuracyAtThreshold", &Data::RangeAccuracyAtThreshold, 0.0, 1e3, " m", "0 for none" },
+  { "AngleAccuracy", &Data::AngleAccuracy, 0.0, 0.1, " rad", "0 for none" },
+  { "RangeMin", &Data::RangeMin, 0.0, VTK_DOUBLE_MAX, " m", "0 for no limit" },
+  { "RangeMax", &Data::RangeMax, 0.0, VTK_DOUBLE_MAX, " m", "VTK_DOUBLE_MAX for no limit" },
+  { "ReturnSelection", &Data::ReturnSelection },
+  { "MaximumNumberOfReturns", &Data::MaximumNumberOfReturns },
+  { "MTAZone", &Data::MTAZone },
+  { "MaximumSpecularEvents", &Data::MaximumSpecularEvents },
+  { "LeastSpecularShare", &Data::LeastSpecularShare },
+};
+// clang-format on
+
 } // namespace
 
 //------------------------------------------------------------------------------
 vtkHeliosInstrument::vtkHeliosInstrument() = default;
 
 //------------------------------------------------------------------------------
-vtkHeliosInstrument::~vtkHeliosInstrument()
+vtkHeliosInstrument::~vtkHeliosInstrument() = default;
+
+//------------------------------------------------------------------------------
+void vtkHeliosInstrument::SetInstrument(const vtkHeliosInstrumentData& values)
 {
-  this->SetPulseFileName(nullptr);
+  static_cast<vtkHeliosInstrumentData&>(*this) = values;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosInstrument::SetPulseFileName(const char* fileName)
+{
+  const std::string name = fileName ? fileName : "";
+  if (this->PulseFile != name)
+  {
+    this->PulseFile = name;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -90,9 +158,9 @@ helios::Status vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) co
 {
   if (this->PulseShape == SAMPLED)
   {
-    const bool isFile = this->PulseFileName && *this->PulseFileName;
-    helios::Status status = isFile ? helios::ReadPulse(this->PulseFileName, shape)
-                                   : helios::ReadPulse(this->PulseSamples, shape);
+    helios::Status status = this->PulseFile.empty()
+      ? helios::ReadPulse(this->PulseSamples, shape)
+      : helios::ReadPulse(this->PulseFile.c_str(), shape);
     if (!status.IsOk())
     {
       return status;
@@ -124,50 +192,27 @@ helios::Status vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) co
 //------------------------------------------------------------------------------
 bool vtkHeliosInstrument::CheckInstrument()
 {
-  constexpr double tiny = 1e-300; // for a range open at zero
-  const struct
+  for (const InstrumentRow& row : Rows)
   {
-    const char* Name;
-    double Value, Low, High;
-    const char* Unit;
-    const char* Cure;
-  } properties[] = {
-    { "PulseLength", this->PulseLength, 1e-3, 1e6, " ns", "give the full width at half maximum" },
-    { "BinSize", this->BinSize, 1e-4, 1e3, " ns", "use a sixteenth of the pulse length" },
-    { "MaximumWaveformLength", this->MaximumWaveformLength, 0.0, 1e12, " ns", "0 for no limit" },
-    { "NumberOfBins", static_cast<double>(this->NumberOfBins), 0.0, 1e8, "", "0 for no limit" },
-    { "AveragePower", this->AveragePower, 0.0, 1e12, " W", "give the power of the pulse" },
-    { "Wavelength", this->Wavelength, 200.0, 20000.0, " nm", "give it in nanometres" },
-    { "OpticalEfficiency", this->OpticalEfficiency, tiny, 1.0, "",
-      "give the fraction of the light that passes the optics, above 0" },
-    { "ReceiverDiameter", this->ReceiverDiameter, tiny, 100.0, " m",
-      "give the aperture in metres, above 0" },
-    { "AtmosphericVisibility", this->AtmosphericVisibility, 1e-3, VTK_DOUBLE_MAX, " km",
-      "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
-    { "AtmosphericExtinction", this->AtmosphericExtinction, -1.0, 1e3, " 1/m",
-      "-1 derives it from AtmosphericVisibility" },
-    { "AtmosphericLidarRatio", this->AtmosphericLidarRatio, 0.0, 1e6, " sr",
-      "0 for air without backscatter" },
-    { "DropletDiameter", this->DropletDiameter, 0.0, 0.05, " m", "0 for no single drops" },
-    { "DetectorNoise", this->DetectorNoise, 0.0, 1e6, " W", "0 for none" },
-    { "SaturationPower", this->SaturationPower, 0.0, 1e6, " W", "0 for none" },
-    { "SolarIrradiance", this->SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
-    { "FilterBandwidth", this->FilterBandwidth, 0.0, 1e6, " nm", "1 nm is usual" },
-    { "FieldOfView", this->FieldOfView, 0.0, 1.0, " rad", "give the full angle" },
-    { "RangeAccuracy", this->RangeAccuracy, 0.0, 1e3, " m", "0 for none" },
-    { "RangeAccuracyPerMeter", this->RangeAccuracyPerMeter, 0.0, 1.0, " m/m", "0 for none" },
-    { "RangeAccuracyAtThreshold", this->RangeAccuracyAtThreshold, 0.0, 1e3, " m", "0 for none" },
-    { "AngleAccuracy", this->AngleAccuracy, 0.0, 0.1, " rad", "0 for none" },
-    { "RangeMin", this->RangeMin, 0.0, VTK_DOUBLE_MAX, " m", "0 for no limit" },
-    { "RangeMax", this->RangeMax, 0.0, VTK_DOUBLE_MAX, " m", "VTK_DOUBLE_MAX for no limit" },
-  };
-  for (const auto& p : properties)
-  {
-    if (!(p.Value >= p.Low && p.Value <= p.High)) // false for NaN, too
+    const auto toNumber = [this](auto member) -> double
     {
-      vtkErrorMacro(<< p.Name << " is " << p.Value << p.Unit << ", outside "
-                    << (p.Low == tiny ? "(0" : "[") << (p.Low == tiny ? "" : std::to_string(p.Low))
-                    << ", " << p.High << "]; " << p.Cure);
+      using ValueT = std::decay_t<decltype(this->*member)>;
+      if constexpr (std::is_same_v<ValueT, std::string>)
+      {
+        return 0.0;
+      }
+      else
+      {
+        return this->*member;
+      }
+    };
+    const double value = std::visit(toNumber, row.Member);
+    if (!(value >= row.Low && value <= row.High)) // false for NaN, too
+    {
+      vtkErrorMacro(<< row.Name << " is " << value << row.Unit << ", outside "
+                    << (row.Low == Tiny ? "(0" : "[")
+                    << (row.Low == Tiny ? "" : std::to_string(row.Low)) << ", " << row.High << "]; "
+                    << row.Cure);
       return false;
     }
   }
@@ -184,8 +229,7 @@ bool vtkHeliosInstrument::CheckInstrument()
                   << this->RangeMin << " m)");
     return false;
   }
-  if (this->PulseShape == SAMPLED && (!this->PulseFileName || !*this->PulseFileName) &&
-    !this->PulseSamples)
+  if (this->PulseShape == SAMPLED && this->PulseFile.empty() && !this->PulseSamples)
   {
     vtkErrorMacro(<< "PulseShape is SAMPLED and PulseFileName is not set; give a file with a time "
                      "[ns] and a power per line, or such rows as PulseSamples");
@@ -198,34 +242,11 @@ bool vtkHeliosInstrument::CheckInstrument()
 void vtkHeliosInstrument::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "PulseLength: " << this->PulseLength << " ns\n"
-     << indent << "PulseShape: " << this->PulseShape << "\n"
-     << indent << "PulseFileName: " << (this->PulseFileName ? this->PulseFileName : "(none)")
-     << "\n"
-     << indent << "PulseSamples: " << (this->PulseSamples ? "set" : "(none)") << "\n"
-     << indent << "BinSize: " << this->BinSize << " ns\n"
-     << indent << "MaximumWaveformLength: " << this->MaximumWaveformLength << " ns\n"
-     << indent << "NumberOfBins: " << this->NumberOfBins << "\n"
-     << indent << "AveragePower: " << this->AveragePower << " W\n"
-     << indent << "Wavelength: " << this->Wavelength << " nm\n"
-     << indent << "OpticalEfficiency: " << this->OpticalEfficiency << "\n"
-     << indent << "ReceiverDiameter: " << this->ReceiverDiameter << " m\n"
-     << indent << "AtmosphericVisibility: " << this->AtmosphericVisibility << " km\n"
-     << indent << "AtmosphericExtinction: " << this->AtmosphericExtinction << " 1/m\n"
-     << indent << "AtmosphericLidarRatio: " << this->AtmosphericLidarRatio << " sr\n"
-     << indent << "DropletDiameter: " << this->DropletDiameter << " m\n"
-     << indent << "Weather: " << this->Weather << "\n"
-     << indent << "DetectorNoise: " << this->DetectorNoise << " W\n"
-     << indent << "SaturationPower: " << this->SaturationPower << " W\n"
-     << indent << "SolarIrradiance: " << this->SolarIrradiance << " W/m^2/nm\n"
-     << indent << "FilterBandwidth: " << this->FilterBandwidth << " nm\n"
-     << indent << "FieldOfView: " << this->FieldOfView << " rad\n"
-     << indent << "RangeAccuracy: " << this->RangeAccuracy << " m\n"
-     << indent << "RangeAccuracyPerMeter: " << this->RangeAccuracyPerMeter << "\n"
-     << indent << "RangeAccuracyAtThreshold: " << this->RangeAccuracyAtThreshold << " m\n"
-     << indent << "AngleAccuracy: " << this->AngleAccuracy << " rad\n"
-     << indent << "RangeMin: " << this->RangeMin << " m\n"
-     << indent << "RangeMax: " << this->RangeMax << " m\n"
-     << indent << "ReturnSelection: " << this->ReturnSelection << "\n"
-     << indent << "MaximumNumberOfReturns: " << this->MaximumNumberOfReturns << "\n";
+  for (const InstrumentRow& row : Rows)
+  {
+    std::visit([this, &os, indent, &row](auto member)
+      { os << indent << row.Name << ": " << this->*member << row.Unit << "\n"; },
+      row.Member);
+  }
+  os << indent << "PulseSamples: " << (this->PulseSamples ? "set" : "(none)") << "\n";
 }

@@ -28,6 +28,7 @@
 #define vtkHeliosInstrument_h
 
 #include "vtkHeliosEchoAlgorithm.h"
+#include "vtkHeliosInstrumentData.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the samples of a pulse
 
@@ -41,7 +42,15 @@ struct Air;
 }
 class vtkDataArray;
 
-class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkHeliosEchoAlgorithm
+// The values are members, for the macros of VTK; its wrappers know one superclass.
+#ifndef __VTK_WRAP__
+#define vtkHeliosInstrumentValues , protected vtkHeliosInstrumentData
+#else
+#define vtkHeliosInstrumentValues
+#endif
+
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument
+  : public vtkHeliosEchoAlgorithm vtkHeliosInstrumentValues
 {
 public:
   vtkTypeMacro(vtkHeliosInstrument, vtkHeliosEchoAlgorithm);
@@ -95,8 +104,11 @@ public:
    * the detector are corrected, so that a plane across the beam is at its range.
    * Default: not set.
    */
-  vtkSetFilePathMacro(PulseFileName);
-  vtkGetFilePathMacro(PulseFileName);
+  void SetPulseFileName(VTK_FILEPATH const char* fileName);
+  VTK_FILEPATH const char* GetPulseFileName() const
+  {
+    return this->PulseFile.empty() ? nullptr : this->PulseFile.c_str();
+  }
   ///@}
 
   ///@{
@@ -311,6 +323,15 @@ public:
   vtkGetMacro(MaximumNumberOfReturns, int);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// Sets or gets all values.
+  void SetInstrument(const vtkHeliosInstrumentData& values);
+  const vtkHeliosInstrumentData& GetInstrument() const
+  {
+    return *this;
+  }
+#endif
+
 protected:
   vtkHeliosInstrument();
   ~vtkHeliosInstrument() override;
@@ -330,35 +351,7 @@ protected:
   /// Builds the pulse and checks it against the bins.
   helios::Status MakePulseShape(helios::PulseShape& shape) const;
 
-  double PulseLength = 4.0;
-  int PulseShape = GAUSSIAN;
-  char* PulseFileName = nullptr;
-  double BinSize = 0.25;
-  double MaximumWaveformLength = 0.0;
-  int NumberOfBins = 0;
-  double AveragePower = 4.0;
-  double Wavelength = 1064.0;
-  double OpticalEfficiency = 0.99;
-  double ReceiverDiameter = 0.15;
-  double AtmosphericVisibility = 23.0;
-  double AtmosphericExtinction = -1.0;
-  double AtmosphericLidarRatio = 0.0;
-  double DropletDiameter = 0.0;
-  std::string Weather;
   vtkSmartPointer<vtkDataArray> PulseSamples;
-  double DetectorNoise = 0.0;
-  double SaturationPower = 0.0;
-  double SolarIrradiance = 0.0;
-  double FilterBandwidth = 1.0;
-  double FieldOfView = 1e-3;
-  double RangeAccuracy = 0.0;
-  double RangeAccuracyPerMeter = 0.0;
-  double RangeAccuracyAtThreshold = 0.0;
-  double AngleAccuracy = 0.0;
-  double RangeMin = 0.0;
-  double RangeMax = VTK_DOUBLE_MAX;
-  int ReturnSelection = ALL;
-  int MaximumNumberOfReturns = 0;
 
 private:
   vtkHeliosInstrument(const vtkHeliosInstrument&) = delete;

@@ -10,6 +10,13 @@
 vtkStandardNewMacro(vtkHeliosPeakDetector);
 
 //------------------------------------------------------------------------------
+void vtkHeliosPeakDetector::SetInstrument(const vtkHeliosInstrumentData& instrument)
+{
+  this->Superclass::SetInstrument(instrument);
+  this->SetMinimumSeparation(instrument.PeakWindow);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosPeakDetector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

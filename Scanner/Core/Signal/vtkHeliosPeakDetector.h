@@ -58,6 +58,10 @@ public:
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
 
+#ifndef __VTK_WRAP__
+  void SetInstrument(const vtkHeliosInstrumentData& instrument) override;
+#endif
+
 protected:
   vtkHeliosPeakDetector() = default;
   ~vtkHeliosPeakDetector() override = default;

@@ -50,17 +50,17 @@ std::string ExplainNoEchoes(const LegRunner& runner)
   }
   else if (counts.PulsesHit == 0)
   {
-    text << "every surface hit is nearer than rangeMin_m=\"" << scanner.RangeMin << "\"";
-    if (scanner.RangeMax < VTK_DOUBLE_MAX)
+    text << "every surface hit is nearer than rangeMin_m=\"" << scanner.Receiver.RangeMin << "\"";
+    if (scanner.Receiver.RangeMax < VTK_DOUBLE_MAX)
     {
-      text << " or farther than rangeMax_m=\"" << scanner.RangeMax << "\"";
+      text << " or farther than rangeMax_m=\"" << scanner.Receiver.RangeMax << "\"";
     }
     text << " of scanner " << scanner.Id << "; check where the legs are, and the unit of the scene";
   }
   else
   {
     text << "the strongest of " << counts.PulsesHit << " returns has " << counts.LargestAmplitude
-         << " W, below the detection threshold of " << scanner.DetectionThreshold
+         << " W, below the detection threshold of " << scanner.Receiver.DetectionThreshold
          << " W (receivedEnergyMin_W) of scanner " << scanner.Id
          << "; check the reflectances, the range and averagePower_w";
   }

@@ -76,7 +76,8 @@ double RunAccuracy::GetFinestBin() const
     for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
     {
       const ScannerData& channel = scanner.GetChannel(k);
-      finest = std::min({ finest, channel.PulseLength / BinsPerPulse, channel.Receiver.BinSize });
+      finest =
+        std::min({ finest, channel.Receiver.PulseLength / BinsPerPulse, channel.Receiver.BinSize });
     }
   }
   return finest;

@@ -156,10 +156,10 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->AddObserver(vtkCommand::ProgressEvent, this, &LegScanner::HandleProgress);
   const RunOptions& options = this->Settings.Options;
   std::vector<SpectralScenes> none;
-  channel->SetInputDataObject(0, this->GetScene(data.Wavelength));
+  channel->SetInputDataObject(0, this->GetScene(data.Receiver.Wavelength));
   for (SpectralScenes& grid : options.IsWithout("voxels") ? none : this->Grids)
   {
-    channel->AddInputDataObject(2, this->GetAt(grid, data.Wavelength));
+    channel->AddInputDataObject(2, this->GetAt(grid, data.Receiver.Wavelength));
   }
   if (!this->Settings.RayCaster)
   {

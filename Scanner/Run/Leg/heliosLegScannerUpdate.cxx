@@ -149,7 +149,7 @@ void LegScanner::ApplyParts()
   const ScannerData& scanner = this->Survey.Scanners[this->Scanner];
   for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    const auto scene = this->Motion.Move(this->GetScene(scanner.GetChannel(k).Wavelength));
+    const auto scene = this->Motion.Move(this->GetScene(scanner.GetChannel(k).Receiver.Wavelength));
     this->Channels[k]->SetInputDataObject(0, scene);
   }
 }

@@ -9,11 +9,8 @@
 #include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
-#include "vtkHeliosExpressionErrorModel.h"
-#include "vtkHeliosGaussianDecomposition.h"
+#include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPanoramicErrorModel.h"
-#include "vtkHeliosPeakDetector.h"
-#include "vtkHeliosPhotonCountingDetector.h"
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosScanner.h"
 
@@ -36,34 +33,33 @@ constexpr double LeastThresholds = 2.0;
 constexpr double Separation = 0.6; // of the same echoes, in c sigma
 constexpr double FullReflectance = 0.5;
 
-void SetUpRadiometry(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
+/// The instrument of a run: what the options override, and without noise nothing that is random
+/// apart from the light.
+vtkHeliosInstrumentData MakeInstrument(const ReceiverData& receiver, const RunOptions& options)
 {
-  const ReceiverData& receiver = data.Receiver;
-  scanner->SetPulseLength(data.PulseLength);
-  scanner->SetAveragePower(data.AveragePower);
-  scanner->SetWavelength(data.Wavelength);
-  scanner->SetOpticalEfficiency(data.OpticalEfficiency);
-  scanner->SetReceiverDiameter(data.ReceiverDiameter);
-  scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
-  const bool hasAir = !options.IsWithout("atmosphere");
-  scanner->SetAtmosphericExtinction(hasAir ? receiver.Extinction : 0.0);
-  scanner->SetAtmosphericLidarRatio(hasAir ? receiver.LidarRatio : 0.0);
-  scanner->SetDropletDiameter(receiver.DropletDiameter);
-  scanner->SetMaximumSpecularEvents(receiver.MaximumSpecularEvents);
-  scanner->SetLeastSpecularShare(receiver.LeastSpecularShare);
-  scanner->SetWeather(!hasAir ? "" : options.Weather.empty() ? receiver.Weather : options.Weather);
-  scanner->SetSolarIrradiance(receiver.SolarIrradiance);
-  scanner->SetFilterBandwidth(receiver.FilterBandwidth);
-  scanner->SetFieldOfView(receiver.FieldOfView);
-  if (receiver.PulseShape == "sampled")
+  vtkHeliosInstrumentData made = receiver;
+  if (options.BinSize > 0.0)
   {
-    scanner->SetPulseShapeToSampled();
-    scanner->SetPulseFileName(receiver.PulseFile.c_str());
+    // as long as with the bins of the survey
+    const double bins = std::ceil(made.NumberOfBins * (made.BinSize / options.BinSize));
+    made.NumberOfBins = static_cast<int>(std::min(bins, double(VTK_INT_MAX)));
+    made.BinSize = options.BinSize;
   }
-  else if (receiver.PulseShape == "helios")
+  if (options.IsWithout("atmosphere"))
   {
-    scanner->SetPulseShapeToHelios();
+    made.AtmosphericExtinction = made.AtmosphericLidarRatio = 0.0;
+    made.Weather.clear();
   }
+  else if (!options.Weather.empty())
+  {
+    made.Weather = options.Weather;
+  }
+  if (!options.Noise)
+  {
+    made.RangeAccuracy = made.RangeAccuracyPerMeter = made.RangeAccuracyAtThreshold = 0.0;
+    made.AngleAccuracy = made.DetectorNoise = made.DarkCountRate = made.TimeJitter = 0.0;
+  }
+  return made;
 }
 
 void SetFixedSubRays(const RunOptions& options, vtkHeliosBeamSampler* sampler)
@@ -107,81 +103,18 @@ void SetUpSampling(
   }
 }
 
-void SetUpWaveforms(
-  const ReceiverData& receiver, const RunOptions& options, vtkHeliosScanner* scanner)
-{
-  const double size = options.BinSize > 0.0 ? options.BinSize : receiver.BinSize;
-  scanner->SetBinSize(size);
-  scanner->SetMaximumWaveformLength(receiver.MaximumLength);
-  // as long as with the bins of the survey
-  const double bins = std::ceil(receiver.NumberOfBins * (receiver.BinSize / size));
-  scanner->SetNumberOfBins(static_cast<int>(std::min(bins, double(VTK_INT_MAX))));
-}
-
-void SetUpReturns(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
-{
-  const std::string& selection = data.Receiver.ReturnSelection;
-  scanner->SetMergeReturns(options.IsWithout("waveform"));
-  scanner->SetRangeMin(data.RangeMin);
-  scanner->SetRangeMax(data.RangeMax);
-  scanner->SetMTAZone(data.MTAZone);
-  scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
-  scanner->SetReturnSelection(selection == "first" ? vtkHeliosScanner::FIRST
-      : selection == "last"                        ? vtkHeliosScanner::LAST
-      : selection == "strongest"                   ? vtkHeliosScanner::STRONGEST
-      : selection == "firstAndLast"                ? vtkHeliosScanner::FIRST_AND_LAST
-                                                   : vtkHeliosScanner::ALL);
-}
-
-void SetUpNoise(const ScannerData& data, bool hasNoise, vtkHeliosScanner* scanner)
-{
-  const ReceiverData& receiver = data.Receiver;
-  const double factor = hasNoise ? 1.0 : 0.0;
-  scanner->SetRangeAccuracy(factor * data.Accuracy);
-  scanner->SetRangeAccuracyPerMeter(factor * receiver.AccuracyPerMeter);
-  scanner->SetRangeAccuracyAtThreshold(factor * receiver.AccuracyAtThreshold);
-  scanner->SetAngleAccuracy(factor * receiver.AngleAccuracy);
-  scanner->SetDetectorNoise(factor * receiver.DetectorNoise);
-  scanner->SetSaturationPower(receiver.Saturation);
-}
-
-/// Sets the values of a photon-counting receiver; what is random apart from the light is noise.
-void SetUpPhotons(const ScannerData& data, bool hasNoise, vtkHeliosPhotonCountingDetector* photons)
-{
-  const double factor = hasNoise ? 1.0 : 0.0;
-  photons->SetWavelength(data.Wavelength);
-  photons->SetDetectionEfficiency(data.Receiver.PhotonEfficiency);
-  photons->SetDarkCountRate(factor * data.Receiver.DarkCountRate);
-  photons->SetTimeJitter(factor * data.Receiver.TimeJitter);
-}
-
 /// Makes the detector of a scanner, or of the options.
 vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(
-  const ScannerData& data, const RunOptions& options)
+  const ReceiverData& receiver, const RunOptions& options)
 {
-  const double window = data.Receiver.PeakWindow; // how far from a higher peak the next may be [ns]
   const std::string& name =
-    options.EchoDetector.empty() ? data.Receiver.EchoDetector : options.EchoDetector;
+    options.EchoDetector.empty() ? receiver.EchoDetector : options.EchoDetector;
   auto detector = vtkSmartPointer<vtkHeliosEchoDetector>::Take(
     vtkHeliosEchoDetection::MakeDetector(name.c_str()));
   if (!detector)
   {
     detector.TakeReference(vtkHeliosEchoDetection::MakeDetector(nullptr));
   }
-  if (auto* peak = vtkHeliosPeakDetector::SafeDownCast(detector))
-  {
-    peak->SetMinimumSeparation(window);
-  }
-  if (auto* gaussian = vtkHeliosGaussianDecomposition::SafeDownCast(detector))
-  {
-    gaussian->SetMinimumSeparation(window);
-  }
-  if (auto* photons = vtkHeliosPhotonCountingDetector::SafeDownCast(detector))
-  {
-    SetUpPhotons(data, options.Noise, photons);
-  }
-  detector->SetDetectionThreshold(data.DetectionThreshold);
-  detector->SetDeadTime(data.Receiver.DeadTime);
   return detector;
 }
 
@@ -235,38 +168,41 @@ BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& opti
 //------------------------------------------------------------------------------
 EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)
 {
+  const ReceiverData& receiver = channel.Receiver;
   EchoMatching matching;
   Air air;
   const bool hasWeather =
-    ParseWeather(channel.Receiver.Weather, channel.Wavelength, air).IsOk() && air.LidarRatio > 0.0;
-  const double extinction = hasWeather ? air.Extinction : channel.Receiver.Extinction;
-  matching.Distance = Separation * SpeedOfLight * channel.PulseLength / FwhmPerSigma;
+    ParseWeather(receiver.Weather, receiver.Wavelength, air).IsOk() && air.LidarRatio > 0.0;
+  const double extinction = hasWeather ? air.Extinction : receiver.AtmosphericExtinction;
+  matching.Distance = Separation * SpeedOfLight * receiver.PulseLength / FwhmPerSigma;
   matching.Extinction = extinction >= 0.0
     ? extinction
-    : AtmosphericExtinction(channel.AtmosphericVisibility, channel.Wavelength);
-  const LidarEquation equation{ channel.ReceiverDiameter, channel.OpticalEfficiency, 0.0 };
-  matching.FullAmplitude = channel.AveragePower * equation(1.0, FullReflectance, 1.0);
+    : AtmosphericExtinction(receiver.AtmosphericVisibility, receiver.Wavelength);
+  const LidarEquation equation{ receiver.ReceiverDiameter, receiver.OpticalEfficiency, 0.0 };
+  matching.FullAmplitude = receiver.AveragePower * equation(1.0, FullReflectance, 1.0);
   matching.LeastShare = std::max(LeastShare, energyTolerance);
-  matching.LeastAmplitude = LeastThresholds * channel.DetectionThreshold;
+  matching.LeastAmplitude = LeastThresholds * receiver.DetectionThreshold;
   return matching;
 }
 
 //------------------------------------------------------------------------------
 void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
 {
-  SetUpRadiometry(data, options, scanner);
+  const ReceiverData& receiver = data.Receiver;
+  const vtkHeliosInstrumentData instrument = MakeInstrument(receiver, options);
+  scanner->SetInstrument(instrument);
+  scanner->SetMergeReturns(options.IsWithout("waveform"));
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
-  sampler->SetWavelength(data.Wavelength);
-  sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
+  sampler->SetWavelength(instrument.Wavelength);
+  sampler->SetBeamQualityFactor(instrument.BeamQualityFactor);
   sampler->SetDivergenceRatio(
     data.MinorBeamDivergence > 0.0 ? data.MinorBeamDivergence / data.BeamDivergence : 1.0);
   sampler->SetMajorAxisAngle(data.MajorAxisAngle);
-  SetUpSampling(data.Receiver, options, scanner);
-  SetUpWaveforms(data.Receiver, options, scanner);
-  SetUpReturns(data, options, scanner);
-  SetUpNoise(data, options.Noise, scanner);
-  SetUpErrors(data.Receiver.Errors, data.Receiver.Panoramic, scanner);
-  scanner->SetEchoDetector(MakeDetector(data, options));
+  SetUpSampling(receiver, options, scanner);
+  SetUpErrors(receiver.Errors, receiver.Panoramic, scanner);
+  const vtkSmartPointer<vtkHeliosEchoDetector> detector = MakeDetector(receiver, options);
+  detector->SetInstrument(instrument);
+  scanner->SetEchoDetector(detector);
 }
 
 } // namespace helios

@@ -31,7 +31,7 @@ namespace helios
 class Status;
 
 /// Properties of vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
-struct RunOptions
+struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
 {
   int Epoch = 0;
   vtkIdType Seed = -1; ///< negative: as in the survey, else 0

@@ -54,13 +54,13 @@ void ReadWindow(const XmlElement& element, ReceiverData& receiver)
 /// Warns of an aperture, which HELIOS reads but never uses, if it is not the receiver's.
 void CheckAperture(const XmlElement& element, const char* name, const ScannerData& data)
 {
-  double aperture = data.ReceiverDiameter;
-  if (element.Read(name, aperture) && aperture != data.ReceiverDiameter)
+  double aperture = data.Receiver.ReceiverDiameter;
+  if (element.Read(name, aperture) && aperture != data.Receiver.ReceiverDiameter)
   {
     Sentence text;
     text << element.Where() << ": " << name << "=\"" << aperture
-         << "\" has no effect; the receiver has receiverDiameter_m=\"" << data.ReceiverDiameter
-         << "\" of scanner " << data.Id;
+         << "\" has no effect; the receiver has receiverDiameter_m=\""
+         << data.Receiver.ReceiverDiameter << "\" of scanner " << data.Id;
     element.GetMessages().WarnOnce(text.str(), text.str());
   }
 }
@@ -156,26 +156,29 @@ void CheckReceiver(const ScannerData& data, Messages& log)
   const ReceiverData& receiver = data.Receiver;
   const bool isSampled = !receiver.PulseFile.empty(); // its length is in the file
   const double ofBins = (receiver.NumberOfBins - 1) * receiver.BinSize;
-  const bool isOfBins =
-    receiver.NumberOfBins > 0 && (receiver.MaximumLength == 0.0 || ofBins < receiver.MaximumLength);
-  const double length = isOfBins ? ofBins : receiver.MaximumLength; // 0: as the target requires
+  const bool isOfBins = receiver.NumberOfBins > 0 &&
+    (receiver.MaximumWaveformLength == 0.0 || ofBins < receiver.MaximumWaveformLength);
+  const double length =
+    isOfBins ? ofBins : receiver.MaximumWaveformLength; // 0: as the target requires
   Sentence text;
-  if (!isSampled && receiver.BinSize > 0.5 * data.PulseLength)
+  if (!isSampled && receiver.BinSize > 0.5 * data.Receiver.PulseLength)
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" is wider than half of pulseLength_ns=\""
-         << data.PulseLength << "\"; give smaller bins";
+         << data.Receiver.PulseLength << "\"; give smaller bins";
   }
-  else if (!isSampled && EchoPerPulse * data.PulseLength > MostBins * receiver.BinSize * (1 + 1e-9))
+  else if (!isSampled &&
+    EchoPerPulse * data.Receiver.PulseLength > MostBins * receiver.BinSize * (1 + 1e-9))
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" makes an echo of pulseLength_ns=\""
-         << data.PulseLength << "\" " << EchoPerPulse * data.PulseLength / receiver.BinSize
+         << data.Receiver.PulseLength << "\" "
+         << EchoPerPulse * data.Receiver.PulseLength / receiver.BinSize
          << " bins long, and at most " << MostBins << " are allowed; give wider bins";
   }
-  else if (!isSampled && (isOfBins || length > 0.0) && length < data.PulseLength)
+  else if (!isSampled && (isOfBins || length > 0.0) && length < data.Receiver.PulseLength)
   {
     text << "waveforms of " << length << " ns ("
          << (isOfBins ? "numFullwaveBins" : "maxFullwaveRange_ns")
-         << ") are shorter than pulseLength_ns=\"" << data.PulseLength
+         << ") are shorter than pulseLength_ns=\"" << data.Receiver.PulseLength
          << "\"; give longer ones, or 0: as long as the target";
   }
   if (!text.str().empty())

@@ -69,12 +69,12 @@ void CheckChannel(const ScannerData& scanner, Messages& log)
 {
   CheckOptics(scanner, log);
   CheckReceiver(scanner, log);
-  if (!(scanner.RangeMin < scanner.RangeMax))
+  if (!(scanner.Receiver.RangeMin < scanner.Receiver.RangeMax))
   {
     Sentence text;
-    text << scanner.Where << ": scanner " << scanner.Id << ": rangeMin_m=\"" << scanner.RangeMin
-         << "\" is not below rangeMax_m=\"" << scanner.RangeMax
-         << "\"; no range is measured. Correct one of them";
+    text << scanner.Where << ": scanner " << scanner.Id << ": rangeMin_m=\""
+         << scanner.Receiver.RangeMin << "\" is not below rangeMax_m=\""
+         << scanner.Receiver.RangeMax << "\"; no range is measured. Correct one of them";
     log.Error(text.str());
   }
 }

@@ -35,7 +35,7 @@ double FindHalfAngle(const ScannerData& scanner)
 /// The minimum height at which an instrument has returns [m].
 double FindLeastHeight(const ScannerData& scanner)
 {
-  return std::max(1.0, scanner.RangeMin);
+  return std::max(1.0, scanner.Receiver.RangeMin);
 }
 
 bool HasWindow(const SurveyEdit& edit)
@@ -267,7 +267,8 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   if (edit.IsMoving())
   {
     ranges.push_back({ "height", "height above ground", "m", FindLeastHeight(scanner),
-      std::max(2.0 * FindLeastHeight(scanner), std::min(scanner.RangeMax, MostHeight)), {} });
+      std::max(2.0 * FindLeastHeight(scanner), std::min(scanner.Receiver.RangeMax, MostHeight)),
+      {} });
     ranges.push_back({ "speed", "speed", "m/s", 0.5, MostSpeed, {} });
     ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });
   }
@@ -344,7 +345,8 @@ void ChooseScanner(SurveyEdit& edit, const std::string& reference, const Scanner
 {
   edit.Scanner = reference;
   edit.ScannerModel = scanner;
-  edit.Height = std::max(FindLeastHeight(scanner), std::min(edit.Height, scanner.RangeMax));
+  edit.Height =
+    std::max(FindLeastHeight(scanner), std::min(edit.Height, scanner.Receiver.RangeMax));
   BeginAgain(edit);
 }
 

@@ -133,8 +133,8 @@ void ResolveLimits(PlannerData& data, Messages& log)
   if (settings.HasScannerLimits)
   {
     const ScannerData& scanner = data.Survey.Scanners.front();
-    SetIfNotGiven(settings.RangeMin, scanner.RangeMin);
-    SetIfNotGiven(settings.RangeMax, scanner.RangeMax);
+    SetIfNotGiven(settings.RangeMin, scanner.Receiver.RangeMin);
+    SetIfNotGiven(settings.RangeMax, scanner.Receiver.RangeMax);
     double low = 0.0;
     double high = 0.0;
     if (FindElevations(data, low, high))

@@ -6,6 +6,7 @@
 #define heliosReceiverData_h
 
 #include "heliosTolerances.h"
+#include "vtkHeliosInstrumentData.h"
 
 #include <string>
 
@@ -52,39 +53,14 @@ struct PanoramicErrorData
   }
 };
 
-struct ReceiverData
+/// The instrument, how its beams are sampled, and its errors.
+struct ReceiverData : vtkHeliosInstrumentData
 {
   std::string Where;                               ///< the last place read
   int NumberOfCircles = 0;                         ///< of sub-rays, fixed; 0: adaptive
   double RangeTolerance = DefaultRangeTolerance;   ///< [m]
   double EnergyTolerance = DefaultEnergyTolerance; ///< relative
-  double BinSize = 0.25;                           ///< [ns]
-  double MaximumLength = 0.0;       ///< [ns], of a waveform; 0: as the target requires
-  int NumberOfBins = 0;             ///< of a waveform; 0: as many as needed
-  double PeakWindow = 0.0;          ///< [ns], either side of a peak; 0: none
-  std::string PulseShape;           ///< gaussian, helios, sampled; empty: the default
-  std::string PulseFile;            ///< of a sampled pulse
-  std::string EchoDetector;         ///< its name; empty: the default
-  std::string ReturnSelection;      ///< all, first, last, strongest, firstAndLast; empty: all
-  double DetectorNoise = 0.0;       ///< [W]
-  double Saturation = 0.0;          ///< [W]; 0: none
-  double DeadTime = 0.0;            ///< [ns]
-  double PhotonEfficiency = 0.3;    ///< of a photon-counting receiver, like the next two
-  double DarkCountRate = 0.0;       ///< [Hz]
-  double TimeJitter = 0.0;          ///< [ns]
-  double SolarIrradiance = 0.0;     ///< [W/m^2/nm]
-  double FilterBandwidth = 1.0;     ///< [nm]
-  double FieldOfView = 1e-3;        ///< [rad], full angle
-  double Extinction = -1.0;         ///< [1/m]; negative: from the visibility
-  int MaximumSpecularEvents = 8;    ///< of a path behind mirrors and glass
-  double LeastSpecularShare = 1e-4; ///< of its energy
-  double LidarRatio = 0.0;          ///< of the air [sr]; 0: no backscatter
-  double DropletDiameter = 0.0;     ///< [m]; 0: no single drops
-  std::string Weather;              ///< see ParseWeather()
-  double BeamQualityFactor = 0.0;   ///< M2; 0: no waist
-  double AccuracyPerMeter = 0.0;    ///< [m/m]
-  double AccuracyAtThreshold = 0.0; ///< [m]
-  double AngleAccuracy = 0.0;       ///< [rad]
+  std::string EchoDetector;                        ///< its name; empty: the default
   ErrorExpressions Errors;
   PanoramicErrorData Panoramic;
 };

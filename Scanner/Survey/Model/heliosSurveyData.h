@@ -80,21 +80,9 @@ struct ScannerData
   std::string Channel; ///< id; empty: the only one
   Optics Type = Optics::RotatingMirror;
   std::vector<double> PulseFrequencies; ///< [Hz], supported; the first is the default
-  double PulseLength = 4.0;             ///< [ns], full width at half maximum
   double BeamDivergence = 0.0003;       ///< [rad], full angle at 1/e^2; along the major axis
   double MinorBeamDivergence = 0.0;     ///< [rad], along the minor axis; 0: a circular beam
   double MajorAxisAngle = 0.0;          ///< [deg], from the axis across the scan lines
-  double Wavelength = 1064.0;           ///< [nm]
-  double AveragePower = 4.0;            ///< [W]
-  double OpticalEfficiency = 0.99;      ///< [0..1]
-  double ReceiverDiameter = 0.15;       ///< [m]
-  double AtmosphericVisibility = 23.0;  ///< [km]
-  double DetectionThreshold = 1e-13;    ///< [W]
-  double Accuracy = 0.0;                ///< [m], standard deviation of a range
-  double RangeMin = 0.0;                ///< [m]
-  double RangeMax = VTK_DOUBLE_MAX;     ///< [m]
-  int MaximumNumberOfReturns = 0;       ///< 0: all
-  int MTAZone = 0;                      ///< that echoes are taken for; 0: the true one
   double ScanAngleMax = 0.0;            ///< [deg], half
   double ScanAngleEffectiveMax = 0.0;   ///< [deg], half
   double ScanFrequencyMin = 0.0;        ///< [Hz]

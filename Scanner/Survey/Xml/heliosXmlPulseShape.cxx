@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "vtkHeliosGpsTime.h"
+#include "vtkHeliosInstrument.h"
 
 #include <filesystem>
 #include <system_error>
@@ -18,7 +19,8 @@ bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log)
   const std::string& shape = value.Text;
   if (shape.empty() || shape == "gaussian" || shape == "helios")
   {
-    receiver.PulseShape = shape;
+    receiver.PulseShape =
+      shape == "helios" ? vtkHeliosInstrument::HELIOS : vtkHeliosInstrument::GAUSSIAN;
     receiver.PulseFile.clear();
     return true;
   }
@@ -27,7 +29,7 @@ bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log)
   {
     if (fs::is_regular_file(path, ignored))
     {
-      receiver.PulseShape = "sampled";
+      receiver.PulseShape = vtkHeliosInstrument::SAMPLED;
       receiver.PulseFile = path.string();
       return true;
     }
@@ -41,7 +43,7 @@ bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log)
 //------------------------------------------------------------------------------
 std::string GetPulseShape(const ReceiverData& receiver)
 {
-  return receiver.PulseFile.empty() ? receiver.PulseShape : receiver.PulseFile;
+  return receiver.PulseShape == vtkHeliosInstrument::HELIOS ? "helios" : receiver.PulseFile;
 }
 
 //------------------------------------------------------------------------------

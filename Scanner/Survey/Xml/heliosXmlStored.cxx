@@ -39,7 +39,8 @@ public:
   }
   bool operator()(int* place) const
   {
-    return ParseInteger(this->Value, this->Rule, this->Log, *place);
+    return *this->Rule.Choices != '\0' ? this->FindChoice(*place)
+                                       : ParseInteger(this->Value, this->Rule, this->Log, *place);
   }
   bool operator()(bool* place) const
   {
@@ -147,7 +148,9 @@ public:
   }
   std::string operator()(const int* place) const
   {
-    return this->IsGiven(*place, *place) ? std::to_string(*place) : std::string();
+    return *this->Rule.Choices        ? this->GetWord(*place)
+      : this->IsGiven(*place, *place) ? std::to_string(*place)
+                                      : std::string();
   }
   std::string operator()(const bool* place) const
   {

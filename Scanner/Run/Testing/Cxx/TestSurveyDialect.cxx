@@ -53,9 +53,9 @@ TEST_CASE(
   CHECK(second.Channel == "1");
   CHECK(second.Beam.Position == helios::Vec3(0, 0, 0.2)); // the scanner's
   CHECK(second.ScanAngleMax == 60);
-  CHECK(second.Accuracy == 0.02);
-  CHECK(second.Wavelength == 532);
-  CHECK(second.DetectionThreshold == Approx(0.005e-9));
+  CHECK(second.Receiver.RangeAccuracy == 0.02);
+  CHECK(second.Receiver.Wavelength == 532);
+  CHECK(second.Receiver.DetectionThreshold == Approx(0.005e-9));
   CHECK(second.Receiver.BinSize == 0.5);
   CHECK(second.Receiver.NumberOfCircles == 2);
   const helios::ScannerData& third = first.GetChannel(2);
@@ -65,8 +65,9 @@ TEST_CASE(
   CHECK(third.IncidentBeam == helios::Vec3(0, 2, 1));
   for (std::size_t k = 0; k < 3; ++k)
   {
-    CHECK(first.GetChannel(k).RangeMax == 90); // changes of the survey apply to all channels
-    CHECK(first.GetChannel(k).PulseLength == 5);
+    CHECK(
+      first.GetChannel(k).Receiver.RangeMax == 90); // changes of the survey apply to all channels
+    CHECK(first.GetChannel(k).Receiver.PulseLength == 5);
   }
   const auto& scans = data.Legs.at(0).Scans;
   REQUIRE(scans.size() == 3);

@@ -110,7 +110,7 @@ TEST_CASE("SurveyEdit: flight lines fire, turns do not", "[SurveyEdit]")
   CHECK(hand.Edit.Legs.front().Settings.Leg.Position[2] == 30.0);
   SetSetting(hand.Edit, "speed", 20.0);
   SurveyEdit far = hand.Edit;
-  far.ScannerModel.RangeMin = 100.0; // nothing nearer gives returns
+  far.ScannerModel.Receiver.RangeMin = 100.0; // nothing nearer gives returns
   CHECK_THAT(SetSetting(far, "height", 50.0), Contains("becomes 100 m"));
   REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);

@@ -365,7 +365,7 @@ TEST_CASE("SurveyPlayer: decibels in text, VTK XML and LAS on request", "[Survey
     i == 8 ? words >> part : words >> numbers[i];
   }
   REQUIRE(words);
-  const double threshold = reading.Data().Scanners[0].DetectionThreshold;
+  const double threshold = reading.Data().Scanners[0].Receiver.DetectionThreshold;
   const double amplitude = data->GetArray(names::Amplitude)->GetTuple1(7);
   const double decibels = data->GetArray(names::RelativeAmplitude)->GetTuple1(7);
   CHECK(decibels == Approx(10.0 * std::log10(amplitude / threshold)).epsilon(1e-12));

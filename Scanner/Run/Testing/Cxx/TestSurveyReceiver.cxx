@@ -13,6 +13,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <vtkIndent.h>
+#include <vtkNew.h>
+
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -298,6 +301,23 @@ TEST_CASE("SurveyReceiver: noise, atmosphere and sunlight", "[SurveyReceiver]")
   CHECK(scanner->GetSolarIrradiance() == 0.6); // light, not noise
 }
 
+TEST_CASE("SurveyReceiver: a scanner without attributes is a new instrument", "[SurveyReceiver]")
+{
+  vtkNew<vtkHeliosScanner> fresh;
+  const auto scanner = Bench().SetUp();
+  scanner->SetPulseLength(fresh->GetPulseLength()); // the scanner of the bench gives some values
+  scanner->SetRangeAccuracy(fresh->GetRangeAccuracy());
+  scanner->SetRangeMin(fresh->GetRangeMin());
+  const auto describe = [](vtkHeliosScanner* each)
+  {
+    std::ostringstream text;
+    each->vtkHeliosInstrument::PrintSelf(text, vtkIndent());
+    return text.str().substr(text.str().find("PulseLength"));
+  };
+  CHECK(describe(scanner) == describe(fresh));
+  CHECK(scanner->GetEchoDetector()->GetDeadTime() == fresh->GetEchoDetector()->GetDeadTime());
+}
+
 TEST_CASE("SurveyReceiver: attribute names of the Java version", "[SurveyReceiver]")
 {
   const Bench bench(
@@ -306,11 +326,11 @@ TEST_CASE("SurveyReceiver: attribute names of the Java version", "[SurveyReceive
     "apartureDiameter=\"0.15\"");
   bench.CheckQuiet();
   CHECK(bench.Receiver().PeakWindow == 5.0);
-  CHECK(bench.Scanner().PulseLength == 6.0);
+  CHECK(bench.Scanner().Receiver.PulseLength == 6.0);
   CHECK(bench.Reading.Data().Legs.at(0).Scans.at(0).BeamDivergence == 0.001);
-  CHECK(bench.Scanner().OpticalEfficiency == 0.9);
-  CHECK(bench.Scanner().AtmosphericVisibility == 5.0);
-  CHECK(bench.Scanner().Wavelength == 1550.0);
+  CHECK(bench.Scanner().Receiver.OpticalEfficiency == 0.9);
+  CHECK(bench.Scanner().Receiver.AtmosphericVisibility == 5.0);
+  CHECK(bench.Scanner().Receiver.Wavelength == 1550.0);
   Bench("apartureDiameter=\"0.2\"")
     .CheckWarned("assets.xml:8: apartureDiameter=\"0.2\" has no effect; the receiver has "
                  "receiverDiameter_m=\"0.15\" of scanner tls");

@@ -45,9 +45,9 @@ TEST_CASE("SurveyReader: scanner, platform and units", "[SurveyReader]")
   REQUIRE(reading.Good);
   const helios::ScannerData& scanner = reading.Data().Scanners.at(0);
   CHECK(scanner.PulseFrequencies == std::vector<double>{ 100000, 300000 });
-  CHECK(scanner.PulseLength == 5.0);
-  CHECK(scanner.Accuracy == 0.005);
-  CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // in nanowatts
+  CHECK(scanner.Receiver.PulseLength == 5.0);
+  CHECK(scanner.Receiver.RangeAccuracy == 0.005);
+  CHECK(scanner.Receiver.DetectionThreshold == Approx(0.002e-9)); // in nanowatts
   CHECK(scanner.Receiver.NumberOfCircles == 2);
   CHECK(scanner.Beam.Position[2] == 0.2);
   CHECK(reading.Data().Platforms.at(0).Mount.Position[2] == 1.5);
@@ -125,12 +125,12 @@ TEST_CASE("SurveyReader: asset folders have precedence over that of the survey",
     "<leg><platformSettings/><scannerSettings scanFreq_hz=\"50\" "
     "headRotatePerSec_deg=\"10\" headRotateStop_deg=\"20\"/></leg>");
   REQUIRE(plain.Good);
-  CHECK(plain.Data().Scanners.at(0).PulseLength == 5);
+  CHECK(plain.Data().Scanners.at(0).Receiver.PulseLength == 5);
   vtkNew<vtkHeliosSurveyReader> reader;
   reader->AddAssetDirectory((files / "extra").c_str());
   reader->SetFileName((files / "survey.xml").c_str());
   REQUIRE(reader->Read());
-  CHECK(reader->GetSurvey()->GetData().Scanners.at(0).PulseLength == 9);
+  CHECK(reader->GetSurvey()->GetData().Scanners.at(0).Receiver.PulseLength == 9);
 }
 
 TEST_CASE(
@@ -198,9 +198,9 @@ TEST_CASE("SurveyReader: attributes of the scanner that a survey overrides", "[S
   REQUIRE(reading.Good);
   CHECK(reading.Data().Scanners.at(0).Receiver.BinSize == 0.5);
   CHECK(reading.Data().Scanners.at(0).Receiver.NumberOfCircles == 2); // the scanner's
-  CHECK(reading.Data().Scanners.at(0).Accuracy == 0.02);
-  CHECK(reading.Data().Scanners.at(0).RangeMin == 0.5);
-  CHECK(reading.Data().Scanners.at(0).RangeMax == 80.0);
+  CHECK(reading.Data().Scanners.at(0).Receiver.RangeAccuracy == 0.02);
+  CHECK(reading.Data().Scanners.at(0).Receiver.RangeMin == 0.5);
+  CHECK(reading.Data().Scanners.at(0).Receiver.RangeMax == 80.0);
 }
 
 TEST_CASE(

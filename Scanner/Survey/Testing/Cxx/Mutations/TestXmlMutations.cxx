@@ -85,15 +85,19 @@ bool IsValid(const helios::ScannerData& s)
     std::all_of(s.PulseFrequencies.begin(), s.PulseFrequencies.end(),
       [](double f) { return std::isfinite(f) && f > 0.0; });
   return pulses && IsPose(s.Beam) && IsFinite(s.HeadRotateAxis) && s.HeadRotateAxis.Norm() > 0.0 &&
-    s.PulseLength > 0.0 && s.Receiver.BinSize > 0.0 && s.BeamDivergence >= 0.0 &&
-    s.Wavelength > 0.0 && s.AveragePower > 0.0 && s.ReceiverDiameter > 0.0 &&
-    s.DetectionThreshold >= 0.0 && s.Accuracy >= 0.0 && s.RangeMin >= 0.0 &&
-    s.RangeMax > s.RangeMin && s.MaximumNumberOfReturns >= 0 && s.Receiver.NumberOfCircles >= 0 &&
-    AreFinite({ s.PulseLength, s.BeamDivergence, s.Wavelength, s.AveragePower, s.OpticalEfficiency,
-      s.ReceiverDiameter, s.AtmosphericVisibility, s.DetectionThreshold, s.Accuracy, s.RangeMin,
-      s.RangeMax, s.ScanAngleMax, s.ScanAngleEffectiveMax, s.ScanFrequencyMin, s.ScanFrequencyMax,
-      s.HeadRotateSpeedMax, s.Receiver.BinSize, s.Receiver.PeakWindow, s.Receiver.MaximumLength,
-      s.Receiver.RangeTolerance, s.Receiver.EnergyTolerance });
+    s.Receiver.PulseLength > 0.0 && s.Receiver.BinSize > 0.0 && s.BeamDivergence >= 0.0 &&
+    s.Receiver.Wavelength > 0.0 && s.Receiver.AveragePower > 0.0 &&
+    s.Receiver.ReceiverDiameter > 0.0 && s.Receiver.DetectionThreshold >= 0.0 &&
+    s.Receiver.RangeAccuracy >= 0.0 && s.Receiver.RangeMin >= 0.0 &&
+    s.Receiver.RangeMax > s.Receiver.RangeMin && s.Receiver.MaximumNumberOfReturns >= 0 &&
+    s.Receiver.NumberOfCircles >= 0 &&
+    AreFinite(
+      { s.Receiver.PulseLength, s.BeamDivergence, s.Receiver.Wavelength, s.Receiver.AveragePower,
+        s.Receiver.OpticalEfficiency, s.Receiver.ReceiverDiameter, s.Receiver.AtmosphericVisibility,
+        s.Receiver.DetectionThreshold, s.Receiver.RangeAccuracy, s.Receiver.RangeMin,
+        s.Receiver.RangeMax, s.ScanAngleMax, s.ScanAngleEffectiveMax, s.ScanFrequencyMin,
+        s.ScanFrequencyMax, s.HeadRotateSpeedMax, s.Receiver.BinSize, s.Receiver.PeakWindow,
+        s.Receiver.MaximumWaveformLength, s.Receiver.RangeTolerance, s.Receiver.EnergyTolerance });
 }
 
 bool IsValid(const helios::ScanData& scan)

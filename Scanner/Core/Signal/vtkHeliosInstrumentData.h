@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The data sheet of a laser scanner as plain values with their defaults: vtkHeliosInstrument, which
+// documents them, holds them, detectors read theirs, and attributes of surveys are stored in them.
+
+#ifndef vtkHeliosInstrumentData_h
+#define vtkHeliosInstrumentData_h
+
+#include "vtkType.h" // For an unlimited range
+
+#include <string> // For names
+
+struct vtkHeliosInstrumentData
+{
+  // pulse
+  double PulseLength = 4.0;       ///< [ns], full width at half maximum
+  int PulseShape = 0;             ///< vtkHeliosInstrument::PulseShapes
+  std::string PulseFile;          ///< of a sampled pulse
+  double AveragePower = 4.0;      ///< [W]
+  double Wavelength = 1064.0;     ///< [nm]
+  double BeamQualityFactor = 0.0; ///< M2; 0: no waist
+
+  // receiver
+  double OpticalEfficiency = 0.99;
+  double ReceiverDiameter = 0.15;     ///< [m]
+  double BinSize = 0.25;              ///< [ns]
+  double MaximumWaveformLength = 0.0; ///< [ns]; 0: as the target requires
+  int NumberOfBins = 0;               ///< of a waveform; 0: as many as needed
+  double DetectorNoise = 0.0;         ///< [W]
+  double SaturationPower = 0.0;       ///< [W]; 0: none
+  double SolarIrradiance = 0.0;       ///< [W/m^2/nm]
+  double FilterBandwidth = 1.0;       ///< [nm]
+  double FieldOfView = 1e-3;          ///< [rad], full angle
+
+  // air, and paths behind mirrors and glass
+  double AtmosphericVisibility = 23.0; ///< [km]
+  double AtmosphericExtinction = -1.0; ///< [1/m]; negative: from the visibility
+  double AtmosphericLidarRatio = 0.0;  ///< [sr]; 0: no backscatter
+  double DropletDiameter = 0.0;        ///< [m]; 0: no single drops
+  std::string Weather;                 ///< such as "fog 0.2"
+  int MaximumSpecularEvents = 8;
+  double LeastSpecularShare = 1e-4; ///< of the energy
+
+  // accuracy
+  double RangeAccuracy = 0.0;            ///< [m]
+  double RangeAccuracyPerMeter = 0.0;    ///< [m/m]
+  double RangeAccuracyAtThreshold = 0.0; ///< [m]
+  double AngleAccuracy = 0.0;            ///< [rad]
+
+  // echoes
+  double RangeMin = 0.0;            ///< [m]
+  double RangeMax = VTK_DOUBLE_MAX; ///< [m]
+  int ReturnSelection = 0;          ///< vtkHeliosInstrument::ReturnSelections
+  int MaximumNumberOfReturns = 0;   ///< 0: all
+  int MTAZone = 0;                  ///< that echoes are taken for; 0: the true one
+
+  // echo detectors
+  double DetectionThreshold = 1e-13; ///< [W]
+  double DeadTime = 0.0;             ///< [ns]
+  double PeakWindow = 0.0;           ///< [ns], either side of a peak; 0: none
+  double PhotonEfficiency = 0.3;     ///< of photon counting, like the next two
+  double DarkCountRate = 0.0;        ///< [Hz]
+  double TimeJitter = 0.0;           ///< [ns]
+};
+
+#endif
