@@ -4,8 +4,6 @@
 
 import argparse
 import json
-import pathlib
-import re
 
 import numpy as np
 import pytest
@@ -22,19 +20,6 @@ OF_ONE_FORMAT = {"colors": "las", "truth": "vtp", "columns": "vtp"}
 
 
 pytestmark = pytest.mark.filterwarnings("ignore:GenerateColors is on, but the scene has no colours")
-
-
-def find_files(words, *tops):
-    """The files of the product below some folders whose code, without comments, has some words."""
-    root = pathlib.Path(__file__).parents[3]
-    paths = [path for top in tops for path in (root / top).rglob("*.*")]
-    return sorted(
-        path.relative_to(root).as_posix()
-        for path in paths
-        if path.suffix in {".h", ".cxx", ".py"}
-        and "Testing" not in path.parts
-        and words.search(re.sub(r"//.*|^\s*\*.*|#.*", "", path.read_text(), flags=re.M))
-    )
 
 
 @pytest.fixture
@@ -123,14 +108,3 @@ def test_the_table_names_the_arrays_of_each_output(survey):
         if output.source:
             cloud = survey.run(**{output.name: True})
             assert set(arrays(cloud.data)) - plain == set(output.arrays.split()), output.name
-
-
-@pytest.mark.parametrize(("flag", "most"), [("Truth", 4), ("Decibels", 5), ("ScanFlags", 5), ("Colors", 7)])
-def test_an_output_is_known_to_few_files(flag, most):
-    """Files of the product with its flag, as CONTRIBUTING.md says: the table, and what makes it.
-
-    Decibels change the columns of text, and colours what is loaded.
-    """
-    words = re.compile(rf"\b(Generate|Write){flag}\b|\b(Wanted|Wants)\.{flag}\b|::{flag}\b")
-    known = find_files(words, "Scanner", "Python/vtkhelios")
-    assert 2 < len(known) <= most, known
