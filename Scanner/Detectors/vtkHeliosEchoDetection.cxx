@@ -36,8 +36,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <list>
 #include <string>
-#include <string_view>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosEchoDetection);
@@ -47,26 +47,24 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-template <typename DetectorT>
-vtkHeliosEchoDetector* Make()
-{
-  return DetectorT::New();
-}
-
 struct DetectorKind
 {
-  std::string_view Name;
-  vtkHeliosEchoDetector* (*Make)();
+  std::string Name;
+  vtkSmartPointer<vtkHeliosEchoDetector> Prototype;
 };
 
-/// The first is the default.
-constexpr DetectorKind DetectorKinds[] = {
-  { "peak", Make<vtkHeliosPeakDetector> },
-  { "gaussian", Make<vtkHeliosGaussianDecomposition> },
-  { "cfd", Make<vtkHeliosConstantFractionDetector> },
-  { "leadingEdge", Make<vtkHeliosLeadingEdgeDetector> },
-  { "photonCounting", Make<vtkHeliosPhotonCountingDetector> },
-};
+/// The known detectors; the first is the default. A list never moves its members.
+std::list<DetectorKind>& GetKinds()
+{
+  static std::list<DetectorKind> kinds = {
+    { "peak", vtkSmartPointer<vtkHeliosPeakDetector>::New() },
+    { "gaussian", vtkSmartPointer<vtkHeliosGaussianDecomposition>::New() },
+    { "cfd", vtkSmartPointer<vtkHeliosConstantFractionDetector>::New() },
+    { "leadingEdge", vtkSmartPointer<vtkHeliosLeadingEdgeDetector>::New() },
+    { "photonCounting", vtkSmartPointer<vtkHeliosPhotonCountingDetector>::New() },
+  };
+  return kinds;
+}
 
 // Waveforms per task, and such chunks of each thread between two checks for progress and abort,
 // about 0.1 s.
@@ -304,23 +302,39 @@ void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) 
 //------------------------------------------------------------------------------
 int vtkHeliosEchoDetection::GetNumberOfDetectors()
 {
-  return static_cast<int>(std::size(DetectorKinds));
+  return static_cast<int>(GetKinds().size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkHeliosEchoDetection::GetDetectorName(int index)
 {
   const bool isValid = index >= 0 && index < vtkHeliosEchoDetection::GetNumberOfDetectors();
-  return isValid ? DetectorKinds[index].Name.data() : nullptr;
+  return isValid ? std::next(GetKinds().begin(), index)->Name.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkHeliosEchoDetector* vtkHeliosEchoDetection::MakeDetector(const char* name)
 {
-  const std::string_view wanted = name && *name ? name : DetectorKinds[0].Name;
-  const auto* found = std::find_if(std::begin(DetectorKinds), std::end(DetectorKinds),
-    [wanted](const DetectorKind& kind) { return kind.Name == wanted; });
-  return found == std::end(DetectorKinds) ? nullptr : found->Make();
+  const std::list<DetectorKind>& kinds = GetKinds();
+  const std::string wanted = name && *name ? name : kinds.front().Name;
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+    [&wanted](const DetectorKind& kind) { return kind.Name == wanted; });
+  return found == kinds.end() ? nullptr : found->Prototype->NewInstance();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosEchoDetection::AddDetector(const std::string& name, vtkHeliosEchoDetector* prototype)
+{
+  std::list<DetectorKind>& kinds = GetKinds();
+  const bool isKnown = std::any_of(
+    kinds.begin(), kinds.end(), [&name](const DetectorKind& kind) { return kind.Name == name; });
+  const bool isValid =
+    prototype && !name.empty() && name.find_first_of(" \t\n") == std::string::npos && !isKnown;
+  if (isValid)
+  {
+    kinds.push_back({ name, prototype });
+  }
+  return isValid;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,8 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For the detector
 
+#include <string> // For names of detectors
+
 class vtkHeliosEchoDetector;
 class vtkTable;
 
@@ -57,6 +59,14 @@ public:
    * an unknown name.
    */
   VTK_NEWINSTANCE static vtkHeliosEchoDetector* MakeDetector(const char* name);
+
+  /**
+   * Adds an echo detector, so that surveys and runs find it by its name, as they find "peak": a
+   * plug-in calls it before surveys are read. MakeDetector() makes new objects of the class of the
+   * prototype, which scanners set up by vtkHeliosEchoDetector::SetInstrument(). Returns false if the
+   * prototype is null, or the name is empty, has blanks, or is known.
+   */
+  static bool AddDetector(const std::string& name, vtkHeliosEchoDetector* prototype);
 
   ///@{
   /**

@@ -7,6 +7,7 @@
 #include "heliosSurveyData.h"
 #include "heliosWeather.h"
 #include "heliosXmlPulseShape.h"
+#include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosExpressionErrorModel.h"
 
 namespace helios
@@ -30,6 +31,17 @@ Status FindExpressionFault(const std::string& text)
 } // namespace
 
 //------------------------------------------------------------------------------
+std::vector<std::string> GetEchoDetectorNames()
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkHeliosEchoDetection::GetNumberOfDetectors(); ++i)
+  {
+    names.emplace_back(vtkHeliosEchoDetection::GetDetectorName(i));
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 Status FindFaultOfWeather(const std::string& text)
 {
   const Status status = FindWeatherFault(text);
@@ -47,7 +59,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
       Integer("beamSampleQuality", "circles of sub-rays, a fixed count per pulse: 1, 7, 19, 37 ... sub-rays").In("", { 1.0, 64.0 }).Default("adaptive sampling").At<Receiver, &ReceiverData::NumberOfCircles>(),
       Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
       Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
-      Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
+      Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").From(GetEchoDetectorNames).At<Receiver, &ReceiverData::EchoDetector>(),
       Text("pulseShape", "gaussian, helios, or a text file (CSV) of times [ns] and powers").Default("gaussian").Names(XmlFile::Beside).By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
       Number("winSize_ns", "an echo within this time of a higher one is discarded").In("ns", { 0.0, 1e6 }).At<Receiver, &ReceiverData::PeakWindow>(),

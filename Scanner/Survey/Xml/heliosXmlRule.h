@@ -80,7 +80,8 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlRange Range = { -LargestNumber, LargestNumber };
   const char* DefaultText = ""; ///< a phrase, if the default is not that of a struct
   const char* Choices = "";     ///< the valid words, if any; '~' in front: case-insensitive
-  const int* Values = nullptr;  ///< of the choices in an enumeration; null: 0, 1, 2 ...
+  std::vector<std::string> (*FindChoices)() = nullptr; ///< all valid words; null: Choices
+  const int* Values = nullptr; ///< of the choices in an enumeration; null: 0, 1, 2 ...
   XmlStore Store;
   double Scale = 1.0; ///< the number in the struct is that of the file times this
   Status (*FindFault)(const std::string& text) = nullptr; ///< the end of a message
@@ -98,6 +99,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule Ignored() const;
   XmlValueRule Later() const; ///< not modelled yet
   XmlValueRule Meaning(const int* values) const;
+  XmlValueRule From(std::vector<std::string> (*findChoices)()) const;
   XmlValueRule Scaled(double scale) const;
   XmlValueRule Inverted() const;
   XmlValueRule Checked(Status (*findFault)(const std::string& text)) const;

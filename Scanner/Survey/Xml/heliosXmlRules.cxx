@@ -113,6 +113,12 @@ XmlValueRule XmlValueRule::Later() const
 }
 
 //------------------------------------------------------------------------------
+XmlValueRule XmlValueRule::From(std::vector<std::string> (*findChoices)()) const
+{
+  return Change(*this, &XmlValueRule::FindChoices, findChoices);
+}
+
+//------------------------------------------------------------------------------
 XmlValueRule XmlValueRule::Meaning(const int* values) const
 {
   return Change(*this, &XmlValueRule::Values, values);
@@ -163,6 +169,10 @@ XmlChildRule XmlChildRule::Ignored() const
 //------------------------------------------------------------------------------
 std::vector<std::string> XmlValueRule::GetChoices() const
 {
+  if (this->FindChoices)
+  {
+    return this->FindChoices();
+  }
   const std::string text = this->IsAnyCase() ? this->Choices + 1 : this->Choices;
   const char separator =
     text.find('|') != std::string::npos ? '|' : ' '; // words may contain blanks

@@ -35,7 +35,7 @@ std::vector<XmlElementRule> MakeSurveyRules()
       Text("rayCaster", "beam, embree, bvh, cgal or obbtree, if this build has it").Default("beam").At<&SurveyData::RayCaster>(),
       Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
       Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
-      Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
+      Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").From(GetEchoDetectorNames).At<Receiver, &ReceiverData::EchoDetector>(),
       Text("pulseShape", "gaussian, helios, or a text file of times [ns] and powers").Default("gaussian").Names(XmlFile::Beside).By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
       Reference("scanner", "the instrument, file.xml#id, #id or id").Default("that of each leg"),

@@ -28,6 +28,9 @@ std::vector<XmlElementRule> MakeSceneRules();
 std::vector<XmlElementRule> MakeFilterRules();
 ///@}
 
+/// Returns the names of the echo detectors, with those that plug-ins have added; the first is the default.
+std::vector<std::string> GetEchoDetectorNames();
+
 /// What is wrong with a text of weather: the end of a message.
 Status FindFaultOfWeather(const std::string& text);
 

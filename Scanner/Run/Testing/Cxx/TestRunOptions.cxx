@@ -6,8 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <json/value.h>
-
 #include <set>
 #include <sstream>
 #include <string>
@@ -49,25 +47,4 @@ TEST_CASE("RunOptions: those that change echoes are compared", "[RunOptions]")
   other->SetWeather("fog 1");
   one->SetSeed(7);
   CHECK_FALSE(one->GetData() == other->GetData());
-}
-
-TEST_CASE("RunOptions: the summary has them by their keys", "[RunOptions]")
-{
-  vtkNew<Options> options;
-  options->SetSeed(options->GetSeedMaxValue());
-  options->SetRangeTolerance(0.5);
-  options->NoiseOff();
-  Json::Value summary;
-  options->GetData().Describe(summary);
-  CHECK(summary["seed"].asInt64() == 4611686018427387904LL);
-  CHECK(summary["rangeTolerance_m"].asDouble() == 0.5);
-  CHECK(summary["noise"].isBool());
-  CHECK_FALSE(summary["noise"].asBool());
-  CHECK(summary["detector"].asString().empty());
-  CHECK_FALSE(summary.isMember("gpsStart")); // not given
-  CHECK_FALSE(summary.isMember("play"));
-  CHECK_FALSE(summary.isMember(""));
-  options->SetGpsStart("2026-07-01 12:00:00");
-  options->GetData().Describe(summary);
-  CHECK(summary["gpsStart"].asString() == "2026-07-01 12:00:00");
 }
