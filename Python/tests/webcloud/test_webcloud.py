@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from webcloud._page_reader import PageReader, decode
 
-from vtkhelios import webcloud
+from vtkhelios import formats, webcloud
+from vtkhelios.array_names import MATERIAL_NAME
 from vtkhelios.webcloud._columns import make_columns, make_scale
+from vtkhelios.webcloud._contents import Contents
 from vtkhelios.webcloud._octree import DEEPEST, GRID, LEAF, build
 from vtkhelios.webcloud._outline import find_outline
 from vtkhelios.webcloud._quantise import position_step, quantise
@@ -60,12 +62,33 @@ def test_page_needs_no_network(make_arrays):
 def test_title_and_labels_are_escaped(make_arrays):
     bad = "</script><script>alert(1)</script>&\"'@META@"
     text = webcloud.make_page(
-        make_arrays(100) | {"PartIds": np.zeros(100, int)}, bad, part_names=[bad]
+        make_arrays(100) | {"PartIds": np.zeros(100, int)}, bad, names={"PartIds": [bad]}
     )
     page = PageReader(text)
     assert page.meta["title"] == bad and "alert" not in "".join(page.scripts.get(None, ""))
     assert set(page.scripts) == {"meta", "streams", "importmap", "module"}
     assert page.meta["columns"][-1]["categories"] == [[0, f"0 {bad}", 100]]
+
+
+def test_numbers_have_the_names_beside_the_file(tmp_path, make_arrays):
+    """Parts and materials, from the file of names of LAS, also of a number without a name."""
+    header = formats.Header()
+    header.part_names, materials = ["ground", "", "2"], ["grass", "brick"]
+    header.set_texts(MATERIAL_NAME, materials)
+    numbers = np.arange(100) % 4
+    chunk = {"points": make_arrays(100)["points"], "PartIds": numbers, "MaterialIds": numbers % 2}
+    with formats.open_writer(tmp_path / "a.las", header) as writer:
+        writer.write(chunk)
+    with formats.open_reader(tmp_path / "a.las") as reader:
+        contents = Contents.of_reader(reader)
+        for each in reader.chunks():
+            contents.add(each)
+    labels = {
+        column["name"]: [label for _, label, _ in column["categories"]]
+        for column in PageReader(contents.make_page()).meta["columns"]
+    }
+    assert labels["PartIds"] == ["0 ground", "1", "2", "3"]
+    assert labels["MaterialIds"] == ["0 grass", "1 brick"]
 
 
 # Levels of detail

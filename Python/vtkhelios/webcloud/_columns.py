@@ -47,14 +47,18 @@ class Column:
         }  # fmt: skip
 
 
-def make_columns(arrays, part_names=()):
-    """The columns of a dict of arrays; without those of more than MOST_COMPONENTS components."""
+def make_columns(arrays, names=None):
+    """The columns of a dict of arrays; without those of more than MOST_COMPONENTS components.
+
+    names are the texts of the numbers in an array, by its name: "0" is the first.
+    """
+    names = names or {}
     columns = []
     for name, values in arrays.items():
         if name in SKIPPED:
             continue
         if values.ndim == 1:
-            columns.append(_make(name, values, UNITS.get(name, ""), part_names))
+            columns.append(_make(name, values, UNITS.get(name, ""), names.get(name, ())))
         elif values.shape[1] == 3 and name.upper() == RGB:
             columns.append(Column(name, quantise(_pack_colours(values)), "colour"))
         elif values.shape[1] <= MOST_COMPONENTS:
@@ -77,8 +81,8 @@ def make_scale(values):
     return (low, high), extremes, bool(is_logarithmic)
 
 
-def _make(name, values, unit, part_names):
-    if values.dtype.kind in "iub" and (categories := _categories(name, values, part_names)):
+def _make(name, values, unit, texts):
+    if values.dtype.kind in "iub" and (categories := _categories(name, values, texts)):
         return Column(name, quantise(values), "category", unit, categories=categories)
     limits, extremes, is_logarithmic = make_scale(values)
     is_logarithmic &= values.dtype.kind == "f"
@@ -87,7 +91,7 @@ def _make(name, values, unit, part_names):
     )
 
 
-def _categories(name, values, part_names):
+def _categories(name, values, texts):
     """Value, label and number of points of each; empty: not categories."""
     most = MOST_CATEGORIES if name in CATEGORIES else FEW
     if name == PULSE_IDS:
@@ -95,14 +99,14 @@ def _categories(name, values, part_names):
     found, counts = np.unique(values, return_counts=True)
     if len(found) > most:
         return []
-    return [[int(v), _label(name, int(v), part_names), int(n)] for v, n in zip(found, counts)]
+    return [[int(v), _label(name, int(v), texts), int(n)] for v, n in zip(found, counts)]
 
 
-def _label(name, value, part_names):
+def _label(name, value, texts):
     if name == CLASSIFICATION_IDS:
         return f"{value} {CLASSES.get(value, '')}".strip()
-    if name == PART_IDS and 0 <= value < len(part_names) and part_names[value] != str(value):
-        return f"{value} {part_names[value]}"
+    if 0 <= value < len(texts) and texts[value] not in ("", str(value)):
+        return f"{value} {texts[value]}"
     return str(value)
 
 

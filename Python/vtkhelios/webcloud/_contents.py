@@ -10,6 +10,7 @@ import numpy as np
 from ..core.arrays import arrays
 from ..core.systems import Metres, find_system
 from ..formats._base import FormatError, Header, rows_of, select
+from ..formats._names import tables_of
 from ..formats._run import RunReader
 from ..formats._waveforms import find_waveforms, waveform_tables
 from ._columns import make_columns
@@ -74,7 +75,7 @@ class Contents:
             raise FormatError(f"{self.title}: has no points; give a cloud with points")
         return make_page(
             columns, self.title, total=self.sample.count, crs=self._describe_system(),
-            part_names=self.header.part_names, tables=self.tables, colour_by=colour_by,
+            names=tables_of(self.header), tables=self.tables, colour_by=colour_by,
         )  # fmt: skip
 
 

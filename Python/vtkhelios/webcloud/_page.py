@@ -28,7 +28,7 @@ It contains twgl.js 7.0.0, under the MIT license:
 {twgl}"""
 
 
-def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), colour_by=None):
+def make_page(arrays, title, *, total=None, crs="", names=None, tables=(), colour_by=None):
     """The HTML text of a page of a cloud.
 
     arrays
@@ -37,8 +37,9 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
         the name of the cloud
     total
         the number of points that these are a sample of (default: n)
-    crs, part_names
-        the name of the coordinate system, for display, and the names of the scene parts, by PartIds
+    crs, names
+        the name of the coordinate system, for display, and the names that the numbers in an array stand
+        for, by its name: {"PartIds": ["ground", "house"]}
     tables
         waveforms: dicts of the columns and Samples of vtkTables; points refer to them by PulseIds,
         else by WaveformIds, else by GpsTime
@@ -55,7 +56,7 @@ def make_page(arrays, title, *, total=None, crs="", part_names=(), tables=(), co
     pulses, tables = link_pulses(arrays, tables)
     if pulses is not None:
         arrays = {**arrays, PULSE_IDS: pulses}
-    columns = make_columns(arrays, part_names)
+    columns = make_columns(arrays, names)
     store = Store()
     meta = _pack_points(points, columns, store)
     waves = _pack_waveforms(pulses, tables, store)
