@@ -13,7 +13,7 @@ from output_hashes import compare, hash_file, main  # noqa: E402
 
 SUMMARY = {
     "timings": {"run_s": 1.0}, "checksum": "1", "versions": {"vtkHelios": "0.2.0"},
-    "totals": {"points": 3}, "inputs": [{"file": "/here/a.xml", "sha256": "7"}],
+    "totals": {"points": 3}, "inputs": [{"file": "/here/a.xml", "sha256": "7"}], "part": {"number": 1, "command": "run a.xml"},
 }  # fmt: skip
 
 
@@ -33,6 +33,8 @@ def test_a_difference_is_told_by_file():
         ({"timings": {}}, set()),
         ({"checksum": "2"}, set()),
         ({"versions": {}}, set()),
+        ({"part": {"number": 1, "command": "run b.xml"}}, set()),
+        ({"part": {"number": 2}}, {"#part"}),
         ({"inputs": [{"file": "/there/a.xml", "sha256": "7"}]}, set()),
         ({"inputs": [{"file": "/here/a.xml", "sha256": "8"}]}, {"#inputs"}),
         ({"totals": {"points": 4}}, {"#totals"}),
@@ -44,7 +46,7 @@ def test_members_of_a_summary(tmp_path, change, differs):
     before = dict(hash_file(path))
     path.write_text(json.dumps(SUMMARY | change))
     after = dict(hash_file(path))
-    assert before.keys() == after.keys() == {"#inputs", "#totals"}
+    assert before.keys() == after.keys() == {"#inputs", "#part", "#totals"}
     assert {member for member in before if before[member] != after[member]} == differs
 
 
@@ -57,6 +59,15 @@ def test_versions_are_left_out_of_files(tmp_path):
     ):
         (tmp_path / name).write_bytes(content)
         digests += [digest for _, digest in hash_file(tmp_path / name)]
+    assert digests[0] == digests[1] != digests[2]
+
+
+def test_times_are_left_out_of_a_journal(tmp_path):
+    digests = []
+    for points, seconds in ((3, "1.5"), (3, "2.25"), (4, "1.5")):
+        line = f'{{"points":{points},"leg":1,"seconds":{seconds},"check":"{points}{seconds[0]}"}}\n'
+        (tmp_path / "run.journal").write_text("{}\n" + 2 * line)
+        digests += [digest for _, digest in hash_file(tmp_path / "run.journal")]
     assert digests[0] == digests[1] != digests[2]
 
 
