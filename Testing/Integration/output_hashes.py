@@ -9,8 +9,8 @@ The surveys are those of vtkhelios new, with fewer pulses, and those of the fold
 parts, instances, channels, kinds of optics and errors. Each is run with 1, 2 and 3 threads for every variant;
 files that differ between numbers of threads are printed, with exit code 1. The sorted lines are "sha256
 survey/variant/file". Versions of vtkHelios in files are left out. Of run_summary.json, each member has
-a line of its own (FILE#member), without SKIPPED, which are not the same in two runs, and without the folders of inputs and the command of a part;
-run.journal, which a part of a run keeps, is without its seconds and the checksums of its lines.
+a line of its own (FILE#member). In it, and in run.journal, which a part of a run keeps, SKIPPED, the folders
+of inputs and the command of a part are left out: they are not the same in two runs.
 """
 
 import argparse
@@ -30,7 +30,7 @@ from make_inputs import write_inputs  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HASHED = pathlib.Path(__file__).resolve().parent / "hashed"
-SKIPPED = ("timings", "checksum", "versions")  # the checksum is that of the others
+SKIPPED = ("timings", "seconds", "versions", "checksum", "check")  # the last two are of the others
 VARIANTS = {
     "xyz-pulses": "--format xyz --pulses",
     "las-waveforms": "--format las --waveforms --gps-start gps:1467000000",
@@ -87,17 +87,23 @@ def _thin_out(text, factor):
 def hash_file(path):
     """Lines of one file: pairs of what it is and its SHA-256."""
     if path.name == "run_summary.json":
-        summary = json.loads(path.read_text(encoding="utf-8"))
-        for each in summary.get("inputs", []):
-            each["file"] = os.path.basename(each["file"])
-        summary.get("part", {}).pop("command", None)
-        for member in sorted(set(summary) - set(SKIPPED)):
+        summary = _without_times(json.loads(path.read_text(encoding="utf-8")))
+        for member in sorted(summary):
             yield f"#{member}", _digest(json.dumps(summary[member], sort_keys=True).encode())
         return
     data = re.sub(rb"vtkHelios \d+\.\d+\.\d+", b"vtkHelios", path.read_bytes())
     if path.name == "run.journal":
-        data = re.sub(rb',"seconds":[^,]*,"check":"\w+"\}$', b"}", data, flags=re.MULTILINE)
+        lines = [_without_times(json.loads(line)) for line in data.splitlines()]
+        data = json.dumps(lines, sort_keys=True).encode()
     yield "", _digest(data)
+
+
+def _without_times(record):
+    """A summary, or a line of a journal, without what is not the same in two runs."""
+    for each in record.get("inputs", []):
+        each["file"] = os.path.basename(each["file"])
+    record.get("part", {}).pop("command", None)
+    return {name: value for name, value in record.items() if name not in SKIPPED}
 
 
 def _digest(data):
