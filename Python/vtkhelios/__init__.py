@@ -31,7 +31,7 @@ filter
 
 See Docs/python.md.
 
-The classes work with those of stock vtkmodules in one process:
+The classes work with the classes of stock vtkmodules in one process:
 
 >>> import vtkhelios
 >>> from vtkmodules.vtkFiltersSources import vtkLineSource

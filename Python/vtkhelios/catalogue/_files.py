@@ -18,7 +18,7 @@ def shipped_assets():
 
 
 def read_folders(read_file, folders, warn=None):
-    """What read_file(path, name) returns of the XML files of folders and of their subfolders.
+    """Joins the results of read_file(path, name) for the XML files of folders and of their subfolders.
 
     name is the path in its folder. warn is called with the message of each file that cannot be read;
     without it, CatalogueError is raised.
@@ -36,7 +36,7 @@ def read_folders(read_file, folders, warn=None):
 
 
 def read_root(path):
-    """The root element of an XML file. Raises CatalogueError."""
+    """Returns the root element of an XML file. Raises CatalogueError."""
     try:
         return ElementTree.parse(path).getroot()
     except (ElementTree.ParseError, OSError, ValueError) as error:
@@ -44,5 +44,5 @@ def read_root(path):
 
 
 def has_words(words, text):
-    """Whether all words occur in a text, in upper or lower case."""
+    """Returns whether all words occur in a text, in upper or lower case."""
     return all(word in text.lower() for word in words.lower().split())

@@ -10,7 +10,7 @@ from ._files import CatalogueError, has_words, read_folders, read_root, shipped_
 class Platform(typing.NamedTuple):
     """A platform of an XML file."""
 
-    reference: str  # as a survey names it: file.xml#id
+    reference: str  # reference in surveys: file.xml#id
     id: str
     name: str
     type: str  # static, linearpath, groundvehicle, multicopter ...
@@ -18,7 +18,8 @@ class Platform(typing.NamedTuple):
 
 
 def find_platforms(text="", assets=(), warn=None):
-    """The platforms of vtkHelios and of the XML files in folders, in the order of their files.
+    """Returns the platforms of vtkHelios and of the XML files in folders, in the order of their
+    files.
 
     text
         words that all occur in the reference, name or type, in upper or lower case. Default: all.

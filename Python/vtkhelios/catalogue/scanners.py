@@ -31,19 +31,20 @@ class Source(typing.NamedTuple):
 class Scanner(typing.NamedTuple):
     """A scanner of the catalogue; numbers in the units of Docs/dialect.md, and only those given."""
 
-    reference: str  # as a survey names it: file.xml#id
+    reference: str  # reference in surveys: file.xml#id
     id: str
     name: str
     maker: str  # empty: a class of instruments
     use: str  # one of USES, or empty
     optics: str
-    numbers: dict  # by attribute; those of LISTS are tuples
-    channels: int  # that fire at once
-    sources: tuple  # of Source
+    numbers: dict  # by attribute; values of LISTS are tuples
+    channels: int  # channels that fire at once
+    sources: tuple  # attributes of Source
 
     @property
     def pulse_frequencies(self):
-        """Of one channel [Hz], from the lowest to the highest; empty if not given."""
+        """The pulse frequencies of one channel [Hz], from the lowest to the highest; empty if not
+        given."""
         return tuple(sorted(self.numbers.get("pulseFreqs_Hz", ())))
 
     @property
@@ -71,7 +72,7 @@ class Scanner(typing.NamedTuple):
         return self.numbers.get("beamDivergenceMinor_rad") or None
 
     def source_of(self, attribute):
-        """The Source of an attribute, or None."""
+        """Returns the Source of an attribute, or None."""
         return next(
             (each for each in self.sources if attribute in each.attributes or not each.attributes),
             None,
@@ -85,7 +86,7 @@ def find_scanners(text="", assets=(), warn=None):
         words that all occur in the reference, name, maker, use or optics, in upper or lower case.
         Default: none, all scanners.
     assets
-        more folders; of each, its XML files and those of its subfolders. Default: none.
+        more folders; of each, its XML files and its subfolders' XML files. Default: none.
     warn
         called with the message of each file that cannot be read, which is then left out. Default:
         raise CatalogueError.
@@ -95,7 +96,7 @@ def find_scanners(text="", assets=(), warn=None):
 
 
 def read_file(path, name=None):
-    """The scanners of a file, whose references begin with name. Raises CatalogueError."""
+    """Returns the scanners of a file, whose references begin with name. Raises CatalogueError."""
     name = name or pathlib.Path(path).name
     return [_read_scanner(element, path, name) for element in read_root(path).iter("scanner")]
 

@@ -10,7 +10,7 @@ from ._files import has_words, read_folders, read_root
 class SceneEntry(typing.NamedTuple):
     """A scene of an XML file."""
 
-    reference: str  # as a survey names it: file.xml#id
+    reference: str  # reference in surveys: file.xml#id
     id: str
     name: str
     parts: int  # elements <part>
@@ -23,9 +23,9 @@ def find_scenes(text="", folders=(".",), warn=None):
     text
         words that all occur in the reference or name, in upper or lower case. Default: all.
     folders
-        of each, its XML files and those of its subfolders. Default: the working directory.
+        of each, its XML files and its subfolders' XML files. Default: the working directory.
     warn
-        as of find_scanners().
+        see find_scanners().
     """
     found = read_folders(_read_file, folders, warn)
     return [each for each in found if has_words(text, " ".join(each[:3]))]

@@ -61,25 +61,26 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 1
 
 
 def module_names():
-    """The modules of the subcommands: a dict from the name of each subcommand to that of its module."""
+    """Returns the modules of the subcommands: a dict from the name of each subcommand to its
+    module's name."""
     found = [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
     return {name.rstrip("_"): name for name in found}
 
 
 def command_names():
-    """The names of the subcommands, sorted."""
+    """Returns the names of the subcommands, sorted."""
     return sorted(module_names())
 
 
 def commands(names=None):
-    """The subcommands, all or those of given names: a dict from name to module."""
+    """Returns the subcommands, all or those of given names: a dict from name to module."""
     modules = module_names()
     names = sorted(modules) if names is None else names
     return {name: importlib.import_module(f"{__name__}.{modules[name]}") for name in names}
 
 
 def make_parser(names=None):
-    """The parser of the whole command line, or of the subcommands of given names."""
+    """Returns the parser of the whole command line, or of the subcommands of given names."""
     parser = Parser(prog="vtkhelios", description=DESCRIPTION, epilog=EPILOG)
     parser.add_argument("--version", action="store_true", help="print the version and exit")
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
@@ -92,7 +93,7 @@ def make_parser(names=None):
 
 
 def main(argv=None):
-    """Runs a command line and returns its exit code; without words, that of the process."""
+    """Runs a command line and returns its exit code; without words, the command line of the process."""
     is_process = argv is None
     try:
         code = main_in_streams(sys.argv[1:] if is_process else list(argv), is_process)
@@ -110,14 +111,15 @@ def main_in_streams(argv, is_process):
         except KeyboardInterrupt as interruption:
             code = report_stop(interruption)
         except UnicodeEncodeError as error:
-            text = error.object[max(0, error.start - 200) : error.end + 200]  # of a long one
+            # section of a long one
+            text = error.object[max(0, error.start - 200) : error.end + 200]
             say_error(f"{text}: is not UTF-8, and not supported here; give it another name")
             code = 1
         except Exception as error:
             if not is_stopping():  # else a library has made it of the interruption
                 raise
             code = report_stop(error)
-        except SystemExit as end:  # of argparse
+        except SystemExit as end:  # argparse ends
             raise SystemExit(written(results, end.code)) from None
         if code and is_stopping():
             code = report_stop(None)
@@ -143,7 +145,7 @@ def run_command(argv):
 
 
 def written(results, code):
-    """The exit code, not 0 if results could not be printed."""
+    """Returns the exit code, not 0 if results could not be printed."""
     results.flush()
     failure = results.failure()
     if failure is None:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a file of points holds, and whether it agrees with itself."""
+"""Contents of a file of points, and whether it agrees with itself."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ class Inspection:
     def __init__(self, path, height_unit=None):
         self.path = path
         self._height_unit = height_unit
-        self._metres = None  # of the file's system
+        self._metres = None  # unit of the file's system
         self.facts = {}
         self.warnings = []
         self._low = np.full(3, np.inf)
@@ -87,7 +87,7 @@ class Inspection:
             if ids in chunk and chunk[ids].dtype.kind in "iu":
                 _count(chunk[ids], self._named[ids])
         if GPS_TIME in chunk and rows_of(chunk):
-            with np.errstate(all="ignore"):  # of times that are not finite
+            with np.errstate(all="ignore"):  # some times are not finite
                 self._add_times(chunk[GPS_TIME].reshape(rows_of(chunk), -1)[:, 0])
 
     def _add_cells(self, points, scan):
@@ -137,7 +137,7 @@ class Inspection:
         counts = raster.counts[raster.counts > 0]
         return float(raster.cell / np.sqrt(np.median(counts)))
 
-    # Of LAS and LAZ.
+    # Facts of LAS and LAZ.
 
     def _tell_head(self):
         try:
@@ -238,7 +238,8 @@ def _count(numbers, counts):
 
 
 def _name_counts(names, counts):
-    """The points of each part or material: the number, its name if it has one, and the count."""
+    """Returns the points of each part or material: the number, its name if it has one, and the
+    count."""
     return [
         {"id": number, "name": names[number] if 0 <= number < len(names) else None, "points": count}
         for number, count in sorted(counts.items())
@@ -246,7 +247,7 @@ def _name_counts(names, counts):
 
 
 def _text(value):
-    """A header string; laspy returns bytes if it is not UTF-8."""
+    """Returns a header string; laspy returns bytes if it is not UTF-8."""
     return value.decode(errors="replace") if isinstance(value, bytes) else value
 
 

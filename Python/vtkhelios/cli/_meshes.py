@@ -31,12 +31,12 @@ KINDS = {
 
 
 def is_mesh(path):
-    """Whether a file is a mesh: PLY files without faces are clouds."""
+    """Returns whether a file is a mesh: PLY files without faces are clouds."""
     return vtkhelios.vtkHeliosDialect.IsMesh(to_vtk(path))
 
 
 def read(path, messages):
-    """The triangles of a file, or None after an error."""
+    """Returns the triangles of a file, or None after an error."""
     reader = make_reader(path)
     messages.watch(reader)
     run_native(reader)
@@ -48,7 +48,8 @@ def read(path, messages):
 
 
 def read_colored(path, messages):
-    """The triangles of a file with its colours, or without if only these have an error: a warning."""
+    """Returns the triangles of a file with its colours, or without if only these have an error: a
+    warning."""
     reader = make_reader(path)
     if not hasattr(reader, "SetReadColors"):
         return read(path, messages)
@@ -125,7 +126,7 @@ def bounds_lines(facts):
 
 
 def name_unit(metres):
-    """The name of a unit in metres; degrees are 0."""
+    """Returns the name of a unit in metres; degrees are 0."""
     for name, size in {"deg": 0.0, **HEIGHT_UNITS}.items():
         if abs(metres - size) <= 1e-9 * size:
             return name
@@ -150,7 +151,7 @@ def compute_areas(mesh, points):
 
 
 def describe_materials(mesh, areas):
-    """Of each material that a triangle has."""
+    """Describes each material that a triangle has."""
     columns = mesh.GetFieldData()
     names = columns.GetAbstractArray(MATERIAL_NAME)
     values = {
@@ -176,7 +177,7 @@ def describe_materials(mesh, areas):
 
 
 def describe_parts(mesh, areas):
-    """Of each object of a file that has objects."""
+    """Describes each object of a file that has objects."""
     names = mesh.GetFieldData().GetAbstractArray(PART_NAME)
     ids = mesh.GetCellData().GetArray(PART_IDS)
     if names is None or ids is None:
@@ -194,7 +195,7 @@ def describe_parts(mesh, areas):
 
 
 def describe_lines(facts):
-    """The facts as text."""
+    """Yields the facts as text."""
     yield f"format     {facts['format']}"
     yield f"triangles  {facts['triangles']:,}, with {facts['vertices']:,} vertices"
     if "bounds" in facts:
@@ -220,7 +221,7 @@ def describe_lines(facts):
 
 
 def _none_if_nan(value):
-    """Of materials without a reflectance of their own."""
+    """Returns None for materials without a reflectance of their own."""
     return None if np.isnan(value) else float(value)
 
 
@@ -253,12 +254,12 @@ def convert(arguments, messages):
 
 
 def material_file(output):
-    """The file of materials that belongs to an OBJ file."""
+    """Returns the file of materials that belongs to an OBJ file."""
     return pathlib.Path(output).with_suffix(".mtl")
 
 
 def check_arguments(arguments):
-    """The mesh to convert; FormatError without one, or with an option for points."""
+    """Returns the mesh to convert; FormatError without one, or with an option for points."""
     output = pathlib.Path(arguments.output)
     for path in arguments.inputs:
         if not pathlib.Path(path).exists():

@@ -30,7 +30,7 @@ class _Latest:
         self.is_printed = False
 
     def accept(self, message):
-        """Whether a message needs no line of its own."""
+        """Returns whether a message needs no line of its own."""
         return message in self.messages or (not self.is_printed and self.messages.add(message))
 
 
@@ -71,7 +71,8 @@ class Messages:
         )
 
     def _holder_of(self, severity):
-        """A function that prints a message, or holds it back while similar ones may follow."""
+        """Returns a function that prints a message, or holds it back while similar ones may
+        follow."""
 
         def hold(message):
             last = self._last
@@ -102,7 +103,7 @@ class Messages:
     def error(self, text):
         self.flush()
         self._errors += 1
-        if not is_stopping():  # what is stopped may report that; the line of the stop says it
+        if not is_stopping():  # stopped work may report that; the line of the stop says it
             self.write_error(visible(f"error: {text}"))
 
     def error_unless_told(self, text):

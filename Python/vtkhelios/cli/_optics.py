@@ -30,7 +30,8 @@ DISPERSION_NAMES = {number: name for name, number in DISPERSIONS.items()}
 
 
 def describe_optics(scene):
-    """A line for each material of a scene (vtkDataObject) with optics: its name, and what light does."""
+    """Returns a line for each material of a scene (vtkDataObject) with optics: its name, and what
+    light does."""
     fields = scene.GetFieldData()
     if not fields.HasArray(MATERIAL_OPTICS):
         return []

@@ -11,7 +11,7 @@ OPTION = re.compile(r"-[^\d.]")  # -1 and -.5 are numbers
 
 
 def whole_number(highest, lowest=0):
-    """An argparse type: an integer from lowest to highest."""
+    """Returns an argparse type: an integer from lowest to highest."""
 
     def parse(text):
         if not text.isascii() or not text.isdigit() or not lowest <= int(text) <= highest:
@@ -24,7 +24,7 @@ def whole_number(highest, lowest=0):
 
 
 def number(lowest, highest):
-    """An argparse type: a number from lowest to highest."""
+    """Returns an argparse type: a number from lowest to highest."""
 
     def parse(text):
         try:
@@ -41,7 +41,7 @@ def number(lowest, highest):
 
 
 def part_of_run(text):
-    """An argparse type: part K of N, as (K, N)."""
+    """Returns an argparse type: part K of N, as (K, N)."""
     found = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
     if not found or not 1 <= int(found[1]) <= int(found[2]):
         raise argparse.ArgumentTypeError(
@@ -51,7 +51,7 @@ def part_of_run(text):
 
 
 def nearest(word, known):
-    """The known word most similar to a given one, or None."""
+    """Returns the known word most similar to a given one, or None."""
     close = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
     return close[0] if close else None
 

@@ -113,7 +113,7 @@ class Sights:
         return self.half_step * self.ranges * np.sqrt(1.0 - cosines**2) / cosines
 
     def find_wanted(self, settings):
-        """Those required by the plan, by range, elevation, incidence and density."""
+        """Returns the points required by the plan, by range, elevation, incidence and density."""
         incidence = np.degrees(np.arccos(np.clip(self.cosines, 0.0, 1.0)))
         thin = settings["minDensity_1_m2"] * self.steps**2 > self.cosines
         return (
@@ -169,7 +169,7 @@ def make_locator(points):
 
 
 def read_clouds(folder, count):
-    """The points of every leg, one cloud at a time; empty for a leg without points."""
+    """Yields the points of every leg, one cloud at a time; empty for a leg without points."""
     for leg in range(count):
         reader = vtkXMLPPolyDataReader()
         reader.SetFileName(f"{folder}/{file_of_leg(leg, POINTS, 'vtp')}")
@@ -180,7 +180,7 @@ def read_clouds(folder, count):
 
 
 def read_strips(folder, count):
-    """The first returns of every strip of a flight, n x 3 [m], one strip at a time."""
+    """Yields the first returns of every strip of a flight, n x 3 [m], one strip at a time."""
     for strip in range(count):
         stem = vtkhelios.vtkHeliosRunFiles.GetStripStem(f"{strip:03}")
         path = f"{folder}/{vtkhelios.vtkHeliosRunFiles.GetFileName(stem, POINTS, 'vtp')}"
@@ -195,7 +195,7 @@ def read_strips(folder, count):
 
 
 def check_lines(check, tolerance):
-    """The result of the comparison."""
+    """Yields the result of the comparison."""
     yield (
         f"check    predicted {check['predicted_percent']:.2f} %, simulated "
         f"{check['simulated_percent']:.2f} % of the coverable test points, by {check['echoes']:,} "

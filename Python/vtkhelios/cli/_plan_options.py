@@ -9,7 +9,7 @@ from ._reading import add_assets_argument
 
 
 def value_of(name):
-    """An argparse type: a number in the valid range of a setting."""
+    """Returns an argparse type: a number in the valid range of a setting."""
 
     def parse(text):
         return number(*SETTINGS[name].limits())(text)
@@ -18,17 +18,17 @@ def value_of(name):
 
 
 def words_of(name):
-    """The words of a setting."""
+    """Returns the words of a setting."""
     return list(SETTINGS[name].words)
 
 
 def given_settings(arguments):
-    """The settings among the arguments; None: not given."""
+    """Returns the settings among the arguments; None: not given."""
     return {name: getattr(arguments, name) for name in SETTINGS}
 
 
 def option_of(name):
-    """The option of a setting."""
+    """Returns the option of a setting."""
     return "--" + name.replace("_", "-")
 
 

@@ -68,7 +68,7 @@ class Progress:
         now = time.monotonic()
         done = self._player.GetCount("pulses")
         if done > 0:
-            self._messages.flush()  # of loading
+            self._messages.flush()  # ends the lines of loading
             self._indices.add(now, done)
             self._fired.add(now, self._player.GetCount("pulsesFired"))
         if now >= self._next:
@@ -76,7 +76,7 @@ class Progress:
             self.show()
 
     def describe(self):
-        """The state of the run in one line."""
+        """Returns the state of the run in one line."""
         player = self._player
         if player.GetCount("pulses") <= 0:
             return from_vtk(player.GetMessage()) or "loading"
@@ -202,7 +202,7 @@ class RichBar(Progress):
 
 
 def make_progress(player, messages, quiet=False):
-    """The progress display for standard error."""
+    """Returns the progress display for standard error."""
     if quiet:
         return Progress(player, messages)
     if not sys.stderr.isatty():

@@ -24,7 +24,7 @@ def add_assets_argument(parser):
 
 
 def size(text):
-    """An argparse type: a number of bytes, as 8G or 512MiB."""
+    """Returns an argparse type: a number of bytes, as 8G or 512MiB."""
     found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?((?:[kmgt]i?)?)b?", text.lower())
     if not found or float(found[1]) == 0.0:
         raise argparse.ArgumentTypeError(
@@ -50,7 +50,7 @@ def limit_memory(arguments):
 
 
 def height_unit(text):
-    """The unit of heights of an option [m]."""
+    """Returns the unit of heights of an option [m]."""
     if text in HEIGHT_UNITS:
         return HEIGHT_UNITS[text]
     try:

@@ -21,7 +21,7 @@ from ..core.streams import unfiltered, visible
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
 LONGEST = 0.4  # s, from the signal to the end
-RUN, ESTIMATE = 0, 1  # of a player
+RUN, ESTIMATE = 0, 1  # phases of a player
 
 
 class Interrupted(KeyboardInterrupt):
@@ -93,7 +93,7 @@ def run_player(player, what=RUN):
 
 
 class _State:
-    """What a signal finds."""
+    """State that a signal finds."""
 
     def __init__(self):
         self.reset()
@@ -118,7 +118,7 @@ _state = _State()
 
 
 def _ignore(*_):
-    """Prints no exception: code that cannot pass one on would print that of a stop."""
+    """Prints no exception: code that cannot pass one on would print a stop's."""
 
 
 def _handle(number, _frame):
@@ -130,7 +130,7 @@ def _handle(number, _frame):
 
 
 def is_stopping():
-    """Whether a signal has come."""
+    """Returns whether a signal has come."""
     return _state.signal != 0
 
 
@@ -147,7 +147,7 @@ def set_terminal(sequence):
 
 
 def claim_line():
-    """Whether no line of the stop is written yet; from now on the caller writes it."""
+    """Returns whether no line of the stop is written yet; from now on the caller writes it."""
     return _native.claim_end_line()
 
 

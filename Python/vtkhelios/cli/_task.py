@@ -9,7 +9,7 @@ from ._progress import Pace
 
 
 class Watched:
-    """What progress needs of a player, besides GetProgress() and GetMessage()."""
+    """Methods that progress needs of a player, besides GetProgress() and GetMessage()."""
 
     def __init__(self):
         self._callback = None

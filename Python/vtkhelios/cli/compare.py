@@ -150,7 +150,7 @@ def compare_files(arguments, messages):
 
 
 def find_output(arguments):
-    """The page and the JSON file, or nothing; FormatError for names that cannot be used."""
+    """Returns the page and the JSON file, or nothing; FormatError for names that cannot be used."""
     if not arguments.output:
         return ()
     page = pathlib.Path(arguments.output)

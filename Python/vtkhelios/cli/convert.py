@@ -58,7 +58,7 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 1
 
 
 def class_list(text):
-    """An argparse type: classes, as 2 or 2,6."""
+    """Returns an argparse type: classes, as 2 or 2,6."""
     try:
         classes = [int(word) for word in text.split(",")]
     except ValueError:
@@ -148,7 +148,7 @@ def run(arguments):
 
 
 def plan(arguments):
-    """The conversions to run."""
+    """Returns the conversions to run."""
     for path in arguments.inputs:
         if not pathlib.Path(path).exists():
             raise formats.FormatError(f"{path}: no such file or folder; check its name")

@@ -50,7 +50,7 @@ exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
 
 
 def return_selections():
-    """The names of the returns to keep, and the methods that select them."""
+    """Returns the names of the returns to keep, and the methods that select them."""
     start = "SetReturnSelectionTo"
     methods = [name for name in dir(vtkhelios.vtkHeliosEchoDetection) if name.startswith(start)]
     names = [method.removeprefix(start) for method in methods]
@@ -58,7 +58,7 @@ def return_selections():
 
 
 def output_name(text):
-    """An argparse type: a file whose ending selects its format."""
+    """Returns an argparse type: a file whose ending selects its format."""
     if pathlib.Path(text).suffix not in (".xyz", ".pvtp"):
         raise argparse.ArgumentTypeError(
             f"{text!r} is not valid: expected a name that ends in .xyz (text) or .pvtp (VTK)"

@@ -46,7 +46,7 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 1
 
 
 def window(text):
-    """An argparse type: seconds, or None for "leg"."""
+    """Returns an argparse type: seconds, or None for "leg"."""
     if text == "leg":
         return None
     try:
@@ -112,7 +112,7 @@ def export(arguments, messages):
 
 
 def counted_scans(scans, task):
-    """The scans; shows the progress. FormatError if there are none."""
+    """Yields the scans; shows the progress. FormatError if there are none."""
     scan = None
     for scan in scans:
         yield scan

@@ -116,7 +116,8 @@ def fit_clouds(arguments, messages):
 
 
 def find_output(arguments):
-    """The folder to write to, or None; FormatError if it has a file that would be replaced."""
+    """Returns the folder to write to, or None; FormatError if it has a file that would be
+    replaced."""
     if not arguments.output:
         if arguments.scene:
             raise formats.FormatError("--scene is of the survey that --output writes; give it, too")

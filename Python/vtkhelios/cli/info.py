@@ -113,7 +113,7 @@ def lines_of(facts):
 
 
 def point_lines(facts):
-    """Of points."""
+    """Yields the facts of points."""
     yield f"format     {facts['format']}"
     yield f"points     {facts['points']:,}"
     if "bounds" in facts:
@@ -149,7 +149,7 @@ def point_lines(facts):
 
 
 def name_lines(key, entries):
-    """The names of parts or materials, the most frequent first."""
+    """Yields the names of parts or materials, the most frequent first."""
     if entries:
         entries = sorted(entries, key=lambda entry: -entry["points"])
         shown = [f"{each['name'] or each['id']}: {each['points']:,}" for each in entries[:MOST]]
@@ -175,7 +175,7 @@ def array_lines(arrays):
 
 
 def document_lines(facts):
-    """Of a document without a survey."""
+    """Yields the facts of a document without a survey."""
     yield f"document   {facts['file']}"
     for scene in facts["scenes"]:
         yield f"scene      {scene['id']}, {scene['name']}: {_count(scene['parts'], 'part')}"

@@ -86,7 +86,7 @@ def run(arguments):
 
 
 def find_parts(folders):
-    """The folders of all parts in or below some folders."""
+    """Returns the folders of all parts in or below some folders."""
     found = []
     for folder in map(pathlib.Path, folders):
         below = [*folder.glob("part*of*"), *folder.glob("play*/part*of*")]
@@ -101,7 +101,7 @@ def find_parts(folders):
 
 
 def read_part(folder):
-    """What the journal of a part says about its run."""
+    """Reads the run of a part from its journal."""
     path = folder / JOURNAL_NAME
     try:
         with open(path, encoding="utf-8") as file:
@@ -116,7 +116,7 @@ def read_part(folder):
 
 
 def join_options(arguments, part, folder):
-    """The arguments of vtkhelios run that make the whole run."""
+    """Returns the arguments of vtkhelios run that make the whole run."""
     try:
         command = parse_json(str(part["part"]["command"]))
         there, options = pathlib.Path(command["folder"]), dict(command["options"])
@@ -140,7 +140,8 @@ def join_options(arguments, part, folder):
 
 
 def default_options(survey, options, folder):
-    """The arguments of vtkhelios run with options of a part; FormatError if one is not valid."""
+    """Returns the arguments of vtkhelios run with options of a part; FormatError if one is not
+    valid."""
     parser = Parser(add_help=False)
     run_command.add_arguments(parser)
     joined = parser.parse_args([survey], argparse.Namespace())
@@ -156,7 +157,7 @@ def default_options(survey, options, folder):
 
 
 def is_valid(value, action):
-    """Whether a value is one of an option of the command line."""
+    """Returns whether a value is one of an option of the command line."""
     if isinstance(action.default, bool):
         return isinstance(value, bool)
     if isinstance(action.default, list):
@@ -177,7 +178,7 @@ def find_file(name, there):
 
 
 def find_output(parts, part):
-    """The output folder of the parts, if all are in the same."""
+    """Returns the output folder of the parts, if all are in the same."""
     epochs = "play" in part["options"]
     outputs = {path.absolute().parents[2 if epochs else 1] for path in sum(parts.values(), [])}
     if len(outputs) > 1:

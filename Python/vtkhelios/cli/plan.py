@@ -128,7 +128,7 @@ def make_plan(arguments, messages):
         return make_flight_plan(arguments, messages)
     task = PlanTask(arguments.input, arguments.assets, **given_settings(arguments))
     for name in ("SceneReference", "PlatformReference", "ScannerReference"):
-        require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # as above
+        require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # same cure
     require_utf8(task.name)
     folder = pathlib.Path(arguments.output) / task.name
     if problem := find_unusable(folder, arguments.overwrite):
@@ -146,7 +146,7 @@ def make_plan(arguments, messages):
 
 
 def run_steps(task, arguments, messages):
-    """The Plan of a task."""
+    """Returns the Plan of a task."""
     watch, seconds = PlanWatch(), {}
     with make_progress(watch, messages, quiet=arguments.quiet):
         for step in task.steps():
@@ -210,7 +210,7 @@ def write_plan(arguments, plan, folder, messages):
 
 
 def draw(arguments, plan, folder, messages):
-    """The picture of a plan: its path, or None without one."""
+    """Returns the picture of a plan: its path, or None without one."""
     if arguments.no_picture:
         return None
     try:

@@ -30,7 +30,7 @@ SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
 
 def detectors():
-    """The names of the echo detectors, the default one first."""
+    """Returns the names of the echo detectors, the default one first."""
     return vtkHeliosRunOptions.GetEchoDetectorNames().split()
 
 
@@ -189,7 +189,7 @@ def run_here(arguments, parts, ranks=None):
 
 
 def describe_traffic(ranks, player):
-    """The ranks of a run, and what rank 0 has received."""
+    """Returns the ranks of a run, and what rank 0 has received."""
     per_pulse = ranks.GetNumberOfBytes() / max(1, player.GetNumberOfPulses())
     return (
         f"ranks    {ranks.GetNumberOfRanks()}, which sent {ranks.GetNumberOfBytes():,} bytes, "
@@ -229,7 +229,7 @@ def run_epochs(arguments, player, parts, messages):
 
 
 def read_survey(arguments, messages):
-    """The survey, or None after an error."""
+    """Returns the survey, or None after an error."""
     if problem := missing_folder(arguments.assets):
         messages.error(problem)
         return None
@@ -270,7 +270,7 @@ def make_player(arguments, survey, messages):
 
 
 def command_of_part(arguments):
-    """What determines the output, as JSON: for vtkhelios join."""
+    """Returns the values that determine the output, as JSON: for vtkhelios join."""
     host = (
         "command run part epoch output overwrite resume check_all dry_run threads memory json quiet"
     )
@@ -286,7 +286,7 @@ def set_parts(player, folders):
 
 
 def epochs_to_run(arguments, player, messages):
-    """The epochs to run; empty after an error."""
+    """Returns the epochs to run; empty after an error."""
     count = player.GetSurvey().GetNumberOfEpochs()
     if arguments.epoch is not None:
         return [arguments.epoch]  # the player reports a missing one
@@ -359,7 +359,7 @@ def watch_outcome(arguments, player, folder):
 
 
 def read_report(player, folder, messages):
-    """The report of a run, or of an earlier one; None after an error."""
+    """Returns the report of a run, or of an earlier one; None after an error."""
     text = from_vtk(player.GetReport())
     if not player.GetWasFinished():
         return json.loads(text)

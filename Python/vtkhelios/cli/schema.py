@@ -53,7 +53,7 @@ def add_arguments(parser):
 
 
 def make_files():
-    """The files of Data/Schemas: a dict from name to text."""
+    """Returns the files of Data/Schemas: a dict from name to text."""
     files = {f"{kind}.xsd": INCLUDE for kind in KINDS}
     return {"helios.xsd": vtkhelios.vtkHeliosDialect.GetSchema(), **files}
 

@@ -93,7 +93,7 @@ UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "um": 1e-6}
 
 
 def length(text):
-    """An argparse type: a length such as 5mm."""
+    """Returns an argparse type: a length such as 5mm."""
     found = re.fullmatch(r"([0-9.eE+-]+) ?(um|mm|cm|m)", text)
     with contextlib.suppress(ValueError):
         if found and 0 < float(found[1]) * UNITS[found[2]] <= 100:
@@ -102,7 +102,7 @@ def length(text):
 
 
 def fraction(text):
-    """An argparse type: a fraction such as 1% or 0.01."""
+    """Returns an argparse type: a fraction such as 1% or 0.01."""
     word = text.removesuffix("%")
     with contextlib.suppress(ValueError):
         value = float(word) / (100 if text.endswith("%") else 1)
@@ -112,7 +112,7 @@ def fraction(text):
 
 
 def minutes(text):
-    """An argparse type: a positive number of minutes."""
+    """Returns an argparse type: a positive number of minutes."""
     with contextlib.suppress(ValueError):
         if 0 < float(text) < 1e6:
             return float(text)
@@ -239,7 +239,7 @@ def asks_for_accuracy(arguments):
 
 
 def find_contradiction(arguments):
-    """What is wrong with the options, or None."""
+    """Returns the contradiction in the options, or None."""
     asks = asks_for_accuracy(arguments)
     if asks and arguments.minutes is not None:
         return (
@@ -279,7 +279,7 @@ def write(result, folder, messages):
 
 
 def draw(result, messages):
-    """The pictures, by name; none without matplotlib."""
+    """Returns the pictures, by name; none without matplotlib."""
     try:
         pictures = {"tradeoff.png": make_picture(result)}
         if result.parts:
@@ -371,7 +371,7 @@ def apply(row, found, arguments, messages):
 
 
 def with_settings(data, options):
-    """The bytes of a survey with the options of a way."""
+    """Returns the bytes of a survey with the options of a way."""
     if "ray_caster" in options:
         return with_ray_caster(data, options["ray_caster"])
     if "sub_rays" in options:
@@ -380,6 +380,6 @@ def with_settings(data, options):
 
 
 def circles_of(sub_rays):
-    """The number of circles with this many sub-rays."""
+    """Returns the number of circles with this many sub-rays."""
     sampler = vtkhelios.vtkHeliosBeamSampler
     return sampler.FindPatternSize(sampler.CIRCLES, sub_rays)

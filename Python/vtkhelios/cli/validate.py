@@ -112,7 +112,7 @@ class Collector(Messages):
 
 
 def check(path, assets, deep=False):
-    """The errors of a file and the files it refers to, in the order of files and lines.
+    """Returns the errors of a file and the files it refers to, in the order of files and lines.
 
     deep: also of the files of geometry, if there is no other error.
     """
@@ -162,7 +162,8 @@ def load_into(source, path, colors):
 
 
 def merge_similar(findings):
-    """The findings; those of a line that differ only by a channel or part as one with their count."""
+    """Returns the findings; findings of a line that differ only by a channel or part become one
+    with their count."""
     places = {}
     for found in findings:
         place = (found.file, found.line, found.severity)
@@ -175,7 +176,7 @@ def merge_similar(findings):
 
 
 def first_of(findings, text):
-    """The one that a merged message begins with."""
+    """Returns the one that a merged message begins with."""
     return next(found for found in findings if text.startswith(found.message))
 
 

@@ -28,20 +28,20 @@ SUMMARY = "view a survey while it runs, a run, clouds and scenes; clouds as web 
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = ("-screen", "0", "1280x1024x24")
-SECONDS_TO_END = 0.25  # of the viewer, after a signal
+SECONDS_TO_END = 0.25  # time for the viewer to end, after a signal
 
 
 def find_viewer():
-    """The viewer of this build or installation, or None."""
+    """Returns the viewer of this build or installation, or None."""
     package = pathlib.Path(vtkhelios.__file__).absolute().parent
     beside = package.parents[3] / "bin" / PROGRAM  # below lib/python3/dist-packages
-    within = package / "bin" / PROGRAM  # of a wheel
+    within = package / "bin" / PROGRAM  # place in a wheel
     found = next((path for path in (within, beside) if path.is_file()), None)
     return str(found) if found else shutil.which(PROGRAM)
 
 
 def command(viewer, arguments):
-    """The command of the viewer."""
+    """Returns the command of the viewer."""
     shipped = data_directory()
     full = [viewer, *arguments]
     if arguments and not {"-h", "--help", "--version"} & set(arguments):
@@ -62,7 +62,7 @@ def explain_missing():
             f"the wheel has no {PROGRAM}, which needs X11 and OpenGL; show clouds with PyVista "
             "(vtkhelios.Cloud.to_pyvista), or build vtkHelios from its sources: Docs/install.md"
         )
-    tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # of a build
+    tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # place in a build
     build = f"cmake --build {tree} --target {PROGRAM}"
     if not (tree / "CMakeCache.txt").is_file():
         left_out = (
@@ -79,13 +79,13 @@ def explain_missing():
 
 
 def needs_conversion(argument):
-    """Whether an argument is a cloud that the viewer does not read itself."""
+    """Returns whether an argument is a cloud that the viewer does not read itself."""
     name = argument.lower()
     return name.endswith(converted_for_view()) and os.path.isfile(argument)
 
 
 def convert_inputs(arguments, folder):
-    """The arguments with converted clouds, or None after an error, which is printed."""
+    """Returns the arguments with converted clouds, or None after an error, which is printed."""
     converted = []
     for number, argument in enumerate(arguments):
         if needs_conversion(argument):

@@ -51,7 +51,7 @@ class Cloud(View):
 
     @classmethod
     def from_arrays(cls, points, **columns):
-        """A cloud of points (n x 3) and arrays of n rows, shared if possible.
+        """Returns a cloud of points (n x 3) and arrays of n rows, shared if possible.
 
         float64 points and contiguous arrays of numbers are not copied. Boolean arrays become uint8.
         """
@@ -86,7 +86,8 @@ class Cloud(View):
         return [name for name in arrays(self.data) if name != "points"]
 
     def __getitem__(self, key):
-        """An array by its name, without a copy; by a mask, a slice or indices, a Cloud of points."""
+        """Returns an array by its name, without a copy; by a mask, a slice or indices, a Cloud of
+        points."""
         if not isinstance(key, str):
             return self.filter(key)
         if key == "points":
@@ -129,7 +130,7 @@ class Cloud(View):
         return Records(columns)
 
     def to_structured(self, names=None):
-        """A structured array of all, or some, arrays; x, y and z are the first fields.
+        """Returns a structured array of all, or some, arrays; x, y and z are the first fields.
 
         This is a copy: its rows are contiguous in memory, while VTK's arrays are contiguous by
         column. ``records`` avoids the copy; so do ``points`` and ``[name]``.
@@ -137,7 +138,7 @@ class Cloud(View):
         return self.records.to_structured(names)
 
     def filter(self, keep):
-        """A new cloud of the points selected by a mask or by indices."""
+        """Returns a new cloud of the points selected by a mask or by indices."""
         keep = keep if isinstance(keep, slice) else np.asarray(keep)
         if isinstance(keep, np.ndarray):
             if keep.dtype.kind not in "biu" or keep.ndim != 1:
@@ -156,14 +157,15 @@ class Cloud(View):
         return kept
 
     def with_vertices(self):
-        """The same points and arrays with a vertex per point, and no other cells."""
+        """Returns the same points and arrays with a vertex per point, and no other cells."""
         shown = vtkPolyData()
         shown.ShallowCopy(self.data)
         shown.SetVerts(_make_vertices(len(self)))
         return Cloud(shown, self.waveforms, self.pulses, self.sub_rays)
 
     def to_pandas(self):
-        """A pandas.DataFrame: x, y, z, and a column per array, which share the memory of the cloud.
+        """Returns a pandas.DataFrame: x, y, z, and a column per array, which share the memory of
+        the cloud.
 
         Arrays of three components are three columns: DirectionX, DirectionY, DirectionZ;
         Orientation has W, X, Y, Z. ``attrs`` has the units by column, and the field arrays, such as
@@ -172,7 +174,7 @@ class Cloud(View):
         return to_pandas(self)
 
     def to_pyvista(self):
-        """A pyvista.PolyData with a vertex per point, all arrays and field arrays.
+        """Returns a pyvista.PolyData with a vertex per point, all arrays and field arrays.
 
         Points and arrays of numbers share the memory of the cloud; field arrays of texts are copies.
         PyVista may have another VTK than vtkHelios. ImportError without PyVista.
@@ -180,7 +182,8 @@ class Cloud(View):
         return to_pyvista(self)
 
     def to_open3d(self):
-        """An open3d.t.geometry.PointCloud with positions (float64) and all arrays, n x components.
+        """Returns an open3d.t.geometry.PointCloud with positions (float64) and all arrays, n x
+        components.
 
         Tensors share the memory of the cloud. Normals and RGB have Open3D's names, normals and
         colors; field arrays have no place. ``.to_legacy()`` makes an open3d.geometry.PointCloud.
@@ -196,7 +199,8 @@ class Cloud(View):
         write.write(self, os.fspath(path))
 
     def show(self, points=200_000, color_by=None, arrays=None, height=600, title="cloud"):
-        """The cloud as a page: in a notebook it is shown, ``.write("cloud.html")`` writes a file.
+        """Returns the cloud as a page: in a notebook it is shown, ``.write("cloud.html")`` writes a
+        file.
 
         points
             the most points of the page, a sample of all; the file of a notebook holds it.
@@ -218,7 +222,7 @@ class Cloud(View):
         return _unpack, (*packed, self.pulses, self.sub_rays)
 
     def __sizeof__(self):
-        """The memory of all arrays [bytes]."""
+        """Returns the memory of all arrays [bytes]."""
         data = [item for item in (self.data, self.waveforms) if item is not None]
         clouds = [item for item in (self.pulses, self.sub_rays) if item is not None]
         return sum(1024 * item.GetActualMemorySize() for item in data) + sum(
@@ -317,7 +321,8 @@ class Records:
 
 
 def _make_vertices(count):
-    """A vertex cell per point, 8 bytes each (16 from 2^31 points on); the memory is VTK's own."""
+    """Returns a vertex cell per point, 8 bytes each (16 from 2^31 points on); the memory is VTK's
+    own."""
     ids = vtkTypeInt32Array() if count < 2**31 - 1 else vtkTypeInt64Array()
     ids.SetNumberOfValues(count)
     vtk_to_numpy(ids)[:] = np.arange(count)

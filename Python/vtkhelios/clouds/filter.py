@@ -135,7 +135,7 @@ class FunctionAlgorithm(VTKPythonAlgorithmBase):
 
 
 def _input_view(info):
-    """A shallow copy of an input: a Cloud of vtkPolyData, else the data object."""
+    """Returns a shallow copy of an input: a Cloud of vtkPolyData, else the data object."""
     data = info.Get(vtkDataObject.DATA_OBJECT())
     copy = data.NewInstance()
     copy.ShallowCopy(data)

@@ -11,7 +11,8 @@ _CELLS = ("Verts", "Lines", "Polys", "Strips")
 
 
 def pack(data):
-    """A vtkPolyData or vtkTable as (points, cells, attributes); None: None. Shares its memory."""
+    """Returns a vtkPolyData or vtkTable as (points, cells, attributes); None: None. Shares its
+    memory."""
     if data is None:
         return None
     if data.IsA("vtkTable"):
@@ -29,7 +30,7 @@ def pack(data):
 
 
 def unpack(packed):
-    """The data of pack(); shares the memory of its arrays."""
+    """Returns the data of pack(); shares the memory of its arrays."""
     if packed is None:
         return None
     points, cells, attributes = packed
@@ -77,7 +78,7 @@ def _unpack_cells(packed):
 
 
 def _pack_arrays(attributes):
-    """All arrays, each with its role (scalars, normals ...)."""
+    """Returns all arrays, each with its role (scalars, normals ...)."""
     packed = []
     for index in range(attributes.GetNumberOfArrays()):
         role = getattr(attributes, "IsArrayAnAttribute", lambda _: -1)(index)

@@ -14,21 +14,21 @@ BLOCKS_PER_WORKER = 2  # computed in advance of the caller
 
 
 def check_pulses(pulses):
-    """The pulses of a block as an int."""
+    """Returns the pulses of a block as an int."""
     if pulses != int(pulses) or pulses < 1:
         raise ValueError(f"pulses is {pulses!r}; give a whole number of 1 or more")
     return int(pulses)
 
 
 def split_windows(windows, pulses):
-    """The windows of pulse ids [first, last) in blocks of this many pulses, in order."""
+    """Yields the windows of pulse ids [first, last) in blocks of this many pulses, in order."""
     for first, last in windows:
         for begin in range(first, last, pulses):
             yield begin, min(begin + pulses, last)
 
 
 def make_delayed(survey, pulses, legs, options):
-    """A list of dask.delayed Clouds."""
+    """Returns a list of dask.delayed Clouds."""
     delayed = need("dask").delayed
     pulses = check_pulses(pulses)
     task = make_task(survey, options)

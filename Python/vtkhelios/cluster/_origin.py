@@ -37,7 +37,7 @@ class Origin:
             raise ValueError(f"{self.path} has changed since it was read; read it again")
 
     def get_fingerprint(self, survey):
-        """The digests of the files of the survey, computed once."""
+        """Returns the digests of the files of the survey, computed once."""
         if self._fingerprint is None:
             source = survey.source()
             with MessageLog() as log:

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ..core.paths import from_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
 
-MOST_SURVEYS = 2  # that a worker keeps loaded
+MOST_SURVEYS = 2  # surveys that a worker keeps loaded
 
 _here = weakref.WeakValueDictionary()  # by key: surveys of this process that tasks were made of
 _loaded = collections.OrderedDict()  # by key: surveys read for tasks, the last used at the end
@@ -22,7 +22,7 @@ _lock = threading.Lock()
 
 
 def make_task(survey, options):
-    """A survey with its options as JSON: no data, only what it is read from."""
+    """Returns a survey with its options as JSON: no data, only what it is read from."""
     origin = survey.origin
     if origin is None:
         raise ValueError(
@@ -43,7 +43,7 @@ def make_task(survey, options):
 
 
 def _make_plain(value):
-    """A number of numpy as Python's; raises TypeError for data."""
+    """Returns a number of numpy as Python's; raises TypeError for data."""
     if getattr(value, "ndim", None) == 0:
         return value.item()
     raise TypeError(
@@ -53,7 +53,8 @@ def _make_plain(value):
 
 
 def find_windows(read, task, legs):
-    """The ranges of pulse ids of legs, the number of pulses of all legs, and what was loaded."""
+    """Returns the ranges of pulse ids of legs, the number of pulses of all legs, and what was
+    loaded."""
     with _naming_worker():
         task = json.loads(task)
         survey = _find_survey(read, task)
@@ -63,7 +64,7 @@ def find_windows(read, task, legs):
 
 
 def compute_block(read, task, first, last, loaded=None):
-    """The Cloud of the pulses first to last - 1, of the same files as those of find_windows()."""
+    """The Cloud of the pulses first to last - 1, of the same files as find_windows()."""
     with _naming_worker():
         task = json.loads(task)
         survey = _find_survey(read, task)
@@ -74,7 +75,7 @@ def compute_block(read, task, first, last, loaded=None):
 
 
 def _check_loaded(survey, task, loaded):
-    """Raises PipelineError if a file that was opened is not that of another worker; hashes once."""
+    """Raises PipelineError if a file that was opened differs from another worker's; hashes once."""
     with _watching(survey.source_of(task["options"])) as source:
         if from_vtk(source.ComputeLoadedFingerprint()) == loaded:
             return
@@ -128,7 +129,7 @@ def _read_survey(read, task):
 
 
 def _get_worker():
-    """The worker of Dask that this thread computes for, or None."""
+    """Returns the worker of Dask that this thread computes for, or None."""
     try:
         from distributed import get_worker
 
@@ -145,7 +146,7 @@ def _set_threads():
 
 
 def _find_warn():
-    """A function that also warns the client; None: Python's."""
+    """Returns a function that also warns the client; None: Python's."""
     if _get_worker() is None:
         return None
     from distributed import warn

@@ -51,7 +51,7 @@ def compare(
         True for a line on standard error, or a function of the fraction done. Default: none.
     height_unit
         unit of the heights of both [m], above 0. Default: as their coordinate systems state, else
-        that of x and y.
+        the unit of x and y.
 
     Raises FormatError (a ValueError) for files that cannot be read, clouds without points and
     different coordinate systems, ValueError for settings outside their range.

@@ -16,7 +16,7 @@ from ..surveys.accuracy import Estimate
 DRAWS = 400
 FEWEST = 8  # tiles: fewer give no interval
 LEVEL = 95  # [%]
-MOST_VALUES = 20_000  # of a quantile; more are drawn at random
+MOST_VALUES = 20_000  # sample of a quantile; more are drawn at random
 
 
 class Sampled(typing.NamedTuple):
@@ -32,7 +32,7 @@ class Sampled(typing.NamedTuple):
         )
 
     def estimate(self):
-        """The value and the ends of its interval; NaN for fewer than FEWEST tiles."""
+        """Returns the value and the ends of its interval; NaN for fewer than FEWEST tiles."""
         known = self.draws[np.isfinite(self.draws)]
         if self.tiles < FEWEST or len(known) < DRAWS // 2 or not np.isfinite(self.value):
             return Estimate(float(self.value), float("nan"), float("nan"))
@@ -58,7 +58,7 @@ class Blocks:
         return np.bincount(tiles, values, self.count).astype(np.float64)
 
     def ratio(self, above, below, form=None):
-        """The ratio of two sums over tiles, or a function of it."""
+        """Returns the ratio of two sums over tiles, or a function of it."""
         form = form or (lambda ratio: ratio)
         with np.errstate(invalid="ignore", divide="ignore"):
             value = form(above.sum() / below.sum())
@@ -66,7 +66,7 @@ class Blocks:
         return Sampled(float(value), draws, np.count_nonzero(below))
 
     def quantile(self, values, tiles, share=0.5):
-        """A quantile of values."""
+        """Returns a quantile of values."""
         if len(values) > MOST_VALUES:
             rows = self.random.choice(len(values), MOST_VALUES, replace=False)
             values, tiles = values[rows], tiles[rows]
@@ -123,5 +123,5 @@ def total_variation(first, second):
 
 
 def kolmogorov_smirnov(first, second):
-    """The largest difference of the cumulative fractions."""
+    """Returns the largest difference of the cumulative fractions."""
     return np.abs(np.cumsum(first - second, axis=-1)).max(axis=-1)

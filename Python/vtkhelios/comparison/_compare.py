@@ -18,7 +18,8 @@ from .result import Comparison
 
 
 def compare_watched(a, b, on_step, mesh, cell, points, sample, seed, height_unit=None):
-    """As compare(); on_step(name, fraction done) is called during all work, and may raise."""
+    """Compares like compare(); on_step(name, fraction done) is called during all work, and may
+    raise."""
     _check_settings(cell, points, sample, seed)
     mesh = None if mesh is None else read_mesh(mesh)
     sources = [Source(each, points, on_step, height_unit) for each in (a, b)]
@@ -111,7 +112,7 @@ def _notes(sides):
 
 
 def read_mesh(given):
-    """The triangles of a file, a Scene or a vtkPolyData, as vtkPolyData."""
+    """Returns the triangles of a file, a Scene or a vtkPolyData, as vtkPolyData."""
     if is_path(given):
         return _read_file(pathlib.Path(given))
     data = data_of(given)

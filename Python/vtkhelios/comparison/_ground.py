@@ -15,7 +15,8 @@ MOST_CELLS = 2**62
 
 
 def cells_of(points, size, corner, shape, offset=0.0):
-    """The number of the cell of each point, by axis from the corner [cells] in a box of a shape."""
+    """Returns the number of the cell of each point, by axis from the corner [cells] in a box of a
+    shape."""
     index = np.floor(points / size + offset).astype(np.int64) - corner
     number = index[:, 0]
     for axis in range(1, index.shape[1]):
@@ -24,7 +25,8 @@ def cells_of(points, size, corner, shape, offset=0.0):
 
 
 def box_of(clouds, size):
-    """The first cell and the number of cells by axis, with one to spare; FormatError if too many."""
+    """Returns the first cell and the number of cells by axis, with one to spare; FormatError if too
+    many."""
     low = np.min([points.min(axis=0) for points in clouds], axis=0)
     high = np.max([points.max(axis=0) for points in clouds], axis=0)
     spans = (high - low) / size + 3
@@ -38,7 +40,8 @@ def box_of(clouds, size):
 
 
 def choose_cell(clouds):
-    """The smallest power of two [m] with POINTS_IN_CELL points in the median cell, in plan view."""
+    """Returns the smallest power of two [m] with POINTS_IN_CELL points in the median cell, in plan
+    view."""
     return max(_cell_of(points) for points in clouds)
 
 
@@ -57,7 +60,7 @@ def _cell_of(points):
 
 
 def choose_tile(low, high, cell):
-    """The side of a tile, a multiple of the cell [m]: about TILES tiles in a box."""
+    """Returns the side of a tile, a multiple of the cell [m]: about TILES tiles in a box."""
     area = max(np.prod(np.maximum(high - low, cell)[:2]), cell**2)
     return cell * max(1, round(np.sqrt(area / TILES) / cell))
 
@@ -92,7 +95,7 @@ class Ground:
         middle = (np.column_stack([x, y]) + box[0] + 0.5) * self.column
         tile_corner, tile_shape = box_of([middle], tile)
         tiles = cells_of(middle, tile, tile_corner, tile_shape)
-        numbers, self.tile_of = np.unique(tiles, return_inverse=True)  # of columns
+        numbers, self.tile_of = np.unique(tiles, return_inverse=True)  # numbers of columns
         self.tiles = int(self.tile_of.max()) + 1
         for side in (first, second):
             side.tiles = self.tile_of[side.columns_of]
@@ -113,14 +116,14 @@ class Ground:
             side.keep(mask)
 
     def areas(self, sides):
-        """The area of the columns with points of any of the sides [m²], per tile."""
+        """Returns the area of the columns with points of any of the sides [m²], per tile."""
         seen = np.zeros(self.columns, bool)
         for side in sides:
             seen[side.columns_of] = True
         return np.bincount(self.tile_of[seen], minlength=self.tiles) * self.column**2
 
     def lowest(self, sides):
-        """The lowest point of the sides in each column [m]."""
+        """Returns the lowest point of the sides in each column [m]."""
         low = np.full(self.columns, np.inf)
         for side in sides:
             np.minimum.at(low, side.columns_of, side.points[:, 2])
@@ -128,7 +131,8 @@ class Ground:
 
 
 def draw_tiles(tile, share, seed):
-    """A function from points to the mask of those in a random share of the tiles, the same for any
+    """Returns a function from points to the mask of those in a random share of the tiles, the same
+    for any
     cloud: SplitMix64 (Steele, Lea, Flood 2014) of the seed and the numbers of a tile."""
 
     def accepts(points):

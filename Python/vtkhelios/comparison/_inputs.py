@@ -25,7 +25,7 @@ KEPT = (
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
 SMALL = {ECHO_WIDTH: np.float32, AMPLITUDE: np.float32, SCAN_ANGLE: np.float32}
-FARTHEST = 1e12  # of coordinates [m]; larger ones are damaged
+FARTHEST = 1e12  # limit of coordinates [m]; larger ones are damaged
 
 
 class Side:
@@ -71,7 +71,8 @@ class Source:
         self.total, self.crs, self.notes = 0, None, []
 
     def read(self, accepts=None):
-        """A Side, or None if there are more points than the limit: then only their number and
+        """Returns a Side, or None if there are more points than the limit: then only their number
+        and
         bounds are known. accepts is a function from points (n x 3) to a mask."""
         kept, fits = [], True
         self.total = 0
@@ -162,7 +163,7 @@ def is_path(given):
 
 
 def list_files(given):
-    """The files and runs of a path, as paths."""
+    """Returns the files and runs of a path, as paths."""
     path = pathlib.Path(given)
     if not path.exists():
         raise FormatError(f"{path}: no such file or folder; check its name")
@@ -175,7 +176,7 @@ def list_files(given):
 
 
 def is_cloud(path):
-    """Whether a member of a folder is a run, or a file of points."""
+    """Returns whether a member of a folder is a run, or a file of points."""
     if path.is_dir():
         return (path / SUMMARY_NAME).exists()
     known = path.name.lower().endswith(points()) and path.suffix.lower() not in formats.TABLES
@@ -183,7 +184,7 @@ def is_cloud(path):
 
 
 def chunk_of(given):
-    """Points in memory, and their header."""
+    """Returns the points in memory, and their header."""
     if isinstance(given, np.ndarray):
         if given.ndim != 2 or given.shape[1] != 3:
             raise ValueError(f"points has the shape {given.shape}; give an array of (n, 3)")

@@ -18,7 +18,7 @@ from ._pulses import (
 )  # fmt: skip
 from .result import Histogram, Row, contains_zero
 
-BINS = 60  # of histograms
+BINS = 60  # bins of histograms
 OUTER = 0.3  # [%] of the points at either end share the outermost bins
 EXPECTED = 5.0  # points in a cell, for it to count as occluded: by chance 0.7 % have none
 POINTS_OF_CLASS = 100  # in both clouds; smaller classes are left out
@@ -88,7 +88,7 @@ class Measurement:
         return flat.reshape(-1, BINS).astype(np.float64)
 
     def _draw(self, side):
-        """Rows of a random sample of the points."""
+        """Returns the rows of a random sample of the points."""
         if len(side) <= self.sample:
             return np.arange(len(side))
         return np.sort(self.blocks.random.choice(len(side), self.sample, replace=False))
@@ -329,12 +329,12 @@ def decibels(amplitude):
 
 
 def _plain(values):
-    """As numbers of 64 bits; numpy's own float64() makes a scalar of one value."""
+    """Converts to numbers of 64 bits; numpy's own float64() makes a scalar of one value."""
     return values.astype(np.float64)
 
 
 def describe_shift(shift, rest):
-    """What is known of the registration, in words."""
+    """Describes the registration in words."""
     known = [(axis, each) for axis, each in zip("xyz", shift) if each]
     texts = ", ".join(
         f"{axis} {each.value:+.4f} m"

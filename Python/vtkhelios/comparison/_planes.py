@@ -16,9 +16,9 @@ from ._ground import box_of, cells_of
 FEWEST = 10  # points of a cell
 FLAT = 0.2  # largest RMS normal to the plane over that along its shorter side
 WIDE = 0.15  # smallest RMS along the shorter side over the cell; of a whole cell it is 0.289
-PARALLEL = np.cos(np.radians(15.0))  # of the normals of both clouds
+PARALLEL = np.cos(np.radians(15.0))  # normals of both clouds
 DETERMINED = 0.01  # smallest mean square of a component of the normals, for the shift
-OUTLIER = 3.0 * 1.4826  # of the median absolute residual
+OUTLIER = 3.0 * 1.4826  # multiple of the median absolute residual
 ROUNDS = 5
 
 
@@ -48,10 +48,10 @@ class Planes(typing.NamedTuple):
 
     @property
     def rms(self):
-        """RMS normal to the plane [m], so that its median is that of Gaussian noise."""
+        """RMS normal to the plane [m], so that its median equals Gaussian noise."""
         found = []
         for squares, freedom in zip(self.squares, self.freedom):
-            median = (1 - 2 / (9 * freedom)) ** 1.5  # of chi over the root of the freedom
+            median = (1 - 2 / (9 * freedom)) ** 1.5  # median of chi over the root of the freedom
             found.append(np.sqrt(squares / freedom) / median)
         return found
 
@@ -73,7 +73,7 @@ def draw_equal(numbers, random):
 
 
 def find_cells(side, rows, numbers, size, offset):
-    """The Cells of some points, sorted by their cells."""
+    """Returns the Cells of some points, sorted by their cells."""
     known, first, index, counts = np.unique(
         numbers[rows], return_index=True, return_inverse=True, return_counts=True
     )
@@ -97,7 +97,7 @@ def find_cells(side, rows, numbers, size, offset):
 
 
 def find_planes(sides, size, random, on_step):
-    """The Planes of both grids."""
+    """Returns the Planes of both grids."""
     parts = []
     box = box_of([side.points for side in sides], size)
     box = box[0], box[1] + 2
@@ -113,7 +113,7 @@ def find_planes(sides, size, random, on_step):
 
 
 def _match(first, second):
-    """The same cells of both clouds."""
+    """Returns the same cells of both clouds."""
     planar = first.is_flat, second.is_flat
     central = first.is_central & second.is_central
     cosine = (first.normal * second.normal).sum(axis=1)
@@ -138,7 +138,8 @@ def _sign_of(normal):
 
 
 def find_shift(planes, blocks):
-    """The shift of B against A by axis (Sampled, None: not determined), and the remaining RMS [m].
+    """Returns the shift of B against A by axis (Sampled, None: not determined), and the remaining
+    RMS [m].
 
     Least squares of normal . shift = offset over the cells, without outliers.
     """

@@ -30,7 +30,7 @@ def need(side, *names):
 
 
 def first_returns(side):
-    """The mask of the first returns; Missing without return numbers."""
+    """Returns the mask of the first returns; Missing without return numbers."""
     need(side, RETURN_NUMBER, NUMBER_OF_RETURNS)
     mask = (side[RETURN_NUMBER] == 1) & (side[NUMBER_OF_RETURNS] >= 1)
     if not mask.any():
@@ -39,7 +39,7 @@ def first_returns(side):
 
 
 def returns_per_pulse(side, blocks, of=None):
-    """Of the pulses with a return: the mean of NumberOfReturns over the first returns."""
+    """Returns the mean of NumberOfReturns over the first returns, of the pulses with a return."""
     mask = _within(first_returns(side), of, side)
     tiles = side.tiles[mask]
     returns = blocks.sums(tiles, side[NUMBER_OF_RETURNS][mask])
@@ -62,7 +62,7 @@ def _within(mask, of, side):
 
 
 def density(side, blocks, areas, mask=None):
-    """Points/m² of the columns with points."""
+    """Returns the points/m² of the columns with points."""
     tiles = side.tiles if mask is None else side.tiles[mask]
     return blocks.ratio(blocks.sums(tiles), areas)
 
@@ -94,20 +94,20 @@ class Lines:
         self.period = float(np.percentile(known, PERIOD))
 
     def along(self, blocks):
-        """The median distance of successive pulses in plan view [m]."""
+        """Returns the median distance of successive pulses in plan view [m]."""
         pairs = np.flatnonzero(self._steps <= NEXT * self.period)
         steps = np.linalg.norm(self._xy[pairs + 1] - self._xy[pairs], axis=1)
         return blocks.quantile(steps, self._tiles[pairs])
 
     def across(self, blocks):
-        """The median distance of successive lines in plan view, within a tile [m]."""
+        """Returns the median distance of successive lines in plan view, within a tile [m]."""
         spacing, tiles = self._spacings(self._number_lines())
         if len(spacing) < ENOUGH:
             raise Missing(f"{self._side.name} has fewer than {ENOUGH} pairs of lines side by side")
         return blocks.quantile(spacing, tiles)
 
     def _number_lines(self):
-        """The number of the line of each point, from changes of the scan direction."""
+        """Returns the number of the line of each point, from changes of the scan direction."""
         ends = self._steps > GAP * self.period
         if SCAN_DIRECTION_FLAG in self._side:
             flags = self._side[SCAN_DIRECTION_FLAG][self._rows]
@@ -124,7 +124,7 @@ class Lines:
         return self._count(ends)
 
     def _count(self, ends):
-        """Numbers lines, without those of few points, which are turning points: -1."""
+        """Numbers lines, without lines of few points, which are turning points: -1."""
         number = np.r_[0, np.cumsum(ends)]
         counts = np.bincount(number)
         rank = np.cumsum(counts >= FEWEST_IN_LINE) - 1
@@ -161,10 +161,10 @@ class Lines:
 
 
 def mean(blocks, values, tiles):
-    """The mean of values."""
+    """Returns the mean of values."""
     return blocks.ratio(blocks.sums(tiles, values), blocks.sums(tiles))
 
 
 def is_empty(sampled):
-    """Whether a value is not known."""
+    """Returns whether a value is not known."""
     return not np.isfinite(sampled.value)

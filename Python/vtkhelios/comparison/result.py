@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What compare() returns."""
+"""Result of compare()."""
 
 import dataclasses
 import json
@@ -15,7 +15,7 @@ ROUNDING = 1e-9  # smaller numbers are rounding errors
 
 
 def contains_zero(estimate):
-    """Whether 0 is in an interval, but for rounding errors."""
+    """Returns whether 0 is in an interval, but for rounding errors."""
     return estimate.lower <= ROUNDING and estimate.upper >= -ROUNDING
 
 
@@ -36,7 +36,7 @@ class Row:
     @property
     def agrees(self):
         """Whether the clouds agree in this metric: 0 is in the interval of the difference, or the
-        distance is below that of chance. None: there is no interval, or it is no comparison."""
+        distance is below chance. None: there is no interval, or it is no comparison."""
         if self.chance is not None:
             return (
                 None if math.isnan(self.chance) else self.difference.value <= self.chance + ROUNDING
@@ -95,7 +95,7 @@ class Comparison:
         return Table([row.as_dict() for row in self.rows])
 
     def __getitem__(self, name):
-        """The row of a metric of all points, by its name."""
+        """Returns the row of a metric of all points, by its name."""
         for row in self.rows:
             if row.name == name and row.of_class is None:
                 return row
@@ -109,7 +109,7 @@ class Comparison:
         return self.table._repr_html_()
 
     def to_dict(self):
-        """All results as plain values; numbers that are not known are None."""
+        """Returns all results as plain values; numbers that are not known are None."""
         return {
             "a": self.a,
             "b": self.b,
@@ -123,7 +123,7 @@ class Comparison:
         }
 
     def to_json(self):
-        """All results as JSON."""
+        """Returns all results as JSON."""
         return json.dumps(self.to_dict(), indent=2, allow_nan=False)
 
 

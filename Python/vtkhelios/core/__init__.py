@@ -1,3 +1,3 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every other package uses: wrapped classes, pipelines, files, paths, messages."""
+"""Tools that every other package uses: wrapped classes, pipelines, files, paths, messages."""

@@ -6,16 +6,16 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
 class View:
-    """What is a thin view of a VTK data object, which is its ``data``."""
+    """A thin view of a VTK data object, which is its ``data``."""
 
 
 def data_of(item):
-    """The data object of a Cloud, unchanged, or of a Scene; anything else is returned."""
+    """Returns the data object of a Cloud, unchanged, or of a Scene; anything else is returned."""
     return item.data if isinstance(item, View) else getattr(item, "polydata", item)
 
 
 def arrays(data):
-    """The arrays of a data object as numpy arrays that share its memory.
+    """Returns the arrays of a data object as numpy arrays that share its memory.
 
     Of a point set: ``points`` (n x 3) and every point array; of a table: every column and every
     array of the field data (waveforms keep their samples there); of an image: every point array.

@@ -91,7 +91,7 @@ _known_defaults = {}
 
 
 def _defaults(cls):
-    """The values of a new object; empty if none can be made."""
+    """Returns the values of a new object; empty if none can be made."""
     if cls not in _known_defaults:
         try:
             _known_defaults[cls] = state(cls())
@@ -101,7 +101,7 @@ def _defaults(cls):
 
 
 def _short(value):
-    """A value as short text."""
+    """Returns a value as short text."""
     if isinstance(value, vtkObjectBase):
         return value.GetClassName()
     if isinstance(value, float):

@@ -68,7 +68,7 @@ class _Ports:
 
 
 def select_ports(*arguments):
-    """An algorithm with ports other than 0, for use with >>.
+    """Returns an algorithm with ports other than 0, for use with >>.
 
     select_ports(algorithm, output), select_ports(input, algorithm), or select_ports(input,
     algorithm, output):
@@ -152,7 +152,7 @@ def _connect_one(source, algorithm, port, add):
 
 
 def _output_port(source):
-    """The connection of a source, None for data."""
+    """Returns the connection of a source, None for data."""
     if isinstance(source, vtkAlgorithmOutput):
         return source
     if isinstance(source, Pipeline):
@@ -199,14 +199,14 @@ def _update(algorithm):
 
 
 def _call(algorithm, data=None):
-    """The updated output; with data as the input, if set."""
+    """Returns the updated output; with data as the input, if set."""
     if data is not None:
         connect(data, algorithm)
     return _kept(_output(_update(algorithm)))
 
 
 def _kept(output):
-    """The current data: shallow copies, which share all arrays."""
+    """Returns the current data: shallow copies, which share all arrays."""
     if isinstance(output, tuple):
         return tuple(map(_kept, output))
     copy = output.NewInstance()

@@ -28,7 +28,7 @@ def part_of(path):
 
 
 def open_part(path):
-    """The .part of a file, new, open for reading and writing bytes."""
+    """Returns the .part of a file, new, open for reading and writing bytes."""
     part = part_of(path)
     part.unlink(missing_ok=True)
     set_unfinished(part)
@@ -100,7 +100,7 @@ def naming(path):
 
 @contextlib.contextmanager
 def new_folder(folder):
-    """Yields an empty folder; at the end its content is that of the given folder, which is new or
+    """Yields an empty folder; at the end its content moves to the given folder, which is new or
     empty. After an exception nothing is there, and errors name the files by their final names."""
     folder = pathlib.Path(os.path.abspath(folder))
     exists = folder.is_dir()
@@ -127,7 +127,7 @@ def new_folder(folder):
 
 
 def _find_final(name, unfinished, folder):
-    """The final name of a file that an error names; without one, of the folder."""
+    """Returns the final name of a file that an error names; without one, of the folder."""
     path = pathlib.Path(os.fsdecode(name) if isinstance(name, (str, bytes)) else folder)
     return folder / path.relative_to(unfinished) if path.is_relative_to(unfinished) else path
 
@@ -144,7 +144,7 @@ def find_unwritable(folder, option):
 
 
 def cannot_be_written(error, file, option):
-    """The message of an OSError: the file, by default the given one, and the remedy."""
+    """Returns the message of an OSError: the file, by default the given one, and the remedy."""
     cure = f"{_FULL.get(error.errno, '')}give another {option}"
     reason = error.strerror or str(error)
     return f"{error.filename or file}: cannot be written: {reason}; {cure}"

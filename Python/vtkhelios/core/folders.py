@@ -6,5 +6,6 @@ import pathlib
 
 
 def data_directory():
-    """The folder with the scanners, platforms and surveys shipped with vtkHelios (a Path)."""
+    """Returns the folder with the scanners, platforms and surveys shipped with vtkHelios (a
+    Path)."""
     return pathlib.Path(__file__).absolute().parents[1] / "data"

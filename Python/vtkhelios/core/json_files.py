@@ -6,11 +6,11 @@ import json
 
 
 class JsonError(ValueError):
-    """What is wrong with a text, to follow the name of its file and a colon."""
+    """The fault of a text, to follow the name of its file and a colon."""
 
 
 def parse_json(data):
-    """The value of a text, or of bytes in UTF-8."""
+    """Returns the value of a text, or of bytes in UTF-8."""
     try:
         text = data if isinstance(data, str) else data.decode()
         return json.loads(text, object_pairs_hook=_make_object, parse_constant=_refuse)

@@ -6,7 +6,7 @@ import os
 
 
 def to_vtk(path):
-    """A path for VTK's methods: text, or bytes if it is not UTF-8."""
+    """Returns a path for VTK's methods: text, or bytes if it is not UTF-8."""
     name = os.fspath(path)
     try:
         os.fsdecode(name).encode()
@@ -22,10 +22,11 @@ def require_utf8(*paths):
 
 
 def from_vtk(name):
-    """A path, or a text with paths, returned by VTK; None is empty."""
+    """Returns a path, or a text with paths, returned by VTK; None is empty."""
     return os.fsdecode(name or "")
 
 
 def text_from_vtk(text):
-    """A text returned by VTK (bytes if not UTF-8), with \\xff for invalid bytes; None is empty."""
+    """Returns a text returned by VTK (bytes if not UTF-8), with \\xff for invalid bytes; None is
+    empty."""
     return text.decode(errors="backslashreplace") if isinstance(text, bytes) else text or ""

@@ -21,7 +21,7 @@ _ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
 _EXECUTIVE = re.compile(
     r"returned failure for request|No update piece number has been set|Failure when calling method"
 )
-# What similar messages differ by: "scanner vlp16, channel 3", "scene.xml:12: part oak_07".
+# Parts in which similar messages differ: "scanner vlp16, channel 3", "scene.xml:12: part oak_07".
 _MEMBER = re.compile(r"\b(channel|part) (\"[^\"]*\"|[^\s,:;()]+)")
 _LINE = re.compile(r"^([^\s:]+):\d+(?::\d+)?: ")
 # The strategies of an algorithm report their own errors.
@@ -40,13 +40,13 @@ class PipelineError(RuntimeError):
 
 
 def clean_message(text):
-    """The message of a VTK error event, without source locations and addresses."""
+    """Returns the message of a VTK error event, without source locations and addresses."""
     head = _HEAD.match(text)
     return _ADDRESS.sub("", text[head.end() :] if head else text).strip()
 
 
 def is_executive_message(message):
-    """Whether a message only repeats that a filter has failed."""
+    """Returns whether a message only repeats that a filter has failed."""
     return bool(_EXECUTIVE.search(message))
 
 
@@ -60,7 +60,8 @@ class SimilarMessages:
 
     @staticmethod
     def _make_key(text):
-        """The text without channels, parts and line; None if it names neither channel nor part."""
+        """Returns the text without channels, parts and line; None if it names neither channel nor
+        part."""
         without, count = _MEMBER.subn(r"\1", text)
         return _LINE.sub(r"\1: ", without) if count else None
 
@@ -73,7 +74,7 @@ class SimilarMessages:
         return text in self._texts
 
     def add(self, text):
-        """Whether a text is one of these messages, which counts it."""
+        """Returns whether a text is one of these messages, which counts it."""
         is_similar = text in self._texts or (self._key and self._make_key(text) == self._key)
         if is_similar:
             self._texts.add(text)
@@ -87,7 +88,7 @@ class SimilarMessages:
 
     @classmethod
     def merge(cls, texts):
-        """The texts, each once, those that are similar as one."""
+        """Returns the texts, each once, those that are similar as one."""
         found = []
         for text in texts:
             if not any(each.add(text) for each in found):
@@ -146,7 +147,7 @@ class MessageLog:
                 self.watch(held)
 
     def root_errors(self):
-        """The errors without repeats by an executive, each once, similar ones as one."""
+        """Returns the errors without repeats by an executive, each once, similar ones as one."""
         roots = [error for error in self.errors if not is_executive_message(error)]
         return SimilarMessages.merge(roots or self.errors)
 
@@ -158,7 +159,7 @@ class MessageLog:
 
 
 def upstream(algorithm):
-    """The algorithm and everything upstream of it, each once."""
+    """Returns the algorithm and everything upstream of it, each once."""
     found, queue = [], [algorithm]
     while queue:
         current = queue.pop()

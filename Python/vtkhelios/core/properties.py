@@ -102,7 +102,7 @@ class Property:
         return snake_case(self.camel)
 
     def read(self, vtk_object):
-        """The value; of an enumeration, a Choice."""
+        """Returns the value; of an enumeration, a Choice."""
         value = getattr(vtk_object, f"Get{self.camel}")()
         if isinstance(value, int) and self.choices:
             name = next(
@@ -163,7 +163,7 @@ class Property:
         return getattr(self.cls, method).__doc__ or ""
 
     def valid_range(self, vtk_object):
-        """The valid range as text, from the class."""
+        """Returns the valid range as text, from the class."""
         if self.choices:
             return f"give {self.kind}"
         limits = [
@@ -180,7 +180,7 @@ class Property:
         )
 
     def _is_told_valid(self, value):
-        """Whether a number is within the documented range, if there is one."""
+        """Returns whether a number is within the documented range, if there is one."""
         told = _INTERVAL.search(self.__doc__ or "")
         if not told or not isinstance(value, (int, float)) or isinstance(value, bool):
             return True
@@ -205,14 +205,14 @@ def _choices(cls, camel):
 
 
 def _doc(cls, camel):
-    """The C++ documentation of a property, its own or that of its group."""
+    """Returns the C++ documentation of a property, its own or its group's."""
     told = _texts(cls)
     return told.get(f"Set{camel}") or told.get(f"Get{camel}") or None
 
 
 @functools.cache
 def _texts(cls):
-    """The text of every method; one without text is in the group of the one above."""
+    """Returns the text of every method; one without text is in the group of the one above."""
     texts, last = {}, ""
     for base in reversed(cls.__mro__):
         for name, method in vars(base).items():
@@ -227,7 +227,7 @@ def _texts(cls):
 
 
 def _plain(value, before):
-    """The value as accepted by the wrapper: numpy's scalars and arrays, paths, views."""
+    """Returns the value as accepted by the wrapper: numpy's scalars and arrays, paths, views."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, Choice):
@@ -253,7 +253,8 @@ def _is_as_given(value, given):
 
 @functools.cache
 def properties(cls):
-    """The properties of a class by name, including those of its bases, sorted by name."""
+    """Returns the properties of a class by name, including its bases' properties, sorted by
+    name."""
     found = {}
     for name in dir(cls):
         attribute = getattr(cls, name, None)

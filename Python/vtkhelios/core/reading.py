@@ -10,19 +10,20 @@ from .paths import to_vtk
 
 
 def missing_folder(assets):
-    """The error in the folders of --assets, or None."""
+    """Returns the error in the folders of --assets, or None."""
     missing = (folder for folder in assets if not pathlib.Path(folder).is_dir())
     folder = next(missing, None)
     return None if folder is None else f"--assets {folder}: no such folder"
 
 
 def make_reader(path, assets):
-    """A reader of a survey."""
+    """Returns a reader of a survey."""
     return look_up(vtkHeliosSurveyReader(), path, assets)
 
 
 def look_up(reader, path, assets):
-    """A reader, or writer, that searches the user's folders, the file's own, then the shipped data."""
+    """Returns a reader, or writer, that searches the user's folders, the file's own, then the
+    shipped data."""
     shipped = data_directory()
     beside = str(pathlib.Path(path).parent)
     reader.SetFileName(to_vtk(path))

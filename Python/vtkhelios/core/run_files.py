@@ -8,7 +8,7 @@ from .paths import from_vtk, to_vtk
 
 SUMMARY_NAME = Files.GetSummaryName()
 JOURNAL_NAME = Files.GetJournalName()
-PART = vtkHeliosStreamWriter.GetPartEnding()  # of names of unfinished files
+PART = vtkHeliosStreamWriter.GetPartEnding()  # ending of names of unfinished files
 FORMATS = tuple(map(Files.GetFormat, range(Files.GetNumberOfFormats())))
 POINTS, WAVEFORMS, PULSES, HITS, TRAJECTORY = (
     Files.POINTS,
@@ -25,17 +25,17 @@ def kind_of(path):
 
 
 def stem_of(path):
-    """The leg or strip of a file, as legNNN or stripNNN."""
+    """Returns the leg or strip of a file, as legNNN or stripNNN."""
     return from_vtk(Files.GetStem(to_vtk(_name(path))))
 
 
 def number_of(path):
-    """The number of the leg or strip of a file; -1: the strip has a name."""
+    """Returns the number of the leg or strip of a file; -1: the strip has a name."""
     return Files.GetNumber(to_vtk(_name(path)))
 
 
 def file_of_leg(leg, kind, format):
-    """The name of a file of a leg."""
+    """Returns the name of a file of a leg."""
     return Files.GetFileName(Files.GetLegStem(leg), kind, format)
 
 
@@ -46,7 +46,7 @@ def beside(path, kind):
 
 
 def is_epoch(path):
-    """Whether a folder is that of an epoch."""
+    """Returns whether a folder belongs to an epoch."""
     return Files.GetEpoch(to_vtk(_name(path))) >= 0
 
 

@@ -24,11 +24,11 @@ def handle_signals():
     """Until a command handles them itself."""
     for number in SIGNALS:
         signal.signal(number, _end)
-    signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)  # those of the launcher
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)  # set by the launcher
 
 
 def is_command(argv, words):
-    """Whether a process with these sys.argv and sys.orig_argv is the command line."""
+    """Returns whether a process with these sys.argv and sys.orig_argv is the command line."""
     if argv[:1] == ["-m"]:  # only while the package is imported
         following = words[words.index("-m") + 1 :] if "-m" in words else []
         return following[:1] == ["vtkhelios"]

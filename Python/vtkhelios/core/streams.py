@@ -16,11 +16,11 @@ import sys
 
 # All except tab and line feed; also C1 and bidirectional control characters.
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
-_BYTE = re.compile("[\udc80-\udcff]")  # of a file name that is not UTF-8
+_BYTE = re.compile("[\udc80-\udcff]")  # character of a file name that is not UTF-8
 
 
 def visible(text, encoding="utf-8"):
-    """A printable text: \\x1b for an escape, \\xff for a byte that is not text."""
+    """Returns a printable text: \\x1b for an escape, \\xff for a byte that is not text."""
     text = _BYTE.sub(lambda match: f"\\x{ord(match[0]) - 0xDC00:02x}", text)
     text = _CONTROL.sub(lambda match: match[0].encode("unicode_escape").decode(), text)
     return text.encode(encoding, "backslashreplace").decode(encoding)
@@ -59,7 +59,7 @@ class Stream:
             _discard_the_rest(self._raw)
 
     def failure(self):
-        """The first error of this stream, or None."""
+        """Returns the first error of this stream, or None."""
         return self.error or (None if self.unfiltered is self else self.unfiltered.error)
 
     @property
@@ -74,7 +74,8 @@ class Stream:
 
 
 def _buffered(raw):
-    """A text stream to the same file. One without a buffer drops what the system did not write."""
+    """Returns a text stream to the same file. One without a buffer drops what the system did not
+    write."""
     return open(raw.fileno(), "w", encoding=raw.encoding, errors=raw.errors, closefd=False)
 
 
@@ -91,7 +92,7 @@ def _discard_the_rest(raw):
 
 
 def unfiltered(stream):
-    """The stream for control sequences, such as those of a progress bar."""
+    """Returns the stream for control sequences, such as a progress bar's."""
     return getattr(stream, "unfiltered", stream)
 
 

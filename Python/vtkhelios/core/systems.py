@@ -11,7 +11,7 @@ from .classes import vtk_class
 from .paths import text_from_vtk, to_vtk
 
 HEIGHT_UNITS = {"m": 1.0, "ft": 0.3048, "us-ft": 1200 / 3937}
-LONGEST = 60  # of a text in messages
+LONGEST = 60  # length of a text in messages
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,11 +23,11 @@ class System:
     code: str = ""  # EPSG:25832+7837
     short: str = ""  # the code, or the begin of the name
     name: str = ""  # code and name
-    unit: float = 1.0  # of x and y [m]; 0: degrees
+    unit: float = 1.0  # unit of x and y [m]; 0: degrees
     height_unit: float = 1.0  # [m]
     has_height_unit: bool = False  # whether the system states it
     unit_name: str = ""
-    resolution: tuple = (1e-4, 1e-4, 1e-4)  # of stored coordinates, in their units
+    resolution: tuple = (1e-4, 1e-4, 1e-4)  # steps of stored coordinates, in their units
 
     @property
     def is_known(self):
@@ -44,20 +44,21 @@ class System:
         return (shown if len(shown) <= LONGEST else f"{shown[:LONGEST]}...") or "none"
 
     def is_same(self, text):
-        """Whether another text defines the same system; none is the same as none only."""
+        """Returns whether another text defines the same system; none is the same as none only."""
         if not self.text or not text or self.text == text:
             return self.text == text
         return self.is_known and _make(self.text).IsSame(to_vtk(text))
 
     def with_height_unit(self, metres):
-        """The text of the same map with heights in a unit [m]; ValueError for a local system."""
+        """Returns the text of the same map with heights in a unit [m]; ValueError for a local
+        system."""
         system = _make(self.text)
         if not system.SetHeightUnit(metres):
             raise ValueError(f"heights of {self.label} have a fixed unit")
         return text_from_vtk(system.GetText())
 
     def find_metric(self, point):
-        """The code of the UTM zone of a point; empty if the point is not on the Earth."""
+        """Returns the code of the UTM zone of a point; empty if the point is not on the Earth."""
         return text_from_vtk(_make(self.text).FindMetric(*(float(value) for value in point)))
 
 
@@ -69,7 +70,7 @@ def _make(text):
 
 @functools.lru_cache(maxsize=64)
 def find_system(text):
-    """The System of a text: EPSG:n, WKT ...; of an empty one an unknown system."""
+    """Returns the System of a text: EPSG:n, WKT ...; of an empty one an unknown system."""
     if not text:
         return System("")
     system = _make(text)
@@ -127,5 +128,5 @@ class Metres:
         )
 
     def convert(self, points):
-        """Points (n, 3) in metres; the array itself if they are."""
+        """Returns the points (n, 3) in metres; the array itself if they are."""
         return points if self.is_identity else points * self.factors

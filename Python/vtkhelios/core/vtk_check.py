@@ -42,7 +42,7 @@ def check_vtk():
 
 
 def _find_folder():
-    """The folder of the loaded or importable vtkmodules; None if there are none."""
+    """Returns the folder of the loaded or importable vtkmodules; None if there are none."""
     if "vtkmodules" in sys.modules:
         folders = getattr(sys.modules["vtkmodules"], "__path__", [])
     else:
@@ -52,7 +52,7 @@ def _find_folder():
 
 
 def _is_own(folder):
-    """Whether the modules of a folder link to the same library as ours."""
+    """Returns whether the modules of a folder link to the same library as ours."""
     spec = importlib.machinery.PathFinder.find_spec("vtkCommonCore", [str(folder)])
     binary = pathlib.Path(spec.origin).read_bytes() if spec and spec.origin else b""
     if binary.startswith(b"\x7fELF"):
@@ -61,7 +61,7 @@ def _is_own(folder):
 
 
 def _version(folder):
-    """The version in vtkmodules/__init__.py, or None."""
+    """Returns the version in vtkmodules/__init__.py, or None."""
     try:
         text = (folder / "__init__.py").read_text(encoding="utf-8", errors="replace")
     except OSError:

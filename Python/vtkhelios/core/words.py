@@ -15,12 +15,12 @@ def duration(seconds):
 
 
 def amount(count):
-    """A number of pulses or points: 20,850, 1.23 M."""
+    """Returns a number of pulses or points: 20,850, 1.23 M."""
     return f"{count / 1e6:,.2f} M" if count >= 999_995 else f"{count:,}"
 
 
 def speed(rate):
-    """A rate, to three digits: 0.25, 3,900, 1.23 M."""
+    """Returns a rate, to three digits: 0.25, 3,900, 1.23 M."""
     if rate >= 999_500:
         return f"{rate / 1e6:,.2f} M"
     if rate < 10:

@@ -25,7 +25,7 @@ def write_geotiff(path, heights, west, north, pixel, epsg):
     rows, columns = heights.shape
     # Projected coordinates (1024), pixels are areas (1025), the system (3072): GeoTIFF 1.1, OGC 19-008.
     keys = (1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, epsg)
-    start = _HEADER.size  # of the pixels
+    start = _HEADER.size  # type of the pixels
     tags = [
         (256, _LONG, (columns,)),
         (257, _LONG, (rows,)),
@@ -49,7 +49,8 @@ def write_geotiff(path, heights, west, north, pixel, epsg):
 
 
 def _pack_directory(tags, begin):
-    """The directory at this byte of the file, with the values that do not fit into its entries."""
+    """Returns the directory at this byte of the file, with the values that do not fit into its
+    entries."""
     after = begin + 2 + _ENTRY.size * len(tags) + 4
     entries, values = b"", b""
     for tag, (kind, letter), numbers in tags:

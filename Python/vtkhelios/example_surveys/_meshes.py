@@ -9,7 +9,7 @@ from ..core.pipeline import update
 from ..vtkHeliosFiltersIO import vtkHeliosObjSceneWriter
 from ..vtkHeliosFiltersScene import vtkHeliosSyntheticScene
 
-# Of the materials of synthetic trees and houses: red, green, blue.
+# Colours of the materials of synthetic trees and houses: red, green, blue.
 _COLOURS = {
     "bark": (0.36, 0.27, 0.19), "leaf": (0.27, 0.45, 0.17), "plaster": (0.85, 0.82, 0.75),
     "window": (0.20, 0.24, 0.28), "wood": (0.55, 0.42, 0.30), "roof": (0.55, 0.25, 0.20),
@@ -55,7 +55,7 @@ class Mesh:
 
 
 def make_grid(width, depth, columns, rows):
-    """The x and y of a grid about the origin, arrays of (rows, columns)."""
+    """Returns the x and y of a grid about the origin, arrays of (rows, columns)."""
     return np.meshgrid(
         np.linspace(-width / 2, width / 2, columns), np.linspace(-depth / 2, depth / 2, rows)
     )

@@ -29,7 +29,7 @@ def write_geometry(folder):
 
 
 def height_at(x, y):
-    """Of the terrain [m] at metres from the south-western corner."""
+    """Returns the height of the terrain [m] at metres from the south-western corner."""
     hills = 9.0 * np.sin(x / 61.0 + 0.4) * np.cos(y / 47.0) + 4.0 * np.sin((x + y) / 29.0)
     return 212.0 + 0.03 * x + hills
 

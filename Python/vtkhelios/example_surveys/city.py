@@ -9,11 +9,11 @@ import numpy as np
 from ._meshes import write_tree
 from ._tables import write_table
 
-WEST, SOUTH, HEIGHT = 500_000.0, 5_480_000.0, 110.0  # of the ground [m]
+WEST, SOUTH, HEIGHT = 500_000.0, 5_480_000.0, 110.0  # corner and height of the ground [m]
 BLOCKS = (3, 2)  # along x and y
 BLOCK = (48.0, 40.0)  # size of a block [m]
 STREET = 14.0
-DEPTH, WIDTH = 11.0, 12.0  # of a house
+DEPTH, WIDTH = 11.0, 12.0  # size of a house
 
 
 class City:
@@ -27,12 +27,12 @@ class City:
         self._objects[name] = {"type": kind, "attributes": attributes, "geometry": [geometry]}
 
     def index(self, points):
-        """The numbers of points [m], in whole millimetres from the south-western corner."""
+        """Returns the numbers of points [m], in whole millimetres from the south-western corner."""
         keys = [tuple(round(1000 * value) for value in point) for point in points]
         return [self._indices.setdefault(key, len(self._indices)) for key in keys]
 
     def make_surfaces(self, kind, polygons):
-        """A MultiSurface of one kind of surface."""
+        """Returns a MultiSurface of one kind of surface."""
         return {
             "type": "MultiSurface",
             "lod": "2",
@@ -41,7 +41,7 @@ class City:
         }
 
     def make_solid(self, polygons):
-        """A Solid of (kind, polygon) pairs."""
+        """Returns a Solid of (kind, polygon) pairs."""
         kinds = sorted({kind for kind, _ in polygons})
         return {
             "type": "Solid",
@@ -101,7 +101,8 @@ def _add_block(city, name, x, y, random_numbers):
 
 
 def _make_house(x, y, eaves, roof):
-    """The surfaces of a house with a gabled roof, its ridge along x; polygons face outwards."""
+    """Returns the surfaces of a house with a gabled roof, its ridge along x; polygons face
+    outwards."""
     east, north, middle, ridge = x + WIDTH, y + DEPTH, y + DEPTH / 2, eaves + roof
     return [
         ("GroundSurface", [(x, y, 0), (x, north, 0), (east, north, 0), (east, y, 0)]),

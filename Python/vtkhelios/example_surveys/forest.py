@@ -8,14 +8,14 @@ from ._meshes import Mesh, make_grid, write_tree
 from ._tables import scatter, write_table
 
 SIDE = 70.0
-POSITIONS = ((0.0, 0.0), (14.0, 9.0), (-12.0, 11.0))  # of the scanner
+POSITIONS = ((0.0, 0.0), (14.0, 9.0), (-12.0, 11.0))  # positions of the scanner
 MODELS = {
     "spruce_1": ("Conifer", 21, 18.0, 1200),
     "spruce_2": ("Conifer", 22, 15.0, 1200),
     "beech": ("Broadleaf", 23, 16.0, 1200),
 }
 VOXEL = 0.5  # [m]
-CORNER = (-31.0, -29.0, -5.0)  # of the grid
+CORNER = (-31.0, -29.0, -5.0)  # corner of the grid
 CELLS = (40, 32, 14)
 
 
@@ -33,7 +33,7 @@ def write_geometry(folder):
 
 
 def height_at(x, y):
-    """Of the ground [m]: a slope, with bumps."""
+    """Returns the height of the ground [m]: a slope, with bumps."""
     return 0.08 * x + 0.4 * np.sin(x / 3.1) * np.cos(y / 2.7) + 0.8 * np.sin(y / 13.0)
 
 

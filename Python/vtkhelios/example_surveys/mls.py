@@ -7,9 +7,9 @@ import numpy as np
 from ._meshes import Mesh, write_tree
 from ._tables import write_table
 
-LENGTH = 90.0  # of the street, along x [m]
+LENGTH = 90.0  # length of the street, along x [m]
 KERB = 3.5  # half the width of the roadway
-FRONT = 7.0  # of the houses
+FRONT = 7.0  # front of the houses
 CARS = [(-28.0, -1), (-12.0, 1), (-6.0, 1), (9.0, -1), (21.0, 1)]  # x, side
 
 
@@ -28,7 +28,7 @@ def write_geometry(folder):
 
 
 def make_trajectory():
-    """Rows t [s], roll, pitch, yaw [deg], x, y, z [m], 100 per second.
+    """Returns the rows t [s], roll, pitch, yaw [deg], x, y, z [m], 100 per second.
 
     The car changes the lane with a cosine, at 15 m/s along the street. It heads along its way; the
     road's unevenness is a roll and a pitch of some tenths of a degree.
@@ -82,7 +82,8 @@ def _add_house(houses, material, x, width, side, floors):
 
 
 def _find_walls(width, floors, top):
-    """The boxes of a front: pillars beside windows of 1.4 m by 1.6 m, and bands between the floors."""
+    """Yields the boxes of a front: pillars beside windows of 1.4 m by 1.6 m, and bands between the
+    floors."""
     sills = [3.2 * floor + 1.1 for floor in range(floors)]
     levels = [0.0, *(level for sill in sills for level in (sill, sill + 1.6)), top]
     for bottom, upper in zip(levels[::2], levels[1::2]):

@@ -31,7 +31,7 @@ def write_geometry(folder):
 
 
 def middle_at(x):
-    """The y of the middle of the river [m]."""
+    """Returns the y of the middle of the river [m]."""
     return DEPTH / 2 + 16.0 * np.sin(x / 45.0)
 
 
@@ -42,7 +42,8 @@ def distance_at(x, y):
 
 
 def height_at(x, y):
-    """Of the terrain [m]: the bed, 2 m below the water, banks, and a valley that rises to its sides."""
+    """Returns the height of the terrain [m]: the bed, 2 m below the water, banks, and a valley that
+    rises to its sides."""
     distance = distance_at(x, y)
     bank = -2.0 + 3.6 / (1.0 + np.exp(-(distance - HALF) / 1.2))
     valley = 0.0025 * np.maximum(distance - 20.0, 0.0) ** 2
@@ -50,7 +51,7 @@ def height_at(x, y):
 
 
 def _make_water():
-    """A level surface, whose edges are inside the banks."""
+    """Returns a level surface, whose edges are inside the banks."""
     x = np.linspace(0.5, WIDTH - 0.5, 120)
     across = np.linspace(-HALF - 5.0, HALF + 5.0, 9)[:, None]
     water = Mesh()
@@ -81,7 +82,7 @@ def _make_bed():
 
 
 def _make_bridge():
-    """A road on a slab with two piers and railings, along y."""
+    """Returns a road on a slab with two piers and railings, along y."""
     bridge, place = Mesh(), (WEST + BRIDGE, SOUTH + float(middle_at(BRIDGE)), WATER)
     reach = HALF + 14.0
     bridge.add_box("asphalt", place, (-3.0, -reach, 4.0), (3.0, reach, 4.1))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ._meshes import Mesh, make_grid, write_house, write_tree
 
-SIDE = 60.0  # of the yard [m]
+SIDE = 60.0  # side of the yard [m]
 WALL = 2.0  # height [m]
 
 
@@ -22,7 +22,7 @@ def write_geometry(folder):
 
 
 def height_at(x, y):
-    """Of the ground [m]: level near the house, which is at the origin."""
+    """Returns the height of the ground [m]: level near the house, which is at the origin."""
     distance = np.hypot(x, y)
     return 0.8 * np.clip((distance - 12.0) / 20.0, 0.0, 1.0) * np.sin(x / 9.0) * np.cos(y / 11.0)
 

@@ -23,7 +23,7 @@ def write_geometry(folder):
 
 
 def height_at(x, y):
-    """Of the ground [m]: a slope with a hollow."""
+    """Returns the height of the ground [m]: a slope with a hollow."""
     return 0.06 * y - 1.5 * np.exp(-((x - 15.0) ** 2 + y**2) / 500.0)
 
 

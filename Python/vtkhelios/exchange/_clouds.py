@@ -13,7 +13,7 @@ _AXES = {3: "XYZ", 4: "XYZW"}
 
 
 def to_pandas(cloud):
-    """The table of Cloud.to_pandas()."""
+    """Returns the table of Cloud.to_pandas()."""
     pandas = load("pandas")
     columns = {axis: cloud.points[:, index] for index, axis in enumerate("xyz")}
     units = dict.fromkeys("xyz", "m")
@@ -29,7 +29,8 @@ def to_pandas(cloud):
 
 
 def _split(name, values):
-    """Names and columns of an array; an array of three components has the columns NameX to NameZ."""
+    """Returns the names and columns of an array; an array of three components has the columns NameX
+    to NameZ."""
     if values.ndim == 1:
         return [(name, values)]
     width = values.shape[1]
@@ -38,13 +39,14 @@ def _split(name, values):
 
 
 def _plain(values):
-    """Values of a field array as Python's own, which attrs of pandas can be compared and saved with."""
+    """Returns the values of a field array as Python's own, which attrs of pandas can be compared
+    and saved with."""
     values = values if isinstance(values, list) else values.tolist()
     return values[0] if len(values) == 1 else values
 
 
 def to_pyvista(cloud):
-    """The mesh of Cloud.to_pyvista()."""
+    """Returns the mesh of Cloud.to_pyvista()."""
     pyvista = load("pyvista")
     mesh = pyvista.PolyData(cloud.points) if len(cloud) else pyvista.PolyData()
     if len(cloud):
@@ -63,7 +65,7 @@ def add_fields(mesh, data):
 
 
 def scene_to_pyvista(mesh):
-    """The mesh of Scene.to_pyvista()."""
+    """Returns the mesh of Scene.to_pyvista()."""
     pyvista, polys = load("pyvista"), mesh.GetPolys()
     if not mesh.GetNumberOfPolys():
         return pyvista.PolyData()
@@ -80,7 +82,7 @@ def scene_to_pyvista(mesh):
 
 
 def to_open3d(cloud):
-    """The point cloud of Cloud.to_open3d()."""
+    """Returns the point cloud of Cloud.to_open3d()."""
     open3d = load("open3d")
     tensor = open3d.core.Tensor.from_numpy
     result = open3d.t.geometry.PointCloud()
@@ -94,11 +96,12 @@ def to_open3d(cloud):
     return result
 
 
-_OPEN3D = {NORMALS: "normals", RGB: "colors"}  # as its own functions expect
+_OPEN3D = {NORMALS: "normals", RGB: "colors"}  # names that its own functions expect
 
 
 def read_fields(data):
-    """The field arrays of VTK data by name: numpy arrays without a copy, and lists of texts."""
+    """Returns the field arrays of VTK data by name: numpy arrays without a copy, and lists of
+    texts."""
     held, fields = data.GetFieldData(), {}
     for index in range(held.GetNumberOfArrays()):
         array = held.GetAbstractArray(index)

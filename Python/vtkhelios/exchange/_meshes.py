@@ -34,7 +34,8 @@ class Mesh:
 
 
 def read_parts(source):
-    """The meshes of an object by name, {"": Mesh} of a single one; None: of no known kind."""
+    """Returns the meshes of an object by name, {"": Mesh} of a single one; None: of no known
+    kind."""
     for read in (_read_vtk_blocks, _read_trimesh_scene):
         if (parts := read(source)) is not None:
             return parts
@@ -52,7 +53,7 @@ def _has(source, *names):
 
 
 def _read_vtk_blocks(source):
-    """The blocks of a vtkMultiBlockDataSet by name; those without polygons are left out."""
+    """Returns the blocks of a vtkMultiBlockDataSet by name; those without polygons are left out."""
     if not _has(source, "GetNumberOfBlocks", "GetBlock", "GetMetaData"):
         return None
     parts = {}
@@ -125,7 +126,7 @@ def _read_vtk_arrays(attributes, to_numpy):
 
 
 def _read_trimesh_scene(source):
-    """The meshes of a trimesh.Scene, each at its place, by the names of their nodes."""
+    """Returns the meshes of a trimesh.Scene, each at its place, by the names of their nodes."""
     if not _has(source, "graph", "geometry"):
         return None
     parts = {}
@@ -161,7 +162,7 @@ def _to_rgb(colors):
 
 
 def _read_tensors(source):
-    """An open3d.t.geometry.TriangleMesh."""
+    """Returns an open3d.t.geometry.TriangleMesh."""
     if not _has(source, "vertex", "triangle"):
         return None
     vertex, triangle = _numpy_items(source.vertex), _numpy_items(source.triangle)
@@ -213,7 +214,7 @@ _MESHIO = ("triangle", "quad", "polygon")
 
 
 def _read_plain(source):
-    """Points and faces under their usual names."""
+    """Returns the points and faces under their usual names."""
     points = next((getattr(source, name) for name in _POINTS if hasattr(source, name)), None)
     faces = next((getattr(source, name) for name in _FACES if hasattr(source, name)), None)
     if points is None or faces is None:
@@ -230,7 +231,8 @@ _POINTS, _FACES = ("vertices", "points"), ("faces", "triangles", "cells")
 
 
 def _make_mesh(points, faces):
-    """A mesh of faces: an array of n x k corners, several of them, or a list of each face's."""
+    """Returns a mesh of faces: an array of n x k corners, several of them, or a list of each
+    face's."""
     blocks = _make_blocks(faces)
     if not all(block.ndim == 2 and block.dtype.kind in "iu" for block in blocks):
         shapes = ", ".join(f"{block.dtype} {block.shape}" for block in blocks[:3])

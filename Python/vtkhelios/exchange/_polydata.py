@@ -14,11 +14,12 @@ from ..core.classes import vtk_class
 from ..core.pipeline import update
 from ._meshes import Mesh, read_parts
 
-FACE_IDS = "FaceIds"  # of the polygons that triangles are made of, while a mesh is converted
+FACE_IDS = "FaceIds"  # ids of the polygons that triangles are made of, while a mesh is converted
 
 
 def read_polydata(source):
-    """An object of another library as (vtkPolyData, polygon of each triangle); None: of no known kind.
+    """Returns an object of another library as (vtkPolyData, polygon of each triangle); None: of no
+    known kind.
 
     The polygons are None if they are the triangles themselves.
     """
@@ -51,7 +52,7 @@ def triangulate(mesh):
 
 
 def _make_polydata(source: Mesh):
-    """A vtkPolyData that shares points of double precision, and copies the rest."""
+    """Returns a vtkPolyData that shares points of double precision, and copies the rest."""
     points = np.ascontiguousarray(source.points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"points has the shape {points.shape}; give an array of (n, 3)")
@@ -114,7 +115,8 @@ def _add(held, name, values):
 
 
 def _join(parts):
-    """The meshes of several parts as one, with PartIds and the names of parts and materials."""
+    """Returns the meshes of several parts as one, with PartIds and the names of parts and
+    materials."""
     joiner, faces, first, names = vtkAppendPolyData(), [], 0, []
     for number, mesh in enumerate(parts.values()):
         _move_materials(mesh, names)

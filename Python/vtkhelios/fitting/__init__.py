@@ -24,8 +24,7 @@ def fit(*clouds, unit=None, points=POINTS, progress=None):
         of one flight, with GpsTime, and ScanAngle or pulses of several returns: each a file or
         the folder of a run, or a folder of files; or a Cloud or a vtkPolyData.
     unit
-        of the coordinates [m], from 1e-6 to 1e6: 0.3048 for feet. Default: that of the
-        coordinate system, else 1.
+        of the coordinates [m], from 1e-6 to 1e6: 0.3048 for feet. Default: the coordinate system's, else 1.
     points
         maximum number of points, 1000 or more. Default: 20,000,000.
     progress

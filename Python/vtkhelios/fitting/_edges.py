@@ -58,14 +58,14 @@ def find_footprint(pulses, ranges, period):
 
 
 def _is_between(pulses, left, right, row):
-    """Whether the returns of a divided pulse are on both levels."""
+    """Returns whether the returns of a divided pulse are on both levels."""
     height = pulses.points[:, 2]
     top, low = np.maximum(height[left], height[right]), np.minimum(height[left], height[right])
     return (np.abs(height[row] - top) < 0.5) & (np.abs(pulses.last[row, 2] - low) < 0.5)
 
 
 def _step_of(pulses, first, right):
-    """The mean distance of successive pulses on either side, in plan view [m]."""
+    """Returns the mean distance of successive pulses on either side, in plan view [m]."""
     plan = pulses.points[:, :2]
     steps = [np.linalg.norm(plan[start + 1] - plan[start], axis=1) for start in (first, right)]
     return 0.5 * (steps[0] + steps[1])

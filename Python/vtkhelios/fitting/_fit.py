@@ -17,12 +17,12 @@ from .result import Fit, Strip
 
 GROUND_CLASS = 2
 PLACES = 100  # independent heights of the ground
-STEP = 0.1  # of the trajectories [s]
+STEP = 0.1  # step of the trajectories [s]
 LONGEST = 20_000  # rows of a trajectory
 
 
 class Found:
-    """What is known of a strip."""
+    """Findings about a strip."""
 
     def __init__(self, number, source, rows, pulses, period, track, by_lines, mirror):
         self.number, self.source, self.rows, self.pulses = number, source, rows, pulses
@@ -30,7 +30,7 @@ class Found:
 
 
 def fit_watched(clouds, on_step, unit=None, points=20_000_000):
-    """As fit(); on_step(name, fraction done) is called during all work, and may raise."""
+    """Fits like fit(); on_step(name, fraction done) is called during all work, and may raise."""
     _check_settings(clouds, unit, points)
     flight = read_flight(clouds, on_step, unit, points)
     strips, notes = find_strips(flight)
@@ -58,7 +58,7 @@ def _check_settings(clouds, unit, points):
 
 
 def _fit_strip(flight, number, source, rows):
-    """A Found, or None and the reason."""
+    """Returns a Found, or None and the reason."""
     pulses = Pulses(flight, rows)
     period = find_pulse_period(pulses.times)
     if period is None:
@@ -109,7 +109,8 @@ def _make_fit(flight, found, notes):
 
 
 def _find_ground(flight, found):
-    """The median height of the ground (class 2; without it of the last returns), and the half width
+    """Returns the median height of the ground (class 2; without it of the last returns), and the
+    half width
     of its interval [m], for 100 independent places."""
     if CLASSIFICATION_IDS in flight and (flight[CLASSIFICATION_IDS] == GROUND_CLASS).any():
         heights = flight["points"][flight[CLASSIFICATION_IDS] == GROUND_CLASS, 2]

@@ -18,7 +18,7 @@ KEPT = (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, EDGE_OF_FLIGHT_LINE, GPS_TIME, INTENSITY, LEG_IDS,
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
-FARTHEST = 1e12  # of coordinates; larger ones are damaged
+FARTHEST = 1e12  # limit of coordinates; larger ones are damaged
 GAP = 10.0  # without a point [s], between strips
 FEWEST = 1000  # pulses of a strip
 
@@ -39,12 +39,12 @@ class Flight:
         return self.columns[name]
 
     def get(self, name):
-        """An array, or None."""
+        """Returns an array, or None."""
         return self.columns.get(name)
 
 
 def read_flight(clouds, on_step, unit, limit):
-    """The Flight of some clouds; FormatError if they have no points or no times."""
+    """Returns the Flight of some clouds; FormatError if they have no points or no times."""
     parts, crs, notes, total = [], "", [], 0
     names = []
     for given in clouds:
@@ -131,7 +131,8 @@ def _check(name, columns):
 
 
 def find_strips(flight):
-    """Rows of the strips, and their LegIds or None; notes on strips that are too short."""
+    """Returns the rows of the strips, and their LegIds or None; notes on strips that are too
+    short."""
     times = flight[GPS_TIME]
     source = flight[LEG_IDS] if LEG_IDS in flight else np.zeros(len(times), np.int64)
     strips = []
@@ -190,5 +191,5 @@ class Pulses:
         return len(self.times)
 
     def get(self, name):
-        """An array at the first returns, or None."""
+        """Returns an array at the first returns, or None."""
         return self._flight[name][self.first] if name in self._flight else None

@@ -19,24 +19,25 @@ ROTATING, OSCILLATING, CONIC = "rotating", "oscillating", "conic"
 LEVELS = np.linspace(10, 90, 17)  # percentiles of angles whose crossings are counted
 NEAR = 5.0  # pulse periods between successive pulses
 JUMP = 10.0  # median steps of the angle; larger ones are no motion
-BOTH = 0.3  # of the crossings in the rarer direction, over those in the other
+BOTH = 0.3  # share of the crossings in the rarer direction, over the other
 ROUND = 0.5  # largest mean of exp(2 i direction) of successive pulses, of a cone
 ENOUGH = 10  # crossings, edges
 MOST = 30_000  # pulses that are fitted
 CYCLE = 0.1  # largest RMS of crossings about equal steps, in periods
 FLYBACK = 0.6  # longest time between two lines, in periods
-INTERVAL, NOISE, CHANGE = 0.2, 0.05, 10.0  # of attitudes: [s], [deg], [deg/s²]
-ROLL_RATE = 1.0  # that cannot be told from a change of the line frequency [deg/s]
+# interval, noise and change of attitudes: [s], [deg], [deg/s²]
+INTERVAL, NOISE, CHANGE = 0.2, 0.05, 10.0
+ROLL_RATE = 1.0  # rate that cannot be told from a change of the line frequency [deg/s]
 TURNS = np.linspace(0.0, 1.0, 21)  # share of a line in which the mirror reverses
 SINUSOIDAL = "sinusoidal"
-BETTER, EXACT = 0.98, 1e-3  # RMS over that of a simpler law, and below it [deg], to replace it
-ENDS = 0.95  # of the amplitude: pulses beyond show how the mirror turns
-UNSEEN = 0.1  # of the amplitude: error without them
+BETTER, EXACT = 0.98, 1e-3  # RMS over a simpler law's, and below it [deg], to replace it
+ENDS = 0.95  # share of the amplitude: pulses beyond show how the mirror turns
+UNSEEN = 0.1  # share of the amplitude: error without them
 
 
 @dataclasses.dataclass
 class Mirror:
-    """What is known of a mirror."""
+    """Findings about a mirror."""
 
     kind: str
     frequency: float  #: lines, mirror cycles or revolutions [Hz]
@@ -44,7 +45,7 @@ class Mirror:
     sweep: float = np.nan  #: rotating: angle of a period; oscillating: half the angle of a line
     sweep_error: float = np.nan
     limits: tuple = (np.nan, np.nan)  #: smallest and largest angle across [deg]
-    reached: tuple = (False, False)  #: whether they are those of the mirror, not of the cloud
+    reached: tuple = (False, False)  #: whether the mirror ends there, not the cloud
     turning: float = 0.0  #: oscillating: share of a line in which it reverses
     pattern: str = ""  #: oscillating: triangular or sinusoidal
     start: float = np.nan  #: oscillating: a time at the smallest angle [s]
@@ -56,8 +57,8 @@ class Mirror:
 
 def find_angles(track, pulses, yaw=0.0):
     """Angles to the right and forward [deg] of the first returns, and their ranges [m], of an
-    instrument that is turned clockwise from the course by yaw [deg]. The angle to the right is that
-    to the vertical plane of the instrument, as of a mirror that is pitched."""
+    instrument that is turned clockwise from the course by yaw [deg]. The angle to the right is the
+    angle to the vertical plane of the instrument, like a pitched mirror's."""
     away = pulses.points - track.at(pulses.times)
     ahead, right = track.headings(pulses.times)
     cosine, sine = np.cos(np.radians(yaw)), np.sin(np.radians(yaw))
@@ -71,7 +72,7 @@ def find_angles(track, pulses, yaw=0.0):
 
 
 def is_conic(pulses, period):
-    """Whether the spots of successive pulses move in all directions."""
+    """Returns whether the spots of successive pulses move in all directions."""
     near = np.diff(pulses.times) < 1.5 * period
     step = np.diff(pulses.points[:, :2], axis=0)[near]
     length = np.hypot(*step.T)
@@ -81,7 +82,7 @@ def is_conic(pulses, period):
 
 
 def find_mirror(track, pulses, period):
-    """The Mirror of a strip, or None if its lines are not found. period: of pulses [s]."""
+    """Returns the Mirror of a strip, or None if its lines are not found. period: of pulses [s]."""
     across, along, _ = find_angles(track, pulses)
     if is_conic(pulses, period):
         return _find_cone(pulses.times, across, along)
@@ -92,14 +93,15 @@ def find_mirror(track, pulses, period):
     mirror = _find_lines(pulses, across, period)
     if mirror is not None:
         depth = np.median(track.at(pulses.times)[:, 2] - pulses.points[:, 2])
-        scale = mirror.sweep * track.height_error / max(depth, 1e-6)  # of angles by the height
+        # error of angles by the height
+        scale = mirror.sweep * track.height_error / max(depth, 1e-6)
         mirror.sweep_error = float(np.hypot(mirror.sweep_error, scale))
         mirror.pitch, mirror.yaw = _fit_pitch(pulses.times, across, along)[0], yaw
     return mirror
 
 
 def _find_cone(times, across, along):
-    """A conic mirror: the azimuth turns evenly, at a constant angle from the vertical."""
+    """Returns a conic mirror: the azimuth turns evenly, at a constant angle from the vertical."""
     ahead = np.tan(np.radians(along))
     right = np.tan(np.radians(across)) * np.hypot(1.0, ahead)
     away = right + 1j * ahead
@@ -127,7 +129,7 @@ def _find_cone(times, across, along):
 
 
 def _circle_centre(x, y):
-    """Of a circle by least squares (Kasa 1976), as a complex number."""
+    """Fits the centre of a circle by least squares (Kasa 1976), as a complex number."""
     design = np.column_stack([x, y, np.ones(len(x))])
     a, b, _ = np.linalg.lstsq(design, x * x + y * y, rcond=None)[0]
     return complex(a / 2, b / 2)
@@ -193,8 +195,9 @@ def _sample(times):
 
 
 def _fit_rotation(mirror, times, across, crossings, step, gap):
-    """The angle of a period: its rate over the frequency; the roll is what is left. The rate is the sum
-    of the steps over that of their times, in which rounded coordinates and times cancel. False if the
+    """Fits the angle of a period: its rate over the frequency; the roll is the rest. The rate is
+    the sum of the steps over the sum of their times, in which rounded coordinates and times cancel.
+    False if the
     angles do not follow it."""
     rates = step / gap
     middle = np.median(rates)
@@ -222,7 +225,8 @@ def _phase(times, start, period):
 
 
 def oscillation(phase, turning):
-    """The angle over the half sweep of an oscillating mirror at phases [cycles], from its smallest;
+    """Returns the angle over the half sweep of an oscillating mirror at phases [cycles], from its
+    smallest;
     turning: share of a line in which it reverses, or SINUSOIDAL. As vtkHeliosOscillatingMirror."""
     phase = phase % 1.0
     if turning == SINUSOIDAL:
@@ -264,7 +268,7 @@ def _fit_oscillation(mirror, times, across, crossings):
 
 
 def share_law(mirrors, flights):
-    """Gives oscillating mirrors of one instrument one law, that of the smallest residual, with the
+    """Gives oscillating mirrors of one instrument one law, with the smallest residual, with the
     joint amplitude, and finds the roll anew: a strip that shows one side of the lines does not
     determine both. flights: Track and Pulses of each mirror."""
     some = [each for each in mirrors if each.kind == OSCILLATING]
@@ -286,7 +290,8 @@ def share_law(mirrors, flights):
 
 
 def join(values, errors):
-    """The mean of strips weighted by their errors, and its uncertainty: not less than the spread."""
+    """Returns the mean of strips weighted by their errors, and its uncertainty: not less than the
+    spread."""
     values, errors = np.asarray(values), np.asarray(errors)
     weights = 1 / np.maximum(errors, 1e-12) ** 2
     value = float(np.average(values, weights=weights))
@@ -361,7 +366,8 @@ def _flagged(pulses, angles, rows, sign, frequency):
 
 
 def _fit_pitch(times, across, along):
-    """The pitch as a function of time [deg], and the clockwise turn of the lines [deg]: the tangent
+    """Returns the pitch as a function of time [deg], and the clockwise turn of the lines [deg]: the
+    tangent
     forward is a smooth function of time, plus a slope of that to the right."""
     rows = _sample(times)
     times, across, along = times[rows], across[rows], along[rows]

@@ -18,10 +18,10 @@ from .result import Row
 FEWEST = 10  # points of a plane
 ENOUGH = 30  # planes of a row
 INCIDENCES = np.arange(0.0, 90.0, 10.0)
-QUARTERS = 4  # of the intensities
+QUARTERS = 4  # classes of the intensities
 DRAWS = 200
 LOWEST = 0.1  # percentile of intensities that counts as the smallest
-BINS = 60  # of distances of echoes
+BINS = 60  # bins of distances of echoes
 LARGEST_CELL = 4.0  # [m]; surfaces are not planar over more
 
 
@@ -35,7 +35,8 @@ def find_planes(flight, strips):
 
 
 def _planes_of(flight, pulses, track):
-    """Of both grids of cubes: a plane counts in the grid in whose cube it is central."""
+    """Finds the planes of both grids of cubes: a plane counts in the grid in whose cube it is
+    central."""
     single = np.ones(len(pulses), bool)
     if NUMBER_OF_RETURNS in flight:
         single = pulses.get(NUMBER_OF_RETURNS) == 1
@@ -65,7 +66,7 @@ def _planes_of_grid(points, beams, strength, size, offset):
     mean /= np.linalg.norm(mean, axis=1, keepdims=True)
     cosine = np.abs((mean * cells.normal).sum(axis=1))
     freedom = cells.counts - 3.0
-    median = (1 - 2 / (9 * freedom)) ** 1.5  # of chi over the root of the freedom
+    median = (1 - 2 / (9 * freedom)) ** 1.5  # median of chi over the root of the freedom
     noise = np.sqrt(cells.squares / freedom) / median / np.maximum(cosine, 1e-3)
     order = np.lexsort((strength[rows], index))
     middle = np.searchsorted(index[order], np.arange(count)) + cells.counts // 2
@@ -82,7 +83,8 @@ def _strength(flight, pulses):
 
 
 def most_frequent(values):
-    """The middle of the shortest interval with half of the values (the shorth; Andrews et al. 1972):
+    """Returns the middle of the shortest interval with half of the values (the shorth; Andrews et
+    al. 1972):
     half of the surfaces may be rough."""
     ordered = np.sort(values)
     half = len(ordered) // 2
@@ -91,13 +93,14 @@ def most_frequent(values):
 
 
 def noise_with_error(values, random):
-    """The most frequent noise and the half width of its 95 % interval, by a bootstrap over planes."""
+    """Returns the most frequent noise and the half width of its 95 % interval, by a bootstrap over
+    planes."""
     draws = [most_frequent(random.choice(values, len(values))) for _ in range(DRAWS)]
     return most_frequent(values), float(2 * np.std(draws))
 
 
 def noise_rows(noise, incidence, strength, random):
-    """Rows by incidence and by quarter of the intensity."""
+    """Returns the rows by incidence and by quarter of the intensity."""
     rows = []
     for low, high in zip(INCIDENCES, INCIDENCES[1:]):
         rows += _row("incidence", low, high, noise[(incidence >= low) & (incidence < high)], random)

@@ -8,12 +8,12 @@ import numpy as np
 
 REGULAR = 0.15  # largest RMS of the events about equal steps, in periods
 START = 40.0  # periods of the first window
-GROWTH = 4.0  # of windows
-EVENTS = 8  # of a window that is fitted
+GROWTH = 4.0  # growth of windows
+EVENTS = 8  # events of a window that is fitted
 SHORTEST = 5  # percentile of the steps that is about one period
 ENOUGH = 30  # steps
-APART = 0.03  # of a period, between intervals that differ
-SHARE = 0.1  # of the steps, of an interval that counts
+APART = 0.03  # share of a period, between intervals that differ
+SHARE = 0.1  # share of the steps, of an interval that counts
 
 
 class Period(typing.NamedTuple):
@@ -26,7 +26,7 @@ class Period(typing.NamedTuple):
 
 
 def find_pulse_period(times):
-    """The Period of sorted times of pulses, or None: too few are successive."""
+    """Returns the Period of sorted times of pulses, or None: too few are successive."""
     steps = np.diff(times)
     steps = steps[steps > 0]
     if len(steps) < ENOUGH:
@@ -54,7 +54,8 @@ def _find_intervals(steps, value, resolution):
 
 
 def refine_period(times, value, tolerance=REGULAR, start=START):
-    """The Period of events at whole multiples of a period known roughly, or None if they are not.
+    """Returns the Period of events at whole multiples of a period known roughly, or None if they
+    are not.
 
     The window grows, so that the error of the last window is small against a period of the next.
     """

@@ -19,13 +19,13 @@ class Knots:
         return len(self.times)
 
     def find(self, times):
-        """The number of the knot before each time, and the weight of the knot after it."""
+        """Returns the number of the knot before each time, and the weight of the knot after it."""
         place = (times - self.times[0]) / self.step
         index = np.clip(place.astype(np.int64), 0, len(self) - 2)
         return index, place - index
 
     def evaluate(self, values, times):
-        """The function with values at the knots (by row), at times."""
+        """Returns the function with values at the knots (by row), at times."""
         index, share = self.find(times)
         share = share.reshape(-1, *[1] * (values.ndim - 1))
         return (1 - share) * values[index] + share * values[index + 1]
@@ -42,7 +42,8 @@ class Knots:
 
 
 def smooth(times, values, interval, noise, change):
-    """The Knots and values of a smooth function of noisy values; interval [s], standard deviations
+    """Returns the Knots and values of a smooth function of noisy values; interval [s], standard
+    deviations
     of the values and of the second derivative."""
     span = float(np.ptp(times))
     knots = Knots(times.min(), times.max(), max(interval, span / MOST))

@@ -20,17 +20,17 @@ FEWEST = 50  # lines of a strip
 MOST = 20_000  # lines of a strip; of more, those with returns far apart
 SHORTEST = 1.0  # between first and last return, in height [m]
 STEEPEST = 2.0  # slope of a beam
-INTERVAL = 1.0  # of knots [s]
+INTERVAL = 1.0  # distance of knots [s]
 MOST_KNOTS = 400
 ACCELERATION = 0.5  # standard deviation [m/s²]
 HEIGHTS = 50.0 * 1.25 ** np.arange(24)  # above the points that are tried first, to 8.5 km [m]
-LARGEST_STEP = 0.3  # of the height
+LARGEST_STEP = 0.3  # share of the height
 ROUNDS, FEWER_ROUNDS = 12, 4
 TUNING = 3.0  # residuals of Cauchy weights, over the standard deviation
-GROUPS = 5  # of the jackknife
-BLOCK = 0.02  # of successive pulses in a group [s]
+GROUPS = 5  # groups of the jackknife
+BLOCK = 0.02  # length of successive pulses in a group [s]
 WHOLE, FINE = 0.29, 0.05  # standard deviation of scan angles in whole degrees, and of others [deg]
-SHIFT, FINE_SHIFT = 0.5, 0.1  # that scan angles may have in common [deg]
+SHIFT, FINE_SHIFT = 0.5, 0.1  # offset that scan angles may have in common [deg]
 ROLL_OF_HEIGHT, ROLL_OF_SPEED = 0.02, 0.005  # errors by a roll of 1.5 degrees that scan angles omit
 PART = 200  # lines of a part of the time, at least
 
@@ -59,7 +59,7 @@ class Track(typing.NamedTuple):
         return self.knots.evaluate(self.positions, times)
 
     def velocity(self):
-        """The mean horizontal velocity: regression of the position on the time [m/s]."""
+        """Returns the mean horizontal velocity: regression of the position on the time [m/s]."""
         away = self.knots.times - self.knots.times.mean()
         return away @ self.positions[:, :2] / (away @ away)
 
@@ -76,7 +76,7 @@ class Track(typing.NamedTuple):
 
 
 def beams_of_returns(pulses):
-    """The lines through first and last returns as Beams, or None if there are too few."""
+    """Returns the lines through first and last returns as Beams, or None if there are too few."""
     away = pulses.points - pulses.last
     rows = np.flatnonzero(pulses.is_whole & (away[:, 2] >= SHORTEST))
     slopes = away[rows, :2] / away[rows, 2:]
@@ -117,7 +117,7 @@ def make_knots(times):
 
 
 def track_of(beams, knots, method, shift=0.0):
-    """A Track; shift: what heights may be off for a common error of the slopes [m]."""
+    """Returns a Track; shift: what heights may be off for a common error of the slopes [m]."""
     positions, weights = solve(beams, knots, None, ROUNDS)
     group = ((beams.times - beams.times[0]) / BLOCK).astype(np.int64) % GROUPS
     parts = [group != k for k in range(GROUPS)]
@@ -164,7 +164,8 @@ def solve(beams, knots, start, rounds):
         slopes = (sensor - points)[:, :2] / height[:, None]
         rest = beams.slopes - slopes
         squares = np.einsum("ni,nij,nj->n", rest, beams.weights, rest)
-        scale = max(np.median(squares) / 1.386, 1e-24)  # of chi-square with two degrees of freedom
+        # median of chi-square with two degrees of freedom is 1.386
+        scale = max(np.median(squares) / 1.386, 1e-24)
         weights = beams.weights / (scale * (1 + squares / (scale * TUNING**2)))[:, None, None]
         slant = np.zeros((len(rest), 2, 3))
         slant[:, 0, 0] = slant[:, 1, 1] = 1 / height
@@ -194,7 +195,7 @@ def _start(points, slopes, times, knots):
 
 
 def _step(knots, index, share, positions, slant, weights, rest):
-    """The change of the positions that reduces the residuals."""
+    """Returns the change of the positions that reduces the residuals."""
     count = len(knots)
     matrix, vector = np.zeros((count, 3, count, 3)), np.zeros((count, 3))
     product = np.einsum("nia,nij->naj", slant, weights)
@@ -268,7 +269,7 @@ def track_by_angles(pulses):
 
 
 def _find_velocity(times, points, angles):
-    """The velocity at which points of equal angles move [m/s]."""
+    """Returns the velocity at which points of equal angles move [m/s]."""
     _, group = np.unique(np.rint(angles), return_inverse=True)
     counts = np.bincount(group)
     away = times - (np.bincount(group, times) / counts)[group]

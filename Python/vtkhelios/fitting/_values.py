@@ -32,7 +32,7 @@ class Values:
     def add_unknown(self, name, unit, why):
         self.add(name, unit, None, None, f"not known: {why}")
 
-    # Of the instrument
+    # Values of the instrument
 
     def add_pulses(self, periods):
         frequencies = np.array([1 / each.value for each in periods])
@@ -148,7 +148,7 @@ class Values:
         self.add(name, "rad", value, error, f"width of the zone of divided pulses at "
                  f"{int(counts.sum()):,} edges: of the part of the beam that is detected")  # fmt: skip
 
-    # Of strips
+    # Values of strips
 
     def add_strip(self, found, ground, relief):
         number, track, mirror = found.number, found.track, found.mirror

@@ -10,7 +10,7 @@ import numpy as np
 from ..core.files import write_files
 from ._mirror import OSCILLATING, ROTATING
 
-MARGIN = 0.5  # of the ground over its half width
+MARGIN = 0.5  # margin of the ground over its half width
 HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<!-- Written by vtkhelios fit. -->\n'
 PLATFORM = "Assets/platforms.xml#airplane_linearpath"
 
@@ -32,7 +32,7 @@ def write_fit(fit, folder, scene, **more):
 
 
 def _known(fit, name):
-    """The number of a value, or None."""
+    """Returns the number of a value, or None."""
     return next(
         (each.value for each in fit.values if each.name == name and each.strip is None), None
     )
@@ -47,7 +47,7 @@ def kind_of(fit):
 
 
 def scanner_attributes(fit):
-    """The attributes of the scanner, as far as they are known."""
+    """Returns the attributes of the scanner, as far as they are known."""
     kind = kind_of(fit)
     attributes = {"optics": kind, "pulseFreqs_Hz": f"{_known(fit, 'pulse frequency'):.10g}"}
     rate = f"{_known(fit, 'line frequency'):.10g}"
@@ -91,7 +91,7 @@ def scanner_text(fit):
 
 
 def leg_text(fit, strip):
-    """A leg that flies the trajectory of a strip."""
+    """Returns a leg that flies the trajectory of a strip."""
     settings = (
         f'pulseFreq_hz="{_known(fit, "pulse frequency"):.10g}" '
         f'scanFreq_hz="{_known(fit, "line frequency"):.10g}"'
@@ -125,7 +125,7 @@ def trajectory_name(strip):
 
 
 def trajectory_text(strip):
-    """Rows t, roll, pitch, yaw [deg], x, y, z."""
+    """Returns the rows t, roll, pitch, yaw [deg], x, y, z."""
     rows = np.column_stack([strip.times, strip.angles, strip.positions])
     lines = "\n".join(
         f"{row[0]:.9f},{row[1]:.6f},{row[2]:.6f},{row[3]:.6f},{row[4]:.4f},{row[5]:.4f},{row[6]:.4f}"
@@ -142,7 +142,7 @@ SCENE = (
 
 
 def ground_text(fit):
-    """A level plane around the points at the height of the ground."""
+    """Returns a level plane around the points at the height of the ground."""
     low, high = fit.box[0, :2], fit.box[1, :2]
     reach = MARGIN * np.max(high - low) + 10.0
     (x0, y0), (x1, y1) = low - reach, high + reach

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What fit() returns."""
+"""Result of fit()."""
 
 import dataclasses
 import json
@@ -66,7 +66,7 @@ class Strip:
 
 @dataclasses.dataclass
 class Fit:
-    """What a cloud shows of its instrument and its flight."""
+    """Findings about an instrument and its flight from a cloud."""
 
     name: str
     crs: str  #: coordinate system of the cloud, empty: unknown
@@ -83,11 +83,11 @@ class Fit:
         return Table([value.as_dict() for value in self.values])
 
     def __getitem__(self, name):
-        """The Value of the instrument with a name."""
+        """Returns the Value of the instrument with a name."""
         return self.of_strip(name, None)
 
     def of_strip(self, name, strip):
-        """The Value of a strip with a name; KeyError if there is none."""
+        """Returns the Value of a strip with a name; KeyError if there is none."""
         for value in self.values:
             if value.name == name and value.strip == strip:
                 return value
@@ -111,7 +111,7 @@ class Fit:
         return self.table._repr_html_()
 
     def to_dict(self):
-        """All results as plain values; numbers that are not known are None."""
+        """Returns all results as plain values; numbers that are not known are None."""
         return {
             "name": self.name,
             "coordinateSystem": self.crs,
@@ -123,7 +123,7 @@ class Fit:
         }
 
     def to_json(self):
-        """All results as JSON."""
+        """Returns all results as JSON."""
         return json.dumps(self.to_dict(), indent=2, allow_nan=False)
 
 

@@ -23,7 +23,8 @@ KINDS = "a polygon in WKT, or a file of one: .geojson, .json, .wkt, .txt, .csv o
 
 
 def read_area(area):
-    """The polygons of an area: a list of polygons, each a list of rings (n x 2 [m]), outer first.
+    """Returns the polygons of an area: a list of polygons, each a list of rings (n x 2 [m]), outer
+    first.
 
     area
         a text in WKT, the path of a file, a vtkPolyData of polygons, or corners (n x 2).
@@ -43,13 +44,13 @@ def read_area(area):
 
 
 def box_area(low, high):
-    """The rectangle of a box."""
+    """Returns the rectangle of a box."""
     (x0, y0), (x1, y1) = low[:2], high[:2]
     return [[np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)], dtype=float)]]
 
 
 def to_polydata(polygons):
-    """The outer rings as a vtkPolyData."""
+    """Returns the outer rings as a vtkPolyData."""
     points, cells = vtkPoints(), vtkCellArray()
     points.SetDataTypeToDouble()
     for rings in polygons:
@@ -63,7 +64,7 @@ def to_polydata(polygons):
 
 
 def measure(polygons):
-    """The area of the polygons without their holes [m2]."""
+    """Returns the area of the polygons without their holes [m2]."""
     return sum(
         abs(_signed_area(rings[0])) - sum(abs(_signed_area(hole)) for hole in rings[1:])
         for rings in polygons
@@ -133,7 +134,8 @@ def _parse_ring(text, where):
 
 
 def _parse_rows(text, path):
-    """A corner per line: x y, separated by blanks, commas or semicolons; # starts a comment."""
+    """Returns a corner per line: x y, separated by blanks, commas or semicolons; # starts a
+    comment."""
     rows = []
     for number, line in enumerate(text.splitlines(), 1):
         words = re.split(r"[\s,;]+", line.partition("#")[0].strip())
@@ -170,7 +172,7 @@ def _find_polygons(item):
 
 
 def _make_ring(rows):
-    """The corners of a ring; TypeError for those that are no numbers."""
+    """Returns the corners of a ring; TypeError for those that are no numbers."""
     for row in rows:
         if not all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in row):
             raise TypeError
@@ -189,7 +191,7 @@ def _from_polydata(data):
 
 
 def _check(polygons, where):
-    """The polygons without repeated last corners; raises for one without a surface."""
+    """Returns the polygons without repeated last corners; raises for one without a surface."""
     checked = [[_open(ring) for ring in rings] for rings in polygons]
     if not checked:
         raise _error(where, "has no polygon")

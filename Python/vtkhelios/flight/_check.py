@@ -52,7 +52,7 @@ class Counts:
         }
 
     def _predict(self):
-        """The mean predicted density of coarse cells, and which are wholly in the area."""
+        """Returns the mean predicted density of coarse cells, and which are wholly in the area."""
         plan, n = self.plan, self.factor
         density = np.zeros(plan.grid.shape)
         density[plan.inside] = plan.cells[PULSE_DENSITY]
@@ -66,7 +66,7 @@ class Counts:
         return sums(density) / n**2, sums(plan.inside) == n**2
 
     def spread_out(self, values):
-        """The values of coarse cells on the cells of the plan."""
+        """Returns the values of coarse cells on the cells of the plan."""
         fine = np.repeat(np.repeat(values, self.factor, axis=0), self.factor, axis=1)
         rows, columns = self.plan.grid.shape
         return fine[:rows, :columns]
@@ -84,7 +84,7 @@ class Counts:
 
 def gap_cell(plan):
     """The side of the cells that must have a return: twice the largest spacing of pulses [m], or
-    without lines twice the mean one; at least that of the cells of the plan."""
+    without lines twice the mean one; at least the side of the plan's cells."""
     design = plan.design
     if design.along is None:
         return 2.0 / np.sqrt(design.density)
@@ -92,7 +92,8 @@ def gap_cell(plan):
 
 
 def _coarsen(plan):
-    """A grid of whole multiples of the cells, with enough pulses per cell, and the multiple."""
+    """Returns a grid of whole multiples of the cells, with enough pulses per cell, and the
+    multiple."""
     mean = float(plan.cells[PULSE_DENSITY].mean())
     wanted = np.sqrt(LEAST_PULSES / max(mean, 1e-9))
     factor = max(1, int(np.ceil(wanted / plan.grid.cell)))

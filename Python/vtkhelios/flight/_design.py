@@ -15,8 +15,8 @@ from ..plans.kinds import SettingError
 from ._settings import BANK, GRAVITY, SPEEDS, WIDEST
 
 HEIGHTS = 24  # tried between the limits
-EDGE = 0.999  # of the half swath: its outermost pulses are not counted on
-SAME_TIME = 1e-3  # of the time: the plan with more pulses is taken
+EDGE = 0.999  # share of the half swath: its outermost pulses are not counted on
+SAME_TIME = 1e-3  # share of the time: the plan with more pulses is taken
 
 
 class Relief(typing.NamedTuple):
@@ -70,7 +70,7 @@ class Designer:
         self._check_lines()
 
     def choose(self, relief):
-        """The Design with the shortest flight; raises SettingError if there is none."""
+        """Returns the Design with the shortest flight; raises SettingError if there is none."""
         found, refused = [], []
         for height in self._find_heights(relief):
             for frequency in self.frequencies:
@@ -91,7 +91,7 @@ class Designer:
         return max(fast, key=lambda each: each.density)
 
     def make_lines(self, design, altitude=0.0):
-        """The updated vtkHeliosFlightLines of a design."""
+        """Returns the updated vtkHeliosFlightLines of a design."""
         lines = vtk_class("vtkHeliosFlightLines")()
         lines.SetInputData(self.area)
         lines.SetSwathWidth(design.swath_width)
@@ -108,7 +108,7 @@ class Designer:
         return lines
 
     def _try(self, frequency, height, relief):
-        """A Design, or the reason why there is none."""
+        """Returns a Design, or the reason why there is none."""
         lowest, largest = height - relief.rise, height + relief.drop
         if reason := self._check_height(lowest, largest):
             return reason
@@ -190,7 +190,7 @@ class Designer:
             )
 
     def _find_heights(self, relief):
-        """The flying heights to try."""
+        """Returns the flying heights to try."""
         settings = self.settings
         if settings["flying_height"] is not None:
             return [settings["flying_height"]]
@@ -245,7 +245,7 @@ class Designer:
         return least, most
 
     def _find_speed(self, frequency, height, relief):
-        """The largest speed that meets density or spacing."""
+        """Returns the largest speed that meets density or spacing."""
         rate = frequency * self.least_rate
         if self.settings["density"]:
             return rate / (height * self.settings["density"] * relief.factor)
@@ -260,7 +260,8 @@ class Designer:
         )
 
     def _find_scan_frequency(self, frequency, speed, height):
-        """That of equal spacing along and across at nadir, or of the spacing asked for."""
+        """Returns the frequency of equal spacing along and across at nadir, or of the given
+        spacing."""
         if self.settings["scan_frequency"]:
             return self.settings["scan_frequency"]
         if not self.instrument.has_lines():
@@ -274,7 +275,7 @@ class Designer:
         return max(low, min(lines, self.instrument.highest_scan_frequency(self.angle)))
 
     def _find_spacings(self, frequency, lines, speed, height):
-        """The largest spacing of pulses along (of one channel and direction) and across."""
+        """Returns the largest spacing of pulses along (of one channel and direction) and across."""
         if not lines or not self.instrument.has_lines():
             return None, None
         sweeps = self.instrument.sweeps * self.instrument.channels

@@ -17,7 +17,7 @@ from ._survey import scene_file, write_survey
 LINES, CELLS, TABLE = "lines.vtp", "cells.vtp", "lines.csv"
 GEOJSON, PICTURE, PAGE = "lines.geojson", "plan.png", "plan.html"
 FILES = (SURVEY, LINES, CELLS, TABLE, GEOJSON, PICTURE, PAGE, SUMMARY)
-COLUMNS = (  # of the table: title, value of a row, digits
+COLUMNS = (  # columns of the table: title, value of a row, digits
     ("line", lambda row: row["line"], 0),
     ("x0 [m]", lambda row: row["begin"][0], 3),
     ("y0 [m]", lambda row: row["begin"][1], 3),
@@ -32,7 +32,7 @@ COLUMNS = (  # of the table: title, value of a row, digits
 
 
 def has_plan(folder, more=()):
-    """Whether a folder has files of a plan, or more files."""
+    """Returns whether a folder has files of a plan, or more files."""
     return any((folder / name).exists() for name in [*FILES, *more])
 
 
@@ -78,7 +78,7 @@ def summary_file(report, folder):
 
 
 def make_table(lines):
-    """The lines as CSV."""
+    """Returns the lines as CSV."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([title for title, *_ in COLUMNS])
@@ -88,7 +88,7 @@ def make_table(lines):
 
 
 def make_geojson(plan):
-    """Lines and area as GeoJSON, in the coordinates of the scene."""
+    """Returns the lines and area as GeoJSON, in the coordinates of the scene."""
     features = [
         _feature("LineString", places.tolist(), line=row["line"], time_s=row["time_s"])
         for row, places in zip(plan.lines, line_waypoints(plan.flight), strict=True)

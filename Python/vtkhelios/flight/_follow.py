@@ -15,7 +15,7 @@ from ..core.pipeline import update
 from ._terrain import Grid, points_of
 
 WAYPOINTS_PER_HEIGHT = 4  # their spacing is a quarter of the flying height
-MOST_CELLS = 1_000_000  # of the ground that is followed
+MOST_CELLS = 1_000_000  # cells of the ground that is followed
 
 
 def follow_terrain(terrain, lines, height, max_climb, cell):
@@ -40,7 +40,8 @@ def follow_terrain(terrain, lines, height, max_climb, cell):
 
 
 def _make_cells(waypoints):
-    """A polyline per flight line: from its first waypoint to the first one that is not active."""
+    """Returns a polyline per flight line: from its first waypoint to the first one that is not
+    active."""
     data = waypoints.GetPointData()
     active = vtk_to_numpy(data.GetArray(ACTIVE))
     numbers = vtk_to_numpy(data.GetArray(LEG_IDS))
@@ -55,7 +56,7 @@ def _make_cells(waypoints):
 
 
 def line_waypoints(data):
-    """The waypoints of each line, n x 3 [m]."""
+    """Yields the waypoints of each line, n x 3 [m]."""
     points, cells, ids = points_of(data), data.GetLines(), vtkIdList()
     for number in range(cells.GetNumberOfCells()):
         cells.GetCellAtId(number, ids)
@@ -63,7 +64,7 @@ def line_waypoints(data):
 
 
 def line_lengths(data):
-    """The length of each line [m]."""
+    """Returns the length of each line [m]."""
     return np.array(
         [np.linalg.norm(np.diff(each, axis=0), axis=1).sum() for each in line_waypoints(data)]
     )

@@ -43,7 +43,7 @@ class Instrument:
         self.range_min = self._number("rangeMin_m", 0.0)
 
     def has_lines(self):
-        """Whether the scan frequency sets the spacing along the path."""
+        """Returns whether the scan frequency sets the spacing along the path."""
         return self.optics in SWEEPS
 
     @property
@@ -57,7 +57,7 @@ class Instrument:
         return min(highest, self.scan_product / angle) if angle else highest
 
     def make_swath(self, pulse_frequency, scan_frequency=None, scan_angle=None):
-        """A vtkHeliosSwath of these settings; None: the scanner's default."""
+        """Returns a vtkHeliosSwath of these settings; None: the scanner's default."""
         attributes = {"pulseFreq_hz": pulse_frequency}
         if scan_frequency:
             attributes["scanFreq_hz"] = scan_frequency
@@ -102,7 +102,7 @@ class Instrument:
         return survey
 
     def _find_use(self):
-        """The use of the scanner in the catalogue: the survey does not read it."""
+        """Returns the use of the scanner in the catalogue: the survey does not read it."""
         known = catalogue.find_scanners("", self._assets, warn=lambda _: None)
         return next((each.use for each in known if each.reference == self.scanner), "airborne")
 
@@ -118,7 +118,8 @@ class Instrument:
 
 
 def _middle_frequency(survey):
-    """A scan frequency within the limits of the scanner, also with its largest angle, if it has any."""
+    """Returns a scan frequency within the limits of the scanner, also with its largest angle, if it
+    has any."""
 
     def number(name, default):
         text = survey.GetScannerAttribute(0, name)

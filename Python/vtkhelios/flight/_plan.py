@@ -30,8 +30,8 @@ from ._terrain import MOST_CELLS, Grid, Terrain, make_places
 __all__ = ["FlightPlan"]
 
 MOST_ATTEMPTS = 6  # to meet the requirements over relief
-ENOUGH = 0.99  # of the area, with the density asked for
-MARGIN = 1e-3  # of a correction, so that it suffices
+ENOUGH = 0.99  # share of the area, with the required density
+MARGIN = 1e-3  # margin of a correction, so that it suffices
 
 
 class FlightPlan:
@@ -80,7 +80,7 @@ class FlightPlan:
         self.report = make_report(self)
 
     def survey(self):
-        """The Survey of the flight, to run in memory; of a scene in memory or in a file."""
+        """Returns the Survey of the flight, to run in memory; of a scene in memory or in a file."""
         return make_survey(self)
 
     def write(self, folder="output", overwrite=False, picture=False):
@@ -92,7 +92,7 @@ class FlightPlan:
         return write_plan(self, pathlib.Path(folder), overwrite, picture)
 
     def line_waypoints(self):
-        """The waypoints of each line, n x 3 [m]."""
+        """Yields the waypoints of each line, n x 3 [m]."""
         return line_waypoints(self.flight)
 
     def has_scene_in_memory(self):
@@ -179,7 +179,7 @@ class FlightPlan:
         return float(self.ground.max()) + self.design.flying_height
 
     def _follow(self, lines):
-        """The lines at the flying height above the ground, as polylines."""
+        """Returns the lines at the flying height above the ground, as polylines."""
         cell, climb = self.grid.cell, self.settings["max_climb"]
         return follow_terrain(self.terrain, lines, self.design.flying_height, climb, cell)
 
@@ -210,7 +210,7 @@ class FlightPlan:
         return self._quantile() < self.required_density() * (1 - 1e-6)
 
     def required_density(self):
-        """What a strip must have [1/m2]."""
+        """The pulse density that a strip must have [1/m2]."""
         if self.settings["density"]:
             return self.settings["density"]
         return 1.0 / math.prod(self.settings["spacing"])
@@ -231,7 +231,7 @@ class FlightPlan:
 
 
 def _read_document(scene, assets):
-    """The file of a plan, None for a scene in memory, and the reader of its scene."""
+    """Returns the file of a plan, None for a scene in memory, and the reader of its scene."""
     source, document = make_document(scene, assets)
     document.SetPlatform(TRIPOD)  # the reader checks them, and no one else uses them
     document.SetScanner(TRIPOD_SCANNER)

@@ -10,7 +10,7 @@ from ..plans.kinds import SettingError
 
 SCANNER = "scanners.xml#rotating_als"
 PLATFORMS = {"unmanned": "platforms.xml#copter_linearpath"}  # by the use of the scanner
-PLATFORM = "platforms.xml#airplane_linearpath"  # of all others
+PLATFORM = "platforms.xml#airplane_linearpath"  # platform of all others
 WIDEST = 45.0  # half angle that is used of a wider scanner [deg]
 DENSITY = 4.0  # 1/m2, if neither density nor spacing is given
 GRAVITY = 9.80665  # m/s2
@@ -78,7 +78,7 @@ BANK = {"airborne": 20.0, "unmanned": 30.0}  # degrees, of turns without a radiu
 
 
 def check_flight_settings(given):
-    """All settings, checked; those not given (or None) have their defaults."""
+    """Returns all settings, checked; those not given (or None) have their defaults."""
     for name in given:
         if name not in ALL:
             near = difflib.get_close_matches(name, ALL, 1, 0.6)

@@ -16,7 +16,7 @@ UNITS["Hz"] = "_Hz"
 
 
 def make_report(plan):
-    """The settings and the result of a FlightPlan."""
+    """Returns the settings and the result of a FlightPlan."""
     design = plan.design
     return {
         "vtkHelios": version(),
@@ -51,7 +51,7 @@ def make_report(plan):
 
 
 def _lowest(design, plan):
-    """The height that the swath width refers to [m]."""
+    """Returns the height that the swath width refers to [m]."""
     return design.swath_width / 2 / plan.tangent
 
 
@@ -117,7 +117,7 @@ def _count_pulses(plan):
 
 
 def _lines(plan):
-    """A row per flight line."""
+    """Yields a row per flight line."""
     lengths = line_lengths(plan.flight)
     for number, places in enumerate(line_waypoints(plan.flight)):
         begin, end, length = places[0], places[-1], float(lengths[number])

@@ -47,13 +47,14 @@ def write_survey(plan, path, scene=None):
 
 
 def _needs_angle(plan):
-    """Whether the scan angle is not the one that the scanner has by default."""
+    """Returns whether the scan angle is not the one that the scanner has by default."""
     is_other = plan.design.scan_angle != plan.instrument.largest_angle
     return is_other or plan.instrument.optics == "oscillating"
 
 
 def scene_file(plan, folder):
-    """The mesh of a scene in memory, written to the folder; None for a scene with a file."""
+    """Returns the mesh of a scene in memory, written to the folder; None for a scene with a
+    file."""
     if not plan.has_scene_in_memory():
         return None
     path = folder / SCENE
@@ -62,7 +63,7 @@ def scene_file(plan, folder):
 
 
 def make_survey(plan):
-    """The Survey of a FlightPlan; a scene in memory stays there."""
+    """Returns the Survey of a FlightPlan; a scene in memory stays there."""
     with tempfile.TemporaryDirectory(prefix="vtkhelios-") as name:
         folder, in_memory = pathlib.Path(name), plan.has_scene_in_memory()
         if in_memory:

@@ -35,13 +35,13 @@ class Grid:
         return x, x + self.columns * cell, y, y + self.rows * cell
 
     def centres(self):
-        """The centres of the cells, n x 2, row by row."""
+        """Returns the centres of the cells, n x 2, row by row."""
         x = self.low[0] + (np.arange(self.columns) + 0.5) * self.cell
         y = self.low[1] + (np.arange(self.rows) + 0.5) * self.cell
         return np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
 
     def count(self, places):
-        """The number of places (n x 2 or more) in each cell, and outside none."""
+        """Returns the number of places (n x 2 or more) in each cell, and outside none."""
         index = np.floor((places[:, :2] - self.low) / self.cell).astype(np.int64)
         inside = ((index >= 0) & (index < (self.columns, self.rows))).all(axis=1)
         cells = index[inside, 1] * self.columns + index[inside, 0]
@@ -56,7 +56,7 @@ class Terrain:
         self.scene = scene
 
     def heights(self, places):
-        """The height at places (n x 2) [m]; NaN where there is no ground."""
+        """Returns the height at places (n x 2) [m]; NaN where there is no ground."""
         snap = vtk_class("vtkHeliosGroundSnap")()
         snap.SetInputData(0, make_points(np.column_stack([places, np.zeros(len(places))])))
         snap.SetInputDataObject(1, self.scene)
@@ -65,12 +65,13 @@ class Terrain:
         return np.where(found[ON_GROUND] > 0, found["points"][:, 2], np.nan)
 
     def grid_heights(self, grid):
-        """The heights at the centres of a grid; those without ground are as the nearest ones."""
+        """Returns the heights at the centres of a grid; those without ground are as the nearest
+        ones."""
         heights = self.heights(grid.centres()).reshape(grid.shape)
         return fill(heights), np.isfinite(heights)
 
     def mesh(self, grid):
-        """The heights of a grid as triangles between the centres of its cells."""
+        """Returns the heights of a grid as triangles between the centres of its cells."""
         heights, _ = self.grid_heights(grid)
         mesh = make_points(np.column_stack([grid.centres(), heights.ravel()]))
         rows, columns = grid.shape
@@ -101,7 +102,7 @@ def fill(heights):
 
 
 def make_normals(heights, cell):
-    """The unit normals of the ground, by differences of neighbouring cells; n x 3."""
+    """Returns the unit normals of the ground, by differences of neighbouring cells; n x 3."""
 
     def slope(axis):
         return (
@@ -115,7 +116,7 @@ def make_normals(heights, cell):
 
 
 def make_places(grid, heights, inside):
-    """The centres of cells on the ground, with normals, of the cells inside (a mask)."""
+    """Returns the centres of cells on the ground, with normals, of the cells inside (a mask)."""
     points = np.column_stack([grid.centres(), heights.ravel()])[inside.ravel()]
     data = make_points(points)
     normals = numpy_to_vtk(make_normals(heights, grid.cell)[inside.ravel()], deep=True)

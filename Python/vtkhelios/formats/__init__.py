@@ -31,7 +31,7 @@ __all__ += ["PulseWaves", "check_waveforms", "read_pulsewaves"]
 
 
 def open_reader(path):
-    """The reader of a file, or of the folder of a run."""
+    """Returns the reader of a file, or of the folder of a run."""
     if is_run(path):
         with guarded(path):
             return RunReader(path)

@@ -67,7 +67,7 @@ def memory_limit(size):
 
 
 def is_failure(error):
-    """Whether an exception is a failure of a library; a lazrs panic is not an Exception."""
+    """Returns whether an exception is a failure of a library; a lazrs panic is not an Exception."""
     return isinstance(error, Exception) or type(error).__name__ == "PanicException"
 
 
@@ -95,7 +95,7 @@ def guarded(path):
 
 
 def _as_text(value):
-    """A VTK string; VTK returns bytes if it is not UTF-8."""
+    """Returns a VTK string; VTK returns bytes if it is not UTF-8."""
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
 
 
@@ -156,7 +156,7 @@ class Header:
         self.set_texts(PART_NAME, names)
 
     def texts(self, name):
-        """The texts in a field array."""
+        """Returns the texts in a field array."""
         array = self.fields.GetAbstractArray(name)
         values = range(array.GetNumberOfValues() if array else 0)
         return [_as_text(array.GetValue(i)) for i in values]
@@ -177,7 +177,7 @@ class Scan:
     """Source of points: a leg, or a file."""
 
     name: str
-    translation: tuple = (0.0, 0.0, 0.0)  # of the scanner or platform [m]
+    translation: tuple = (0.0, 0.0, 0.0)  # position of the scanner or platform [m]
     rotation: tuple = (1.0, 0.0, 0.0, 0.0)  # w x y z, body to world
     has_pose: bool = False
     pulses: object = None  # a function of an iterator over chunks of pulses; None: unknown
@@ -198,7 +198,7 @@ class Reader(_Closing):
         self.header = Header()
         self.count = None
         self.scans = [Scan(pathlib.Path(path).name.split(".")[0])]
-        self.scan = 0  # of the points of the latest chunk
+        self.scan = 0  # scan of the points of the latest chunk
         self.has_waveforms = False  # not included in chunks
         self.notes = []  # skipped or reinterpreted data
         self.keeps_invalid = False  # whether chunks include points that are not finite
@@ -228,7 +228,7 @@ class Reader(_Closing):
                 )
 
     def _drop_invalid(self, chunk, invalid):
-        """The finite points of a chunk; counts values that are not finite by array name."""
+        """Returns the finite points of a chunk; counts values that are not finite by array name."""
         finite = np.isfinite(chunk["points"]).all(axis=1)
         for name, values in chunk.items():
             if values.dtype.kind == "f" and name != "points" and not np.isfinite(values).all():
@@ -272,7 +272,7 @@ class Writer(_Closing):
     def __init__(self, path, header):
         self.path = str(path)
         self.header = header
-        self.count = 0  # of points written
+        self.count = 0  # number of points written
         self.lost = {}  # not storable in the format: name to reason
         self.notes = []
         self.scan = Scan(pathlib.Path(path).name.split(".")[0])
@@ -300,7 +300,7 @@ class Writer(_Closing):
         raise NotImplementedError
 
     def names(self):
-        """The files left by close(), as far as names are known."""
+        """Returns the files left by close(), as far as names are known."""
         return [self.path]
 
     def fail(self, problem):
@@ -338,7 +338,7 @@ class FileWriter(Writer):
 
     def abandon(self):
         if self.file is not None and not self.file.closed:
-            with contextlib.suppress(OSError):  # of a full disk, already reported
+            with contextlib.suppress(OSError):  # error of a full disk, already reported
                 self.file.close()
         drop_part(self.path)
 
@@ -373,7 +373,7 @@ class StreamWriter(Writer):
 
 
 def find_problem(chunk):
-    """The error in the shapes and types of a chunk, or None."""
+    """Returns the error in the shapes and types of a chunk, or None."""
     points = chunk.get("points")
     shape = np.shape(points)
     if len(shape) != 2 or shape[1] != 3:
@@ -392,7 +392,7 @@ def find_problem(chunk):
 
 
 def rows_of(chunk):
-    """The number of points of a chunk."""
+    """Returns the number of points of a chunk."""
     return len(chunk["points"])
 
 
@@ -402,7 +402,7 @@ def select(chunk, rows):
 
 
 def to_cloud(chunk, header=None):
-    """A chunk as vtkPolyData that shares its memory."""
+    """Returns a chunk as vtkPolyData that shares its memory."""
     cloud = vtkPolyData()
     holder = vtkPoints()
     holder.SetData(numpy_to_vtk(np.ascontiguousarray(chunk["points"], np.float64)))
@@ -427,7 +427,7 @@ def from_cloud(cloud):
     return chunk
 
 
-# What a writer of blocks says of its .part, which is removed here.
+# Messages of a writer of blocks about its .part, which is removed here.
 KEPT = re.compile(r"; (?:the first )?\d+ records are safe in .*?(?=; make room)")
 
 

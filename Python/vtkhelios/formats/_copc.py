@@ -25,7 +25,8 @@ FEW = 20_000  # points that are not divided further
 
 INFO = 375 + 54  # offset of the record that locates the octree
 TIMES = 56  # offset in it of the range of GPS times
-ENTRY = struct.Struct("<4iQii")  # of a page: key, offset, bytes, points; -1 points: another page
+# entry of a page: key, offset, bytes, points; -1 points: another page
+ENTRY = struct.Struct("<4iQii")
 
 
 class CopcReader(LazReader):
@@ -41,7 +42,7 @@ class CopcReader(LazReader):
             )
 
     def _find_wrong_octree(self):
-        """The error in the pages of the octree, or None."""
+        """Returns the error in the pages of the octree, or None."""
         size, count = os.path.getsize(self.path), 0
         with open(self.path, "rb") as file:
             file.seek(INFO + 40)
@@ -76,7 +77,7 @@ def spread(values):
 
 
 def gather(code):
-    """The inverse of spread."""
+    """Returns the inverse of spread."""
     x = int(code) & 0x1249249249249249
     for shift, mask in (
         (2, 0x10C30C30C30C30C3),
@@ -149,7 +150,7 @@ class CopcWriter(FileWriter):
                 writer.AddNode(self._copc.VoxelKey(*key), self._copc.VectorChar(data.view(np.int8)))
             writer.Close()
             self._write_times(records["gps_time"])
-        except RuntimeError as error:  # of copclib
+        except RuntimeError as error:  # copclib raises it
             self.fail(f"cannot be written: {error}; free space on its disk")
         self._encoder.close()
         self._scratch.close()
@@ -163,7 +164,7 @@ class CopcWriter(FileWriter):
             file.write(struct.pack("<2d", times.min(), times.max()))
 
     def _cube_size(self, extent, scales):
-        """The side of the cube [m]: slightly more than the points need."""
+        """Returns the side of the cube [m]: slightly more than the points need."""
         return max(float((extent * scales).max()), float(scales.max())) * (1 + 1e-6)
 
     def _codes(self, records, low, scales, size):

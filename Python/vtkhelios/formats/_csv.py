@@ -36,7 +36,7 @@ class CsvWriter(FileWriter):
         self.count += rows_of(chunk)
 
     def _columns(self, chunk):
-        """The columns of a chunk: name, values."""
+        """Yields the columns of a chunk: name, values."""
         yield from zip("XYZ", chunk["points"].T)
         for name, values in chunk.items():
             if name == "points":
@@ -58,5 +58,5 @@ class CsvWriter(FileWriter):
 
 
 def _quote(name):
-    """A name in one column and one line."""
+    """Returns a name in one column and one line."""
     return "".join("_" if each in ',"\r\n' else each for each in name)

@@ -32,11 +32,11 @@ from ._union import explain_missing, fill, join_layouts, layout_of
 
 __all__ = ["E57Reader", "E57Writer"]
 
-UNIT_ERROR = 1e-6  # of the length of a quaternion that is 1
+UNIT_ERROR = 1e-6  # error of the length of a quaternion that is 1
 
 
 def _first_line(error):
-    """The message of libE57Format, without source locations."""
+    """Returns the message of libE57Format, without source locations."""
     return (str(error).strip().splitlines() or [type(error).__name__])[0]
 
 
@@ -49,7 +49,7 @@ class E57Reader(Reader):
             self._file = self._pye57.E57(self.path)
             headers = [self._file.get_header(i) for i in range(self._file.scan_count)]
             self.header.crs = self._text(self._file.root, "coordinateMetadata")
-        except Exception as error:  # of libE57Format, whose type varies between releases
+        except Exception as error:  # libE57Format raises types that vary between releases
             self.fail(f"is not an E57 file, or is damaged: {_first_line(error)}; copy it again")
         self.count = sum(header.point_count for header in headers)
         self.kind = f"E57, {len(headers)} scan{'s'[: len(headers) != 1]}"
@@ -178,7 +178,7 @@ class E57Reader(Reader):
             self.notes.append(f"{self.path}: {count:,} {words} are marked as invalid: read as 0")
 
     def types_of(self, header):
-        """The types of the fields of a scan, by name."""
+        """Returns the types of the fields of a scan, by name."""
         return self._pye57.libe57.StructureNode(header.points.prototype())
 
     def read_fields(self, header, names, rows):
@@ -208,7 +208,7 @@ class ScanPoints:
 
     def __init__(self, owner, header, scan, shift):
         self._owner, self._header, self._scan = owner, header, scan
-        self._shift = shift  # of its time stamps [s]
+        self._shift = shift  # shift of its time stamps [s]
         self._fields = KNOWN & set(header.point_fields)
         self._types = owner.types_of(header)
         if not (self._fields.issuperset(XYZ) or self._fields.issuperset(POLAR)):

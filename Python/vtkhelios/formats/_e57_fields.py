@@ -5,9 +5,9 @@
 import numpy as np
 
 OURS = "vtkHelios, intensity: amplitude [W]"  # prefix of a scan's description
-OTHERS = "vtkHelios"  # that of scans whose intensity is no power
-DIRECTION_ONLY = 1  # of cartesianInvalidState: x y z is the pulse direction
-FULL = 65535.0  # of intensities and colours
+OTHERS = "vtkHelios"  # array of scans whose intensity is no power
+DIRECTION_ONLY = 1  # value of cartesianInvalidState: x y z is the pulse direction
+FULL = 65535.0  # full scale of intensities and colours
 
 XYZ = ("cartesianX", "cartesianY", "cartesianZ")
 POLAR = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
@@ -41,19 +41,19 @@ class Range:
 
 
 def number_of(node):
-    """The value of a node of any kind of number."""
+    """Returns the value of a node of any kind of number."""
     return float(node.scaledValue() if hasattr(node, "scaledValue") else node.value())
 
 
 def _bounds(node):
-    """The range of a type of numbers."""
+    """Returns the range of a type of numbers."""
     if hasattr(node, "scaledMinimum"):
         return Range(node.scaledMinimum(), node.scaledMaximum())
     return Range(node.minimum(), node.maximum())
 
 
 def find_range(scan, types, limits, ends, field):
-    """The range of a field: of the limits of its scan, else of its type, else unknown."""
+    """Returns the range of a field: of the limits of its scan, else of its type, else unknown."""
     names = [f"{ends}Minimum", f"{ends}Maximum"]
     if scan.isDefined(limits) and all(scan[limits].isDefined(name) for name in names):
         found = Range(*(number_of(scan[limits][name]) for name in names))
@@ -64,7 +64,8 @@ def find_range(scan, types, limits, ends, field):
 
 
 def full_colour(largest):
-    """The number of full brightness of colours without limits and without a range of their type."""
+    """Returns the number of full brightness of colours without limits and without a range of their
+    type."""
     return next((full for full in (1.0, 255.0, 65535.0) if largest <= full), largest)
 
 
@@ -83,7 +84,7 @@ def check_flags(data, counts):
 
 
 def rotation_matrix(quaternion):
-    """Of a unit quaternion w x y z."""
+    """Returns the matrix of a unit quaternion w x y z."""
     w, x, y, z = quaternion
     return np.array(
         [

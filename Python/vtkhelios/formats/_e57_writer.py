@@ -27,8 +27,8 @@ class E57Writer(FileWriter):
     def __init__(self, path, header):
         super().__init__(path, header)
         self._libe57 = need("pye57", "E57 files").libe57
-        self._image = None  # of libE57Format
-        self._writer = None  # of the points of a scan
+        self._image = None  # image of libE57Format
+        self._writer = None  # writer of the points of a scan
         self._rows = 0  # capacity of the buffers
         self._metres = Metres(header.crs)  # the unit of all E57 files
         if self._metres.note:
@@ -94,7 +94,7 @@ class E57Writer(FileWriter):
         self._turn = rotation_matrix(scan.rotation)
         self._move = np.asarray(scan.translation, float)
         self._pulses = find_grid(scan.pulses(), self._turn) if scan.pulses else None
-        self._bounds = {}  # of fields: lowest, highest
+        self._bounds = {}  # bounds of fields: lowest, highest
         self._are_short = True
         fields = self._fields(chunk)
         self._node = self._make_scan(scan)
@@ -146,7 +146,7 @@ class E57Writer(FileWriter):
         return fields
 
     def _scale_colours(self, rgb):
-        """Colours of 8 bits if those of the first chunk of a scan are so, else of 16."""
+        """Scales colours to 8 bits if the first chunk of a scan has 8 bits, else to 16."""
         full = np.iinfo(rgb.dtype).max if rgb.dtype.kind in "iu" else 1.0
         unit = np.clip(rgb / full, 0.0, 1.0)
         if self._are_short:
@@ -204,7 +204,7 @@ class E57Writer(FileWriter):
         return node
 
     def _structure(self, numbers=()):
-        """A structure of floats."""
+        """Returns a structure of floats."""
         image = self._image
         node = self._libe57.StructureNode(image)
         for name, value in dict(numbers).items():

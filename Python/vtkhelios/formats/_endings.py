@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each command does with the files of an ending: the list that errors and Docs/files.md have.
+"""Commands by the ending of files: the list in errors and Docs/files.md.
 
-Points are those of FORMATS, where an ending is added; meshes those of the dialect's
-loaders (heliosXmlFilter.cxx); the viewer's own are those of heliosCloudReader.cxx.
+FORMATS lists the endings of points, where an ending is added; the dialect's loaders
+(heliosXmlFilter.cxx) list the meshes; heliosCloudReader.cxx lists the viewer's own.
 """
 
 from ..core.classes import vtk_class
@@ -47,17 +47,17 @@ def _dialect():
 
 
 def points():
-    """The endings of points, the longest first."""
+    """Returns the endings of points, the longest first."""
     return tuple(FORMATS)
 
 
 def meshes():
-    """The endings of meshes."""
+    """Returns the endings of meshes."""
     return tuple(_dialect().GetMeshEndings().split(", "))
 
 
 def is_mesh_ending(path):
-    """Whether the ending of a name is that of a mesh, which of a .ply only its content tells."""
+    """Returns whether the ending of a name belongs to a mesh, which for a .ply only its content tells."""
     return bool(_dialect().FindLoader(to_vtk(path)))
 
 
@@ -67,7 +67,7 @@ def converted_for_view():
 
 
 def known():
-    """All endings as text, for errors."""
+    """Returns all endings as text, for errors."""
     return (
         f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(DOCUMENTS)}"
     )
@@ -89,7 +89,7 @@ def explain_no_points(path):
 
 
 def describe(ending):
-    """What the commands do with an ending, in the order of COMMANDS; empty: nothing."""
+    """Describes the commands for an ending, in the order of COMMANDS; empty: none."""
     uses = dict.fromkeys(COMMANDS, "")
     if ending in FORMATS:
         uses |= {"info": "points", "convert from": "points", "compare": "points"}
@@ -112,18 +112,18 @@ def describe(ending):
 
 
 def list_endings():
-    """All endings, each once: points, meshes, then the others."""
+    """Returns all endings, each once: points, meshes, then the others."""
     return tuple(dict.fromkeys((*points(), *meshes(), *IN_VIEWER, *VOXELS, *DOCUMENTS)))
 
 
 def list_endings_of(command):
-    """The endings of the files that a command takes, for completion; empty: of any file."""
+    """Returns the endings of the files that a command takes, for completion; empty: of any file."""
     columns = [i for i, name in enumerate(COMMANDS) if name.split()[0] == command]
     return tuple(ending for ending in list_endings() if any(describe(ending)[i] for i in columns))
 
 
 def make_table():
-    """The table of Docs/files.md."""
+    """Returns the table of Docs/files.md."""
     lines = [f"| ending | {' | '.join(COMMANDS)} |", f"|{'---|' * (1 + len(COMMANDS))}"]
     for ending in list_endings():
         cells = " | ".join(describe(ending)).replace("|  |", "| |").replace("|  |", "| |")

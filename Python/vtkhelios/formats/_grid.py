@@ -6,7 +6,7 @@ import numpy as np
 
 from ..array_names import CHANNEL_IDS, DIRECTION, GPS_TIME, PULSE_IDS, SCAN_ANGLE
 
-JUMP = 10.0  # of the angle, in typical steps: a new line
+JUMP = 10.0  # jump of the angle, in typical steps: a new line
 
 
 class Grid:
@@ -19,7 +19,7 @@ class Grid:
         self._hit = np.zeros(len(rows), bool)
 
     def place(self, ids):
-        """The E57 fields of pulses by their ids."""
+        """Returns the E57 fields of pulses by their ids."""
         at = np.clip(ids - self._first, 0, len(self._rows) - 1)
         return {"rowIndex": self._rows[at], "columnIndex": self._columns[at]}
 
@@ -44,7 +44,7 @@ class Grid:
 
 
 def find_grid(chunks, turn):
-    """The grid of pulses, or None if they are not in lines.
+    """Returns the grid of pulses, or None if they are not in lines.
 
     A line ends where the mirror angle jumps, or where pulses are missing; rows are steps of that
     angle. For a multi-channel scanner a channel is a row.
@@ -75,7 +75,7 @@ def find_grid(chunks, turn):
 
 
 def _angles(chunk, turn):
-    """Of the mirror, else the elevation in the frame of the scanner [deg]."""
+    """Returns the angle of the mirror, else the elevation in the frame of the scanner [deg]."""
     if SCAN_ANGLE in chunk:
         return chunk[SCAN_ANGLE].copy()
     up = chunk[DIRECTION] @ turn[:, 2]

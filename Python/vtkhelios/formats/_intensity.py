@@ -8,7 +8,7 @@ from ..array_names import INTENSITY
 
 KEPT = "intensity"  # the array of intensities that 16 bits cannot hold
 FULL = 65535
-PTS_LOW, PTS_HIGH = -2048, 2047  # of Leica
+PTS_LOW, PTS_HIGH = -2048, 2047  # range of Leica
 
 
 class IntensityScale:
@@ -37,7 +37,7 @@ class IntensityScale:
 
     @classmethod
     def of(cls, values):
-        """That of an array of all intensities."""
+        """Returns the scale of an array of all intensities."""
         finite = values[np.isfinite(values)] if values.dtype.kind == "f" else values
         if not len(finite):
             return cls(0, 0, True)

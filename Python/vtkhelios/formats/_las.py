@@ -32,7 +32,7 @@ from ._records import EXTENDED_HEAD, RecordReader, RecordWriter
 
 OWN_SOFTWARE = b"vtkHelios "  # colours of its files have 16 bits
 COLOURS = ("red", "green", "blue")
-SCALE_OF_8 = 257  # of colours of 8 bits, as in heliosLasColors.h
+SCALE_OF_8 = 257  # factor of colours of 8 bits, see heliosLasColors.h
 ROWS_OF_SEARCH = 50_000
 WKT = (b"LASF_Projection", 2112)  # the record of a coordinate system
 
@@ -59,7 +59,7 @@ def check_waveforms(path):
 
 
 def has_waveforms(path):
-    """Whether the point format of a LAS file has waveforms."""
+    """Returns whether the point format of a LAS file has waveforms."""
     return _head(path)[2]
 
 
@@ -86,7 +86,7 @@ class LasReader(Reader):
 
 
 def _call(owner, reader, action):
-    """As call(), without notes on values that are not finite: Reader counts them."""
+    """Calls like call(), without notes on values that are not finite: Reader counts them."""
     known = len(owner.notes)
     call(owner, reader, action)
     owner.notes[known:] = [note for note in owner.notes[known:] if "is not finite at" not in note]
@@ -109,7 +109,7 @@ class LazReader(Reader):
             self.notes.append(note)
 
     def _find_crs(self):
-        """The WKT of an extended record, or an empty text."""
+        """Returns the WKT of an extended record, or an empty text."""
         for user, number, place, size in self.records.extended:
             if (user, number) == WKT:
                 with open(self.path, "rb") as file:
@@ -145,7 +145,7 @@ class LazReader(Reader):
         reader.close()
 
     def _find_short(self):
-        """The fields of colours of 8 bits: none of the whole file is above 255."""
+        """Returns the fields of colours of 8 bits: none of the whole file is above 255."""
         names = self.records.header.point_format.dtype().names
         if "red" not in names or self.records.start[58:].startswith(OWN_SOFTWARE):
             return []
@@ -193,11 +193,11 @@ class Encoder:
         self._part = pathlib.Path(f"{self._las}{PART}")
         self._writer = vtk_class("vtkHeliosLASWriter")()
         self._writer.SetFileName(str(self._las))
-        self._begin = 0  # of points in the file
+        self._begin = 0  # first of the points in the file
         self.model = None  # a RecordReader of the first chunk: the head
 
     def encode(self, chunk):
-        """A chunk as a structured array."""
+        """Returns a chunk as a structured array."""
         writer = self._writer
         opened = (lambda: writer.Reopen(self._begin, 0, 0)) if self._begin else writer.Open
         call(self._owner, writer, opened)

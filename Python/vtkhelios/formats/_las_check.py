@@ -12,12 +12,12 @@ import numpy as np
 
 from ._base import memory_limit
 
-HEADER_BYTES = 393  # of LAS 1.5, the longest
+HEADER_BYTES = 393  # header of LAS 1.5, the longest
 LASZIP = (b"laszip encoded", 22204)
 TABLE_AT_END = -1  # the last 8 bytes of the file hold the chunk table offset
 VARIABLE = 2**32 - 1  # the chunk size of variable chunks
 POINTWISE, LAYERED = 1, 3  # compressors
-POINTS_A_BYTE = 100  # of compressed points, maximum
+POINTS_A_BYTE = 100  # largest ratio of compressed points
 FEW = 1_000_000  # points allowed in any file
 
 # Items of a compressed point, by type: bytes (None: any), layers of a chunk (None: one per byte).
@@ -36,7 +36,7 @@ class Unsupported(Exception):
 
 
 def check_header(start, size):
-    """The error in the first bytes of a file of a size (HEADER_BYTES), or None."""
+    """Returns the error in the first bytes of a file of a size (HEADER_BYTES), or None."""
     if len(start) < 227 or start[:4] != b"LASF":
         return "it does not start with LASF"
     if start[24] != 1 or start[25] > 5:
@@ -62,7 +62,7 @@ def _find_wrong_scale(start):
 
 
 def check_points(path, header, size):
-    """Raises Damage if the compressed points of a file do not match its header; the header is that of laspy."""
+    """Raises Damage if the compressed points of a file do not match its header; the header is laspy's."""
     import lazrs
 
     zipped = header.vlrs.get("LasZipVlr")
@@ -93,7 +93,7 @@ def check_points(path, header, size):
 
 
 def _check_items(data, width):
-    """The number of layers of a chunk, 0 without layers."""
+    """Returns the number of layers of a chunk, 0 without layers."""
     if len(data) < 34:
         raise Damage("its header record of LASzip is cut off")
     compressor, items = struct.unpack_from("<H", data)[0], struct.unpack_from("<H", data, 32)[0]
@@ -118,7 +118,7 @@ def _check_items(data, width):
 
 
 def _find_table(file, begin, size):
-    """The offset of the chunk table, and its number of chunks."""
+    """Returns the offset of the chunk table, and its number of chunks."""
     file.seek(begin)
     place = _unpack(file, "<q")
     if place == TABLE_AT_END:
@@ -141,7 +141,7 @@ def _unpack(file, form):
 
 
 def _read_table(lazrs, file, vlr, count):
-    """The chunks: number of points, bytes."""
+    """Returns the chunks: number of points, bytes."""
     table = [(int(n), int(length)) for n, length in lazrs.read_chunk_table_only(file, vlr)]
     if vlr.uses_variable_size_chunks():
         return table

@@ -14,11 +14,11 @@ from ..core.unfinished import set_unfinished
 from ..vtkHeliosFiltersIO import vtkHeliosPointNames
 from ._base import FormatError
 
-NAMES = {PART_IDS: PART_NAME, MATERIAL_IDS: MATERIAL_NAME}  # of the numbers in an array
+NAMES = {PART_IDS: PART_NAME, MATERIAL_IDS: MATERIAL_NAME}  # names for the numbers in an array
 
 
 def names_file(path):
-    """The file of the names of a file of points."""
+    """Returns the file of the names of a file of points."""
     return pathlib.Path(from_vtk(vtkHeliosPointNames.GetFileName(to_vtk(path))))
 
 
@@ -34,7 +34,7 @@ def check_names(path, header):
 
 
 def write_names(path, count, header):
-    """Writes the names in a header beside a file, or removes those of an earlier file."""
+    """Writes the names in a header beside a file, or removes the names of an earlier file."""
     _raise(vtkHeliosPointNames.Write(to_vtk(path), count, header.fields))
 
 
@@ -56,7 +56,7 @@ def drop_part_names(path):
 
 
 def tables_of(header):
-    """The names in a header by the array of their numbers."""
+    """Returns the names in a header by the array of their numbers."""
     return {ids: header.texts(name) for ids, name in NAMES.items() if header.texts(name)}
 
 
@@ -91,7 +91,7 @@ class NameUnion:
 
 
 def renumber(chunk, moved):
-    """A chunk with new numbers of parts and materials; numbers without a name stay."""
+    """Returns a chunk with new numbers of parts and materials; numbers without a name stay."""
     changed = {}
     for ids, numbers in moved.items():
         values = chunk.get(ids)

@@ -16,7 +16,7 @@ _ONLY_UTF8 = {".copc.laz", ".e57"}  # names accepted by their libraries
 
 
 def ending(path):
-    """The entry of FORMATS that a name ends in."""
+    """Returns the entry of FORMATS that a name ends in."""
     name = pathlib.Path(path).name.lower()
     for known in FORMATS:
         if name.endswith(known):
@@ -51,5 +51,5 @@ def open_file(path):
 
 
 def open_writer(path, header=None):
-    """The writer of a file, which is created with the first chunk."""
+    """Returns the writer of a file, which is created with the first chunk."""
     return _find(path, 2)(path, header or Header())

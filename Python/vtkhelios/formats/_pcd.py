@@ -52,7 +52,8 @@ class PcdWriter(StreamWriter):
         super().put(chunk)
 
     def _find_resolution(self):
-        """The step that coordinates keep: of degrees, of the file they are from, or 1 mm."""
+        """Returns the step that coordinates keep: of degrees, of the file they are from, or 1
+        mm."""
         system = find_system(self.header.crs)
         if system.is_geographic:
             return system.resolution[0]

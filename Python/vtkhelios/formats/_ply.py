@@ -15,12 +15,12 @@ from ._ply_names import PlyNames, to_ascii
 
 WORDS = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int", "u4": "uint"}
 WORDS |= {"f4": "float", "f8": "double"}
-MARK = "vtkhelios"  # of comments with data that PLY cannot store, which the reader knows
+MARK = "vtkhelios"  # mark of comments with data that PLY cannot store, which the reader knows
 
 # Names that other programs read.
 NORMAL_FIELDS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
 INTENSITY_FIELD = "intensity"
-LARGEST = 2**53  # of the integers that are stored as doubles: all are exact
+LARGEST = 2**53  # limit of the integers that are stored as doubles: all are exact
 COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
 
@@ -39,7 +39,7 @@ class PlyReader(Reader):
         self.header = Header(self._reader.GetOutput().GetFieldData())
 
     def _read(self, piece, pieces):
-        """The properties of a piece of the points, but for x, y and z as points."""
+        """Returns the properties of a piece of the points, but for x, y and z as points."""
         call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
         cloud = self._reader.GetOutput()
         if cloud.GetPointData().HasArray("points"):
@@ -97,7 +97,7 @@ def _stack(fields, names):
 
 
 def _word(name):
-    """A name as one word of ASCII."""
+    """Returns a name as one word of ASCII."""
     return to_ascii("_".join(name.split()) or "_")
 
 
@@ -126,7 +126,7 @@ class PlyWriter(FileWriter):
         self.count += len(vertices)
 
     def _fields(self, chunk):
-        """The properties of a chunk: name, values."""
+        """Yields the properties of a chunk: name, values."""
         yield from zip("xyz", np.asarray(chunk["points"], np.float64).T)
         for name, values in chunk.items():
             if name == "points":
@@ -163,7 +163,7 @@ class PlyWriter(FileWriter):
         return values.astype(np.float64)
 
     def _head(self, count):
-        """The header, of the same size for any count."""
+        """Returns the header, of the same size for any count."""
         text = str(count)
         lines = ["ply", "format binary_little_endian 1.0"]
         lines.append("comment " + "." * (COUNT_WIDTH - len(text)))

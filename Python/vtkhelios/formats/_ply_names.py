@@ -56,18 +56,18 @@ class PlyNames:
         return found
 
     def wants_scale(self, name):
-        """Whether a property is intensities that are not of 8 or 16 bits."""
+        """Returns whether a property is intensities that are not of 8 or 16 bits."""
         return self.scalars.get(name) == INTENSITY and self._kinds[name] not in ("u1", "u2")
 
     def wanted(self):
-        """The properties whose range over the whole file decides on their type or scale."""
+        """Returns the properties whose range over the whole file decides on their type or scale."""
         names = [name for name, target in self.scalars.items() if self.wants_scale(name)
                  or (target in WHOLE and self._kinds[name][0] == "f")]  # fmt: skip
         names += [name for name in self.colours if self._kinds[name] not in ("u1", "u2")]
         return names
 
     def add_range(self, name, values):
-        """Extends the range of a property by those of a part of the file."""
+        """Extends the range of a property by the values in a part of the file."""
         values = values[np.isfinite(values)]
         if len(values):
             low, high, whole = self._ranges.get(name, (np.inf, -np.inf, True))
@@ -75,11 +75,11 @@ class PlyNames:
             self._ranges[name] = min(low, values.min()), max(high, values.max()), whole
 
     def scale(self, name):
-        """That of intensities."""
+        """Returns the scale of intensities."""
         return IntensityScale(*self._ranges.get(name, (0, 0, True)))
 
     def full_colour(self):
-        """The value of full colour."""
+        """Returns the value of full colour."""
         kind = self._kinds[self.colours[0]]
         if kind in ("u1", "u2"):
             return np.iinfo(kind).max
@@ -87,7 +87,8 @@ class PlyNames:
         return 1 if kind[0] == "f" and high <= 1 else 255 if high <= 255 else 65535
 
     def convert(self, name, values):
-        """An array with its name, from a property: floats that are whole numbers as integers."""
+        """Returns an array with its name, from a property: floats that are whole numbers as
+        integers."""
         target = self.scalars.get(name, name)
         if target not in WHOLE or values.dtype.kind != "f":
             return target, values

@@ -36,7 +36,7 @@ PULSE = np.dtype([
     ("first", "<i2"), ("last", "<i2"), ("descriptor", "u1"), ("flags", "u1"),
     ("intensity", "u1"), ("class", "u1"),
 ])  # fmt: skip
-EDGE_BIT, DIRECTION_BIT = 16, 32  # of the flags
+EDGE_BIT, DIRECTION_BIT = 16, 32  # bits of the flags
 
 
 @dataclasses.dataclass
@@ -81,7 +81,7 @@ def read_pulsewaves(path):
     PulseIds are the places in the file, from 0. The origin of a waveform is the anchor, from which
     segments are counted; for outgoing pulses it is the optical centre. StartTime [ns, two-way] is such
     that c / 2 StartTime from the origin is the place of the first sample by the file's own vectors,
-    whose light is that of air; BinSize [ns] is the file's.
+    which use the speed of light in air; BinSize [ns] is the file's.
     Raises FormatError for files that are missing, damaged, compressed or of another version.
     """
     return _File(path).read()
@@ -221,7 +221,8 @@ class _File:
         )
 
     def _find_segments(self):
-        """All segments: arrays of pulses, durations, counts and places, with their sampling."""
+        """Returns all segments: arrays of pulses, durations, counts and places, with their
+        sampling."""
         found = []
         for index in np.unique(self.pulses["descriptor"]):
             rows = np.flatnonzero(self.pulses["descriptor"] == index)
@@ -290,7 +291,7 @@ class _File:
             )
 
     def _read(self, rows, place, bits, otherwise, signed=False):
-        """An integer per pulse, and the place after it."""
+        """Returns an integer per pulse, and the place after it."""
         if bits == 0:
             return np.full(len(place), otherwise, np.int64), place
         size = bits // 8
@@ -343,7 +344,7 @@ def _parse_descriptor(record):
 
 
 def _fill_table(columns, samples, geometry):
-    """The rows in the order of pulses and start times."""
+    """Returns the rows in the order of pulses and start times."""
     _, step, speed, time = geometry
     arrays = {
         name: np.concatenate(values) if values else np.zeros(0) for name, values in columns.items()

@@ -19,11 +19,11 @@ NOT_KEPT = (b"laszip encoded", b"copc")  # users of the point compression record
 HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
 INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: location of packets
 STANDARD_TIME, OFFSET_TIME = 1, 64  # its bits of times
-WRITTEN = {0: 2, 5: 4}  # versions 1.x whose records are copied to those of another one
+WRITTEN = {0: 2, 5: 4}  # versions 1.x whose records are copied to another one
 LEAST = {0: 0, 1: 0, 2: 2, 3: 2, 4: 3, 5: 3}  # versions 1.x of the first formats; of others 4
 DESCRIPTORS = range(100, 355)  # numbers of the waveform packet descriptor records
 TO_SCANNER = b"waveform [W], to the scanner"  # descriptor text in heliosLasWaves.h, and
-FROM_SCANNER = b"waveform [W]"  # that of earlier versions, whose vectors had the opposite sign
+FROM_SCANNER = b"waveform [W]"  # text of earlier versions, whose vectors had the opposite sign
 
 
 class RecordReader:
@@ -139,7 +139,7 @@ class RecordReader:
         )
 
     def _find_extended(self, file, start):
-        """The extended records: user, id, offset, size with the head."""
+        """Returns the extended records: user, id, offset, size with the head."""
         place, count = struct.unpack_from("<QI", start, 235)
         found = []
         for _ in range(count):
@@ -215,7 +215,7 @@ class RecordReader:
             count = min(rows, total - done)
             try:
                 records = self._reader.read_points(count).array
-            except BaseException as error:  # of lazrs
+            except BaseException as error:  # lazrs raises it
                 if not is_failure(error):
                     raise
                 self.fail(
@@ -237,13 +237,13 @@ class RecordReader:
 
 
 def _as_ascii(text):
-    """A header text, as laspy returns it, with ? for what is not ASCII."""
+    """Returns a header text, as laspy returns it, with ? for what is not ASCII."""
     data = text if isinstance(text, bytes) else str(text).encode("latin-1", "replace")
     return data.decode("ascii", "replace").replace("\ufffd", "?")
 
 
 def _split(data, count):
-    """The variable length records of a head: user, bytes."""
+    """Yields the variable length records of a head: user, bytes."""
     at = 0
     for _ in range(count):
         size = HEAD + struct.unpack_from("<H", data, at + 20)[0]
@@ -253,7 +253,7 @@ def _split(data, count):
 
 
 def _say_turned(data):
-    """A descriptor record of an earlier version in current form; others unchanged."""
+    """Returns a descriptor record of an earlier version in current form; others unchanged."""
     is_ours = (
         data[2:18].split(b"\0")[0] == b"LASF_Spec"
         and struct.unpack_from("<H", data, 18)[0] in DESCRIPTORS
@@ -270,7 +270,7 @@ class RecordWriter:
 
         self.file = file
         self._model = reader
-        self._ranges = []  # of waveform packets
+        self._ranges = []  # ranges of waveform packets
         self._channel = None
         if compress:
             need("lazrs", "LAZ files")

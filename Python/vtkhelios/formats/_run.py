@@ -23,7 +23,7 @@ from ._vtp import PiecesReader
 
 
 def is_run(path):
-    """Whether a path is a folder, i.e. a run."""
+    """Returns whether a path is a folder, i.e. a run."""
     return pathlib.Path(path).is_dir()
 
 
@@ -53,7 +53,7 @@ class RunReader(Reader):
         )
 
     def _names(self, kind):
-        """The files of a kind that the summary lists."""
+        """Returns the files of a kind that the summary lists."""
         names = [file["name"] for leg in self.summary["legs"] for file in leg["files"]]
         return [name for name in dict.fromkeys(names) if kind_of(name) == kind]
 
@@ -73,7 +73,7 @@ class RunReader(Reader):
         ]
 
     def _count(self):
-        """The points of the files; legs of a strip that share a file add up."""
+        """Returns the points of the files; legs of a strip that share a file add up."""
         records = {file["name"]: file["records"] for leg in self.summary["legs"]
                    for file in leg["files"]}  # fmt: skip
         return sum(records[name] for name in self.files)
@@ -111,7 +111,7 @@ class RunReader(Reader):
         return path and self._read_trajectory(path)
 
     def _find(self, name, kind):
-        """The file of a kind that belongs to a point file; None: no file."""
+        """Returns the file of a kind that belongs to a point file; None: no file."""
         paths = beside(self.folder / name, kind)
         return next((path for path in paths if path.is_file()), None)
 
@@ -136,7 +136,7 @@ class RunReader(Reader):
         return Scan(stem, tuple(origin), tuple(turns[0]), True, pulses)
 
     def _pulses(self, name):
-        """A function that reads the pulses of a leg in chunks; None: there are none."""
+        """Returns a function that reads the pulses of a leg in chunks; None: there are none."""
         path = self._find(name, PULSES)
         if path is None:
             return None

@@ -10,7 +10,7 @@ from ._base import FormatError, check_file
 
 CURE = "run the survey again"
 LARGEST_COUNT = 2**63 - 1
-LARGEST = 1e15  # of other numbers
+LARGEST = 1e15  # limit of other numbers
 LONGEST = 60  # characters of a value in a message
 
 
@@ -62,7 +62,7 @@ WHOLE = {
         "asked": {"rangeTolerance_m": _number, "energyTolerance": _number},
         "reference": {
             **_MEASURES, "rangeTolerance_m": _number, "energyTolerance": _number,
-            "subRays": _count,  # of 0.2
+            "subRays": _count,  # name in version 0.2
             "check": {**_MEASURES, "pulses": _count, "subRays": _count},
         },
         "reason": _text, "without": [_text],
@@ -109,7 +109,7 @@ FINISHED["legs"] = [{**REPORT["legs"][0], "pulses": None,
 
 
 def read_summary(path, needed=FILES):
-    """The summary in a file; FormatError if it cannot be read, or is not valid."""
+    """Returns the summary in a file; FormatError if it cannot be read, or is not valid."""
     check_file(path)
     try:
         data = path.read_bytes()
@@ -119,7 +119,7 @@ def read_summary(path, needed=FILES):
 
 
 def parse_summary(data, path, needed=FILES):
-    """The summary in text or bytes; messages name the file."""
+    """Returns the summary in text or bytes; messages name the file."""
     try:
         summary = parse_json(data)
     except JsonError as error:
@@ -178,7 +178,7 @@ def _check_lengths(summary):
 
 
 def _quote(value):
-    """A value in a message: one line of ASCII, truncated if long."""
+    """Returns a value in a message: one line of ASCII, truncated if long."""
     if isinstance(value, (dict, list)):
         return "an object" if isinstance(value, dict) else "a list"
     if isinstance(value, int) and abs(value) > 10**LONGEST:

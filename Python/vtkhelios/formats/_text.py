@@ -49,7 +49,7 @@ class TextReader(Reader):
         )
 
     def _make_scan(self, index):
-        """A scan of PTX, with the pose of its scanner."""
+        """Returns a scan of PTX, with the pose of its scanner."""
         name = f"{pathlib.Path(self.path).stem}_{index + 1}"
         matrix = np.eye(4)
         rows = matrix.ravel().tolist()

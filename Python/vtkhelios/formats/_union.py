@@ -10,13 +10,13 @@ from ..array_names import (
 )  # fmt: skip
 from ._base import FormatError, rows_of
 
-# Of points without an array; of other arrays NaN, or 0 for integers.
+# Values of points without an array; of other arrays NaN, or 0 for integers.
 MISSING = {RETURN_NUMBER: 1, NUMBER_OF_RETURNS: 1, GPS_TIME: 0, RGB: 0, SCAN_ANGLE: 0}
 MISSING |= dict.fromkeys((PULSE_IDS, LEG_IDS, PART_IDS, MATERIAL_IDS, CELL_IDS, WAVEFORM_IDS), -1)
 
 
 def layout_of(chunk):
-    """The arrays of a chunk: name to type and number of components, 0 for plain numbers."""
+    """Returns the arrays of a chunk: name to type and number of components, 0 for plain numbers."""
     return {
         name: (values.dtype, values.shape[1] if values.ndim == 2 else 0)
         for name, values in chunk.items()
@@ -24,13 +24,14 @@ def layout_of(chunk):
 
 
 def missing_value(name, dtype, number=np.nan):
-    """The value of points without this array; a number for those of floats."""
+    """Returns the value of points without this array; a number for arrays of floats."""
     value = MISSING.get(name, number if dtype.kind == "f" else 0)
     return value if dtype.kind != "u" or value >= 0 else 0
 
 
 def join_layouts(layouts):
-    """The union of pairs of a file (or scan) and its layout. FormatError if components differ."""
+    """Returns the union of pairs of a file (or scan) and its layout. FormatError if components
+    differ."""
     union, owners = {}, {}
     for owner, layout in layouts:
         for name, (dtype, components) in layout.items():
@@ -55,7 +56,7 @@ def _common_type(one, other):
 
 
 def fill(chunk, union, number=np.nan):
-    """A chunk with all arrays of a union, in its order."""
+    """Returns a chunk with all arrays of a union, in its order."""
     count = rows_of(chunk)
     filled = {}
     for name, (dtype, components) in union.items():

@@ -23,7 +23,8 @@ def is_las(path):
 
 
 def make_waveform_reader(path, one_way=False):
-    """The reader of a file of waveforms, which are its last output; one_way: times of HELIOS++ text."""
+    """Returns the reader of a file of waveforms, which are its last output; one_way: times of
+    HELIOS++ text."""
     if pathlib.Path(path).suffix.lower() == ".pls":
         reader = vtkTrivialProducer()
         reader.SetOutput(read_pulsewaves(path).returning)
@@ -62,7 +63,8 @@ def count_pieces(reader, path):
 
 
 def find_waveforms(path):
-    """The file with the waveforms of a point file: the one beside it, or itself; None: neither."""
+    """Returns the file with the waveforms of a point file: the one beside it, or itself; None:
+    neither."""
     path = pathlib.Path(path)
     if kind_of(path) == POINTS:
         found = next((each for each in beside(path, WAVEFORMS) if each.is_file()), None)

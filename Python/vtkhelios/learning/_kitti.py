@@ -46,7 +46,7 @@ class KittiWriter:
         return len(starts), count
 
     def write_labels(self, number, scan):
-        """Of SemanticKITTI only."""
+        """Writes the labels, for SemanticKITTI only."""
 
     def _write_poses(self, starts, poses):
         first = np.linalg.inv(poses[0])

@@ -30,7 +30,7 @@ class Labels:
     """Labels by class and material.
 
     classes
-        the label of each class, which is that of the material or part. Default: SemanticKITTI's.
+        the label of each class; the material or part has the class. Default: SemanticKITTI's.
     materials
         the label by the id of a material, or by a word in its name; it goes before the class.
     """
@@ -59,7 +59,8 @@ class Labels:
             ) from error
 
     def find(self, arrays, fields):
-        """The label of each point, uint16; 0: unlabelled. fields has the names of materials."""
+        """Returns the label of each point, uint16; 0: unlabelled. fields has the names of
+        materials."""
         count = len(arrays["points"])
         classes = arrays.get(CLASSIFICATION_IDS, np.zeros(count, int))
         labels = np.zeros(count, np.uint16)
@@ -109,7 +110,7 @@ def _name_of(fields, number):
 
 
 def find_instances(arrays):
-    """The part of each point from 1, 0 without parts; FormatError above 65,535."""
+    """Returns the part of each point from 1, 0 without parts; FormatError above 65,535."""
     ids = arrays.get(PART_IDS)
     if ids is None:
         return np.zeros(len(arrays["points"]), np.uint32)

@@ -28,7 +28,7 @@ POINTS = np.dtype([
 MISSES = np.dtype([
     ("dx", "<f4"), ("dy", "<f4"), ("dz", "<f4"), ("t", "<f4"), ("ring", "<u2"), ("unused", "<u2"),
 ])  # fmt: skip
-_KINDS = {"f4": 7, "u2": 4, "u1": 2}  # of PointField
+_KINDS = {"f4": 7, "u2": 4, "u1": 2}  # types of PointField
 CLOUD, TRANSFORM = "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage"
 
 
@@ -45,7 +45,7 @@ class McapWriter:
         self.begin = round(1e9 * vtkHeliosGpsTime.ToUnixTime(epoch)) if epoch else 0  # [ns]
 
     def write(self, scans):
-        """Writes all scans; returns their number and that of points."""
+        """Writes all scans; returns their number and the number of points."""
         number, count = -1, 0
         with naming(self.path), open(self.path, "wb") as file:
             self.writer = self._mcap.Writer(file, compression=self._mcap.CompressionType.NONE)
@@ -69,7 +69,7 @@ class McapWriter:
         self.writer.add_message(self.channels[topic], time, data, time, number)
 
     def _stamp(self, start):
-        """A time of the points as that of a message [ns]."""
+        """Converts a time of the points to the time of a message [ns]."""
         return self.begin + round(1e9 * start)
 
     def _header(self, frame, start):
@@ -107,7 +107,7 @@ class McapWriter:
 
 
 def make_points(scan):
-    """The rows of a PointCloud2."""
+    """Returns the rows of a PointCloud2."""
     arrays = scan.arrays
     rows = np.zeros(len(arrays["points"]), POINTS)
     rows["x"], rows["y"], rows["z"] = scan.points.T
@@ -120,7 +120,7 @@ def make_points(scan):
 
 
 def make_misses(scan):
-    """The rows of pulses without an echo."""
+    """Returns the rows of pulses without an echo."""
     rows = np.zeros(len(scan.misses[GPS_TIME]), MISSES)
     rows["dx"], rows["dy"], rows["dz"] = scan.directions.T
     rows["t"] = scan.misses[GPS_TIME] - scan.start

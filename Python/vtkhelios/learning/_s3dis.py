@@ -5,7 +5,7 @@
 Area_1/ROOM/ROOM.txt                     x y z [m], red green blue [0, 255]
 Area_1/ROOM/Annotations/CLASS_NUMBER.txt the points of each object: of a class and part
 
-A room is a scan. Coordinates are relative to those of Area_1/origin.txt, whole metres.
+A room is a scan. Coordinates are relative to Area_1/origin.txt, whole metres.
 """
 
 import numpy as np
@@ -28,7 +28,7 @@ class S3disWriter:
         self.area, self.fields = folder / "Area_1", fields
 
     def write(self, scans):
-        """Writes all scans; returns their number and that of points."""
+        """Writes all scans; returns their number and the number of points."""
         origin, count, number = None, 0, -1
         for number, scan in enumerate(scans):
             points = scan.arrays["points"]
@@ -46,7 +46,7 @@ class S3disWriter:
 
 
 def _find_objects(arrays):
-    """Names as ground_1, and masks: every part of every class."""
+    """Yields the names as ground_1, and masks: every part of every class."""
     count = len(arrays["points"])
     classes = arrays.get(CLASSIFICATION_IDS, np.zeros(count, int)).astype(int)
     classes[classes == 1] = 0  # neither has a class

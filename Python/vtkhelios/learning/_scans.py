@@ -18,7 +18,8 @@ class Frame:
     leg: str  #: the stem of its file of points
     start: float  #: GpsTime of the window [s]
     pose: np.ndarray  #: 4 x 4, from the frame to the coordinates of the run
-    arrays: dict  #: of the points, by vtkhelios.array_names; "points" are those of the run
+    # arrays of the points, by vtkhelios.array_names; "points" are in the frame of the run
+    arrays: dict
     misses: dict | None  #: pulses without an echo: "Direction" in the run, GpsTime, ChannelIds
 
     @property
@@ -50,7 +51,7 @@ def read_scans(reader, window=None):
 
 
 def _check(reader, chunk):
-    """The chunk; FormatError without times."""
+    """Returns the chunk; FormatError without times."""
     if GPS_TIME not in chunk:
         raise FormatError(
             f"{reader.folder / reader.files[reader.scan]}: has no {GPS_TIME}, which scans are made "
@@ -99,7 +100,8 @@ class _Misses:
         self._next = (-1, None)
 
     def find(self, number, arrays):
-        """Those of a window, whose echoes are given; None without pulses or their ids."""
+        """Returns the pulses of a window, whose echoes are given; None without pulses or their
+        ids."""
         if self._windows is None or PULSE_IDS not in arrays:
             return None
         while self._next is not None and self._next[0] < number:
@@ -132,7 +134,7 @@ class _Poses:
         return pose
 
     def _turn(self, time):
-        """The unit quaternion, by spherical interpolation."""
+        """Returns the unit quaternion, by spherical interpolation."""
         last = int(np.clip(np.searchsorted(self._times, time), 0, len(self._times) - 1))
         first = max(last - 1, 0)
         a, b = self._turns[first], self._turns[last]
@@ -145,12 +147,12 @@ class _Poses:
         return (np.sin((1 - share) * angle) * a + np.sin(share * angle) * b) / np.sin(angle)
 
 
-# The axes of the frame of a scan in that of the body: x right, y forward, z up.
+# Axes of the frame of a scan in the frame of the body: x right, y forward, z up.
 FORWARD_LEFT_UP = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 def _matrix(turn):
-    """The rotation matrix of a unit quaternion w, x, y, z."""
+    """Returns the rotation matrix of a unit quaternion w, x, y, z."""
     w, x, y, z = turn
     return np.array([
         [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],

@@ -16,7 +16,7 @@ PLATFORM, SCANNER = "platforms.xml#tripod", "scanners.xml#vz400_class_tls"
 
 
 def check_assets(assets):
-    """The folders as a list; raises SettingError for a missing one."""
+    """Returns the folders as a list; raises SettingError for a missing one."""
     assets = [assets] if isinstance(assets, (str, os.PathLike)) else assets
     assets = [os.fspath(folder) for folder in assets]
     for folder in assets:
@@ -26,7 +26,7 @@ def check_assets(assets):
 
 
 def make_document(scene, assets):
-    """The file of a plan, None for a scene in memory, and its reader."""
+    """Returns the file of a plan, None for a scene in memory, and its reader."""
     if hasattr(scene, "IsA") and scene.IsA("vtkHeliosPlannerReader"):
         return from_vtk(scene.GetFileName()) or None, scene
     document = vtk_class("vtkHeliosPlannerReader")()

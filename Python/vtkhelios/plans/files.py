@@ -25,21 +25,21 @@ __all__ = [
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
-SCENE = "scene.obj"  # of a scene that has no file
+SCENE = "scene.obj"  # name of a scene that has no file
 POINTS = {"positions.vtp": 2, "candidates.vtp": 0, "test_points.vtp": 1}  # and ports of the planner
 SURVEY = "survey.xml"
 FILES = (SURVEY, *POINTS, "plan.png", SUMMARY)
 
 
 def has_plan(folder, more=()):
-    """Whether a folder has files of a plan, or more files."""
+    """Returns whether a folder has files of a plan, or more files."""
     return any((folder / name).exists() for name in [*FILES, *more])
 
 
 @contextlib.contextmanager
 def new_plan(folder, files=FILES):
-    """While entered, the files of a plan are written to a folder, which is made, without those of an
-    earlier one. After an error none is left, so that the plan can be written again."""
+    """While entered, the files of a plan are written to a folder, which is made, without files of
+    an earlier plan. After an error none is left, so that the plan can be written again."""
     _clear(folder, files)
     try:
         yield
@@ -101,7 +101,7 @@ def survey_file(plan, folder, name=SURVEY):
 
 
 def _scene_file(plan, folder):
-    """The mesh of a plan; of a scene in memory, written to the folder."""
+    """Returns the mesh of a plan; of a scene in memory, written to the folder."""
     if not plan.task.has_scene_in_memory():
         return plan.task.source
     path = folder / SCENE
@@ -110,7 +110,7 @@ def _scene_file(plan, folder):
 
 
 def refer(reference, folder):
-    """A reference as written to a file of a folder: shipped files by name."""
+    """Returns a reference as written to a file of a folder: shipped files by name."""
     path, mark, name = reference.partition("#")
     absolute = pathlib.Path(path).resolve()
     if absolute.is_relative_to(data_directory().resolve() / "Assets"):

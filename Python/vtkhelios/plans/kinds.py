@@ -52,11 +52,11 @@ class Setting:
         self.reported, self.properties = reported, properties
 
     def is_of_document(self):
-        """Whether the document is read with it."""
+        """Returns whether the document is read with it."""
         return any(name.startswith("document.") for name in self.properties)
 
     def get(self, objects):
-        """The values of the properties."""
+        """Returns the values of the properties."""
         return tuple(getattr(*_find(objects, name)) for name in self.properties)
 
     def put(self, objects, values):
@@ -70,7 +70,7 @@ class Setting:
         self.put(objects, [value] * len(self.properties))
 
     def report(self, value):
-        """The value in a report."""
+        """Returns the value in a report."""
         return value
 
 
@@ -93,7 +93,7 @@ class Number(Setting):
             getattr(owner, f"Set{camel}")(value / self.scale)  # clamps what rounding adds
 
     def limits(self):
-        """The valid range."""
+        """Returns the valid range."""
         owner, camel = _find_method(_examples(), self.properties[0])
         low, high = (
             self.scale * getattr(owner, f"Get{camel}{end}Value")() for end in ("Min", "Max")
@@ -252,7 +252,7 @@ class Areas(Setting):
 
 
 def objects_of(plan):
-    """The document and the filters of a vtkHeliosScanPlan by name."""
+    """Returns the document and the filters of a vtkHeliosScanPlan by name."""
     return {
         "document": plan.GetDocument(),
         "candidates": plan.GetCandidates(),
@@ -263,13 +263,13 @@ def objects_of(plan):
 
 
 def _find(objects, name):
-    """The object and the name of a property."""
+    """Returns the object and the name of a property."""
     owner, _, own = name.partition(".")
     return objects[owner], own
 
 
 def _find_method(objects, name):
-    """The object of a property, and the property's name in its methods."""
+    """Returns the object of a property, and the property's name in its methods."""
     owner, own = _find(objects, name)
     return owner, getattr(type(owner), own).camel
 

@@ -38,7 +38,7 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
     scene
         a Scene, a vtkPolyData of triangles, or an algorithm that makes one; a file: a planner,
         survey or scene (HELIOS XML), or a mesh (.obj, .tif, .ply, .stl, .gltf, .glb, .json); or a
-        vtkHeliosPlannerReader. A setting that is not given, or None, is that of the file.
+        vtkHeliosPlannerReader. A setting that is not given, or None, is taken from the file.
     assets
         folders to search for scenes, scanners and platforms that a file names.
     name
@@ -77,7 +77,7 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
 
     grid, grid_y
         spacing of candidates along x and y [m], (0, 1e6]. Default: a twentieth of the scene's
-        diagonal, and that of grid.
+        diagonal, and the grid's.
     region
         rectangle of the candidates: x0, x1, y0, y1 [m]. Default: the scene's.
     exclude
@@ -90,7 +90,7 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
     enclosed
         True: also enclosed places, such as rooms. Default: False, only if there are no others.
     height
-        of the instrument above the surface [m], (0, 1e4]. Default: that of the platform's mount.
+        of the instrument above the surface [m], (0, 1e4]. Default: the platform's mount.
 
     Visibility:
 
@@ -139,7 +139,7 @@ class Step(typing.NamedTuple):
 
     name: str
     algorithm: object
-    begin: float  # of the fraction done
+    begin: float  # begin of the fraction done
     end: float
     is_even: bool = True  # whether the remaining time follows from the progress
 
@@ -183,7 +183,7 @@ class PlanTask:
             raise PipelineError([f"{self.source}: cannot be read"])
 
     def steps(self):
-        """The steps, each to be run before the next one is taken."""
+        """Yields the steps, each to be run before the next one is taken."""
         candidates, test_points = self.filters.GetCandidates(), self.filters.GetTestPoints()
         yield Step("loading the scene", self.document, 0.0, 0.1)
         yield Step("finding candidates", candidates, 0.1, 0.15)
@@ -198,7 +198,7 @@ class PlanTask:
         yield Step(f"selecting positions{limit}", planner, 0.8, 1.0, is_even=False)
 
     def has_scene_in_memory(self):
-        """Whether the scene has no file."""
+        """Returns whether the scene has no file."""
         return self.document.GetNumberOfInputConnections(0) > 0
 
     def run(self, progress=None):
@@ -259,7 +259,7 @@ class Plan:
         return self.report["result"]["isProvedOptimal"]
 
     def survey(self):
-        """The Survey that scans from the positions, one leg each."""
+        """Returns the Survey that scans from the positions, one leg each."""
         if self.task.has_scene_in_memory():
             return self._make_survey()
         with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
@@ -269,7 +269,7 @@ class Plan:
         return survey
 
     def _make_survey(self):
-        """The survey of a scene in memory."""
+        """Returns the survey of a scene in memory."""
         document = self.task.document
         instrument = [0.0, 0.0, 0.0]
         document.GetInstrument(instrument)

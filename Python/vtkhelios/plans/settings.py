@@ -22,7 +22,7 @@ from .kinds import (
 
 __all__ = ["SETTINGS", "SettingError", "check_settings", "fill_document", "fill_filters"]
 
-METHODS = {  # and the planner's; reduce has those of the removal criteria
+METHODS = {  # names in the planner, too; reduce also takes the removal criteria
     "reduce": None,
     "bestcoverage": "greedy",
     "greedy": "greedy",
@@ -99,7 +99,7 @@ RANGES = (("range_min", "range_max"), ("elevation_min", "elevation_max"))
 
 
 def check_settings(given):
-    """The given settings, checked, without those that are None."""
+    """Returns the given settings, checked, without those that are None."""
     for name in given:
         if name not in SETTINGS:
             near = difflib.get_close_matches(name, SETTINGS, 1, 0.6)
@@ -132,7 +132,8 @@ def fill_filters(plan, given):
             SETTINGS[name].set(objects, value)
             values[name] = value
     if values["objects"] and "coverage" not in given:
-        objects["planner"].minimum_coverage = values["coverage"] = 0.0  # that of objects is enough
+        # the objects' shares are enough
+        objects["planner"].minimum_coverage = values["coverage"] = 0.0
     if values["objects"] and "area_weights" not in given:
         SETTINGS["area_weights"].set(objects, True)
         values["area_weights"] = True
@@ -158,7 +159,7 @@ def _check_ranges(values):
 
 
 def report_settings(values):
-    """The settings in a report."""
+    """Returns the settings in a report."""
     return {
         setting.reported: setting.report(values[name])
         for name, setting in SETTINGS.items()

@@ -25,7 +25,8 @@ HEADROOM = 1.8  # the least distance to a surface below that makes a roof of one
 
 
 def order_positions(positions, order):
-    """The selected positions of a planner (vtkPolyData) in an order, and its walk for reports.
+    """Returns the selected positions of a planner (vtkPolyData) in an order, and its walk for
+    reports.
 
     "gain" leaves them as they are, and there is no walk; "walk" is the shortest one, "round" the
     shortest that returns to its beginning.
@@ -120,7 +121,7 @@ def _part_names(scene):
 
 
 def _position_rows(positions):
-    """The selected positions, in their order."""
+    """Yields the selected positions, in their order."""
     columns = arrays(positions)
     unknown = [math.nan] * positions.GetNumberOfPoints()
     for scan, (x, y, z) in enumerate(columns["points"]):
@@ -142,7 +143,8 @@ def _number_or_none(value):
 
 
 def find_raised(scene, positions, height):
-    """The positions above another surface: (index, distance to the highest one below [m]) each."""
+    """Returns the positions above another surface: (index, distance to the highest one below [m])
+    each."""
     points = vtk_to_numpy(scene.GetPoints().GetData())
     corners = vtk_to_numpy(scene.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     low, high = (
@@ -160,7 +162,7 @@ def find_raised(scene, positions, height):
 
 
 def _heights_at(x, y, triangles):
-    """The heights at which triangles (n x 3 x 3) cross a vertical line."""
+    """Returns the heights at which triangles (n x 3 x 3) cross a vertical line."""
     a, u, v = triangles[:, 0], *(triangles[:, k] - triangles[:, 0] for k in (1, 2))
     area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     dx, dy = x - a[:, 0], y - a[:, 1]
@@ -171,7 +173,7 @@ def _heights_at(x, y, triangles):
 
 
 def has_ground(scene):
-    """Whether any material of a scene is ground."""
+    """Returns whether any material of a scene is ground."""
     column = scene.GetFieldData().GetArray(MATERIAL_IS_GROUND)
     return column is not None and any(
         column.GetTuple1(i) for i in range(column.GetNumberOfTuples())
@@ -179,7 +181,8 @@ def has_ground(scene):
 
 
 def warn_of_roofs(plan):
-    """A warning of positions on roofs, or None. Scenes with ground materials have none there."""
+    """Returns a warning of positions on roofs, or None. Scenes with ground materials have none
+    there."""
     if (
         plan.task.settings["ground"] != "auto"
         or has_instances(plan.scene)

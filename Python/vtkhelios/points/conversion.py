@@ -42,13 +42,13 @@ class Conversion:
         self.height_unit = height_unit
         self.epoch = epoch
         self.waveforms = waveforms
-        self.kinds = []  # of inputs: path, kind, count
+        self.kinds = []  # inputs: path, kind, count
         self.notes = []
         self.lost = {}
         self.count = 0
 
     def files(self):
-        """All files of the output."""
+        """Returns all files of the output."""
         path = pathlib.Path(self.output)
         kind = formats.ending(path)
         beside = [path.with_suffix(".wdp")] if kind in (".las", ".laz") else []
@@ -120,7 +120,8 @@ class Conversion:
         return True
 
     def _find_names(self, readers):
-        """A header with the names of the points of all files; None: they have unlike ones."""
+        """Returns a header with the names of the points of all files; None: they have unlike
+        ones."""
         headers = [formats.Header() for _ in readers]
         for reader, header in zip(readers, headers):
             if note := add_names(reader.path, reader.header.point_count, header):
@@ -136,7 +137,7 @@ class Conversion:
         return headers[0]
 
     def _is_internal(self, packets):
-        """Whether packets are stored in the file; None: there are none."""
+        """Returns whether packets are stored in the file; None: there are none."""
         found = [packet for packet in packets if packet]
         if not found:
             return None
@@ -215,7 +216,7 @@ class Conversion:
         return 0.0 if formats.ending(self.output) == ".xyz" else float("nan")
 
     def _find_layouts(self):
-        """The arrays of every input, by the path; empty for one input."""
+        """Returns the arrays of every input, by the path; empty for one input."""
         layouts = {}
         for each in self.inputs if len(self.inputs) > 1 else ():
             path = each.path if isinstance(each, RunReader) else str(each)
@@ -225,7 +226,8 @@ class Conversion:
         return layouts
 
     def _join_layouts(self, layouts):
-        """The arrays of the output, with notes on inputs without some of them; None: as they are."""
+        """Returns the arrays of the output, with notes on inputs without some of them; None: as
+        they are."""
         if self._keeps_scans or not layouts:
             return None
         union = join_layouts(layouts.items())
@@ -235,7 +237,7 @@ class Conversion:
         return union
 
     def _find_shift(self, reader, header):
-        """What moves the times of a reader to the epoch of the output [s]."""
+        """Returns the shift of the times of a reader to the epoch of the output [s]."""
         epoch = reader.header.epoch
         return epoch - header.epoch if epoch and header.epoch else 0.0
 
@@ -282,7 +284,7 @@ class Conversion:
                 )
 
     def _find_target(self, readers):
-        """The coordinate system of the output: that of --crs, else of the inputs."""
+        """Returns the coordinate system of the output: of --crs, else of the inputs."""
         known = next((reader.header.crs for reader in readers if reader.header.crs), "")
         if not self.height_unit or (self.crs and known):
             return self.crs or known
@@ -296,7 +298,7 @@ class Conversion:
             raise formats.FormatError(f"{self.output}: {error}; leave --height-unit out") from error
 
     def _make_move(self, reader, target):
-        """A Move of the points of a reader to a system; None if they stay."""
+        """Returns a Move of the points of a reader to a system; None if they stay."""
         source = formats.Header(reader.header.fields)
         if self.height_unit and source.crs:
             source.crs = self._state_height_unit(source.crs)
@@ -343,8 +345,8 @@ class Move:
 
     def __init__(self, source, target, epoch, owner):
         self._source = source
-        self._owner = owner  # of the notes
-        self.path = owner.output  # of errors
+        self._owner = owner  # collects the notes
+        self.path = owner.output  # named in errors
         self._filter = vtk_class("vtkHeliosReproject")()
         self._filter.SetTargetCRS(target)
         self._filter.SetEpoch(epoch or 0.0)
@@ -367,7 +369,7 @@ class Move:
         return from_cloud(self._filter.GetOutput())
 
     def move_scan(self, scan):
-        """A scan with its pose and its pulses moved."""
+        """Returns a scan with its pose and its pulses moved."""
         if not scan.has_pose:
             return scan
         pose = {
@@ -413,7 +415,7 @@ class Output:
 
     def abandon(self):
         for path, file in zip(self._paths, self._files):
-            with contextlib.suppress(OSError):  # of a full disk, already reported
+            with contextlib.suppress(OSError):  # error of a full disk, already reported
                 file.close()
             drop_part(path)
 

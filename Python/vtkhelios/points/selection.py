@@ -22,7 +22,7 @@ class Selection:
         self.invalid = 0
 
     def of_chunk(self, chunk, path):
-        """The mask of a chunk of arrays, or None: all."""
+        """Returns the mask of a chunk of arrays, or None: all."""
         keep = self._finite(chunk["points"], path)
         masks = [keep] if keep is not None else []
         if self.returns != "all":
@@ -35,7 +35,7 @@ class Selection:
         return self._join(masks, len(chunk["points"]))
 
     def of_records(self, records, is_long):
-        """The mask of LAS records, or None: all."""
+        """Returns the mask of LAS records, or None: all."""
         masks = []
         if self.returns != "all":
             bits, width = records["bit_fields"], 4 if is_long else 3

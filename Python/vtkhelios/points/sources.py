@@ -30,7 +30,8 @@ _COLOUR_TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 
 
 def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
-    """A cloud of points (vtkPolyData without cells) from arrays of n rows and three columns.
+    """Returns a cloud of points (vtkPolyData without cells) from arrays of n rows and three
+    columns.
 
     xyz
         coordinates [m]. float64 and float32 are not copied if contiguous, and the
@@ -64,7 +65,8 @@ def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
 
 
 def _triples(name, values, types, rows=None):
-    """The values as a contiguous array of three columns, of one of the types, else the first."""
+    """Returns the values as a contiguous array of three columns, of one of the types, else the
+    first."""
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3 or rows not in (None, len(array)):
         wanted = "n" if rows is None else rows
@@ -77,7 +79,8 @@ def _triples(name, values, types, rows=None):
 
 
 def las_source(path, colors=False):
-    """A source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy (and lazrs for LAZ).
+    """Returns a source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy (and lazrs
+    for LAZ).
 
     It supports piece requests, so that a filter that requests one after the other never holds the
     file: piece i of n is the i-th of n ranges of points. The coordinate system of the file, if any,

@@ -6,7 +6,7 @@ MILLIMETRES, PERCENT = (1e3, " mm"), (1e2, " %")
 
 
 def accuracy_lines(accuracy):
-    """What was measured, what was asked, and the error of the reference itself."""
+    """Yields the measured errors, the tolerances, and the error of the reference itself."""
     if "reason" in accuracy:
         yield f"accuracy not measured: {accuracy['reason']}"
         return
@@ -37,7 +37,8 @@ def _method(reference):
 
 
 def _result(accuracy, name, unit, asked):
-    """A measure, what was asked, and the error of the reference: a measure that the reference cannot
+    """Returns a measure, what was asked, and the error of the reference: a measure that the
+    reference cannot
     confirm is given as its limit."""
     own = accuracy["reference"][name][0]
     wish = "" if asked is None else f", asked {number(asked, unit)}"
@@ -47,13 +48,13 @@ def _result(accuracy, name, unit, asked):
 
 
 def interval(estimate, unit):
-    """A value and its confidence interval: 0.31 mm [0.2, 0.44]."""
+    """Returns a value and its confidence interval: 0.31 mm [0.2, 0.44]."""
     value, lower, upper = estimate
     return f"{number(value, unit)} [{number(lower, unit, '')}, {number(upper, unit, '')}]"
 
 
 def number(value, unit, name=None):
-    """A number in a unit, to three digits; below a nanometre, or a billionth: 0."""
+    """Returns a number in a unit, to three digits; below a nanometre, or a billionth: 0."""
     factor, own = unit
     text = f"{factor * value:.3g}" if value > 1e-9 else "0"
     return text + (own if name is None else name)

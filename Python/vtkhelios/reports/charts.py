@@ -6,8 +6,8 @@ import io
 
 import numpy as np
 
-BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#9aa3ab"  # of Okabe and Ito's palette
-WIDTH, HEIGHT = 5.6, 3.1  # of a chart [inches]
+BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#9aa3ab"  # colours of Okabe and Ito's palette
+WIDTH, HEIGHT = 5.6, 3.1  # size of a chart [inches]
 DOTS = 144  # per inch
 COLOURS_OF_STRIPS = ["#b9d3e8", "#7fb2d9", "#3d8dc4", "#0b5a94", "#06335a"]
 
@@ -42,7 +42,7 @@ def _figure(width=WIDTH, height=HEIGHT):
 
 
 def density_map(raster, paths=()):
-    """Points/m², by colour on a logarithmic scale, with platform trajectories."""
+    """Returns the points/m², by colour on a logarithmic scale, with platform trajectories."""
     from matplotlib.colors import LogNorm
 
     density = raster.density()
@@ -69,7 +69,7 @@ def density_map(raster, paths=()):
 
 
 def strips_map(raster):
-    """The number of scans of each cell."""
+    """Returns the number of scans of each cell."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     scans = raster.scans()

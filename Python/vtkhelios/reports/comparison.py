@@ -14,7 +14,7 @@ NAME, CELL = 46, 32
 HEADS = ("metric", "A", "B", "difference B - A", "agree", "note")
 DISTANCE_HEADS = ("metric", "value", "by chance up to", "agree", "note")
 CLASS_HEADS = ("class", *HEADS)
-MOST_CHARS = 60  # of a coordinate system
+MOST_CHARS = 60  # longest name of a coordinate system
 
 PAGE = (
     MACROS
@@ -50,7 +50,7 @@ whole tiles are drawn, of both clouds at once. One in twenty intervals misses it
 
 
 def shown(value, unit=""):
-    """A number with four digits; lengths below 0.1 m in mm."""
+    """Returns a number with four digits; lengths below 0.1 m in mm."""
     if value is None or math.isnan(value):
         return "-"
     if abs(value) < ROUNDING:
@@ -61,7 +61,7 @@ def shown(value, unit=""):
 
 
 def with_ends(estimate, unit):
-    """A value and its interval, in one unit."""
+    """Returns a value and its interval, in one unit."""
     if estimate is None:
         return ""
     text = shown(estimate.value, unit)
@@ -79,7 +79,7 @@ def agreement(row):
 
 
 def parts_of(result):
-    """Rows: free of density, of both clouds at once, by density, of classes."""
+    """Returns the rows: free of density, of both clouds at once, by density, of classes."""
     whole = [row for row in result.rows if row.of_class is None]
     return (
         [row for row in whole if row.a and not row.by_density],
@@ -135,7 +135,7 @@ def _single_table(rows):
 
 
 def write_comparison_page(result):
-    """The text of the page."""
+    """Returns the text of the page."""
     free, single, dense, classes = parts_of(result)
     return load_template(PAGE).render(
         style=STYLE,
@@ -174,7 +174,7 @@ def _single_cells(row):
 
 
 def _overview(rows):
-    """The differences of all metrics with an interval, over the mean of both values."""
+    """Returns the differences of all metrics with an interval, over the mean of both values."""
     names, estimates, agreements = [], [], []
     for row in rows:
         scale = 0.5 * abs(row.a.value + row.b.value)

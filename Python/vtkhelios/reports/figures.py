@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a report counts in the points of a run, chunk by chunk."""
+"""Counts for a report, of the points of a run, chunk by chunk."""
 
 import numpy as np
 
@@ -33,7 +33,7 @@ class Figures:
         self.low = np.full(3, np.inf)
         self.high = np.full(3, -np.inf)
         self.range_is_computed = False
-        self._path = None  # of the platform: times, positions
+        self._path = None  # path of the platform: times, positions
         self._scan = None
 
     def add(self, chunk, reader):
@@ -97,19 +97,19 @@ class Figures:
         return np.linalg.norm(chunk["points"] - np.column_stack(at), axis=1)
 
     def mean_density(self):
-        """Points/m² of the non-empty cells."""
+        """Returns the points/m² of the non-empty cells."""
         hit = np.count_nonzero(self.raster.counts)
         return self.count / max(1, hit) / self.raster.cell**2
 
     def overlap(self):
-        """The fraction of non-empty cells covered by two scans, or None for one scan."""
+        """Returns the fraction of non-empty cells covered by two scans, or None for one scan."""
         if len(self.legs) < 2:
             return None
         scans = self.raster.scans()
         return float((scans >= 2).sum() / max(1, (scans >= 1).sum()))
 
     def to_dict(self):
-        """The numbers, for tests and --json."""
+        """Returns the numbers, for tests and --json."""
         return {
             "points": self.count,
             "cell_m": self.raster.cell,

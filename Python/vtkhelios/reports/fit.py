@@ -9,7 +9,7 @@ UNITS = {"rad": ("mrad", 1e3)}
 
 
 def shown(value):
-    """A value with its unit and its uncertainty, rounded alike."""
+    """Returns a value with its unit and its uncertainty, rounded alike."""
     unit, factor = UNITS.get(value.unit, (value.unit, 1.0))
     if value.value is None:
         return f"{value.text} {unit}".rstrip() if value.text else "not known", ""

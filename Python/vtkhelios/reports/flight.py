@@ -5,7 +5,7 @@
 from .plan import print_rows
 
 MOST_ROWS = 50
-COLUMNS = (  # of the table of lines: title, text
+COLUMNS = (  # columns of the table of lines: title, text
     ("line", lambda row: str(row["line"])),
     ("x0 [m]", lambda row: f"{row['begin'][0]:.2f}"),
     ("y0 [m]", lambda row: f"{row['begin'][1]:.2f}"),
@@ -31,7 +31,7 @@ def print_lines(rows):
 
 
 def flight_lines(report):
-    """The design and the prediction, as text."""
+    """Yields the design and the prediction, as text."""
     scan, flight, predicted = report["scan"], report["flight"], report["predicted"]
     lines = (
         f", {scan['scanFrequency_Hz']:.4g} Hz scan frequency" if scan["scanFrequency_Hz"] else ""
@@ -104,7 +104,7 @@ def lacks(report):
 
 
 def check_lines(check):
-    """The result of a simulation."""
+    """Yields the result of a simulation."""
     predicted, simulated = check["predicted_1_m2"], check["simulated_1_m2"]
     yield (
         f"check    {check['firstReturns']:,} first returns in {check['cells']:,} cells of {check['cell_m']:.3g} m: "

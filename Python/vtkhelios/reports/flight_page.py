@@ -23,7 +23,7 @@ MAP = (5.6, 4.6)  # inches
 
 
 def write_page(plan, counts=None):
-    """The text of the page; counts: the simulated first returns (Counts), or None. Raises
+    """Returns the text of the page; counts: the simulated first returns (Counts), or None. Raises
     RuntimeError without Jinja2 or matplotlib."""
     try:
         template = page.load_template(MACROS + PAGE)
@@ -62,7 +62,7 @@ def _tiles(plan, check):
 
 
 def _maps(plan, counts):
-    """The maps, as figures of a page."""
+    """Returns the maps, as figures of a page."""
     density = plan.cells[PULSE_DENSITY]
     maps = [
         _map(plan, "Predicted pulse density", "lines are numbered in flight order",

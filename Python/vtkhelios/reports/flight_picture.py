@@ -14,7 +14,7 @@ MOST_NUMBERS = 40  # lines with a number beside them
 
 
 def make_picture(plan):
-    """A PNG of the maps, as bytes. Raises RuntimeError without matplotlib."""
+    """Returns a PNG of the maps, as bytes. Raises RuntimeError without matplotlib."""
     pyplot = load_charts().load()
     figure, axes = pyplot.subplots(1, 2, figsize=SIZE, layout="constrained", sharey=True)
     draw_density(figure, axes[0], plan, plan.cells[PULSE_DENSITY], "predicted pulse density")
@@ -27,7 +27,7 @@ def make_picture(plan):
 
 
 def load_charts():
-    """The module of charts; RuntimeError without matplotlib."""
+    """Returns the module of charts; RuntimeError without matplotlib."""
     try:
         charts.load()
     except ImportError:
@@ -95,7 +95,7 @@ def draw_lines(axes, plan):
 
 
 def to_map(plan, values):
-    """The values of cells as an array of the grid; NaN outside the area."""
+    """Returns the values of cells as an array of the grid; NaN outside the area."""
     shown = np.full(plan.grid.shape, np.nan)
     shown[plan.inside] = values
     return shown

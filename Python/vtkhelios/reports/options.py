@@ -10,7 +10,7 @@ FORMATS = {"xyz": "text (.xyz)", "las": "LAS 1.4 (.las)", "vtp": "VTK XML (.vtp)
 
 
 def describe_options(options):
-    """Names and values of a page, such as ("waveform bins", "0.25 ns").
+    """Returns the names and values of a page, such as ("waveform bins", "0.25 ns").
 
     Options that are not given, and so as the survey has them, are left out; one of an unknown name
     is shown as it is stored.
@@ -59,7 +59,9 @@ def _option(option):
             return str(value)
         if value == default or not value or not _is_number(value):
             return "" if value == default else _text(value)
-        number = f"{float(option.scale) * value:.6g}" if isinstance(default, float) else f"{value:,}"
+        number = (
+            f"{float(option.scale) * value:.6g}" if isinstance(default, float) else f"{value:,}"
+        )
         return option.words.format(number)
 
     return describe

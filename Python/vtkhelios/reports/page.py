@@ -32,7 +32,7 @@ HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
 
 
 def load_template(page=PAGE):
-    """The template of a page; ImportError without Jinja2."""
+    """Returns the template of a page; ImportError without Jinja2."""
     import jinja2
 
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
@@ -40,7 +40,8 @@ def load_template(page=PAGE):
 
 
 def write_page(summary, figures, reader, cloud=None):
-    """The text of the page; cloud is the link to the page of the cloud, None: there is none."""
+    """Returns the text of the page; cloud is the link to the page of the cloud, None: there is
+    none."""
     histograms, missing = _histograms(figures)
     return load_template().render(
         style=STYLE,
@@ -87,7 +88,7 @@ def _cell(figures):
 
 
 def make_figure(title, note, png, alt):
-    """A picture of a page."""
+    """Returns a picture of a page."""
     return {"title": title, "note": note, "png": base64.b64encode(png).decode(), "alt": alt}
 
 
@@ -172,7 +173,7 @@ def _legs(summary):
 
 
 def _files(figures, reader):
-    """Files and their points, unless every leg has its own."""
+    """Returns the files and their points, unless every leg has its own."""
     if len(reader.files) == len(reader.summary["legs"]):
         return []
     return [(name, f"{count:,}") for name, count in zip(reader.files, figures.legs)]

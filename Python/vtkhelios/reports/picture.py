@@ -31,11 +31,11 @@ from ..formats._base import rows_of
 
 OVERSAMPLING = 2  # supersampling factor in width and height, then averaged
 
-SCREEN = ("-screen", "0", "1280x1024x24")  # of a virtual display
+SCREEN = ("-screen", "0", "1280x1024x24")  # screen of a virtual display
 BACKGROUND_TOP, BACKGROUND_BOTTOM = (0.16, 0.20, 0.26), (0.05, 0.06, 0.08)
 TEXT = (0.86, 0.88, 0.90)
 MARK = (1.0, 0.80, 0.20)
-BAR = 0.05  # of the height: title and legend, below the picture
+BAR = 0.05  # share of the height: title and legend, below the picture
 SUN = (-0.55, 0.60, 0.58)  # direction of the light: right, up, towards the viewer
 
 # ASPRS classes: a colour and a name.
@@ -67,12 +67,14 @@ NO_DISPLAY = "no X display, and no Xvfb for a virtual one: apt-get install xvfb"
 
 
 def can_render():
-    """Whether there is an X display, or a virtual one can be started. VTK exits if it finds none."""
+    """Returns whether there is an X display, or a virtual one can be started. VTK exits if it finds
+    none."""
     return has_display() or (start_display(SCREEN) and has_display())
 
 
 def read_cloud(path):
-    """Points (n x 3), echo strengths and classes of a point cloud file; without these, zeros."""
+    """Returns the points (n x 3), echo strengths and classes of a point cloud file; without these,
+    zeros."""
     with open_reader(path) as reader:
         chunks = list(reader.chunks())
 
@@ -84,7 +86,7 @@ def read_cloud(path):
 
 
 def colours(points, strengths, classes):
-    """The colour of every point, n x 3 in [0, 1]."""
+    """Returns the colour of every point, n x 3 in [0, 1]."""
     if len(np.unique(classes)) > 1:
         base = np.tile(UNCLASSIFIED[0], (len(points), 1))
         for number, (colour, _) in CLASSES.items():
@@ -253,7 +255,7 @@ def make_window(size):
 
 
 def grab_colours(window):
-    """The image of a window, height x width x 3 in [0, 1], from the bottom row up."""
+    """Returns the image of a window, height x width x 3 in [0, 1], from the bottom row up."""
     width, height = window.GetSize()
     pixels = vtkUnsignedCharArray()
     window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
@@ -294,7 +296,7 @@ def dome_light(distance, strength=12.0):
 
 
 def sunlight(distance, view_angle, radius=3 * OVERSAMPLING):
-    """The cosine between the light and the normals of the surface of the points.
+    """Returns the cosine between the light and the normals of the surface of the points.
 
     A surface whose distance d changes by g = d log(d) a radian has the normal (g, 1) before the
     camera.
@@ -307,7 +309,7 @@ def sunlight(distance, view_angle, radius=3 * OVERSAMPLING):
 
 
 def average(image, radius):
-    """The mean over a square of side 2 radius + 1, by running sums."""
+    """Returns the mean over a square of side 2 radius + 1, by running sums."""
     width = 2 * radius + 1
     for _ in range(2):  # along the rows, then, transposed, along the columns
         sums = np.cumsum(np.pad(image, ((radius + 1, radius), (0, 0)), mode="edge"), axis=0)

@@ -17,7 +17,7 @@ except ImportError:
 
 MAXIMUM_ROWS = 50
 
-COLUMNS = (  # of the table of positions: title, text
+COLUMNS = (  # columns of the table of positions: title, text
     ("scan", lambda row: str(row["scan"])),
     ("x [m]", lambda row: f"{row['x']:.3f}"),
     ("y [m]", lambda row: f"{row['y']:.3f}"),
@@ -62,7 +62,7 @@ def print_rows(rows, columns):
 
 
 def result_lines(report):
-    """The result, as text."""
+    """Yields the result, as text."""
     result = report["result"]
     points = report["testPoints"]
     yield (
@@ -83,7 +83,7 @@ def result_lines(report):
 
 
 def describe_objects(objects):
-    """The least covered part."""
+    """Returns the least covered part."""
     seen = [row for row in objects if row["covered_percent"] is not None]
     unseen = len(objects) - len(seen)
     least = min(seen, key=lambda row: row["covered_percent"])
@@ -104,7 +104,7 @@ def describe_walk(walk):
 
 
 def describe_proof(result, limit=None):
-    """The count and its proof; limit is the search time of the exact method [s]."""
+    """Returns the count and its proof; limit is the search time of the exact method [s]."""
     scans = counted(result["scans"], "scan")
     bound = f"linear bound {result['lowerBound']:.2f}"
     if result["isProvedOptimal"]:

@@ -3,7 +3,7 @@
 """A picture of a plan: the scene by its number of scans, and by their best incidence angle.
 
 Every pixel has the colour of the nearest test point; the positions are marked. Without an
-X display a virtual one is started, as by vtkhelios.picture.
+X display a virtual one is started, see vtkhelios.picture.
 """
 
 
@@ -65,7 +65,7 @@ def save_picture(
 
 
 def scan_colours(points):
-    """The colour of every test point by its number of scans."""
+    """Returns the colour of every test point by its number of scans."""
     number = np.minimum(points[NUMBER_OF_SCANS].astype(int), len(SCANS) - 1)
     rgb = np.array([colour for colour, _ in SCANS])[number]
     rgb[points[COVERABLE] == 0] = NOT_COVERABLE
@@ -73,7 +73,7 @@ def scan_colours(points):
 
 
 def angle_colours(points):
-    """The colour of every test point by its best incidence angle."""
+    """Returns the colour of every test point by its best incidence angle."""
     angle = points[BEST_INCIDENCE_ANGLE].astype(float)
     rgb = ramp(np.nan_to_num(angle) / 90.0)
     rgb[np.isnan(angle)] = UNSEEN
@@ -113,7 +113,7 @@ class View:
         self.window.RemoveRenderer(renderer)
 
     def trace(self, scene):
-        """The distances that grab_distances() returns, by rays."""
+        """Returns the distances that grab_distances() returns, by rays."""
         width, height = self.window.GetSize()
         caster = vtk_class("vtkHeliosRayCasterFactory").Create("")
         with MessageLog() as log:
@@ -124,7 +124,7 @@ class View:
         return np.array([cast(caster, eye, row) for row in self.make_rays(width, height)])
 
     def find_nearest(self, points, normals):
-        """The test point nearest to each pixel; -1 for the background.
+        """Returns the test point nearest to each pixel; -1 for the background.
 
         Both are moved slightly off the surface, so that a thin wall has two sides.
         """
@@ -137,7 +137,7 @@ class View:
         return nearest
 
     def unproject(self, towards):
-        """The position of each pixel, moved towards the camera."""
+        """Returns the position of each pixel, moved towards the camera."""
         height, width = self.distance.shape
         rays = self.make_rays(width, height)
         length = np.linalg.norm(rays, axis=2, keepdims=True)
@@ -145,7 +145,7 @@ class View:
         return np.array(self.camera.GetPosition()) + rays * (far - towards / length)
 
     def make_rays(self, width, height):
-        """The directions of the pixels, of length 1 along the axis of the camera."""
+        """Returns the directions of the pixels, of length 1 along the axis of the camera."""
         right, up, axis = camera_axes(self.camera)
         scale = 2.0 * np.tan(np.radians(self.camera.GetViewAngle()) / 2) / height
         x = (np.arange(width) + 0.5 - width / 2) * scale
@@ -153,7 +153,7 @@ class View:
         return axis + y[:, None, None] * up + x[None, :, None] * right
 
     def draw(self, colours, nearest, marks):
-        """The scene in the colours of the test points, and the marks."""
+        """Returns the scene in the colours of the test points, and the marks."""
         rgb = np.where(nearest[..., None] >= 0, colours[nearest], 0.0)
         image = picture.shade(rgb, self.distance, self.camera.GetViewAngle())
         overlay = rendering.vtkRenderer()
@@ -175,7 +175,7 @@ class View:
         return np.where(drawn.any(axis=2, keepdims=True), drawn, image)
 
     def make_number(self, renderer, words, mark):
-        """A text beside a mark."""
+        """Returns a text beside a mark."""
         renderer.SetWorldPoint(*(mark - self.origin), 1.0)
         renderer.WorldToDisplay()
         width, height = self.window.GetSize()
@@ -188,7 +188,7 @@ class View:
 
 
 def make_actor(scene, origin):
-    """The triangles of a mesh, relative to an origin."""
+    """Returns the triangles of a mesh, relative to an origin."""
     mesh = vtkPolyData()
     mesh.ShallowCopy(scene)
     mesh.SetPoints(make_points(vtk_to_numpy(scene.GetPoints().GetData()) - origin))
@@ -201,7 +201,7 @@ def make_actor(scene, origin):
 
 
 def cast(caster, eye, rays):
-    """The ranges of rays from a point, in units of their directions; infinite: no hit."""
+    """Returns the ranges of rays from a point, in units of their directions; infinite: no hit."""
     ranges, cells = vtkDoubleArray(), vtkIdTypeArray()
     origins = numpy_to_vtk(np.tile(eye, (len(rays), 1)))
     caster.Intersect(origins, numpy_to_vtk(np.ascontiguousarray(rays)), ranges, cells)
@@ -219,7 +219,7 @@ def camera_axes(camera):
 def fill_view(camera, corners, aspect):
     """Moves and zooms a camera so that a box fills the picture between title and legend."""
     box = np.array(np.meshgrid(*np.transpose(corners))).reshape(3, -1).T
-    low, high = 2 * BAR - 1, 1 - 1.5 * BAR  # of the height, -1 to 1
+    low, high = 2 * BAR - 1, 1 - 1.5 * BAR  # limits of the height, -1 to 1
     for _ in range(4):  # perspective: converges quickly
         axes = np.array(camera_axes(camera))
         seen = (box - camera.GetPosition()) @ axes.T
@@ -235,7 +235,7 @@ def fill_view(camera, corners, aspect):
 
 
 def find_step(points):
-    """The distance of neighbouring test points: the median of some."""
+    """Returns the distance of neighbouring test points: the median of some."""
     data = vtkPolyData()
     data.SetPoints(make_points(points))
     locator = vtkStaticPointLocator()
@@ -252,7 +252,7 @@ def find_step(points):
 
 
 def interpolate(points, places):
-    """The index of the nearest point to each position."""
+    """Returns the index of the nearest point to each position."""
     source = vtkPolyData()
     source.SetPoints(make_points(points))
     index = numpy_to_vtk(np.arange(len(points), dtype=np.float64), deep=True)
@@ -286,12 +286,12 @@ def draw_ramp(image):
 
 
 def bar_rows(image):
-    """The rows of the colours in the bar."""
+    """Returns the rows of the colours in the bar."""
     return slice(int(0.32 * BAR * len(image)), int(0.68 * BAR * len(image)))
 
 
 def write_texts(image, title, scans):
-    """The picture with its legend and title."""
+    """Returns the picture with its legend and title."""
     height, width, _ = image.shape
     window = picture.make_window((width // OVERSAMPLING, height // OVERSAMPLING))
     overlay = rendering.vtkRenderer()

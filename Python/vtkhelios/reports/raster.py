@@ -8,7 +8,7 @@ FINEST = 2.0**-10  # [m]
 SCANS_A_PLANE = 64
 LARGEST = 20_000  # maximum cells a side for a given size
 MOST_CELLS = 2**24  # in all
-FARTHEST = 1e12  # of coordinates and other numbers; larger ones are damaged
+FARTHEST = 1e12  # limit of coordinates and other numbers; larger ones are damaged
 
 
 def is_near(points):
@@ -34,7 +34,7 @@ class Raster:
         self.cell = cell or FINEST
         self._is_given = cell is not None
         self._limit = LARGEST if cell else limit
-        self._corner = None  # of the first cell, in cells: x, y
+        self._corner = None  # place of the first cell, in cells: x, y
         self.counts = np.zeros((0, 0), np.int64)  # rows are y
         self._scans = []  # planes of 64 scans each, as bits
 
@@ -123,11 +123,11 @@ class Raster:
         return x, x + width * self.cell, y, y + height * self.cell
 
     def density(self):
-        """Points/m²."""
+        """Returns the points/m²."""
         return self.counts / self.cell**2
 
     def scans(self):
-        """The number of scans of each cell."""
+        """Returns the number of scans of each cell."""
         total = np.zeros(self.counts.shape, np.int64)
         for plane in self._scans:
             for row, seen in zip(total, plane):  # bits take 64 times the memory
@@ -136,7 +136,8 @@ class Raster:
         return total
 
     def outline(self):
-        """The cells between the first and the last non-empty ones in their row and column."""
+        """Returns the cells between the first and the last non-empty ones in their row and
+        column."""
         hit = self.counts > 0
         return _between(hit, 0) & _between(hit, 1)
 

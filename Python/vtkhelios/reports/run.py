@@ -9,7 +9,7 @@ from .accuracy import accuracy_lines
 MAXIMUM_LEGS = 20
 MAXIMUM_FILES = 12
 
-COLUMNS = (  # of a table of legs: title, width, text
+COLUMNS = (  # columns of a table of legs: title, width, text
     ("leg", 5, lambda leg: str(leg["leg"])),
     ("start [s]", 12, lambda leg: f"{leg['start_s']:.3f}"),
     ("lasts [s]", 12, lambda leg: f"{leg['duration_s']:.3f}"),
@@ -20,7 +20,7 @@ COLUMNS = (  # of a table of legs: title, width, text
 
 
 def summary_lines(report, folder):
-    """A finished run."""
+    """Yields a finished run."""
     totals, timings = report["totals"], report["timings"]
     versions = report["versions"]
     yield (
@@ -54,7 +54,7 @@ def describe_time(totals, timings):
 
 
 def file_lines(legs, folder):
-    """The files of a run, including the summary."""
+    """Yields the files of a run, including the summary."""
     files = [(file["name"], file["bytes"]) for leg in legs for file in leg["files"]]
     lines = [f"{folder / name} ({readable(size)})" for name, size in files[:MAXIMUM_FILES]]
     if len(files) > MAXIMUM_FILES:
@@ -65,7 +65,7 @@ def file_lines(legs, folder):
 
 
 def estimate_lines(report):
-    """An estimated run."""
+    """Yields an estimated run."""
     totals = report["totals"]
     yield f"sampling {report['sampling']}"
     sizes = [readable(leg["bytes"]) for leg in report["legs"]]
@@ -92,13 +92,13 @@ def join_reports(epochs, reports):
     times = [each.get("timings", each) for each in reports]
     names = [name for name in ("load_s", "run_s", "parts_s") if name in times[0]]
     joined["timings"] = {name: sum(each[name] for each in times) for name in names}
-    if "memory_bytes" in reports[0]:  # of estimates: epochs run one at a time
+    if "memory_bytes" in reports[0]:  # estimates: epochs run one at a time
         joined["memory_bytes"] = max(each["memory_bytes"] for each in reports)
     return joined
 
 
 def epochs_lines(joined):
-    """All epochs of a survey together."""
+    """Yields all epochs of a survey together."""
     totals, timings = joined["totals"], joined["timings"]
     seconds = timings["load_s"] + timings["run_s"]
     yield f"epochs   {len(joined['plays'])}, of the same legs"
@@ -114,7 +114,7 @@ def epochs_lines(joined):
 
 
 def table_lines(legs, more):
-    """The legs, one per line; more columns are (title, width, one value per leg)."""
+    """Yields the legs, one per line; more columns are (title, width, one value per leg)."""
     shown = legs[:MAXIMUM_LEGS]
     columns = [(title, width, [text(leg) for leg in shown]) for title, width, text in COLUMNS]
     for title, width, values in more:
@@ -128,7 +128,7 @@ def table_lines(legs, more):
 
 
 def _padded(texts, width):
-    """Texts of one column, at its width or the longest plus two blanks."""
+    """Returns the texts of one column, at its width or the longest plus two blanks."""
     width = max(width, 2 + max(map(len, texts)))
     return [f"{text:>{width}}" for text in texts]
 
@@ -163,7 +163,7 @@ def counted(number, what):
 
 
 def readable(size):
-    """A human-readable number of bytes: 1.2 MB."""
+    """Returns a human-readable number of bytes: 1.2 MB."""
     for unit in ("B", "kB", "MB", "GB"):
         if size < 1000:
             return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"

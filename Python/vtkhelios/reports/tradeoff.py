@@ -58,7 +58,7 @@ def result_lines(result, threads):
 
 
 def megabytes(size):
-    """A size in MB, with three digits."""
+    """Returns a size in MB, with three digits."""
     return f"{float(f'{size / MEGABYTE:.3g}'):,g}"
 
 
@@ -76,7 +76,7 @@ def _way_table(rows):
 
 
 def _part_table(rows):
-    """What each part of the model and of the scene changes, and costs."""
+    """Tabulates the changes by each part of the model and of the scene, and their cost."""
     whole, *others = rows
     yield "what this scene requires: changes of the cloud, of us and of MB without each part"
     heads = "".join(f"{head:>{WIDTH}}" for head, _, _ in PART_COLUMNS)
@@ -98,7 +98,7 @@ def _part_table(rows):
 
 
 def _change(row, whole):
-    """Of the number of echoes [%]."""
+    """Returns the change of the number of echoes [%]."""
     return 100 * (row.echoes / max(1, whole.echoes) - 1)
 
 

@@ -10,8 +10,9 @@ from ..surveys.tradeoff import TOLD
 from . import charts
 
 GREEN, PURPLE = "#009e73", "#7a4fa3"
-FLOOR = 1e-6  # of a logarithmic axis [mm, %]
-GROUPS = (  # of ways: kind, a part of the name, title, colour, marker, whether they are named
+FLOOR = 1e-6  # start of a logarithmic axis [mm, %]
+# styles of ways: kind, a part of the name, title, colour, marker, whether they are named
+GROUPS = (
     ("sub-rays", "", "fixed sub-rays, circles", charts.ORANGE, "s", True),
     ("pattern", "Vogel", "fixed sub-rays, Vogel's spiral", GREEN, "^", False),
     ("pattern", "Gauss", "fixed sub-rays, Gauss-Legendre", PURPLE, "v", False),
@@ -79,7 +80,7 @@ def _draw_ways(axes, rows, values, title, colour, marker, is_named):
 
 
 def _range(row):
-    """The range error [mm], and the lengths of its interval below and above."""
+    """Returns the range error [mm], and the lengths of its interval below and above."""
     p95 = row.errors["rangeP95_m"]
     value = max(FLOOR, 1e3 * p95.value)
     low = max(0.0, min(0.999 * value, value - 1e3 * p95.lower))
@@ -87,7 +88,7 @@ def _range(row):
 
 
 def make_parts_picture(result):
-    """What each part of the model and of the scene changes, and what it costs."""
+    """Draws the changes by each part of the model and of the scene, and their cost."""
     pyplot = charts.load()
     whole, *rows = result.parts
     figure, panels = pyplot.subplots(
@@ -125,7 +126,7 @@ def make_parts_picture(result):
 
 
 def _cost(row, whole):
-    """The time that a part takes [us]; 0 where it cannot be told."""
+    """Returns the time that a part takes [us]; 0 where it cannot be told."""
     seconds = whole.seconds - row.seconds
     return 1e6 * seconds if abs(seconds) >= TOLD * whole.seconds else 0.0
 

@@ -63,7 +63,7 @@ def _count_triangles(scene):
 
 
 def _size(scene, number):
-    """The triangles of a prototype, a mesh or a raster: those of one instance."""
+    """Returns the triangles of a prototype, a mesh or a raster: of one instance."""
     one, place = scene.NewInstance(), vtkPolyData()
     _set_points(place, np.zeros((1, 3)))
     _add(place, PROTOTYPE_IDS, np.zeros(1, np.int32), place.GetPointData())
@@ -73,25 +73,25 @@ def _size(scene, number):
 
 
 def _instance_ids(scene, name):
-    """The ids of instances, 0 without the array."""
+    """Returns the ids of instances, 0 without the array."""
     array = scene.GetInstances().GetPointData().GetArray(name)
     return np.zeros(scene.GetNumberOfInstances(), int) if array is None else vtk_to_numpy(array)
 
 
 def has_spectra(scene):
-    """Whether materials of a scene, or of turbid voxels, name a spectrum."""
+    """Returns whether materials of a scene, or of turbid voxels, name a spectrum."""
     names = scene.GetFieldData().GetAbstractArray(MATERIAL_SPECTRUM)
     return names is not None and any(names.GetValue(i) for i in range(names.GetNumberOfValues()))
 
 
 def has_lobes(scene):
-    """Whether materials of a scene are specular."""
+    """Returns whether materials of a scene are specular."""
     values = scene.GetFieldData().GetArray(MATERIAL_SPECULARITY)
     return values is not None and bool((vtk_to_numpy(values) > 0).any())
 
 
 def without_parts(scene, ids):
-    """The scene without the triangles of some parts."""
+    """Returns the scene without the triangles of some parts."""
     mesh = (
         _select(scene, ~np.isin(_parts(scene), ids)) if scene.GetNumberOfPolys() else vtkPolyData()
     )
@@ -99,7 +99,7 @@ def without_parts(scene, ids):
 
 
 def _with_instances(mesh, scene, without):
-    """A mesh with the instances of a scene, but for those of some parts."""
+    """Returns a mesh with the instances of a scene, without instances of some parts."""
     every, left = scene.GetInstances(), vtkPolyData()
     mask = ~np.isin(_instance_ids(scene, PART_IDS), without)
     _set_points(left, vtk_to_numpy(every.GetPoints().GetData())[mask])
@@ -122,7 +122,7 @@ class TooLong(Exception):
 
 
 def simplify(scene, distance, seconds, progress):
-    """The scene with fewer triangles within a distance [m], and the verified distance.
+    """Returns the scene with fewer triangles within a distance [m], and the verified distance.
 
     None without CGAL, if this mesh cannot be simplified, or if that takes more processor time.
     """
@@ -173,7 +173,7 @@ def _set_triangles(mesh, corners):
 
 
 def _select(scene, mask):
-    """The triangles of a mask, with their data and the points that they use."""
+    """Returns the triangles of a mask, with their data and the points that they use."""
     used, corners = np.unique(_corners(scene)[mask], return_inverse=True)
     mesh = vtkPolyData()
     _set_points(mesh, vtk_to_numpy(scene.GetPoints().GetData())[used])

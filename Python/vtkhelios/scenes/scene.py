@@ -150,7 +150,8 @@ class Scene:
             raise OSError(f"{path} cannot be written; is its folder there?")
 
     def to_pyvista(self):
-        """The triangles as a pyvista.PolyData with their cell and field arrays; instances are copies.
+        """Returns the triangles as a pyvista.PolyData with their cell and field arrays; instances
+        are copies.
 
         It shares vertices and arrays where PyVista can, also if PyVista has another VTK.
         """
@@ -160,7 +161,7 @@ class Scene:
     def read(cls, path, **properties):
         """Reads a mesh: .obj, .tif, .ply, .stl, .gltf, .glb, .json or .jsonl (CityJSON).
 
-        Properties are those of the reader of the file, such as vtkHeliosCityJSONReader:
+        Properties belong to the reader of the file, such as vtkHeliosCityJSONReader:
 
         >>> city = vtkhelios.Scene.read("delft.city.json", level_of_detail="2.2")
         """
@@ -181,18 +182,19 @@ class Scene:
 
 
 def has_instances(polydata):
-    """Whether a vtkPolyData is a vtkHeliosScene with instances."""
+    """Returns whether a vtkPolyData is a vtkHeliosScene with instances."""
     return bool(vtk_class("vtkHeliosScene").HasInstances(polydata))
 
 
 def count_triangles(polydata):
-    """The triangles of a scene, those of instances counted as often as they stand."""
+    """Returns the triangles of a scene; an instance's count as often as it stands."""
     is_scene = has_instances(polydata)
     return polydata.GetNumberOfTriangles() if is_scene else polydata.GetNumberOfCells()
 
 
 def flatten(polydata):
-    """A scene as one mesh, with copies of its instances; PipelineError if there are too many."""
+    """Returns a scene as one mesh, with copies of its instances; PipelineError if there are too
+    many."""
     if not has_instances(polydata):
         return polydata
     algorithm = vtk_class("vtkHeliosSceneFlatten")()
@@ -211,7 +213,7 @@ def _check_no_instances(polydata, what):
 
 
 def make_reader(path, **properties):
-    """The reader of a mesh, by the ending of its name; ValueError if it is none."""
+    """Returns the reader of a mesh, by the ending of its name; ValueError if it is none."""
     dialect = vtk_class("vtkHeliosDialect")
     reader = _READERS.get(dialect.FindLoader(to_vtk(path)))
     if reader is None:
@@ -222,7 +224,8 @@ def make_reader(path, **properties):
 
 
 def _read_mesh(source):
-    """A source as (vtkPolyData of triangles, polygon of each triangle or None: they are the same)."""
+    """Returns a source as (vtkPolyData of triangles, polygon of each triangle or None: they are the
+    same)."""
     data = data_of(source)
     if hasattr(data, "GetOutputPort"):
         data = update(data)
@@ -329,7 +332,8 @@ def _add_optics(mesh, optics):
 
 
 def _for_each(name, values, count, faces=None):
-    """A value for each of count triangles; values are one, or one for each of the faces that they are of."""
+    """Returns a value for each of count triangles; values are one, or one for each of the faces
+    that they are of."""
     values = np.asarray(values, dtype=np.float64)
     if values.ndim == 0:
         return np.full(count, values)
@@ -376,7 +380,7 @@ def add_parts(survey, table, models, seed, yaw, scale):
 
 
 def _table_text(table):
-    """Columns as the text of a CSV file; None and NaN are empty."""
+    """Returns the columns as the text of a CSV file; None and NaN are empty."""
     names = getattr(getattr(table, "dtype", None), "names", None) or list(table)
     columns = {name: np.asarray(table[name]).reshape(-1).tolist() for name in names}
     lengths = {name: len(column) for name, column in columns.items()}

@@ -12,12 +12,12 @@ from ..clouds.join import join_clouds
 from ..core.classes import vtk_class
 from ..core.pipeline import PipelineError
 
-PULSES_PER_WINDOW = 256  # of the sample, between signs of progress
+PULSES_PER_WINDOW = 256  # pulses of the sample, between signs of progress
 FEWER = 10  # the step of the sample, if nothing is hit
-WINDOWS, SHORTEST, GROWTH = 4, 32, 4  # of pulses that are timed
-REPEATS = 3  # of the timing; the shortest counts: other work on the computer only adds
+WINDOWS, SHORTEST, GROWTH = 4, 32, 4  # windows, and pulses, that are timed
+REPEATS = 3  # rounds of the timing; the shortest counts: other work on the computer only adds
 ENOUGH_SECONDS, LONGEST_WINDOW = 0.1, 16384
-SHORTEST_SECONDS = 1e-4  # that can be told from none, of a survey of few pulses
+SHORTEST_SECONDS = 1e-4  # time that can be measured, of a survey of few pulses
 MEASURES = (
     *("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented"),
     *("amplitudeRms", "widthRms_ns"),
@@ -63,7 +63,8 @@ class Sampler:
         self.share_fired = fired / max(1, self.total / self.step)
 
     def run(self, every=1, **options):
-        """The echoes of the sample, or of about every n-th of its pulses; the number of pulses fired."""
+        """Returns the echoes of the sample, or of about every n-th of its pulses; the number of
+        pulses fired."""
         step = every * self.step
         options = {"noise": False, **self._options, **options}
         options |= {"pulse_step": step, "pulses": True}
@@ -77,7 +78,7 @@ class Sampler:
         return clouds[0] if count == 1 else join_clouds(clouds), fired
 
     def compare(self, cloud, reference):
-        """The measures of a cloud against another: a dict of Estimates, and the counts."""
+        """Returns the measures of a cloud against another: a dict of Estimates, and the counts."""
         comparison = self.make_comparison()
         comparison.SetInputData(0, cloud.polydata)
         comparison.SetInputData(1, reference.polydata)
@@ -90,21 +91,20 @@ class Sampler:
         return rows
 
     def displacement(self, cloud, reference):
-        """The 95th percentile of how far echoes are from those of another cloud [m].
+        """Returns the 95th percentile of the distances of echoes from another cloud's [m].
 
-        Of echoes of a pulse that are nearest to each other in range, and as near as those that
-        compare() matches.
+        It counts echoes of a pulse that are nearest to each other in range, and as near as compare() matches.
         """
         first, second = _match(cloud, reference, self.make_comparison().GetMatchingDistance())
         away = np.linalg.norm(cloud.points[first] - reference.points[second], axis=1)
         return _quantile(np.sort(away), 0.95)
 
     def memory(self, **options):
-        """The size of the scene and of the trees of its ray caster, after run() [bytes]."""
+        """Returns the size of the scene and of the trees of its ray caster, after run() [bytes]."""
         return self._survey.source_of({**self._options, **options}).GetSceneSize()
 
     def make_comparison(self):
-        """A vtkHeliosEchoComparison for the survey's scanner."""
+        """Returns a vtkHeliosEchoComparison for the survey's scanner."""
         comparison = vtk_class("vtkHeliosEchoComparison")()
         source, leg = self._first_leg()
         source.SetUpComparison(comparison, leg)
@@ -116,7 +116,7 @@ class Sampler:
         return source.GetLegPulseLength(leg)
 
     def _first_leg(self):
-        """The loaded source, and the first leg that fires pulses."""
+        """Returns the loaded source, and the first leg that fires pulses."""
         source = self._survey.source_of(self._options)
         legs = [leg.index for leg in self._survey.legs if leg.active]
         return source, next(leg for leg in legs if source.GetLegPulseLength(leg) > 0)
@@ -167,7 +167,7 @@ def _match(cloud, reference, distance):
 
 
 def _nearest(keys, others):
-    """The index of the nearest of other keys, for each key."""
+    """Returns the index of the nearest of other keys, for each key."""
     order = np.argsort(others)
     right = np.searchsorted(others[order], keys).clip(0, len(others) - 1)
     left = (right - 1).clip(0)
@@ -176,7 +176,7 @@ def _nearest(keys, others):
 
 
 def _quantile(values, share):
-    """Of sorted values; its interval is that of order statistics."""
+    """Returns a quantile of sorted values; order statistics give its interval."""
     count = len(values)
     if count == 0:
         return Estimate(0.0, 0.0, 0.0)

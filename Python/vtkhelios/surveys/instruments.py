@@ -29,12 +29,12 @@ def read_ouster(path, id=None):
         beam_azimuth_angles, lidar_origin_to_beam_origin_mm or beam_to_lidar_transform,
         lidar_to_sensor_transform and lidar_mode are used.
     id
-        of the scanner. Default: that of the product and the mode, as os1_128_1024x10.
+        of the scanner. Default: from the product and the mode, such as os1_128_1024x10.
 
     The scanner frame is the sensor frame of Ouster, with y = x and x = -y of the sensor. All beams of
     a column fire at once, at the angle of the encoder. Pulse k of column m has the number m n + k for
     n beams, in the order of the file, which is ChannelIds; ColumnIds is the measurement id. A range
-    of the sensor is the distance from the origin of the beam plus that of the origin from the axis.
+    of the sensor is the distance from the origin of the beam plus the origin's distance from the axis.
     What is not in the file (wavelength, divergence, power, ranges) is left at the defaults.
 
     Raises InstrumentError if the file is not such a file, or a value in it is not valid, and OSError.
@@ -108,7 +108,7 @@ class _Metadata:
         raise InstrumentError(f"{self._path}: {message}")
 
     def find(self, name, default=None):
-        """The value with a name: at the top level, or in a section."""
+        """Returns the value with a name: at the top level, or in a section."""
         sections = [self._all, *(one for one in self._all.values() if isinstance(one, dict))]
         return next((one[name] for one in sections if one.get(name) is not None), default)
 
@@ -138,7 +138,7 @@ class _Metadata:
         return values
 
     def mode(self):
-        """Columns per revolution, and revolutions per second."""
+        """Returns the columns per revolution, and revolutions per second."""
         mode = self.find("lidar_mode")
         found = re.fullmatch(r"(\d{1,5})x(\d{1,3})", str(mode))
         if not found or not int(found[1]) * int(found[2]):
@@ -163,7 +163,8 @@ class _Metadata:
                 self.fail(f"{what} {value:g} mm from the origin; give at most 10000 mm")
 
     def mount(self):
-        """The azimuth of the head at column 0 [deg], and where the lidar is [m], in our frame."""
+        """Returns the azimuth of the head at column 0 [deg], and where the lidar is [m], in our
+        frame."""
         name = "lidar_to_sensor_transform"
         matrix = self.numbers(name, self.find(name, _NONE), 16)
         if max(abs(matrix[k] - (k == 10)) for k in (2, 6, 8, 9, 10)) > 1e-6:

@@ -22,7 +22,7 @@ _FEWEST = 0.25  # samples in a step, of the median of all
 
 
 def read_pulse(path, step=0.25):
-    """The mean outgoing pulse of a PulseWaves 0.3 file (.pls, .wvs beside it).
+    """Returns the mean outgoing pulse of a PulseWaves 0.3 file (.pls, .wvs beside it).
 
     Returns rows of a time [ns] from the peak and a power of the peak's, as average_pulses(). Raises
     FormatError for files that cannot be read, or have no outgoing waveforms with a pulse.
@@ -45,12 +45,12 @@ def average_pulses(pulses, bin_size, step=0.25):
     pulses
         waveforms of the emitted pulse, which start before it.
     bin_size
-        time between their samples [ns], one or that of each.
+        time between their samples [ns], one or one of each.
     step
         of the result [ns], positive: pulses that lie differently in their bins give a
         finer one than theirs.
 
-    The zero of a pulse is the mean of its first three samples, its peak that of the parabola through the
+    The zero of a pulse is the mean of its first three samples, its peak the top of the parabola through the
     logarithms of its largest sample and the neighbours. Returns an array of n x 2: the mean time
     [ns] from the peak and the mean power, of the peak's, of all samples in a step. Pulses without a
     peak inside, and steps with few samples, are left out. Raises ValueError if nothing is left.
@@ -90,6 +90,6 @@ def _normalize(samples, size):
 
 
 def to_text(table, comment="the mean outgoing pulse"):
-    """A table as text that pulseShape and PulseFileName read."""
+    """Returns a table as text that pulseShape and PulseFileName read."""
     head = f"# {comment}\n# time [ns], power\n"
     return head + "".join(f"{time:.4f},{power:.5f}\n" for time, power in table)

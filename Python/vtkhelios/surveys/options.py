@@ -12,7 +12,7 @@ class Option(NamedTuple):
     property: str  # of vtkHeliosRunOptions
     name: str  # of Survey.run()
     key: str  # in the options of run_summary.json
-    title: str  # of a report page
+    title: str  # words of a report page
     words: str  # there, with {} for the value; of a flag, if it is on and if it is off
     scale: str  # of the value there; empty: it is shown in any case
     argument: str  # of the command line; empty: none

@@ -9,15 +9,15 @@ from ..vtkHeliosScannerCore import vtkHeliosEchoAlgorithm
 
 
 class Output(NamedTuple):
-    name: str  # of Survey.run() and run_to(); with hyphens the option of vtkhelios run
+    name: str  # keyword of Survey.run() and run_to(); with hyphens the option of vtkhelios run
     source: str  # property of vtkHeliosSurveySource; empty: of files only
     player: str  # property of vtkHeliosSurveyPlayer
     key: str  # in the options of run_summary.json
     arrays: str
     formats: str  # that can have it
-    title: str  # of a report page
+    title: str  # words of a report page
     state: str  # there, if it is on
-    help: str  # of the command line
+    help: str  # help of the command line
 
     @property
     def option(self):
@@ -31,10 +31,10 @@ OUTPUTS = tuple(
 
 
 def in_memory():
-    """Names in Python, and properties of vtkHeliosSurveySource."""
+    """Returns the names in Python, and properties of vtkHeliosSurveySource."""
     return {output.name: snake_case(output.source) for output in OUTPUTS if output.source}
 
 
 def in_files():
-    """Names in Python, and properties of vtkHeliosSurveyPlayer."""
+    """Returns the names in Python, and properties of vtkHeliosSurveyPlayer."""
     return {output.name: snake_case(output.player) for output in OUTPUTS}

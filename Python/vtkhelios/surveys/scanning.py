@@ -47,7 +47,7 @@ def make_survey(
     trajectory=None,
     **settings,
 ):
-    """A survey (a Survey) of a scene in memory.
+    """Returns a survey (a Survey) of a scene in memory.
 
     scene
         a Scene, a VTK data set with a surface, or an algorithm that makes one: the
@@ -85,7 +85,7 @@ def make_survey(
     if isinstance(trajectory, (str, os.PathLike)):
         settings["trajectory"] = os.fspath(trajectory)
         trajectory = None
-    trajectory_data(trajectory)  # of a valid type
+    trajectory_data(trajectory)  # raises without a valid type
     platform = platform or ("copter_linearpath" if flies else "tripod")
     survey = vtk_class("vtkHeliosSurvey")()
     with MessageLog() as log:
@@ -155,7 +155,8 @@ def _reference(name, find_file=lambda _: "platforms.xml"):
 
 
 def _values(leg, flies):
-    """The attributes of a leg and their values; one that follows a trajectory has no position."""
+    """Returns the attributes of a leg and their values; one that follows a trajectory has no
+    position."""
     if flies == ("position" in leg):
         raise TypeError(
             "a leg has a position, but the trajectory gives it; leave it out"
@@ -180,7 +181,7 @@ def _values(leg, flies):
 
 
 def _attributes():
-    """The names of all settings of a leg in surveys."""
+    """Returns the names of all settings of a leg in surveys."""
     cls = vtk_class("vtkHeliosSurvey")
     return {cls.GetAttributeName("leg", i) for i in range(cls.GetNumberOfAttributes("leg"))}
 

@@ -43,7 +43,7 @@ _OUTPUTS = {"instances": "instances", **in_memory()}
 def read_survey(path, assets=(), scene=None, trajectory=None):
     """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
 
-    scene replaces that of the survey: a Scene, a VTK data set with a surface, or an algorithm that
+    scene replaces the survey's: a Scene, a VTK data set with a surface, or an algorithm that
     makes one. trajectory replaces the trajectory files of the platforms, see make_survey(). What is
     replaced is not read, and need not exist.
 
@@ -93,7 +93,7 @@ class Survey:
         self._flight = trajectory_data(trajectory)  # in place of files
         self._source = None
         self._lock = threading.RLock()
-        self.origin = None  # of a survey that is read from files only
+        self.origin = None  # only a survey that is read from files has one
         self.warn = None  # in place of warnings.warn
 
     @property
@@ -128,14 +128,15 @@ class Survey:
         return self._load().GetNumberOfPulses()
 
     def leg_pulses(self, leg):
-        """The pulse ids (first, last + 1) of a leg; loads the scene."""
+        """Returns the pulse ids (first, last + 1) of a leg; loads the scene."""
         self._check_leg(leg)
         ids = [0, 0]
         self._load().GetLegPulses(leg, ids)
         return tuple(ids)
 
     def trajectory(self, leg, interval=0.1):
-        """The trajectory of a leg, a sample every interval [s] and at both ends; loads the scene.
+        """Returns the trajectory of a leg, a sample every interval [s] and at both ends; loads the
+        scene.
 
         A Cloud of the platform's positions with GpsTime [s] and Orientation (quaternion w, x, y,
         z); of a static platform one point.
@@ -148,7 +149,8 @@ class Survey:
         return Cloud(_native.trajectory(self._load(), leg, interval))
 
     def source(self, **options):
-        """The survey as a source of a pipeline (vtkHeliosSurveySource), with the options of run()."""
+        """Returns the survey as a source of a pipeline (vtkHeliosSurveySource), with the options of
+        run()."""
         source = vtk_class("vtkHeliosSurveySource")(survey=self.vtk)
         for port, data in ((0, self._input), (2, self._flight)):
             if isinstance(data, vtkAlgorithm):
@@ -173,8 +175,8 @@ class Survey:
             True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
             ``cloud.sub_rays``, as the arrays TruePoint and Normal, ScanDirectionFlag and
             EdgeOfFlightLine, as the array ColumnIds, of spinning optics: the column of a
-            pulse in its revolution, from 0, as the arrays RelativeAmplitude, above the
-            detection threshold, and Reflectance, above that of a white diffuse plane [dB], and
+            pulse in its revolution, from 0, as the arrays RelativeAmplitude, above the detection
+            threshold, and Reflectance, above a white diffuse plane [dB], and
             as the array RGB, in [0, 1], the colour of the surface: Kd and map_Kd of OBJ files.
         seed
             the key of all random numbers: the survey's, else 0.
@@ -232,7 +234,7 @@ class Survey:
     def blocks(self, pulses=1_000_000, progress=None, legs=None, client=None, **options):
         """The echoes as Clouds of this many pulses each, one after the other: memory holds one.
 
-        Options are those of run(); the blocks in order are what it returns. With a client
+        Options: see run(); the blocks in order are what it returns. With a client
         (distributed.Client), its workers compute them, in advance: see Docs/cluster.md.
         """
         step = check_pulses(pulses)
@@ -247,7 +249,7 @@ class Survey:
                 yield self._run_window(options, (begin, end), watched)
 
     def to_delayed(self, pulses=1_000_000, legs=None, **options):
-        """The blocks of blocks() as a list of dask.delayed Clouds: see Docs/cluster.md."""
+        """Returns the blocks of blocks() as a list of dask.delayed Clouds: see Docs/cluster.md."""
         check_options(options)
         return make_delayed(self, pulses, legs, options)
 
@@ -255,17 +257,17 @@ class Survey:
         """Runs the survey and writes a folder with the survey's name below that folder; returns a
         report.
 
-        format is "xyz", "las" or "vtp". The options are those of run() except for legs, with the
-        same outputs: hits are always VTK XML, colors need the format las or vtp, truth and columns
-        vtp; instances is True by default, as of vtkhelios run. Of files only:
+        format is "xyz", "las" or "vtp". The options equal run()'s except for legs, with the same
+        outputs: hits are always VTK XML, colors need the format las or vtp, truth and columns
+        vtp; instances is True by default, like in vtkhelios run. Of files only:
 
         waveforms_in_points, split_by_channel
             as --waveforms-in-points and --split-by-channel of vtkhelios run.
         overwrite, resume, bytes_to_check, pulses_per_block
             as in vtkHeliosSurveyPlayer.
 
-        Memory holds a block of pulses at a time. The report (a dictionary) is that of
-        run_summary.json, and has the "folder".
+        Memory holds a block of pulses at a time. The report (a dictionary) equals run_summary.json,
+        and has the "folder".
         """
         known = {**in_files(), **{name: name for name in _FILES}}
         known_here = {**_OPTIONS, **known, "instances": "", MESH: ""}
@@ -285,7 +287,7 @@ class Survey:
         return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
 
     def tradeoff(self, pulses=2000, parts=True, progress=None, **options):
-        """What accuracy costs on this survey, and which parts of the model it requires.
+        """Measures the cost of accuracy on this survey, and which parts of the model it requires.
 
         Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in
         several patterns, tolerances, bins, detectors, ray casters and simplified meshes, and compares
@@ -313,23 +315,23 @@ class Survey:
             raise PipelineError(["the parts cannot be added, for a reason that was not reported"])
 
     def source_of(self, options):
-        """The loaded source that run() uses, with these options."""
+        """Returns the loaded source that run() uses, with these options."""
         return self._load(options)
 
     def run_window(self, options, window, progress=None):
-        """The echoes of a window of pulse ids, as a Cloud."""
+        """Returns the echoes of a window of pulse ids, as a Cloud."""
         with Progress(progress) as watched:
             return self._run_window(options, window, watched)
 
     def _prepare(self, options):
-        """The cached source, with the options, and defaults for all others."""
+        """Returns the cached source, with the options, and defaults for all others."""
         if self._source is None:
             self._source = self.source()
         _set_options(self._source, options)
         return self._source
 
     def _load(self, options=None):
-        """The source, loaded, with the options, or with its current ones."""
+        """Returns the source, loaded, with the options, or with its current ones."""
         with self._lock:
             keeps = options is None and self._source is not None
             source = self._source if keeps else self._prepare(options or {})
@@ -342,12 +344,12 @@ class Survey:
             raise ValueError(f"there is no leg {leg!r}; legs are 0 to {count - 1}")
 
     def pulse_windows(self, options, legs=None):
-        """The ranges of pulse ids of legs, and the pulses of all legs; loads the scene."""
+        """Returns the ranges of pulse ids of legs, and the pulses of all legs; loads the scene."""
         total = self._load(options).GetNumberOfPulses()
         return [(first, min(last, total)) for first, last in self._windows(legs)], total
 
     def _windows(self, legs):
-        """The ranges of pulse ids of legs; consecutive ones are merged."""
+        """Returns the ranges of pulse ids of legs; consecutive ones are merged."""
         if legs is None:
             return [(0, _ALL)]
         windows = []
@@ -407,7 +409,8 @@ class Survey:
 
 
 def _scene_data(scene):
-    """What a Scene has, or a data object or algorithm as it is; of other meshes their Scene; None: none."""
+    """Returns the data of a Scene, or a data object or algorithm as it is; for other meshes their
+    Scene; None: none."""
     data = getattr(scene, "polydata", scene)
     if data is None or isinstance(data, (vtkDataObject, vtkAlgorithm)):
         return data
@@ -421,7 +424,7 @@ def _scene_data(scene):
 
 
 def trajectory_data(trajectory):
-    """The vtkPolyData of a trajectory, or its algorithm as it is; None: none."""
+    """Returns the vtkPolyData of a trajectory, or its algorithm as it is; None: none."""
     data = data_of(trajectory)
     if data is None or isinstance(data, (vtkPolyData, vtkAlgorithm)):
         return data
@@ -470,7 +473,7 @@ def _translate(options, known, wrong="no option"):
 
 
 def _take(source):
-    """The outputs of a source as a Cloud; the source releases them."""
+    """Returns the outputs of a source as a Cloud; the source releases them."""
     taken = []
     for port in range(source.GetNumberOfOutputPorts()):
         output = source.GetOutputDataObject(port)

@@ -32,7 +32,7 @@ class _Tags:
 
 
 def has_survey(data):
-    """Whether the bytes of a file have a <survey>, or are not XML."""
+    """Returns whether the bytes of a file have a <survey>, or are not XML."""
     try:
         return _Tags(data).survey is not None
     except xml.parsers.expat.ExpatError:
@@ -40,12 +40,12 @@ def has_survey(data):
 
 
 def with_ray_caster(data, name):
-    """The bytes of a survey with a ray caster; raises ValueError as with_sampling()."""
+    """Returns the bytes of a survey with a ray caster; raises ValueError as with_sampling()."""
     return _set(data, _find_tags(data).survey, {RAY_CASTER: name})
 
 
 def with_sampling(data, tolerance=None, energy_tolerance=None, circles=None):
-    """The bytes of a survey with these tolerances, or with this many circles of sub-rays.
+    """Returns the bytes of a survey with these tolerances, or with this many circles of sub-rays.
 
     Raises ValueError if it has no <survey>, or is not XML.
     """

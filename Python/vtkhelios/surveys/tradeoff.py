@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What accuracy costs on a survey, and which parts of the model it requires.
+"""The cost of accuracy on a survey, and the parts of the model that it requires.
 
 >>> result = vtkhelios.read_survey("survey.xml").tradeoff()
 >>> print(result)
@@ -15,7 +15,7 @@ import json
 
 __all__ = ["Row", "Tradeoff"]
 
-# What Row.kind may be.
+# Values of Row.kind.
 SURVEY, SUB_RAYS, PATTERN, TOLERANCE = "survey", "sub-rays", "pattern", "tolerance"
 BINS, DETECTOR, RAY_CASTER, MESH = "bins", "detector", "ray caster", "mesh"
 PART, SCENE_PART = "part", "scene part"
@@ -151,11 +151,12 @@ class Tradeoff:
         return max(own["rangeP95_m"].value, own["tolerance"]), own["missedAndInvented"].value
 
     def has_setting(self, memory):
-        """Whether a setting needs no more memory [bytes]."""
+        """Returns whether a setting needs no more memory [bytes]."""
         return self.run_memory(self.smallest) <= memory
 
     def cheapest(self, range_error=None, missed=None, memory=None):
-        """The fastest setting with this 95th percentile of the range error [m] and this fraction of
+        """Returns the fastest setting with this 95th percentile of the range error [m] and this
+        fraction of
         missed and invented echoes, by the upper ends of their intervals, in a memory [bytes]; None
         if there is no such setting, or if the reference cannot tell (see limits)."""
         asked = (range_error, missed)
@@ -170,7 +171,8 @@ class Tradeoff:
         return min(fits, key=lambda row: row.seconds, default=None)
 
     def most_accurate(self, seconds=None, threads=1, memory=None):
-        """The setting with the least score of those that run the survey in a time [s] and a memory
+        """Returns the setting with the least score of those that run the survey in a time [s] and a
+        memory
         [bytes], the fastest of several; or None."""
         fits = [
             row
@@ -180,15 +182,15 @@ class Tradeoff:
         return min(fits, key=lambda row: (row.score, row.seconds), default=None)
 
     def run_time(self, row, threads=1):
-        """The estimated time of the whole survey [s], without loading and writing."""
+        """Returns the estimated time of the whole survey [s], without loading and writing."""
         return row.seconds * self.pulses_fired / threads
 
     def run_memory(self, row):
-        """The estimated memory of a run of the whole survey [bytes]."""
+        """Returns the estimated memory of a run of the whole survey [bytes]."""
         return self.other_memory + row.memory
 
     def to_json(self):
-        """All results as JSON."""
+        """Returns all results as JSON."""
         content = dataclasses.asdict(self)
         content["ways"] = [row.as_dict() | {"options": row.options} for row in self.ways]
         content["parts"] = [row.as_dict() | {"options": row.options} for row in self.parts]
@@ -200,7 +202,8 @@ class Tradeoff:
         return [row for row in rows if memory is None or self.run_memory(row) <= memory]
 
     def _gains(self, row):
-        """Whether a ray caster, which changes no echo, is faster or smaller than the survey's."""
+        """Returns whether a ray caster, which changes no echo, is faster or smaller than the
+        survey's."""
         if row.kind != RAY_CASTER:
             return True
         base = self.ways[0]

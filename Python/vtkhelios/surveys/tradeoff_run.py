@@ -14,7 +14,7 @@ from . import tradeoff as kinds
 from .accuracy import MEASURES, POSITION, Estimate, Sampler
 from .tradeoff import Row, Tradeoff
 
-BINS_PER_PULSE = 50  # of the reference
+BINS_PER_PULSE = 50  # bins of the reference
 # The reference is adaptive, at a tenth of the narrowest tolerance that it judges, with this many
 # sub-rays where it samples. Its error is at most its difference from a coarser one.
 FINER, MOST_SUB_RAYS = 0.1, 1 << 18
@@ -24,16 +24,17 @@ SUB_RAYS_OF_CHECK, CHECKED = 32768, 32  # pulses, about
 CIRCLES = (1, 2, 3, 5, 9, 18)
 SPIRALS, RINGS = (20, 64, 256), (2, 4, 8)  # sub-rays; rings
 TOLERANCES = (0.03, 0.01, 0.003, 0.001, 0.0003)  # [m]; ten times as many of the energy
-BINS = (0.02, 0.0625, 0.125, 0.25)  # of the pulse
+BINS = (0.02, 0.0625, 0.125, 0.25)  # bins per pulse length
 BIN_CIRCLES = 5
-DISTANCES = (0.01, 0.05)  # of simplified meshes [m]
-PART_DISTANCE = 0.05  # of simplified parts: one of them
-MOST_TRIANGLES = 400_000  # of a mesh that is simplified
+DISTANCES = (0.01, 0.05)  # distances of simplified meshes [m]
+PART_DISTANCE = 0.05  # distance of simplified parts: one of them
+MOST_TRIANGLES = 400_000  # triangles of a mesh that is simplified
 LONGEST = 10.0  # processor time of that [s]
 MOST_COPIED = 20_000_000  # triangles that ray casters without instances copy
-MOST_GROUPS = 6  # of parts of the scene
+MOST_GROUPS = 6  # largest groups of parts of the scene
 CLEAR = 3.0  # times the error of the reference
-PULSES_PER_BLOCK, COPIES_OF_BLOCK = 262144, 2  # of a run: vtkHeliosSurveyPlayer and its estimate
+# blocks of a run: vtkHeliosSurveyPlayer and its estimate
+PULSES_PER_BLOCK, COPIES_OF_BLOCK = 262144, 2
 MEBIBYTE = 1024**2
 
 
@@ -143,7 +144,7 @@ class _Run:
         return self._sampler.compare(checked, check), self._sampler.compare(half, check)
 
     def _measure_way(self, way, reference):
-        """The row of a way; None if it would copy too many instances."""
+        """Returns the row of a way; None if it would copy too many instances."""
         name, kind, choice = way
         self._step.begin(name)
         if kind == kinds.RAY_CASTER and choice["ray_caster"] != "beam" and self._is_huge():
@@ -163,7 +164,7 @@ class _Run:
         return has_instances(self._scene) and count_triangles(self._scene) > MOST_COPIED
 
     def _measure(self, name, kind, options, reference, detail="", **more):
-        """A way against the reference."""
+        """Returns a way against the reference."""
         cloud, _ = self._sampler.run(**options, **more, without="voxels")
         errors = _only(self._sampler.compare(cloud, reference))
         return self._make_row(name, kind, options, errors, len(cloud), detail, **more)
@@ -181,7 +182,7 @@ class _Run:
     # Meshes.
 
     def _simplify(self):
-        """The scene simplified within distances, and what was verified: by distance."""
+        """Returns the scene simplified within distances, and what was verified: by distance."""
         count, made = count_triangles(self._scene), {}
         if "vtkHeliosMeshSimplify" not in vtk_classes():
             self._absent.append("simplified meshes: this build has no CGAL")
@@ -218,7 +219,7 @@ class _Run:
     # Parts of the model and of the scene.
 
     def _leave_out(self, simplified):
-        """The survey without each part, against the survey as it is; first itself."""
+        """Returns the survey without each part, against the survey as it is; first itself."""
         self._step.begin("the whole model")
         whole, _ = self._sampler.run()
         rows = [self._compare_part("the whole model", kinds.PART, {}, whole, whole)]
@@ -231,7 +232,7 @@ class _Run:
         return rows + self._leave_out_scene(whole, simplified)
 
     def _change_model(self, name, options, whole, base):
-        """The model with an option, timed in turn with the whole model, the base."""
+        """Returns the model with an option, timed in turn with the whole model, the base."""
         self._step.begin(name)
         cloud, _ = self._sampler.run(**options)
         before, seconds = self._sampler.time_pair({}, options)
@@ -259,7 +260,8 @@ class _Run:
         return ""
 
     def _leave_out_scene(self, whole, simplified):
-        """The scene without each of its largest groups of parts, and with each simplified."""
+        """Returns the scene without each of its largest groups of parts, and with each
+        simplified."""
         groups, rows = meshes.find_groups(self._scene), []
         if len(groups) < 2:
             self._absent.append("parts of the scene: there is one, or one kind")
@@ -303,7 +305,8 @@ class _Run:
         return [row]
 
     def _find_other_memory(self):
-        """What a run of the survey needs besides scene and ray caster [bytes], about."""
+        """Returns about how much memory a run of the survey needs besides scene and ray caster
+        [bytes]."""
         cloud, fired = self._sampler.run()
         now = MEBIBYTE * vtk_class("vtkHeliosMemoryLimit").GetUsed() - self._sampler.memory()
         per_pulse = 1024 * cloud.data.GetActualMemorySize() / max(1, fired)
@@ -312,7 +315,8 @@ class _Run:
 
 
 def confirm(own, found, of_check):
-    """The errors of a reference: its own, or what a check found where no error explains that."""
+    """Returns the errors of a reference: its own, or what a check found where no error explains
+    that."""
 
     def is_explained(name):
         return found[name].lower <= 2.0 * of_check[name].upper + own[name].upper
@@ -330,7 +334,7 @@ def tolerance_options(tolerance):
 
 
 def _tolerances(survey, options):
-    """The tolerances of ranges that the survey itself asks for [m]."""
+    """Yields the tolerances of ranges that the survey itself asks for [m]."""
     if given := options.get("tolerance"):
         yield given
     with contextlib.suppress(ValueError):
@@ -346,7 +350,7 @@ def _plain(errors):
 
 
 def _moves(survey):
-    """Whether the platform of a leg moves while it scans."""
+    """Returns whether the platform of a leg moves while it scans."""
     for leg in range(len(survey.legs)):
         first, last = survey.leg_pulses(leg)
         if first < last and len(survey.trajectory(leg, 0.0)) > 1:
@@ -355,7 +359,7 @@ def _moves(survey):
 
 
 def _noise(survey):
-    """The standard deviation of a range of the first scanner [m]."""
+    """Returns the standard deviation of a range of the first scanner [m]."""
     text = survey.vtk.GetScannerAttribute(0, "accuracy_m")
     try:
         return float(text)

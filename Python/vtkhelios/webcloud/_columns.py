@@ -33,7 +33,7 @@ class Column:
     codes: Codes
     role: str  # continuous, category or colour
     unit: str = ""
-    limits: tuple = (0.0, 0.0)  # of the colour scale
+    limits: tuple = (0.0, 0.0)  # limits of the colour scale
     extremes: tuple = (0.0, 0.0)
     is_logarithmic: bool = False
     categories: list = dataclasses.field(default_factory=list)  # [value, label, points]
@@ -69,7 +69,7 @@ def make_columns(arrays, names=None):
 
 
 def make_scale(values):
-    """The limits, the extremes and whether the scale is logarithmic, of an array."""
+    """Returns the limits, the extremes and whether the scale is logarithmic, of an array."""
     values = values[np.isfinite(values)].astype(np.float64)
     if len(values) == 0:
         return (0.0, 1.0), (0.0, 1.0), False

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a page shows of a run, a file of points, or a cloud."""
+"""Contents of a page for a run, a file of points, or a cloud."""
 
 import os
 import pathlib
@@ -29,7 +29,8 @@ class Contents:
 
     @classmethod
     def of_cloud(cls, cloud, title="cloud", limit=LIMIT, names=None):
-        """Of a Cloud and its waveforms; points that are not finite are left out."""
+        """Makes the contents of a Cloud and its waveforms; points that are not finite are left
+        out."""
         contents = cls(title, limit, names)
         contents.header = Header(cloud.data.GetFieldData())
         chunk = {"points": cloud.points, **arrays(cloud.data)}
@@ -41,7 +42,7 @@ class Contents:
 
     @classmethod
     def of_reader(cls, reader, limit=LIMIT, names=None):
-        """Of a reader of vtkhelios.formats: pass its chunks to add()."""
+        """Makes the contents of a reader of vtkhelios.formats: pass its chunks to add()."""
         contents = cls(pathlib.Path(reader.path).name, limit, names)
         contents.header = reader.header
         contents.tables = _tables(reader)
@@ -49,7 +50,7 @@ class Contents:
 
     @property
     def note(self):
-        """What is said of the unit of the coordinates, or an empty text."""
+        """Describes the unit of the coordinates, or returns an empty text."""
         return Metres(self.header.crs).note
 
     def add(self, chunk):
@@ -61,7 +62,7 @@ class Contents:
         return rows_of(chunk)
 
     def column_names(self):
-        """The names of the arrays that the page shows, besides Height."""
+        """Returns the names of the arrays that the page shows, besides Height."""
         return [column.name for column in make_columns(self.sample.columns())]
 
     def _describe_system(self):
@@ -69,7 +70,7 @@ class Contents:
         return f"{name}, in metres" if self.note else name
 
     def make_page(self, colour_by=None):
-        """The HTML text; FormatError without points, KeyError without that array."""
+        """Returns the HTML text; FormatError without points, KeyError without that array."""
         columns = self.sample.columns()
         if len(columns["points"]) == 0:
             raise FormatError(f"{self.title}: has no points; give a cloud with points")

@@ -22,12 +22,13 @@ class Node:
     rows: np.ndarray  # in ascending order
 
     def corner(self, bits):
-        """The lowest corner, in steps from that of the root of 2^bits steps."""
+        """Returns the lowest corner, in steps from the root's, of 2^bits steps."""
         return tuple(axis << (bits - self.level) for axis in self.place)
 
 
 def build(steps):
-    """The nodes of points in whole steps (n x 3, not negative), by level, and the bits of the root.
+    """Returns the nodes of points in whole steps (n x 3, not negative), by level, and the bits of
+    the root.
 
     The points of all nodes down to a level are a sample with about one point per cell of size
     2^(bits - level - GRID) steps; all nodes together hold every point once.

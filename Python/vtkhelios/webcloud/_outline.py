@@ -5,12 +5,13 @@
 import numpy as np
 
 OUTLIERS = 0.003  # fraction of points at either end of an axis that may be left out
-MARGIN = 0.2  # of the extent of the others, within which they are not
+MARGIN = 0.2  # margin of the extent of the others, within which points are no outliers
 DIRECTIONS = 256
 
 
 def find_outline(points):
-    """The extreme points in directions evenly over the sphere [m], as lists; without outliers."""
+    """Returns the extreme points in directions evenly over the sphere [m], as lists; without
+    outliers."""
     main = points[_is_main(points)]
     main = points if len(main) == 0 else main
     rows = np.unique([int((main @ direction).argmax()) for direction in _directions()])
@@ -18,7 +19,7 @@ def find_outline(points):
 
 
 def _is_main(points):
-    """A mask of the points in the box of most, with a margin."""
+    """Returns a mask of the points in the box of most, with a margin."""
     low, high = np.quantile(points, [OUTLIERS, 1 - OUTLIERS], axis=0)
     margin = MARGIN * (high - low)
     return ((points >= low - margin) & (points <= high + margin)).all(axis=1)

@@ -14,11 +14,11 @@ import zlib
 
 import numpy as np
 
-LEVEL = 6  # of zlib
+LEVEL = 6  # level of zlib
 
 
 def pack_columns(columns):
-    """The zlib stream of columns of whole numbers (int64), one after the other."""
+    """Returns the zlib stream of columns of whole numbers (int64), one after the other."""
     return zlib.compress(b"".join(map(_pack, columns)), LEVEL)
 
 
@@ -54,7 +54,7 @@ class Store:
     """Streams one after the other as base64, each from a multiple of 3 bytes on."""
 
     def __init__(self):
-        self.lengths = []  # of the streams [bytes]
+        self.lengths = []  # sizes of the streams [bytes]
         self._parts = []
 
     def add(self, stream):

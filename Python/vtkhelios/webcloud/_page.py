@@ -20,7 +20,7 @@ from ._quantise import position_step, quantise_points
 from ._waveforms import WaveformSample, link_pulses
 
 FOLDER = pathlib.Path(__file__).parent / "page"
-PREFIX = "vtkhelios/"  # of the scripts' names on the page
+PREFIX = "vtkhelios/"  # prefix of the scripts' names on the page
 LICENCE = """\
 The page is made by vtkHelios {version}: Copyright (c) The vtkHelios authors, BSD-3-Clause.
 It contains twgl.js 7.0.0, under the MIT license:
@@ -105,7 +105,7 @@ def _pack_waveforms(pulses, tables, store):
 
 
 def _first(columns, colour_by):
-    """The name of the array of the first view."""
+    """Returns the name of the array of the first view."""
     names = ["Height", *(column.name for column in columns)]
     if colour_by is not None:
         if colour_by not in names:
@@ -133,19 +133,19 @@ def _json(value):
 
 
 def _number(value):
-    """A number of numpy."""
+    """Returns a number of numpy."""
     if isinstance(value, np.generic):
         return value.item()
     raise TypeError(f"{value!r} is not a number")
 
 
 def _modules():
-    """The scripts as URLs of data, by the names they have in an import map."""
+    """Returns the scripts as URLs of data, by the names they have in an import map."""
     return {f"{PREFIX}{path.name}": _url(path) for path in sorted(FOLDER.glob("*.js"))}
 
 
 def _url(path):
-    """A script, which is called by its own name in error messages."""
+    """Returns a script, which is called by its own name in error messages."""
     script = re.sub(r'from "\./([\w-]+\.js)"', rf'from "{PREFIX}\1"', path.read_text())
     script += f"\n//# sourceURL={PREFIX}{path.name}\n"
     return "data:text/javascript;base64," + base64.b64encode(script.encode()).decode()

@@ -9,7 +9,8 @@ import numpy as np
 POSITION_STEP = 1e-4  # [m]
 FINEST_STEP = 1e-9  # [m]
 MOST_STEPS = 2**31  # along an axis
-STEPS = {"m": 1e-4, "s": 1e-7, "deg": 1e-4, "ns": 1e-4, "dB": 1e-3}  # of float arrays, by unit
+# steps of float arrays, by unit
+STEPS = {"m": 1e-4, "s": 1e-7, "deg": 1e-4, "ns": 1e-4, "dB": 1e-3}
 MOST_CODES = 2**52  # exact in JavaScript
 MANTISSA = 8  # bits of a float32 that are dropped: relative error below 1.6e-5
 
@@ -34,7 +35,8 @@ class Codes:
 
 
 def position_step(points):
-    """A power of ten [m]: 0.1 mm, less for clouds below 10 m, more for those beyond 200 km."""
+    """Returns a power of ten [m]: 0.1 mm, less for clouds below 10 m, more for those beyond 200
+    km."""
     extent = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     largest = float(np.abs(points).max()) if len(points) else 0.0
     step = POSITION_STEP
@@ -53,7 +55,7 @@ def quantise_points(points, step):
 
 
 def quantise(values, unit=None):
-    """The Codes of an array of numbers."""
+    """Returns the Codes of an array of numbers."""
     if values.dtype.kind in "iub":
         low, high = (int(values.min()), int(values.max())) if len(values) else (0, 0)
         if high - low < MOST_CODES and max(abs(low), abs(high)) < MOST_CODES:

@@ -8,7 +8,7 @@ LIMIT = 1_000_000  # points of a page unless another number is given
 
 
 def hashes(numbers):
-    """A pseudo-random uint64 for each whole number: the finalizer of SplitMix64."""
+    """Returns a pseudo-random uint64 for each whole number: the finalizer of SplitMix64."""
     with np.errstate(over="ignore"):
         x = np.asarray(numbers).astype(np.uint64) + np.uint64(0x9E3779B97F4A7C15)
         x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
@@ -20,7 +20,7 @@ class Sample:
     """The points with the smallest hashes of their index, at most ``limit``, in their order.
 
     Which points are chosen depends on their index only, not on the chunks; a sample of fewer points
-    is a subset of one of more. Memory is that of 2 limit points and a chunk.
+    is a subset of one of more. It needs the memory of 2 limit points and a chunk.
     """
 
     def __init__(self, limit=LIMIT, names=None):
@@ -47,7 +47,8 @@ class Sample:
             self._shrink()
 
     def columns(self):
-        """The chosen points: a dict of arrays, with "points" and "index", their number in the file."""
+        """Returns the chosen points: a dict of arrays, with "points" and "index", their number in
+        the file."""
         self._shrink()
         return dict(self._parts[0]) if self._parts else {"points": np.empty((0, 3))}
 

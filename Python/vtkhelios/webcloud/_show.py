@@ -32,7 +32,7 @@ class CloudPage:
 
 
 def show(cloud, points=LIMIT, color_by=None, arrays=None, height=600, title="cloud"):
-    """The page of a Cloud: see Cloud.show()."""
+    """Returns the page of a Cloud: see Cloud.show()."""
     if not 1 <= points <= 2**31:
         raise ValueError(f"points is {points!r}; give the most points of the page, from 1")
     for name in arrays or ():

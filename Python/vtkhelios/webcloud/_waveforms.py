@@ -10,14 +10,15 @@ from ..array_names import (
 from ._pack import pack_columns
 from ._sample import hashes
 
-MOST_SAMPLES = 6_000_000  # of a page, about 1 byte each
+MOST_SAMPLES = 6_000_000  # limit of a page, about 1 byte each
 GROUP = 64  # waveforms decoded together
 FULL = 4095  # code of the largest sample of a waveform
-TIME_STEP = 1e-4  # of start and bin size [ns]
+TIME_STEP = 1e-4  # step of start and bin size [ns]
 
 
 def link_pulses(arrays, tables):
-    """The PulseIds of points in tables of waveforms: their own, else by WaveformIds or GpsTime.
+    """Returns the PulseIds of points in tables of waveforms: their own, else by WaveformIds or
+    GpsTime.
 
     Returns them, None if there is no such array, and the tables.
     """
@@ -37,7 +38,7 @@ def link_pulses(arrays, tables):
 
 
 class WaveformSample:
-    """The waveforms of given pulses with at most a number of samples; those of the smallest hashes."""
+    """The waveforms of given pulses with at most a number of samples; the ones with the smallest hashes."""
 
     def __init__(self, pulses, limit=MOST_SAMPLES):
         self.limit = limit
@@ -129,7 +130,7 @@ def _trim(table):
 
 
 def _select(table, rows):
-    """Rows of a table, with their samples one after the other."""
+    """Returns the rows of a table, with their samples one after the other."""
     offset, count = table[OFFSET][rows], table[COUNT][rows].astype(np.int64)
     starts = np.cumsum(count) - count
     index = np.repeat(offset - starts, count) + np.arange(int(count.sum()))

@@ -72,7 +72,7 @@ def add_flight_arguments(parser):
 
 
 def find_misplaced(arguments):
-    """The error of an option that belongs to the other kind of plan, or None."""
+    """Returns the error of an option that belongs to the other kind of plan, or None."""
     names = [each for each in TRIPOD_SETTINGS if each not in (*SHARED, "memory")]
     kind = "is of plans of scan positions; leave it out, or --als"
     if not arguments.als:
@@ -84,5 +84,5 @@ def find_misplaced(arguments):
 
 
 def given_flight_settings(arguments):
-    """The settings among the arguments; None: not given."""
+    """Returns the settings among the arguments; None: not given."""
     return {name: getattr(arguments, name) for name in ALL}

@@ -76,7 +76,8 @@ def write(arguments, plan, folder, messages):
 
 
 def draw(arguments, plan, counts, folder, messages):
-    """The picture and the page of a plan: their paths, without those that cannot be made."""
+    """Returns the picture and the page of a plan: their paths, without those that cannot be
+    made."""
     if arguments.no_picture:
         return []
     try:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What vtkhelios run --help explains."""
+"""Explanations of vtkhelios run --help."""
 
 EPILOG = """\
 what it writes, below OUTPUT/<name of the survey>/, for every active leg:

@@ -12,7 +12,9 @@ def add_option_arguments(parser):
     defaults = vtkHeliosRunOptions()
     for option in OPTIONS:
         if option.argument:
-            parser.add_argument(option.argument, help=option.help, **_make_argument(option, defaults))
+            parser.add_argument(
+                option.argument, help=option.help, **_make_argument(option, defaults)
+            )
 
 
 def _make_argument(option, defaults):

@@ -25,14 +25,15 @@ def count_started(environment=os.environ):
 
 
 def count_threads(environment=os.environ):
-    """The processor cores of this process; an equal share if all cores of the node are allowed."""
+    """Returns the processor cores of this process; an equal share if all cores of the node are
+    allowed."""
     cores = len(os.sched_getaffinity(0))
     local = _read(environment, _LOCAL_SIZES)
     return max(1, cores // local) if cores == os.cpu_count() else cores
 
 
 def start_ranks():
-    """The ranks that share a run, with MPI started; None: there is only this process."""
+    """Returns the ranks that share a run, with MPI started; None: there is only this process."""
     if count_started() < 2:
         return None
     try:

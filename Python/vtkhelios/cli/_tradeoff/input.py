@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a tradeoff is measured on: a survey, or the one that plan makes for a scene or a mesh."""
+"""Inputs of a tradeoff: a survey, or the one that plan makes for a scene or a mesh."""
 
 import pathlib
 
@@ -34,7 +34,7 @@ class SurveyInput:
         """Nothing: it has been read."""
 
     def read_bytes(self, _folder):
-        """The survey as XML, to be written into a folder."""
+        """Returns the survey as XML, to be written into a folder."""
         return pathlib.Path(self._path).read_bytes()
 
 
@@ -71,7 +71,7 @@ class PlannedInput:
         self.survey = self._plan.survey()
 
     def read_bytes(self, folder):
-        """The survey as XML, to be written into a folder."""
+        """Returns the survey as XML, to be written into a folder."""
         path = survey_file(self._plan, folder, "tradeoff_survey" + PART)
         try:
             return path.read_bytes()
@@ -80,7 +80,8 @@ class PlannedInput:
 
 
 def open_input(arguments, messages):
-    """What the file is, or None after an error; raises SettingError and PipelineError."""
+    """Returns the kind of the file, or None after an error; raises SettingError and
+    PipelineError."""
     path = pathlib.Path(arguments.survey.partition("#")[0])
     is_scene = path.is_file() and not _is_survey(path)
     given = [name for name in PLAN_SETTINGS if getattr(arguments, name) is not None]
@@ -97,6 +98,7 @@ def open_input(arguments, messages):
 
 
 def _is_survey(path):
-    """Whether a file has, or may have, a <survey>: the reader reports what is wrong with it."""
+    """Returns whether a file has, or may have, a <survey>: the reader reports what is wrong with
+    it."""
     is_mesh = bool(vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path)))
     return not is_mesh and has_survey(path.read_bytes())

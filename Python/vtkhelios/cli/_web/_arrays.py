@@ -9,7 +9,7 @@ from ...array_names import (
 from ...formats import FormatError
 from .._parser import nearest
 
-HEIGHT = "Height"  # of webcloud/page/cloud.js
+HEIGHT = "Height"  # names of webcloud/page/cloud.js
 
 NAMES = {
     "height": HEIGHT, "amplitude": AMPLITUDE, "return": RETURN_NUMBER, "class": CLASSIFICATION_IDS,
@@ -19,7 +19,7 @@ NAMES = {
 
 
 def find_array(word, contents):
-    """The name of the array that a word of --color-by means, or None without a word."""
+    """Returns the name of the array that a word of --color-by means, or None without a word."""
     if word is None:
         return None
     known = [HEIGHT, *contents.column_names()]

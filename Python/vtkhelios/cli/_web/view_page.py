@@ -99,7 +99,7 @@ def write_page(contents, page, colour_by=None):
 
 
 def _read(arguments, messages):
-    """The Contents of the input."""
+    """Returns the Contents of the input."""
     names = arguments.arrays.split(",") if arguments.arrays else None
     if pathlib.Path(arguments.input).suffix.lower() == ".xml":
         contents = _run_survey(arguments, names)

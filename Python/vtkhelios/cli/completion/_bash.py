@@ -44,7 +44,7 @@ complete -F _vtkhelios vtkhelios
 
 
 def write_script(commands):
-    """The script, as text."""
+    """Returns the script, as text."""
     options, values = [], []
     for command in commands:
         names = " ".join(name for option in command.options for name in option.names)

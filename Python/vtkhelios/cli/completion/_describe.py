@@ -17,18 +17,18 @@ _NUMBERS = re.compile(r"(?:N|M|F|K/N|SIZE|SECONDS|[XYZ]|(?:[XYZ],)+[XYZ])", re.A
 
 
 class Value(typing.NamedTuple):
-    """What stands at one place of a command line."""
+    """A word at one place of a command line."""
 
     kind: str  # FILE, FOLDER, NUMBER, WORDS or FLAG
-    words: tuple  # of WORDS
+    words: tuple  # kind WORDS
     metavar: str
-    endings: tuple = ()  # of FILE, as .las; empty: any
+    endings: tuple = ()  # ending of FILE, such as .las; empty: any
 
 
 class Option(typing.NamedTuple):
     """An option of a command."""
 
-    names: tuple  # as -o, --output
+    names: tuple  # spellings, such as -o, --output
     help: str  # one line
     value: Value
     repeats: bool
@@ -39,12 +39,12 @@ class Command(typing.NamedTuple):
 
     name: str
     help: str  # one line
-    options: tuple  # of Option
-    arguments: tuple  # of Value; the last one stands for all others
+    options: tuple  # a list of Option
+    arguments: tuple  # a list of Value; the last one stands for all others
 
 
 def describe_commands():
-    """All commands, sorted by name (a list of Command)."""
+    """Returns all commands, sorted by name (a list of Command)."""
     return [_describe(name, module) for name, module in cli.commands().items()]
 
 

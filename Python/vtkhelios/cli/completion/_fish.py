@@ -30,7 +30,7 @@ complete -c vtkhelios -f
 
 
 def write_script(commands):
-    """The script, as text."""
+    """Returns the script, as text."""
     lines = []
     for command in commands:
         about = _quote(command.help)
@@ -51,7 +51,7 @@ def write_script(commands):
 
 
 def _values(value, required=""):
-    """What is completed; for options, a value is required unless it is a flag."""
+    """Returns the words to complete; for options, a value is required unless it is a flag."""
     exclusive = "-x " if required else ""
     if value.endings:
         return f"-a '(__vtkhelios_files {' '.join(value.endings)})'"
@@ -65,5 +65,5 @@ def _values(value, required=""):
 
 
 def _quote(text):
-    """A text in single quotes."""
+    """Returns a text in single quotes."""
     return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"

@@ -32,7 +32,7 @@ fi
 
 
 def write_script(commands):
-    """The script, as text."""
+    """Returns the script, as text."""
     return _SCRIPT.format(
         commands="\n".join(f"    {_quote(_describe(each))}" for each in commands),
         cases="\n".join(map(_case, commands)),
@@ -44,7 +44,7 @@ def _describe(command):
 
 
 def _case(command):
-    """What _arguments completes of a command."""
+    """Returns the case of _arguments for a command."""
     lines = [f"    {command.name})", "      _arguments -S \\"]
     specs = [spec for option in command.options for spec in _option_specs(option)]
     specs += [_place(number, value) for number, value in enumerate(command.arguments, 1)]
@@ -78,10 +78,10 @@ def _action(value):
 
 
 def _escape(text):
-    """A text without a meaning for _arguments."""
+    """Returns a text without a meaning for _arguments."""
     return "".join(f"\\{c}" if c in "[]:\\" else c for c in text)
 
 
 def _quote(text):
-    """A text in single quotes."""
+    """Returns a text in single quotes."""
     return "'" + text.replace("'", "'\\''") + "'"

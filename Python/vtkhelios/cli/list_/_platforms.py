@@ -20,13 +20,13 @@ def explain_none(text):
 
 
 def row_of(platform):
-    """The words of a line."""
+    """Returns the words of a line."""
     mount = ", ".join(f"{value:g}" for value in platform.mount)
     return platform.reference, platform.name, platform.type, mount
 
 
 def facts_of(platform):
-    """What --json prints of a platform."""
+    """Returns the facts that --json prints for a platform."""
     facts = platform._asdict()
     facts["mount_m"] = facts.pop("mount")
     return facts

@@ -21,7 +21,7 @@ def explain_none(text):
 
 
 def row_of(scanner):
-    """The words of a line."""
+    """Returns the words of a line."""
     frequencies = [f"{frequency / 1e3:g}" for frequency in scanner.pulse_frequencies]
     rate = "-".join(dict.fromkeys([*frequencies[:1], *frequencies[-1:]]))
     return (
@@ -36,7 +36,7 @@ def row_of(scanner):
 
 
 def document_of(scanner):
-    """The document of its first source, in short."""
+    """Returns the document of its first source, in short."""
     note = scanner.sources[0].note if scanner.sources else ""
     return note.partition(";")[0].partition(": ")[0]
 
@@ -46,7 +46,7 @@ def _figure(value):
 
 
 def facts_of(scanner):
-    """What --json prints of a scanner."""
+    """Returns the facts that --json prints for a scanner."""
     return {
         "reference": scanner.reference,
         "id": scanner.id,

@@ -9,7 +9,7 @@ LEGEND = "tables: of parts; Docs/scenes.md describes both. vtkhelios new NAME ma
 
 
 def find(text, assets, warn):
-    """The scenes of the working directory and of the folders of --assets."""
+    """Returns the scenes of the working directory and of the folders of --assets."""
     return find_scenes(text, [".", *assets], warn)
 
 
@@ -23,10 +23,10 @@ def explain_none(text):
 
 
 def row_of(scene):
-    """The words of a line."""
+    """Returns the words of a line."""
     return scene.reference, scene.name, str(scene.parts), str(scene.tables)
 
 
 def facts_of(scene):
-    """What --json prints of a scene."""
+    """Returns the facts that --json prints for a scene."""
     return scene._asdict()

@@ -46,7 +46,7 @@ __all__ = [
 
 
 def getVersion():
-    """The version of vtkHelios, as a text."""
+    """Returns the version of vtkHelios, as a text."""
     return f"vtkHelios {__version__}"
 
 

@@ -59,7 +59,7 @@ class SimulationBuilder:
     setSplitByChannel, setFinalOutput (whether join() returns measurements), setExportToFile (whether
     files are written), setCallback, setCallbackFrequency (0: no calls), setWriteWaveform,
     setLegNoiseDisabled (default True), setPlatformNoiseDisabled (default True), setRebuildScene,
-    setCalcEchowidth; those of KD trees and chunks have no effect.
+    setCalcEchowidth; options of KD trees and chunks have no effect.
     """
 
     def __init__(self, surveyPath, assetsDir=(), outputDir="output/"):
@@ -128,7 +128,7 @@ class SimulationBuilder:
 
 
 def _check(name, kind, value):
-    """The value of a setter; raises PyHeliosToolsException if it is not valid."""
+    """Returns the value of a setter; raises PyHeliosToolsException if it is not valid."""
     valid = isinstance(value, bool) == (kind is bool) and isinstance(value, (int, float))
     if not valid or not (0 <= value < math.inf and value == int(value)):
         expected = "True or False" if kind is bool else "a whole number, 0 or more"

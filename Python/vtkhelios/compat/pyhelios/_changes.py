@@ -12,7 +12,7 @@ _ZERO = {"type": "NORMAL", "mean": "0", "stdev": "0", "clipEnabled": "false"}
 
 
 def find_part(survey, name):
-    """The index of the part with an id."""
+    """Returns the index of the part with an id."""
     ids = [survey.GetPartAttribute(index, "id") for index in range(survey.GetNumberOfParts())]
     found = [index for index, each in enumerate(ids) if (each or str(index)) == str(name)]
     if not found:

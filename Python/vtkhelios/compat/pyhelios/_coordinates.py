@@ -13,7 +13,7 @@ def cartesianToSpherical(points):
 
 
 def sphericalToCartesian(coordinates):
-    """The inverse of cartesianToSpherical(): n x 3."""
+    """Returns the inverse of cartesianToSpherical(): n x 3."""
     radius, angle, azimuth = np.asarray(coordinates, dtype=np.float64).T
     distance = radius * np.sin(angle)
     return np.stack(
@@ -34,7 +34,8 @@ def find_angles(orientation):
 
 
 def find_rotations(w, x, y, z):
-    """A rotation by a quaternion as angles [deg] about x, then y, then z, axes that do not move."""
+    """Returns a rotation by a quaternion as angles [deg] about x, then y, then z, axes that do not
+    move."""
     norm = np.sqrt(w * w + x * x + y * y + z * z)
     if not norm > 0.0:
         raise ValueError(f"the quaternion ({w}, {x}, {y}, {z}) is no rotation; its norm is 0")

@@ -47,7 +47,7 @@ def not_covered(owner, name):
 class Closed:
     """An object with the attributes of its class only: any other raises NotCoveredError."""
 
-    OWNER = None  # its name in pyhelios; None: that of the class
+    OWNER = None  # its name in pyhelios; None: the name of the class
 
     def _refuse(self, name):
         return not_covered(self.OWNER or type(self).__name__, name)

@@ -18,7 +18,7 @@ CHUNK = 1_000_000  # points
 def write_files(survey, output, kind, **options):
     """Runs a Survey, writes <output>/<name>/<date>/legNNN..., returns the files of points, as texts.
 
-    kind is xyz, las or laz: LAZ files beside those of LAS. The folder appears when it is complete.
+    kind is xyz, las or laz: LAZ files beside LAS files. The folder appears when it is complete.
     """
     if kind == "laz" and not (
         importlib.util.find_spec("laspy") and importlib.util.find_spec("lazrs")
@@ -40,12 +40,12 @@ def write_files(survey, output, kind, **options):
 
 
 def _find_points(folder):
-    """The files of points that a run wrote."""
+    """Returns the files of points that a run wrote."""
     return sorted(path for path in folder.iterdir() if kind_of(path) == POINTS)
 
 
 def _find_free(parent):
-    """A new folder with the date and time, with a number if it exists."""
+    """Returns a new folder with the date and time, with a number if it exists."""
     now = datetime.datetime.now().strftime(FORMAT)
     folder, number = parent / now, 2
     while folder.exists():

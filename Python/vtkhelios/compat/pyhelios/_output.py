@@ -70,7 +70,7 @@ class Measurement(_Record):
         "return_number": "return_number",
         "pulseReturnNumber": "pulse_return_number",  # number of returns
         "pulse_return_number": "pulse_return_number",
-        "fullwaveIndex": "fullwave_index",  # of the pulse
+        "fullwaveIndex": "fullwave_index",  # index of the pulse
         "fullwave_index": "fullwave_index",
         "hitObjectId": "hit_object_id",  # id of the part, a text
         "hit_object_id": "hit_object_id",
@@ -132,12 +132,12 @@ class Records(collections.abc.Sequence):
 
 
 class Output(typing.NamedTuple):
-    """What a simulation returns, in the order of version 2.1; filepath is that of version 1."""
+    """Result of a simulation, in the order of version 2.1; filepath comes from version 1."""
 
     measurements: Records
     trajectories: Records
-    outpath: str  # of the first file of points; empty if no files are written
-    outpaths: list  # of all files of points
+    outpath: str  # path of the first file of points; empty if no files are written
+    outpaths: list  # paths of all files of points
     finished: bool
 
     @property
@@ -156,7 +156,7 @@ def make_trajectories(clouds):
 
 
 def make_output(blocks, paths, files, finished):
-    """The Output of Clouds of echoes and of trajectories."""
+    """Returns the Output of Clouds of echoes and of trajectories."""
     first = files[0] if files else ""
     return Output(make_measurements(blocks), make_trajectories(paths), first, files, finished)
 
@@ -213,7 +213,7 @@ def _measure(cloud):
 
 
 def _find_names(cloud, part):
-    """The id of the part of each echo, a text; its number if there is none."""
+    """Returns the id of the part of each echo, a text; its number if there is none."""
     names = cloud.data.GetFieldData().GetAbstractArray(PART_NAME)
     count = names.GetNumberOfValues() if names else 0
     known = np.array([names.GetValue(k) or str(k) for k in range(count)] or [""], dtype=str)
@@ -233,7 +233,7 @@ def _trace(cloud):
 
 
 def outputToNumpy(output):
-    """The measurements (n x 17) and trajectories (m x 7) of an Output as arrays of float64.
+    """Returns the measurements (n x 17) and trajectories (m x 7) of an Output as arrays of float64.
 
     Columns of measurements: 0 to 2 position, 3 to 5 beam origin, 6 to 8 beam direction, 9
     intensity [nW], 10 echo width [ns], 11 return number, 12 number of returns, 13 pulse, 14 hit
@@ -262,6 +262,6 @@ def _find_numbers(columns):
 
 
 def outputToList(output):
-    """The rows of outputToNumpy() as two lists of lists."""
+    """Returns the rows of outputToNumpy() as two lists of lists."""
     measurements, trajectories = outputToNumpy(output)
     return measurements.tolist(), trajectories.tolist()

@@ -99,7 +99,7 @@ class Primitive(Closed):
 
 
 class SceneView(Closed):
-    """The scene as it is loaded; coordinates are those of the survey, the shift is 0."""
+    """The scene as it is loaded; coordinates are the survey's, the shift is 0."""
 
     OWNER = "Scene"
 
@@ -112,7 +112,7 @@ class SceneView(Closed):
 
     @functools.cached_property
     def corners(self):
-        """Of all triangles, n x 3 x 3 [m]."""
+        """Returns the corners of all triangles, n x 3 x 3 [m]."""
         points = vtk_to_numpy(self.mesh.GetPoints().GetData())
         return points[vtk_to_numpy(self.mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
 

@@ -13,15 +13,16 @@ class Setting(typing.NamedTuple):
     """An attribute of the dialect, and how its text is converted."""
 
     attribute: str
-    default: object  # its type is that of the value; None: a number, NaN if it is not given
-    unit: float = 1.0  # of pyhelios, in that of the dialect
+    default: object  # its type is the value's; None: a number, NaN if it is not given
+    unit: float = 1.0  # unit of pyhelios in units of the dialect
 
 
-DEGREES = 180.0 / math.pi  # of a radian
+DEGREES = 180.0 / math.pi  # degrees of a radian
 
 
 def name_all(rows):
-    """A dictionary by all names of rows (names of version 1 and 2.1, separated by blanks; Setting)."""
+    """Returns a dictionary by all names of rows (names of version 1 and 2.1, separated by blanks;
+    Setting)."""
     return {name: setting for names, setting in rows for name in names.split()}
 
 
@@ -45,7 +46,7 @@ class Settings(Closed):
 
 
 def parse(setting, text):
-    """The value of a text of the dialect; the default if it is empty."""
+    """Returns the value of a text of the dialect; the default if it is empty."""
     default = setting.default
     if not text:
         return math.nan if default is None else default
@@ -58,7 +59,7 @@ def parse(setting, text):
 
 
 def format_value(setting, value):
-    """The text of a value in the dialect."""
+    """Returns the text of a value in the dialect."""
     if isinstance(setting.default, bool):
         return "true" if value else "false"
     if isinstance(setting.default, str):

@@ -57,7 +57,7 @@ def setDefaultRandomnessGeneratorSeed(seed):
 
 
 def _to_camel(name):
-    """A name of version 2.1 as that of version 1."""
+    """Returns a name of version 2.1 in the form of version 1."""
     camel = re.sub(r"_(\w)", lambda found: found[1].upper(), name)
     return _SPELLINGS.get(camel, camel)
 
@@ -293,7 +293,7 @@ class Simulation:
 
 
 def _compute_blocks(state, size):
-    """The echoes of this many pulses each, as Clouds with the pulses."""
+    """Yields the echoes of this many pulses each, as Clouds with the pulses."""
     options = {"pulses": True}
     windows, _ = state.survey.pulse_windows(options)
     for window in split_windows(windows, size):
@@ -301,7 +301,7 @@ def _compute_blocks(state, size):
 
 
 def _read_trajectories(survey):
-    """The trajectories of all legs that fire pulses (Clouds), as their files have them."""
+    """Returns the trajectories of all legs that fire pulses (Clouds), as their files have them."""
     found = []
     for leg in survey.legs:
         first, last = survey.leg_pulses(leg.index)
@@ -312,7 +312,7 @@ def _read_trajectories(survey):
 
 
 def _cut(paths, block):
-    """The samples of trajectories in the time of the pulses of a block."""
+    """Returns the samples of trajectories in the time of the pulses of a block."""
     times = block.pulses[GPS_TIME]
     if not len(times):
         return []

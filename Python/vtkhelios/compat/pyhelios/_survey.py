@@ -105,7 +105,7 @@ class Leg(Closed):
 
     def _read(self, attribute):
         if attribute == "pulseFreq_hz":
-            return str(self._survey.GetLegPulseFrequency(self._index))  # or that of the scanner
+            return str(self._survey.GetLegPulseFrequency(self._index))  # or the scanner's
         return text_from_vtk(self._survey.GetLegAttribute(self._index, attribute))
 
     def _write(self, attribute, text):
@@ -165,7 +165,8 @@ class SurveyView(Closed):
 
     @property
     def length(self):
-        """Of the straight lines from leg to leg [m], after calculateLength(); before it, 0."""
+        """The length of the straight lines from leg to leg [m], after calculateLength(); before it,
+        0."""
         return self._length
 
     def getLength(self):
@@ -285,7 +286,7 @@ class Platform(Settings):
         change(self._survey, "SetPlatformAttribute", 0, attribute, to_vtk(text))
 
     def getRelativePosition(self):
-        """Of the scanner in the body frame [m]."""
+        """Returns the position of the scanner in the body frame [m]."""
         return Vector(*(float(self._read(f"scannerMount/{axis}") or 0) for axis in "xyz"))
 
     device_relative_position = property(getRelativePosition)
