@@ -419,7 +419,7 @@ def test_warnings_of_a_document(write_document):
 def test_names_as_the_caller_spells_them():
     error = SettingError("{0} is {value!r}, above {1}; give {{}}", "a_b", "c", value="{0}")
     assert str(error) == "a_b is '{0}', above c; give {}"
-    assert error.say(lambda name: f"--{name}") == "--a_b is '{0}', above --c; give {}"
+    assert error.format(lambda name: f"--{name}") == "--a_b is '{0}', above --c; give {}"
 
 
 # Progress and Ctrl-C.

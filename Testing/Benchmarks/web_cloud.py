@@ -8,7 +8,7 @@ For clouds of so many million points (default: 1 and 3) with the arrays of a run
 with houses: the time to make the page [s], its size [MB], the time in headless Chromium (1280 x 800,
 software rasteriser) from opening to the first frame with points and to the last one [s], and the
 times [ms] of a frame of all points and of one of at most 200,000. First it checks that the page has
-every point of the cloud and draws them all, of more than MOST_DRAWN at least so many (the others are
+every point of the cloud and draws them all, of more than MAXIMUM_DRAWN at least so many (the others are
 closer together than pixels), and that a picked point has the values of the cloud.
 """
 
@@ -25,7 +25,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "Python/tes
 from webcloud._browser import Browser  # noqa: E402  of the tests
 
 REPEATS = 5
-MOST_DRAWN = 1_000_000  # points of the first view, without leaving out points
+MAXIMUM_DRAWN = 1_000_000  # points of the first view, without leaving out points
 
 
 def make_cloud(count):
@@ -58,7 +58,7 @@ def check(browser, cloud):
     nodes = browser.evaluate("vtkhelios.cloud.nodes.map((node) => node.count)")
     drawn = browser.evaluate("vtkhelios.state().points")
     assert sum(nodes) == count
-    assert drawn == count if count <= MOST_DRAWN else drawn >= MOST_DRAWN
+    assert drawn == count if count <= MAXIMUM_DRAWN else drawn >= MAXIMUM_DRAWN
     browser.evaluate("vtkhelios.pick({node: vtkhelios.cloud.nodes[0], point: 77})")
     picked = browser.evaluate("vtkhelios.state().picked")
     row = int(picked["values"]["PulseIds"])

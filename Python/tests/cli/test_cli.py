@@ -374,7 +374,9 @@ def test_columns_are_written_as_vtp(command_line, make_survey, tmp_path):
     survey.write_text(re.sub(r'(verticalAngle|headRotate)\w+="[^"]*"', "", text))
     done = command_line("run", survey, "--columns", "--output", tmp_path / "text")
     assert done.returncode == 2
-    assert "--columns needs --format vtp: files of the format xyz cannot have columns" in done.stderr
+    assert (
+        "--columns needs --format vtp: files of the format xyz cannot have columns" in done.stderr
+    )
     options = "--columns", "--pulses", "--format", "vtp", "--output", tmp_path / "vtp"
     done = command_line("run", survey, *options)
     assert done.returncode == 0, done.stderr

@@ -206,8 +206,8 @@ def test_a_tradeoff_of_instances(stand, monkeypatch):
     """Measures the instances themselves; what needs copies is left out if there are too many."""
     from vtkhelios.surveys import tradeoff_run as _tradeoff_run
 
-    monkeypatch.setattr(_tradeoff_run, "MOST_COPIED", 100)
-    monkeypatch.setattr(_tradeoff_run, "MOST_TRIANGLES", 100)
+    monkeypatch.setattr(_tradeoff_run, "MAXIMUM_COPIED", 100)
+    monkeypatch.setattr(_tradeoff_run, "MAXIMUM_TRIANGLES", 100)
     plan = vtkhelios.plan(str(stand), grid=5, resolution=3)
     result = plan.survey().tradeoff(pulses=10)
     casters = [row.name for row in result.ways if row.kind == "ray caster"]

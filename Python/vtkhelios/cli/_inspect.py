@@ -54,9 +54,9 @@ class Inspection:
                 arrays = arrays or {name: values[:0] for name, values in chunk.items()}
                 self._add(chunk, reader.scan)
                 task.advance(rows_of(chunk))
-            self._tell(reader, arrays)
+            self._add_facts(reader, arrays)
         if not is_run(self.path) and formats.ending(self.path) in RECORDS:
-            self._tell_head()
+            self._add_head_facts()
         self._check(reader)
         if self._metres.guess:
             self.warnings.append(self._metres.guess)
@@ -100,7 +100,7 @@ class Inspection:
         self._backward += int(np.count_nonzero(np.diff(times) < 0) + (times[0] < self._last_time))
         self._last_time = times[-1]
 
-    def _tell(self, reader, arrays):
+    def _add_facts(self, reader, arrays):
         facts = self.facts
         facts["file"] = str(self.path)
         facts["format"] = reader.kind
@@ -139,7 +139,7 @@ class Inspection:
 
     # Facts of LAS and LAZ.
 
-    def _tell_head(self):
+    def _add_head_facts(self):
         try:
             reader = RecordReader(self.path)
         except formats.FormatError as error:
@@ -167,12 +167,12 @@ class Inspection:
             }
             for each in header.point_format.extra_dimensions
         ]
-        self._tell_waveforms(reader)
+        self._add_waveform_facts(reader)
         self._check_head(header)
         self.warnings += reader.notes
         reader.close()
 
-    def _tell_waveforms(self, reader):
+    def _add_waveform_facts(self, reader):
         if not reader.header.point_format.has_waveform_packet:
             return
         try:

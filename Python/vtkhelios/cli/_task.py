@@ -44,9 +44,9 @@ class Task(Watched):
         """Adds finished points."""
         self.done += count
         self._pace.add(time.monotonic(), self.done)
-        self.tell()
+        self.show_step()
 
-    def tell(self, name=None):
+    def show_step(self, name=None):
         """Shows the progress; with a name, the current step."""
         self.name = name or self.name
         self.report()

@@ -78,10 +78,10 @@ def run(arguments):
             return 1
         if arguments.path.lower().endswith(DOCUMENTS):
             facts = inspect_xml(arguments.path, arguments.assets, messages)
-            return tell(facts, [], arguments, messages) if facts else 1
+            return print_facts(facts, [], arguments, messages) if facts else 1
         if _meshes.is_mesh(arguments.path):
             facts = _meshes.inspect(arguments.path, messages)
-            return tell(facts, [], arguments, messages) if facts else 1
+            return print_facts(facts, [], arguments, messages) if facts else 1
         inspection = Inspection(arguments.path, arguments.height_unit)
         task = Task("reading")
         try:
@@ -90,10 +90,10 @@ def run(arguments):
         except (formats.FormatError, OSError) as error:
             messages.error(str(error))
             return 1
-        return tell(inspection.facts, inspection.warnings, arguments, messages)
+        return print_facts(inspection.facts, inspection.warnings, arguments, messages)
 
 
-def tell(facts, warnings, arguments, messages):
+def print_facts(facts, warnings, arguments, messages):
     if arguments.json:
         print(json.dumps({**facts, "warnings": warnings}, indent=2))
         return 0

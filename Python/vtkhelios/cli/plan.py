@@ -103,7 +103,7 @@ def run(arguments):
             with shown_warnings(messages):
                 return make_plan(arguments, messages)
         except SettingError as error:
-            messages.error(error.say(option_of))
+            messages.error(error.format(option_of))
         except PipelineError as error:
             for text in error.messages:
                 messages.error(text)

@@ -207,7 +207,7 @@ def run(arguments):
             with shown_warnings(messages):
                 return make_and_report(arguments, messages)
         except SettingError as error:
-            messages.error(error.say(option_of))
+            messages.error(error.format(option_of))
         except PipelineError as error:
             for text in error.messages:
                 messages.error(text)

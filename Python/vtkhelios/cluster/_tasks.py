@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ..core.paths import from_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
 
-MOST_SURVEYS = 2  # surveys that a worker keeps loaded
+MAXIMUM_SURVEYS = 2  # surveys that a worker keeps loaded
 
 _here = weakref.WeakValueDictionary()  # by key: surveys of this process that tasks were made of
 _loaded = collections.OrderedDict()  # by key: surveys read for tasks, the last used at the end
@@ -112,7 +112,7 @@ def _find_survey(read, task):
             survey = _loaded[key] = _read_survey(read, task)
         if key in _loaded:
             _loaded.move_to_end(key)
-        while len(_loaded) > MOST_SURVEYS:
+        while len(_loaded) > MAXIMUM_SURVEYS:
             _loaded.popitem(last=False)
         return survey
 

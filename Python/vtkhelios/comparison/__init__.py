@@ -59,5 +59,5 @@ def compare(
     settings = {"mesh": mesh, "cell": cell, "points": points, "sample": sample, "seed": seed}
     settings["height_unit"] = height_unit
     with Progress(progress) as watched:
-        tell = watched.callback or (lambda *_: None)
-        return compare_watched(a, b, lambda _name, share: tell(None, share), **settings)
+        report = watched.callback or (lambda *_: None)
+        return compare_watched(a, b, lambda _name, share: report(None, share), **settings)

@@ -16,7 +16,7 @@ from ..surveys.accuracy import Estimate
 DRAWS = 400
 FEWEST = 8  # tiles: fewer give no interval
 LEVEL = 95  # [%]
-MOST_VALUES = 20_000  # sample of a quantile; more are drawn at random
+MAXIMUM_VALUES = 20_000  # sample of a quantile; more are drawn at random
 
 
 class Sampled(typing.NamedTuple):
@@ -67,8 +67,8 @@ class Blocks:
 
     def quantile(self, values, tiles, share=0.5):
         """Returns a quantile of values."""
-        if len(values) > MOST_VALUES:
-            rows = self.random.choice(len(values), MOST_VALUES, replace=False)
+        if len(values) > MAXIMUM_VALUES:
+            rows = self.random.choice(len(values), MAXIMUM_VALUES, replace=False)
             values, tiles = values[rows], tiles[rows]
         order = np.argsort(values, kind="stable")
         values, tiles = values[order], tiles[order]

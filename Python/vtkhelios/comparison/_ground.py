@@ -11,7 +11,7 @@ FINEST, COARSEST = 2.0**-7, 2.0**7  # default cells [m]
 TILES = 250  # wished for in the box of both clouds
 COLUMN = 5  # cells per side, at most
 SHARED = 0.5  # fraction of the columns of a tile that both have
-MOST_CELLS = 2**62
+MAXIMUM_CELLS = 2**62
 
 
 def cells_of(points, size, corner, shape, offset=0.0):
@@ -30,7 +30,7 @@ def box_of(clouds, size):
     low = np.min([points.min(axis=0) for points in clouds], axis=0)
     high = np.max([points.max(axis=0) for points in clouds], axis=0)
     spans = (high - low) / size + 3
-    if np.prod(spans) > MOST_CELLS or np.abs([low, high]).max() / size > MOST_CELLS:
+    if np.prod(spans) > MAXIMUM_CELLS or np.abs([low, high]).max() / size > MAXIMUM_CELLS:
         raise FormatError(
             f"the points span {spans[0]:.3g} x {spans[1]:.3g} cells of {size:g} m; give larger "
             "cells, or remove outliers"

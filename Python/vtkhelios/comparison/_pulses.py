@@ -13,7 +13,7 @@ from ._inputs import SOURCE
 PERIOD = 5  # percentile of the times between pulses that is the pulse period: few pulses are lost
 NEXT = 1.5  # periods: pulses nearer in time are successive
 GAP = 50  # periods without a point end a line
-FEWEST_IN_LINE = 5  # points of a line in a tile
+MINIMUM_IN_LINE = 5  # points of a line in a tile
 LONG = 3.0  # ratio of the extents of a line
 CROSSING = 0.5  # extent of a line in a tile over its side; shorter pieces are of broken lines
 ENOUGH = 30  # pairs
@@ -127,8 +127,8 @@ class Lines:
         """Numbers lines, without lines of few points, which are turning points: -1."""
         number = np.r_[0, np.cumsum(ends)]
         counts = np.bincount(number)
-        rank = np.cumsum(counts >= FEWEST_IN_LINE) - 1
-        return np.where(counts[number] >= FEWEST_IN_LINE, rank[number], -1)
+        rank = np.cumsum(counts >= MINIMUM_IN_LINE) - 1
+        return np.where(counts[number] >= MINIMUM_IN_LINE, rank[number], -1)
 
     def _spacings(self, line):
         """Distances of the centres of successive lines of a tile, across their mean direction."""
@@ -146,7 +146,7 @@ class Lines:
         is_long = xx + yy + root > LONG**2 * (xx + yy - root)
         is_long &= 6 * (xx + yy + root) >= counts * (CROSSING * self._tile) ** 2  # variance l²/12
         number, tile = np.divmod(groups, self._tiles.max() + 1)
-        keep = np.flatnonzero(is_long & (counts >= FEWEST_IN_LINE))
+        keep = np.flatnonzero(is_long & (counts >= MINIMUM_IN_LINE))
         keep = keep[np.lexsort((number[keep], tile[keep]))]
         strip = np.zeros(line.max(initial=0) + 1, np.int64)
         strip[line[rows]] = self._strip[rows]

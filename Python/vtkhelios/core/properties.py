@@ -16,7 +16,7 @@ from .pipeline import MessageLog
 
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 
-_WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+_WORD_ENDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
 # Properties of every VTK object, not specific to LiDAR.
 _LEFT_OUT = set(
     "abort_output address_as_string class_name command container_algorithm debug executive global_warning_display information input "
@@ -40,7 +40,7 @@ _KINDS = {
 
 def snake_case(name):
     """``BeamDivergence`` -> ``beam_divergence``, ``MTime`` -> ``m_time``."""
-    return _WORDS.sub("_", name).lower()
+    return _WORD_ENDS.sub("_", name).lower()
 
 
 class Choice(int):

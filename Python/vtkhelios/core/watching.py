@@ -55,7 +55,7 @@ class Progress:
                 f"progress is {progress!r}; give True, False or a function of the fraction done"
             )
         self._line = ProgressLine() if progress is True else None
-        self._tell = self._line or progress or None
+        self._report = self._line or progress or None
         self.begin, self.end = 0.0, 1.0
 
     def __enter__(self):
@@ -68,7 +68,7 @@ class Progress:
     @property
     def callback(self):
         """A function of the object and its progress, for _native.run()."""
-        return self._pass_on if self._tell else None
+        return self._pass_on if self._report else None
 
     def _pass_on(self, _object, share):
-        self._tell(self.begin + (self.end - self.begin) * min(1.0, max(0.0, share)))
+        self._report(self.begin + (self.end - self.begin) * min(1.0, max(0.0, share)))

@@ -40,5 +40,5 @@ def fit(*clouds, unit=None, points=POINTS, progress=None):
     outside their range.
     """
     with Progress(progress) as watched:
-        tell = watched.callback or (lambda *_: None)
-        return fit_watched(clouds, lambda _name, share: tell(None, share), unit, points)
+        report = watched.callback or (lambda *_: None)
+        return fit_watched(clouds, lambda _name, share: report(None, share), unit, points)

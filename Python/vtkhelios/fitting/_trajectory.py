@@ -21,7 +21,7 @@ MOST = 20_000  # lines of a strip; of more, those with returns far apart
 SHORTEST = 1.0  # between first and last return, in height [m]
 STEEPEST = 2.0  # slope of a beam
 INTERVAL = 1.0  # distance of knots [s]
-MOST_KNOTS = 400
+MAXIMUM_KNOTS = 400
 ACCELERATION = 0.5  # standard deviation [m/s²]
 HEIGHTS = 50.0 * 1.25 ** np.arange(24)  # above the points that are tried first, to 8.5 km [m]
 LARGEST_STEP = 0.3  # share of the height
@@ -112,7 +112,7 @@ def find_track(pulses):
 
 
 def make_knots(times):
-    interval = max(INTERVAL, (times[-1] - times[0]) / MOST_KNOTS)
+    interval = max(INTERVAL, (times[-1] - times[0]) / MAXIMUM_KNOTS)
     return Knots(times[0], times[-1], interval)
 
 

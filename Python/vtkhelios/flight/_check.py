@@ -8,7 +8,7 @@ from ..array_names import PULSE_DENSITY, RETURN_NUMBER
 from ._summary import spread
 from ._terrain import Grid
 
-LEAST_PULSES = 100  # per cell of the comparison, on average
+MINIMUM_PULSES = 100  # per cell of the comparison, on average
 QUANTILE = 0.95
 
 
@@ -95,7 +95,7 @@ def _coarsen(plan):
     """Returns a grid of whole multiples of the cells, with enough pulses per cell, and the
     multiple."""
     mean = float(plan.cells[PULSE_DENSITY].mean())
-    wanted = np.sqrt(LEAST_PULSES / max(mean, 1e-9))
+    wanted = np.sqrt(MINIMUM_PULSES / max(mean, 1e-9))
     factor = max(1, int(np.ceil(wanted / plan.grid.cell)))
     west, east, south, north = plan.grid.box
     return Grid((west, south), (east, north), factor * plan.grid.cell), factor

@@ -15,7 +15,7 @@ from ..core.pipeline import update
 from ._terrain import Grid, points_of
 
 WAYPOINTS_PER_HEIGHT = 4  # their spacing is a quarter of the flying height
-MOST_CELLS = 1_000_000  # cells of the ground that is followed
+MAXIMUM_CELLS = 1_000_000  # cells of the ground that is followed
 
 
 def follow_terrain(terrain, lines, height, max_climb, cell):
@@ -27,7 +27,7 @@ def follow_terrain(terrain, lines, height, max_climb, cell):
     places = points_of(lines)[:, :2]
     spacing = max(cell, height / WAYPOINTS_PER_HEIGHT)
     low, high = places.min(axis=0) - 2 * cell, places.max(axis=0) + 2 * cell
-    cell = max(cell, math.sqrt(np.prod(high - low) / MOST_CELLS))
+    cell = max(cell, math.sqrt(np.prod(high - low) / MAXIMUM_CELLS))
     follow = vtk_class("vtkHeliosTerrainFollow")()
     follow.SetInputData(0, lines)
     follow.SetInputData(1, terrain.mesh(Grid(low - cell, high + cell, cell)))

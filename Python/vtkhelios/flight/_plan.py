@@ -25,11 +25,11 @@ from ._instrument import Instrument
 from ._settings import check_flight_settings
 from ._summary import make_report
 from ._survey import make_survey
-from ._terrain import MOST_CELLS, Grid, Terrain, make_places
+from ._terrain import MAXIMUM_CELLS, Grid, Terrain, make_places
 
 __all__ = ["FlightPlan"]
 
-MOST_ATTEMPTS = 6  # to meet the requirements over relief
+MAXIMUM_ATTEMPTS = 6  # to meet the requirements over relief
 ENOUGH = 0.99  # share of the area, with the required density
 MARGIN = 1e-3  # margin of a correction, so that it suffices
 
@@ -110,8 +110,8 @@ class FlightPlan:
         size = high - low
         cell = self.settings["cell"]
         if cell is None:
-            cell = max(self._nominal_cell(), math.sqrt(size[0] * size[1] / MOST_CELLS))
-        if np.prod(np.ceil(size / cell)) > 100 * MOST_CELLS:
+            cell = max(self._nominal_cell(), math.sqrt(size[0] * size[1] / MAXIMUM_CELLS))
+        if np.prod(np.ceil(size / cell)) > 100 * MAXIMUM_CELLS:
             raise SettingError(
                 "{0} is {cell:g} m, which makes {count:.3g} cells of the area; give a larger one",
                 "cell",
@@ -131,7 +131,7 @@ class FlightPlan:
         self.tangent = designer.tangent
         follows = self.settings["terrain_following"]
         relief = Relief(drop=0.0 if follows else float(np.ptp(self.ground)))
-        for attempt in range(MOST_ATTEMPTS):
+        for attempt in range(MAXIMUM_ATTEMPTS):
             try:
                 self.design = designer.choose(relief)
             except SettingError:

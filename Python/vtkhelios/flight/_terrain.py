@@ -13,7 +13,7 @@ from ..core.arrays import arrays
 from ..core.classes import vtk_class
 from ..core.pipeline import update
 
-MOST_CELLS = 250_000
+MAXIMUM_CELLS = 250_000
 
 
 class Grid:

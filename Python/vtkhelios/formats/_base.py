@@ -285,9 +285,9 @@ class Writer(_Closing):
         """Appends points."""
         if problem := find_problem(chunk):
             self.fail(problem)
-        self.put(chunk)
+        self.store(chunk)
 
-    def put(self, chunk):
+    def store(self, chunk):
         """Appends checked points; of subclasses."""
         raise NotImplementedError
 
@@ -351,7 +351,7 @@ class StreamWriter(Writer):
         self.stream = stream
         self.stream.SetFileName(self.path)
 
-    def put(self, chunk):
+    def store(self, chunk):
         if not self.stream.IsOpen():
             set_unfinished(part_of(self.path))
             call(self, self.stream, self.stream.Open)

@@ -120,7 +120,7 @@ class CopcWriter(FileWriter):
         self._encoder = Encoder(self, header)
         self._scratch = None
 
-    def put(self, chunk):
+    def store(self, chunk):
         self.write_records(self._encoder.encode(chunk))
 
     def write_records(self, records):

@@ -20,7 +20,7 @@ class CsvWriter(FileWriter):
         super().__init__(path, header)
         self._names = None
 
-    def put(self, chunk):
+    def store(self, chunk):
         columns = dict(self._columns(chunk))
         if self._names is None:
             self._names = list(columns)

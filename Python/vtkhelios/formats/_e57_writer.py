@@ -39,7 +39,7 @@ class E57Writer(FileWriter):
         place = np.asarray(scan.translation, float)
         self.scan = dataclasses.replace(scan, translation=tuple(self._metres.convert(place)))
 
-    def put(self, chunk):
+    def store(self, chunk):
         self._try(lambda: self._write(chunk))
 
     def _try(self, action):

@@ -224,7 +224,7 @@ class LazWriter(FileWriter):
         self._encoder = Encoder(self, header)
         self._records = None
 
-    def put(self, chunk):
+    def store(self, chunk):
         records = self._encoder.encode(chunk)
         if self._records is None:
             self.open_part()

@@ -46,10 +46,10 @@ class PcdWriter(StreamWriter):
     def __init__(self, path, header):
         super().__init__(path, header, vtk_class("vtkHeliosPCDWriter")())
 
-    def put(self, chunk):
+    def store(self, chunk):
         if not self.stream.IsOpen():
             self.stream.SetResolution(self._find_resolution())
-        super().put(chunk)
+        super().store(chunk)
 
     def _find_resolution(self):
         """Returns the step that coordinates keep: of degrees, of the file they are from, or 1

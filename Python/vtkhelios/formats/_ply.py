@@ -107,7 +107,7 @@ class PlyWriter(FileWriter):
         self._type = None
         self._wide = {}  # arrays that are stored as floats: type
 
-    def put(self, chunk):
+    def store(self, chunk):
         fields = dict(self._fields(chunk))
         kinds = [(name, "<" + values.dtype.str[1:]) for name, values in fields.items()]
         if self._type is None:

@@ -122,7 +122,7 @@ class RecordReader:
         """
         from laspy import VLR
 
-        turned = [(user, _say_turned(data)) for user, data in self.records]
+        turned = [(user, _turn_descriptor(data)) for user, data in self.records]
         self._is_turned = turned != self.records and self.header.point_format.has_waveform_packet
         if not self._is_turned:
             return
@@ -252,7 +252,7 @@ def _split(data, count):
         at += size
 
 
-def _say_turned(data):
+def _turn_descriptor(data):
     """Returns a descriptor record of an earlier version in current form; others unchanged."""
     is_ours = (
         data[2:18].split(b"\0")[0] == b"LASF_Spec"

@@ -114,7 +114,7 @@ class TextWriter(StreamWriter):
         arrays = range(self.stream.GetNumberOfArrays())
         self._names = {self.stream.GetArrayName(index) for index in arrays}
 
-    def put(self, chunk):
+    def store(self, chunk):
         self.lost |= {
             name: "text has no column for it"
             for name in chunk
@@ -123,4 +123,4 @@ class TextWriter(StreamWriter):
         if AMPLITUDE not in chunk and INTENSITY in chunk:
             chunk = {**chunk, AMPLITUDE: 1e-9 * chunk[INTENSITY]}
             self.lost[INTENSITY] = "it is the intensity column, unscaled, and not in nW"
-        super().put(chunk)
+        super().store(chunk)

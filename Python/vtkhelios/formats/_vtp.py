@@ -87,9 +87,9 @@ class PiecesWriter(StreamWriter):
         super().__init__(path, header, vtk_class("vtkHeliosPointXMLWriter")())
         self._pieces = 0
 
-    def put(self, chunk):
+    def store(self, chunk):
         self._pieces += 1
-        super().put(chunk)
+        super().store(chunk)
 
     def abandon(self):
         super().abandon()
@@ -105,7 +105,7 @@ class VtpWriter(Writer):
         super().__init__(path, header)
         self._chunks = []
 
-    def put(self, chunk):
+    def store(self, chunk):
         if self._chunks and set(chunk) != set(self._chunks[0]):
             odd = ", ".join(sorted(set(chunk) ^ set(self._chunks[0])))
             self.fail(f"not all points have {odd}; convert the files one by one")

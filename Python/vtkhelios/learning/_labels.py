@@ -23,7 +23,7 @@ MATERIALS = {
     "trunk": 71, "wood": 71, "bark": 71, "stem": 71, "branch": 71, "leaf": 70, "leaves": 70,
     "foliage": 70, "needle": 70,
 }  # fmt: skip
-MOST_INSTANCES = 2**16 - 1
+MAXIMUM_INSTANCES = 2**16 - 1
 
 
 class Labels:
@@ -114,9 +114,9 @@ def find_instances(arrays):
     ids = arrays.get(PART_IDS)
     if ids is None:
         return np.zeros(len(arrays["points"]), np.uint32)
-    if len(ids) and ids.max() >= MOST_INSTANCES:
+    if len(ids) and ids.max() >= MAXIMUM_INSTANCES:
         raise FormatError(
-            f"part {ids.max():,} is beyond the {MOST_INSTANCES:,} instances of the layout; join parts "
+            f"part {ids.max():,} is beyond the {MAXIMUM_INSTANCES:,} instances of the layout; join parts "
             "of the scene"
         )
     return (ids + 1).clip(0).astype(np.uint32)

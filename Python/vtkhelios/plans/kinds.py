@@ -22,11 +22,11 @@ __all__ = [
     "Choice",
     "Flag",
     "Number",
-    "Own",
+    "PlanOption",
     "Reference",
     "Region",
     "SettingError",
-    "Word",
+    "DocumentChoice",
 ]
 
 
@@ -39,9 +39,9 @@ class SettingError(ValueError):
 
     def __init__(self, text, *names, **values):
         self._text, self._names, self._values = text, names, values
-        super().__init__(self.say())
+        super().__init__(self.format())
 
-    def say(self, spell=str):
+    def format(self, spell=str):
         return self._text.format(*map(spell, self._names), **self._values)
 
 
@@ -59,7 +59,7 @@ class Setting:
         """Returns the values of the properties."""
         return tuple(getattr(*_find(objects, name)) for name in self.properties)
 
-    def put(self, objects, values):
+    def assign(self, objects, values):
         for name, value in zip(self.properties, values, strict=True):
             setattr(*_find(objects, name), value)
 
@@ -67,7 +67,7 @@ class Setting:
         return self.get(objects)[0]
 
     def set(self, objects, value):
-        self.put(objects, [value] * len(self.properties))
+        self.assign(objects, [value] * len(self.properties))
 
     def report(self, value):
         """Returns the value in a report."""
@@ -128,7 +128,7 @@ class Choice(Setting):
         return next(word for word, known in self.words.items() if known == values)
 
     def set(self, objects, value):
-        self.put(objects, self.words[value])
+        self.assign(objects, self.words[value])
 
     def check(self, name, value):
         word = str(value).lower() if isinstance(value, bool) else value  # ground=True
@@ -140,7 +140,7 @@ class Choice(Setting):
         raise SettingError("{0} is {value!r}; {hint}", name, value=value, hint=hint)
 
 
-class Word(Choice):
+class DocumentChoice(Choice):
     """One of some words of the document that no property has alone: nothing is set."""
 
     def read(self, objects):
@@ -150,7 +150,7 @@ class Word(Choice):
         pass
 
 
-class Own(Choice):
+class PlanOption(Choice):
     """One of some words that neither the document nor a filter has; the first is the default."""
 
     def read(self, objects):
@@ -202,7 +202,7 @@ class Region(Setting):
         return None
 
     def set(self, objects, value):
-        self.put(objects, [value])
+        self.assign(objects, [value])
 
     def check(self, name, value):
         try:

@@ -12,11 +12,11 @@ from .kinds import (
     Choice,
     Flag,
     Number,
-    Own,
+    PlanOption,
     Reference,
     Region,
     SettingError,
-    Word,
+    DocumentChoice,
     objects_of,
 )
 
@@ -43,7 +43,7 @@ REMOVE_FIRST = {"smallest": ("ascending",), "largest": ("descending",)}
 
 # In the order of reports. The last ones are not in their list of settings.
 SETTINGS = {
-    "method": Word("method", "document.method", words=METHODS),
+    "method": DocumentChoice("method", "document.method", words=METHODS),
     "grid": Number("grid_m", "candidates.x_step", unit="m", low=1e-6),
     "grid_y": Number("gridY_m", "candidates.y_step", unit="m", low=1e-6),
     "test_grid": Number(
@@ -77,9 +77,9 @@ SETTINGS = {
     "coverage_of": Choice("coverageOf", "planner.coverage_of", words=COVERAGE_OF),
     "area_weights": Flag("areaWeights", "planner.use_areas", "test_points.generate_areas"),
     "overlap": Number("overlap_percent", "planner.minimum_overlap", unit="%", scale=100.0),
-    "remove_order": Word("removeOrder", "document.remove_order", words=REMOVE_ORDERS),
+    "remove_order": DocumentChoice("removeOrder", "document.remove_order", words=REMOVE_ORDERS),
     "remove_first": Choice("removeFirst", "planner.removal_order", words=REMOVE_FIRST),
-    "order": Own("order", words=ORDERS),
+    "order": PlanOption("order", words=ORDERS),
     "time_limit": Number("timeLimit_s", "planner.time_limit", unit="s"),
     "memory": Number(
         None,

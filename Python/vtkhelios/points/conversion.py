@@ -114,7 +114,7 @@ class Conversion:
                     self.kinds.clear()
                     return False
             self._check_count()
-            task.tell("finishing")
+            task.show_step("finishing")
             writer.close(output.internal, output.beside)
         write_names(self.output, self.count, names)
         return True
@@ -196,7 +196,7 @@ class Conversion:
                     steps = (self._find_shift(reader, header), numbers, move, union)
                     self._convert_file(reader, writer, steps, task)
                 self._check_count()
-                task.tell("finishing")
+                task.show_step("finishing")
             self.lost |= writer.lost
             self.notes += writer.notes
         finally:

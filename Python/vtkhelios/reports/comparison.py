@@ -14,7 +14,7 @@ NAME, CELL = 46, 32
 HEADS = ("metric", "A", "B", "difference B - A", "agree", "note")
 DISTANCE_HEADS = ("metric", "value", "by chance up to", "agree", "note")
 CLASS_HEADS = ("class", *HEADS)
-MOST_CHARS = 60  # longest name of a coordinate system
+MAXIMUM_CHARS = 60  # longest name of a coordinate system
 
 PAGE = (
     MACROS
@@ -159,7 +159,7 @@ def write_comparison_page(result):
 
 def _cloud_cells(name, side):
     crs = side["coordinateSystem"]
-    crs = crs if len(crs) <= MOST_CHARS else f"{crs[:MOST_CHARS]}..."
+    crs = crs if len(crs) <= MAXIMUM_CHARS else f"{crs[:MAXIMUM_CHARS]}..."
     return name, side["name"], f"{side['points']:,}", f"{side['compared']:,}", crs or "none"
 
 

@@ -4,7 +4,7 @@
 
 from .plan import print_rows
 
-MOST_ROWS = 50
+MAXIMUM_ROWS = 50
 COLUMNS = (  # columns of the table of lines: title, text
     ("line", lambda row: str(row["line"])),
     ("x0 [m]", lambda row: f"{row['begin'][0]:.2f}"),
@@ -25,9 +25,9 @@ def heights(row):
 
 def print_lines(rows):
     """The lines on standard output."""
-    print_rows(rows[:MOST_ROWS], COLUMNS)
-    if len(rows) > MOST_ROWS:
-        print(f"and {len(rows) - MOST_ROWS} more; all are in lines.csv")
+    print_rows(rows[:MAXIMUM_ROWS], COLUMNS)
+    if len(rows) > MAXIMUM_ROWS:
+        print(f"and {len(rows) - MAXIMUM_ROWS} more; all are in lines.csv")
 
 
 def flight_lines(report):

@@ -10,7 +10,7 @@ from . import charts
 SIZE = (12.5, 6.2)  # inches
 LINE, EDGE = "#d55e00", "#111111"
 STRIPS = ["#b01030", "#b9d3e8", "#7fb2d9", "#3d8dc4", "#0b5a94", "#06335a"]  # 0: a gap
-MOST_NUMBERS = 40  # lines with a number beside them
+MAXIMUM_NUMBERS = 40  # lines with a number beside them
 
 
 def make_picture(plan):
@@ -82,7 +82,7 @@ def draw_lines(axes, plan):
             "", places[-1, :2], places[0, :2],
             arrowprops={"arrowstyle": "-|>", "color": LINE, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0},
         )  # fmt: skip
-        if number < MOST_NUMBERS:
+        if number < MAXIMUM_NUMBERS:
             axes.text(*places[0, :2], str(number), color="white", fontsize=7, ha="center",
                       va="center", bbox={"boxstyle": "round,pad=0.2", "fc": LINE, "ec": "none"})  # fmt: skip
     ends = np.concatenate([places[:, :2] for places in plan.line_waypoints()])

@@ -17,11 +17,11 @@ def describe_options(options):
     """
     rows = []
     for name, value in options.items():
-        title, describe = _WORDS.get(name, (name, str))
+        title, describe = _LABELS.get(name, (name, str))
         text = describe(value)
         if text:
             rows.append((title, text))
-    order = [title for title, _ in _WORDS.values()]
+    order = [title for title, _ in _LABELS.values()]
     return sorted(rows, key=lambda row: order.index(row[0]) if row[0] in order else len(order))
 
 
@@ -67,7 +67,7 @@ def _option(option):
     return describe
 
 
-_WORDS = {  # in the order of a page: title, text of a value
+_LABELS = {  # in the order of a page: title, text of a value
     "format": ("format", _format),
     **{option.key: (option.title, _option(option)) for option in OPTIONS if option.key},
     **{output.key: (output.title, _flag(output.state)) for output in OUTPUTS},

@@ -14,7 +14,7 @@ from .raster import Histogram, is_near
 from .run import describe_paths, describe_time, readable
 from .template import PAGE, STYLE
 
-MOST_ECHOES = 6  # larger counts share one bar
+MAXIMUM_ECHOES = 6  # larger counts share one bar
 OUTER = 0.003  # fraction of points at either end excluded from histograms
 LEG_HEADS = (
     "leg", "start [s]", "duration [s]", "pulses", "with echo [%]", "points", "computing time [s]"
@@ -143,10 +143,10 @@ def _focus(histogram):
 def _bars(figures):
     found = []
     if figures.echoes.any():
-        names = [str(i) for i in range(1, MOST_ECHOES)]
-        counts = [int(count) for count in figures.echoes[1:MOST_ECHOES]]
-        rest = int(figures.echoes[MOST_ECHOES:].sum())
-        png = charts.bars([*names, f"{MOST_ECHOES} or more"], [*counts, rest], "echoes",
+        names = [str(i) for i in range(1, MAXIMUM_ECHOES)]
+        counts = [int(count) for count in figures.echoes[1:MAXIMUM_ECHOES]]
+        rest = int(figures.echoes[MAXIMUM_ECHOES:].sum())
+        png = charts.bars([*names, f"{MAXIMUM_ECHOES} or more"], [*counts, rest], "echoes",
                            "fraction of the pulses with an echo [%]")  # fmt: skip
         found.append(make_figure("Echoes per pulse", "", png, "pulses by their number of echoes"))
     if figures.classes.any():

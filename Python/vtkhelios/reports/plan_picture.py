@@ -31,7 +31,7 @@ SCANS = [  # by the number of scans: a colour and a name
     ((0.30, 0.48, 0.80), "4"),
     ((0.50, 0.34, 0.72), "5 and more"),
 ]
-MOST_NUMBERS = 40  # positions with a number beside them
+MAXIMUM_NUMBERS = 40  # positions with a number beside them
 
 
 def save_picture(
@@ -167,7 +167,7 @@ class View:
                 )
         self.window.AddRenderer(overlay)
         overlay.ResetCameraClippingRange()
-        for scan, mark in enumerate(marks[:MOST_NUMBERS]):
+        for scan, mark in enumerate(marks[:MAXIMUM_NUMBERS]):
             overlay.AddActor2D(self.make_number(overlay, str(scan), mark))
         self.window.Render()
         drawn = picture.grab_colours(self.window)

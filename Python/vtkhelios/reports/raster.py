@@ -7,7 +7,7 @@ import numpy as np
 FINEST = 2.0**-10  # [m]
 SCANS_A_PLANE = 64
 LARGEST = 20_000  # maximum cells a side for a given size
-MOST_CELLS = 2**24  # in all
+MAXIMUM_CELLS = 2**24  # in all
 FARTHEST = 1e12  # limit of coordinates and other numbers; larger ones are damaged
 
 
@@ -70,7 +70,7 @@ class Raster:
                 last = np.maximum(last, self._corner + [width - 1, height - 1])
                 first = np.minimum(first, self._corner)
             sides = last - first + 1
-            if (sides <= self._limit).all() and sides.prod() <= MOST_CELLS:
+            if (sides <= self._limit).all() and sides.prod() <= MAXIMUM_CELLS:
                 break
             if self._is_given:
                 return False

@@ -17,9 +17,9 @@ from .tradeoff import Row, Tradeoff
 BINS_PER_PULSE = 50  # bins of the reference
 # The reference is adaptive, at a tenth of the narrowest tolerance that it judges, with this many
 # sub-rays where it samples. Its error is at most its difference from a coarser one.
-FINER, MOST_SUB_RAYS = 0.1, 1 << 18
-COARSER, MOST_SUB_RAYS_COARSE = 0.3, 1 << 16
-LEAST_TOLERANCES = 1e-6, 1e-4  # [m] and relative: heliosTolerances.h
+FINER, MAXIMUM_SUB_RAYS = 0.1, 1 << 18
+COARSER, MAXIMUM_SUB_RAYS_COARSE = 0.3, 1 << 16
+MINIMUM_TOLERANCES = 1e-6, 1e-4  # [m] and relative: heliosTolerances.h
 SUB_RAYS_OF_CHECK, CHECKED = 32768, 32  # pulses, about
 CIRCLES = (1, 2, 3, 5, 9, 18)
 SPIRALS, RINGS = (20, 64, 256), (2, 4, 8)  # sub-rays; rings
@@ -28,10 +28,10 @@ BINS = (0.02, 0.0625, 0.125, 0.25)  # bins per pulse length
 BIN_CIRCLES = 5
 DISTANCES = (0.01, 0.05)  # distances of simplified meshes [m]
 PART_DISTANCE = 0.05  # distance of simplified parts: one of them
-MOST_TRIANGLES = 400_000  # triangles of a mesh that is simplified
+MAXIMUM_TRIANGLES = 400_000  # triangles of a mesh that is simplified
 LONGEST = 10.0  # processor time of that [s]
-MOST_COPIED = 20_000_000  # triangles that ray casters without instances copy
-MOST_GROUPS = 6  # largest groups of parts of the scene
+MAXIMUM_COPIED = 20_000_000  # triangles that ray casters without instances copy
+MAXIMUM_GROUPS = 6  # largest groups of parts of the scene
 CLEAR = 3.0  # times the error of the reference
 # blocks of a run: vtkHeliosSurveyPlayer and its estimate
 PULSES_PER_BLOCK, COPIES_OF_BLOCK = 262144, 2
@@ -86,7 +86,7 @@ class _Run:
         self._model_parts = names
         self._step = _Steps(on_step, self._count_steps())
         self._step.begin("drawing pulses")
-        self._sampler = Sampler(survey, pulses, self._step.tell, options)
+        self._sampler = Sampler(survey, pulses, self._step.show, options)
         self._source = survey.source_of(options)
         self._scene = self._source.GetScene()
         self._other_memory = self._find_other_memory()
@@ -98,7 +98,7 @@ class _Run:
         sampler = self._sampler
         self._step.begin("reference")
         reference = self._make_reference()
-        coarse, _ = sampler.run(**self._finely(COARSER, MOST_SUB_RAYS_COARSE))
+        coarse, _ = sampler.run(**self._finely(COARSER, MAXIMUM_SUB_RAYS_COARSE))
         own = sampler.compare(coarse, reference)
         self._step.begin("check of the reference")
         self._own = _plain(confirm(own, *self._check_reference()))
@@ -122,11 +122,11 @@ class _Run:
 
     def _count_steps(self):
         """Steps that take about the same time each; some turn out not to be there."""
-        parts = len(self._model_parts) + 2 * MOST_GROUPS + 2 if self._has_parts else 0
+        parts = len(self._model_parts) + 2 * MAXIMUM_GROUPS + 2 if self._has_parts else 0
         return 3 + len(self._ways) + 2 * len(DISTANCES) + parts
 
     def _make_reference(self, **choice):
-        return self._sampler.run(**choice, **self._finely(FINER, MOST_SUB_RAYS))[0]
+        return self._sampler.run(**choice, **self._finely(FINER, MAXIMUM_SUB_RAYS))[0]
 
     def _finely(self, factor, most):
         """Options of adaptive sampling at a fraction of the narrowest tolerance."""
@@ -140,7 +140,7 @@ class _Run:
             self._sampler.run(sub_rays=count, sub_ray_pattern="Vogel", every=few, **self._fine)[0]
             for count in (SUB_RAYS_OF_CHECK, SUB_RAYS_OF_CHECK // 2)
         )
-        checked, _ = self._sampler.run(**self._finely(FINER, MOST_SUB_RAYS), every=few)
+        checked, _ = self._sampler.run(**self._finely(FINER, MAXIMUM_SUB_RAYS), every=few)
         return self._sampler.compare(checked, check), self._sampler.compare(half, check)
 
     def _measure_way(self, way, reference):
@@ -150,7 +150,7 @@ class _Run:
         if kind == kinds.RAY_CASTER and choice["ray_caster"] != "beam" and self._is_huge():
             self._absent.append(
                 f"{name}: it copies instances, and the scene has {count_triangles(self._scene):,} "
-                f"triangles with them; at most {MOST_COPIED:,} are copied here"
+                f"triangles with them; at most {MAXIMUM_COPIED:,} are copied here"
             )
             return None
         if kind == kinds.BINS:
@@ -161,7 +161,7 @@ class _Run:
         return self._measure(name, kind, choice, reference)
 
     def _is_huge(self):
-        return has_instances(self._scene) and count_triangles(self._scene) > MOST_COPIED
+        return has_instances(self._scene) and count_triangles(self._scene) > MAXIMUM_COPIED
 
     def _measure(self, name, kind, options, reference, detail="", **more):
         """Returns a way against the reference."""
@@ -186,16 +186,16 @@ class _Run:
         count, made = count_triangles(self._scene), {}
         if "vtkHeliosMeshSimplify" not in vtk_classes():
             self._absent.append("simplified meshes: this build has no CGAL")
-        elif count > MOST_TRIANGLES:
+        elif count > MAXIMUM_TRIANGLES:
             self._absent.append(
                 f"simplified meshes: the scene has {count:,} triangles, and at most "
-                f"{MOST_TRIANGLES:,} are simplified here"
+                f"{MAXIMUM_TRIANGLES:,} are simplified here"
             )
         elif count > 0:
             self._scene = flatten(self._scene)
             for distance in DISTANCES:
                 self._step.begin(f"simplifying the mesh within {1e3 * distance:g} mm")
-                mesh = meshes.simplify(self._scene, distance, LONGEST, self._step.tell)
+                mesh = meshes.simplify(self._scene, distance, LONGEST, self._step.show)
                 if mesh and mesh[0].GetNumberOfPolys() < count:
                     made[distance] = mesh
                 else:
@@ -266,12 +266,12 @@ class _Run:
         if len(groups) < 2:
             self._absent.append("parts of the scene: there is one, or one kind")
             return rows
-        if len(groups) > MOST_GROUPS:
+        if len(groups) > MAXIMUM_GROUPS:
             self._absent.append(
-                f"{len(groups) - MOST_GROUPS} smaller parts, or kinds of parts, of the scene: only "
-                f"the {MOST_GROUPS} with the most triangles are left out"
+                f"{len(groups) - MAXIMUM_GROUPS} smaller parts, or kinds of parts, of the scene: only "
+                f"the {MAXIMUM_GROUPS} with the most triangles are left out"
             )
-        for group in groups[:MOST_GROUPS]:
+        for group in groups[:MAXIMUM_GROUPS]:
             others = whole[~np.isin(whole[PART_IDS], group.ids)]
             self._step.begin(f"without {group.name}")
             if len(others) == 0:
@@ -326,7 +326,7 @@ def confirm(own, found, of_check):
 
 def tolerance_options(tolerance):
     """Options for a tolerance of ranges [m], and ten times as many of the energy, as far as valid."""
-    least, least_energy = LEAST_TOLERANCES
+    least, least_energy = MINIMUM_TOLERANCES
     return {
         "tolerance": max(least, tolerance),
         "energy_tolerance": max(least_energy, 10.0 * tolerance),
@@ -376,8 +376,8 @@ class _Steps:
 
     def begin(self, name):
         self._done, self._name = self._done + 1, name
-        self.tell(0.0)
+        self.show(0.0)
 
-    def tell(self, _share):
+    def show(self, _share):
         if self._on_step:
             self._on_step(self._name, min(1.0, max(0, self._done) / self._count))

@@ -18,11 +18,11 @@ CATEGORIES = {
     PART_IDS, PLANE_IDS, RETURN_NUMBER,
 }  # fmt: skip
 FEW = 8  # other whole numbers with at most this many values are categories, too
-MOST_CATEGORIES = 4096
+MAXIMUM_CATEGORIES = 4096
 OUTER = 0.02  # fraction of points beyond either end of the colour scale
 DECADES = 2.0  # positive ranges of more are on a logarithmic scale
 SKIPPED = {"points", "index", WAVEFORM_IDS}  # WaveformIds repeat PulseIds
-MOST_COMPONENTS = 4
+MAXIMUM_COMPONENTS = 4
 
 
 @dataclasses.dataclass
@@ -61,7 +61,7 @@ def make_columns(arrays, names=None):
             columns.append(_make(name, values, UNITS.get(name, ""), names.get(name, ())))
         elif values.shape[1] == 3 and name.upper() == RGB:
             columns.append(Column(name, quantise(_pack_colours(values)), "colour"))
-        elif values.shape[1] <= MOST_COMPONENTS:
+        elif values.shape[1] <= MAXIMUM_COMPONENTS:
             columns += [
                 _make(label, part, UNITS.get(name, ""), ()) for label, part in _split(name, values)
             ]
@@ -93,7 +93,7 @@ def _make(name, values, unit, texts):
 
 def _categories(name, values, texts):
     """Value, label and number of points of each; empty: not categories."""
-    most = MOST_CATEGORIES if name in CATEGORIES else FEW
+    most = MAXIMUM_CATEGORIES if name in CATEGORIES else FEW
     if name == PULSE_IDS:
         return []
     found, counts = np.unique(values, return_counts=True)

@@ -8,10 +8,10 @@ import numpy as np
 
 POSITION_STEP = 1e-4  # [m]
 FINEST_STEP = 1e-9  # [m]
-MOST_STEPS = 2**31  # along an axis
+MAXIMUM_STEPS = 2**31  # along an axis
 # steps of float arrays, by unit
 STEPS = {"m": 1e-4, "s": 1e-7, "deg": 1e-4, "ns": 1e-4, "dB": 1e-3}
-MOST_CODES = 2**52  # exact in JavaScript
+MAXIMUM_CODES = 2**52  # exact in JavaScript
 MANTISSA = 8  # bits of a float32 that are dropped: relative error below 1.6e-5
 
 
@@ -40,9 +40,11 @@ def position_step(points):
     extent = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     largest = float(np.abs(points).max()) if len(points) else 0.0
     step = POSITION_STEP
-    while extent / step > MOST_STEPS or largest / step > MOST_CODES:
+    while extent / step > MAXIMUM_STEPS or largest / step > MAXIMUM_CODES:
         step *= 10
-    while 0 < extent / step < 1e5 and 10 * largest / step < MOST_CODES and step > 2 * FINEST_STEP:
+    while (
+        0 < extent / step < 1e5 and 10 * largest / step < MAXIMUM_CODES and step > 2 * FINEST_STEP
+    ):
         step /= 10
     return float(f"{step:.0e}")
 
@@ -58,7 +60,7 @@ def quantise(values, unit=None):
     """Returns the Codes of an array of numbers."""
     if values.dtype.kind in "iub":
         low, high = (int(values.min()), int(values.max())) if len(values) else (0, 0)
-        if high - low < MOST_CODES and max(abs(low), abs(high)) < MOST_CODES:
+        if high - low < MAXIMUM_CODES and max(abs(low), abs(high)) < MAXIMUM_CODES:
             return Codes(values.astype(np.int64) - low, "fixed", base=low)
         return _as_float(values)
     step = STEPS.get(unit)
@@ -77,7 +79,7 @@ def _as_fixed(values, step):
     if not finite.all() and not np.isnan(values[~finite]).all():
         return _as_float(values)
     low, high = (values[finite].min(), values[finite].max()) if finite.any() else (0.0, 0.0)
-    if max(abs(low), abs(high)) / step >= MOST_CODES:
+    if max(abs(low), abs(high)) / step >= MAXIMUM_CODES:
         return _as_float(values)
     steps = _in_steps(np.where(finite, values, low), step)
     base = int(steps.min()) if len(steps) else 0

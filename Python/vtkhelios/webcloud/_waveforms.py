@@ -10,7 +10,7 @@ from ..array_names import (
 from ._pack import pack_columns
 from ._sample import hashes
 
-MOST_SAMPLES = 6_000_000  # limit of a page, about 1 byte each
+MAXIMUM_SAMPLES = 6_000_000  # limit of a page, about 1 byte each
 GROUP = 64  # waveforms decoded together
 FULL = 4095  # code of the largest sample of a waveform
 TIME_STEP = 1e-4  # step of start and bin size [ns]
@@ -40,7 +40,7 @@ def link_pulses(arrays, tables):
 class WaveformSample:
     """The waveforms of given pulses with at most a number of samples; the ones with the smallest hashes."""
 
-    def __init__(self, pulses, limit=MOST_SAMPLES):
+    def __init__(self, pulses, limit=MAXIMUM_SAMPLES):
         self.limit = limit
         self.seen = 0  # waveforms of the given pulses
         self._pulses = np.unique(pulses)

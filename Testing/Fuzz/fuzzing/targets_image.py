@@ -15,7 +15,7 @@ from .outcomes import check, check_finite
 from .target import Seed, Target, need, update
 
 WIDTH, HEIGHT = 13, 9
-MOST_PIXELS = 4_000_000  # pixels that are compared
+MAXIMUM_PIXELS = 4_000_000  # pixels that are compared
 WALL = """\
 mtllib a.mtl
 v -5 5 -5
@@ -73,7 +73,7 @@ class Texture(Target):
         width, height, _ = image.GetDimensions()
         colors = vtk_to_numpy(image.GetPointData().GetScalars())
         check(colors.shape == (width * height, 3), f"{colors.shape} colours of {width} x {height}")
-        if width * height <= MOST_PIXELS:
+        if width * height <= MAXIMUM_PIXELS:
             self.compare(colors.reshape(height, width, 3)[::-1], data)
 
     def compare(self, rows, data):

@@ -53,7 +53,7 @@ class Area(Target):
         try:
             area = read_area(path)
         except SettingError as error:
-            raise Refused(error.say(str)) from error
+            raise Refused(error.format(str)) from error
         for ring in (ring for rings in area for ring in rings):
             check_finite("ring", ring)
             check(ring.ndim == 2 and ring.shape[1] == 2, f"a ring has the shape {ring.shape}")

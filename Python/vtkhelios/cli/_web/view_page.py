@@ -19,7 +19,7 @@ from .._stopping import set_outcome
 from .._task import Task
 from ._arrays import NAMES, find_array
 
-MOST_POINTS = 20_000_000
+MAXIMUM_POINTS = 20_000_000
 
 DESCRIPTION = """\
 writes a point cloud as one HTML file that needs no network: levels of detail, colours by any array,
@@ -46,7 +46,7 @@ def make_parser():
     )
     parser.add_argument("--html", metavar="FILE", required=True, help="the page")
     parser.add_argument(
-        "--points", metavar="N", type=whole_number(MOST_POINTS, 1), default=LIMIT,
+        "--points", metavar="N", type=whole_number(MAXIMUM_POINTS, 1), default=LIMIT,
         help="the most points of the page; 1,000,000 take about 20 MB (default: %(default)s)",
     )  # fmt: skip
     parser.add_argument("--color-by", metavar="ARRAY", help="the array of the first view (default: the "
