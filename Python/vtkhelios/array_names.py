@@ -33,14 +33,14 @@ MATERIAL_SPECULAR_EXPONENT = "Material.SpecularExponent"
 MATERIAL_CLASSIFICATION = "Material.Classification"
 MATERIAL_IS_GROUND = "Material.IsGround"
 MATERIAL_SPECTRUM = "Material.Spectrum"
-# Of mirrors and glass; columns that only scenes with them have.
+# Mirrors and glass: columns that only scenes with them have.
 # 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
 MATERIAL_OPTICS = "Material.Optics"
 # 0 none, 1 water, 2 soda-lime glass, 3 BK7, 4 fused silica
 MATERIAL_DISPERSION = "Material.Dispersion"
 MATERIAL_MIRROR_REFLECTANCE = "Material.MirrorReflectance"  # [0..1]
 MATERIAL_REFRACTIVE_INDEX = "Material.RefractiveIndex"
-MATERIAL_THICKNESS = "Material.Thickness"  # of panes [m]
+MATERIAL_THICKNESS = "Material.Thickness"  # pane only [m]
 MATERIAL_ATTENUATION = "Material.Attenuation"  # inside [1/m]
 MATERIAL_BACKSCATTER = "Material.Backscatter"  # [1/(m sr)]
 MATERIAL_TRANSMITTANCE = "Material.Transmittance"  # [0..1]
@@ -120,7 +120,7 @@ CLASSIFICATION_FLAGS = "ClassificationFlags"
 ORIGIN = "Origin"  # [m]
 START_TIME = "StartTime"  # [ns], two-way, after the emission
 BIN_SIZE = "BinSize"  # [ns]
-OFFSET = "Offset"  # of the first sample
+OFFSET = "Offset"  # index of the first sample
 COUNT = "Count"  # number of samples
 SAMPLES = "Samples"  # float32 [W]
 PULSE_LENGTH = "PulseLength"  # [ns], one value in the field data

@@ -37,7 +37,7 @@ NO_MODULES = re.compile(
     r"_native|_pcl|_built_with|vtkHelios\w+|vtkmodules(\..*)?"
 )  # compiled, or made
 
-# What a function may import: libraries that may be missing, and what takes long to load.
+# Modules that a function may import: libraries that may be missing, and what takes long to load.
 OPTIONAL = {
     "copclib", "dask", "distributed", "jinja2", "laspy", "lazrs", "matplotlib", "mcap", "open3d",
     "pandas", "pye57", "pyvista", "rich", "rosbags",

@@ -102,7 +102,7 @@ def test_parts_with_hits_join_to_the_whole(make_survey, tmp_path, capsys):
 
 
 def test_the_table_names_the_arrays_of_each_output(survey):
-    """Of the echoes: those that a run has with the output, and not without."""
+    """An output has the arrays that a run has with it, and not without."""
     plain = set(arrays(survey.run().data))
     for output in OUTPUTS:
         if output.source:

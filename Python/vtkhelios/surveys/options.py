@@ -9,13 +9,13 @@ from ..vtkHeliosScannerRun import vtkHeliosRunOptions
 
 
 class Option(NamedTuple):
-    property: str  # of vtkHeliosRunOptions
-    name: str  # of Survey.run()
+    property: str  # property of vtkHeliosRunOptions
+    name: str  # keyword of Survey.run()
     key: str  # in the options of run_summary.json
     title: str  # words of a report page
     words: str  # there, with {} for the value; of a flag, if it is on and if it is off
-    scale: str  # of the value there; empty: it is shown in any case
-    argument: str  # of the command line; empty: none
+    scale: str  # scale of the value there; empty: it is shown in any case
+    argument: str  # option of the command line; empty: none
     metavar: str
     help: str
     choices: str

@@ -18,7 +18,7 @@ def add_option_arguments(parser):
 
 
 def _make_argument(option, defaults):
-    """What argparse needs for an option, by the type and the valid range of its property."""
+    """Returns the arguments of argparse for an option, by type and valid range of its property."""
 
     def get(what):
         return getattr(defaults, f"Get{option.property}{what}", lambda: 0)()

@@ -16,7 +16,7 @@ def set_outputs(player, arguments):
 
 
 def find_fault(arguments):
-    """What the format cannot have; or None."""
+    """Returns the output that the format cannot have; or None."""
     for output in OUTPUTS:
         formats = output.formats.split()
         if getattr(arguments, output.name) and arguments.format not in formats:
