@@ -208,3 +208,31 @@ def test_comments_have_a_subject():
         for name in tracked(".h", ".cxx", ".py")
     }
     assert {name: lines for name, lines in found.items() if lines} == {}
+
+
+# Names that do not say what a thing is; properties of public classes keep theirs.
+_NAMES = re.compile(
+    r"\b(?!(?:Set|Get)?Least(?:Share|Amplitude|SpecularShare)(?:M\w\wValue)?\b)"
+    r"\w*(?:Least|Most|Fewest)[A-Z]\w*|\b_?(?:MOST|LEAST|FEWEST)_\w+|"
+    r"\b(?:LasSheet|OpenNowhere|MarkLine|WriteWords|OnePlane|GetRest|SetStand)\b"
+)
+
+
+def find_names(text):
+    """Returns the names in code that the glossary or its table of words replaces."""
+    return sorted(set(_NAMES.findall(text)))
+
+
+def test_names_are_found():
+    text = "int MostRays; x.FindLeastHeight(1); SetLeastShare(2); class LasSheet; MOST_CELLS = 3"
+    assert find_names(text) == ["FindLeastHeight", "LasSheet", "MOST_CELLS", "MostRays"]
+
+
+def test_names_are_of_the_glossary():
+    here = pathlib.Path(__file__).name
+    found = {
+        name: find_names((ROOT / name).read_text())
+        for name in tracked(".h", ".cxx", ".py")
+        if not name.endswith(here)
+    }
+    assert {name: names for name, names in found.items() if names} == {}
