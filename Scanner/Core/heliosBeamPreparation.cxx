@@ -20,10 +20,10 @@ namespace helios
 namespace
 {
 
-constexpr double LeastDivergence = 1e-9; // [rad]; below, corners would be beyond 1 / u footprints
-constexpr double LargestWaist = 10.0;    // [m], radius
+constexpr double MinimumDivergence = 1e-9; // [rad]; below, corners would be beyond 1 / u footprints
+constexpr double LargestWaist = 10.0;      // [m], radius
 
-/// All sub-rays of a sampler.
+/// Returns all sub-rays of a sampler.
 std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
 {
   std::vector<SubRay> subRays;
@@ -37,7 +37,7 @@ std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
   return subRays;
 }
 
-/// A sampler of the same beam, for another pattern.
+/// Returns a sampler of the same beam, for another pattern.
 vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
 {
   auto to = vtkSmartPointer<vtkHeliosBeamSampler>::New();
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
   return to;
 }
 
-/// Vogel's spiral: the best fixed pattern for surfaces with edges.
+/// Makes Vogel's spiral: the best fixed pattern for surfaces with edges.
 std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* sampler, int count)
 {
   sampler->SetPatternToVogel();
@@ -57,7 +57,7 @@ std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* sampler, int count)
   return GetSubRays(sampler);
 }
 
-/// A number in [-1, 1] in ten bits, each followed by a zero bit.
+/// Returns a number in [-1, 1] in ten bits, each followed by a zero bit.
 unsigned SpreadBits(double x)
 {
   const auto number = static_cast<unsigned>(511.999 * (x + 1.0));
@@ -88,7 +88,7 @@ void SortInSpace(std::vector<SubRay>& subRays)
     [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
 }
 
-/// Vogel's spiral of a size, for the few beams that need it.
+/// Makes Vogel's spiral of a size, for the few beams that need it.
 std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* sampler, int count)
 {
   const auto make = [beam = CopyBeam(sampler), count]
@@ -100,7 +100,7 @@ std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* sampler, int count
   return std::make_unique<LazySubRays>(make);
 }
 
-/// The Rayleigh range of the waist [m].
+/// Returns the Rayleigh range of the waist [m].
 double GetApexOffset(vtkHeliosBeamSampler* sampler)
 {
   const double w = 0.5 * sampler->GetBeamDivergence();
@@ -108,7 +108,7 @@ double GetApexOffset(vtkHeliosBeamSampler* sampler)
     (vtkMath::Pi() * w * w);
 }
 
-/// Derived values of the sub-rays.
+/// Computes derived values of the sub-rays.
 void FinishBeam(ScanModel& model)
 {
   SortInSpace(model.SubRays);
@@ -118,7 +118,8 @@ void FinishBeam(ScanModel& model)
   }
 }
 
-/// The truncation of a beam without a fraction of its energy, at the rim: 1 - exp(-2 K^2) is inside.
+/// Returns the truncation of a beam without a fraction of its energy, at the rim: 1 - exp(-2 K^2)
+/// is inside.
 double LeaveOutRim(double truncation, double fraction)
 {
   const double beyond = std::exp(-2.0 * truncation * truncation);
@@ -134,18 +135,18 @@ Status CheckBeam(vtkHeliosBeamSampler* sampler)
   const double divergence = sampler->GetBeamDivergence();
   const double waist = sampler->GetFootprintRadius(0.0);
   std::ostringstream text;
-  if (divergence != 0.0 && !(divergence >= LeastDivergence))
+  if (divergence != 0.0 && !(divergence >= MinimumDivergence))
   {
-    text << "BeamDivergence is " << divergence << " rad; give at least " << LeastDivergence
+    text << "BeamDivergence is " << divergence << " rad; give at least " << MinimumDivergence
          << " rad, or 0 for one ideal ray";
     return Status::Error(text.str());
   }
   const double ratio = sampler->GetDivergenceRatio();
-  if (divergence != 0.0 && !(ratio * divergence >= LeastDivergence))
+  if (divergence != 0.0 && !(ratio * divergence >= MinimumDivergence))
   {
     text << "DivergenceRatio " << ratio << " and BeamDivergence " << divergence
          << " rad make a divergence of " << ratio * divergence
-         << " rad along the minor axis; give at least " << LeastDivergence
+         << " rad along the minor axis; give at least " << MinimumDivergence
          << " rad, or DivergenceRatio 1 for a circular beam";
     return Status::Error(text.str());
   }
@@ -217,7 +218,7 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.Footprints = { w, LeaveOutRim(sampler->GetTruncation(), model.Plan.RimEnergy),
     model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
-    { model.Gate.Least, model.Gate.Most }, model.Plan.PartError, ratio };
+    { model.Gate.Minimum, model.Gate.Maximum }, model.Plan.PartError, ratio };
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
   if (model.Plan.LayerRings > 0 && model.ApexOffset == 0.0)
@@ -227,15 +228,15 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     rings->SetNumberOfRings(model.Plan.LayerRings);
     model.LayerSubRays = GetSubRays(rings);
   }
-  const int fewest = model.Plan.FewestSubRays;
-  for (int count = fewest; count <= model.Plan.MostSubRays; count *= 4)
+  const int minimum = model.Plan.MinimumSubRays;
+  for (int count = minimum; count <= model.Plan.MaximumSubRays; count *= 4)
   {
     model.RayLevels.push_back(MakeLazily(sampler, count));
   }
   if (model.Surfaces.HasOptics()) // mostly plain surfaces behind them
   {
-    model.FewSubRays = MakeSpiral(CopyBeam(sampler), fewest / 4);
-    SortInSpace(model.FewSubRays);
+    model.CoarseSubRays = MakeSpiral(CopyBeam(sampler), minimum / 4);
+    SortInSpace(model.CoarseSubRays);
   }
   FinishBeam(model);
 }

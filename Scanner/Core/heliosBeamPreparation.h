@@ -16,7 +16,7 @@ class Status;
 struct BeamWidth;
 struct ScanModel;
 
-/// Whether the divergence and the waist of a beam are possible.
+/// Checks that the divergence and the waist of a beam are possible.
 Status CheckBeam(vtkHeliosBeamSampler* sampler);
 
 /// Sets a model's beam to the sub-rays of its sampler; without a divergence to one ideal ray.
@@ -27,13 +27,13 @@ void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
 void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
 
 /**
- * Whether cone probes of a model's adaptive beams are worth their time: they find one plane, or
- * nothing, often enough. Tested with pulses spread over the whole scan, so that every piece of it
- * gets the same result.
+ * Returns whether cone probes of a model's adaptive beams are worth their time: they find one
+ * plane, or nothing, often enough. Tested with pulses spread over the whole scan, so that all its
+ * pieces get the same result.
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses);
 
-/// The width of a beam, for its volume.
+/// Returns the width of a beam, for its volume.
 BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler);
 
 } // namespace helios

@@ -93,8 +93,8 @@ bool BeamTracer::SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCou
   const RangeGate& gate = this->Model.Gate;
   const auto isNear = [&](double limit)
   { return limit > nearest->Range - spread && limit < farthest->Range + spread; };
-  if (!(nearest->Range > 0.0) || spread > this->Model.Plan.LayerSpread || isNear(gate.Least) ||
-    isNear(gate.Most))
+  if (!(nearest->Range > 0.0) || spread > this->Model.Plan.LayerSpread || isNear(gate.Minimum) ||
+    isNear(gate.Maximum))
   {
     return false;
   }
@@ -130,7 +130,7 @@ bool BeamTracer::SampleSurfaces(const Pulse& pulse, int level, ScanCounts& count
 {
   const SamplingPlan& plan = this->Model.Plan;
   const int across = plan.GetCellsAcross(level);
-  if (across > plan.MostCellsAcross)
+  if (across > plan.MaximumCellsAcross)
   {
     return false;
   }
@@ -191,7 +191,7 @@ void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, s
 }
 
 //------------------------------------------------------------------------------
-/// The hits of the sub-rays: surfaces, or leaves before them.
+/// Finds the hits of the sub-rays: surfaces, or leaves before them.
 void BeamTracer::Meet(const Pulse* pulses, std::size_t count, RayBatch& batch)
 {
   const std::size_t each = batch.SubRays->size();
@@ -262,7 +262,7 @@ bool BeamTracer::CastOpticsLevel(const Pulse& pulse, int level, ScanCounts& coun
   {
     return this->CastLevel(pulse, level - 1, counts);
   }
-  this->CastMore(this->Model.FewSubRays, pulse, counts);
+  this->CastMore(this->Model.CoarseSubRays, pulse, counts);
   return true;
 }
 
@@ -323,7 +323,7 @@ void BeamTracer::AppendAir(const Pulse& pulse, std::vector<SubReturn>& returns)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::AppendOpenAir(const Pulse& pulse, std::vector<SubReturn>& returns)
+void BeamTracer::AddAtmosphericReturns(const Pulse& pulse, std::vector<SubReturn>& returns)
 {
   this->Hiding.clear();
   this->AppendHiddenAir(pulse, returns);
@@ -362,7 +362,7 @@ void BeamTracer::CollectPaths(const Pulse& pulse, std::vector<SubReturn>& return
 }
 
 //------------------------------------------------------------------------------
-/// The optics of a layer of one plane, if it is clean; else null.
+/// Returns the optics of a layer of one plane, if it is clean; else null.
 const MaterialOptics* BeamTracer::GetFlatOptics(const ConeLayer& layer) const
 {
   constexpr double tiny = 1e-9;
@@ -390,7 +390,7 @@ bool BeamTracer::PassLayer(
   returns.clear();
   const MaterialOptics* optics = this->GetFlatOptics(layer);
   if (!optics || this->Model.Wants.SubRays || !this->Model.Medium.IsEmpty() ||
-    !this->Model.Air.IsEmpty() || this->Model.Optics.MostEvents < 1)
+    !this->Model.Air.IsEmpty() || this->Model.Optics.MaximumEvents < 1)
   {
     return false;
   }
@@ -424,7 +424,7 @@ bool BeamTracer::CollectBeyond(const PassedBeam& beam, const MaterialOptics& opt
   if (!this->Surfaces.Collect(*this->Model.Cones, beam.Origin.GetData(), beam.Axis.GetData(),
         beam.Minor.GetData(), &beam.Beyond) ||
     !this->Surfaces.AreEdgesStraight() || this->HasOptics() ||
-    this->GetNumberOfSurfaces() > this->Model.Plan.MostSurfaces ||
+    this->GetNumberOfSurfaces() > this->Model.Plan.MaximumSurfaces ||
     !this->Surfaces.Divide(this->Parts))
   {
     return false;

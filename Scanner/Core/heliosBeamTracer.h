@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// From a beam to the returns of its sub-rays.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Traces a beam to the returns of its sub-rays.
 
 #ifndef heliosBeamTracer_h
 #define heliosBeamTracer_h
@@ -48,13 +47,13 @@ public:
   bool PassLayer(const Pulse& pulse, const ConeLayer& layer, std::vector<SubReturn>& returns,
     ScanCounts& counts);
 
-  /// Whether a mirror or glass is among those collected last.
+  /// Whether a mirror or glass is among the surfaces collected last.
   bool HasOptics() const;
 
-  /// Whether those collected last can be sampled.
+  /// Returns whether the surfaces collected last can be sampled.
   bool CanSampleSurfaces() const { return this->Surfaces.IsFlat(); }
 
-  /// Of those collected last.
+  /// Returns the number of surfaces collected last.
   std::size_t GetNumberOfSurfaces() const { return this->Surfaces.GetNumberOfFaces(); }
 
   /// Divides the surfaces collected last into their visible parts, and accepts these as sub-rays of
@@ -68,7 +67,7 @@ public:
   /// Casts the sub-rays of a level of the plan; false if there is no such level.
   bool CastLevel(const Pulse& pulse, int level, ScanCounts& counts);
 
-  /// The same of a beam on mirrors or glass; its first level has few sub-rays.
+  /// Traces a level of a beam on mirrors or glass; its first level has few sub-rays.
   bool CastOpticsLevel(const Pulse& pulse, int level, ScanCounts& counts);
 
   /// Casts all sub-rays of a pulse among leaves.
@@ -82,13 +81,13 @@ public:
     ScanCounts& counts);
 
   /// Appends the returns of the air in a beam that meets nothing.
-  void AppendOpenAir(const Pulse& pulse, std::vector<SubReturn>& returns);
+  void AddAtmosphericReturns(const Pulse& pulse, std::vector<SubReturn>& returns);
 
-  /// The paths of those collected last behind mirrors and glass.
+  /// The paths of the surfaces collected last behind mirrors and glass.
   const PathTracer& GetPaths() const { return this->Paths; }
 
 private:
-  /// The same sub-rays of consecutive pulses, such as a group (heliosScanRun.h), and their hits.
+  /// Sub-rays of consecutive pulses, such as a group (heliosScanRun.h), and their hits.
   struct RayBatch
   {
     const std::vector<SubRay>* SubRays = nullptr;
@@ -117,10 +116,10 @@ private:
   std::vector<SubRay> PartRays;
   std::vector<PassedBeam> Passed;
   std::vector<Hidden> Hiding;
-  RayBatch First; // of all pulses
-  RayBatch More;  // of one pulse
+  RayBatch First; // batch of all pulses
+  RayBatch More;  // batch of one pulse
 
-  // Of the current pulse.
+  // Members of the current pulse.
   const std::vector<SubRay>* SubRays = nullptr;
   const vtkHeliosRay* Rays = nullptr;
   const vtkHeliosHit* Hits = nullptr;

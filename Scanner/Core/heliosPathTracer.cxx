@@ -55,7 +55,7 @@ void PathTracer::Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double we
 {
   const Path start{ ray, Pencil(Vec3(ray.Direction), hit.Range), weight, subRay, 1.0, hit.Range,
     hit.Range, 1.0, 1.0, 0.0, nullptr, 0, 0u, hit.CellId };
-  const Meeting at = this->GetMeeting(start, hit);
+  const SurfaceInteraction at = this->GetInteraction(start, hit);
   this->Glint(start, at);
   this->Split(start, at);
 }
@@ -71,7 +71,7 @@ void PathTracer::Follow()
 }
 
 //------------------------------------------------------------------------------
-/// All paths after as many events; those that took the same turns are neighbours.
+/// Traces all paths after as many events; paths that took the same turns are neighbours.
 void PathTracer::TraceGeneration()
 {
   std::swap(this->Current, this->Waiting);
@@ -106,7 +106,7 @@ void PathTracer::TraceBranch(const Path* first, std::size_t count)
 }
 
 //------------------------------------------------------------------------------
-/// What a path meets, the receiver or a surface.
+/// Handles the hit of a path: the receiver or a surface.
 void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
 {
   this->Receive(start, hit.Range);
@@ -117,7 +117,7 @@ void PathTracer::Meet(const Path& start, const vtkHeliosHit& hit)
   }
   Path path = start;
   this->Advance(path, hit.Range);
-  const Meeting at = this->GetMeeting(path, hit);
+  const SurfaceInteraction at = this->GetInteraction(path, hit);
   this->Scatter(path, at);
   if (at.Optics)
   {
@@ -136,7 +136,7 @@ void PathTracer::Advance(Path& path, double length) const
 }
 
 //------------------------------------------------------------------------------
-PathTracer::Meeting PathTracer::GetMeeting(const Path& path, const vtkHeliosHit& hit)
+PathTracer::SurfaceInteraction PathTracer::GetInteraction(const Path& path, const vtkHeliosHit& hit)
 {
   const Vec3 direction(path.Ray.Direction);
   const Vec3& plane = this->Response.GetPlaneNormal(hit.CellId);
@@ -147,8 +147,8 @@ PathTracer::Meeting PathTracer::GetMeeting(const Path& path, const vtkHeliosHit&
 }
 
 //------------------------------------------------------------------------------
-/// The light that a surface scatters back along a path.
-void PathTracer::Scatter(const Path& path, const Meeting& at)
+/// Adds the light that a surface scatters back along a path.
+void PathTracer::Scatter(const Path& path, const SurfaceInteraction& at)
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const SurfaceReflection& surface = surfaces.GetReflection(surfaces.GetMaterialId(at.Cell));
@@ -158,7 +158,7 @@ void PathTracer::Scatter(const Path& path, const Meeting& at)
 }
 
 //------------------------------------------------------------------------------
-/// The power that returns from the end of a path: of a response as GetBackscatter() has it.
+/// The power that returns from the end of a path: for a response like GetBackscatter().
 double PathTracer::GetPower(const Path& path, double response) const
 {
   // n^2 of the medium: the aperture is seen under a smaller solid angle from within it.
@@ -170,8 +170,8 @@ double PathTracer::GetPower(const Path& path, double response) const
 }
 
 //------------------------------------------------------------------------------
-/// The light that the medium of a path scatters back before the next surface: a slab of a length is
-/// a surface of the response pi beta times that length.
+/// Adds the light that the medium of a path scatters back before the next surface: a slab of a
+/// length is a surface of the response pi beta times that length.
 void PathTracer::ScatterWithin(const Path& path, double length)
 {
   const double beta = path.Medium ? path.Medium->Backscatter : this->Model.Air.GetBackscatter();
@@ -189,7 +189,7 @@ void PathTracer::ScatterWithin(const Path& path, double length)
   const double response = path.Weight * vtkMath::Pi() * beta / path.Slowness; // per range
   const RangeGate& gate = this->Model.Gate;
   this->Column.Add(
-    std::max(path.Optical, gate.Least), std::min(end, gate.Most),
+    std::max(path.Optical, gate.Minimum), std::min(end, gate.Maximum),
     [&](double range) { return this->GetPower(advance(range), response); },
     [&](double range, ColumnProfile::Slab& slab)
     {
@@ -200,7 +200,7 @@ void PathTracer::ScatterWithin(const Path& path, double length)
 }
 
 //------------------------------------------------------------------------------
-/// The range from which on too little returns from the medium of a path.
+/// Returns the range from which on too little returns from the medium of a path.
 double PathTracer::GetVisibleRange(const Path& path) const
 {
   if (!path.Medium)
@@ -223,8 +223,8 @@ void PathTracer::AppendColumn()
 }
 
 //------------------------------------------------------------------------------
-/// The light that a retroreflector, or the facets of a rough surface, return.
-void PathTracer::Glint(const Path& path, const Meeting& at)
+/// Adds the light that a retroreflector, or the facets of a rough surface, return.
+void PathTracer::Glint(const Path& path, const SurfaceInteraction& at)
 {
   const MaterialOptics& optics = *at.Optics;
   if (!(at.Cosine > 0.0))
@@ -249,7 +249,7 @@ void PathTracer::Glint(const Path& path, const Meeting& at)
 }
 
 //------------------------------------------------------------------------------
-/// The light of a path that comes back to the receiver before a range.
+/// Adds the light of a path that comes back to the receiver before a range.
 void PathTracer::Receive(const Path& path, double range)
 {
   const Vec3 toReceiver = this->Receiver - Vec3(path.Ray.Origin);
@@ -280,9 +280,9 @@ void PathTracer::AddReturn(
 }
 
 //------------------------------------------------------------------------------
-void PathTracer::Split(const Path& path, const Meeting& at)
+void PathTracer::Split(const Path& path, const SurfaceInteraction& at)
 {
-  if (path.Events >= this->Model.Optics.MostEvents)
+  if (path.Events >= this->Model.Optics.MaximumEvents)
   {
     return;
   }
@@ -312,8 +312,8 @@ void PathTracer::Split(const Path& path, const Meeting& at)
 }
 
 //------------------------------------------------------------------------------
-/// A rough surface returns what it reflects as Glint(), or loses it.
-void PathTracer::Reflect(const Path& path, const Meeting& at, double share)
+/// Reflects. A rough surface returns its reflected light by Glint(), or loses it.
+void PathTracer::Reflect(const Path& path, const SurfaceInteraction& at, double share)
 {
   if (at.Optics->MeanSquareSlope > 0.0)
   {
@@ -325,8 +325,8 @@ void PathTracer::Reflect(const Path& path, const Meeting& at, double share)
 }
 
 //------------------------------------------------------------------------------
-/// Through both faces: shifted, and later than in air.
-void PathTracer::PassPane(const Path& path, const Meeting& at, double share)
+/// Passes both faces: shifted, and later than in air.
+void PathTracer::PassPane(const Path& path, const SurfaceInteraction& at, double share)
 {
   const MaterialOptics& pane = *at.Optics;
   const double index = pane.RefractiveIndex;
@@ -342,8 +342,8 @@ void PathTracer::PassPane(const Path& path, const Meeting& at, double share)
 }
 
 //------------------------------------------------------------------------------
-/// Into a volume, or out of it.
-void PathTracer::Refract(const Path& path, const Meeting& at, double share)
+/// Refracts into a volume, or out of one.
+void PathTracer::Refract(const Path& path, const SurfaceInteraction& at, double share)
 {
   const bool leaves = path.Medium == at.Optics;
   Path passed = path;
@@ -361,16 +361,16 @@ void PathTracer::Refract(const Path& path, const Meeting& at, double share)
 }
 
 //------------------------------------------------------------------------------
-/// The refractive index on the other side of the surface of a volume.
+/// Returns the refractive index on the other side of the surface of a volume.
 double PathTracer::GetIndexBeyond(const Path& path, const MaterialOptics& optics)
 {
   return path.Medium == &optics ? 1.0 : optics.RefractiveIndex;
 }
 
 //------------------------------------------------------------------------------
-/// Queues a path from a point of the surface that it met, unless too little of it is left.
-void PathTracer::Continue(Path path, const Meeting& at, const Vec3& from, const Vec3& direction,
-  double share, bool isReflected)
+/// Queues a path from a point of the surface that it met, unless too little energy is left.
+void PathTracer::Continue(Path path, const SurfaceInteraction& at, const Vec3& from,
+  const Vec3& direction, double share, bool isReflected)
 {
   path.Share *= share;
   if (!(path.Share * path.Share >= this->Model.Optics.LeastShare))
@@ -383,7 +383,7 @@ void PathTracer::Continue(Path path, const Meeting& at, const Vec3& from, const 
   std::copy_n(origin.GetData(), 3, path.Ray.Origin);
   std::copy_n(direction.GetData(), 3, path.Ray.Direction);
   path.LastCell = at.Cell;
-  path.Turns = path.Turns << 1 | (isReflected ? 1u : 0u); // of the last 32: for the order only
+  path.Turns = path.Turns << 1 | (isReflected ? 1u : 0u); // last 32 turns: for the order only
   ++path.Events;
   this->Advance(path, step);
   this->Waiting.push_back(path);

@@ -27,8 +27,8 @@ struct PathEnd
 /**
  * Follows sub-rays that meet a mirror or glass. At each such surface a path splits into a reflected
  * and a transmitted one, whose energies follow from Fresnel's equations; a path ends after a number
- * of events, or when too little energy is left. What a path meets scatters light, which returns along
- * the same path. A path that comes back to the receiver is a return of its own.
+ * of events, or when too little energy is left. Every surface on a path scatters light, which
+ * returns along the same path. A path that comes back to the receiver is a return of its own.
  *
  * Water and other volumes scatter light along the way; these returns are of no sub-ray.
  *
@@ -46,7 +46,7 @@ public:
   /// Adds a sub-ray of a weight whose first hit is a mirror or glass.
   void Add(const vtkHeliosRay& ray, const vtkHeliosHit& hit, double weight, int subRay);
 
-  /// Follows those that were added; what the first hits scatter is not among the returns.
+  /// Follows the paths that were added; light scattered by the first hits is not among the returns.
   void Follow();
 
   /// Adds the end of a path that was found otherwise; returns its number.
@@ -56,7 +56,7 @@ public:
     return static_cast<int>(this->Ends.size()) - 1;
   }
 
-  /// Of SubReturn::Path.
+  /// Returns the end of SubReturn::Path.
   const PathEnd& GetEnd(int path) const { return this->Ends[static_cast<std::size_t>(path)]; }
 
 private:
@@ -65,25 +65,25 @@ private:
   {
     vtkHeliosRay Ray;
     Pencil Spread;
-    double Weight; // of the sub-ray
+    double Weight; // weight of the sub-ray
     int SubRay;
-    double Share;    // of its energy, one way
+    double Share;    // share of its energy, one way
     double Optical;  // length, from the start [m]
-    double InAir;    // of that [m]
-    double Index;    // of the medium
-    double Slowness; // of pulses in it: its group index
+    double InAir;    // length in air [m]
+    double Index;    // index of the medium
+    double Slowness; // group index: slowness of pulses in the medium
     double Attenuation;
     const MaterialOptics* Medium; // null: air
     int Events;
     unsigned Turns;     // a bit for each event, the last one lowest: 1 reflected, 0 transmitted
-    vtkIdType LastCell; // of the last event
+    vtkIdType LastCell; // cell of the last event
   };
 
   /// A surface that a path meets.
-  struct Meeting
+  struct SurfaceInteraction
   {
     Vec3 Point;
-    Vec3 Normal; // of the plane, against the path
+    Vec3 Normal; // normal of the plane, against the path
     Vec3 Direction;
     double Cosine;
     double Reach; // largest coordinate and length, for rounding errors
@@ -95,21 +95,21 @@ private:
   void TraceBranch(const Path* first, std::size_t count);
   void Meet(const Path& start, const vtkHeliosHit& hit);
   void Advance(Path& path, double length) const;
-  Meeting GetMeeting(const Path& path, const vtkHeliosHit& hit);
+  SurfaceInteraction GetInteraction(const Path& path, const vtkHeliosHit& hit);
   double GetPower(const Path& path, double response) const;
-  void Scatter(const Path& path, const Meeting& at);
+  void Scatter(const Path& path, const SurfaceInteraction& at);
   void ScatterWithin(const Path& path, double length);
   double GetVisibleRange(const Path& path) const;
-  void Glint(const Path& path, const Meeting& at);
+  void Glint(const Path& path, const SurfaceInteraction& at);
   static double GetIndexBeyond(const Path& path, const MaterialOptics& optics);
   void AppendColumn();
   void Receive(const Path& path, double range);
-  void Split(const Path& path, const Meeting& at);
-  void Reflect(const Path& path, const Meeting& at, double share);
-  void PassPane(const Path& path, const Meeting& at, double share);
-  void Refract(const Path& path, const Meeting& at, double share);
-  void Continue(Path path, const Meeting& at, const Vec3& from, const Vec3& direction, double share,
-    bool isReflected);
+  void Split(const Path& path, const SurfaceInteraction& at);
+  void Reflect(const Path& path, const SurfaceInteraction& at, double share);
+  void PassPane(const Path& path, const SurfaceInteraction& at, double share);
+  void Refract(const Path& path, const SurfaceInteraction& at, double share);
+  void Continue(Path path, const SurfaceInteraction& at, const Vec3& from, const Vec3& direction,
+    double share, bool isReflected);
   void AddReturn(
     const Path& path, double range, double power, double cosine, vtkIdType cell, const Vec3& end);
 
@@ -118,11 +118,11 @@ private:
   std::vector<PathEnd> Ends;
   Vec3 Receiver{ 0.0, 0.0, 0.0 };
 
-  std::vector<Path> Waiting; // of the next generation
+  std::vector<Path> Waiting; // paths of the next generation
   std::vector<Path> Current;
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
-  ColumnProfile Column; // of the pulse
+  ColumnProfile Column; // column of the pulse
   std::vector<SubReturn>* Returns = nullptr;
 };
 

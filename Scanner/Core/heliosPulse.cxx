@@ -17,9 +17,10 @@ namespace helios
 namespace
 {
 
-constexpr double LeastAcross = 1e-6; // of a unit axis; a beam along it has no direction across
+// distance of a unit axis; a beam along it has no direction across
+constexpr double MinimumAcross = 1e-6;
 
-/// A term of the error model; 0, and marked, if it is invalid.
+/// Returns a term of the error model; 0, and marked, if it is invalid.
 double UseTerm(double value, int term, Pulse& pulse)
 {
   const bool isUsable = IsUsableTerm(value);
@@ -27,7 +28,8 @@ double UseTerm(double value, int term, Pulse& pulse)
   return isUsable ? value : 0.0;
 }
 
-/// An elliptical beam turned to a direction nearby, the shortest way: its axes turn with it.
+/// Returns an elliptical beam turned to a direction nearby, the shortest way: its axes turn with
+/// it.
 Rotation TurnTo(const Rotation& beam, const Vec3& direction)
 {
   const auto& m = beam.M;
@@ -39,7 +41,7 @@ Rotation TurnTo(const Rotation& beam, const Vec3& direction)
   return beam * BeamFrame(local);
 }
 
-/// Rx(a) Ry(b) Rz(c), of angles [deg].
+/// Returns Rx(a) Ry(b) Rz(c), of angles [deg].
 Rotation RotateAboutAxes(const double angles[3])
 {
   return Rotation(AxisAngle({ 1.0, 0.0, 0.0 }, angles[0]) *
@@ -74,7 +76,7 @@ Rotation BeamRoll::GetFrame(const Vec3& direction) const
     return BeamFrame(direction);
   }
   Vec3 across = this->CrossAxis - this->CrossAxis.Dot(direction) * direction;
-  if (!(across.Norm() > LeastAcross))
+  if (!(across.Norm() > MinimumAcross))
   {
     return BeamFrame(direction);
   }
@@ -113,7 +115,7 @@ const PulseSource::Head& PulseSource::GetHead(double angle, Cursor& cursor) cons
   return head;
 }
 
-/// When the platform has the pose of a pulse.
+/// Returns when the platform has the pose of a pulse.
 double PulseSource::GetPoseTime(double elapsed) const
 {
   const double since = this->PoseInterval > 0.0
@@ -162,7 +164,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   return true;
 }
 
-/// From the platform to where a pulse starts.
+/// Returns the vector from the platform to where a pulse starts.
 Vec3 PulseSource::GetLever(vtkIdType index, const Head& head) const
 {
   double origin[3];

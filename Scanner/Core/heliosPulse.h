@@ -5,8 +5,8 @@
 #ifndef heliosPulse_h
 #define heliosPulse_h
 
+#include "heliosDriftState.h"
 #include "heliosPose.h"
-#include "heliosSlowErrorCursor.h"
 #include "heliosTrajectory.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -30,8 +30,8 @@ struct Pulse
   Rotation Beam; // from the frame of the beam, whose axis is y and major axis x, to the world
   Vec3 Reported; // the direction reported by the instrument
   Vec3 ReportedOrigin;
-  int Channel; // of the deflector
-  /// Of the error model: a bit for each term that has no usable value and is left out.
+  int Channel; // channel of the deflector
+  /// Faulty terms of the error model: a bit for each term that has no usable value and is left out.
   unsigned FaultyTerms = 0;
 
   Vec3 GetDirection() const { return this->GetAxis(1); }
@@ -53,7 +53,7 @@ struct VTKHELIOSSCANNERCORE_EXPORT BeamRoll
   Vec3 CrossAxis{ 1.0, 0.0, 0.0 };
   double Angle = 0.0; // [deg], clockwise along the beam
 
-  /// The frame of a beam along a unit vector.
+  /// Returns the frame of a beam along a unit vector.
   Rotation GetFrame(const Vec3& direction) const;
 };
 
@@ -106,10 +106,10 @@ struct PulseSource
     Trajectory::Cursor Platform;
     PulseSource::Head Head;
     Trajectory::Cursor TruePlatform; // with a clock offset
-    SlowErrorCursor SlowErrors;
+    DriftState SlowErrors;
   };
 
-  /// Pulse number index; false if the deflector emits none.
+  /// Computes pulse number index; false if the deflector emits none.
   bool GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const;
 
 private:
@@ -129,7 +129,8 @@ private:
     Pulse& pulse) const;
 };
 
-/// A frame whose y axis is a unit vector (Duff et al. 2017, J. Computer Graphics Techniques 6).
+/// Returns a frame whose y axis is a unit vector (Duff et al. 2017, J. Computer Graphics Techniques
+/// 6).
 Rotation BeamFrame(const Vec3& axis);
 
 } // namespace helios

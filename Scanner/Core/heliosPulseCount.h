@@ -13,7 +13,8 @@
 namespace helios
 {
 
-/// The number of i >= 0 with i / rate < duration; a last pulse lost to rounding is not counted.
+/// Returns the number of i >= 0 with i / rate < duration; a last pulse lost to rounding is not
+/// counted.
 inline vtkIdType CountPulses(double duration, double rate)
 {
   const double pulses = duration * rate;
@@ -22,7 +23,7 @@ inline vtkIdType CountPulses(double duration, double rate)
   return static_cast<vtkIdType>(std::min(std::max(count, 0.0), 9e15));
 }
 
-/// The first pulse of piece p: count p / pieces, without overflow.
+/// Returns the first pulse of piece p: count p / pieces, without overflow.
 inline vtkIdType SplitPulses(vtkIdType count, vtkIdType piece, vtkIdType pieces)
 {
   return count / pieces * piece + count % pieces * piece / pieces;

@@ -17,9 +17,10 @@ namespace helios
 namespace
 {
 
-constexpr vtkIdType MostPulses = 32;    // of a group, traced together
-constexpr std::size_t MostRays = 16384; // of a group with several pulses
-constexpr double LeastShare = 0.02;     // of a full footprint, of echoes that the tolerances bound
+constexpr vtkIdType MaximumPulses = 32;    // pulses of a group, traced together
+constexpr std::size_t MaximumRays = 16384; // rays of a group with several pulses
+// share of a full footprint, for echoes that the tolerances bound
+constexpr double LeastShare = 0.02;
 
 } // namespace
 
@@ -37,7 +38,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
   const bool isAdaptive = this->Model.Path.IsAdaptive();
   const std::size_t rays = isAdaptive ? 1 : std::max<std::size_t>(1, this->Model.SubRays.size());
-  const vtkIdType size = std::clamp<vtkIdType>(MostRays / rays, 1, MostPulses);
+  const vtkIdType size = std::clamp<vtkIdType>(MaximumRays / rays, 1, MaximumPulses);
   for (vtkIdType begin = first; begin < last && !watch.IsStopped(); begin += size)
   {
     const vtkIdType end = std::min(last, begin + size);
@@ -105,8 +106,9 @@ void PulseKernel::RunFixed(std::size_t slot)
 //------------------------------------------------------------------------------
 PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
-  Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MeetsMedium(pulse), false, {} };
-  if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MeetsMedium)
+  Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MayHitTurbidVoxels(pulse),
+    false, {} };
+  if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MayHitTurbidVoxels)
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer);
     cone.HasLayer = this->Layer.Size > 0;
@@ -125,8 +127,8 @@ PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a mirror or glass is the plane, or in the surface, that fills a beam.
-bool PulseKernel::IsOnOptics(const Cone& cone) const
+/// Returns whether a mirror or glass is the plane, or in the surface, that fills a beam.
+bool PulseKernel::HitsSpecularSurface(const Cone& cone) const
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   bool isOn = surfaces.HasOptics() && surfaces.GetOptics(cone.Hit.CellId);
@@ -142,7 +144,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
   const Cone cone = this->ProbeCone(pulse);
-  if (this->IsOnOptics(cone))
+  if (this->HitsSpecularSurface(cone))
   {
     this->RunOnOptics(pulse, cone.HasLayer);
     return;
@@ -162,7 +164,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunReturns(pulse);
     return;
   }
-  if (cone.MeetsMedium)
+  if (cone.MayHitTurbidVoxels)
   {
     this->Tracer.CastAll(pulse, this->Counts);
     this->RunReturns(pulse);
@@ -180,7 +182,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunOnOptics(pulse, false);
     return;
   }
-  if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MostSurfaces &&
+  if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MaximumSurfaces &&
     this->Tracer.DivideSurfaces(pulse, this->Counts))
   {
     this->RunReturns(pulse);
@@ -194,17 +196,17 @@ void PulseKernel::RunAdaptive(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of a beam that meets no surface.
+/// Finds the echoes of a beam that meets no surface.
 void PulseKernel::RunInAir(const Pulse& pulse)
 {
   this->Returns.clear();
   this->SubRays.clear();
-  this->Tracer.AppendOpenAir(pulse, this->Returns);
+  this->Tracer.AddAtmosphericReturns(pulse, this->Returns);
   this->CountPath(this->FindEchoes());
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of a beam that may meet a mirror or glass.
+/// Finds the echoes of a beam that may meet a mirror or glass.
 void PulseKernel::RunOnOptics(const Pulse& pulse, bool hasLayer)
 {
   if (hasLayer && this->Tracer.PassLayer(pulse, this->Layer, this->Returns, this->Counts))
@@ -218,7 +220,7 @@ void PulseKernel::RunOnOptics(const Pulse& pulse, bool hasLayer)
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of a beam that is sampled, at levels from 0 until two successive ones agree.
+/// Finds the echoes of a beam that is sampled, at levels from 0 until two successive ones agree.
 template <typename SampleT>
 void PulseKernel::Refine(const Pulse& pulse, SampleT sample)
 {
@@ -240,7 +242,7 @@ void PulseKernel::Refine(const Pulse& pulse, SampleT sample)
 }
 
 //------------------------------------------------------------------------------
-/// Whether every echo that counts has one of others within the tolerances.
+/// Returns whether every echo that counts has one of others within the tolerances.
 bool PulseKernel::AreNear(const std::vector<Echo>& echoes, const std::vector<Echo>& others) const
 {
   const SamplingPlan& plan = this->Model.Plan;
@@ -259,7 +261,7 @@ bool PulseKernel::AreNear(const std::vector<Echo>& echoes, const std::vector<Ech
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of the sub-rays that were selected.
+/// Finds the echoes of the sub-rays that were selected.
 void PulseKernel::RunReturns(const Pulse& pulse)
 {
   this->Tracer.Collect(pulse, this->Returns, this->SubRays, this->Counts);
@@ -277,7 +279,7 @@ void PulseKernel::CountPath(bool isBinned)
 }
 
 //------------------------------------------------------------------------------
-/// The geometry of a beam on a plane.
+/// Returns the geometry of a beam on a plane.
 PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   const Vec3& normal = this->Response.GetPlaneNormal(hit.CellId);
@@ -290,7 +292,7 @@ PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHe
 }
 
 //------------------------------------------------------------------------------
-/// Whether the closed form of the planar echo is accurate enough.
+/// Returns whether the closed form of the planar echo is accurate enough.
 bool PulseKernel::IsExact(const Incidence& plane, double range) const
 {
   if (!(range > 0.0))
@@ -303,11 +305,11 @@ bool PulseKernel::IsExact(const Incidence& plane, double range) const
   const double rim = 2.0 * plane.Reach * m.ConeTangent * plane.Tangent; // in range
   return m.Plane.GetWidening(plane.Reach, plane.Tangent) <= widest &&
     m.Plane.GetShift(plane.Reach, plane.Tangent) <= m.Plan.LargestShift &&
-    std::abs(range - m.Gate.Least) > rim && std::abs(range - m.Gate.Most) > rim;
+    std::abs(range - m.Gate.Minimum) > rim && std::abs(range - m.Gate.Maximum) > rim;
 }
 
 //------------------------------------------------------------------------------
-/// The echo of a beam that hits one plane, or nothing.
+/// Finds the echo of a beam that hits one plane, or nothing.
 void PulseKernel::RunOnPlane(
   const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane)
 {
@@ -329,7 +331,7 @@ void PulseKernel::RunOnPlane(
   PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, onAxis.Power);
   if (m.Path.Echo == EchoPath::Mean)
   {
-    echo.Power = onAxis.Power; // of the whole pulse, however wide
+    echo.Power = onAxis.Power; // power of the whole pulse, however wide
   }
   this->Returns.push_back({ echo.Range, echo.Power, onAxis.CosIncidence, hit.CellId, 0 });
   if (m.Wants.SubRays)
@@ -411,7 +413,7 @@ bool PulseKernel::FindEchoes()
 }
 
 //------------------------------------------------------------------------------
-/// The dark counts of a pulse that returns nothing.
+/// Detects the dark counts of a pulse that returns nothing.
 void PulseKernel::DetectDarkCounts()
 {
   const ScanModel& m = this->Model;
@@ -424,7 +426,8 @@ void PulseKernel::DetectDarkCounts()
 }
 
 //------------------------------------------------------------------------------
-/// The sunlight in the pulse's waveform; every return fills its fraction of the field of view.
+/// Returns the sunlight in the pulse's waveform; every return fills its fraction of the field of
+/// view.
 double PulseKernel::GetBackground()
 {
   double sum = 0.0;

@@ -36,15 +36,15 @@ private:
   struct Incidence
   {
     double Reach;   ///< from the cone's apex: the footprint grows with it
-    double Tangent; ///< of the angle of incidence, as PlaneModel takes it
+    double Tangent; ///< tangent of the angle of incidence, for PlaneModel
   };
-  /// What is known about a beam before its sub-rays are cast.
+  /// Result of the cone probe of a beam, before its sub-rays are cast.
   struct Cone
   {
     vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
-    bool MeetsMedium;
+    bool MayHitTurbidVoxels;
     bool HasLayer;   ///< one continuous surface fills the beam
-    Incidence Plane; ///< of PlanarFootprint
+    Incidence Plane; ///< plane of PlanarFootprint
   };
 
   void AimPulses(vtkIdType first, vtkIdType last);
@@ -52,7 +52,7 @@ private:
   Cone ProbeCone(const Pulse& pulse);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
-  bool IsOnOptics(const Cone& cone) const;
+  bool HitsSpecularSurface(const Cone& cone) const;
   void RunOnOptics(const Pulse& pulse, bool hasLayer);
   void RunInAir(const Pulse& pulse);
   void RunFixed(std::size_t slot);
@@ -89,13 +89,13 @@ private:
   BeamTracer Tracer;
   Receiver Signal;
   PulseSource::Cursor Cursor;
-  PulseSource::Cursor TakenCursor; ///< of pulses that echoes are taken for
+  PulseSource::Cursor ZoneCursor; ///< cursor of the pulse an ambiguous echo is assigned to
   ScanCounts Counts;
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
 
-  // Of the current pulse.
+  // Members of the current pulse.
   vtkIdType PulseId = 0;
   unsigned char ScanDirection = 0; ///< flags, if requested
   unsigned char EdgeOfFlightLine = 0;
@@ -103,7 +103,7 @@ private:
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;
   std::vector<Echo> Echoes;
-  std::vector<Echo> Coarser; ///< those of fewer samples
+  std::vector<Echo> Coarser; ///< echoes of fewer samples
   std::vector<std::size_t> Kept;
   bool HasWaveform = false;
   bool IsCut = false; ///< whether the waveform, filled or not, was cut

@@ -60,7 +60,7 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a surface or leaf returns light, not only the air.
+/// Returns whether a surface or leaf returns light, not only the air.
 bool PulseKernel::HasSurface() const
 {
   return std::any_of(
@@ -107,7 +107,7 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
   const SceneSurfaces& surfaces = this->Model.Surfaces;
   const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
   const vtkIdType cell = echo.Nearest ? echo.Nearest->CellId : -1;
-  const bool isDark = cell < 0; // of no surface: a dark count, or the air
+  const bool isDark = cell < 0; // no surface: a dark count, or the air
   const int material = isDark ? -1 : surfaces.GetMaterialId(cell);
   const double incidence = isDark ? 0.0 : IncidenceDegrees(echo.Nearest->CosIncidence);
   result.Echoes.push_back({ pulse.ReportedOrigin + range * pulse.Reported, pulse.Time,
@@ -130,7 +130,7 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
 }
 
 //------------------------------------------------------------------------------
-/// Where an echo comes from, without noise.
+/// Finds where an echo comes from, without noise.
 PathEnd PulseKernel::FindEnd(const Pulse& pulse, const Echo& echo) const
 {
   const bool isStraight = !echo.Nearest || echo.Nearest->Path < 0;
@@ -139,7 +139,8 @@ PathEnd PulseKernel::FindEnd(const Pulse& pulse, const Echo& echo) const
 }
 
 //------------------------------------------------------------------------------
-/// The range with the errors of the instrument; number counts the echoes of the pulse from 0.
+/// Returns the range with the errors of the instrument; number counts the echoes of the pulse from
+/// 0.
 double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t number)
 {
   const RangeNoise& law = this->Model.Noise;
@@ -163,7 +164,7 @@ double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// The value of a term of the error model; another, and counted, if it is invalid.
+/// Returns the value of a term of the error model; another, and counted, if it is invalid.
 double PulseKernel::UseTerm(int term, double value, double variable, double otherwise)
 {
   if (IsUsableTerm(value))
@@ -183,7 +184,7 @@ bool PulseKernel::MoveToZone(vtkIdType index, EchoRecord& echo)
   const vtkIdType taken = index + step * zones.Stride;
   Pulse pulse;
   if (taken < 0 || taken >= zones.NumberOfPulses ||
-    !this->Model.Source.GetPulse(taken, this->TakenCursor, pulse))
+    !this->Model.Source.GetPulse(taken, this->ZoneCursor, pulse))
   {
     return false;
   }

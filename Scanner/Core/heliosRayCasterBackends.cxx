@@ -23,7 +23,8 @@ namespace helios
 namespace
 {
 
-/// A backend registers itself when its library is loaded; naming it here keeps the library linked.
+/// Links the backends. A backend registers itself when its library is loaded; naming it here keeps
+/// the library linked.
 void LinkBackends()
 {
 #if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingCgal

@@ -14,7 +14,7 @@ class vtkHeliosRayCaster;
 namespace helios
 {
 
-/// The default ray caster. All backends that are built are then registered.
+/// Returns the default ray caster. All backends that are built are then registered.
 VTKHELIOSSCANNERCORE_EXPORT vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
 
 } // namespace helios

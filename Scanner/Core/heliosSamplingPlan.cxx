@@ -14,24 +14,24 @@ namespace
 {
 
 constexpr double BinRangeLaw = 0.02;
-constexpr int FewestSubRays = 64; // never worse than the 19 of fixed sampling
-constexpr int MostSubRays = 4096;
+constexpr int MinimumSubRays = 64; // never worse than the 19 of fixed sampling
+constexpr int MaximumSubRays = 4096;
 // The energy at the rim that is left out: at most 15 % of an echo that the tolerances promise, which
 // has EnergyTolerance of a full footprint. Ranges err by up to 0.44 of their tolerance then, and
 // amplitudes by 0.1 (BenchAccuracy).
-constexpr double RimShare = 0.15; // of the tolerances
-constexpr double LeastRim = 3e-3; // narrower ones save little
-constexpr double MostRim = 1.5e-2;
-constexpr double MergedDistance = 0.1;  // of parts that are one echo [m], typically
+constexpr double RimShare = 0.15;   // share of the tolerances
+constexpr double MinimumRim = 3e-3; // narrower ones save little
+constexpr double MaximumRim = 1.5e-2;
+constexpr double MergedDistance = 0.1;  // distance of parts that are one echo [m], typically
 constexpr double SurfacesPerCell = 2.0; // across: division and samples take about as long then
 
-/// The number for which the energy error of an edge is at most a fraction.
+/// Returns the number for which the energy error of an edge is at most a fraction.
 int GetNumberOfSubRays(double share)
 {
   const double count = 2416.0 * std::pow(1e-3 / share, 4.0 / 3.0);
   const double full =
-    4.0 * std::ceil(0.25 * std::min(count, 1.0 * MostSubRays)); // 4-fold symmetric
-  return std::max(FewestSubRays, static_cast<int>(full));
+    4.0 * std::ceil(0.25 * std::min(count, 1.0 * MaximumSubRays)); // 4-fold symmetric
+  return std::max(MinimumSubRays, static_cast<int>(full));
 }
 
 /// Gauss-Legendre rings for a continuous surface, and their errors: the root mean square of the
@@ -45,7 +45,7 @@ struct LayerRule
   double HalfPlane;
   double Bend;
   double Amplitude;
-  double MostSigmas;
+  double MaximumSigmas;
 };
 
 constexpr LayerRule LayerRules[] = { { 2, 0.035, 0.014, 3.7e-3, 5.0 },
@@ -54,13 +54,13 @@ constexpr double WidestRange = 5e-3; // [m]
 constexpr double WidestEnergy = 5e-2;
 constexpr double EnoughSigmas = 0.7; // planes are rarely steeper
 
-/// The smallest rule whose errors are half of the tolerances.
+/// Sets the smallest rule whose errors are half of the tolerances.
 void SetLayerRule(const Tolerances& tolerances, double sigmaRange, SamplingPlan& plan)
 {
   plan.LayerRings = 0;
   for (const LayerRule& rule : LayerRules)
   {
-    const double sigmas = std::min(rule.MostSigmas, 0.5 * tolerances.Energy / rule.Amplitude);
+    const double sigmas = std::min(rule.MaximumSigmas, 0.5 * tolerances.Energy / rule.Amplitude);
     if (sigmas >= EnoughSigmas)
     {
       plan.LayerRings = rule.Rings;
@@ -72,8 +72,8 @@ void SetLayerRule(const Tolerances& tolerances, double sigmaRange, SamplingPlan&
   }
 }
 
-/// What counts as one plane or one layer. Tolerances beyond the widest save little here, and would be
-/// worse than 19 fixed sub-rays on rough ground (BenchAccuracy: gravel).
+/// Sets what counts as one plane or one layer. Tolerances beyond the widest save little here, and
+/// would be worse than 19 fixed sub-rays on rough ground (BenchAccuracy: gravel).
 void SetSurfaceRules(const Tolerances& asked, double sigmaRange, SamplingPlan& plan)
 {
   const Tolerances tolerances{ std::min(asked.Range, WidestRange),
@@ -100,11 +100,11 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
   // Less than half of the amplitude tolerance, because small fractions have larger relative errors.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
-  plan.MostSubRays = tolerances.MostSubRays;
-  const double across = std::sqrt(1.0 * tolerances.MostSubRays);
-  plan.MostCellsAcross = static_cast<int>(across);
-  plan.FewestCellsAcross = std::min(plan.FewestCellsAcross, plan.MostCellsAcross / 2);
-  plan.MostSurfaces = static_cast<std::size_t>(SurfacesPerCell * across);
+  plan.MaximumSubRays = tolerances.MaximumSubRays;
+  const double across = std::sqrt(1.0 * tolerances.MaximumSubRays);
+  plan.MaximumCellsAcross = static_cast<int>(across);
+  plan.MinimumCellsAcross = std::min(plan.MinimumCellsAcross, plan.MaximumCellsAcross / 2);
+  plan.MaximumSurfaces = static_cast<std::size_t>(SurfacesPerCell * across);
   SetSurfaceRules(tolerances, sigmaRange, plan);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
@@ -115,15 +115,15 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
     std::cbrt(rangeTolerance / (4 * 0.0037 * sigmaRange)) });
   const double merged = std::min(energyTolerance, rangeTolerance / MergedDistance);
   plan.PartError = std::clamp(3e-4 * merged, 1e-6, 3e-5);
-  plan.RimEnergy = RimShare * merged < LeastRim ? 0.0 : std::min(RimShare * merged, MostRim);
+  plan.RimEnergy = RimShare * merged < MinimumRim ? 0.0 : std::min(RimShare * merged, MaximumRim);
   return plan;
 }
 
 std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
-  text << "adaptive, visible areas of surfaces; beams of more than " << this->MostSurfaces
-       << " surfaces in up to " << this->MostCellsAcross << " x " << this->MostCellsAcross
+  text << "adaptive, visible areas of surfaces; beams of more than " << this->MaximumSurfaces
+       << " surfaces in up to " << this->MaximumCellsAcross << " x " << this->MaximumCellsAcross
        << " cells; none for planar footprints; waveform bin " << this->DetectionBin
        << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();

@@ -20,19 +20,20 @@ struct ScanCounts
 {
   vtkIdType Pulses = 0; ///< pulse indices of the legs, emitted or not; of runs only
   vtkIdType Echoes = 0;
-  vtkIdType FirstReturns = 0; ///< of runs only
+  vtkIdType FirstReturns = 0; ///< runs only
   vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         ///< with a surface in the range gate
-  vtkIdType PulsesOnPlane = 0;     ///< with a planar footprint: in closed form
-  vtkIdType PulsesSampled = 0;     ///< adaptive, by samples: too many surfaces in the beam
-  vtkIdType PulsesUnresolved = 0;  ///< of those: the largest number of samples was not enough
-  vtkIdType PulsesWithoutBins = 0; ///< whose maxima were found by Newton's method
+  vtkIdType PulsesHit = 0;     ///< with a surface in the range gate
+  vtkIdType PulsesOnPlane = 0; ///< with a planar footprint: in closed form
+  vtkIdType PulsesSampled = 0; ///< adaptive, by samples: too many surfaces in the beam
+  /// sampled pulses for which the largest number of samples was not enough
+  vtkIdType PulsesUnresolved = 0;
+  vtkIdType PulsesWithoutBins = 0; ///< pulses whose maxima were found by Newton's method
   vtkIdType PulsesBinned = 0;
   vtkIdType SubRays = 0;         ///< traced, or returns of visible parts
   vtkIdType HitsOutOfRange = 0;  ///< sub-rays that hit a surface outside the range gate
   vtkIdType CutWaveforms = 0;    ///< for a warning; not in summaries
-  double LargestAmplitude = 0.0; ///< of the returned signals, detected or not [W]
-  TermFaults Faults;             ///< of the error model
+  double LargestAmplitude = 0.0; ///< largest of the returned signals, detected or not [W]
+  TermFaults Faults;             ///< faults of the error model
 
   void Add(const ScanCounts& other);
 };
@@ -73,7 +74,7 @@ inline void ScanCounts::Add(const ScanCounts& other)
   }
 }
 
-/// The names of all counts, separated by blanks.
+/// Returns the names of all counts, separated by blanks.
 inline std::string GetCountNames()
 {
   std::string names;
@@ -84,7 +85,7 @@ inline std::string GetCountNames()
   return names;
 }
 
-/// A count by its name; -1 for any other name.
+/// Returns a count by its name; -1 for any other name.
 inline vtkIdType GetCount(const ScanCounts& counts, const std::string& name)
 {
   for (const CountName& count : CountNames)

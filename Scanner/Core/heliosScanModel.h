@@ -11,7 +11,7 @@
 #include "heliosFootprint.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
-#include "heliosPulseSample.h"
+#include "heliosPulseSubset.h"
 #include "heliosRadiometry.h"
 #include "heliosRangeZones.h"
 #include "heliosReceiver.h"
@@ -55,57 +55,61 @@ struct RangeNoise
 /// The range gate.
 struct RangeGate
 {
-  double Least = 0.0;           // [m]
-  double Most = VTK_DOUBLE_MAX; // [m]
+  double Minimum = 0.0;            // [m]
+  double Maximum = VTK_DOUBLE_MAX; // [m]
 
-  /// Whether a sub-ray returns nothing: no hit, or a hit outside the range gate.
+  /// Returns whether a sub-ray returns nothing: no hit, or a hit outside the range gate.
   bool IsOutsideGate(const vtkHeliosHit& hit) const
   {
     return this->IsOutsideGate(hit.CellId, hit.Range);
   }
   bool IsOutsideGate(vtkIdType cell, double range) const
   {
-    return cell < 0 || range < this->Least || range > this->Most;
+    return cell < 0 || range < this->Minimum || range > this->Maximum;
   }
 };
 
 /// Limits of paths behind mirrors and glass.
 struct PathLimits
 {
-  int MostEvents = 8;       // reflections and refractions
-  double LeastShare = 1e-4; // of the energy of a sub-ray, out and back
+  int MaximumEvents = 8;    // reflections and refractions
+  double LeastShare = 1e-4; // share of the energy of a sub-ray, out and back
 };
 
 struct ScanModel
 {
   PulseSource Source;
-  PulseSample Sample;                         // those that are fired
+  PulseSubset Sample;                         // pulses that are fired
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
-  const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
+  // probe of the caster, for adaptive sampling; may be null
+  const ConeProbe* Cones = nullptr;
   SceneSurfaces Surfaces;
   SurfaceColors Colors; // if they are requested
-  PathLimits Optics;    // of scenes whose surfaces have any
+  PathLimits Optics;    // limits, for scenes whose surfaces have any optics
   TurbidMedium Medium;
   ReceiverSettings Receiver;
 
   ScanPath Path;
-  std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, among leaves
+  std::vector<SubRay> SubRays; // sub-rays of fixed sampling; of adaptive sampling, among leaves
   bool HasOffsets = false;
-  SamplingPlan Plan;                                   // of adaptive sampling
-  std::vector<SubRay> LayerSubRays;                    // of it: of beams that one surface fills
-  std::vector<std::unique_ptr<LazySubRays>> RayLevels; // of it: of beams with too many surfaces
-  std::vector<SubRay> FewSubRays; // before those levels: of beams on mirrors and glass
-  FootprintSettings Footprints;   // of adaptive sampling
+  SamplingPlan Plan; // plan of adaptive sampling
+  // adaptive sampling: sub-rays of beams that one surface fills
+  std::vector<SubRay> LayerSubRays;
+  // adaptive sampling: sub-rays of beams with too many surfaces, by level
+  std::vector<std::unique_ptr<LazySubRays>> RayLevels;
+  std::vector<SubRay> CoarseSubRays; // before those levels: of beams on mirrors and glass
+  FootprintSettings Footprints;      // settings of adaptive sampling
   PlaneModel Plane;
-  double ConeTangent = 0.0; // of the half angle of all sub-rays together, along the major axis
+  // tangent of the half angle of all sub-rays together, along the major axis
+  double ConeTangent = 0.0;
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
   double ApexOffset = 0.0;
 
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
-  AirColumn Air;           // of weather
-  Droplets Drops;          // of it, in addition to Air
-  double Background = 0.0; // of the sun, of a white surface without extinction [W]
+  AirColumn Air;           // backscatter of the weather
+  Droplets Drops;          // single drops of the weather, in addition to Air
+  double Background = 0.0; // sunlight from a white surface without extinction [W]
   RangeGate Gate;
   RangeZones Zones;
   RangeNoise Noise;
@@ -114,7 +118,7 @@ struct ScanModel
   std::uint64_t Seed = 0;
   vtkHeliosEchoAlgorithm::Outputs Wants;
 
-  /// The energy that a surface returns along an axis, relative to that of a white one.
+  /// Returns the energy that a surface returns along an axis, relative to a white surface.
   double GetBackscatter(vtkIdType cell, const Vec3& axis) const
   {
     Vec3 normal = this->Caster->GetGeometry().GetNormal(cell);
@@ -123,13 +127,13 @@ struct ScanModel
       this->Surfaces.GetReflection(this->Surfaces.GetMaterialId(cell)), std::abs(normal.Dot(axis)));
   }
 
-  /// The amplitude of a plane of reflectance 0.5 across a whole beam [W].
+  /// Returns the amplitude of a plane of reflectance 0.5 across a whole beam [W].
   double GetFullAmplitude(double range) const
   {
     return this->Power * this->Equation(range, 0.5, 1.0);
   }
 
-  /// The amplitude of a white diffuse plane across a whole beam [W].
+  /// Returns the amplitude of a white diffuse plane across a whole beam [W].
   double GetWhiteAmplitude(double range) const
   {
     return this->Power * this->Equation(range, 1.0, 1.0);
@@ -156,18 +160,18 @@ struct ScanModel
     return hit;
   }
 
-  /// Whether layers are sampled: sub-rays that start at one point.
+  /// Returns whether layers are sampled: sub-rays that start at one point.
   bool HasLayers() const { return !this->LayerSubRays.empty(); }
 
-  /// Whether the beam of a pulse may hit leaves: if so, it takes all its sub-rays.
-  bool MeetsMedium(const Pulse& pulse) const
+  /// Returns whether the beam of a pulse may hit leaves: if so, it takes all its sub-rays.
+  bool MayHitTurbidVoxels(const Pulse& pulse) const
   {
     return !this->Medium.IsEmpty() &&
       this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->ApexOffset);
   }
 
-  /// Whether echoes are the maxima of a sum of Gaussians.
-  bool HasPlainMaxima() const
+  /// Returns whether echoes are the maxima of a sum of Gaussians.
+  bool HasGaussianSum() const
   {
     return !(this->Receiver.Noise > 0.0) && !(this->Background > 0.0) &&
       std::isinf(this->Receiver.Saturation) && this->Receiver.Shape.IsGaussian() &&

@@ -32,7 +32,7 @@ namespace
 // Memory for this many echoes is reserved at once, some 140 bytes each; for more on demand.
 constexpr vtkIdType EchoesReserved = 4000000;
 
-/// The first output row of each chunk, from a row; the last entry is one past the end.
+/// Returns the first output row of each chunk, from a row; the last entry is one past the end.
 template <typename RecordT>
 std::vector<vtkIdType> GetOffsets(const std::vector<ChunkResult>& chunks,
   std::vector<RecordT> ChunkResult::*records, vtkIdType first)
@@ -66,7 +66,7 @@ public:
   {
   }
 
-  /// All rows of the array with a name.
+  /// Returns all rows of the array with a name.
   template <typename ArrayT>
   typename ArrayT::ValueType* Add(const char* name, int components = 1)
   {
@@ -193,7 +193,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, 
   }
 }
 
-/// The columns of the last pulses or echoes of a target, from a row on.
+/// Fills the columns of the last pulses or echoes of a target, from a row on.
 void FillColumns(const ScanModel& model, vtkIdType first, vtkPolyData* output)
 {
   const vtkIdType last = output->GetNumberOfPoints();
@@ -212,8 +212,8 @@ void FillColumns(const ScanModel& model, vtkIdType first, vtkPolyData* output)
     });
 }
 
-/// The decibels of the last echoes, from a row on: 10 log10(P / P0), with P0 the detection threshold
-/// and the amplitude of a white diffuse plane at the same range.
+/// Fills the decibels of the last echoes, from a row on: 10 log10(P / P0), with P0 the detection
+/// threshold and the amplitude of a white diffuse plane at the same range.
 void FillDecibels(const ScanModel& model, vtkIdType first, vtkPolyData* output)
 {
   const vtkIdType last = output->GetNumberOfPoints();
@@ -235,7 +235,7 @@ void FillDecibels(const ScanModel& model, vtkIdType first, vtkPolyData* output)
     });
 }
 
-/// The ground truth of the echoes.
+/// Fills the ground truth of the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
   vtkDataArray* before = output->GetPointData()->GetArray(names::TruePoint);
@@ -252,7 +252,7 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
-/// How many mirrors and panes were on the way.
+/// Fills the number of mirrors and panes on the way.
 void FillSpecularEvents(
   const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
@@ -263,7 +263,7 @@ void FillSpecularEvents(
     [=](const TruthRecord& t, vtkIdType row) { events[row] = t.SpecularEvents; });
 }
 
-/// Red, green and blue of the echoes.
+/// Fills red, green and blue of the echoes.
 void FillColors(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Colors, before);
@@ -274,7 +274,7 @@ void FillColors(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPol
     { std::copy(color.begin(), color.end(), colors + 3 * row); });
 }
 
-/// The flags of scan lines.
+/// Fills the flags of scan lines.
 void FillScanFlags(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes, before);
@@ -337,7 +337,7 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
-/// The emitted pulse, for detectors.
+/// Fills the emitted pulse, for detectors.
 void FillPulseSamples(const PulseShape& shape, vtkTable* output)
 {
   std::vector<double> times;
@@ -469,7 +469,7 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
 }
 
 //------------------------------------------------------------------------------
-/// Unused memory is not touched.
+/// Reserves memory; unused memory is not touched.
 void ScanOutput::Reserve(vtkIdType echoes)
 {
   vtkPointData* data = this->Echoes->GetPointData();

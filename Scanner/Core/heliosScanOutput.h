@@ -22,7 +22,7 @@ struct ScanModel;
 struct ScanIds
 {
   int Leg;
-  int Channel; // of the deflector's channel 0
+  int Channel; // the deflector's channel 0
 };
 
 /// Adds the records of a scan to the data objects of a scanner, which are initially empty.

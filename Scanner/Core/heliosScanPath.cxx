@@ -29,7 +29,7 @@ ScanPath ChoosePath(const ScanTraits& traits)
   {
     return { beam, EchoPath::Mean };
   }
-  if (!traits.HasPlainMaxima)
+  if (!traits.HasGaussianSum)
   {
     return { beam, EchoPath::Waveform };
   }

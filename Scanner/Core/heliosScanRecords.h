@@ -37,15 +37,15 @@ struct EchoRecord
   unsigned char EdgeOfFlightLine;
 };
 
-/// Of the echo at the same place.
+/// Truth of the echo with the same index.
 struct TruthRecord
 {
   Vec3 Point;
   Vec3 Normal;
-  int SpecularEvents; ///< of its path, behind mirrors and glass
+  int SpecularEvents; ///< mirrors and glass before its path's end
 };
 
-/// Of the echo at the same place: red, green, blue, [0..1].
+/// Red, green, blue, [0..1], of the echo with the same index.
 using ColorRecord = std::array<float, 3>;
 
 struct PulseRecord

@@ -16,18 +16,19 @@ namespace helios
 namespace
 {
 
-// Of a chunk.
+// Limits of a chunk.
 constexpr vtkIdType LargestChunk = 256;
-constexpr vtkIdType FewestPulses = 32; // a group; fewer if they are slow
-constexpr vtkIdType FewestChunks = 4;  // of a thread, in a scan of few pulses
+constexpr vtkIdType MinimumPulses = 32; // a group; fewer if they are slow
+constexpr vtkIdType MinimumChunks = 4;  // chunks of a thread, in a scan of few pulses
 
-constexpr vtkIdType MostChunksPerThread = 64; // per batch, so that their records stay in the cache
+constexpr vtkIdType MaximumChunksPerThread =
+  64; // per batch, so that their records stay in the cache
 
-// Of a batch.
+// Limits of a batch.
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.5;
 constexpr std::size_t ManyBytes = std::size_t(1) << 28;
-constexpr vtkIdType Growth = 4; // of fast batches
+constexpr vtkIdType Growth = 4; // growth of fast batches
 
 std::size_t CountBytes(const std::vector<ChunkResult>& results)
 {
@@ -39,10 +40,11 @@ std::size_t CountBytes(const std::vector<ChunkResult>& results)
   return samples * sizeof(float);
 }
 
-/// The pulses of a chunk: few enough that every thread has some, also of a small scan.
-vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads, vtkIdType most)
+/// Returns the pulses of a chunk: few enough that every thread has some, also of a small scan.
+vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads, vtkIdType maximum)
 {
-  return std::min(most, std::clamp(pulses / (FewestChunks * threads), FewestPulses, LargestChunk));
+  return std::min(
+    maximum, std::clamp(pulses / (MinimumChunks * threads), MinimumPulses, LargestChunk));
 }
 
 /// Runs chunks of the pulses [First, Last), each thread with its own kernel.
@@ -80,28 +82,28 @@ void BatchSize::Adapt(double seconds, std::size_t bytes)
 {
   if (seconds > LongSeconds || bytes > ManyBytes)
   {
-    vtkIdType& size = this->ChunksPerThread > 1 ? this->ChunksPerThread : this->MostPulses;
+    vtkIdType& size = this->ChunksPerThread > 1 ? this->ChunksPerThread : this->MaximumPulses;
     size = std::max<vtkIdType>(1, size / 2);
   }
   else if (seconds < ShortSeconds && bytes < ManyBytes / 4)
   {
-    const bool isSmall = this->MostPulses < LargestChunk;
-    vtkIdType& size = isSmall ? this->MostPulses : this->ChunksPerThread;
-    size = std::min(isSmall ? LargestChunk : MostChunksPerThread, Growth * size);
+    const bool isSmall = this->MaximumPulses < LargestChunk;
+    vtkIdType& size = isSmall ? this->MaximumPulses : this->ChunksPerThread;
+    size = std::min(isSmall ? LargestChunk : MaximumChunksPerThread, Growth * size);
   }
 }
 
 //------------------------------------------------------------------------------
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
-  const RunWatcher& goesOn, const ChunkSink& take)
+  const RunWatcher& shouldContinue, const ChunkSink& onChunks)
 {
   const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  WorkWatch watch(goesOn, last - first);
+  WorkWatch watch(shouldContinue, last - first);
   ChunkFunctor functor{ model, watch, 0, first, first, {}, {} };
   batch.SetThreads(threads);
   while (functor.Last < last && watch.Report())
   {
-    const vtkIdType size = ChooseChunkSize(last - first, threads, batch.GetMostPulses());
+    const vtkIdType size = ChooseChunkSize(last - first, threads, batch.GetMaximumPulses());
     functor.PulsesPerChunk = size;
     functor.First = functor.Last;
     functor.Last = std::min(last, functor.First + size * batch.GetChunks());
@@ -114,7 +116,7 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, Batc
     {
       break; // its records are incomplete
     }
-    take(functor.Results);
+    onChunks(functor.Results);
     batch.Adapt(
       std::chrono::duration<double>(Clock::now() - start).count(), CountBytes(functor.Results));
   }

@@ -61,21 +61,21 @@ public:
 
   void SetThreads(vtkIdType threads) { this->Threads = threads; }
   vtkIdType GetChunks() const { return this->Threads * this->ChunksPerThread; }
-  vtkIdType GetMostPulses() const { return this->MostPulses; }
+  vtkIdType GetMaximumPulses() const { return this->MaximumPulses; }
 
-  /// After a batch.
+  /// Adapts the size after a batch.
   void Adapt(double seconds, std::size_t bytes);
 
 private:
   vtkIdType Threads;
   vtkIdType ChunksPerThread = 1;
-  vtkIdType MostPulses = 16; // of a chunk; more once pulses are known to be fast
+  vtkIdType MaximumPulses = 16; // pulses of a chunk; more once pulses are known to be fast
 };
 
 /// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts
 /// them. The first batch is as large as the last one of the scan before.
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
-  const RunWatcher& goesOn, const ChunkSink& take);
+  const RunWatcher& shouldContinue, const ChunkSink& onChunks);
 
 } // namespace helios
 

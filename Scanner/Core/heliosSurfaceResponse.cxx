@@ -16,18 +16,18 @@ double GetCosine(const Vec3& n, const double d[3])
 
 } // namespace
 
-/// The lidar equation for columns, as if all were Lambertian; false if a transmission is too far
-/// from the start of its series.
+/// Returns the lidar equation for columns, as if all were Lambertian; false if a transmission is
+/// too far from the start of its series.
 HELIOS_CLONES
 bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
-  const NearbyTransmission& transmission, double* powers, double* cosines) const
+  const CachedTransmission& transmission, double* powers, double* cosines) const
 {
   double farthest[Lanes] = {};
   for (std::size_t i = 0; i < count; i += Lanes)
   {
     for (std::size_t k = 0; k < Lanes; ++k)
     {
-      const double cosine = std::max(this->LeastCosine[i + k], std::abs(this->CosNormal[i + k]));
+      const double cosine = std::max(this->MinimumCosine[i + k], std::abs(this->CosNormal[i + k]));
       const double range = this->Range[i + k];
       const double exponent = transmission.GetExponent(range);
       farthest[k] = std::max(farthest[k], std::abs(exponent));
@@ -36,7 +36,7 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
       cosines[i + k] = cosine;
     }
   }
-  return NearbyTransmission::IsNear(*std::max_element(farthest, farthest + Lanes));
+  return CachedTransmission::IsNear(*std::max_element(farthest, farthest + Lanes));
 }
 
 /// Fills the columns, padding the lanes with a valid range.
@@ -46,7 +46,7 @@ void SurfaceResponse::FillColumns(
   Columns& c = this->Batch;
   const RangeGate gate = this->Model.Gate;
   const Surface* surface = nullptr;
-  vtkIdType cell = -1; // of the surface: the next sub-ray often hits it, too
+  vtkIdType cell = -1; // cell of the surface: the next sub-ray often hits it, too
   bool hasLobes = false;
   std::size_t silent = 0;
   double range = 1.0;
@@ -66,7 +66,7 @@ void SurfaceResponse::FillColumns(
       hasLobes = hasLobes || surface->Reflection->Specularity != 0.0;
     }
     c.CosNormal[i] = GetCosine(surface->Normal, rays[i].Direction);
-    c.LeastCosine[i] = surface->LeastCosine;
+    c.MinimumCosine[i] = surface->MinimumCosine;
     c.Range[i] = range = hit.Range;
     c.Reflectance[i] = surface->Reflectance;
     c.Reflection[i] = surface->Reflection;
@@ -79,7 +79,8 @@ void SurfaceResponse::FillColumns(
   std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
 }
 
-/// The cases that columns do not handle, one by one: transmissions far from each other, and lobes.
+/// Computes the cases that columns do not handle, one by one: transmissions far from each other,
+/// and lobes.
 void SurfaceResponse::Refine(std::size_t count, double* powers, const double* cosines)
 {
   const Columns& c = this->Batch;
@@ -116,7 +117,7 @@ SurfaceReturn SurfaceResponse::GetReturn(vtkIdType cell, double range, const dou
 {
   const Surface& surface = this->Visit(cell);
   const double cosine =
-    std::max(surface.LeastCosine, std::abs(GetCosine(surface.Normal, direction)));
+    std::max(surface.MinimumCosine, std::abs(GetCosine(surface.Normal, direction)));
   return { this->GetWhitePower(range) * GetBackscatter(*surface.Reflection, cosine), cosine };
 }
 

@@ -25,7 +25,7 @@ struct SurfaceReturn
   double CosIncidence;
 };
 
-/// The same for the sub-rays of a pulse; the power is 0 outside the range gate.
+/// Returns of the sub-rays of a pulse; the power is 0 outside the range gate.
 struct SurfaceReturns
 {
   std::vector<double> Powers;
@@ -43,20 +43,20 @@ public:
   {
   }
 
-  /// Of a sub-ray along a unit vector that hits a cell.
+  /// Returns the return of a sub-ray along a unit vector that hits a cell.
   SurfaceReturn GetReturn(vtkIdType cell, double range, const double direction[3]);
 
-  /// Of sub-rays along unit vectors and their hits.
+  /// Computes the returns of sub-rays along unit vectors and their hits.
   void GetReturns(
     const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, SurfaceReturns& returns);
 
-  /// The unit normal of a cell's plane; 0 of leaves, here and below.
+  /// Returns the unit normal of a cell's plane; 0 of leaves, here and below.
   const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }
 
-  /// The unit normal from which incidence is measured.
+  /// Returns the unit normal from which incidence is measured.
   const Vec3& GetNormal(vtkIdType cell) { return this->Visit(cell).Normal; }
 
-  /// The sunlight received by a sub-ray of weight 1 from a cell [W].
+  /// Returns the sunlight received by a sub-ray of weight 1 from a cell [W].
   double GetBackground(vtkIdType cell, double range)
   {
     return this->Model.Background * this->Visit(cell).Reflection->Reflectance *
@@ -64,7 +64,7 @@ public:
   }
 
   /// Clears the last range, so that a pulse does not depend on the one before it.
-  void StartPulse() { this->Transmission = NearbyTransmission(this->Model.Equation); }
+  void StartPulse() { this->Transmission = CachedTransmission(this->Model.Equation); }
 
 private:
   struct Surface
@@ -72,7 +72,7 @@ private:
     vtkIdType Cell = -1;
     Vec3 PlaneNormal;
     Vec3 Normal;
-    double LeastCosine = 0.0; // 1 of leaves, which face the beam
+    double MinimumCosine = 0.0; // 1 of leaves, which face the beam
     double Reflectance = 0.0;
     const SurfaceReflection* Reflection = nullptr;
   };
@@ -83,24 +83,24 @@ private:
     static constexpr std::size_t Size = 32;
     static constexpr std::size_t Lanes = 8;
     double CosNormal[Size] = {};
-    double LeastCosine[Size] = {};
+    double MinimumCosine[Size] = {};
     double Range[Size] = {};
     double Reflectance[Size] = {}; // 0: no return
     const SurfaceReflection* Reflection[Size] = {};
     bool HasLobes = false;
 
-    bool Compute(std::size_t count, double gain, const NearbyTransmission& transmission,
+    bool Compute(std::size_t count, double gain, const CachedTransmission& transmission,
       double* powers, double* cosines) const;
   };
   void FillColumns(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
   void Refine(std::size_t count, double* powers, const double* cosines);
-  /// The return of a white surface at normal incidence [W].
+  /// Returns the return of a white surface at normal incidence [W].
   double GetWhitePower(double range)
   {
     return this->Gain * this->Transmission(range) / (range * range);
   }
 
-  /// Cached data of a cell: beams hit the same few repeatedly.
+  /// Returns cached data of a cell: beams hit the same few repeatedly.
   const Surface& Visit(vtkIdType cell)
   {
     Surface& surface = this->Known[static_cast<std::size_t>(cell) % this->Known.size()];
@@ -108,7 +108,7 @@ private:
     {
       surface.Cell = cell;
       const bool isTurbid = this->Model.Surfaces.IsTurbid(cell);
-      surface.LeastCosine = isTurbid ? 1.0 : 0.0;
+      surface.MinimumCosine = isTurbid ? 1.0 : 0.0;
       surface.PlaneNormal =
         isTurbid ? Vec3(0.0, 0.0, 0.0) : this->Model.Caster->GetGeometry().GetNormal(cell);
       surface.Normal = surface.PlaneNormal;
@@ -121,8 +121,8 @@ private:
   }
 
   const ScanModel& Model;
-  const double Gain; // of a white surface at 1 m, without extinction [W]
-  NearbyTransmission Transmission;
+  const double Gain; // power of a white surface at 1 m, without extinction [W]
+  CachedTransmission Transmission;
   std::array<Surface, 64> Known;
   Columns Batch;
 };

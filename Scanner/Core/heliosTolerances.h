@@ -8,38 +8,39 @@
 namespace helios
 {
 
-constexpr double DefaultRangeTolerance = 1e-3;  ///< 95th percentile of the errors of ranges [m]
-constexpr double DefaultEnergyTolerance = 1e-2; ///< of amplitudes and numbers of echoes, relative
+constexpr double DefaultRangeTolerance = 1e-3; ///< 95th percentile of the errors of ranges [m]
+/// relative error of amplitudes and numbers of echoes
+constexpr double DefaultEnergyTolerance = 1e-2;
 
-constexpr double LeastRangeTolerance = 1e-6;  ///< [m]
-constexpr double LeastEnergyTolerance = 1e-4; ///< relative
-constexpr double LargestTolerance = 1.0;      ///< of both
+constexpr double MinimumRangeTolerance = 1e-6;  ///< [m]
+constexpr double MinimumEnergyTolerance = 1e-4; ///< relative
+constexpr double LargestTolerance = 1.0;        ///< limit of both
 
-constexpr int DefaultMostSubRays = 65536; ///< of a beam that is sampled
-constexpr int LeastMostSubRays = 1024;
-constexpr int LargestMostSubRays = 1 << 24;
+constexpr int DefaultMaximumSubRays = 65536; ///< sub-rays of a beam that is sampled
+constexpr int MinimumMaximumSubRays = 1024;
+constexpr int LargestMaximumSubRays = 1 << 24;
 
-/// What the sampling of beams must keep, and may cost.
+/// Errors that the sampling of beams may have, and its cost.
 struct Tolerances
 {
   double Range = DefaultRangeTolerance;   ///< [m]
   double Energy = DefaultEnergyTolerance; ///< relative
-  int MostSubRays = DefaultMostSubRays;
+  int MaximumSubRays = DefaultMaximumSubRays;
 };
 
-inline bool IsMostSubRays(int value)
+inline bool IsMaximumSubRays(int value)
 {
-  return value >= LeastMostSubRays && value <= LargestMostSubRays;
+  return value >= MinimumMaximumSubRays && value <= LargestMaximumSubRays;
 }
 
 inline bool IsRangeTolerance(double value)
 {
-  return value >= LeastRangeTolerance && value <= LargestTolerance;
+  return value >= MinimumRangeTolerance && value <= LargestTolerance;
 }
 
 inline bool IsEnergyTolerance(double value)
 {
-  return value >= LeastEnergyTolerance && value <= LargestTolerance;
+  return value >= MinimumEnergyTolerance && value <= LargestTolerance;
 }
 
 } // namespace helios

@@ -35,7 +35,8 @@ public:
   /// Reads the samples of one leg only.
   Status SetLeg(vtkPolyData* trajectory, int leg);
 
-  /// Without it the orientation of a sample holds until the next one. Default: on.
+  /// Sets whether the orientation is interpolated; if not, a sample's holds until the next one.
+  /// Default: on.
   void SetInterpolatesOrientation(bool interpolates) { this->Interpolates = interpolates; }
 
   bool IsStatic() const { return this->Times.size() == 1; }
@@ -47,13 +48,14 @@ public:
   {
     std::size_t Sample = 0;
     bool Valid = false;
-    Rotation Attitude; // of the sample
+    Rotation Attitude; // attitude of the sample
   };
 
-  /// The position at a time, and the attitude in cursor.Attitude or, if it rotates, as a new one.
+  /// Returns the position at a time, and the attitude in cursor.Attitude or, if it rotates, as a
+  /// new one.
   Vec3 GetPosition(double time, Cursor& cursor, Rotation& attitude) const;
 
-  /// Both, for few times.
+  /// Returns position and attitude, for few times.
   Pose GetPose(double time) const;
 
 private:

@@ -40,9 +40,9 @@ vtkStandardNewMacro(vtkHeliosScanner);
 namespace
 {
 
-constexpr double LongestGate = 1e8;     // of dark counts [m]
-constexpr double LeastDropShare = 0.05; // of the same, of single drops
-constexpr double LeastAirShare = 1e-3;  // of the detection threshold, of what air returns
+constexpr double MaximumGate = 1e8;          // gate of dark counts [m]
+constexpr double MinimumDropletShare = 0.05; // share of the detection threshold, for single drops
+constexpr double MinimumAirShare = 1e-3; // share of the detection threshold, for light from the air
 
 helios::Pose ToPose(const double position[3], const double q[4])
 {
@@ -83,14 +83,14 @@ struct vtkHeliosScanner::Scan
   helios::Trajectory Trajectory;
   vtkIdType FirstPulse = 0;
   vtkIdType LastPulse = 0;      // one past the end
-  vtkIdType NumberOfPulses = 0; // of the scan, regardless of windows
+  vtkIdType NumberOfPulses = 0; // number of the scan, regardless of windows
 };
 
 //------------------------------------------------------------------------------
 vtkHeliosScanner::vtkHeliosScanner()
   : RangeTolerance(helios::DefaultRangeTolerance)
   , EnergyTolerance(helios::DefaultEnergyTolerance)
-  , MaximumNumberOfSubRays(helios::DefaultMostSubRays)
+  , MaximumNumberOfSubRays(helios::DefaultMaximumSubRays)
   , Counts(new helios::ScanCounts)
   , Batch(new helios::BatchSize)
 {
@@ -247,15 +247,16 @@ bool vtkHeliosScanner::CheckSettings()
     !helios::IsEnergyTolerance(this->EnergyTolerance))
   {
     vtkErrorMacro(<< "RangeTolerance is " << this->RangeTolerance << " m and EnergyTolerance "
-                  << this->EnergyTolerance << "; give them within [" << helios::LeastRangeTolerance
-                  << ", " << helios::LargestTolerance << "] m and [" << helios::LeastEnergyTolerance
-                  << ", " << helios::LargestTolerance << "]");
+                  << this->EnergyTolerance << "; give them within ["
+                  << helios::MinimumRangeTolerance << ", " << helios::LargestTolerance
+                  << "] m and [" << helios::MinimumEnergyTolerance << ", "
+                  << helios::LargestTolerance << "]");
     return false;
   }
-  if (!helios::IsMostSubRays(this->MaximumNumberOfSubRays))
+  if (!helios::IsMaximumSubRays(this->MaximumNumberOfSubRays))
   {
     vtkErrorMacro(<< "MaximumNumberOfSubRays is " << this->MaximumNumberOfSubRays << "; give "
-                  << helios::LeastMostSubRays << " to " << helios::LargestMostSubRays);
+                  << helios::MinimumMaximumSubRays << " to " << helios::LargestMaximumSubRays);
     return false;
   }
   if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])
@@ -272,12 +273,12 @@ bool vtkHeliosScanner::CheckSettings()
                   << this->AveragePower << " W; decibels need both positive");
     return false;
   }
-  if (this->EchoDetector->HasDarkCounts() && !(this->RangeMax <= LongestGate))
+  if (this->EchoDetector->HasDarkCounts() && !(this->RangeMax <= MaximumGate))
   {
     vtkErrorMacro(<< "RangeMax is " << this->RangeMax
                   << " m, and the EchoDetector has dark counts within the range gate; set RangeMax "
                      "(rangeMax_m) to at most "
-                  << LongestGate << " m");
+                  << MaximumGate << " m");
     return false;
   }
   if (this->MTAZone > 0 && this->Wanted.Waveforms)
@@ -454,7 +455,7 @@ bool vtkHeliosScanner::PrepareSearch(vtkInformationVector** inputs, Scan& scan)
 }
 
 //------------------------------------------------------------------------------
-/// What the air returns.
+/// Prepares the light that the air returns.
 void vtkHeliosScanner::PrepareAir(Scan& scan) const
 {
   helios::ScanModel& m = scan.Model;
@@ -463,13 +464,14 @@ void vtkHeliosScanner::PrepareAir(Scan& scan) const
     m.Power * m.Equation.GetGain(1.0, 1.0), air.Extinction,
     std::max(this->RangeMin, this->ReceiverDiameter), this->RangeMax,
     0.5 * helios::SpeedOfLight * m.Receiver.Shape.GetSigma(),
-    LeastAirShare * this->EchoDetector->GetDetectionThreshold() };
+    MinimumAirShare * this->EchoDetector->GetDetectionThreshold() };
   m.Air = helios::AirColumn(settings);
   if (!m.Air.IsEmpty() && air.DropletDiameter > 0.0)
   {
     m.Drops = helios::Droplets(settings, m.Air.GetEnd(), helios::GetBeamWidth(this->BeamSampler),
-      air.DropletDiameter, LeastDropShare * this->EchoDetector->GetDetectionThreshold());
-    m.Air = helios::AirColumn(settings, [&m](double range) { return m.Drops.GetRest(range); });
+      air.DropletDiameter, MinimumDropletShare * this->EchoDetector->GetDetectionThreshold());
+    m.Air = helios::AirColumn(
+      settings, [&m](double range) { return m.Drops.GetHomogeneousShare(range); });
   }
 }
 
@@ -513,7 +515,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
 {
   helios::ScanModel& m = scan.Model;
   helios::ScanTraits traits = this->GetTraits();
-  traits.HasPlainMaxima = m.HasPlainMaxima();
+  traits.HasGaussianSum = m.HasGaussianSum();
   if (traits.IsAdaptive())
   {
     m.Plan = this->PlanSampling(m.Receiver.Shape);
@@ -537,7 +539,7 @@ helios::SamplingPlan vtkHeliosScanner::PlanSampling(const helios::PulseShape& sh
 }
 
 //------------------------------------------------------------------------------
-/// What the settings decide of the scan's path.
+/// Returns the traits of the settings that decide the scan's path.
 helios::ScanTraits vtkHeliosScanner::GetTraits()
 {
   helios::ScanTraits traits;
@@ -597,7 +599,7 @@ bool vtkHeliosScanner::RunPulses(
   const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
   bool isAborted = false;
-  const auto goesOn = [this, &isAborted](double share)
+  const auto shouldContinue = [this, &isAborted](double share)
   {
     this->UpdateProgress(share);
     isAborted = this->GetAbortExecute() != 0;
@@ -606,10 +608,10 @@ bool vtkHeliosScanner::RunPulses(
   const vtkIdType begin = scan.Model.Sample.CountBelow(first);
   const vtkIdType end = scan.Model.Sample.CountBelow(last);
   helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, end - begin, outputs);
-  const auto take = [&output](const std::vector<helios::ChunkResult>& chunks)
+  const auto onChunks = [&output](const std::vector<helios::ChunkResult>& chunks)
   { output.Add(chunks); };
   const helios::ScanCounts sum =
-    helios::RunScan(scan.Model, begin, end, *this->Batch, goesOn, take);
+    helios::RunScan(scan.Model, begin, end, *this->Batch, shouldContinue, onChunks);
   output.Finish();
   if (isAborted)
   {

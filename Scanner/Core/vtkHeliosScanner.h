@@ -4,66 +4,61 @@
  * @class   vtkHeliosScanner
  * @brief   emits the pulses of one leg into a scene and detects the echoes
  *
- * Port 0: the scene (vtkPolyData, triangles; optional: the cell arrays
- * MaterialIds, PartIds and Normals, from which incidence is then measured, and the
- * material columns in its field data). Port 1: the trajectory (vtkPolyData with
- * GpsTime and Orientation, as written by platforms). Port 2, optional and
- * repeatable: turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell
- * array MaterialIds, field arrays LeafProjection and Part.Name and the material
- * columns are optional), as written by vtkHeliosVoxelReader.
+ * Port 0: the scene (vtkPolyData, triangles; optional: the cell arrays MaterialIds, PartIds and
+ * Normals, from which incidence is then measured, and the material columns in its field data). Port
+ * 1: the trajectory (vtkPolyData with GpsTime and Orientation, as written by platforms). Port 2,
+ * optional and repeatable: turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell array
+ * MaterialIds, field arrays LeafProjection and Part.Name and the material columns are optional), as
+ * written by vtkHeliosVoxelReader.
  *
- * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
- * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
- * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
- * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
- * GenerateTruth, and SpecularEvents if surfaces have optics; ScanDirectionFlag and EdgeOfFlightLine with GenerateScanFlags;
- * ColumnIds with GenerateColumns; RelativeAmplitude and Reflectance with
- * GenerateDecibels; RGB with GenerateColors. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
- * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
- * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
- * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
- * origin with Direction, GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit.
- * Output 3, with GenerateSubRays: every hit of a sub-ray with PulseIds, Weight,
- * Range, CellIds, IncidenceAngle.
+ * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber, NumberOfReturns, Range,
+ * Amplitude, EchoWidth, ScanAngle, ClassificationIds, MaterialIds, PartIds, CellIds,
+ * IncidenceAngle, WaveformIds, LegIds, ChannelIds; Deviation if the detector computes it; TruePoint
+ * and Normal with GenerateTruth, and SpecularEvents if surfaces have optics; ScanDirectionFlag and
+ * EdgeOfFlightLine with GenerateScanFlags; ColumnIds with GenerateColumns; RelativeAmplitude and
+ * Reflectance with GenerateDecibels; RGB with GenerateColors. Output 1, with GenerateWaveforms: the
+ * waveforms (vtkTable, one row per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin,
+ * Direction, GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field data,
+ * with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an origin with Direction,
+ * GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit. Output 3, with GenerateSubRays: every hit
+ * of a sub-ray with PulseIds, Weight, Range, CellIds, IncidenceAngle.
  *
  * Pulse i is emitted at StartTime + i / PulseFrequency, if the deflector emits it; its id is
  * FirstPulseId + i PulseIdStride. The signal of a sub-ray follows the lidar equation of
- * vtkHeliosInstrument and returns after 2 R / c. An echo lies on the axis of the beam at its
- * own range; surface ids are those of the sub-ray nearest in range.
+ * vtkHeliosInstrument and returns after 2 R / c. An echo lies on the axis of the beam at its own
+ * range; surface ids belong to the sub-ray nearest in range.
  *
- * With FIXED sampling every pulse has all sub-rays of the BeamSampler, its
- * waveform is summed in bins of BinSize, and the EchoDetector finds the echoes in
- * the float samples; GenerateWaveforms stores these, so the same detector finds
- * the same echoes in them. With TOLERANCE (adaptive sampling) a pulse takes the
- * cheapest method that is exact enough:
- * - its beam hits nothing, or has a planar footprint of one response: no sub-ray;
- *   the echo of a plane has a closed form (not tested in scans where this is rare)
+ * With FIXED sampling every pulse has all sub-rays of the BeamSampler, its waveform is summed in
+ * bins of BinSize, and the EchoDetector finds the echoes in the float samples; GenerateWaveforms
+ * stores these, so the same detector finds the same echoes in them. With TOLERANCE (adaptive
+ * sampling) a pulse takes the cheapest method that is exact enough:
+ * - its beam hits nothing, or has a planar footprint of one response: no sub-ray; the echo of a
+ *   plane has a closed form (not tested in scans where this is rare)
  * - one continuous surface of a few triangles fills it: 16 to 64 sub-rays
- * - otherwise it is divided into the visible parts of the triangles in it; each
- *   is two returns, whose energy, mean range and its spread are exact
- * - with more surfaces than twice the square root of MaximumNumberOfSubRays, it is
- *   sampled on a grid that grows until two successive answers agree
- * - returns within c sigma of each other have one maximum, found by Newton's
- *   method; others are binned as finely as needed
+ * - otherwise it is divided into the visible parts of the triangles in it; each is two returns,
+ *   whose energy, mean range and its spread are exact
+ * - with more surfaces than twice the square root of MaximumNumberOfSubRays, it is sampled on a
+ *   grid that grows until two successive answers agree
+ * - returns within c sigma of each other have one maximum, found by Newton's method; others are
+ *   binned as finely as needed
  *
- * In turbid voxels a sub-ray is stopped in ds with the probability PAD G ds, by a
- * random number keyed by Seed, pulse and sub-ray; G is 0.5, or from the rows x y z
- * G of LeafProjection for its direction. It then returns the signal of a surface of
- * the cell's material at normal incidence (0, no normal). A dense medium thus acts
- * as a plane. Cell ids of voxels follow those of the triangles, grid by grid,
- * likewise materials and parts. A beam that may hit voxels takes the spiral at
- * once. The scene may then have no triangles.
+ * In turbid voxels a sub-ray is stopped in ds with the probability PAD G ds, by a random number
+ * keyed by Seed, pulse and sub-ray; G is 0.5, or from the rows x y z G of LeafProjection for its
+ * direction. It then returns the signal of a surface of the cell's material at normal incidence (0,
+ * no normal). A dense medium thus acts as a plane. Cell ids of voxels follow the ids of the
+ * triangles, grid by grid, likewise materials and parts. A beam that may hit voxels takes the
+ * spiral at once. The scene may then have no triangles.
  *
- * Detectors that find more than maxima, non-Gaussian pulses, and noise or
- * sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
- * DescribeSampling() gives the resulting sub-rays and bins.
+ * Detectors that find more than maxima, non-Gaussian pulses, and noise or sunlight need bins for
+ * every pulse; BeamDivergence 0 is one ideal ray. DescribeSampling() gives the resulting sub-rays
+ * and bins.
  *
- * The pulses of a piece are a contiguous range; outputs are byte-identical for
- * any number of pieces and threads.
+ * The pulses of a piece are a contiguous range; outputs are byte-identical for any number of pieces
+ * and threads.
  *
  * @sa
- * vtkHeliosBeamDeflector vtkHeliosBeamSampler vtkHeliosEchoDetector
- * vtkHeliosRayCaster vtkHeliosPlatform
+ * vtkHeliosBeamDeflector vtkHeliosBeamSampler vtkHeliosEchoDetector vtkHeliosRayCaster
+ * vtkHeliosPlatform
  */
 
 #ifndef vtkHeliosScanner_h
@@ -266,7 +261,7 @@ public:
   ///@{
   /**
    * Set/Get whether the orientation of the platform rotates at a constant rate between two samples
-   * of its trajectory; else that of the earlier one holds. Default: on.
+   * of its trajectory; else the earlier one holds. Default: on.
    */
   vtkSetMacro(InterpolateOrientation, bool);
   vtkGetMacro(InterpolateOrientation, bool);
@@ -362,34 +357,34 @@ public:
   ///@}
 
   /**
-   * The sampling that results from Sampling and the tolerances, as text.
+   * Returns the sampling that results from Sampling and the tolerances, as text.
    */
   std::string DescribeSampling();
 
   /**
-   * The number of pulse indices of the scan (within the windows, if set; in the
-   * sample or not), for the current inputs; -1 after an error. Updates the trajectory.
+   * Returns the number of pulse indices of the scan (within the windows, if set; in the sample or
+   * not), for the current inputs; -1 after an error. Updates the trajectory.
    */
   vtkIdType GetNumberOfPulses();
 
   /**
-   * A count of the last update by its name: "pulsesFired", emitted; "pulsesHit",
-   * with a surface in the range gate; "pulsesOnPlane", with a planar footprint, in
-   * closed form; "pulsesWithoutBins", with maxima found by Newton's method;
-   * "pulsesBinned" (the others hit nothing); "pulsesSampled", by rays, with too
-   * many triangles in the beam; "subRays", traced, or visible parts; "hitsOutOfRange",
-   * sub-rays that hit a surface outside the range gate; "points", echoes. -1 for
-   * any other name.
+   * Returns a count of the last update by its name: "pulsesFired", emitted; "pulsesHit", with a
+   * surface in the range gate; "pulsesOnPlane", with a planar footprint, in closed form;
+   * "pulsesWithoutBins", with maxima found by Newton's method; "pulsesBinned" (the others hit
+   * nothing); "pulsesSampled", by rays, with too many triangles in the beam; "subRays", traced, or
+   * visible parts; "hitsOutOfRange", sub-rays that hit a surface outside the range gate; "points",
+   * echoes. -1 for any other name.
    */
   vtkIdType GetCount(const std::string& name) const;
 
   /**
-   * The names of the counts of a scan or of a run of vtkHeliosSurveyPlayer, separated by blanks.
+   * Returns the names of the counts of a scan or of a run of vtkHeliosSurveyPlayer, separated by
+   * blanks.
    */
   static std::string GetCountNames();
 
   /**
-   * The largest signal of a pulse of the last update [W], detected or not.
+   * Returns the largest signal of a pulse of the last update [W], detected or not.
    */
   double GetLargestAmplitude() const;
 
@@ -397,7 +392,7 @@ public:
   /// Sets the textures that the scanners of a scene share; null: the scanner reads them itself.
   void SetTextures(std::shared_ptr<helios::TextureStore> textures);
 
-  /// All counts of the last update.
+  /// Returns all counts of the last update.
   const helios::ScanCounts& GetCounts() const
   {
     return *this->Counts;
@@ -408,16 +403,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the zone of multiple-time-around (MTA) ranges that the instrument takes echoes for, if
-   * pulses follow each other before their echoes arrive. 0: it knows the pulse of each echo. Zone z:
-   * it takes the pulse of the same channel that is z - 1 before the last one emitted when the echo
-   * arrives. Of a pulse frequency f of the channel, zone z are the ranges from (z - 1) c / 2 f to
-   * z c / 2 f: echoes of it are right, and others differ in range by multiples of c / 2 f, along the
-   * beam of the pulse they are taken for, with its time, id and angles. An echo is lost if there is
-   * no such pulse: before the scan, after it, or while a mirror is turned away. ReturnNumber and
-   * NumberOfReturns count the echoes of the true pulse, TruePoint is that of the target; RangeMin
-   * and RangeMax gate true ranges. Not together with GenerateWaveforms. Valid range: [0, 1000].
-   * Default: 0.
+   * Set/Get the zone of multiple-time-around (MTA) ranges that the instrument assigns echoes to, if
+   * pulses follow each other before their echoes arrive. 0: it knows the pulse of each echo. Zone
+   * z: it takes the pulse of the same channel that is z - 1 before the last one emitted when the
+   * echo arrives. Of a pulse frequency f of the channel, zone z are the ranges from (z - 1) c / 2 f
+   * to z c / 2 f: its echoes are right, and others differ in range by multiples of c / 2 f, along
+   * the beam of the pulse they are assigned to, with its time, id and angles. An echo is lost if
+   * there is no such pulse: before the scan, after it, or while a mirror is turned away.
+   * ReturnNumber and NumberOfReturns count the echoes of the true pulse, TruePoint is on the
+   * target; RangeMin and RangeMax gate true ranges. Not together with GenerateWaveforms. Valid
+   * range: [0, 1000]. Default: 0.
    */
   vtkSetClampMacro(MTAZone, int, 0, 1000);
   vtkGetMacro(MTAZone, int);
@@ -487,9 +482,9 @@ private:
   int ChannelId = 0;
 
   std::unique_ptr<helios::ScanCounts> Counts;
-  std::unique_ptr<helios::BatchSize> Batch; // of the last scan
+  std::unique_ptr<helios::BatchSize> Batch; // batch size of the last scan
   std::shared_ptr<helios::TextureStore> SharedTextures;
-  std::shared_ptr<helios::TextureStore> Textures; // of the scene
+  std::shared_ptr<helios::TextureStore> Textures; // textures of the scene
   vtkMTimeType ColorTime = 0;                     // the scene's, when its colours were prepared
 };
 

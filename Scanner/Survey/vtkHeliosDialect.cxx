@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkHeliosDialect);
 namespace
 {
 
-constexpr std::size_t MostHeaderBytes = 65536; // that are searched for faces
+constexpr std::size_t MaximumHeaderBytes = 65536; // that are searched for faces
 
 /// " <element name>" if it has no note.
 std::string Miss(const std::string& element, const std::string& name, const char* note)
@@ -31,7 +31,7 @@ std::string Miss(const std::string& element, const std::string& name, const char
 /// Whether the header of a PLY file has faces; files without are clouds.
 bool HasFaces(const std::string& fileName)
 {
-  std::string head(MostHeaderBytes, '\0');
+  std::string head(MaximumHeaderBytes, '\0');
   std::ifstream file(
     helios::CheckInputFile(fileName).IsOk() ? fileName : std::string(), std::ios::binary);
   file.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -19,7 +19,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double MostLines = 1000.0;
+constexpr double MaximumLines = 1000.0;
 constexpr double ShortestSide = 0.01; // [m]
 constexpr double UsualAngle = 20.0;   // [deg]
 
@@ -45,7 +45,7 @@ Status FlyArea(SurveyEdit& edit)
   {
     return Status::Error("the corners span no rectangle: click an opposite corner");
   }
-  if (across > MostLines * spacing)
+  if (across > MaximumLines * spacing)
   {
     return Status::Error("more than 1000 flight lines: raise the height, or lower the overlap");
   }

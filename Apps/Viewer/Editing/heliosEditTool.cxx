@@ -28,7 +28,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr std::size_t MostUndos = 200;
+constexpr std::size_t MaximumUndos = 200;
 
 /// Returns an entry, some steps after a given one.
 template <typename T>
@@ -363,7 +363,7 @@ void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
 void EditTool::Remember()
 {
   this->Befores.push_back({ this->Edit, this->HasNewScene ? this->Scene.GetText() : "" });
-  if (this->Befores.size() > MostUndos)
+  if (this->Befores.size() > MaximumUndos)
   {
     this->Befores.erase(this->Befores.begin());
   }

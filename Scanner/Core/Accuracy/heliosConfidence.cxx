@@ -13,7 +13,7 @@ namespace
 constexpr double NormalQuantile = 1.959963984540054; // 97.5 %
 constexpr double Tail = 0.025;
 
-/// The logarithm of the binomial probability of k hits in n trials.
+/// Returns the logarithm of the binomial probability of k hits in n trials.
 double LogBinomial(double k, double n, double p)
 {
   return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) + k * std::log(p) +

@@ -22,19 +22,19 @@ struct Estimate
   double Upper = 0.0;
 };
 
-/// A fraction, hits of a number of trials: the score interval of Wilson (1927). Without a trial [0,
-/// 1].
+/// Returns a fraction, hits of a number of trials: the score interval of Wilson (1927). Without a
+/// trial [0, 1].
 VTKHELIOSSCANNERCORE_EXPORT Estimate EstimateFraction(vtkIdType hits, vtkIdType trials);
 
 /**
- * A quantile of a distribution from its sorted sample: the interval of order statistics (David and
- * Nagaraja 2003), which assumes nothing of the distribution. Where the sample is too small for an
- * end, it is the least or the largest value.
+ * Returns a quantile of a distribution from its sorted sample: the interval of order statistics
+ * (David and Nagaraja 2003), which assumes nothing of the distribution. Where the sample is too
+ * small for an end, it is the least or the largest value.
  */
 VTKHELIOSSCANNERCORE_EXPORT Estimate EstimateQuantile(
   const std::vector<double>& sorted, double quantile);
 
-/// A root mean square, from the deviations: the normal interval of the mean square.
+/// Returns a root mean square, from the deviations: the normal interval of the mean square.
 VTKHELIOSSCANNERCORE_EXPORT Estimate EstimateRms(const std::vector<double>& deviations);
 
 } // namespace helios

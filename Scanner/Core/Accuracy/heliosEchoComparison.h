@@ -21,24 +21,25 @@ namespace helios
 /// Which echoes are the same, and which of them count.
 struct VTKHELIOSSCANNERCORE_EXPORT EchoMatching
 {
-  double Distance = 0.3;       ///< most between echoes that are the same [m]
-  double FullAmplitude = 0.0;  ///< of a full footprint at 1 m without extinction [W]; 0: not known
+  double Distance = 0.3; ///< most between echoes that are the same [m]
+  /// amplitude of a full footprint at 1 m without extinction [W]; 0: not known
+  double FullAmplitude = 0.0;
   double Extinction = 0.0;     ///< one way [1/m]
-  double LeastShare = 0.02;    ///< of a full footprint, of echoes that count
-  double LeastAmplitude = 0.0; ///< of echoes that count [W]
+  double LeastShare = 0.02;    ///< smallest share of a full footprint, for echoes that count
+  double LeastAmplitude = 0.0; ///< smallest amplitude of echoes that count [W]
 
-  /// Of a full footprint at a range [W].
+  /// Returns the amplitude of a full footprint at a range [W].
   double GetFullAmplitude(double range) const;
 
-  /// Of the echoes that count at a range [W].
+  /// Returns the smallest amplitude of echoes that count at a range [W].
   double GetLeastAmplitude(double range) const;
 };
 
 /// The errors of echoes against a reference.
 struct EchoErrors
 {
-  vtkIdType Echoes = 0;  ///< of the reference, that count
-  vtkIdType Matched = 0; ///< of these
+  vtkIdType Echoes = 0;  ///< echoes of the reference that count
+  vtkIdType Matched = 0; ///< of these, the echoes that were matched
   Estimate RangeP50;     ///< [m], of matched echoes
   Estimate RangeP95;     ///< [m]
   Estimate RangeRms;     ///< [m]

@@ -4,7 +4,7 @@
  * @class   vtkHeliosEchoComparison
  * @brief   the errors of echoes against a reference of the same pulses
  *
- * Port 0: echoes; port 1: the reference; both as from vtkHeliosScanner, with PulseIds, Range,
+ * Port 0: echoes; port 1: the reference; both from vtkHeliosScanner, with PulseIds, Range,
  * Amplitude and EchoWidth. Echoes of a pulse are matched in pairs, nearest first, within
  * MatchingDistance. Those count that have at least LeastShare of the amplitude of a full footprint
  * and LeastAmplitude; one of the reference without a partner is missed, one of port 0 without one
@@ -14,8 +14,8 @@
  * confidence interval, Lower and Upper. Rows: rangeP50_m, rangeP95_m and rangeRms_m of the absolute
  * range errors; missed, invented and missedAndInvented as fractions of the echoes of the reference;
  * amplitudeRms, relative to a full footprint; widthRms_ns; and the counts echoes and matched.
- * Intervals are those of order statistics for quantiles, of Wilson (1927) for fractions, and the
- * normal ones of mean squares.
+ * Intervals follow order statistics for quantiles, of Wilson (1927) for fractions, and the normal
+ * distribution for mean squares.
  *
  * @sa
  * vtkHeliosScanner

@@ -5,14 +5,14 @@
  * @brief   moves echoes below water to where they are
  *
  * An instrument takes its beam for straight, at the speed of light in air. Port 0: the cloud, with
- * GpsTime; port 1: the surface of the water, triangles; port 2: the trajectory (points with GpsTime, and
- * Orientation for a LeverArm; one point: a tripod). The beam of an echo starts at the trajectory at its
- * time, towards the echo at the measured range R. If it meets the water at a range H < R, it goes on
- * by Snell's law, for (R - H) / GroupIndex. Other echoes are not changed.
+ * GpsTime; port 1: the surface of the water, triangles; port 2: the trajectory (points with
+ * GpsTime, and Orientation for a LeverArm; one point: a tripod). The beam of an echo starts at the
+ * trajectory at its time, towards the echo at the measured range R. If it meets the water at a
+ * range H < R, it continues by Snell's law, for (R - H) / GroupIndex. Other echoes are not changed.
  *
  * The output is the cloud with the corrected points in double precision, and WaterDepth [m]: the
- * depth below the surface, along its normal; 0 of echoes that are not below it. Range and all other arrays
- * are those of the input.
+ * depth below the surface, along its normal; 0 of echoes that are not below it. Range and all other
+ * arrays are copied from the input.
  *
  * @sa
  * vtkHeliosScanner

@@ -11,17 +11,17 @@ namespace helios
 {
 
 /**
- * The map between the cross-section of an elliptical beam, in the frame of a ConeView, and that of
- * the circular beam which it is when stretched along its minor axis by 1 / Ratio. Depths along the
- * axis of the beam, straight edges and what hides what are the same in both; the circular beam has
- * the divergence of the major axis.
+ * Maps between the cross-section of an elliptical beam, in the frame of a ConeView, and the
+ * cross-section of the circular beam that results from stretching it along its minor axis by 1 /
+ * Ratio. Depths along the axis of the beam, straight edges and what hides what are the same in
+ * both; the circular beam has the divergence of the major axis.
  */
 class BeamEllipse
 {
 public:
   BeamEllipse() = default;
 
-  /// For the minor axis over the major one, in (0, 1].
+  /// Sets the ratio of the minor axis to the major one, in (0, 1].
   explicit BeamEllipse(double ratio)
     : Ratio(ratio)
   {
@@ -39,13 +39,14 @@ public:
     }
   }
 
-  /// A point of the ellipse to the circle.
+  /// Maps a point of the ellipse to the circle.
   void ToCircle(double point[2]) const { this->Stretch(1.0 / this->Ratio - 1.0, point); }
 
-  /// A point of the circle to the ellipse.
+  /// Maps a point of the circle to the ellipse.
   void FromCircle(double point[2]) const { this->Stretch(this->Ratio - 1.0, point); }
 
-  /// The integral of the squared distance from the axis of the ellipse, of moments in the circle.
+  /// Returns the integral of the squared distance from the axis of the ellipse, of moments in the
+  /// circle.
   double GetSquare(const EnergyMoments& m) const
   {
     const double* n = this->Minor;

@@ -23,7 +23,7 @@ constexpr double Small = 0.3;      // argument of the series of an exponential
 /// positive nodes.
 struct Rule
 {
-  double Longest; // of the edges, in 1 / sqrt(a)
+  double Longest; // longest edge, in 1 / sqrt(a)
   int Half;
   double Nodes[5];
   double Weights[5];
@@ -42,8 +42,8 @@ constexpr Rule Rules[] = {
 };
 
 /**
- * (1 - exp(-x)) / x to 1e-8: a series for y = x / 2^n, which is doubled n times. With g at y,
- * exp(-y) is 1 - y g, and g at 2 y is g (1 + exp(-y)) / 2.
+ * Returns (1 - exp(-x)) / x to 1e-8: a series for y = x / 2^n, which is doubled n times. With g at
+ * y, exp(-y) is 1 - y g, and g at 2 y is g (1 + exp(-y)) / 2.
  */
 HELIOS_INLINE Doubles OneMinusExpOver(const Doubles& x, int doublings)
 {
@@ -61,7 +61,8 @@ HELIOS_INLINE Doubles OneMinusExpOver(const Doubles& x, int doublings)
   return g;
 }
 
-/// The squared angles of points of the cross-section by their squared radii, both 1 at the rim.
+/// Returns the squared angles of points of the cross-section by their squared radii, both 1 at the
+/// rim.
 Doubles GetStretch(const Doubles& squares, double tangent)
 {
   Doubles stretch;
@@ -79,14 +80,14 @@ HELIOS_INLINE double Sum(const Doubles& x)
   return (x[0] + x[1]) + (x[2] + x[3]);
 }
 
-/// The squared size of polygons, in 1 / a, for which the Taylor series errs by a fraction of the
-/// beam's energy (measured: TestBeamEnergy).
+/// Returns the squared size of polygons, in 1 / a, for which the Taylor series errs by a fraction
+/// of the beam's energy (measured: TestBeamEnergy).
 double GetSmallReach(double error)
 {
   return 0.015 * std::pow(error / 2e-8, 0.38);
 }
 
-/// The azimuth between two points, seen from the axis.
+/// Returns the azimuth between two points, seen from the axis.
 double GetAzimuth(double x0, double y0, double x1, double y1)
 {
   return std::atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1);
@@ -160,7 +161,7 @@ void BeamEnergy::AddNodes(Nodes& nodes, Sums& sums) const
     const Doubles stretch = this->IsWide ? GetStretch(square, this->Tangent) : 1.0 + Doubles();
     const Doubles exponent = this->Exponent * stretch * square;
     const Doubles inside = OneMinusExpOver(exponent, this->Doublings);
-    energy += Load<Doubles>(nodes.Turn + i) * stretch * inside; // of E / r^2, but for a factor
+    energy += Load<Doubles>(nodes.Turn + i) * stretch * inside; // times a factor: E / r^2
     const Doubles g = this->Rim - this->Exponent * this->Scale * (1.0 - exponent * inside);
     const Doubles gx = g * Load<Doubles>(nodes.OutwardX + i);
     const Doubles gy = g * Load<Doubles>(nodes.OutwardY + i);
@@ -192,15 +193,16 @@ double BeamEnergy::GetIntensity(double x, double y) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a polygon is inside the rim, and so small that the Taylor series is accurate enough.
+/// Returns whether a polygon is inside the rim, and so small that the Taylor series is accurate
+/// enough.
 bool BeamEnergy::IsSmall(const Polygon& polygon) const
 {
   if (this->IsWide)
   {
     return false;
   }
-  double reach = 0.0; // from the first corner, squared
-  double most = 0.0;  // from the axis, squared
+  double reach = 0.0;   // from the first corner, squared
+  double maximum = 0.0; // from the axis, squared
   for (int i = 0; i < polygon.Size; ++i)
   {
     const double x = polygon.X[i];
@@ -208,14 +210,14 @@ bool BeamEnergy::IsSmall(const Polygon& polygon) const
     const double dx = x - polygon.X[0];
     const double dy = y - polygon.Y[0];
     reach = std::max(reach, dx * dx + dy * dy);
-    most = std::max(most, x * x + y * y);
+    maximum = std::max(maximum, x * x + y * y);
   }
-  return most < 1.0 && reach < this->SmallReach;
+  return maximum < 1.0 && reach < this->SmallReach;
 }
 
 //------------------------------------------------------------------------------
-/// With f at the centroid c, f(c + d) / f(c) = 1 - a d.d - 2 a c.d + 2 a^2 (c.d)^2 + ..., and the
-/// moments of d over a polygon by Green's theorem.
+/// Integrates by a Taylor series: with f at the centroid c, f(c + d) / f(c) = 1 - a d.d - 2 a c.d +
+/// 2 a^2 (c.d)^2 + ..., and the moments of d over a polygon by Green's theorem.
 EnergyMoments BeamEnergy::IntegrateSmall(const Polygon& polygon) const
 {
   double area = 0.0, sumX = 0.0, sumY = 0.0, sumXX = 0.0, sumXY = 0.0, sumYY = 0.0;
@@ -249,7 +251,7 @@ EnergyMoments BeamEnergy::IntegrateSmall(const Polygon& polygon) const
   const double x = x0 + meanX;
   const double y = y0 + meanY;
   const double a = this->Exponent;
-  // Of the intensity, whose integral over the plane is 1 / Scale; and half of the area.
+  // Uses the intensity, whose integral over the plane is 1 / Scale; and half of the area.
   const double peak = 0.5 * area * a * this->Scale / Pi * std::exp(-a * (x * x + y * y));
   const double quadratic = x * x * xx + 2.0 * x * y * xy + y * y * yy;
   m.Energy = peak * (1.0 - a * (xx + yy) + 2.0 * a * a * quadratic);
@@ -274,7 +276,7 @@ EnergyMoments BeamEnergy::Integrate(const Polygon& polygon) const
   }
   Sums sums;
   Nodes nodes;
-  double azimuth = 0.0; // of the edges beyond the circle
+  double azimuth = 0.0; // azimuth of the edges beyond the circle
   for (int i = 0; i < polygon.Size; ++i)
   {
     const int j = polygon.GetNext(i);

@@ -16,8 +16,8 @@ struct Polygon;
 struct EnergyMoments
 {
   double Energy = 0.0;
-  double X = 0.0; ///< of x f
-  double Y = 0.0; ///< of y f
+  double X = 0.0; ///< moment x f
+  double Y = 0.0; ///< moment y f
   double XX = 0.0;
   double XY = 0.0;
   double YY = 0.0;
@@ -44,32 +44,32 @@ struct EnergyMoments
  * With E(r) the energy within r, the energy in a polygon is the sum over its edges of the integral
  * of E(r) d(azimuth) / 2 pi. With f = f(0) exp(-a r^2), g = f(1) - f and the outward normal n, the
  * divergence theorem gives the first moments, the sums of the integrals of n g ds / 2 a, and the
- * second ones, those of x n g ds / 2 a plus, for x x and y y, (the energy - f(1) times the area) / 2 a. Beyond
- * the circle E is 1 and g is 0. Along an edge the integrals are evaluated by Gauss's rule to 1e-6 of
- * the beam's energy; in a small polygon, to an error that is given, from its area and its moments
- * and the Taylor series of the intensity about its centroid. For wide beams the moments are those of a Gaussian in r, which has the same
- * rim.
+ * second ones, the integrals of x n g ds / 2 a plus, for x x and y y, (the energy - f(1) times the
+ * area) / 2 a. Beyond the circle E is 1 and g is 0. Along an edge the integrals are evaluated by
+ * Gauss's rule to 1e-6 of the beam's energy; in a small polygon, to an error that is given, from
+ * its area and its moments and the Taylor series of the intensity about its centroid. For wide
+ * beams the moments follow a Gaussian in r, which has the same rim.
  */
 class VTKHELIOSSCANNERCORE_EXPORT BeamEnergy
 {
 public:
   BeamEnergy() = default;
 
-  /// For a half angle w [rad] at 1/e^2, its multiple K, and the error of the energy in a small
+  /// Sets a half angle w [rad] at 1/e^2, its multiple K, and the error of the energy in a small
   /// polygon, as a fraction of the beam's.
   BeamEnergy(double halfAngle, double truncation, double error = DefaultError);
 
   static constexpr double DefaultError = 1e-6;
 
-  /// The tangent of the cut: the unit of the cross-section.
+  /// Returns the tangent of the cut: the unit of the cross-section.
   double GetTangent() const { return this->Tangent; }
 
   EnergyMoments Integrate(const Polygon& polygon) const;
 
-  /// The intensity at a point of the cross-section, relative to the axis.
+  /// Returns the intensity at a point of the cross-section, relative to the axis.
   double GetIntensity(double x, double y) const;
 
-  /// Whether the intensity at (x, y) is the product of those at (x, 0) and (0, y).
+  /// Returns whether the intensity at (x, y) is the product of those at (x, 0) and (0, y).
   bool IsProduct() const { return !this->IsWide; }
 
 private:
@@ -78,7 +78,7 @@ private:
   {
     double Energy = 0.0;
     double Area = 0.0;                                     ///< inside the circle, twice
-    double X = 0.0, Y = 0.0, XX = 0.0, XY = 0.0, YY = 0.0; ///< of n g and of x n g
+    double X = 0.0, Y = 0.0, XX = 0.0, XY = 0.0, YY = 0.0; ///< sums of n g and of x n g
   };
   /// Points of edges, evaluated together.
   struct Nodes
@@ -108,8 +108,8 @@ private:
   double Tangent = 0.0;
   bool IsWide = false;
   double Exponent = 0.0;   ///< a
-  double Scale = 0.0;      ///< of E and f, for the cut
-  int Doublings = 0;       ///< of the argument of an exponential
+  double Scale = 0.0;      ///< scale of E and f, for the cut
+  int Doublings = 0;       ///< doublings of the argument of an exponential
   double Rim = 0.0;        ///< f(1) pi
   double SmallReach = 0.0; ///< squared, of a small polygon
 };

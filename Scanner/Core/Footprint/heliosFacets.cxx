@@ -43,14 +43,14 @@ bool IsBeforeApex(const ConeTriangle& t)
   return std::min({ t.Corners[0][2], t.Corners[1][2], t.Corners[2][2] }) > 0.0;
 }
 
-/// Whether the normals of two planes are parallel: otherwise their responses differ.
+/// Returns whether the normals of two planes are parallel: otherwise their responses differ.
 bool AreParallel(const double a[3], const double b[3])
 {
   const double along = Dot(a, b);
   return along * along >= (1.0 - LargestTilt * LargestTilt) * Dot(a, a) * Dot(b, b);
 }
 
-/// A triangle as a facet; turned by its sign.
+/// Returns a triangle as a facet; turned by its sign.
 Facet MakeFacet(const ConeTriangle& t, std::size_t index, bool isClockwise)
 {
   Facet facet;
@@ -78,7 +78,7 @@ int FindCorner(const Facet& facet, const double corner[3])
   return -1;
 }
 
-/// The corners of a facet that are those of a triangle, or -1.
+/// Corners that a facet shares with a triangle, or -1.
 struct SharedCorners
 {
   SharedCorners(const Facet& facet, const ConeTriangle& triangle)
@@ -137,7 +137,7 @@ int Add(Facet& facet, const ConeTriangle& triangle, const SharedCorners& shared,
   return -1;
 }
 
-/// Whether a corner turns left about the normal.
+/// Returns whether a corner turns left about the normal.
 bool IsLeftTurn(const Facet& facet, int corner, const double normal[3])
 {
   const double* from = facet.Corners[corner > 0 ? corner - 1 : facet.Size - 1];
@@ -154,7 +154,7 @@ bool IsLeftTurn(const Facet& facet, int corner, const double normal[3])
   return turn >= 0.0 || turn * turn <= Straight * Dot(a, a) * Dot(b, b) * Dot(normal, normal);
 }
 
-/// Whether a corner and its neighbours turn left.
+/// Returns whether a corner and its neighbours turn left.
 bool IsConvexNear(const Facet& facet, int corner, const double normal[3])
 {
   const int at = corner < facet.Size ? corner : 0;
@@ -199,7 +199,8 @@ Facet& Facet::operator=(const Facet& other)
 }
 
 //------------------------------------------------------------------------------
-/// In the direction of a corner of depth z, the plane has the depth z constant / (normal . corner).
+/// Returns whether a corner is on a plane. In the direction of a corner of depth z, the plane has
+/// the depth z constant / (normal . corner).
 bool FacetMaker::IsOn(const Plane& plane, const double corner[3]) const
 {
   const double there = Dot(plane.Normal, corner);
@@ -207,7 +208,7 @@ bool FacetMaker::IsOn(const Plane& plane, const double corner[3]) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a triangle before the apex has the response of a facet, and lies in its plane.
+/// Returns whether a triangle before the apex has the response of a facet, and lies in its plane.
 bool FacetMaker::CanJoin(const Facet& facet, const Plane& plane, const ConeTriangle& other) const
 {
   return IsBeforeApex(other) &&

@@ -20,10 +20,10 @@ struct Facet
 {
   static constexpr int Capacity = 8;
 
-  vtkIdType Cell = -1; ///< of its first triangle
+  vtkIdType Cell = -1; ///< cell of its first triangle
   int Size = 0;
   double Corners[Capacity][3];
-  std::size_t First = 0; ///< of its triangles in the view
+  std::size_t First = 0; ///< first of its triangles in the view
   std::size_t Last = 0;
 
   Facet() = default;
@@ -41,10 +41,11 @@ public:
   /// Whether two cells have the same response.
   using AreAlike = std::function<bool(vtkIdType, vtkIdType)>;
 
-  /// For a maximum distance from a plane, along the axis [m]. Without alike, no triangles are joined.
+  /// Sets a maximum distance from a plane, along the axis [m]. Without alike, no triangles are
+  /// joined.
   FacetMaker(AreAlike areAlike, double tolerance);
 
-  /// Replaces facets by those of the triangles.
+  /// Replaces facets by the facets of the triangles.
   void Make(const ConeView& view, std::vector<Facet>& facets) const;
 
 private:

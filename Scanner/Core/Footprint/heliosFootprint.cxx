@@ -15,17 +15,20 @@ namespace helios
 namespace
 {
 
-constexpr double LeastEnergy = 1e-12;   // of a part
-constexpr double LeastDeviation = 0.02; // of the ranges of a part that is two, in the depth
-constexpr double LeastRest = 1e-4; // of a backdrop by its complement, which errs by those before it
+constexpr double MinimumEnergy = 1e-12; // energy of a part
+// deviation of the ranges of a part that is two, in the depth
+constexpr double MinimumDeviation = 0.02;
+// rest of a backdrop by its complement, which errs by the parts before it
+constexpr double MinimumRest = 1e-4;
 constexpr double RestPerError = 30.0;
-constexpr double Flatness = 1e-3; // of a facet, in the depth
-constexpr double MostStrips = 4096.0;
-constexpr double LargestRatio = 0.1; // of the depths of a part: its powers vary with 1 / depth^2
-constexpr double Curvature = 0.1;   // largest spread of ranges at one depth, in the depth of a part
-constexpr double MostTiles = 128.0; // across the beam
+constexpr double Flatness = 1e-3; // flatness of a facet, in the depth
+constexpr double MaximumStrips = 4096.0;
+// ratio of the depths of a part: its powers vary with 1 / depth^2
+constexpr double LargestRatio = 0.1;
+constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
+constexpr double MaximumTiles = 128.0; // across the beam
 
-/// Whether a triangle is met in the direction of a point.
+/// Returns whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
 {
   bool isLeft[3];
@@ -40,7 +43,7 @@ bool IsInside(const double p[3], const ConeTriangle& triangle)
   return isLeft[0] == isLeft[1] && isLeft[1] == isLeft[2];
 }
 
-/// The part of a face before a depth.
+/// Returns the part of a face before a depth.
 HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
 {
   return { face.Inverse.X, face.Inverse.Y, face.Inverse.One - 1.0 / depth };
@@ -66,7 +69,7 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
   const double apex[3] = { origin[0] - apexOffset * axis[0], origin[1] - apexOffset * axis[1],
     origin[2] - apexOffset * axis[2] };
   const double nearest = apexOffset + (beyond ? beyond->Nearest : 0.0);
-  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), nearest, MostTriangles, this->View))
+  if (!probe.Collect(apex, axis, this->Beam.GetTangent(), nearest, MaximumTriangles, this->View))
   {
     return false;
   }
@@ -130,20 +133,20 @@ void Footprint::StretchFacets(const double minor[3])
 }
 
 //------------------------------------------------------------------------------
-/// The ranges at one depth spread over depth T^2 r^2 / 2: tiles are so small that they do so over a
-/// fraction of the depth of a part.
+/// Sets the size of tiles. The ranges at one depth spread over depth T^2 r^2 / 2: tiles are so
+/// small that they do so over a fraction of the depth of a part.
 void Footprint::SetTiles()
 {
-  double least = HUGE_VAL; // inverse depth
+  double minimum = HUGE_VAL; // inverse depth
   for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
   {
-    least = std::min(least, this->Surfaces.GetFace(i).Least);
+    minimum = std::min(minimum, this->Surfaces.GetFace(i).Minimum);
   }
   const double tangent = this->Projection.Tangent;
-  const double spread = 0.5 * tangent * tangent / least;
+  const double spread = 0.5 * tangent * tangent / minimum;
   const double limit = Curvature * this->Settings.Depth;
   // A tile at the rim is 2 / count of the radius, and twice as much of its square.
-  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MostTiles);
+  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MaximumTiles);
   this->TilesAcross = spread > limit ? static_cast<int>(count) : 1;
 }
 
@@ -210,16 +213,16 @@ bool Footprint::Divide(std::vector<FootprintPart>& parts)
 }
 
 //------------------------------------------------------------------------------
-/// The limits of depth in a beam, and of the corners themselves, whatever the rounding.
+/// Returns the limits of depth in a beam, and of the corners themselves, whatever the rounding.
 Footprint::Interval Footprint::GetSpread(const VisibleSurfaces::Face& face) const
 {
   const double across = std::hypot(face.Inverse.X, face.Inverse.Y);
-  return { 1.0 / std::min(face.Most, face.Inverse.One + across),
-    1.0 / std::max(face.Least, face.Inverse.One - across) };
+  return { 1.0 / std::min(face.Maximum, face.Inverse.One + across),
+    1.0 / std::max(face.Minimum, face.Inverse.One - across) };
 }
 
 //------------------------------------------------------------------------------
-/// The depths of the visible parts of a face.
+/// Returns the depths of the visible parts of a face.
 Footprint::Interval Footprint::GetSpread(
   const VisibleSurfaces::Face& face, const Share& share) const
 {
@@ -228,19 +231,19 @@ Footprint::Interval Footprint::GetSpread(
   {
     return spread;
   }
-  double least = HUGE_VAL;
-  double most = 0.0;
+  double minimum = HUGE_VAL;
+  double maximum = 0.0;
   for (std::size_t i = share.First; i < share.Last; ++i)
   {
     const Polygon& p = this->AllVisible[i].Outline;
     for (int corner = 0; corner < p.Size; ++corner)
     {
       const double inverse = face.Inverse(p.X[corner], p.Y[corner]);
-      least = std::min(least, inverse);
-      most = std::max(most, inverse);
+      minimum = std::min(minimum, inverse);
+      maximum = std::max(maximum, inverse);
     }
   }
-  return { std::max(spread.Near, 1.0 / most), std::min(spread.Far, 1.0 / least) };
+  return { std::max(spread.Near, 1.0 / maximum), std::min(spread.Far, 1.0 / minimum) };
 }
 
 //------------------------------------------------------------------------------
@@ -271,7 +274,7 @@ void Footprint::AddVisible(
     const PolygonBounds bounds(p);
     const EnergyMoments moments =
       bounds.MayTouchUnitCircle() ? this->Beam.Integrate(p) : EnergyMoments();
-    if (moments.Energy > LeastEnergy)
+    if (moments.Energy > MinimumEnergy)
     {
       this->AllVisible.push_back({ p, bounds, PolygonCircle(bounds), moments });
       all.Add(moments);
@@ -307,7 +310,7 @@ void Footprint::AddVisible(
 }
 
 //------------------------------------------------------------------------------
-/// The energy in a polygon of a backdrop that the parts before it take.
+/// Returns the energy in a polygon of a backdrop that the parts before it take.
 EnergyMoments Footprint::GetHidden(const Polygon& polygon) const
 {
   const PolygonBounds bounds(polygon);
@@ -346,11 +349,11 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
     [&](std::size_t, const Polygon& strip)
     {
       EnergyMoments moments = this->Beam.Integrate(strip);
-      if (moments.Energy > LeastEnergy)
+      if (moments.Energy > MinimumEnergy)
       {
         moments.Subtract(this->GetHidden(strip));
         isGood = isGood &&
-          moments.Energy >= std::max(LeastRest, RestPerError * this->Settings.EnergyError);
+          moments.Energy >= std::max(MinimumRest, RestPerError * this->Settings.EnergyError);
         this->AddPart(face, moments, parts);
       }
     });
@@ -370,10 +373,10 @@ void Footprint::SetCuts(const VisibleSurfaces::Face& face, const Interval& part)
   this->Cuts.clear();
   const double near = this->GetSpread(face).Near;
   const double depth = std::max(
-    std::min(this->Settings.Depth, LargestRatio * near), (part.Far - part.Near) / MostStrips);
+    std::min(this->Settings.Depth, LargestRatio * near), (part.Far - part.Near) / MaximumStrips);
   const double first = std::max(0.0, std::floor((part.Near - near) / depth)) + 1.0;
   // Far beyond the nearest point, steps may be too small to count: there are at most so many.
-  for (int i = 0; i <= MostStrips && near + (first + i) * depth < part.Far; ++i)
+  for (int i = 0; i <= MaximumStrips && near + (first + i) * depth < part.Far; ++i)
   {
     this->Cuts.push_back(near + (first + i) * depth);
   }
@@ -414,14 +417,15 @@ void Footprint::AddTiledStrips(
 }
 
 //------------------------------------------------------------------------------
-/// The mean and the standard deviation of the depths of a part, to second order in its inverse depth.
+/// Returns the mean and the standard deviation of the depths of a part, to second order in its
+/// inverse depth.
 Footprint::Spread Footprint::GetDepths(
   const VisibleSurfaces::Face& face, const EnergyMoments& moments) const
 {
   const double x = moments.X / moments.Energy;
   const double y = moments.Y / moments.Energy;
   const InverseDepth& g = face.Inverse;
-  const double depth = 1.0 / std::clamp(g(x, y), face.Least, face.Most);
+  const double depth = 1.0 / std::clamp(g(x, y), face.Minimum, face.Maximum);
   const double along = g.X * x + g.Y * y;
   const double square =
     (g.X * g.X * moments.XX + 2.0 * g.X * g.Y * moments.XY + g.Y * g.Y * moments.YY) /
@@ -432,7 +436,7 @@ Footprint::Spread Footprint::GetDepths(
 }
 
 //------------------------------------------------------------------------------
-/// The triangle of a facet at a point from the waist.
+/// Returns the triangle of a facet at a point from the waist.
 vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double point[3]) const
 {
   const Facet& facet = this->Facets[face.Facet];
@@ -452,7 +456,7 @@ vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double po
 void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
   std::vector<FootprintPart>& parts)
 {
-  if (!(moments.Energy > LeastEnergy))
+  if (!(moments.Energy > MinimumEnergy))
   {
     return;
   }
@@ -481,7 +485,7 @@ void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& 
   const double tangent = this->Projection.Tangent;
   const double square = this->Ellipse.GetSquare(moments) / moments.Energy;
   const double stretch = std::sqrt(1.0 + tangent * tangent * square);
-  if (depth.Deviation < LeastDeviation * this->Settings.Depth)
+  if (depth.Deviation < MinimumDeviation * this->Settings.Depth)
   {
     part.Range = depth.Mean * stretch;
     parts.push_back(part);

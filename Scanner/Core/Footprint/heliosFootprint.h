@@ -26,21 +26,23 @@ struct FootprintPart
   vtkIdType Cell;
   double Range;        ///< [m]
   double Direction[3]; ///< from the origin of the beam to the centroid, a unit vector
-  double Energy;       ///< as a fraction of the beam
+  double Energy;       ///< fraction of the beam
 };
 
 struct FootprintSettings
 {
-  double HalfAngle = 0.0;             ///< of the beam at 1/e^2, along the major axis [rad]
-  double Truncation = 1.5;            ///< of the beam, in half angles
+  /// half angle of the beam at 1/e^2, along the major axis [rad]
+  double HalfAngle = 0.0;
+  double Truncation = 1.5;            ///< truncation of the beam, in half angles
   double ApexOffset = 0.0;            ///< Rayleigh range of the waist, at the origin [m]
   double Depth = 1.0;                 ///< largest spread of the ranges of a part [m]
   double Gate[2] = { 0.0, HUGE_VAL }; ///< ranges that are limits of parts [m]
-  double EnergyError = BeamEnergy::DefaultError; ///< of small parts, as a fraction of the beam
-  double Ratio = 1.0;                            ///< of the minor axis to the major one
+  /// error of small parts, as a fraction of the beam
+  double EnergyError = BeamEnergy::DefaultError;
+  double Ratio = 1.0; ///< ratio of the minor axis to the major one
 };
 
-/// What lies beyond a plane: n . p > c, in the world.
+/// Half space beyond a plane: n . p > c, in the world.
 struct BeyondPlane
 {
   double Nearest; ///< depth of the plane in the beam [m]
@@ -56,29 +58,29 @@ struct BeyondPlane
 class VTKHELIOSSCANNERCORE_EXPORT Footprint
 {
 public:
-  /// Coplanar triangles of the same response count as one surface.
+  /// Sets the settings; coplanar triangles of the same response count as one surface.
   explicit Footprint(const FootprintSettings& settings, FacetMaker::AreAlike areAlike = {});
 
   /**
    * Collects the surfaces in a beam from an origin along a unit axis, for the methods below. False
-   * if these are more than MostTriangles triangles, or if the beam is too wide. minor is a unit
+   * if these are more than MaximumTriangles triangles, or if the beam is too wide. minor is a unit
    * vector along the minor axis of an elliptical beam. With a plane, only what lies beyond it.
    */
   bool Collect(const ConeProbe& probe, const double origin[3], const double axis[3],
     const double minor[3] = nullptr, const BeyondPlane* beyond = nullptr);
 
-  /// Whether the edges in the beam are straight: not near a waist. Otherwise the surfaces can be
-  /// neither divided nor sampled.
+  /// Returns whether the edges in the beam are straight: not near a waist. Otherwise the surfaces
+  /// can be neither divided nor sampled.
   bool AreEdgesStraight() const { return this->Surfaces.AreEdgesStraight(); }
 
-  /// Whether ranges at one depth are equal within the beam: not if it is wide, and far from the
-  /// surfaces. Otherwise these can only be divided.
+  /// Returns whether ranges at one depth are equal within the beam: not if it is wide, and far from
+  /// the surfaces. Otherwise these can only be divided.
   bool IsFlat() const { return this->TilesAcross == 1; }
 
-  /// The number of surfaces: flat polygons.
+  /// Returns the number of surfaces: flat polygons.
   std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
 
-  /// Whether a predicate holds for the cell of any surface.
+  /// Returns whether a predicate holds for the cell of any surface.
   template <typename PredicateT>
   bool AnyCell(PredicateT holds) const
   {
@@ -90,16 +92,16 @@ public:
     return any;
   }
 
-  /// The exact visible parts. False if these are too many for this method.
+  /// Computes the exact visible parts. False if they are too many for this method.
   bool Divide(std::vector<FootprintPart>& parts);
 
   /// Draws the surfaces onto a grid of so many cells across the beam, for Sample().
   void Draw(int across) { this->Raster.Draw(this->Surfaces, across); }
 
-  /// The parts that cells see: those of all cells, or of one of step * step.
+  /// Samples the parts that cells see: all cells, or one of step * step.
   void Sample(int step, std::vector<FootprintPart>& parts);
 
-  static constexpr std::size_t MostTriangles = 30000; ///< in a beam
+  static constexpr std::size_t MaximumTriangles = 30000; ///< in a beam
 
 private:
   /// Depths [m].
@@ -115,16 +117,16 @@ private:
     PolygonCircle Circle;
     EnergyMoments Moments;
   };
-  /// Those of a face, in the list of all.
+  /// Range of a face's parts in the list of all.
   struct Share
   {
     std::size_t First = 0;
     std::size_t Last = 0;
   };
-  /// The cuts of a face, and the places of its strips, among those of all.
+  /// Cuts of a face, and places of its strips, in the lists of all.
   struct Strips
   {
-    std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< of cuts
+    std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< numbers of cuts
   };
   bool ClipFacets(const BeyondPlane& beyond, const double apex[3]);
   void StretchFacets(const double minor[3]);
@@ -148,7 +150,7 @@ private:
   void ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& polygon, UseT use);
   void AddTiledStrips(
     const VisibleSurfaces::Face& face, const Share& share, std::vector<FootprintPart>& parts);
-  /// Of depths [m].
+  /// Mean and deviation of depths [m].
   struct Spread
   {
     double Mean, Deviation;
@@ -167,16 +169,16 @@ private:
   ConeView View;
   std::vector<Facet> Facets;
   std::vector<Visible> AllVisible;
-  std::vector<Share> Shares;               ///< of the faces
+  std::vector<Share> Shares;               ///< shares of the faces
   std::vector<std::size_t> Backdrops;      ///< faces
   std::vector<double> Cuts;                ///< depths between strips of a face [m]
-  std::vector<EnergyMoments> StripMoments; ///< of a face
-  int TilesAcross = 1; ///< of a wide beam: within one, ranges at one depth are equal
+  std::vector<EnergyMoments> StripMoments; ///< strips of a face
+  int TilesAcross = 1; ///< tiles of a wide beam: within one, ranges at one depth are equal
   FootprintRaster Raster;
-  std::vector<double> Profile;        ///< of the beam, along a row of the raster
-  std::vector<Strips> AllStrips;      ///< of the faces
+  std::vector<double> Profile;        ///< profile of the beam, along a row of the raster
+  std::vector<Strips> AllStrips;      ///< strips of the faces
   std::vector<double> AllCuts;        ///< [m]
-  std::vector<EnergyMoments> Sampled; ///< of the strips
+  std::vector<EnergyMoments> Sampled; ///< sampled moments of the strips
 };
 
 } // namespace helios

@@ -39,7 +39,7 @@ void FootprintRaster::SetGrid(int across)
 }
 
 //------------------------------------------------------------------------------
-/// The first row or column whose centre is not below a place.
+/// Returns the first row or column whose centre is not below a place.
 int FootprintRaster::GetLine(double place) const
 {
   const double line = std::clamp(0.5 * this->Across * (place + 1.0) - 0.5, 0.0, 1.0 * this->Across);
@@ -53,14 +53,14 @@ void FootprintRaster::Draw(const VisibleSurfaces& surfaces, int across)
   this->SetGrid(across);
   this->Spans.resize(static_cast<std::size_t>(across));
   const std::size_t count = surfaces.GetNumberOfFaces();
-  this->Least = HUGE_VAL;
-  double most = 0.0;
+  this->Minimum = HUGE_VAL;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    this->Least = std::min(this->Least, surfaces.GetFace(i).Least);
-    most = std::max(most, surfaces.GetFace(i).Most);
+    this->Minimum = std::min(this->Minimum, surfaces.GetFace(i).Minimum);
+    maximum = std::max(maximum, surfaces.GetFace(i).Maximum);
   }
-  this->Scale = most > this->Least ? 1.0 / (most - this->Least) : 0.0;
+  this->Scale = maximum > this->Minimum ? 1.0 / (maximum - this->Minimum) : 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     this->DrawFace(surfaces.GetFace(i), static_cast<int>(i));
@@ -122,8 +122,9 @@ void FootprintRaster::DrawRow(const VisibleSurfaces::Face& face, int row, int in
   {
     const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Across);
     const auto scale = [this](double inverse) { return static_cast<float>(this->Scale * inverse); };
-    const Slope slope{ scale(face.Inverse(0.0, this->GetCentre(row)) - this->Least),
-      scale(face.Inverse.X), scale(face.Least - this->Least), scale(face.Most - this->Least) };
+    const Slope slope{ scale(face.Inverse(0.0, this->GetCentre(row)) - this->Minimum),
+      scale(face.Inverse.X), scale(face.Minimum - this->Minimum),
+      scale(face.Maximum - this->Minimum) };
     DrawSpan(this->Columns.data(), &this->Nearest[start], &this->Owners[start], span, slope, index);
   }
 }
@@ -136,7 +137,7 @@ void FootprintRaster::DrawSpan(
   for (int i = span.First; i < span.Last; ++i)
   {
     const float there = slope.Start + slope.Slope * columns[i];
-    const float depth = std::min(slope.Most, std::max(slope.Least, there));
+    const float depth = std::min(slope.Maximum, std::max(slope.Minimum, there));
     const bool isNearer = depth > depths[i];
     depths[i] = isNearer ? depth : depths[i];
     owners[i] = isNearer ? index : owners[i];

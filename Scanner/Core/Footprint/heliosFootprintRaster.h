@@ -28,13 +28,13 @@ public:
 
   int GetAcross() const { return this->Across; }
 
-  /// The x or y of the centres of a column or row.
+  /// Returns the x or y of the centres of a column or row.
   double GetCentre(int index) const { return this->Centres[static_cast<std::size_t>(index)]; }
 
-  /// The first column of a row in the circle; the last is opposite to it.
+  /// Returns the first column of a row in the circle; the last is opposite to it.
   int GetFirst(int row) const { return this->Firsts[static_cast<std::size_t>(row)]; }
 
-  /// The faces of a row, by columns; -1: none.
+  /// Returns the faces of a row, by columns; -1: none.
   const int* GetFaces(int row) const
   {
     return this->Owners.data() +
@@ -56,7 +56,7 @@ private:
   /// Scaled inverse depths along a row.
   struct Slope
   {
-    float Start, Slope, Least, Most;
+    float Start, Slope, Minimum, Maximum;
   };
   static void DrawSpan(const float* columns, float* depths, int* owners, const Span& span,
     const Slope& slope, int index);
@@ -65,9 +65,9 @@ private:
   std::vector<double> Centres;
   std::vector<float> Columns;
   std::vector<int> Firsts;
-  std::vector<Span> Spans;    ///< of the face, by rows
-  double Least = 0.0;         ///< inverse depth of the farthest corner
-  double Scale = 1.0;         ///< of inverse depths, to [0, 1]
+  std::vector<Span> Spans;    ///< spans of the face, by rows
+  double Minimum = 0.0;       ///< inverse depth of the farthest corner
+  double Scale = 1.0;         ///< scale of inverse depths, to [0, 1]
   std::vector<float> Nearest; ///< scaled inverse depths of the cells
   std::vector<int> Owners;
 };

@@ -27,7 +27,7 @@ void Footprint::SetStrips()
 }
 
 //------------------------------------------------------------------------------
-/// The strip of a face at a point of the cross-section.
+/// Returns the strip of a face at a point of the cross-section.
 std::size_t Footprint::FindStrip(std::size_t face, double x, double y) const
 {
   const Strips& strips = this->AllStrips[face];
@@ -57,7 +57,8 @@ void Footprint::SetProfile()
   }
 }
 
-/// The intensity in a cell, relative to the axis and, unless the beam is wide, to that of the row.
+/// Returns the intensity in a cell, relative to the axis and, unless the beam is wide, relative to
+/// the row.
 double Footprint::GetIntensity(int column, int row) const
 {
   return this->Beam.IsProduct()
@@ -81,7 +82,7 @@ double Footprint::SampleRow(int row, int step)
     const int face = faces[column];
     const bool hasCuts = face >= 0 && this->AllStrips[static_cast<std::size_t>(face)].Count > 0;
     const double start = this->Raster.GetCentre(column);
-    double energy = 0.0, sumX = 0.0, sumXX = 0.0; // of cells of one strip
+    double energy = 0.0, sumX = 0.0, sumXX = 0.0; // sums over cells of one strip
     do
     {
       const double x = this->Raster.GetCentre(column);

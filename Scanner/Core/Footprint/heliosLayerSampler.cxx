@@ -52,8 +52,8 @@ void LayerSampler::Align(const double frame[3][3], const Vec3& x, const Vec3& z)
 }
 
 //------------------------------------------------------------------------------
-/// The triangle of each direction: the one that it is the farthest inside of, so that rounding at
-/// an edge leaves no gap.
+/// Returns the triangle of each direction: the one that it is the farthest inside of, so that
+/// rounding at an edge leaves no gap.
 HELIOS_CLONES
 void LayerSampler::Meet(const ConeLayer& layer)
 {

@@ -23,7 +23,7 @@ namespace helios
 class VTKHELIOSSCANNERCORE_EXPORT LayerSampler
 {
 public:
-  /// For directions of sub-rays in the frame of a beam whose axis is y.
+  /// Sets the directions of sub-rays in the frame of a beam whose axis is y.
   explicit LayerSampler(const std::vector<Vec3>& directions);
 
   /// Turns the directions from the x and z of the frame of the beam, given in the world, to the
@@ -37,13 +37,13 @@ public:
 private:
   void Meet(const ConeLayer& layer);
 
-  std::size_t Size; ///< of the directions; they are padded to whole vectors
+  std::size_t Size; ///< number of the directions; they are padded to whole vectors
   // The directions (x, y, 1) about the axis z, and their lengths.
   std::vector<double> X, Y, Length;
   std::vector<double> BeamX, BeamY; ///< in the frame of the beam
-  // Of the current layer.
+  // Arrays of the current layer.
   std::vector<double> Inside;  ///< edge function of the nearest edge; negative: outside
-  std::vector<double> Inverse; ///< of the depth
+  std::vector<double> Inverse; ///< inverse of the depth
   std::vector<double> Piece;   ///< its index
 };
 

@@ -81,7 +81,7 @@ struct Polygon
 
   int GetNext(int corner) const { return corner + 1 < this->Size ? corner + 1 : 0; }
 
-  /// The half plane to the left of an edge, which is inside.
+  /// Returns the half plane to the left of an edge, which is inside.
   HalfPlane GetInside(int edge) const
   {
     const int next = this->GetNext(edge);
@@ -137,17 +137,17 @@ struct PolygonBounds
 /// the least.
 inline double SetDistances(const Polygon& p, const HalfPlane& side, double* distances)
 {
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   for (int i = 0; i < p.Size; ++i)
   {
     distances[i] = side(p.X[i], p.Y[i]);
-    least = std::min(least, distances[i]);
+    minimum = std::min(minimum, distances[i]);
   }
-  return least;
+  return minimum;
 }
 
-/// The part of a polygon on the side of a line, by the distances of its corners, that is positive
-/// (or negative, by the sign). A polygon that is full is not cut any further.
+/// Returns the part of a polygon on the side of a line, by the distances of its corners, that is
+/// positive (or negative, by the sign). A polygon that is full is not cut any further.
 template <int Sign>
 Polygon GetSide(const Polygon& p, const double* distances)
 {
@@ -179,15 +179,15 @@ inline Polygon GetBeyond(const Polygon& p, const double* distances)
   return GetSide<-1>(p, distances);
 }
 
-/// The part of a polygon in a half plane.
+/// Returns the part of a polygon in a half plane.
 inline Polygon Clip(const Polygon& p, const HalfPlane& side)
 {
   double distances[Polygon::Capacity];
   return SetDistances(p, side, distances) >= 0.0 ? p : GetBefore(p, distances);
 }
 
-/// Whether all corners of a polygon are outside of an edge of another, or on it. The edge has a
-/// length: its corners were added by AddCut().
+/// Returns whether all corners of a polygon are outside of an edge of another, or on it. The edge
+/// has a length: its corners were added by AddCut().
 inline bool IsBeyond(const Polygon& p, const Polygon& of, int edge)
 {
   const int next = of.GetNext(edge);
@@ -248,7 +248,8 @@ struct PolygonCircle
   }
 };
 
-/// The same, with a circle about the polygon and the sides of the other, which is faster.
+/// Returns whether a polygon is beyond an edge, by a circle about the polygon and the sides of the
+/// other, which is faster.
 inline bool IsBeyondAnEdge(
   const Polygon& p, const PolygonCircle& about, const Polygon& of, const PolygonSides& sides)
 {
@@ -263,7 +264,8 @@ inline bool IsBeyondAnEdge(
   return false;
 }
 
-/// Sets the part of a polygon inside another one; false, and it is not set, if that is all of it.
+/// Sets the part of a polygon inside another one; false, and it is not set, if the whole polygon is
+/// inside.
 inline bool Cut(
   const Polygon& p, const PolygonCircle& about, const PolygonSides& by, Polygon& common)
 {
@@ -286,7 +288,8 @@ inline bool Cut(
   return from == &common;
 }
 
-/// Whether the interiors of two polygons have common points. Polygons with a common edge have none.
+/// Returns whether the interiors of two polygons have common points. Polygons with a common edge
+/// have none.
 inline bool DoOverlap(const Polygon& p, const Polygon& q)
 {
   return !IsBeyondAnEdge(p, q) && !IsBeyondAnEdge(q, p);

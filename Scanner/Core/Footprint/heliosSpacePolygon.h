@@ -22,7 +22,7 @@ struct SpacePolygon
   double Corners[Capacity][3];
 };
 
-/// The part where a x + b y + c z is at least d.
+/// Returns the part where a x + b y + c z is at least d.
 inline SpacePolygon Clip(const SpacePolygon& p, double a, double b, double c, double d)
 {
   SpacePolygon part;
@@ -50,7 +50,8 @@ inline SpacePolygon Clip(const SpacePolygon& p, double a, double b, double c, do
   return part;
 }
 
-/// The part of a facet in a frustum about the beam; all of it if it is not much larger.
+/// Returns the part of a facet in a frustum about the beam; the whole facet if it is not much
+/// larger.
 inline SpacePolygon CutToBeam(const Facet& facet, const BeamProjection& beam)
 {
   constexpr double frame = 2.0;   // half side of the square that large facets are cut to

@@ -16,12 +16,12 @@ namespace helios
 namespace
 {
 
-constexpr double LeastArea = 1e-12;     // of a part, in the cross-section
-constexpr std::size_t ManyHiding = 3;   // faces, from which complements are faster than parts
-constexpr std::size_t MostParts = 4096; // of a face
-constexpr std::size_t MostOfLayer = 64; // facets
+constexpr double MinimumArea = 1e-12;      // area of a part, in the cross-section
+constexpr std::size_t ManyHiding = 3;      // faces, from which complements are faster than parts
+constexpr std::size_t MaximumParts = 4096; // parts of a face
+constexpr std::size_t MaximumOfLayer = 64; // facets
 
-/// Whether a corner of a polygon is in a half plane.
+/// Returns whether a corner of a polygon is in a half plane.
 bool Reaches(const Polygon& p, const HalfPlane& side)
 {
   bool reaches = false;
@@ -32,7 +32,7 @@ bool Reaches(const Polygon& p, const HalfPlane& side)
   return reaches;
 }
 
-/// Where a plane is nearer than another.
+/// Returns the half plane where a plane is nearer than another.
 HalfPlane GetNearerSide(const InverseDepth& a, const InverseDepth& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.One - b.One };
@@ -55,7 +55,7 @@ vtkTypeUInt64 GetKey(const double corner[3])
   return GetKey(GetKey(bits[0], bits[1]), bits[2]);
 }
 
-/// Whether a segment reaches into the unit circle, or nearly so.
+/// Returns whether a segment reaches into the unit circle, or nearly so.
 bool IsInBeam(const double a[2], const double b[2])
 {
   constexpr double rim = 1.0 + 1e-6;
@@ -68,7 +68,7 @@ bool IsInBeam(const double a[2], const double b[2])
   return x * x + y * y <= rim;
 }
 
-/// The normal of the plane of a facet; its length is twice the area.
+/// Computes the normal of the plane of a facet; its length is twice the area.
 void GetNormal(const Facet& facet, double n[3])
 {
   const auto& p = facet.Corners;
@@ -88,8 +88,8 @@ void GetNormal(const Facet& facet, double n[3])
 }
 
 /**
- * Sets 1 / depth of the plane of a facet, near a value of it; false if the plane is edge-on. A
- * beam with a waist is like a cone there, whose apex is by a = ApexOffset^2 / depth farther away.
+ * Sets 1 / depth of the plane of a facet, near a known value; false if the plane is edge-on. A beam
+ * with a waist is like a cone there, whose apex is by a = ApexOffset^2 / depth farther away.
  */
 bool SetInverseDepth(
   const Facet& facet, const BeamProjection& beam, double inverse, InverseDepth& result)
@@ -123,7 +123,7 @@ void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjec
   this->EdgeSum = 0;
   this->HasFacetAtApex = false;
   this->LargestBend = 0.0;
-  this->IsLayer = facets.size() <= MostOfLayer;
+  this->IsLayer = facets.size() <= MaximumOfLayer;
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
     if (this->IsLayer)
@@ -136,7 +136,8 @@ void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjec
 }
 
 //------------------------------------------------------------------------------
-/// Between two depths of an edge the radius of the beam, over the depth, changes by the bend.
+/// Adds the bend: between two depths of an edge the radius of the beam, over the depth, changes by
+/// the bend.
 void VisibleSurfaces::AddBend(const Facet& facet)
 {
   if (!(this->Beam.ApexOffset > 0.0))
@@ -144,16 +145,17 @@ void VisibleSurfaces::AddBend(const Facet& facet)
     return;
   }
   const SpacePolygon space = CutToBeam(facet, this->Beam);
-  double least = HUGE_VAL;
-  double most = 0.0;
+  double minimum = HUGE_VAL;
+  double maximum = 0.0;
   for (int i = 0; i < space.Size; ++i)
   {
     const double depth = space.Corners[i][2] - this->Beam.ApexOffset;
     const double ratio = std::hypot(1.0, this->Beam.ApexOffset / std::max(depth, 1e-300));
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
+    minimum = std::min(minimum, ratio);
+    maximum = std::max(maximum, ratio);
   }
-  this->LargestBend = std::max(this->LargestBend, most > least ? most / least - 1.0 : 0.0);
+  this->LargestBend =
+    std::max(this->LargestBend, maximum > minimum ? maximum / minimum - 1.0 : 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -168,9 +170,9 @@ void VisibleSurfaces::Sort()
     {
       const Face& a = this->Faces[i];
       const Face& b = this->Faces[k];
-      return a.Most > b.Most || (a.Most == b.Most && a.Cell < b.Cell);
+      return a.Maximum > b.Maximum || (a.Maximum == b.Maximum && a.Cell < b.Cell);
     });
-  order.Most.resize(count);
+  order.Maximum.resize(count);
   constexpr std::size_t word = sizeof(vtkTypeUInt64);
   order.Overlaps.assign((count + word - 1) / word * word, 0);
   for (int axis = 0; axis < 2; ++axis)
@@ -182,7 +184,7 @@ void VisibleSurfaces::Sort()
   {
     const Face& face = this->Faces[order.Faces[i]];
     const PolygonBounds bounds(face.Outline);
-    order.Most[i] = face.Most;
+    order.Maximum[i] = face.Maximum;
     for (int axis = 0; axis < 2; ++axis)
     {
       order.Low[axis][i] = RoundDown(bounds.Low[axis]);
@@ -234,8 +236,8 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
   Face face;
   face.Cell = facet.Cell;
   face.Facet = index;
-  face.Least = HUGE_VAL;
-  face.Most = 0.0;
+  face.Minimum = HUGE_VAL;
+  face.Maximum = 0.0;
   for (int i = 0; i < space.Size; ++i)
   {
     const double* corner = space.Corners[i];
@@ -247,8 +249,8 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
     const double scale = 1.0 / this->Beam.GetRadius(depth);
     const double inverse = 1.0 / depth;
     face.Outline.AddCut(corner[0] * scale, corner[1] * scale);
-    face.Least = std::min(face.Least, inverse);
-    face.Most = std::max(face.Most, inverse);
+    face.Minimum = std::min(face.Minimum, inverse);
+    face.Maximum = std::max(face.Maximum, inverse);
   }
   face.Outline.CloseCut();
   if (!PolygonBounds(face.Outline).MayTouchUnitCircle())
@@ -256,8 +258,8 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
     return;
   }
   const double area = face.Outline.GetArea();
-  if (face.Outline.IsEmpty() || !(std::abs(area) > LeastArea) ||
-    !SetInverseDepth(facet, this->Beam, 0.5 * (face.Least + face.Most), face.Inverse))
+  if (face.Outline.IsEmpty() || !(std::abs(area) > MinimumArea) ||
+    !SetInverseDepth(facet, this->Beam, 0.5 * (face.Minimum + face.Maximum), face.Inverse))
   {
     return; // edge-on
   }
@@ -328,7 +330,7 @@ void VisibleSurfaces::FindHiding(std::size_t face)
   this->Hiding.clear();
   for (const std::size_t i : order.Overlapping)
   {
-    if (!(order.Most[i] >= f.Least))
+    if (!(order.Maximum[i] >= f.Minimum))
     {
       break;
     }
@@ -342,7 +344,8 @@ void VisibleSurfaces::FindHiding(std::size_t face)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a face hides anything of those whose bounds overlap; the farthest are the likeliest.
+/// Returns whether a face hides anything of those whose bounds overlap; the farthest are the
+/// likeliest.
 bool VisibleSurfaces::HidesAny(std::size_t face) const
 {
   const Face& f = this->Faces[face];
@@ -357,13 +360,13 @@ bool VisibleSurfaces::HidesAny(std::size_t face) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether a face is nearer than another at some corner of each: otherwise it is not where they
-/// overlap.
+/// Returns whether a face is nearer than another at some corner of each: otherwise it is not where
+/// they overlap.
 bool VisibleSurfaces::IsNearerSomewhere(const Face& a, const Face& b) const
 {
-  if (a.Most < b.Least || a.Least > b.Most)
+  if (a.Maximum < b.Minimum || a.Minimum > b.Maximum)
   {
-    return a.Most > b.Least;
+    return a.Maximum > b.Minimum;
   }
   const HalfPlane nearer = GetNearerSide(a.Inverse, b.Inverse);
   if (nearer.A == 0.0 && nearer.B == 0.0 && nearer.C == 0.0)
@@ -376,7 +379,7 @@ bool VisibleSurfaces::IsNearerSomewhere(const Face& a, const Face& b) const
 //------------------------------------------------------------------------------
 bool VisibleSurfaces::IsNearer(std::size_t by) const
 {
-  return this->Faces[by].Least >= this->Faces[this->Current].Most;
+  return this->Faces[by].Minimum >= this->Faces[this->Current].Maximum;
 }
 
 //------------------------------------------------------------------------------
@@ -388,7 +391,8 @@ Polygon VisibleSurfaces::GetNearer(const Polygon& polygon, std::size_t by) const
   {
     return polygon;
   }
-  return Clip(polygon, GetNearerSide(other.Inverse, face.Inverse)); // all of it if coincident
+  // the whole polygon if coincident
+  return Clip(polygon, GetNearerSide(other.Inverse, face.Inverse));
 }
 
 //------------------------------------------------------------------------------
@@ -422,7 +426,7 @@ bool VisibleSurfaces::Split(Polygon& inside, const HalfPlane& side, Polygon& out
     return false;
   }
   outside = GetBeyond(inside, distances);
-  if (!(outside.GetArea() > LeastArea))
+  if (!(outside.GetArea() > MinimumArea))
   {
     return false;
   }
@@ -461,7 +465,7 @@ bool VisibleSurfaces::Subtract(const Polygon& hidden)
       {
         continue;
       }
-      if (outside.Size == Polygon::Capacity || this->Parts.size() > MostParts)
+      if (outside.Size == Polygon::Capacity || this->Parts.size() > MaximumParts)
       {
         return false;
       }

@@ -43,7 +43,7 @@ public:
   {
     Polygon Outline;
     InverseDepth Inverse;
-    double Least, Most; ///< inverse depths of its corners
+    double Minimum, Maximum; ///< inverse depths of its corners
     vtkIdType Cell;
     std::size_t Facet;
   };
@@ -54,17 +54,17 @@ public:
   /// Sorts the faces by depth, for FindHiding().
   void Sort();
 
-  /// Whether the edges in the beam are straight lines in its cross-section: without a waist, and
-  /// nearly so if their depths differ little, or are far beyond the Rayleigh range.
-  bool AreEdgesStraight() const { return this->LargestBend <= MostBend; }
+  /// Returns whether the edges in the beam are straight lines in its cross-section: without a
+  /// waist, and nearly so if their depths differ little, or are far beyond the Rayleigh range.
+  bool AreEdgesStraight() const { return this->LargestBend <= MaximumBend; }
 
   std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
   const Face& GetFace(std::size_t face) const { return this->Faces[face]; }
 
   /**
-   * Whether the faces cover the beam once, so that none hides another: no edge in the beam belongs
-   * to one facet only, and the facets on both sides of it face the apex. Not tested for more than 64
-   * facets.
+   * Returns whether the faces cover the beam once, so that none hides another: no edge in the beam
+   * belongs to one facet only, and the facets on both sides of every edge face the apex. Not tested
+   * for more than 64 facets.
    */
   bool AreOneLayer() const;
 
@@ -75,17 +75,17 @@ public:
   void FindHiding(std::size_t face);
   bool IsBackdrop() const { return this->IsBehindAll; }
 
-  ///@{
-  /// Of the face of the last FindHiding().
+  /// @{
+  /// Return properties of the face of the last FindHiding().
   const std::vector<std::size_t>& GetHiding() const { return this->Hiding; }
 
-  /// The visible parts, until the next call; null if they are too many.
+  /// Returns the visible parts, until the next call; null if they are too many.
   const std::vector<Polygon>* FindVisible();
 
-  /// Whether all of another face is nearer.
+  /// Returns whether all of another face is nearer.
   bool IsNearer(std::size_t by) const;
 
-  /// The part of a polygon of another face that hides it.
+  /// Returns the part of a polygon of another face that hides it.
   Polygon GetNearer(const Polygon& polygon, std::size_t by) const;
   ///@}
 
@@ -103,7 +103,7 @@ private:
   struct Order
   {
     std::vector<std::size_t> Faces;
-    std::vector<double> Most;
+    std::vector<double> Maximum;
     std::vector<float> Low[2], High[2];
     std::vector<unsigned char> Overlaps;  ///< with the bounds of a face; padded to whole words
     std::vector<std::size_t> Overlapping; ///< places in this order
@@ -113,11 +113,11 @@ private:
     /// Finds those that overlap with bounds.
     void FindOverlapping(const PolygonBounds& bounds);
   };
-  static constexpr double MostBend = 1e-3; ///< of the radius, relative
+  static constexpr double MaximumBend = 1e-3; ///< relative change of the radius
   double LargestBend = 0.0;
   BeamProjection Beam;
   std::vector<Face> Faces;
-  vtkTypeUInt64 EdgeSum = 0; ///< of edges in the beam; those of opposite direction cancel
+  vtkTypeUInt64 EdgeSum = 0; ///< sum of edges in the beam; opposite directions cancel
   bool HasFacetAtApex = false;
   bool IsLayer = false; ///< whether the facets may be one layer
   Order Nearest;

@@ -12,16 +12,17 @@ namespace helios
 namespace
 {
 
-constexpr std::int64_t StepsPerTime = 256; // of the correlation time
+constexpr std::int64_t StepsPerTime = 256; // steps of the correlation time
 constexpr std::int64_t StepsPerKnot = 32 * StepsPerTime;
 
-/// The random number of a step's start; its item is unique, whatever the level of bisection.
+/// Returns the random number of a step's start; its item is unique, whatever the level of
+/// bisection.
 double Draw(std::uint64_t seed, std::uint32_t component, std::int64_t step)
 {
   return NormalPair(seed, RandomStream::Navigation, static_cast<std::uint64_t>(step), component)[0];
 }
 
-/// The process of unit variance at the start of a step.
+/// Returns the process of unit variance at the start of a step.
 double Bisect(std::uint64_t seed, std::uint32_t component, std::int64_t step)
 {
   std::int64_t below = step / StepsPerKnot - (step % StepsPerKnot < 0 ? 1 : 0);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPlatformNoise.h"
 
+#include "heliosDriftState.h"
 #include "heliosNavigationGrades.h"
 #include "heliosRandom.h"
-#include "heliosSlowErrorCursor.h"
 
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
@@ -281,13 +281,13 @@ void vtkHeliosPlatformNoise::GetValues(vtkIdType seed, vtkIdType pulse, double v
 //------------------------------------------------------------------------------
 void vtkHeliosPlatformNoise::GetSlowErrors(vtkIdType seed, double time, double values[6]) const
 {
-  helios::SlowErrorCursor cursor;
+  helios::DriftState cursor;
   this->GetSlowErrors(seed, time, cursor, values);
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosPlatformNoise::GetSlowErrors(
-  vtkIdType seed, double time, helios::SlowErrorCursor& cursor, double values[6]) const
+  vtkIdType seed, double time, helios::DriftState& cursor, double values[6]) const
 {
   for (std::uint32_t i = 0; i < 6; ++i)
   {

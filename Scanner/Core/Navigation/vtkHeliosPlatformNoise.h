@@ -52,7 +52,7 @@
 
 namespace helios
 {
-struct SlowErrorCursor;
+struct DriftState;
 }
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosPlatformNoise : public vtkObject
@@ -75,9 +75,8 @@ public:
 
   ///@{
   /**
-   * Set the distribution of a component [m or deg]: normal, uniform within
-   * [minimum, maximum], or no noise. Valid range: finite, stdev >= 0,
-   * minimum <= maximum. Default: no noise.
+   * Sets the distribution of a component [m or deg]: normal, uniform within [minimum, maximum], or
+   * no noise. Valid range: finite, stdev >= 0, minimum <= maximum. Default: no noise.
    */
   void SetNormal(int component, double mean, double stdev);
   void SetUniform(int component, double minimum, double maximum);
@@ -86,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Set the limits that values of a component are clamped to [m or deg], or no
-   * limits. Valid range: minimum <= maximum. Default: no limits.
+   * Sets the limits that values of a component are clamped to [m or deg], or no limits. Valid
+   * range: minimum <= maximum. Default: no limits.
    */
   void SetClip(int component, double minimum, double maximum);
   void SetNoClip(int component);
@@ -132,15 +131,15 @@ public:
   ///@}
 
   /**
-   * Sets the RMS of the slow errors of all components to those of a class of GNSS/IMU solutions, the
-   * names of GetGradeNames(), and keeps the correlation times. Returns false, with an error, for
-   * another name.
+   * Sets the RMS of the slow errors of all components to the values of a class of GNSS/IMU
+   * solutions, by a name of GetGradeNames(), and keeps the correlation times. Returns false, with
+   * an error, for another name.
    */
   bool SetGrade(const std::string& name);
 
   /**
-   * The names of SetGrade(), separated by blanks: "consumer", "tactical", "survey", "navigation".
-   * Docs/trajectories.md has their numbers and sources.
+   * Returns the names of SetGrade(), separated by blanks: "consumer", "tactical", "survey",
+   * "navigation". Docs/trajectories.md has their numbers and sources.
    */
   static std::string GetGradeNames();
 
@@ -176,34 +175,34 @@ public:
   double GetClockOffset() const { return this->ClockOffset; }
   ///@}
 
-  /// Whether any component has a distribution or an error.
+  /// Returns whether any component has a distribution or an error.
   bool IsOn() const;
 
-  /// Whether any component has a distribution.
+  /// Returns whether any component has a distribution.
   bool HasNoise() const;
 
-  /// Whether there are slow errors, boresight, lever arm error or clock offset.
+  /// Returns whether there are slow errors, boresight, lever arm error or clock offset.
   bool HasErrors() const;
 
-  /// Whether the noise is not in the reported origin, direction and points.
+  /// Returns whether the noise is not in the reported origin, direction and points.
   bool IsUnknown() const { return this->Mode == NAVIGATION_ERROR; }
 
   /**
-   * The values of all components for a pulse [m, deg], in the order of Components; seed as
+   * Computes the values of all components for a pulse [m, deg], in the order of Components; seed is
    * the scanner's.
    */
   void GetValues(vtkIdType seed, vtkIdType pulse, double values[6]) const;
 
   /**
-   * The slow errors of all components at a GPS time [s], in m and deg, in the order of Components;
-   * seed as the scanner's.
+   * Computes the slow errors of all components at a GPS time [s], in m and deg, in the order of
+   * Components; seed is the scanner's.
    */
   void GetSlowErrors(vtkIdType seed, double time, double values[6]) const;
 
 #ifndef __VTK_WRAP__
-  /// As above, faster at successive times; one cursor per thread and seed.
+  /// Computes the slow errors faster at successive times; one cursor per thread and seed.
   void GetSlowErrors(
-    vtkIdType seed, double time, helios::SlowErrorCursor& cursor, double values[6]) const;
+    vtkIdType seed, double time, helios::DriftState& cursor, double values[6]) const;
 #endif
 
 protected:

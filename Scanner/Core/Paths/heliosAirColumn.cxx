@@ -14,28 +14,28 @@ namespace helios
 namespace
 {
 
-constexpr double MostSlabs = 1e5;
-constexpr double LeastShare = 1e-4; // of the largest amplitude, without a threshold
+constexpr double MaximumSlabs = 1e5;
+constexpr double LeastShare = 1e-4; // share of the largest amplitude, without a threshold
 
-/// The power per range [W/m].
+/// Returns the power per range [W/m].
 double GetDensity(const AirSettings& air, double range)
 {
   return air.Gain * vtkMath::Pi() * air.Backscatter * std::exp(-2.0 * air.Extinction * range) /
     (range * range);
 }
 
-/// The range from which on amplitudes do not matter.
+/// Returns the range from which on amplitudes do not matter.
 double FindEnd(const AirSettings& air)
 {
-  const double perDensity = std::sqrt(2.0 * vtkMath::Pi()) * air.Step; // of amplitudes
-  const double least =
-    air.LeastPower > 0.0 ? air.LeastPower / perDensity : LeastShare * GetDensity(air, air.Start);
+  const double perDensity = std::sqrt(2.0 * vtkMath::Pi()) * air.Step; // factor of amplitudes
+  const double minimum = air.MinimumPower > 0.0 ? air.MinimumPower / perDensity
+                                                : LeastShare * GetDensity(air, air.Start);
   double low = air.Start;
-  double high = std::min(air.Stop, air.Start + MostSlabs * air.Step);
-  for (int i = 0; i < 60 && GetDensity(air, high) < least; ++i)
+  double high = std::min(air.Stop, air.Start + MaximumSlabs * air.Step);
+  for (int i = 0; i < 60 && GetDensity(air, high) < minimum; ++i)
   {
     const double middle = 0.5 * (low + high);
-    (GetDensity(air, middle) < least ? high : low) = middle;
+    (GetDensity(air, middle) < minimum ? high : low) = middle;
   }
   return high;
 }

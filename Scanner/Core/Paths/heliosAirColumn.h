@@ -18,15 +18,15 @@ namespace helios
 struct AirSettings
 {
   double Backscatter = 0.0; ///< beta [1/(m sr)]; 0: none
-  double Gain = 0.0;        ///< of a white surface at 1 m without extinction [W]
+  double Gain = 0.0;        ///< power of a white surface at 1 m without extinction [W]
   double Extinction = 0.0;  ///< alpha [1/m]
   double Start = 0.0;       ///< the range gate [m]
   double Stop = 0.0;
-  double Step = 0.0;       ///< of slabs [m]: the standard deviation of the pulse
-  double LeastPower = 0.0; ///< amplitudes below do not matter [W]
+  double Step = 0.0;         ///< step of slabs [m]: the standard deviation of the pulse
+  double MinimumPower = 0.0; ///< amplitudes below do not matter [W]
 };
 
-/// What hides the air behind it: a hit, and its share of the beam.
+/// A hit, which hides the air behind it, and its share of the beam.
 struct Hidden
 {
   double Range;
@@ -42,7 +42,7 @@ class VTKHELIOSSCANNERCORE_EXPORT AirColumn
 {
 public:
   AirColumn() = default;
-  /// With the share of the backscatter that counts, by range; null: all.
+  /// Sets the share of the backscatter that counts, by range; null: all.
   explicit AirColumn(
     const AirSettings& settings, const std::function<double(double)>& share = nullptr);
 
@@ -59,7 +59,7 @@ private:
     double Begin; // [m]
     double Near;  // range of the first return
     double Far;
-    double Power; // of each [W]
+    double Power; // power of each slab [W]
   };
 
   double Backscatter = 0.0;

@@ -5,7 +5,7 @@
 namespace helios
 {
 
-/// The slab of a number; those up to it are made.
+/// Returns the slab of a number; those up to it are made.
 ColumnProfile::Slab& ColumnProfile::GetSlab(vtkIdType index)
 {
   if (this->Slabs.empty())

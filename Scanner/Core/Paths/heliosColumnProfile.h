@@ -20,9 +20,10 @@ namespace helios
 
 /**
  * Power received from a stretch of ranges, kept as slabs between multiples of a step. Each slab has
- * the power, the mean and the variance of its part of the stretch: as two returns at mean +- deviation
- * its pulses sum up to those of the stretch, for steps up to the standard deviation of a Gaussian
- * pulse to 2e-4 of the power within one deviation. Sub-rays of a beam share the slabs.
+ * the power, the mean and the variance of its part of the stretch: as two returns at mean +-
+ * deviation its pulses sum up to the pulses of the stretch, for steps up to the standard deviation
+ * of a Gaussian pulse to 2e-4 of the power within one deviation. Sub-rays of a beam share the
+ * slabs.
  */
 class VTKHELIOSSCANNERCORE_EXPORT ColumnProfile
 {
@@ -30,15 +31,15 @@ public:
   struct Slab
   {
     double Power = 0.0;  // [W]
-    double Moment = 0.0; // of it, about the start of the slab [W m]
+    double Moment = 0.0; // first moment of the power, about the start of the slab [W m]
     double Second = 0.0;
-    vtkIdType Cell = -1; // of the first light in it: the surface before it
+    vtkIdType Cell = -1; // cell of the first light in the slab: the surface before it
     double Cosine = 1.0;
     Vec3 Point = Vec3(0.0, 0.0, 0.0);
     int Events = 0;
   };
 
-  /// In metres of range.
+  /// Sets the step in metres of range.
   explicit ColumnProfile(double step)
     : Step(step)
   {

@@ -14,17 +14,17 @@ namespace helios
 namespace
 {
 
-constexpr double Efficiency = 2.0;            // of the extinction of a large drop, of its section
-constexpr std::uint32_t MostDrops = 1u << 20; // in a beam
-constexpr double ShellRatio = 1.05;           // of the ranges at the ends of a shell
-constexpr double LeastVisible = 1e-9;         // share of a beam
+constexpr double Efficiency = 2.0; // extinction of a large drop, relative to its section
+constexpr std::uint32_t MaximumDrops = 1u << 20; // in a beam
+constexpr double ShellRatio = 1.05;              // ratio of the ranges at the ends of a shell
+constexpr double MinimumVisible = 1e-9;          // share of a beam
 
 double Square(double x)
 {
   return x * x;
 }
 
-/// What the hits of a beam, in order of range, leave visible at growing ranges.
+/// Share of a beam that its hits, in order of range, leave visible at growing ranges.
 class Visibility
 {
 public:
@@ -34,7 +34,7 @@ public:
   {
   }
 
-  /// The share of the beam that no hit before a range hides.
+  /// Returns the share of the beam that no hit before a range hides.
   double Get(double range)
   {
     for (; this->Next != this->End && this->Next->Range < range; ++this->Next)
@@ -54,10 +54,10 @@ private:
 
 //------------------------------------------------------------------------------
 Droplets::Droplets(
-  const AirSettings& air, double end, const BeamWidth& beam, double diameter, double leastPower)
+  const AirSettings& air, double end, const BeamWidth& beam, double diameter, double minimumPower)
   : Air(air)
   , Beam(beam)
-  , LeastPower(leastPower)
+  , MinimumPower(minimumPower)
   , Section(0.25 * vtkMath::Pi() * diameter * diameter)
   , Density(
       beam.Angle > 0.0 && diameter > 0.0 ? air.Extinction / (Efficiency * this->Section) : 0.0)
@@ -86,35 +86,36 @@ void Droplets::MakeShells()
 }
 
 //------------------------------------------------------------------------------
-/// The square of the distance from the axis, in K w, up to which drops reach the least power: the
-/// share of the beam's section.
+/// Returns the square of the distance from the axis, in K w, up to which drops reach the least
+/// power: the share of the beam's section.
 double Droplets::GetReach(double range) const
 {
-  if (!(this->LeastPower > 0.0))
+  if (!(this->MinimumPower > 0.0))
   {
     return 1.0;
   }
   const double centre = this->GetWhole(range) * this->GetReceived(range, 0.0);
   return std::clamp(
-    0.5 * std::log(centre / this->LeastPower) / Square(this->Beam.Truncation), 0.0, 1.0);
+    0.5 * std::log(centre / this->MinimumPower) / Square(this->Beam.Truncation), 0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
-/// The range up to which drops on the axis reach the least power; their power falls with range.
+/// Returns the range up to which drops on the axis reach the least power; their power falls with
+/// range.
 double Droplets::FindEnd(double end) const
 {
   double low = this->Air.Start;
   double high = end;
-  for (int i = 0; i < 60 && this->GetPower(high, 0.0) < this->LeastPower; ++i)
+  for (int i = 0; i < 60 && this->GetPower(high, 0.0) < this->MinimumPower; ++i)
   {
     const double middle = 0.5 * (low + high);
-    (this->GetPower(middle, 0.0) < this->LeastPower ? high : low) = middle;
+    (this->GetPower(middle, 0.0) < this->MinimumPower ? high : low) = middle;
   }
   return high;
 }
 
 //------------------------------------------------------------------------------
-double Droplets::GetRest(double range) const
+double Droplets::GetHomogeneousShare(double range) const
 {
   const double k2 = Square(this->Beam.Truncation);
   return 1.0 - (1.0 - std::exp(-2.0 * k2 * this->GetReach(range))) / (1.0 - std::exp(-2.0 * k2));
@@ -128,7 +129,7 @@ double Droplets::GetVolume(double range) const
 }
 
 //------------------------------------------------------------------------------
-/// The range up to which a beam has a volume, by Newton's method from above.
+/// Computes the range up to which a beam has a volume, by Newton's method from above.
 double Droplets::FindRange(double volume) const
 {
   const double unit = vtkMath::Pi() * Square(this->Beam.Truncation * this->Beam.Angle);
@@ -147,7 +148,8 @@ double Droplets::FindRange(double volume) const
 }
 
 //------------------------------------------------------------------------------
-/// What a drop receives of the beam, at a range and the square of a distance from the axis in w.
+/// Returns the share of the beam that a drop receives, at a range and the square of a distance from
+/// the axis in w.
 double Droplets::GetReceived(double range, double away2) const
 {
   const double k2 = Square(this->Beam.Truncation);
@@ -158,17 +160,17 @@ double Droplets::GetReceived(double range, double away2) const
 }
 
 //------------------------------------------------------------------------------
-/// The power that a drop would return of a whole beam.
+/// Returns the power that a drop would return of a whole beam.
 double Droplets::GetWhole(double range) const
 {
-  // The backscatter of a drop is that of the air, over n: 2 section / lidar ratio.
+  // Uses the backscatter of the air, over n, for a drop: 2 section / lidar ratio.
   const double response = vtkMath::Pi() * Efficiency * this->Air.Backscatter / this->Air.Extinction;
   return this->Air.Gain * std::exp(-2.0 * this->Air.Extinction * range) / (range * range) *
     response;
 }
 
 //------------------------------------------------------------------------------
-/// The power that a drop returns.
+/// Returns the power that a drop returns.
 double Droplets::GetPower(double range, double away2) const
 {
   return this->GetWhole(range) * std::min(1.0, this->GetReceived(range, away2));
@@ -181,7 +183,7 @@ void Droplets::Append(std::uint64_t seed, vtkIdType pulse, const std::vector<Hid
   Visibility visibility(hits);
   double effective = 0.0;
   auto shell = this->Shells.begin();
-  for (std::uint32_t drop = 0; drop < MostDrops; ++drop)
+  for (std::uint32_t drop = 0; drop < MaximumDrops; ++drop)
   {
     const auto u = Uniform4(seed, RandomStream::Droplets, static_cast<std::uint64_t>(pulse), drop);
     effective -= std::log(u[0]) / this->Density;
@@ -196,13 +198,13 @@ void Droplets::Append(std::uint64_t seed, vtkIdType pulse, const std::vector<Hid
     const double range =
       this->FindRange(shell->Volume + (effective - shell->Effective) / shell->Share);
     const double visible = visibility.Get(range);
-    if (!(visible > LeastVisible))
+    if (!(visible > MinimumVisible))
     {
       return;
     }
     const double away2 = u[2] * shell->Share * Square(this->Beam.Truncation);
     const double power = this->GetPower(range, away2);
-    if (power >= this->LeastPower && u[1] < visible)
+    if (power >= this->MinimumPower && u[1] < visible)
     {
       returns.push_back({ range, power, 1.0, -1, SubReturn::Column });
     }

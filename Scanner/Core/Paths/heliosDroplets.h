@@ -26,27 +26,27 @@ struct BeamWidth
 };
 
 /**
- * Air whose extinction alpha is that of drops of one diameter d, which is n 2 pi d^2 / 4 of n drops in a
- * volume (the extinction efficiency of large drops is 2). Their places are a Poisson process in
- * the beam, of the seed and the pulse. Each returns what it receives of the beam there. Drops that
+ * Air whose extinction alpha is caused by drops of one diameter d: n 2 pi d^2 / 4 for n drops in a
+ * volume (the extinction efficiency of large drops is 2). Their places are a Poisson process in the
+ * beam, of the seed and the pulse. Each returns what it receives of the beam there. Drops that
  * would return less than a least power are no returns of their own: the rest of an AirColumn stands
- * for them, and the mean over many pulses is that of the whole column.
+ * for them, and the mean over many pulses equals the whole column.
  */
 class VTKHELIOSSCANNERCORE_EXPORT Droplets
 {
 public:
   Droplets() = default;
-  /// Of a diameter [m] and a least power [W].
+  /// Sets a diameter [m] and a smallest power [W].
   Droplets(const AirSettings& air, double end, const BeamWidth& beam, double diameter,
-    double leastPower = 0.0);
+    double minimumPower = 0.0);
 
   bool IsEmpty() const { return !(this->Density > 0.0); }
   double GetDensity() const { return this->Density; } ///< [1/m3]
 
-  /// The share of the energy that comes from drops below the least power, at a range.
-  double GetRest(double range) const;
+  /// Returns the share of the energy that comes from drops below the least power, at a range.
+  double GetHomogeneousShare(double range) const;
 
-  /// The volume of a beam up to a range [m3].
+  /// Returns the volume of a beam up to a range [m3].
   double GetVolume(double range) const;
 
   /// Appends the returns of the drops in the beam of a pulse before hits, which are sorted by range.
@@ -57,8 +57,8 @@ private:
   /// A part of the beam: drops that reach the least power lie within a share of its section.
   struct Shell
   {
-    double Volume;    ///< of the beam before it [m3]
-    double Effective; ///< of these shares before it [m3]
+    double Volume;    ///< volume of the beam before the shell [m3]
+    double Effective; ///< volume of these shares before the shell [m3]
     double Share;     ///< at its near end, where it is largest
   };
 
@@ -72,9 +72,9 @@ private:
 
   AirSettings Air;
   BeamWidth Beam;
-  double LeastPower = 0.0; // [W]
-  double End = 0.0;        // of the drops that reach it [m]
-  double Section = 0.0;    // of a drop [m2]
+  double MinimumPower = 0.0; // [W]
+  double End = 0.0;          // end of the drops that reach the smallest power [m]
+  double Section = 0.0;      // section of a drop [m2]
   double Density = 0.0;
   std::vector<Shell> Shells; // the last one ends the beam
 };

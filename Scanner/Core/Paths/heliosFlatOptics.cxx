@@ -12,9 +12,9 @@ namespace helios
 namespace
 {
 
-constexpr double LeastCosine = 0.05; // of incidence
+constexpr double MinimumCosine = 0.05; // cosine of incidence
 
-/// What lies on the side of a normal of the plane that a beam meets.
+/// Returns the half space on the side of a normal of the plane that a beam hits.
 BeyondPlane GetBeyond(const BeamOnPlane& beam, const Vec3& normal, const Vec3& from)
 {
   const Vec3 point = beam.Origin + beam.Range * beam.Axis;
@@ -49,7 +49,7 @@ PassedBeam Transmit(const BeamOnPlane& beam, const MaterialOptics& pane)
     GetBeyond(beam, -1.0 * beam.Normal, origin) };
 }
 
-/// Whether a reflected beam comes back to the receiver.
+/// Returns whether a reflected beam comes back to the receiver.
 bool MayReturn(const BeamOnPlane& beam, const PassedBeam& reflected, double receiver)
 {
   const Vec3 toReceiver = beam.Origin - reflected.Origin;
@@ -79,7 +79,7 @@ bool PassFlatOptics(const BeamOnPlane& beam, const MaterialOptics& optics, doubl
 {
   passed.clear();
   const double cosine = -beam.Normal.Dot(beam.Axis);
-  if (!(cosine >= LeastCosine) ||
+  if (!(cosine >= MinimumCosine) ||
     (optics.Kind != OpticsKind::Mirror && optics.Kind != OpticsKind::Pane))
   {
     return false;

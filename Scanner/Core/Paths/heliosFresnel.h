@@ -22,8 +22,8 @@ struct PolarisedShares
 };
 
 /**
- * The cosine of the angle of refraction from a medium of index n1 to one of n2, by Snell's law; 0
- * from the angle of total reflection on.
+ * Returns the cosine of the angle of refraction from a medium of index n1 to one of n2, by Snell's
+ * law; 0 from the angle of total reflection on.
  */
 inline double GetRefractedCosine(double cosine, double n1, double n2)
 {
@@ -31,7 +31,7 @@ inline double GetRefractedCosine(double cosine, double n1, double n2)
   return std::sqrt(std::max(0.0, 1.0 - ratio * ratio * (1.0 - cosine) * (1.0 + cosine)));
 }
 
-/// The reflectance of the boundary of two media (Born and Wolf, Principles of Optics, 1.5).
+/// Returns the reflectance of the boundary of two media (Born and Wolf, Principles of Optics, 1.5).
 inline PolarisedShares GetFresnelReflectance(double cosine, double n1, double n2)
 {
   const double refracted = GetRefractedCosine(cosine, n1, n2);
@@ -44,7 +44,7 @@ inline PolarisedShares GetFresnelReflectance(double cosine, double n1, double n2
   return { s * s, p * p };
 }
 
-/// What a pane reflects and transmits; the rest is absorbed.
+/// Shares that a pane reflects and transmits; the rest is absorbed.
 struct PaneShares
 {
   double Reflected;
@@ -52,9 +52,9 @@ struct PaneShares
 };
 
 /**
- * All light reflected back and forth between the two faces of a plate of index n in air, added as
- * energy: for the reflectance R of a face and the transmission a of one crossing,
- * T = (1 - R)^2 a / (1 - R^2 a^2), and R + R a T reflected.
+ * Returns all light reflected back and forth between the two faces of a plate of index n in air,
+ * added as energy: for the reflectance R of a face and the transmission a of one crossing, T = (1 -
+ * R)^2 a / (1 - R^2 a^2), and R + R a T reflected.
  */
 inline PaneShares GetPaneShares(double cosine, double n, double crossing)
 {
@@ -71,15 +71,15 @@ inline PaneShares GetPaneShares(double cosine, double n, double crossing)
   return { back.GetMean(), through.GetMean() };
 }
 
-/// A unit vector mirrored at a surface with a unit normal.
+/// Returns a unit vector mirrored at a surface with a unit normal.
 inline Vec3 GetMirrored(const Vec3& direction, const Vec3& normal)
 {
   return direction - (2.0 * direction.Dot(normal)) * normal;
 }
 
 /**
- * A unit vector refracted from n1 to n2 at a surface whose unit normal is against it; refracted: the
- * cosine by GetRefractedCosine().
+ * Returns a unit vector refracted from n1 to n2 at a surface whose unit normal is against the
+ * vector; refracted: the cosine by GetRefractedCosine().
  */
 inline Vec3 GetRefracted(
   const Vec3& direction, const Vec3& normal, double n1, double n2, double refracted)

@@ -13,10 +13,10 @@ namespace helios
 {
 
 /**
- * pi times the bidirectional reflectance times cos(theta) in the backscatter direction, of facets
- * whose slopes are Gaussian, with the mean square slope s2 and the reflectance rho across a facet:
- * rho / (4 s2 cos^5) exp(-tan^2 / s2) (Cox and Munk 1954; Menzies, Tratt and Hunt 1998, Applied
- * Optics 37, 5550-5559). Facets do not hide each other: for cosines well above s.
+ * Returns pi times the bidirectional reflectance times cos(theta) in the backscatter direction, of
+ * facets whose slopes are Gaussian, with the mean square slope s2 and the reflectance rho across a
+ * facet: rho / (4 s2 cos^5) exp(-tan^2 / s2) (Cox and Munk 1954; Menzies, Tratt and Hunt 1998,
+ * Applied Optics 37, 5550-5559). Facets do not hide each other: for cosines well above s.
  */
 inline double GetGlint(double reflectance, double meanSquareSlope, double cosine)
 {
@@ -27,9 +27,9 @@ inline double GetGlint(double reflectance, double meanSquareSlope, double cosine
 }
 
 /**
- * The same of retroreflective sheeting, with its coefficient of retroreflection R_A [cd/(lx m2)], for all
- * entrance angles: its luminous intensity, per illuminance across the light, and per area (ASTM
- * E808).
+ * Returns pi times the bidirectional reflectance times cos(theta) of retroreflective sheeting, with
+ * its coefficient of retroreflection R_A [cd/(lx m2)], for all entrance angles: its luminous
+ * intensity, per illuminance across the light, and per area (ASTM E808).
  */
 inline double GetRetroreflection(double coefficient, double cosine)
 {

@@ -9,12 +9,12 @@ namespace helios
 namespace
 {
 
-/// A unit vector across both; across the second, any, if they are parallel.
+/// Returns a unit vector across both; across the second, any, if they are parallel.
 Vec3 MakeSide(const Vec3& a, const Vec3& direction)
 {
-  constexpr double least = 1e-9;
+  constexpr double minimum = 1e-9;
   Vec3 side = a.Cross(direction);
-  if (!(side.Norm() > least))
+  if (!(side.Norm() > minimum))
   {
     const Vec3 other = std::abs(direction[0]) < 0.7 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
     side = other.Cross(direction);

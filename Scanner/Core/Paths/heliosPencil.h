@@ -20,19 +20,19 @@ namespace helios
 class VTKHELIOSSCANNERCORE_EXPORT Pencil
 {
 public:
-  /// From a point along a unit vector, after a length [m].
+  /// Starts a pencil at a point along a unit vector, after a length [m].
   Pencil(const Vec3& direction, double length);
 
-  /// The area [m2] of a unit of solid angle at the start.
+  /// Returns the area [m2] of a unit of solid angle at the start.
   double GetArea() const { return this->Area; }
 
-  /// Along the ray [m].
+  /// Advances along the ray [m].
   void Advance(double length);
 
-  /// Mirrored at a flat surface with a unit normal.
+  /// Mirrors at a flat surface with a unit normal.
   void Reflect(const Vec3& normal);
 
-  /// Refracted at a flat surface with a unit normal: the direction before, the cosines of the angles
+  /// Refracts at a flat surface with a unit normal: the direction before, the cosines of the angles
   /// before and after, and the ratio of the refractive indices after / before.
   void Refract(
     const Vec3& direction, const Vec3& normal, double cosine, double refracted, double indexRatio);

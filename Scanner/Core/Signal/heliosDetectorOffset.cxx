@@ -16,7 +16,7 @@ namespace
 
 constexpr int Positions = 8; // within a bin
 
-/// The pulse with its peak at a time [ns].
+/// Fills samples of the pulse with its peak at a time [ns].
 void FillSamples(const PulseShape& shape, double amplitude, double time, double binSize,
   std::vector<float>& samples)
 {

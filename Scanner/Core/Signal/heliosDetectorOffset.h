@@ -15,9 +15,9 @@ namespace helios
 class PulseShape;
 
 /**
- * How late a detector finds the echo of a plane across the beam [ns], in bins of a size [ns], at its
- * calibration amplitude: the mean over eight positions within a bin. 0 for a Gaussian, whose times
- * detectors know in closed form.
+ * Returns how late a detector finds the echo of a plane across the beam [ns], in bins of a size
+ * [ns], at its calibration amplitude: the mean over eight positions within a bin. 0 for a Gaussian,
+ * whose times detectors know in closed form.
  */
 VTKHELIOSSCANNERCORE_EXPORT double ComputeDetectorOffset(
   const vtkHeliosEchoDetector& detector, const PulseShape& shape, double binSize);

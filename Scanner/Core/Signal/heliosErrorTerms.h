@@ -30,10 +30,10 @@ struct TermFault
 {
   vtkIdType Pulses = 0;
   vtkIdType First = VTK_ID_MAX; ///< its id
-  double Variable = 0.0;        ///< of the first
+  double Variable = 0.0;        ///< variable of the first
   vtkIdType Last = -1;          ///< id added
 
-  /// The echoes of a pulse are consecutive and count once.
+  /// Adds a fault; the echoes of a pulse are consecutive and count once.
   void Add(vtkIdType pulse, double variable)
   {
     this->Pulses += pulse == this->Last ? 0 : 1;
@@ -55,7 +55,7 @@ struct TermFault
     }
   }
 
-  /// The text after the name of the term in a message.
+  /// Returns the text after the name of the term in a message.
   std::string Describe(int term, vtkIdType fired) const
   {
     const bool isOfRange = term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR;

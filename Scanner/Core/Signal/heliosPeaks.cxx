@@ -17,7 +17,7 @@ double GetMiddle(const Peak& peak)
   return 0.5 * static_cast<double>(peak.First + peak.Last);
 }
 
-/// Whether another maximum within a distance [bins] replaces this one.
+/// Returns whether another maximum within a distance [bins] replaces this one.
 bool IsOutdone(
   const float* samples, const std::vector<Peak>& peaks, std::size_t index, double distance)
 {
@@ -46,7 +46,7 @@ bool IsOutdone(
   return false;
 }
 
-/// The maxima in a range of bins, regardless of their neighbours.
+/// Adds the maxima in a range of bins, regardless of their neighbours.
 void AddPeaks(const vtkHeliosWaveform& waveform, double threshold, const BinRange& bins,
   std::vector<Peak>& peaks)
 {
@@ -78,8 +78,8 @@ struct Parabola
 /// Sums for the weighted least squares of a parabola.
 struct ParabolaSums
 {
-  double X[5] = {}; // of w x^k
-  double Y[3] = {}; // of w x^k y
+  double X[5] = {}; // sums of w x^k
+  double Y[3] = {}; // sums of w x^k y
 
   void Add(double x, double y, double weight)
   {
@@ -95,7 +95,7 @@ struct ParabolaSums
     }
   }
 
-  /// By Cramer's rule; not finite with too few samples.
+  /// Solves by Cramer's rule; not finite with too few samples.
   Parabola Solve() const
   {
     const double* s = this->X;
@@ -153,8 +153,9 @@ bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold, const BinRan
 
 //------------------------------------------------------------------------------
 /**
- * With n samples, half length r = (n - 1) / 2 and the logarithms a, b of left and right neighbour
- * over the peak, in bins: 1 / sigma^2 = -(a + b) / n, centre s = (b - a) sigma^2 / (2 (r + 1)).
+ * Fits a peak in closed form. With n samples, half length r = (n - 1) / 2 and the logarithms a, b
+ * of left and right neighbour over the peak, in bins: 1 / sigma^2 = -(a + b) / n, centre s = (b -
+ * a) sigma^2 / (2 (r + 1)).
  */
 vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p)
 {
@@ -179,9 +180,9 @@ vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p)
 
 //------------------------------------------------------------------------------
 /**
- * The parabola through the logarithms, weighted by the square of the amplitude, as for white
- * noise on the samples; then once more with the weights of the parabola found, since those of the
- * samples are noisy (Guo 2011, IEEE Signal Process. Mag. 28(5), 134-137).
+ * Fits the parabola through the logarithms, weighted by the square of the amplitude, as for white
+ * noise on the samples; then once more with the weights of the parabola found, since the weights of
+ * the samples are noisy (Guo 2011, IEEE Signal Process. Mag. 28(5), 134-137).
  */
 vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p, double reach)
 {

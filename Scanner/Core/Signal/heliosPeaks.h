@@ -23,27 +23,27 @@ struct Peak
 };
 
 /**
- * The maxima that reach a threshold [W]; of two nearer than separation [ns] the larger, of two
- * equal ones the first. Non-finite samples are no maxima.
+ * Finds the maxima that reach a threshold [W]; of two nearer than separation [ns] the larger, of
+ * two equal ones the first. Non-finite samples are no maxima.
  */
 VTKHELIOSSCANNERCORE_EXPORT void FindPeaks(
   const vtkHeliosWaveform& waveform, double threshold, double separation, std::vector<Peak>& peaks);
 
 /**
- * All maxima that reach a threshold [W] in a range of bins; the waveform must rise at its start and
- * fall at its end, otherwise false.
+ * Finds all maxima that reach a threshold [W] in a range of bins; the waveform must rise at its
+ * start and fall at its end, otherwise false.
  */
 VTKHELIOSSCANNERCORE_EXPORT bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold,
   const BinRange& bins, std::vector<Peak>& peaks);
 
-/// The Gaussian through the ends of a maximum and their neighbours; its amplitude is that of the
-/// samples if three or more are equal. If a neighbour is not positive, the maximum itself with the
-/// width of the pulse.
+/// Returns the Gaussian through the ends of a maximum and their neighbours; its amplitude is the
+/// samples' if three or more are equal. If a neighbour is not positive, returns the maximum itself
+/// with the width of the pulse.
 VTKHELIOSSCANNERCORE_EXPORT vtkHeliosDetectedEcho FitPeak(
   const vtkHeliosWaveform& waveform, const Peak& peak);
 
-/// The best fit of a Gaussian to the samples within a reach [ns] of a maximum; the one above if
-/// there is none.
+/// Returns the best fit of a Gaussian to the samples within a reach [ns] of a maximum; the one
+/// above if there is none.
 VTKHELIOSSCANNERCORE_EXPORT vtkHeliosDetectedEcho FitPeak(
   const vtkHeliosWaveform& waveform, const Peak& peak, double reach);
 

@@ -22,9 +22,10 @@ struct BeamMoments
   BeamMoments() = default;
 
   /**
-   * For a beam of the full angle 2 w truncated at K w. With p = (g / w)^2 the moments of the
-   * beam are E[p] = (1/2 - e (K^2 + 1/2)) / (1 - e) and E[p^2] = (1/2 - e (K^4 + K^2 + 1/2)) /
-   * (1 - e), e = exp(-2 K^2); along one axis E[x^2] = E[p] w^2 / 2, E[x^4] = 3 E[p^2] w^4 / 8.
+   * Computes the moments of a beam of the full angle 2 w truncated at K w. With p = (g / w)^2 the
+   * moments of the beam are E[p] = (1/2 - e (K^2 + 1/2)) / (1 - e) and E[p^2] = (1/2 - e (K^4 + K^2
+   * + 1/2)) / (1 - e), e = exp(-2 K^2); along one axis E[x^2] = E[p] w^2 / 2, E[x^4] = 3 E[p^2] w^4
+   * / 8.
    */
   BeamMoments(double divergence, double truncation)
   {
@@ -53,12 +54,12 @@ struct BeamMoments
 struct PlaneModel
 {
   BeamMoments Beam;   // along the major axis
-  double Sigma;       // of the pulse [ns]
+  double Sigma;       // sigma of the pulse [ns]
   double Ratio = 1.0; // q
 
   double GetRoundness() const { return 0.5 * (1.0 + this->Ratio * this->Ratio); }
 
-  /// Var(g^2 / 2) / s^4.
+  /// Returns Var(g^2 / 2) / s^4.
   double GetCurvature() const
   {
     const double q2 = this->Ratio * this->Ratio;
@@ -66,7 +67,8 @@ struct PlaneModel
     return q2 * (1.0 + this->Beam.Excess / 1.5) + flat * flat * (0.5 + 0.25 * this->Beam.Excess);
   }
 
-  /// The widening of the echo, (sigma' / sigma)^2 - 1; reach is the range from the cone's apex.
+  /// Returns the widening of the echo, (sigma' / sigma)^2 - 1; reach is the range from the cone's
+  /// apex.
   double GetWidening(double reach, double tanIncidence) const
   {
     const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
@@ -75,8 +77,8 @@ struct PlaneModel
     return unit * unit * (s2 * tanIncidence * tanIncidence + curvature);
   }
 
-  /// The maximum distance of the peak from the range of GetEcho() [m]: half the third cumulant of
-  /// the ranges, over the variance of the pulse; of an elliptical beam, a limit of it.
+  /// Returns the maximum distance of the peak from the range of GetEcho() [m]: half the third
+  /// cumulant of the ranges, over the variance of the pulse; an upper bound for an elliptical beam.
   double GetShift(double reach, double tanIncidence) const
   {
     const double unit = 2.0 * reach / (SpeedOfLight * this->Sigma);
@@ -86,7 +88,7 @@ struct PlaneModel
     return curve * (3.0 * slope * slope * s2 + unit * unit * s2 * s2);
   }
 
-  /// power is the return of the axis alone.
+  /// Computes the echo; power is the return of the axis alone.
   PlaneEcho GetEcho(double range, double reach, double tanIncidence, double power) const
   {
     const double tan2 = tanIncidence * tanIncidence;

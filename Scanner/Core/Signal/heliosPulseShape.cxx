@@ -35,7 +35,8 @@ struct Run
   vtkIdType Skip, Count;
 };
 
-/// Start Ratio^i of the first lanes after the skipped ones; returns the factor to the next ones.
+/// Computes Start Ratio^i of the first lanes after the skipped ones; returns the factor to the next
+/// ones.
 HELIOS_INLINE double StartLanes(const Run& run, double factor[Lanes])
 {
   factor[0] = run.Start;
@@ -119,7 +120,7 @@ HELIOS_CLONES void AddPolynomial(
   }
 }
 
-/// The crossing of a level between two samples of a polyline.
+/// Returns the crossing of a level between two samples of a polyline.
 double GetCrossing(double t0, double p0, double t1, double p1, double level)
 {
   return t0 + (t1 - t0) * (level - p0) / (p1 - p0);
@@ -243,9 +244,9 @@ struct PulseShape::Window
 
 //------------------------------------------------------------------------------
 /**
- * With the nearest bin m and delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2
- * sigma^2)) = shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no
- * exponential per bin. False if no bin is reached.
+ * Computes the window of a pulse. With the nearest bin m and delta = time - m b, bin m + q gets
+ * exp(-(q b - delta)^2 / (2 sigma^2)) = shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b
+ * delta / sigma^2): no exponential per bin. False if no bin is reached.
  */
 bool PulseShape::GetWindow(double time, const BinRange& bins, Window& window) const
 {

@@ -19,7 +19,7 @@ namespace helios
 struct PulseCluster
 {
   static constexpr int Order = 8;
-  static constexpr double Reach = 0.15; ///< of a time from the middle, in sigma
+  static constexpr double Reach = 0.15; ///< distance of a time from the middle, in sigma
 
   vtkIdType Slot; ///< index of the cluster among adjacent ones
   double Time;    ///< the middle [ns]
@@ -38,36 +38,38 @@ struct BinRange
 class VTKHELIOSSCANNERCORE_EXPORT PulseShape
 {
 public:
-  /// exp(-t^2 / (2 sigma^2)), length [ns] its full width at half maximum.
+  /// Makes exp(-t^2 / (2 sigma^2)), length [ns] its full width at half maximum.
   static PulseShape MakeGaussian(double length);
 
-  /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak, tau = length / 3.3947.
+  /// Makes (t / tau)^2 exp(-t / tau) from 2 tau before its peak, tau = length / 3.3947.
   static PulseShape MakeHelios(double length);
 
-  /// Straight lines between powers at increasing times [ns]: three or more, one of them positive,
-  /// others may be negative.
+  /// Makes straight lines between powers at increasing times [ns]: three or more, one of them
+  /// positive, others may be negative.
   static PulseShape MakeSampled(
     const std::vector<double>& times, const std::vector<double>& powers);
 
   bool IsGaussian() const { return this->Kind == Gaussian; }
 
-  /// Full width at half maximum, and the standard deviation of a Gaussian of that width [ns].
+  /// Returns the full width at half maximum, and the standard deviation of a Gaussian of that width
+  /// [ns].
   double GetLength() const { return this->Length; }
   double GetSigma() const;
 
-  /// The times before and after the peak between which there is power [ns].
+  /// Returns the times before and after the peak between which there is power [ns].
   double GetStart() const { return this->Start; }
   double GetEnd() const { return this->End; }
 
   double operator()(double time) const;
 
-  /// Times [ns] from the peak, and the powers there: those of a sampled pulse, or many in steps.
+  /// Computes times [ns] from the peak, and the powers there: the samples of a sampled pulse, or
+  /// many in steps.
   void GetSamples(std::vector<double>& times, std::vector<double>& powers) const;
 
   /// Prepares for bins of a size [ns].
   void SetBinSize(double binSize);
 
-  /// The bins within reach of a Gaussian to either side.
+  /// Returns the bins within reach of a Gaussian to either side.
   vtkIdType GetReach() const { return this->Reach; }
 
   /**
@@ -101,10 +103,10 @@ private:
   double Start = 0.0;
   double End = 0.0;
   double Tau = 0.0;
-  std::vector<double> Times; // of a sampled pulse, from its peak
+  std::vector<double> Times; // times of a sampled pulse, from its peak
   std::vector<double> Powers;
   double BinSize = 0.25;
-  std::vector<double> Shape; // of a Gaussian at multiples of BinSize, from -Reach
+  std::vector<double> Shape; // values of a Gaussian at multiples of BinSize, from -Reach
   vtkIdType Reach = 0;       // bins
 };
 

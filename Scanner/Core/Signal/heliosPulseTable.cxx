@@ -68,7 +68,7 @@ struct Table
   }
 };
 
-/// A line with blanks in place of its first separator.
+/// Returns a line with blanks in place of its first separator.
 std::string Unseparate(std::string_view line)
 {
   std::string text(line);

@@ -21,7 +21,7 @@ class PulseShape;
 /// has file:line.
 VTKHELIOSSCANNERCORE_EXPORT Status ReadPulse(const std::string& fileName, PulseShape& shape);
 
-/// The pulse of rows of a time [ns] and a power; an error names the array and the row.
+/// Reads the pulse from rows of a time [ns] and a power; an error names the array and the row.
 VTKHELIOSSCANNERCORE_EXPORT Status ReadPulse(vtkDataArray* samples, PulseShape& shape);
 
 } // namespace helios

@@ -13,7 +13,7 @@ namespace helios
 {
 
 /**
- * The extinction of clear air [1/m] for a visibility [km] and a wavelength [nm]: Kruse,
+ * Returns the extinction of clear air [1/m] for a visibility [km] and a wavelength [nm]: Kruse,
  * 3.912 / V (lambda / 0.55 um)^-q per km, with Kruse's exponents q.
  */
 inline double AtmosphericExtinction(double visibility, double wavelength)
@@ -42,13 +42,13 @@ struct LidarEquation
     return this->GetGain(range, this->GetTransmission(range)) * reflectance * cosIncidence;
   }
 
-  /// exp(-2 alpha R): the two-way transmission.
+  /// Returns exp(-2 alpha R): the two-way transmission.
   double GetTransmission(double range) const
   {
     return this->Extinction > 0.0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
   }
 
-  /// All factors but the surface, with the transmission known.
+  /// Returns all factors but the surface, with the transmission known.
   double GetGain(double range, double transmission) const
   {
     const double aperture = this->ReceiverDiameter / range;
@@ -65,10 +65,10 @@ struct SurfaceReflection
 };
 
 /**
- * pi times the bidirectional reflectance times cos(theta), in the backscatter direction: replaces
- * rho cos(theta) in the lidar equation. The Phong lobe is about the mirrored direction, 2 theta
- * away, and normalised by (n + 2) / (2 pi) to conserve energy (Lewis 1994, Computer Graphics Forum
- * 13, 109-120); it is 0 for 2 theta > 90 degrees.
+ * Returns pi times the bidirectional reflectance times cos(theta), in the backscatter direction:
+ * replaces rho cos(theta) in the lidar equation. The Phong lobe is about the mirrored direction, 2
+ * theta away, and normalised by (n + 2) / (2 pi) to conserve energy (Lewis 1994, Computer Graphics
+ * Forum 13, 109-120); it is 0 for 2 theta > 90 degrees.
  */
 inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
 {
@@ -87,15 +87,15 @@ inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
  * The transmission for the sub-rays of one pulse, whose ranges differ little: one exponential at
  * the first range, and a series about it.
  */
-class NearbyTransmission
+class CachedTransmission
 {
 public:
-  explicit NearbyTransmission(const LidarEquation& equation)
+  explicit CachedTransmission(const LidarEquation& equation)
     : Equation(equation)
   {
   }
 
-  /// At a range; restarts the series there if it was not accurate enough.
+  /// Returns the transmission at a range; restarts the series there if it was not accurate enough.
   double operator()(double range)
   {
     const double x = this->GetExponent(range);
@@ -108,8 +108,8 @@ public:
     return this->GetNear(x);
   }
 
-  ///@{
-  /// In separate steps, for ranges near the start of the series.
+  /// @{
+  /// Compute in separate steps, for ranges near the start of the series.
   double GetExponent(double range) const
   {
     return -2.0 * this->Equation.Extinction * (range - this->Range);

@@ -13,15 +13,15 @@ namespace helios
 namespace
 {
 
-constexpr double MetersPerSecond = 1e9 * SpeedOfLight; // of c in m/ns
-constexpr vtkIdType MostChannels = 100000;
+constexpr double MetersPerSecond = 1e9 * SpeedOfLight; // unit of c in m/ns
+constexpr vtkIdType MaximumChannels = 100000;
 
-/// The pulses from one to the next of its channel.
+/// Returns the pulses from one to the next of its channel.
 vtkIdType FindStride(const vtkHeliosBeamDeflector& deflector)
 {
   const int channel = deflector.GetChannel(0);
   vtkIdType stride = 1;
-  while (stride < MostChannels && deflector.GetChannel(stride) != channel)
+  while (stride < MaximumChannels && deflector.GetChannel(stride) != channel)
   {
     ++stride;
   }

@@ -18,16 +18,18 @@ namespace helios
  */
 struct RangeZones
 {
-  int Zone = 0;                 ///< that echoes are taken for, from 1; 0: the true pulses are known
+  /// zone that echoes are assigned to, from 1; 0: the true pulses are known
+  int Zone = 0;
   vtkIdType Stride = 1;         ///< from a pulse to the next one of the channel
-  double Depth = 0.0;           ///< of a zone [m]
-  vtkIdType NumberOfPulses = 0; ///< of the scan, emitted or not
+  double Depth = 0.0;           ///< depth of a zone [m]
+  vtkIdType NumberOfPulses = 0; ///< number of pulses of the scan, emitted or not
 
-  /// The pulses of the channel from the true one of an echo to that it is taken for.
+  /// Returns the number of pulses of the channel from the true one of an echo to the one it is
+  /// assigned to.
   vtkIdType GetStep(double range) const;
 };
 
-/// The zones of a scan by a deflector.
+/// Returns the zones of a scan by a deflector.
 RangeZones MakeRangeZones(vtkHeliosBeamDeflector& deflector, int zone, vtkIdType numberOfPulses);
 
 } // namespace helios

@@ -21,9 +21,9 @@ namespace
 // The window of a Gaussian starts this long before the first return: no maximum lies outside
 // the returns.
 constexpr double MarginInSigma = 5.0;
-constexpr double FarInSigma = 7.0; // returns beyond contribute less than 1e-10
-constexpr int MostIterations = 20; // of Newton's method
-constexpr std::size_t Many = 1000; // returns, that are sorted so that each is compared with few
+constexpr double FarInSigma = 7.0;    // returns beyond contribute less than 1e-10
+constexpr int MaximumIterations = 20; // steps of Newton's method
+constexpr std::size_t Many = 1000;    // returns, that are sorted so that each is compared with few
 
 double TwoWayTime(double range)
 {
@@ -34,7 +34,7 @@ typedef double Powers __attribute__((vector_size(8 * PulseCluster::Order / 2)));
 typedef long long PowerMasks __attribute__((vector_size(8 * PulseCluster::Order / 2)));
 static_assert(PulseCluster::Order == 8, "there are four powers, and four times x^4");
 
-/// 1, x, x^2, x^3.
+/// Computes 1, x, x^2, x^3.
 HELIOS_INLINE void SetPowers(double x, Powers& powers)
 {
   constexpr PowerMasks has1 = { 0, -1, 0, -1 };
@@ -43,21 +43,21 @@ HELIOS_INLINE void SetPowers(double x, Powers& powers)
   powers = (has1 ? Powers() + x : one) * (has2 ? Powers() + x * x : one);
 }
 
-/// The return nearest in range; the first of equally near ones.
+/// Returns the return nearest in range; the first of equally near ones.
 const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, double range)
 {
   const SubReturn* nearest = begin;
-  double least = std::abs(begin->Range - range);
+  double minimum = std::abs(begin->Range - range);
   for (const SubReturn* r = begin + 1; r != end; ++r)
   {
     const double away = std::abs(r->Range - range);
-    nearest = away < least ? r : nearest;
-    least = std::min(least, away);
+    nearest = away < minimum ? r : nearest;
+    minimum = std::min(minimum, away);
   }
   return nearest;
 }
 
-/// The surface nearest in range, within reach of a medium that is nearer; else the medium.
+/// Returns the surface nearest in range, within reach of a medium that is nearer; else the medium.
 const SubReturn* FindNearestSurface(
   const SubReturn* begin, const SubReturn* end, double range, double reach)
 {
@@ -95,7 +95,7 @@ Receiver::Receiver(const ReceiverSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-/// Twice the reach of a pulse, in range.
+/// Returns twice the reach of a pulse, in range.
 double Receiver::Search::GetGap() const
 {
   return SpeedOfLight * this->BinSize * static_cast<double>(this->Shape.GetReach() + 1);
@@ -117,7 +117,8 @@ bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, std::vector<Ech
 }
 
 //------------------------------------------------------------------------------
-/// Those of many returns, or of returns too far apart for one window: each group has its own.
+/// Finds the maxima of many returns, or of returns too far apart for one window: each group has its
+/// own.
 bool Receiver::FindMaximaApart(
   const std::vector<SubReturn>& returns, const Search& search, std::vector<Echo>& echoes)
 {
@@ -139,7 +140,7 @@ bool Receiver::FindMaximaApart(
 }
 
 //------------------------------------------------------------------------------
-/// Those of returns in one window.
+/// Finds the maxima of returns in one window.
 bool Receiver::FindMaxima(Iterator begin, Iterator end, const Limits& limits, const Search& search,
   std::vector<Echo>& echoes)
 {
@@ -172,7 +173,7 @@ Receiver::Limits Receiver::GetLimits(Iterator begin, Iterator end)
 }
 
 //------------------------------------------------------------------------------
-/// The echo of the returns within limits; no other return is as near to it.
+/// Finds the echo of the returns within limits; no other return is as near to it.
 void Receiver::FindSingleEcho(
   Iterator begin, Iterator end, const Limits& limits, std::vector<Echo>& echoes)
 {
@@ -271,7 +272,7 @@ bool Receiver::FindInGroups(Iterator begin, Iterator end, const Limits& limits,
 }
 
 //------------------------------------------------------------------------------
-/// The echoes at the maxima in filled bins; false if a maximum lies at their end.
+/// Finds the echoes at the maxima in filled bins; false if a maximum lies at their end.
 bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
   std::vector<Echo>& echoes)
 {
@@ -293,7 +294,8 @@ bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator 
 }
 
 //------------------------------------------------------------------------------
-/// The returns that contribute to the sum at a time in the window; all of them, if not sorted.
+/// Returns the returns that contribute to the sum at a time in the window; all of them, if not
+/// sorted.
 std::pair<Receiver::Iterator, Receiver::Iterator> Receiver::GetNear(
   Iterator begin, Iterator end, double time) const
 {
@@ -311,7 +313,7 @@ std::pair<Receiver::Iterator, Receiver::Iterator> Receiver::GetNear(
 
 //------------------------------------------------------------------------------
 /**
- * Moves the maximum near a bin to that of the sum of Gaussians itself, by Newton's method on its
+ * Moves the maximum near a bin to the maximum of the sum of Gaussians, by Newton's method on its
  * logarithm: where two echoes nearly merge, the parabola through three bins is not good enough.
  */
 void Receiver::Refine(
@@ -320,7 +322,7 @@ void Receiver::Refine(
   const double scale = 1.0 / this->Sigma;
   double u = 0.0; // from the bins' maximum, in sigma
   double value = 0.0;
-  for (int iteration = 0; iteration < MostIterations; ++iteration)
+  for (int iteration = 0; iteration < MaximumIterations; ++iteration)
   {
     double w0 = 0.0;
     double w1 = 0.0;
@@ -420,8 +422,8 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
 
 //------------------------------------------------------------------------------
 /**
- * The bins where the sum of the Gaussians of returns may have maxima, and their neighbours: it
- * rises up to the first return and falls after the last.
+ * Returns the bins where the sum of the Gaussians of returns may have maxima, and their neighbours:
+ * it rises up to the first return and falls after the last.
  */
 BinRange Receiver::GetBinsOfMaxima(
   const PulseCluster& first, const PulseCluster& last, double binSize) const
@@ -432,7 +434,7 @@ BinRange Receiver::GetBinsOfMaxima(
 }
 
 //------------------------------------------------------------------------------
-/// The time of a return at a range, in the window [ns].
+/// Returns the time of a return at a range, in the window [ns].
 double Receiver::GetTime(double range) const
 {
   return TwoWayTime(range - this->Nearest) + this->Margin;
@@ -494,7 +496,7 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
 }
 
 //------------------------------------------------------------------------------
-/// The cluster of a slot.
+/// Returns the cluster of a slot.
 PulseCluster& Receiver::GetCluster(vtkIdType slot)
 {
   constexpr std::size_t few = 32; // are found faster one by one
@@ -580,8 +582,8 @@ void Receiver::SetSamples(const BinRange& bins)
 {
   std::transform(this->Sum.begin() + bins.First, this->Sum.begin() + bins.Last,
     this->Wave.Samples.begin() + bins.First,
-    [most = this->Settings.Saturation](double value)
-    { return static_cast<float>(std::min(value, most)); });
+    [maximum = this->Settings.Saturation](double value)
+    { return static_cast<float>(std::min(value, maximum)); });
 }
 
 //------------------------------------------------------------------------------

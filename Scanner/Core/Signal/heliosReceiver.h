@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// From the sub-rays of a pulse to the received waveform and its echoes.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Computes the received waveform of a pulse and its echoes from its sub-rays.
 
 #ifndef heliosReceiver_h
 #define heliosReceiver_h
@@ -64,10 +63,10 @@ struct PlaneEcho
 struct ReceiverSettings
 {
   PulseShape Shape;
-  double BinSize = 0.25;      // of waveforms [ns]
-  double DetectionBin = 0.25; // of groups of returns that FindMaxima() has to bin [ns]
+  double BinSize = 0.25;      // bin of waveforms [ns]
+  double DetectionBin = 0.25; // bin of groups of returns that FindMaxima() has to bin [ns]
   const vtkHeliosEchoDetector* Detector = nullptr;
-  vtkIdType MaximumCount = VTK_ID_MAX; // of samples of a waveform
+  vtkIdType MaximumCount = VTK_ID_MAX; // largest number of samples of a waveform
   bool HasLimit = true; // whether returns beyond that have no echo, or only no sample
   double Noise = 0.0;   // standard deviation of a sample [W]
   double Saturation = std::numeric_limits<double>::infinity(); // larger samples are clipped [W]
@@ -86,26 +85,27 @@ public:
   explicit Receiver(const ReceiverSettings& settings);
 
   /**
-   * The echoes of a pulse in order of range. Groups of returns too far apart to overlap are
+   * Finds the echoes of a pulse in order of range. Groups of returns too far apart to overlap are
    * processed separately; a group that spreads over no more than c sigma has exactly one maximum,
    * found by Newton's method; in others the bins that may hold maxima are filled. Returns true if
-   * no group needed bins. For Gaussian pulses and detectors that find maxima. The nearest returns of
-   * the echoes are valid until the next call.
+   * no group needed bins. For Gaussian pulses and detectors that find maxima. The nearest returns
+   * of the echoes are valid until the next call.
    */
   bool FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
-  /// Whether the last FindMaxima() left out returns beyond the maximum length of a waveform.
+  /// Returns whether the last FindMaxima() left out returns beyond the maximum length of a
+  /// waveform.
   bool IsCut() const { return this->WasCut; }
 
   /**
-   * The echoes that DetectEchoes() finds in the waveform of the returns, without noise,
+   * Finds the echoes that DetectEchoes() finds in the waveform of the returns, without noise,
    * byte-identical: only bins that may hold a maximum are filled. False if no echoes were computed,
    * because the waveform was cut or has no single maxima. For Gaussian pulses and detectors that
    * find maxima.
    */
   bool FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
-  /// One echo of all returns: their sum, at their mean range weighted by power.
+  /// Makes one echo of all returns: their sum, at their mean range weighted by power.
   void MergeReturns(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const;
 
   ///@{
@@ -117,12 +117,12 @@ public:
   bool Fill(const PlaneEcho& echo, double background, vtkIdType pulseId);
   ///@}
 
-  /// The waveform of a pulse that returns nothing: no samples.
+  /// Fills the waveform of a pulse that returns nothing: no samples.
   void FillEmpty(vtkIdType pulseId);
 
   const Waveform& GetWaveform() const { return this->Wave; }
 
-  /// The echoes in the waveform filled last, and their nearest returns.
+  /// Detects the echoes in the waveform filled last, and their nearest returns.
   void DetectEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
 private:
@@ -180,12 +180,12 @@ private:
   double SigmaRange; // [m]
   double Nearest = 0.0;
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
-  std::vector<double> Sum; // of the filled samples of the waveform
+  std::vector<double> Sum; // sums in the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
   std::unordered_map<vtkIdType, std::size_t> ManyClusters; // by slot, those after the first few
   bool WasCut = false;
   bool IsSorted = false;         // whether the returns are, by range
-  std::vector<SubReturn> Sorted; // those that are many, or too far apart for one window
+  std::vector<SubReturn> Sorted; // many returns, or returns too far apart for one window
   SingleMaximum Maximum;
   Waveform Wave;
   std::vector<Peak> Peaks;

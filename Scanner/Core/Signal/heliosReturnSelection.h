@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// From the echoes of a waveform to the returns of a pulse, for the scanner and the filters.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Selects the returns of a pulse for the echoes of a waveform, for the scanner and the filters.
 
 #ifndef heliosReturnSelection_h
 #define heliosReturnSelection_h
@@ -16,10 +15,10 @@ namespace helios
 {
 
 /// The maximum of ReturnNumber.
-constexpr std::size_t MostReturns = 255;
+constexpr std::size_t MaximumReturns = 255;
 
-/// The range of an echo [m], from two-way times [ns]: the waveform's start, and the echo's after
-/// it.
+/// Returns the range of an echo [m], from two-way times [ns]: the waveform's start, and the echo's
+/// after it.
 inline double GetRange(double startTime, double time)
 {
   return 0.5 * SpeedOfLight * (startTime + time);
@@ -65,8 +64,8 @@ void SelectReturns(
         kept.push_back(i);
       }
   }
-  const std::size_t most = maximum > 0 ? static_cast<std::size_t>(maximum) : MostReturns;
-  kept.resize(std::min({ kept.size(), most, MostReturns }));
+  const std::size_t most = maximum > 0 ? static_cast<std::size_t>(maximum) : MaximumReturns;
+  kept.resize(std::min({ kept.size(), most, MaximumReturns }));
 }
 
 } // namespace helios

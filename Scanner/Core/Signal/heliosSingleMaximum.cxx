@@ -15,7 +15,8 @@ namespace
 
 constexpr std::size_t Lanes = QuadWidth; // terms summed in parallel
 
-/// exp(-y) for 0 <= y <= 8 to 1e-10, to the last bits for y <= 2: the series of its 64th root.
+/// Returns exp(-y) for 0 <= y <= 8 to 1e-10, to the last bits for y <= 2: the series of its 64th
+/// root.
 HELIOS_INLINE Doubles ExpMinus(const Doubles& y)
 {
   const Doubles z = Min<Doubles>(y, Doubles() + 8.0) * (1 / 64.0);
@@ -28,7 +29,7 @@ HELIOS_INLINE Doubles ExpMinus(const Doubles& y)
   return e;
 }
 
-/// The sum of all lanes, adjacent ones first.
+/// Returns the sum of all lanes, adjacent ones first.
 HELIOS_INLINE double AddUp(const Doubles& v)
 {
   return (v[0] + v[1]) + (v[2] + v[3]);
@@ -36,7 +37,7 @@ HELIOS_INLINE double AddUp(const Doubles& v)
 
 } // namespace
 
-/// Of the places about 0, not divided by the power.
+/// Moments of the places about 0, not divided by the power.
 struct SingleMaximum::Moments
 {
   double Power, First, Second, Third;
@@ -48,10 +49,10 @@ struct SingleMaximum::Sums
   double W0, W1, W2;
 };
 
-void SingleMaximum::Open(std::size_t most)
+void SingleMaximum::Open(std::size_t maximum)
 {
   this->Count = 0;
-  this->Places.resize(std::max(this->Places.size(), most + Lanes));
+  this->Places.resize(std::max(this->Places.size(), maximum + Lanes));
   this->Powers.resize(this->Places.size());
 }
 

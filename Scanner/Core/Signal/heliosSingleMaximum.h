@@ -24,11 +24,11 @@ public:
   {
     double Place;
     double Value;
-    double Variance; ///< of the x_k, weighted by p_k
+    double Variance; ///< variance of the x_k, weighted by p_k
   };
 
   /// Restarts, with memory for n terms.
-  void Open(std::size_t most);
+  void Open(std::size_t maximum);
 
   /// Adds a term, if isWanted.
   void Add(double place, double power, bool isWanted = true)
@@ -38,8 +38,8 @@ public:
     this->Count += isWanted ? 1 : 0;
   }
 
-  /// For one or more terms that spread over no more than two sigma; false if they have no power.
-  /// Call once: it modifies the terms.
+  /// Finds the maximum for one or more terms that spread over no more than two sigma; false if they
+  /// have no power. Call once: it modifies the terms.
   bool Find(double sigma, Result& result);
 
 private:

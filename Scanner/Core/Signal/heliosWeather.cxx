@@ -11,10 +11,10 @@ namespace helios
 namespace
 {
 
-constexpr double PerMeter = 1e-3;                       // of values per km
-constexpr double Neper = PerMeter * 0.2302585092994046; // of dB/km: ln(10) / 10
+constexpr double PerMeter = 1e-3;                       // values are given per km
+constexpr double Neper = PerMeter * 0.2302585092994046; // factor of dB/km: ln(10) / 10
 
-/// Kim's exponent of the wavelength.
+/// Returns Kim's exponent of the wavelength.
 double GetExponent(double visibility)
 {
   const double v = visibility;
@@ -41,7 +41,7 @@ double FromSleet(double rate, double wavelength)
   return Neper * (1.023e-4 * wavelength + 3.7855466) * std::pow(rate, 0.72);
 }
 
-/// Of the drops that half of the water is in [m].
+/// Returns the median diameter of drops by volume [m].
 double GetDiameter(double rate)
 {
   return 0.895e-3 * std::pow(rate, 0.21);
@@ -52,7 +52,7 @@ struct Kind
   const char* Name;
   double (*GetExtinction)(double amount, double wavelength);
   double LidarRatio;
-  double Least, Most;
+  double Minimum, Maximum;
   const char* Amount;
 };
 constexpr std::array<Kind, 6> Kinds = { {
@@ -80,7 +80,7 @@ Status ParseWeather(const std::string& text, double wavelength, Air& air)
     if (name == kind.Name)
     {
       double amount = -1.0;
-      const bool isGood = words >> amount && amount >= kind.Least && amount <= kind.Most;
+      const bool isGood = words >> amount && amount >= kind.Minimum && amount <= kind.Maximum;
       const bool hasDrops = isGood && words >> rest && rest == "drops" && name == "rain";
       if (!isGood || (!hasDrops && !rest.empty()) || words >> rest)
       {

@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the echoes have ScanDirectionFlag and EdgeOfFlightLine, which are those of
-   * their pulse by the deflector; 0 for one without lines. Default: off.
+   * Set/Get whether the echoes have ScanDirectionFlag and EdgeOfFlightLine, the flags of their
+   * pulse by the deflector; 0 for a deflector without lines. Default: off.
    */
   vtkHeliosOutputMacro(GenerateScanFlags, ScanFlags);
   ///@}
@@ -146,7 +146,7 @@ public:
     // arrays of the echoes
     bool Truth = false;
     bool ScanFlags = false;
-    bool Columns = false; ///< of the pulses, too
+    bool Columns = false; ///< also of the pulses
     bool Decibels = false;
     bool Colors = false;
 
@@ -154,7 +154,7 @@ public:
     bool WaveformsInPoints = false; ///< LAS: in one file with the points
     bool SplitByChannel = false;
 
-    /// Whether an output port of the scanner has data.
+    /// Returns whether an output port of the scanner has data.
     bool HasPort(int port) const
     {
       const bool ports[NumberOfPorts] = { true, this->Waveforms, this->Pulses, this->SubRays };

@@ -32,8 +32,8 @@ struct vtkHeliosWaveform
   double BinSize;     ///< [ns]
   double PulseLength; ///< [ns], full width at half maximum of the transmitted pulse
 
-  /// For detectors that draw random numbers: times from the first sample between which the receiver
-  /// is armed [ns] (both 0: while there are samples), and the key of the numbers.
+  /// Inputs of detectors that draw random numbers: times from the first sample between which the
+  /// receiver is armed [ns] (both 0: while there are samples), and the key of the numbers.
   double GateStart = 0.0;
   double GateStop = 0.0;
   std::uint64_t Seed = 0;
@@ -82,7 +82,7 @@ public:
 #endif
 
   /**
-   * Whether echoes have a Deviation. Default: no.
+   * Returns whether echoes have a Deviation. Default: no.
    */
   virtual bool GivesDeviation() const
   {
@@ -90,8 +90,8 @@ public:
   }
 
   /**
-   * Whether an echo is a maximum of the waveform and may be found without bins
-   * where that is faster. Default: no.
+   * Returns whether an echo is a maximum of the waveform and may be found without bins where that
+   * is faster. Default: no.
    */
   virtual bool FindsMaxima() const
   {
@@ -99,8 +99,7 @@ public:
   }
 
   /**
-   * Whether there may be echoes of pulses that return nothing: dark counts.
-   * Default: no.
+   * Returns whether there may be echoes of pulses that return nothing: dark counts. Default: no.
    */
   virtual bool HasDarkCounts() const
   {
@@ -108,10 +107,9 @@ public:
   }
 
   /**
-   * The amplitude [W] for which times of pulses that are not Gaussian are
-   * calibrated: that of the echo of a plane across the beam at the true range;
-   * 0: times are not calibrated. Default: 1000 times the DetectionThreshold,
-   * or 1.
+   * Returns the amplitude [W] for which times of pulses that are not Gaussian are calibrated: the
+   * amplitude of the echo of a plane across the beam at the true range; 0: times are not
+   * calibrated. Default: 1000 times the DetectionThreshold, or 1.
    */
   virtual double GetCalibrationAmplitude() const;
 

@@ -44,8 +44,8 @@ public:
 
   ///@{
   /**
-   * The error added to a range [m], to the deflector angle and to the head
-   * angle [rad], for the exact deflector angle theta [rad]. Default: 0.
+   * Returns the error added to a range [m], to the deflector angle and to the head angle [rad], for
+   * the exact deflector angle theta [rad]. Default: 0.
    */
   virtual double GetRangeError(double theta) const;
   virtual double GetDeflectionError(double theta) const;
@@ -61,12 +61,12 @@ public:
   virtual bool MoveRay(double origin[3], double direction[3]) const;
 
   /**
-   * The factor on the range noise at a range [m]. Default: 1.
+   * Returns the factor on the range noise at a range [m]. Default: 1.
    */
   virtual double GetRangeNoiseFactor(double range) const;
 
   /**
-   * The name of a term in messages. Default: its method.
+   * Returns the name of a term in messages. Default: its method.
    */
   virtual std::string GetTermName(int term) const;
 

@@ -205,9 +205,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the diameter of the drops that are the extinction of the air [m], as of rain: with a
-   * lidar ratio, single ones return light at random places, in beams with a divergence.
-   * 0: so many that the air is homogeneous. Valid range: [0, 0.05]. Default: 0.
+   * Set/Get the diameter of the drops that cause the extinction of the air, such as rain [m]: with
+   * a lidar ratio, single ones return light at random places, in beams with a divergence. 0: so
+   * many that the air is homogeneous. Valid range: [0, 0.05]. Default: 0.
    */
   vtkSetMacro(DropletDiameter, double);
   vtkGetMacro(DropletDiameter, double);
@@ -336,16 +336,17 @@ protected:
   vtkHeliosInstrument();
   ~vtkHeliosInstrument() override;
 
-  /// Whether all values are in range; otherwise reports an error that names the first invalid one.
+  /// Returns whether all values are in range; otherwise reports an error that names the first
+  /// invalid one.
   bool CheckInstrument();
 
-  /// The air in use; valid after CheckInstrument().
+  /// Returns the air in use; valid after CheckInstrument().
   helios::Air ComputeAir() const;
 
-  /// The sunlight from a white surface, without extinction, at the receiver [W].
+  /// Returns the sunlight from a white surface, without extinction, at the receiver [W].
   double ComputeBackground() const;
 
-  /// The maximum number of samples of a waveform.
+  /// Returns the maximum number of samples of a waveform.
   vtkIdType CountSamples() const;
 
   /// Builds the pulse and checks it against the bins.

@@ -4,15 +4,13 @@
  * @class   vtkHeliosPeakDetector
  * @brief   an echo is a local maximum of the waveform
  *
- * Each maximum that reaches DetectionThreshold is one echo, also a plateau.
- * Time and amplitude are those of the parabola through the logarithms of the
- * largest sample and its neighbours, which is exact for a Gaussian; the width
- * is that of the Gaussian with this curvature. An echo of one sample between
- * zeros is at that sample and has the width of the pulse.
+ * Each maximum that reaches DetectionThreshold is one echo, also a plateau. Time and amplitude are
+ * the maximum of the parabola through the logarithms of the largest sample and its neighbours,
+ * which is exact for a Gaussian; the width belongs to the Gaussian with this curvature. An echo of
+ * one sample between zeros is at that sample and has the width of the pulse.
  *
- * In noise three samples are few, the more so for fine bins, and each echo has
- * many maxima: set a FitWindow (1.5 gives 1.3 times the Cramer-Rao bound) and a
- * MinimumSeparation.
+ * In noise three samples are few, the more so for fine bins, and each echo has many maxima: set a
+ * FitWindow (1.5 gives 1.3 times the Cramer-Rao bound) and a MinimumSeparation.
  *
  * @sa
  * vtkHeliosEchoDetector

@@ -30,7 +30,7 @@ constexpr Sellmeier Silica = { { { 0.6961663, 0.0684043 * 0.0684043 },
 Indices GetIndices(const Sellmeier& terms, double l)
 {
   double square = 1.0;
-  double slope = 0.0; // of n^2
+  double slope = 0.0; // slope of n^2
   for (const Term& term : terms)
   {
     const double away = l * l - term.C;
@@ -41,7 +41,7 @@ Indices GetIndices(const Sellmeier& terms, double l)
   return { n, n - l * slope / (2.0 * n) };
 }
 
-/// n = 1.5130 - 0.003169 l^2 + 0.003962 / l^2.
+/// Returns n = 1.5130 - 0.003169 l^2 + 0.003962 / l^2.
 Indices GetSodaLime(double l)
 {
   const double falling = 0.003169 * l * l;

@@ -26,7 +26,7 @@ namespace helios
 namespace
 {
 
-/// A cell array converted to the requested type; null if missing.
+/// Returns a cell array converted to the requested type; null if missing.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> FindArray(
   vtkDataSet* data, const char* name, int components, const std::string& what, Status& status)
@@ -51,13 +51,13 @@ vtkSmartPointer<ArrayT> FindArray(
   return array;
 }
 
-constexpr double LeastScatteringAttenuation = 1e-3; // [1/m], so that columns end
+constexpr double MinimumScatteringAttenuation = 1e-3; // [1/m], so that columns end
 
-/// What is wrong with optics, and the cure; empty: nothing.
+/// Finds the fault of optics, and the cure; empty: none.
 std::string FindFault(const MaterialOptics& optics)
 {
-  const auto is = [](double value, double least, double most)
-  { return value >= least && value <= most; };
+  const auto is = [](double value, double minimum, double maximum)
+  { return value >= minimum && value <= maximum; };
   const int kind = static_cast<int>(optics.Kind);
   if (kind < 0 || kind > static_cast<int>(OpticsKind::Retroreflector))
   {
@@ -87,7 +87,7 @@ std::string FindFault(const MaterialOptics& optics)
       " 1/m; give the first within [0, 10] and the second within [0, 1e6]";
   }
   if (!is(optics.Backscatter, 0.0, 1e6) ||
-    (optics.Backscatter > 0.0 && !(optics.Attenuation >= LeastScatteringAttenuation)))
+    (optics.Backscatter > 0.0 && !(optics.Attenuation >= MinimumScatteringAttenuation)))
   {
     return "has backscatter " + std::to_string(optics.Backscatter) + " 1/(m sr) and attenuation " +
       std::to_string(optics.Attenuation) +
@@ -215,7 +215,7 @@ Vec3 SceneSurfaces::FindNormal(vtkIdType cell) const
   }
   const auto prototype = static_cast<std::size_t>(at.Instance->PrototypeId);
   const Vec3 turned = at.Instance->Place.Rotate(this->Prototypes[prototype].GetNormal(at.Triangle));
-  // As in a copy of the prototype.
+  // Rounds like a copy of the prototype.
   return { RoundToFloat(turned[0]), RoundToFloat(turned[1]), RoundToFloat(turned[2]) };
 }
 
@@ -252,7 +252,7 @@ const SceneSurfaces::Grid& SceneSurfaces::FindGrid(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-/// Of the scene, without grids.
+/// Counts the parts of the scene, without grids.
 int SceneSurfaces::CountParts() const
 {
   if (this->PartNames)
@@ -348,7 +348,8 @@ Status SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-/// Of the materials added last; a row for every material once one of them has optics.
+/// Adds the optics of the materials added last; a row for every material once one of them has
+/// optics.
 void SceneSurfaces::AddOptics(const MaterialTable& materials)
 {
   const bool hasOptics = std::any_of(materials.begin(), materials.end(),

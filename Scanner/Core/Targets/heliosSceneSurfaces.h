@@ -46,7 +46,7 @@ public:
   /// Sets the wavelength [nm] of the light, on which the attenuation of water depends.
   void SetWavelength(double wavelength);
 
-  /// Whether an id is that of a voxel.
+  /// Returns whether an id belongs to a voxel.
   bool IsTurbid(vtkIdType cell) const { return cell >= this->NumberOfTriangles; }
 
   int GetMaterialId(vtkIdType cell) const
@@ -62,7 +62,7 @@ public:
                                 : this->Mesh.GetPartId(cell);
   }
 
-  /// Whether triangles of one plane have the same response and part.
+  /// Returns whether triangles of one plane have the same response and part.
   bool AreAlike(vtkIdType a, vtkIdType b) const
   {
     return !this->HasNormals && this->GetMaterialId(a) == this->GetMaterialId(b) &&
@@ -81,10 +81,10 @@ public:
     return this->Classifications[static_cast<std::size_t>(material)];
   }
 
-  /// Whether any surface reflects like a mirror or transmits light.
+  /// Returns whether any surface reflects like a mirror or transmits light.
   bool HasOptics() const { return !this->Optics.empty(); }
 
-  /// The optics of a cell; null if it is opaque.
+  /// Returns the optics of a cell; null if it is opaque.
   const MaterialOptics* GetOptics(vtkIdType cell) const
   {
     if (this->Optics.empty() || cell < 0 || this->IsTurbid(cell))
@@ -163,12 +163,12 @@ private:
   const SceneGeometry* Geometry = nullptr; // null: no instances
   bool HasNormals = false;
   vtkIdType NumberOfTriangles = VTK_ID_MAX;
-  vtkSmartPointer<vtkStringArray> PartNames; // of the scene; null: none
+  vtkSmartPointer<vtkStringArray> PartNames; // names of the scene; null: none
   std::vector<Grid> Grids;
-  vtkIdType NumberOfCells = 0;                // of triangles and voxels
-  std::vector<SurfaceReflection> Reflections; // of the materials
+  vtkIdType NumberOfCells = 0;                // number of triangles and voxels
+  std::vector<SurfaceReflection> Reflections; // one per material
   std::vector<int> Classifications;
-  std::vector<MaterialOptics> Optics; // of the materials; empty: all are opaque
+  std::vector<MaterialOptics> Optics; // one per material; empty: all are opaque
 };
 
 } // namespace helios

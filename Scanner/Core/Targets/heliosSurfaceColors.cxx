@@ -25,7 +25,7 @@ namespace helios
 namespace
 {
 
-/// A cell array with a tuple for each triangle; null: none.
+/// Returns a cell array with a tuple for each triangle; null: none.
 vtkDataArray* FindArray(vtkPolyData* mesh, const char* name, int components)
 {
   vtkDataArray* array = mesh->GetCellData()->GetArray(name);
@@ -34,7 +34,8 @@ vtkDataArray* FindArray(vtkPolyData* mesh, const char* name, int components)
   return fits ? array : nullptr;
 }
 
-/// The weights of the corners at the place of a triangle that is nearest to a point: none negative.
+/// Returns the weights of the corners at the place of a triangle that is nearest to a point: none
+/// negative.
 Vec3 GetWeights(const double corners[3][3], const Vec3& point)
 {
   const Vec3 a(corners[0]);
@@ -56,14 +57,14 @@ float Clamp(double share)
   return static_cast<float>(std::min(1.0, std::max(0.0, share)));
 }
 
-/// By which the colours of an array become shares.
+/// Returns the factor by which the colours of an array become shares.
 double GetScale(vtkDataArray* colors)
 {
   const bool isReal = colors->GetDataType() == VTK_FLOAT || colors->GetDataType() == VTK_DOUBLE;
   return isReal ? 1.0 : 1.0 / colors->GetDataTypeMax();
 }
 
-/// The colours of points by the corners of triangles; null: there are none.
+/// Returns the colours of points by the corners of triangles; null: there are none.
 vtkSmartPointer<vtkDataArray> MakeCornerColors(vtkPolyData* mesh)
 {
   vtkDataArray* colors = mesh->GetPointData()->GetArray(names::RGB);
@@ -88,7 +89,7 @@ vtkSmartPointer<vtkDataArray> MakeCornerColors(vtkPolyData* mesh)
   return corners;
 }
 
-/// The mean of values at the corners of a triangle, u v of a texture or red green blue.
+/// Returns the mean of values at the corners of a triangle, u v of a texture or red green blue.
 template <std::size_t Count>
 std::array<double, Count> Interpolate(
   vtkDataArray* corners, vtkIdType triangle, const Vec3& weights)
@@ -166,7 +167,8 @@ std::array<float, 3> SurfaceColors::Find(vtkIdType cell, int material, const Vec
 }
 
 //------------------------------------------------------------------------------
-/// The colour of a point of a triangle, whose material has a base colour and perhaps a texture.
+/// Returns the colour of a point of a triangle, whose material has a base colour and perhaps a
+/// texture.
 Rgb SurfaceColors::FindOnTriangle(
   vtkIdType cell, const Vec3& point, const Texture* image, const Rgb& base) const
 {
@@ -203,7 +205,7 @@ Rgb SurfaceColors::FindOnTriangle(
 }
 
 //------------------------------------------------------------------------------
-/// Those of the corners of a triangle at a point.
+/// Computes the weights of the corners of a triangle at a point.
 Vec3 SurfaceColors::FindWeights(vtkIdType cell, const Vec3& point) const
 {
   double corners[3][3];

@@ -28,8 +28,9 @@ namespace helios
 {
 
 /**
- * The colour of a place on a surface: that of the cell array RGB of its triangle, else that of the point array
- * between its corners, else the base colour of its material times its texture; black if it has none.
+ * Finds the colour of a place on a surface: the cell array RGB of its triangle, else the point
+ * array between its corners, else the base colour of its material times its texture; black if it
+ * has none.
  */
 class VTKHELIOSSCANNERCORE_EXPORT SurfaceColors
 {
@@ -41,11 +42,11 @@ public:
   void Set(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
     const SceneGeometry* geometry, const TextureStore& store);
 
-  /// Whether anything is coloured.
+  /// Returns whether anything is coloured.
   bool IsEmpty() const { return !this->HasColors; }
 
-  /// The colour of a cell, whose material is a row of those of the scene and then of the grids, at
-  /// a point.
+  /// Returns the colour of a cell at a point; its material is a row of the materials of the scene
+  /// and then of the grids.
   std::array<float, 3> Find(vtkIdType cell, int material, const Vec3& point) const;
 
 private:
@@ -71,7 +72,7 @@ private:
   const SceneGeometry* Geometry = nullptr;
   Arrays Mesh;
   std::vector<Arrays> Prototypes;
-  std::vector<Row> Rows; // of the materials
+  std::vector<Row> Rows; // rows of the materials
   bool HasColors = false;
 };
 

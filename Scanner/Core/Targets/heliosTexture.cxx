@@ -17,14 +17,14 @@ namespace helios
 namespace
 {
 
-/// A number of pixels, repeated: [0, count).
+/// Returns a number of pixels, repeated: [0, count).
 int Repeat(double position, int count)
 {
   const double turns = std::floor(position / count);
   return std::min(count - 1, static_cast<int>(position - turns * count));
 }
 
-/// The paths of the textures of data.
+/// Returns the paths of the textures of data.
 std::set<std::string> ListTextures(const std::vector<vtkDataObject*>& data)
 {
   std::set<std::string> paths;
@@ -39,7 +39,7 @@ std::set<std::string> ListTextures(const std::vector<vtkDataObject*>& data)
   return paths;
 }
 
-/// Whether images fit into the memory together; the pixels of all remain.
+/// Checks that images fit into the memory together; the pixels of all remain.
 Status CheckMemoryOf(const std::vector<ImageHeader>& images)
 {
   constexpr double kept = 3.0; // [bytes per pixel]

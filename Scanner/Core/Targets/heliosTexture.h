@@ -34,11 +34,11 @@ public:
   /// Reads an image of any format of ReadImage(). Errors tell what to do about map_Kd.
   Status Read(const std::string& path);
 
-  /// Of the image, such as an orientation that is not applied; empty: none.
+  /// Returns the warning of the image, such as an orientation that is not applied; empty: none.
   const std::string& GetWarning() const;
 
-  /// The colour at texture coordinates, bilinear between the centres of pixels: (0, 0) is the lower
-  /// left corner of the image, (1, 1) the upper right one.
+  /// Returns the colour at texture coordinates, bilinear between the centres of pixels: (0, 0) is
+  /// the lower left corner of the image, (1, 1) the upper right one.
   Rgb Get(double u, double v) const;
 
 private:
@@ -50,12 +50,12 @@ class VTKHELIOSSCANNERCORE_EXPORT TextureStore
 {
 public:
   /**
-   * Reads those of the materials of data that it does not have, once their sizes fit into the memory
-   * together. Their warnings are added to a list.
+   * Reads the textures of the materials of data that it does not have, once their sizes fit into
+   * the memory together. Their warnings are added to a list.
    */
   Status Load(const std::vector<vtkDataObject*>& data, std::vector<std::string>& warnings);
 
-  /// Null: not loaded.
+  /// Finds a texture; null: not loaded.
   std::shared_ptr<const Texture> Find(const std::string& path) const;
 
 private:

@@ -32,7 +32,8 @@ public:
 
   bool IsEmpty() const { return this->Grids.empty(); }
 
-  /// False if nothing within (t + apexOffset) tangent of a ray at its range t can hit a grid.
+  /// Returns false if nothing within (t + apexOffset) tangent of a ray at its range t can hit a
+  /// grid.
   bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const;
 
   /// Replaces the hits of the sub-rays of a pulse if a leaf is nearer.

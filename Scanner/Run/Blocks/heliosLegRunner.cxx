@@ -36,7 +36,7 @@ double Now()
 }
 
 /// Limit of a run: eleven days at 1e9 pulses per second.
-constexpr vtkIdType MostPulses = 1000000000000000;
+constexpr vtkIdType MaximumPulses = 1000000000000000;
 
 } // namespace
 
@@ -70,12 +70,12 @@ bool LegRunner::Plan()
     plan.FirstShot = shots;
     plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
-    if (this->NumberOfPulses > MostPulses)
+    if (this->NumberOfPulses > MaximumPulses)
     {
       Sentence text;
       text << this->Survey.Legs[plan.Leg].Where << ": " << static_cast<double>(plan.NumberOfPulses)
            << " pulses are more than a leg can have (all legs together: at most "
-           << static_cast<double>(MostPulses)
+           << static_cast<double>(MaximumPulses)
            << "); check its pulse frequency, its speed, its length and its duration";
       this->Log.Error(text.str());
       return false;

@@ -3,7 +3,7 @@
 #include "heliosRunAccuracy.h"
 
 #include "heliosMessages.h"
-#include "heliosPulseSample.h"
+#include "heliosPulseSubset.h"
 #include "heliosReceiverSetup.h"
 #include "heliosStatus.h"
 #include "vtkHeliosBeamSampler.h"
@@ -19,21 +19,21 @@ namespace helios
 namespace
 {
 
-// The sample: pulses that hit something, and at most MostMisses others for each of them.
-constexpr vtkIdType FewestHits = 200;
-constexpr vtkIdType MostHits = 1000;
+// The sample: pulses that hit something, and at most MaximumMisses others for each of them.
+constexpr vtkIdType MinimumHits = 200;
+constexpr vtkIdType MaximumHits = 1000;
 constexpr vtkIdType HitsPerSample = 20000;
-constexpr vtkIdType MostMisses = 3;
+constexpr vtkIdType MaximumMisses = 3;
 constexpr vtkIdType PulsesPerPiece = 256;                // between checks for an abort
 constexpr const char* PhotonCounting = "photonCounting"; // the name of its detector
 // The reference.
-constexpr double Finer = 0.1;        // of the tolerances of the run
-constexpr double Coarser = 0.3;      // of them: what bounds the error of the reference
-constexpr int MostSubRays = 1 << 18; // of a beam that it samples
-constexpr int MostSubRaysCoarse = 1 << 16;
+constexpr double Finer = 0.1;           // of the tolerances of the run
+constexpr double Coarser = 0.3;         // of them: what bounds the error of the reference
+constexpr int MaximumSubRays = 1 << 18; // of a beam that it samples
+constexpr int MaximumSubRaysCoarse = 1 << 16;
 constexpr double BinsPerPulse = 50.0;
 // Its check.
-constexpr vtkIdType MostChecked = 32; // pulses that hit something, about
+constexpr vtkIdType MaximumChecked = 32; // pulses that hit something, about
 constexpr int SubRaysOfCheck = 32768;
 
 Json::Value DescribeErrors(const EchoErrors& errors)
@@ -60,10 +60,10 @@ RunAccuracy::RunAccuracy(LegRunner& runner, const RunSettings& settings, Message
   , Log(log)
 {
   const ScanCounts& counts = runner.GetCounts();
-  const vtkIdType hits = std::max(counts.PulsesHit, counts.PulsesFired / (1 + MostMisses));
-  const vtkIdType wanted = std::clamp(hits / HitsPerSample, FewestHits, MostHits);
+  const vtkIdType hits = std::max(counts.PulsesHit, counts.PulsesFired / (1 + MaximumMisses));
+  const vtkIdType wanted = std::clamp(hits / HitsPerSample, MinimumHits, MaximumHits);
   this->Step = std::max<vtkIdType>(1, hits / wanted);
-  this->CheckStep = std::max<vtkIdType>(1, hits / MostChecked);
+  this->CheckStep = std::max<vtkIdType>(1, hits / MaximumChecked);
 }
 
 //------------------------------------------------------------------------------
@@ -119,14 +119,14 @@ Tolerances RunAccuracy::GetTolerances() const
 
 //------------------------------------------------------------------------------
 /// Sets adaptive sampling at a fraction of the tolerances of the run.
-void RunAccuracy::SetReference(double factor, int mostSubRays, RunOptions& options) const
+void RunAccuracy::SetReference(double factor, int maximumSubRays, RunOptions& options) const
 {
   const Tolerances tolerances = this->GetTolerances();
   options.NumberOfSubRays = 0;
   options.SubRayPattern.clear();
-  options.RangeTolerance = std::max(LeastRangeTolerance, factor * tolerances.Range);
-  options.EnergyTolerance = std::max(LeastEnergyTolerance, factor * tolerances.Energy);
-  options.MaximumSubRays = std::max(options.MaximumSubRays, mostSubRays);
+  options.RangeTolerance = std::max(MinimumRangeTolerance, factor * tolerances.Range);
+  options.EnergyTolerance = std::max(MinimumEnergyTolerance, factor * tolerances.Energy);
+  options.MaximumSubRays = std::max(options.MaximumSubRays, maximumSubRays);
 }
 
 //------------------------------------------------------------------------------
@@ -146,9 +146,9 @@ std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
       options.BinSize = this->GetFinestBin();
     }
   }
-  this->SetReference(Finer, MostSubRays, ways[Reference].Options);
-  this->SetReference(Coarser, MostSubRaysCoarse, ways[Coarse].Options);
-  this->SetReference(Finer, MostSubRays, ways[CheckedReference].Options);
+  this->SetReference(Finer, MaximumSubRays, ways[Reference].Options);
+  this->SetReference(Coarser, MaximumSubRaysCoarse, ways[Coarse].Options);
+  this->SetReference(Finer, MaximumSubRays, ways[CheckedReference].Options);
   for (const WayIndex i : { Check, HalfCheck })
   {
     RunOptions& options = ways[i].Options;
@@ -168,7 +168,7 @@ vtkIdType RunAccuracy::CountSamples(const LegPlan& plan, vtkIdType step) const
   vtkIdType count = 0;
   for (vtkIdType k = 0; k < channels; ++k)
   {
-    const PulseSample sample(step, plan.FirstPulse + k);
+    const PulseSubset sample(step, plan.FirstPulse + k);
     count += sample.CountBelow(plan.NumberOfPulses / channels) - sample.CountBelow(0);
   }
   return count;
@@ -312,7 +312,7 @@ Json::Value RunAccuracy::DescribeReference() const
 {
   Json::Value described = DescribeErrors(this->GetReferenceErrors());
   RunOptions options;
-  this->SetReference(Finer, MostSubRays, options);
+  this->SetReference(Finer, MaximumSubRays, options);
   described["rangeTolerance_m"] = options.RangeTolerance;
   described["energyTolerance"] = options.EnergyTolerance;
   Json::Value& check = described["check"] = DescribeErrors(this->CheckErrors.GetErrors());

@@ -63,7 +63,7 @@ private:
   };
 
   std::vector<Way> MakeWays() const;
-  void SetReference(double factor, int mostSubRays, RunOptions& options) const;
+  void SetReference(double factor, int maximumSubRays, RunOptions& options) const;
   Tolerances GetTolerances() const;
   double GetFinestBin() const;
   bool CountsPhotons() const;

@@ -22,12 +22,12 @@ namespace
 
 // Samples: a tenth of the run, within limits for accuracy and speed [pulses].
 constexpr double SampledShare = 0.1;
-constexpr double FewestPulses = 262144.0;
-constexpr double MostPulses = 2097152.0;
+constexpr double MinimumPulses = 262144.0;
+constexpr double MaximumPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
-constexpr double FewestWindows = 8.0;   // of a leg
-constexpr double MostOverBudget = 4.0;  // with whole lines
-constexpr double LongestSampling = 4.0; // [s], of all legs together
+constexpr double MinimumWindows = 8.0;    // of a leg
+constexpr double MaximumOverBudget = 4.0; // with whole lines
+constexpr double LongestSampling = 4.0;   // [s], of all legs together
 // Trials of increasing length, until one gives the time per pulse.
 constexpr double PulsesPerTrial = 8.0;
 constexpr double TrialGrowth = 8.0;
@@ -78,7 +78,7 @@ double RunEstimate::GetWanted(const LegPlan& plan) const
 {
   const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
   const auto pulses = static_cast<double>(plan.NumberOfPulses);
-  const double all = std::clamp(SampledShare * total, FewestPulses, MostPulses);
+  const double all = std::clamp(SampledShare * total, MinimumPulses, MaximumPulses);
   return std::max(PulsesPerWindow, all * pulses / total);
 }
 
@@ -96,8 +96,8 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affo
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
     : PulsesPerWindow / frequency;
   const double budget = std::min(this->GetWanted(plan), affordable);
-  const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
-  if (count * length * frequency > MostOverBudget * budget)
+  const double count = std::max(MinimumWindows, std::ceil(budget / (length * frequency)));
+  if (count * length * frequency > MaximumOverBudget * budget)
   {
     // Parts of lines if whole lines take too long.
     length = std::max(1.0, budget / count) / frequency;
@@ -183,7 +183,7 @@ double RunEstimate::CountAffordable(const LegPlan& plan, LegScanner& scanner)
   const auto pulses = static_cast<double>(plan.NumberOfPulses);
   const double step = plan.Duration / std::max(1.0, pulses);
   const double middle = plan.StartTime + 0.5 * plan.Duration;
-  const double most = this->GetLongestSampling();
+  const double maximum = this->GetLongestSampling();
   const double largest = std::min(0.5 * pulses, this->GetWanted(plan));
   for (double count = PulsesPerTrial; count < largest; count *= TrialGrowth)
   {
@@ -192,9 +192,9 @@ double RunEstimate::CountAffordable(const LegPlan& plan, LegScanner& scanner)
     {
       return 0.0;
     }
-    if (trial.Seconds > std::min(TrialSeconds, 0.1 * most) && trial.Pulses > 0.0)
+    if (trial.Seconds > std::min(TrialSeconds, 0.1 * maximum) && trial.Pulses > 0.0)
     {
-      return trial.Pulses * most / trial.Seconds;
+      return trial.Pulses * maximum / trial.Seconds;
     }
   }
   return pulses;

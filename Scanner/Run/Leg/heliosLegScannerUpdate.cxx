@@ -5,7 +5,7 @@
 
 #include "heliosMessages.h"
 #include "heliosPulseCount.h"
-#include "heliosPulseSample.h"
+#include "heliosPulseSubset.h"
 #include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
@@ -130,7 +130,7 @@ vtkIdType LegScanner::FindSample(vtkIdType pulse) const
   vtkIdType first = VTK_ID_MAX;
   for (vtkHeliosScanner* channel : this->Channels)
   {
-    const PulseSample sample(channel->GetPulseStep(), channel->GetFirstPulseId());
+    const PulseSubset sample(channel->GetPulseStep(), channel->GetFirstPulseId());
     first = std::min(first, sample.Get(sample.CountBelow(pulse)));
   }
   return first;

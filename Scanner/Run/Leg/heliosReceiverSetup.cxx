@@ -29,7 +29,7 @@ namespace
 
 // Echoes that are compared, as in Docs/instrument.md.
 constexpr double LeastShare = 0.02;
-constexpr double LeastThresholds = 2.0;
+constexpr double MinimumThresholds = 2.0;
 constexpr double Separation = 0.6; // of the same echoes, in c sigma
 constexpr double FullReflectance = 0.5;
 

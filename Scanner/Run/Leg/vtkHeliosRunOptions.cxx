@@ -36,14 +36,15 @@ std::vector<std::string> SplitWords(const std::string& text)
   return { std::istream_iterator<std::string>(stream), {} };
 }
 
-Status CheckTolerance(const char* name, double value, bool isValid, double least, const char* unit)
+Status CheckTolerance(
+  const char* name, double value, bool isValid, double minimum, const char* unit)
 {
   if (value == 0.0 || isValid)
   {
     return {};
   }
   Sentence fault;
-  fault << name << " is " << value << "; give " << least << " to " << LargestTolerance << unit
+  fault << name << " is " << value << "; give " << minimum << " to " << LargestTolerance << unit
         << ", or 0 for the survey's value";
   return Status::Error(fault.str());
 }
@@ -252,11 +253,11 @@ Status RunOptions::FindFault() const
 Status RunOptions::CheckSampling() const
 {
   Status status = CheckTolerance("RangeTolerance", this->RangeTolerance,
-    IsRangeTolerance(this->RangeTolerance), LeastRangeTolerance, " m");
+    IsRangeTolerance(this->RangeTolerance), MinimumRangeTolerance, " m");
   if (status.IsOk())
   {
     status = CheckTolerance("EnergyTolerance", this->EnergyTolerance,
-      IsEnergyTolerance(this->EnergyTolerance), LeastEnergyTolerance, "");
+      IsEnergyTolerance(this->EnergyTolerance), MinimumEnergyTolerance, "");
   }
   if (status.IsOk() && this->NumberOfSubRays > 0 &&
     (this->RangeTolerance > 0.0 || this->EnergyTolerance > 0.0))
@@ -264,11 +265,11 @@ Status RunOptions::CheckSampling() const
     status = Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
       ", but a tolerance selects adaptive sampling; set one of them to 0");
   }
-  if (status.IsOk() && this->MaximumSubRays != 0 && !IsMostSubRays(this->MaximumSubRays))
+  if (status.IsOk() && this->MaximumSubRays != 0 && !IsMaximumSubRays(this->MaximumSubRays))
   {
     status = Status::Error("MaximumSubRays is " + std::to_string(this->MaximumSubRays) + "; give " +
-      std::to_string(LeastMostSubRays) + " to " + std::to_string(LargestMostSubRays) +
-      ", or 0 for " + std::to_string(DefaultMostSubRays));
+      std::to_string(MinimumMaximumSubRays) + " to " + std::to_string(LargestMaximumSubRays) +
+      ", or 0 for " + std::to_string(DefaultMaximumSubRays));
   }
   return status;
 }
@@ -416,7 +417,7 @@ std::string vtkHeliosRunOptions::GetOptionText(int option, const std::string& fi
 //------------------------------------------------------------------------------
 double vtkHeliosRunOptions::GetRangeToleranceMinValue() const
 {
-  return helios::LeastRangeTolerance;
+  return helios::MinimumRangeTolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -428,7 +429,7 @@ double vtkHeliosRunOptions::GetRangeToleranceMaxValue() const
 //------------------------------------------------------------------------------
 double vtkHeliosRunOptions::GetEnergyToleranceMinValue() const
 {
-  return helios::LeastEnergyTolerance;
+  return helios::MinimumEnergyTolerance;
 }
 
 //------------------------------------------------------------------------------
@@ -440,13 +441,13 @@ double vtkHeliosRunOptions::GetEnergyToleranceMaxValue() const
 //------------------------------------------------------------------------------
 int vtkHeliosRunOptions::GetMaximumSubRaysMinValue() const
 {
-  return helios::LeastMostSubRays;
+  return helios::MinimumMaximumSubRays;
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosRunOptions::GetMaximumSubRaysMaxValue() const
 {
-  return helios::LargestMostSubRays;
+  return helios::LargestMaximumSubRays;
 }
 
 //------------------------------------------------------------------------------

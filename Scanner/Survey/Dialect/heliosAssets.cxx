@@ -163,8 +163,8 @@ std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDoc
     if (IsFolder(candidate) && !expression.FindFiles(candidate, files))
     {
       this->Log.Error(where + ": " + candidate + " holds more than " +
-        std::to_string(FilePattern::MostFilesInFolder) + " files; put those of the part into a " +
-        "folder of their own");
+        std::to_string(FilePattern::MaximumFilesInFolder) +
+        " files; put those of the part into a " + "folder of their own");
       return {};
     }
     if (!files.empty())

@@ -66,14 +66,14 @@ FilePattern::~FilePattern() = default;
 
 //------------------------------------------------------------------------------
 bool FilePattern::FindFiles(
-  const std::string& folder, std::vector<std::string>& files, std::size_t most) const
+  const std::string& folder, std::vector<std::string>& files, std::size_t maximum) const
 {
   std::vector<std::string> found;
   std::size_t count = 0;
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
   {
-    if (++count > most)
+    if (++count > maximum)
     {
       return false;
     }

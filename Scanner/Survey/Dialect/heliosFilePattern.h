@@ -24,7 +24,7 @@ class VTKHELIOSSCANNERSURVEY_EXPORT FilePattern
 {
 public:
   static constexpr std::size_t LongestExpression = 1000;
-  static constexpr std::size_t MostFilesInFolder = 1000000;
+  static constexpr std::size_t MaximumFilesInFolder = 1000000;
 
   explicit FilePattern(const std::string& text);
   ~FilePattern();
@@ -40,7 +40,7 @@ public:
    * adds nothing, if the folder has more than `most` entries.
    */
   bool FindFiles(const std::string& folder, std::vector<std::string>& files,
-    std::size_t most = MostFilesInFolder) const;
+    std::size_t maximum = MaximumFilesInFolder) const;
 
 private:
   struct Engine;

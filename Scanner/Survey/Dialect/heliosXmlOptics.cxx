@@ -16,7 +16,7 @@ namespace
 {
 
 /// The maximum number of facets of a mirror.
-constexpr std::size_t MostFacets = 1000;
+constexpr std::size_t MaximumFacets = 1000;
 
 /// A name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
@@ -77,10 +77,10 @@ void CheckFacets(const ScannerData& scanner, Messages& log)
       " facets, but facetRolls_deg of " + std::to_string(rolls) + "; give one value per facet");
   }
   const std::size_t facets = std::max(pitches, rolls);
-  if (facets > MostFacets)
+  if (facets > MaximumFacets)
   {
     log.Error(who + " has " + std::to_string(facets) + " facets; give at most " +
-      std::to_string(MostFacets));
+      std::to_string(MaximumFacets));
   }
   if (facets > 0 && scanner.Type != Optics::RotatingMirror)
   {
@@ -95,10 +95,10 @@ void CheckBeamTable(const ScannerData& scanner, Messages& log)
   {
     log.Error(who + " has no beams; give <beams> with a file or with <beam> children");
   }
-  else if (scanner.Beams.size() > MostBeams)
+  else if (scanner.Beams.size() > MaximumBeams)
   {
     log.Error(who + " has " + std::to_string(scanner.Beams.size()) + " beams; give at most " +
-      std::to_string(MostBeams));
+      std::to_string(MaximumBeams));
   }
 }
 

@@ -12,7 +12,7 @@ namespace
 
 // The maximum length of an echo of one surface in a waveform [bins], and its ratio to the pulse
 // length.
-constexpr double MostBins = 5000.0;
+constexpr double MaximumBins = 5000.0;
 constexpr double EchoPerPulse = 5.0;
 
 /// Of sub-rays, the last one given counts: a number of circles, or tolerances.

@@ -220,12 +220,12 @@ std::string SchemaMaker::MakeNumber(const XmlValueRule& value)
 {
   const bool isReal = value.Kind == XmlKind::Real;
   const XmlRange& range = value.Range;
-  const double most = isReal ? NoLimit : 2147483647.0;
+  const double maximum = isReal ? NoLimit : 2147483647.0;
   // Unlimited reals get limits too: NaN and infinity are not valid.
   Sentence text;
   text << "<xs:min" << (range.AboveLow ? "Exclusive" : "Inclusive") << " value=\""
-       << std::max(range.Low, -most) << "\"/><xs:maxInclusive value=\""
-       << std::min(range.High, most) << "\"/>";
+       << std::max(range.Low, -maximum) << "\"/><xs:maxInclusive value=\""
+       << std::min(range.High, maximum) << "\"/>";
   return text.str();
 }
 

@@ -20,9 +20,9 @@ namespace
 constexpr double FineResolution = 0.1;       // [deg], initial, of a static instrument
 constexpr double UsualScanAngle = 30.0;      // [deg], half, from the air
 constexpr double UsualScanFrequency = 100.0; // [Hz], without a limit of the instrument
-constexpr double MostScanFrequency = 400.0;
-constexpr double MostHeight = 3000.0; // [m]
-constexpr double MostSpeed = 100.0;   // [m/s]
+constexpr double MaximumScanFrequency = 400.0;
+constexpr double MaximumHeight = 3000.0; // [m]
+constexpr double MaximumSpeed = 100.0;   // [m/s]
 
 /// The half scan angle of emitted pulses [deg].
 double FindHalfAngle(const ScannerData& scanner)
@@ -33,7 +33,7 @@ double FindHalfAngle(const ScannerData& scanner)
 }
 
 /// The minimum height at which an instrument has returns [m].
-double FindLeastHeight(const ScannerData& scanner)
+double FindMinimumHeight(const ScannerData& scanner)
 {
   return std::max(1.0, scanner.Receiver.RangeMin);
 }
@@ -54,9 +54,9 @@ bool HasScanFrequency(const ScannerData& scanner)
   return scanner.Type != Optics::RisleyPrisms && scanner.Type != Optics::FiberArray;
 }
 
-double FindMostScanFrequency(const ScannerData& scanner)
+double FindMaximumScanFrequency(const ScannerData& scanner)
 {
-  return scanner.ScanFrequencyMax > 0.0 ? scanner.ScanFrequencyMax : MostScanFrequency;
+  return scanner.ScanFrequencyMax > 0.0 ? scanner.ScanFrequencyMax : MaximumScanFrequency;
 }
 
 /// The storage of a number; null: none.
@@ -151,11 +151,11 @@ void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& te
 /// Limits the scan angle of an oscillating mirror by its frequency.
 void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& text)
 {
-  const double most = scanner.ScanProduct / settings.ScanAngle;
-  if (settings.ScanFrequency > most)
+  const double maximum = scanner.ScanProduct / settings.ScanAngle;
+  if (settings.ScanFrequency > maximum)
   {
-    settings.ScanFrequency = most;
-    text << (text.str().empty() ? "" : "; ") << "scan frequency is " << most
+    settings.ScanFrequency = maximum;
+    text << (text.str().empty() ? "" : "; ") << "scan frequency is " << maximum
          << " Hz at most with this scan angle";
   }
 }
@@ -175,7 +175,7 @@ LegSettings MakeUsualSettings(const SurveyEdit& edit)
       ? UsualScanFrequency
       : settings.PulseFrequency * FineResolution / (2.0 * half);
     settings.ScanFrequency =
-      std::clamp(wanted, scanner.ScanFrequencyMin, FindMostScanFrequency(scanner));
+      std::clamp(wanted, scanner.ScanFrequencyMin, FindMaximumScanFrequency(scanner));
   }
   if (HasScanAngle(edit))
   {
@@ -248,8 +248,9 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   {
     ranges.push_back({ "headStart", "horizontal FOV start", "deg", 0.0, 359.0, {} });
     ranges.push_back({ "headStop", "horizontal FOV end", "deg", 1.0, 360.0, {} });
-    const double most = scanner.HeadRotateSpeedMax;
-    ranges.push_back({ "headSpeed", "rotation speed", "deg/s", std::min(0.1, most), most, {} });
+    const double maximum = scanner.HeadRotateSpeedMax;
+    ranges.push_back(
+      { "headSpeed", "rotation speed", "deg/s", std::min(0.1, maximum), maximum, {} });
   }
   if (scanner.PulseFrequencies.size() > 1)
   {
@@ -260,9 +261,9 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   }
   if (HasScanFrequency(scanner))
   {
-    const double most = FindMostScanFrequency(scanner);
-    const double least = std::min(most, std::max(1.0, scanner.ScanFrequencyMin));
-    ranges.push_back({ "scanFrequency", "scan frequency", "Hz", least, most, {} });
+    const double maximum = FindMaximumScanFrequency(scanner);
+    const double minimum = std::min(maximum, std::max(1.0, scanner.ScanFrequencyMin));
+    ranges.push_back({ "scanFrequency", "scan frequency", "Hz", minimum, maximum, {} });
   }
   if (edit.IsMoving())
   {

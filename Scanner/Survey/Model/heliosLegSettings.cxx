@@ -21,7 +21,7 @@ constexpr double LongestLeg = 1e9;
 constexpr double SlowestSpeed = 1e-6;
 
 /// The minor axis of an elliptical beam over the major one, at least (vtkHeliosBeamSampler).
-constexpr double LeastAxisRatio = 0.01;
+constexpr double MinimumAxisRatio = 0.01;
 
 /// Resolves the scan of one channel on a leg, step by step; a failed step has reported its error.
 class ScanResolver
@@ -157,11 +157,11 @@ void ScanResolver::CheckEllipse()
 {
   const double minor = this->Scanner.MinorBeamDivergence;
   const double major = this->Scanner.BeamDivergence;
-  if (minor > 0.0 && !(minor <= major && minor >= LeastAxisRatio * major))
+  if (minor > 0.0 && !(minor <= major && minor >= MinimumAxisRatio * major))
   {
     Sentence text;
     text << "beamDivergenceMinor_rad=\"" << minor << "\" of scanner " << this->Scanner.Id
-         << " is not " << LeastAxisRatio << " to 1 times its beamDivergence_rad=\"" << major
+         << " is not " << MinimumAxisRatio << " to 1 times its beamDivergence_rad=\"" << major
          << "\"; give the larger angle as beamDivergence_rad, and turn the beam by "
             "beamMajorAxis_deg";
     this->Error(text);
@@ -173,12 +173,13 @@ void ScanResolver::ResolveScanAngles()
 {
   const bool isGiven = this->Given.ScanAngle > 0.0; // false for NaN
   const bool isLimited = this->Scanner.ScanAngleMax > 0.0;
-  const double most = isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
+  const double maximum =
+    isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
   Sentence asked;
   asked << "scanAngle_deg=\"" << this->Given.ScanAngle << "\"";
   this->Scan.ScanAngle = isGiven
-    ? this->Clip(asked, this->Given.ScanAngle, { 0.0, "", most, "scanAngleMax_deg" })
-    : most;
+    ? this->Clip(asked, this->Given.ScanAngle, { 0.0, "", maximum, "scanAngleMax_deg" })
+    : maximum;
   if (this->Has(Optics::OscillatingMirror) && !isGiven && !isLimited)
   {
     Sentence text;
@@ -187,7 +188,7 @@ void ScanResolver::ResolveScanAngles()
     this->Error(text);
   }
   const double effective =
-    this->Scanner.ScanAngleEffectiveMax > 0.0 ? this->Scanner.ScanAngleEffectiveMax : most;
+    this->Scanner.ScanAngleEffectiveMax > 0.0 ? this->Scanner.ScanAngleEffectiveMax : maximum;
   const double half = std::min(effective, this->Scan.ScanAngle);
   const double low = this->Given.VerticalAngleMin;
   const double high = this->Given.VerticalAngleMax;
@@ -299,24 +300,25 @@ void ScanResolver::ClipScanFrequency()
     this->Error(text);
     return;
   }
-  const double most = this->Scanner.ScanFrequencyMax > 0.0 ? this->Scanner.ScanFrequencyMax
-                                                           : std::max(frequency, 0.0);
+  const double maximum = this->Scanner.ScanFrequencyMax > 0.0 ? this->Scanner.ScanFrequencyMax
+                                                              : std::max(frequency, 0.0);
   text << (this->HasResolution() ? "the scan frequency that the resolution requires, "
                                  : "scanFreq_hz=\"")
        << frequency << (this->HasResolution() ? " Hz," : "\"");
   this->Scan.ScanFrequency = this->Clip(text, frequency,
-    { std::min(this->Scanner.ScanFrequencyMin, most), "scanFreqMin_Hz", most, "scanFreqMax_Hz" });
+    { std::min(this->Scanner.ScanFrequencyMin, maximum), "scanFreqMin_Hz", maximum,
+      "scanFreqMax_Hz" });
 }
 
 //------------------------------------------------------------------------------
 void ScanResolver::ResolveHead()
 {
-  const double most = this->Scanner.HeadRotateSpeedMax;
+  const double maximum = this->Scanner.HeadRotateSpeedMax;
   const double asked = this->Scan.HeadRotateSpeed;
   Sentence text;
   text << "headRotatePerSec_deg=\"" << asked << "\"";
   this->Scan.HeadRotateSpeed = std::copysign(
-    this->Clip(text, std::abs(asked), { 0.0, "", most, "headRotatePerSecMax_deg" }), asked);
+    this->Clip(text, std::abs(asked), { 0.0, "", maximum, "headRotatePerSecMax_deg" }), asked);
   this->CheckHead();
 }
 
@@ -433,13 +435,13 @@ void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
 void LimitTrajectory(LegData& leg, bool fires, Messages& log)
 {
   const double asked = leg.TrajectoryTimeInterval;
-  const double least = 1.0 / leg.Scans.front().PulseFrequency;
-  if (asked > 0.0 && asked < least && fires)
+  const double minimum = 1.0 / leg.Scans.front().PulseFrequency;
+  if (asked > 0.0 && asked < minimum && fires)
   {
-    leg.TrajectoryTimeInterval = least;
+    leg.TrajectoryTimeInterval = minimum;
     Sentence text;
     text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than the time between pulses; "
-         << least << " s is used";
+         << minimum << " s is used";
     log.WarnOnce(text.str(), leg.Where + ": " + text.str());
   }
 }
@@ -447,13 +449,13 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
 /// A scanner that supports all settings of a leg.
 ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
 {
-  const double least = std::numeric_limits<double>::min();
+  const double minimum = std::numeric_limits<double>::min();
   ScannerData scanner;
   scanner.Type = type;
   scanner.PulseFrequencies = { std::isnan(leg.PulseFrequency) ? 1.0 : leg.PulseFrequency };
   scanner.ScanAngleMax = 360.0;
   scanner.ScanAngleEffectiveMax = 360.0;
-  scanner.HeadRotateSpeedMax = std::max(std::abs(leg.Scan.HeadRotateSpeed), least);
+  scanner.HeadRotateSpeedMax = std::max(std::abs(leg.Scan.HeadRotateSpeed), minimum);
   scanner.ScanProduct = std::numeric_limits<double>::infinity();
   return scanner;
 }

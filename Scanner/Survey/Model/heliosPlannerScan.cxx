@@ -20,12 +20,12 @@ constexpr double FullCircle = 360.0;
 double FindScanFrequency(const ScannerData& scanner, double pulseFrequency, double resolution)
 {
   const bool isLimited = scanner.ScanFrequencyMax > 0.0;
-  const double most =
+  const double maximum =
     isLimited ? scanner.ScanFrequencyMax : std::numeric_limits<double>::infinity();
   const bool isRotating = scanner.Type == Optics::RotatingMirror && scanner.ScanAngleMax > 0.0;
   const double wanted =
-    isRotating ? pulseFrequency * resolution / (2.0 * scanner.ScanAngleMax) : most;
-  return std::isfinite(wanted) ? std::clamp(wanted, scanner.ScanFrequencyMin, most) : 0.0;
+    isRotating ? pulseFrequency * resolution / (2.0 * scanner.ScanAngleMax) : maximum;
+  return std::isfinite(wanted) ? std::clamp(wanted, scanner.ScanFrequencyMin, maximum) : 0.0;
 }
 
 /// Completes settings that are not given.

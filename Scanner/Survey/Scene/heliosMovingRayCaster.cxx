@@ -284,7 +284,7 @@ public:
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
-    std::size_t most, ConeView& view) const override
+    std::size_t maximum, ConeView& view) const override
   {
     view.Triangles.clear();
     view.Farthest = HUGE_VAL;
@@ -292,7 +292,7 @@ public:
     {
       static thread_local ConeView some;
       some = ConeView();
-      if (part->Cones && !part->Cones->Collect(origin, axis, tanHalfAngle, nearest, most, some))
+      if (part->Cones && !part->Cones->Collect(origin, axis, tanHalfAngle, nearest, maximum, some))
       {
         return false;
       }
@@ -305,7 +305,7 @@ public:
       view.Farthest = std::min(view.Farthest, some.Farthest);
     }
     view.Finish();
-    return view.Triangles.size() <= most;
+    return view.Triangles.size() <= maximum;
   }
 
 private:

@@ -13,9 +13,9 @@ void ReadBeamTable(const std::string& path, std::vector<BeamData>& beams, Messag
 {
   const auto make = [&](const std::string& where) -> void*
   {
-    if (beams.size() == MostBeams)
+    if (beams.size() == MaximumBeams)
     {
-      log.Error(where + ": more than " + std::to_string(MostBeams) + " beams; remove some");
+      log.Error(where + ": more than " + std::to_string(MaximumBeams) + " beams; remove some");
       return nullptr;
     }
     return &beams.emplace_back();

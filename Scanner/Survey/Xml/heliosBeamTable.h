@@ -16,7 +16,7 @@ namespace helios
 class Messages;
 
 /// The maximum number of beams of a head.
-constexpr std::size_t MostBeams = 100000;
+constexpr std::size_t MaximumBeams = 100000;
 
 /// Reads a table of beams, whose columns are the attributes of <beam>. Beams that were read before
 /// an error are kept.

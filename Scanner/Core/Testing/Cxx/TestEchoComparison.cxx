@@ -199,8 +199,8 @@ TEST_CASE("An echo without a partner in its pulse is missed or invented")
   const EchoErrors errors = Compare(run, reference);
   CHECK(errors.Echoes == 4);
   CHECK(errors.Matched == 2);
-  CHECK(errors.Missed.Value == 0.5);    // of pulses 2 and 3
-  CHECK(errors.Invented.Value == 0.75); // of pulses 2, 5 and 6
+  CHECK(errors.Missed.Value == 0.5);    // share of pulses 2 and 3
+  CHECK(errors.Invented.Value == 0.75); // share of pulses 2, 5 and 6
   CHECK(errors.Lost.Value == 1.0);
 }
 

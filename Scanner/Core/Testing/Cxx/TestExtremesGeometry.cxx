@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr double HalfAngle = 1.5e-4;   // w, of the default divergence
-constexpr double EnergyBound = 1e-6;   // of visible areas, of the beam
-constexpr double Variance = 0.2373622; // of a beam's angle along an axis, in w^2
+constexpr double EnergyBound = 1e-6;   // error of visible areas, relative to the beam
+constexpr double Variance = 0.2373622; // variance of a beam's angle along an axis, in w^2
 
 /// An orthonormal frame: the beam is along D.
 const Vec3 D{ 0.36, 0.48, 0.8 };
@@ -47,7 +47,7 @@ Triangles MakePlane(double range, double degrees)
   return plane;
 }
 
-/// What a sub-ray meets there.
+/// Returns what a sub-ray hits there.
 TrueReturn MeetPlane(double range, double degrees, const Vec3& direction)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);

@@ -94,7 +94,7 @@ TEST_CASE("Extremes: coincident surfaces return what one of them returns", "[Ext
   CHECK(truth[0].Amplitude / GetFull(50) > 0.1);
   Shot shot(three.GetScene());
   const auto echoes = shot.Fire();
-  REQUIRE(echoes.size() == 1); // of other parts, but of the same surface
+  REQUIRE(echoes.size() == 1); // other parts of the same surface
   CHECK(std::abs(echoes[0].Range - truth[0].Range) < 1e-5);
   CHECK(std::abs(echoes[0].Amplitude - truth[0].Amplitude) < 1e-5 * GetFull(50));
 }

@@ -53,8 +53,8 @@ TEST_CASE("Extremes: amplitudes over 600 decades, with fixed sampling over 60", 
       }
     }
   }
-  CHECK(worst[0] <= 1e-6); // of energies
-  CHECK(worst[1] <= 4e-7); // of floats, and of the parabola through them
+  CHECK(worst[0] <= 1e-6); // error of energies
+  CHECK(worst[1] <= 4e-7); // error of floats, and of the parabola through them
 }
 
 TEST_CASE("Extremes: surfaces at 1 mm and at 10,000 km in one beam, 20 decades apart", "[Extremes]")
@@ -216,7 +216,7 @@ TEST_CASE("Extremes: nothing passes turbid voxels of an optical depth of 700", "
 namespace
 {
 
-constexpr double Variance = 0.2373622; // of a beam's angle along an axis, in w^2
+constexpr double Variance = 0.2373622; // variance of a beam's angle along an axis, in w^2
 
 struct PlaneErrors
 {

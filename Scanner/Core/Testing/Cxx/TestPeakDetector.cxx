@@ -14,7 +14,7 @@
 namespace
 {
 
-constexpr double Sigma = 1.6986436; // of a pulse of 4 ns
+constexpr double Sigma = 1.6986436; // sigma of a pulse of 4 ns
 
 std::vector<float> Gaussian(double centre, double bin, double sigma = Sigma)
 {

@@ -50,10 +50,10 @@ TEST_CASE("LidarEquation: absolute power", "[Radiometry]")
   }
 }
 
-TEST_CASE("NearbyTransmission: equals the exponential", "[Radiometry]")
+TEST_CASE("CachedTransmission: equals the exponential", "[Radiometry]")
 {
   const helios::LidarEquation equation{ 0.15, 0.9, 7.2e-5 };
-  helios::NearbyTransmission transmission(equation);
+  helios::CachedTransmission transmission(equation);
   for (const double range : { 500.0, 500.01, 503.0, 506.8, 507.5, 12000.0, 20.0 })
   {
     CHECK(transmission(range) == Approx(std::exp(-2 * 7.2e-5 * range)).epsilon(4e-15));

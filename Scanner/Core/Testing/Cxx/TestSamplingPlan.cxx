@@ -22,7 +22,7 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   CHECK(plan.NumberOfSubRays == 336);
   CHECK(plan.LayerRings == 2);
   CHECK(plan.GetCellsAcross(0) == 64);
-  CHECK(plan.GetCellsAcross(2) == plan.MostCellsAcross);
+  CHECK(plan.GetCellsAcross(2) == plan.MaximumCellsAcross);
   const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
   CHECK(fine.LayerRings == 3);
@@ -43,11 +43,11 @@ TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[Samplin
 TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces", "[SamplingPlan]")
 {
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2, 1 << 20 }, 1.7);
-  CHECK(plan.MostCellsAcross == 1024);
-  CHECK(plan.MostSurfaces == 2048);
-  CHECK(plan.MostSubRays == 1 << 20);
+  CHECK(plan.MaximumCellsAcross == 1024);
+  CHECK(plan.MaximumSurfaces == 2048);
+  CHECK(plan.MaximumSubRays == 1 << 20);
   const helios::SamplingPlan least = PlanSampling({ 1e-3, 1e-2, 1024 }, 1.7);
-  CHECK(least.GetCellsAcross(1) <= least.MostCellsAcross);
+  CHECK(least.GetCellsAcross(1) <= least.MaximumCellsAcross);
 }
 
 TEST_CASE("SamplingPlan: the errors of rings are those of the layer rules", "[SamplingPlan]")

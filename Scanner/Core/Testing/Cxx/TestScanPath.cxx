@@ -63,11 +63,11 @@ TEST_CASE("ScanPath: of the echoes", "[ScanPath]")
     traits.IsFixed = row.IsFixed;
     traits.StoresWaveforms = row.StoresWaveforms;
     CHECK(ChoosePath(traits).Echo == EchoPath::Waveform);
-    traits.HasPlainMaxima = true;
+    traits.HasGaussianSum = true;
     CHECK(ChoosePath(traits).Echo == row.Plain);
     traits.MergesReturns = true;
     CHECK(ChoosePath(traits).Echo == EchoPath::Mean);
-    traits.HasPlainMaxima = false;
+    traits.HasGaussianSum = false;
     CHECK(ChoosePath(traits).Echo == EchoPath::Mean);
   }
 }

@@ -53,7 +53,7 @@ TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
   CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(3e-6));
   const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.5, 1)).epsilon(1e-6));
-  CHECK(Value(echoes, names::EchoWidth, 0) == Approx(4).epsilon(1e-5)); // of float samples
+  CHECK(Value(echoes, names::EchoWidth, 0) == Approx(4).epsilon(1e-5)); // error of float samples
   CHECK(Value(echoes, names::IncidenceAngle, 0) == Approx(0).margin(0.02));
   CHECK(Value(echoes, names::NumberOfReturns, 0) == 1);
   CHECK(Value(echoes, names::WaveformIds, 0) == -1);
@@ -605,11 +605,11 @@ TEST_CASE("Scanner: batches grow while they are fast and small", "[Scanner]")
 {
   helios::BatchSize batch(2);
   CHECK(batch.GetChunks() == 2); // the first measures the cost of pulses
-  CHECK(batch.GetMostPulses() == 16);
+  CHECK(batch.GetMaximumPulses() == 16);
   for (vtkIdType pulses : { 64, 256 })
   {
     batch.Adapt(0.001, 1000);
-    CHECK(batch.GetMostPulses() == pulses);
+    CHECK(batch.GetMaximumPulses() == pulses);
     CHECK(batch.GetChunks() == 2);
   }
   for (vtkIdType chunks : { 8, 32, 128, 128 })
@@ -625,13 +625,13 @@ TEST_CASE("Scanner: batches grow while they are fast and small", "[Scanner]")
   CHECK(batch.GetChunks() == 32);
   for (int i = 0; i < 5; ++i)
   {
-    CHECK(batch.GetMostPulses() == 256);
+    CHECK(batch.GetMaximumPulses() == 256);
     batch.Adapt(100.0, 0);
   }
   CHECK(batch.GetChunks() == 2);
   for (vtkIdType pulses : { 64, 32, 16, 8, 4, 2, 1, 1 })
   {
     batch.Adapt(100.0, 0);
-    CHECK(batch.GetMostPulses() == pulses);
+    CHECK(batch.GetMaximumPulses() == pulses);
   }
 }

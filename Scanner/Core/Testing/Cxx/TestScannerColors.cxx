@@ -94,10 +94,10 @@ TEST_CASE("ScannerColors: a texture is bilinear, and repeats")
     CHECK(color[2] == Approx(1.0));
   };
   is(0.5 / 4, 0.5 / 2, 0, 0);          // the centre of the lower left pixel
-  is(3.5 / 4, 1.5 / 2, 180, 100);      // of the upper right one
+  is(3.5 / 4, 1.5 / 2, 180, 100);      // centre of the upper right one
   is(1.0 / 4, 0.5 / 2, 30, 0);         // between two
   is(2.0 / 4, 1.0 / 2, 90, 50);        // between four
-  is(0.0, 0.25, 90, 0);                // of the left edge with the right one
+  is(0.0, 0.25, 90, 0);                // mean of the left edge and the right one
   is(0.625 - 3.0, 0.25 + 7.0, 120, 0); // repeats
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("ScannerColors: a texture is sampled where the echo is")
   const bool isInstance = GENERATE(false, true);
   Bench bench(isInstance ? MakeInstance(wall, { -3.0, 0.0, -4.0 }) : wall, { 20.0, 0.0, 15.0 });
   bench.Scanner->GenerateColorsOn();
-  bench.Scanner->SetRangeAccuracy(0.5); // the colour is that of the surface
+  bench.Scanner->SetRangeAccuracy(0.5); // the surface gives the colour
   vtkPolyData* cloud = bench.Run();
   CHECK(bench.Log->Warnings.empty());
   REQUIRE(cloud->GetNumberOfPoints() == 1000);
@@ -313,7 +313,7 @@ TEST_CASE("ScannerColors: a ghost has the colour of the surface behind the mirro
   vtkPolyData* cloud = bench.Run();
   REQUIRE(cloud->GetNumberOfPoints() > 0);
   const Rgb color = GetColor(cloud, 0);
-  CHECK(color[0] == Approx(4.0 * (10.0 - 0.5) / 255.0).margin(1e-3)); // of y
+  CHECK(color[0] == Approx(4.0 * (10.0 - 0.5) / 255.0).margin(1e-3)); // gradient of y
   CHECK(color[1] == Approx(0.5 * 4.0 * (15.0 - 0.5) / 255.0).margin(1e-3));
 }
 

@@ -162,7 +162,7 @@ TEST_CASE("Ellipse: a mirror keeps the major axis across its lines", "[Ellipse]"
   mirror->SetMirrorAngle(80);
   mirror->SetPulseFrequency(2000);
   bench.Scanner->SetBeamDeflector(mirror);
-  bench.Tripod->SetHeading(20); // of x, 20 degrees clockwise
+  bench.Tripod->SetHeading(20); // turns x 20 degrees clockwise
   const double heading = vtkMath::RadiansFromDegrees(20.0);
   CheckOrientation(bench.Scanner, { std::cos(heading), -std::sin(heading), 0 });
 }
@@ -200,7 +200,8 @@ TEST_CASE("Ellipse: errors of the direction turn the footprint little", "[Ellips
   auto* hits = vtkPolyData::SafeDownCast(bench.Scanner->GetOutputDataObject(3));
   for (vtkIdType i = 0; i < pulses->GetNumberOfPoints(); ++i)
   {
-    Vec3 axis(pulses->GetPointData()->GetArray(names::Direction)->GetTuple3(i)); // as reported
+    // reported direction
+    Vec3 axis(pulses->GetPointData()->GetArray(names::Direction)->GetTuple3(i));
     axis = (axis + (isSkewed ? 0.009 : 0.0) * Vec3(1, 0, 1)).Normalized();
     const Vec3 minor = (Vec3(1, 0, 0) - axis[0] * axis).Normalized();
     const Spread spread = GetSpread(hits, static_cast<double>(i), axis, axis.Cross(minor));
@@ -212,7 +213,7 @@ TEST_CASE("Ellipse: the energy of an edge depends on the angle of the major axis
 {
   constexpr double offset = 0.02;
   constexpr double range = 50.0;
-  for (const double edge : { 0.0, 30.0, 90.0, 120.0 }) // of its normal, clockwise from x
+  for (const double edge : { 0.0, 30.0, 90.0, 120.0 }) // heading of its normal, clockwise from x
   {
     const double turn = vtkMath::RadiansFromDegrees(edge);
     const Vec3 n(std::cos(turn), 0, -std::sin(turn));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Echoes on a height field are those on its mesh, byte for byte.
-#pragma GCC diagnostic ignored "-Wpsabi" // of heliosBeamBundle.h
+#pragma GCC diagnostic ignored "-Wpsabi" // heliosBeamBundle.h needs it
 #include "heliosBeamBundle.h"
 #include "heliosConeProbe.h"
 #include "heliosHeightField.h"

@@ -213,7 +213,7 @@ TEST_CASE("Instrument: a short waveform is truncated and counted", "[Instrument]
 
 TEST_CASE("Instrument: return selection", "[Instrument]")
 {
-  // Three steps in the beam; most of it hits the middle one.
+  // Three steps in the beam; it mostly hits the middle one.
   const auto scene = MakeScene({ { { -50, 50, 0.008 }, { 100, 0, 0 }, { 0, 0, 50 } },
     { { -50, 55, -0.008 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) });
   Bench bench(scene);

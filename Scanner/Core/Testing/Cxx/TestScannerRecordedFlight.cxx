@@ -104,7 +104,7 @@ TEST_CASE("Scanner: a flight is identical at 10 kHz and at 1 MHz", "[Scanner]")
     return pulses;
   };
   double farthest = 0.0;
-  for (vtkIdType i = 0; i < 200000; i += 10007) // of 20 s, inside and outside turns
+  for (vtkIdType i = 0; i < 200000; i += 10007) // pulses of 20 s, inside and outside turns
   {
     const auto slow = run(1e4, i, i + 3);
     const auto fast = run(1e6, 100 * i, 100 * i + 201);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A sample of the pulses of a scan.
-#include "heliosPulseSample.h"
+#include "heliosPulseSubset.h"
 #include "heliosScannerBench.h"
 
 #include <vtkSMPTools.h>
@@ -13,7 +13,7 @@
 
 namespace names = vtkHeliosArrayNames;
 using namespace helios::testing;
-using helios::PulseSample;
+using helios::PulseSubset;
 
 namespace
 {
@@ -32,7 +32,7 @@ std::vector<vtkIdType> GetIds(vtkPolyData* echoes)
 
 TEST_CASE("A sample has one index in each group of Step")
 {
-  const PulseSample sample(100, 7);
+  const PulseSubset sample(100, 7);
   vtkIdType before = sample.Get(0);
   std::set<vtkIdType> gaps;
   for (vtkIdType n = 1; n < 1000; ++n)
@@ -50,7 +50,7 @@ TEST_CASE("A sample has one index in each group of Step")
 
 TEST_CASE("A sample of every pulse is all pulses")
 {
-  const PulseSample sample(1, 12345);
+  const PulseSubset sample(1, 12345);
   CHECK(sample.Get(7) == 7);
   CHECK(sample.CountBelow(7) == 7);
 }
@@ -60,7 +60,7 @@ TEST_CASE("Short scans with consecutive ids have as many samples together as one
   vtkIdType sampled = 0;
   for (vtkIdType first = 0; first < 1000000; first += 100)
   {
-    const PulseSample sample(1000, first);
+    const PulseSubset sample(1000, first);
     sampled += sample.CountBelow(100) - sample.CountBelow(0);
   }
   CHECK(sampled > 900);
@@ -120,7 +120,7 @@ TEST_CASE("A sample of ten days of pulses takes no longer than its pulses")
 {
   Bench bench(MakeScene({ Wall(10) }));
   bench.Scanner->SetDuration(864000.0);
-  bench.Scanner->SetPulseStep(864000000); // of 86.4e9 pulses
+  bench.Scanner->SetPulseStep(864000000); // 100 of 86.4e9 pulses
   const vtkIdType count = bench.Run()->GetNumberOfPoints();
   CHECK(count >= 99);
   CHECK(count <= 101);

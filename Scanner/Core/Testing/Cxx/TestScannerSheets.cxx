@@ -93,7 +93,7 @@ struct Errors
 {
   std::vector<double> Ranges; // [m]
   double Amplitude = 0.0;     // the largest, of a full footprint
-  double Squares = 0.0;       // of all amplitudes
+  double Squares = 0.0;       // sum of squares of all amplitudes
   int Lost = 0;               // missed and invented
 
   void Add(vtkPolyData* found, vtkPolyData* truth, double full, double least)

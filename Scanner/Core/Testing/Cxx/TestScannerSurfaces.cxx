@@ -50,9 +50,9 @@ TEST_CASE("Scanner: incidence uses the normals of the scene if present", "[Scann
   CHECK(Value(echoes, names::IncidenceAngle, 0) == Approx(60).margin(0.02));
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(0.5 * perpendicular).epsilon(1e-4));
   CHECK(Value(echoes, names::Range, 0) ==
-    Approx(Value(plain.Run(), names::Range, 0)).epsilon(0).margin(5e-7)); // of float samples
+    Approx(Value(plain.Run(), names::Range, 0)).epsilon(0).margin(5e-7)); // error of float samples
 
-  normals->SetTuple3(0, 0, 0, 0); // no normal: that of the triangle
+  normals->SetTuple3(0, 0, 0, 0); // no normal: the triangle's counts
   normals->SetTuple3(1, 0, 0, 0);
   normals->Modified();
   tilted->Modified();

@@ -115,8 +115,8 @@ Comparison Compare(vtkPolyData* echoes, vtkPolyData* reference)
   return c;
 }
 
-/// A plane has the same echoes as with 40,000 sub-rays: one, and one of a leaf before a part of it.
-/// The ranges in the beam spread over 6 q sigma_R, q = R w tan / (c sigma).
+/// A plane has the same echoes as with 40,000 sub-rays: one, and one of a leaf before a part of the
+/// plane. The ranges in the beam spread over 6 q sigma_R, q = R w tan / (c sigma).
 void CheckSteepPlane(double q, bool isLeaf, double tolerance)
 {
   const double tangent = q * 0.509236;
@@ -141,7 +141,8 @@ void CheckSteepPlane(double q, bool isLeaf, double tolerance)
   REQUIRE(right->GetNumberOfPoints() == (isLeaf ? 20 : 10));
   REQUIRE(echoes->GetNumberOfPoints() == right->GetNumberOfPoints());
   const vtkIdType last = isLeaf ? 1 : 0;
-  const double sigma = 0.254618 * std::sqrt(1.0 + q * q); // of the echo in range, for K = inf
+  // deviation of the echo in range, for K = inf
+  const double sigma = 0.254618 * std::sqrt(1.0 + q * q);
   CHECK(std::abs(Value(echoes, names::Range, last) - Value(right, names::Range, last)) <
     tolerance + 0.04 * sigma);
   CHECK(Value(echoes, names::Amplitude, last) ==

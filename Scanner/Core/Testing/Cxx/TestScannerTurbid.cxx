@@ -63,7 +63,7 @@ struct Moments
   double Variance = 0.0;
 };
 
-/// Of the values of a column below a limit.
+/// Computes the moments of the values of a column below a limit.
 Moments MeasureBelow(vtkPolyData* echoes, const char* name, double limit)
 {
   Moments m;
@@ -197,7 +197,7 @@ TEST_CASE("Scanner: adaptive beams beside leaves detect them", "[ScannerTurbid]"
 
 TEST_CASE("Scanner: the mean waveform of a turbid slab conserves energy", "[ScannerTurbid]")
 {
-  // Leaves and wall have the same reflectance, so the sum of power R^2 is that of the wall alone.
+  // Leaves and wall have the same reflectance, so the sum of power R^2 equals the wall's alone.
   TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 1000);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
   bench.Scanner->GenerateSubRaysOn();
@@ -391,5 +391,5 @@ TEST_CASE("Scanner: leaves in fog are the same, and fainter by Beer's law", "[Sc
     error = std::max(error, std::abs(fainter / std::exp(-2.0 * 0.05 * range) - 1.0) / 1e-3);
     CHECK(Value(b, names::CellIds, 2 * i + 1) == Value(a, names::CellIds, i));
   }
-  CHECK(error < 1.0); // of a millimetre, and a thousandth
+  CHECK(error < 1.0); // in millimetres, and in thousandths
 }

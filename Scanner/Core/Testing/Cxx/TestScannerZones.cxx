@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Several pulses in the air: echoes that are taken for those of other pulses.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Several pulses in the air: echoes that are assigned to other pulses.
 #include "heliosScannerBench.h"
 #include "vtkHeliosLinearPathPlatform.h"
 #include "vtkHeliosRotatingMirror.h"
@@ -18,10 +17,10 @@ using namespace helios::testing;
 namespace
 {
 
-constexpr double Zone = 0.5 * 299792458.0 / 1e5; // of 100 kHz [m]
+constexpr double Zone = 0.5 * 299792458.0 / 1e5; // depth for 100 kHz [m]
 
 /// Every echo lies on the beam of the pulse whose id and time it has, and at its true range less a
-/// whole number of zones; the lost ones are those of pulses that are not emitted.
+/// whole number of zones; echoes of pulses that are not emitted are lost.
 void CheckZones(vtkHeliosScanner* scanner, int zone, vtkIdType stride)
 {
   scanner->SetMTAZone(zone);

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// What a pulse must return: closed forms, and sums over a beam in long double.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// True returns of a pulse: closed forms, and sums over a beam in long double.
 
 #ifndef heliosExtremeTruth_h
 #define heliosExtremeTruth_h
@@ -19,9 +18,10 @@ namespace testing
 
 using Real = long double;
 
-constexpr double SigmaRange = 0.5 * 0.299792458 * 4.0 / 2.3548200450309493; ///< of 4 ns [m]
+constexpr double SigmaRange = 0.5 * 0.299792458 * 4.0 / 2.3548200450309493; ///< sigma of 4 ns [m]
 
-/// What a surface across the beam that fills it returns: 1 W, D = 0.15 m, reflectance 0.5 [W].
+/// Returns the power of a surface across the beam that fills it: 1 W, D = 0.15 m, reflectance 0.5
+/// [W].
 inline double GetFull(double range)
 {
   return 0.5 * 0.25 * 0.15 * 0.15 / (range * range);
@@ -48,7 +48,7 @@ inline double GetStripEnergy(Real a, Real b, Real k = 1.5L)
   return static_cast<double>(std::sqrt(2 / pi) * sum * h / 3 / -std::expm1(-2 * k * k));
 }
 
-/// That within a radius.
+/// Returns the energy within a radius.
 inline double GetDiscEnergy(Real radius, Real k = 1.5L)
 {
   return static_cast<double>(std::expm1(-2 * radius * radius) / std::expm1(-2 * k * k));

@@ -31,7 +31,8 @@ namespace helios
 namespace testing
 {
 
-/// What ends in the beam. Lengths are in footprint radii (1/e2), along and across a random direction.
+/// Kind of sheet that ends in the beam. Lengths are in footprint radii (1/e2), along and across a
+/// random direction.
 enum class SheetKind
 {
   HalfPlane,
@@ -79,7 +80,8 @@ private:
 class SheetScene
 {
 public:
-  /// For a footprint radius [m], a gap between sheet and ground [m], and the steepest ground.
+  /// Makes a scene for a footprint radius [m], a gap between sheet and ground [m], and the steepest
+  /// ground.
   SheetScene(std::uint64_t seed, double radius, double gap, double slope = 0.2)
     : Dice(seed)
     , Radius(radius)
@@ -120,7 +122,7 @@ private:
     return { x, y, this->GetGround(x, y) + height + tilt };
   }
 
-  /// Of the triangles that were added since the last call.
+  /// Sets the material of the triangles that were added since the last call.
   void SetMaterial(int material)
   {
     while (this->Materials->GetNumberOfTuples() < this->Polys->GetNumberOfCells())

@@ -150,7 +150,8 @@ TEST_CASE("BeamEllipse: a wire across the minor axis has less energy than one al
 
 TEST_CASE("BeamEllipse: the ranges on an inclined plane spread with the axis of the slope")
 {
-  // Of an untruncated beam w / 2 along an axis; the energy beyond 3 w is left out.
+  // Checks the moment w / 2 of an untruncated beam along an axis; the energy beyond 3 w is left
+  // out.
   for (const double turn : { 0.0, 50.0 })
   {
     for (const double azimuth : { 0.0, 0.7, 1.5707963267948966 })
@@ -158,7 +159,7 @@ TEST_CASE("BeamEllipse: the ranges on an inclined plane spread with the axis of 
       FootprintScene scene;
       SetEllipse(scene, turn);
       scene.Settings.Depth = 0.01;
-      const double slope[2] = { std::cos(azimuth), std::sin(azimuth) }; // of 45 degrees
+      const double slope[2] = { std::cos(azimuth), std::sin(azimuth) }; // axis of 45 degrees
       const auto at = [&](double x, double z, double* corner)
       {
         corner[0] = x;
@@ -259,7 +260,7 @@ TEST_CASE("BeamEllipse: a plane echo has the moments of the sub-rays")
       CHECK(model.GetWidening(1.0, tangent) == Approx(unit * unit * square).epsilon(1e-4));
     }
   }
-  double square = 0.0, fourth = 0.0; // of the angle, for normal incidence
+  double square = 0.0, fourth = 0.0; // moments of the angle, for normal incidence
   for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
   {
     double d[3];
@@ -289,7 +290,8 @@ TEST_CASE("BeamEllipse: the frame of a beam has its major axis at an angle from 
     CHECK((column(frame, 0) - Vec3(std::cos(a), 0, -std::sin(a))).Norm() < 1e-15);
     CHECK((column(frame, 2) - Vec3(std::sin(a), 0, std::cos(a))).Norm() < 1e-15);
   }
-  // Of a beam off the axis: orthonormal, right-handed, in the plane of the axis and the beam.
+  // Checks the axes of a beam off the axis: orthonormal, right-handed, in the plane of the axis and
+  // the beam.
   roll.Angle = 0.0;
   roll.CrossAxis = Vec3(0, 0, 1);
   const Vec3 beam = Vec3(0.3, -0.7, 0.4).Normalized();

@@ -189,7 +189,7 @@ TEST_CASE("Small polygons err by no more than is allowed")
     std::mt19937 random(1);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     double largest = 0.0;
-    double least = 1.0; // of energies
+    double least = 1.0; // smallest of energies
     for (int trial = 0; trial < 20000; ++trial)
     {
       const double radius = 0.4 * std::abs(number(random));

@@ -159,7 +159,7 @@ TEST_CASE("Facets have no more corners than fit", "[Facets]")
   {
     CHECK(facet.Size <= Facet::Capacity);
   }
-  CHECK(view.Make().size() == 3); // of 6, 6 and 6 triangles
+  CHECK(view.Make().size() == 3); // facets of 6, 6 and 6 triangles
 }
 
 TEST_CASE("Facets that share all edges in a beam are one layer", "[VisibleSurfaces]")

@@ -335,7 +335,7 @@ TEST_CASE("Too many triangles in a beam are not collected")
 {
   FootprintScene scene;
   std::mt19937 random(1);
-  Scatter(scene, random, static_cast<int>(1.5 * Footprint::MostTriangles), 0.002, 1.0, 1.0);
+  Scatter(scene, random, static_cast<int>(1.5 * Footprint::MaximumTriangles), 0.002, 1.0, 1.0);
   scene.Build();
   CHECK_FALSE(scene.Collect());
 }

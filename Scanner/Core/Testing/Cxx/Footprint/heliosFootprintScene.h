@@ -24,12 +24,12 @@
 namespace helios::testing
 {
 
-/// What sub-rays, or parts, find of a cell.
+/// Result of sub-rays, or parts, for a cell.
 struct Cell
 {
   double Energy = 0.0;
-  double Mean = 0.0;   // of the ranges
-  double Square = 0.0; // of their deviations from the mean
+  double Mean = 0.0;   // mean of the ranges
+  double Square = 0.0; // square of their deviations from the mean
 };
 using Cells = std::map<vtkIdType, Cell>;
 
@@ -104,7 +104,7 @@ public:
     return parts;
   }
 
-  /// The same by cells; one of step * step.
+  /// Samples by cells; one of step * step.
   Cells Sample(int across, int step = 1)
   {
     std::vector<FootprintPart> parts;
@@ -129,7 +129,7 @@ public:
 
   Cells GetFootprint() { return SummarizeParts(this->FindParts()); }
 
-  /// The same by sub-rays.
+  /// Samples by sub-rays.
   Cells Trace() { return Summarize(this->TraceAll()); }
 
   double GetEnergyBetween(double near, double far)

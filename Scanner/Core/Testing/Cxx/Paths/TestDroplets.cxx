@@ -129,13 +129,14 @@ TEST_CASE("Droplets: weak ones are a column, and the mean stays that of the air"
   CHECK(areStrong);
   CHECK(count < countOfAll);
   const double mean = Integrate(air.Start, Stop, density);
-  const double rest =
-    Integrate(air.Start, Stop, [&](double r) { return density(r) * strong.GetRest(r); });
+  const double rest = Integrate(
+    air.Start, Stop, [&](double r) { return density(r) * strong.GetHomogeneousShare(r); });
   CHECK(rest > 0.0);
   CHECK(rest < mean);
   CHECK(power + rest == Approx(mean).epsilon(0.03));
 
-  const helios::AirColumn column(air, [&strong](double r) { return strong.GetRest(r); });
+  const helios::AirColumn column(
+    air, [&strong](double r) { return strong.GetHomogeneousShare(r); });
   std::vector<Hidden> none;
   std::vector<SubReturn> slabs;
   column.Append(none, slabs);
@@ -186,7 +187,7 @@ TEST_CASE("Droplets: the rate of false echoes is Poisson's", "[Droplets]")
   const double aperture = scanner->GetReceiverDiameter();
   const double gain =
     scanner->GetAveragePower() * scanner->GetOpticalEfficiency() * 0.25 * aperture * aperture;
-  // As a wall of reflectance 0.03 at 10 m: a share of the drops.
+  // Threshold like a wall of reflectance 0.03 at 10 m: a share of the drops.
   const double threshold = gain * 0.03 / 100.0;
   scanner->GetEchoDetector()->SetDetectionThreshold(threshold);
   vtkPolyData* cloud = bench.Run();

@@ -54,7 +54,7 @@ TEST_CASE("Fresnel: the tangent and sine forms hold at any angle")
   const PolarisedShares shares = GetFresnelReflectance(std::cos(a), 1.0, 1.5);
   CHECK(shares.S == Approx(std::pow(std::sin(a - b) / std::sin(a + b), 2)).epsilon(1e-10));
   CHECK(shares.P == Approx(std::pow(std::tan(a - b) / std::tan(a + b), 2)).epsilon(1e-10));
-  // the same backwards
+  // backwards with the same result
   const PolarisedShares back = GetFresnelReflectance(std::cos(b), 1.5, 1.0);
   CHECK(back.GetMean() == Approx(shares.GetMean()).epsilon(1e-10));
 }

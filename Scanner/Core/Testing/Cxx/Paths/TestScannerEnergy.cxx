@@ -26,7 +26,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double Half = 20.0; // of a white room [m]
+constexpr double Half = 20.0; // half side of a white room [m]
 constexpr int Plates = 60;
 
 /// All pulses in random directions.
@@ -137,7 +137,8 @@ TEST_CASE("ScannerEnergy: what returns from random scenes is never more than was
   { return vtkDataArray::SafeDownCast(table->GetColumnByName(name)); };
   const double gain = scanner->GetAveragePower() * scanner->GetOpticalEfficiency() * 0.25 *
     std::pow(scanner->GetReceiverDiameter(), 2);
-  const double area = 0.05 / std::sqrt(4.0 * std::log(2.0) / vtkMath::Pi()); // of the pulse [ns]
+  // area of the pulse [ns]
+  const double area = 0.05 / std::sqrt(4.0 * std::log(2.0) / vtkMath::Pi());
   const std::set<vtkIdType> seen = FindSelfSeen(scanner->GetOutput(3));
   double largest = 0.0;
   double mean = 0.0;

@@ -155,7 +155,7 @@ TEST_CASE("ScannerOptics: the floor of a pool is displaced as Snell's law says")
   if (degrees == 0.0)
   {
     const double face = 1.0 - std::pow((n - 1.0) / (n + 1.0), 2);
-    const double extinct = bench.GetAmplitude(10.0) * 100.0; // of 10 m of air only
+    const double extinct = bench.GetAmplitude(10.0) * 100.0; // extinction of 10 m of air only
     CHECK(Value(cloud, names::Amplitude, last) ==
       Approx(face * face * extinct / std::pow(n * 10.0 + 2.0, 2)).epsilon(1e-9));
   }
@@ -405,7 +405,7 @@ TEST_CASE("ScannerOptics: retroreflectors return as their coefficient says, at a
     MakeMaterial(OpticsKind::Retroreflector), { Wall(60.0) }));
   vtkPolyData* cloud = bench.Run();
   REQUIRE(cloud->GetNumberOfPoints() == 1);
-  // P0 R_A / cos of the light goes back per solid angle; the receiver has pi D^2 / 4 R^2 of it
+  // P0 R_A / cos of the light goes back per solid angle; the receiver covers pi D^2 / 4 R^2
   const double factor = vtkMath::Pi() * 250.0 / std::cos(a);
   CHECK(Value(cloud, names::Amplitude, 0) ==
     Approx(factor / 0.5 * bench.GetAmplitude(40.0)).epsilon(1e-9));

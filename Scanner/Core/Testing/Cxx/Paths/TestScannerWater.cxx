@@ -26,7 +26,7 @@ namespace
 {
 
 constexpr double Green = 532.0;
-constexpr double Height = 10.0;     // of the scanner over the water [m]
+constexpr double Height = 10.0;     // height of the scanner over the water [m]
 constexpr double RoughSlope = 0.25; // mean square
 
 Material MakeWater(double attenuation, double backscatter)
@@ -249,7 +249,7 @@ TEST_CASE("Water: absorption has the wavelengths of the literature")
 {
   CHECK(helios::GetPureWaterAbsorption(532.0) == Approx(0.0447));
   CHECK(helios::GetPureWaterAbsorption(1064.0) == Approx(14.0));
-  CHECK(helios::GetPureWaterAbsorption(300.0) == Approx(0.00663)); // as at 400 nm
+  CHECK(helios::GetPureWaterAbsorption(300.0) == Approx(0.00663)); // value at 400 nm
   CHECK(helios::GetPureWaterAbsorption(2000.0) == Approx(1000.0));
   CHECK(helios::GetPureWaterAbsorption(541.0) == Approx(std::sqrt(0.0447 * 0.0565)));
   helios::MaterialOptics volume;

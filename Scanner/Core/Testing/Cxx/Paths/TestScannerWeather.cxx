@@ -24,7 +24,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double Start = 2.0; // of the range gate [m]
+constexpr double Start = 2.0; // start of the range gate [m]
 
 /// A ray in air before a wall.
 struct AirBench : RayBench

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sample of the pulses of a scan.
 
-#ifndef heliosPulseSample_h
-#define heliosPulseSample_h
+#ifndef heliosPulseSubset_h
+#define heliosPulseSubset_h
 
 #include <vtkType.h>
 
@@ -18,18 +18,18 @@ namespace helios
  * With another key the groups of pulses begin elsewhere: a scan of fewer pulses than Step has one
  * of them, or none.
  */
-class PulseSample
+class PulseSubset
 {
 public:
-  PulseSample() = default;
-  PulseSample(vtkIdType step, vtkIdType key)
+  PulseSubset() = default;
+  PulseSubset(vtkIdType step, vtkIdType key)
     : Step(step)
     , Key(Mix(static_cast<std::uint64_t>(key)))
     , Start(this->Place(this->Key))
   {
   }
 
-  /// The index of the pulse of sample n; negative of a pulse before the first.
+  /// Returns the index of the pulse of sample n; negative of a pulse before the first.
   vtkIdType Get(vtkIdType n) const
   {
     return this->Step == 1
@@ -37,7 +37,7 @@ public:
       : n * this->Step - this->Start + this->Place(this->Key + static_cast<std::uint64_t>(n) + 1);
   }
 
-  /// The number of samples with indices below this one.
+  /// Returns the number of samples with indices below this one.
   vtkIdType CountBelow(vtkIdType index) const
   {
     const vtkIdType n = (index + this->Start) / this->Step;
@@ -45,7 +45,7 @@ public:
   }
 
 private:
-  /// SplitMix64 (Steele, Lea and Flood 2014).
+  /// Mixes bits: SplitMix64 (Steele, Lea and Flood 2014).
   static std::uint64_t Mix(std::uint64_t z)
   {
     z = (z + 1) * 0x9e3779b97f4a7c15u;

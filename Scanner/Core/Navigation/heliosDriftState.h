@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Slow errors of a platform, kept from pulse to pulse.
 
-#ifndef heliosSlowErrorCursor_h
-#define heliosSlowErrorCursor_h
+#ifndef heliosDriftState_h
+#define heliosDriftState_h
 
 #include "heliosGaussMarkov.h"
 
 namespace helios
 {
 
-/// Of the components of vtkHeliosPlatformNoise.
-struct SlowErrorCursor
+/// State of the drift of the components of vtkHeliosPlatformNoise.
+struct DriftState
 {
   GaussMarkov::Cursor Components[6];
 };
