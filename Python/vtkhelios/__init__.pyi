@@ -89,8 +89,8 @@ class vtkHeliosBeamSampler(vtkObject):
     """vtkHeliosBeamSampler - the sub-rays of a Gaussian beam"""
     beam_divergence: float
     """Set/Get the full angle of the beam at 1/e^2 of its intensity
-    [rad], as in data sheets. Valid range: [0, 1], else rejected;
-    scanners need 0 or at least 1e-9. Default: 0.0003.
+    [rad], which data sheets state. Valid range: [0, 1], else
+    rejected; scanners need 0 or at least 1e-9. Default: 0.0003.
     """
     beam_quality_factor: float
     """Set/Get M2, the ratio of the beam width to the diffraction limit;
@@ -99,10 +99,10 @@ class vtkHeliosBeamSampler(vtkObject):
     """
     divergence_ratio: float
     """Set/Get the divergence along the minor axis of an elliptical
-    beam, as a fraction of BeamDivergence, which is then that along
-    the major axis; 1: a circular beam. The product must be at least
-    1e-9 rad for scanners. Valid range: [0.01, 1], else rejected.
-    Default: 1.
+    beam, as a fraction of BeamDivergence, which is then the
+    divergence along the major axis; 1: a circular beam. The product
+    must be at least 1e-9 rad for scanners. Valid range: [0.01, 1],
+    else rejected. Default: 1.
     """
     legacy_weights: bool
     """Set/Get whether CIRCLES follow the paper exactly, for comparison:
@@ -130,8 +130,8 @@ class vtkHeliosBeamSampler(vtkObject):
     64]. Default: 2, which is 16 sub-rays.
     """
     number_of_sub_rays: int
-    """Set the number of sub-rays of VOGEL; above 1, it is rounded up to
-    a multiple of 4. Valid range: [1, 65536]. Default: 64. Get the
+    """Sets the number of sub-rays of VOGEL; above 1, it is rounded up
+    to a multiple of 4. Valid range: [1, 65536]. Default: 64. Get the
     number of sub-rays of a pulse, for any Pattern.
     """
     pattern: Union[Literal["circles", "gauss_legendre", "vogel"], int]
@@ -248,8 +248,8 @@ class vtkHeliosCityJSONReader(vtkHeliosSceneReader):
     """
     material_file_name: Optional[str]
     """Set/Get an MTL file: materials with the name of one of the scene
-    replace it (RoofSurface, Road, ...). A class of 0 keeps that of
-    the scene. Default: none.
+    replace it (RoofSurface, Road, ...). A class of 0 keeps the class
+    of the scene. Default: none.
     """
     def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., level_of_detail: Optional[str] = ..., material_file_name: Optional[str] = ..., progress_text: Optional[str] = ..., up_axis: Union[Literal["y", "z"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -450,45 +450,47 @@ class vtkHeliosCoordinateSystem(vtkObject):
     """vtkHeliosCoordinateSystem - what a coordinate system is: identity, units, resolution"""
     @property
     def code(self) -> Optional[str]:
-        """Get the code, "EPSG:25832" or "EPSG:25832+7837"; empty if a part
-        of the system has none.
+        """Returns the code, "EPSG:25832" or "EPSG:25832+7837"; empty if a
+        part of the system has none.
         """
     height_unit: float
-    """Replace the vertical part by one that only states its unit [m],
+    """Replaces the vertical part by one that only states its unit [m],
     above 0. Returns false, and changes nothing, for a local system
     and an unknown one.
     """
     @property
     def label(self) -> Optional[str]:
-        """Get the label in messages: the code, or the begin of the name."""
+        """Returns the label in messages: the code, or the begin of the
+        name.
+        """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def name(self) -> Optional[str]:
-        """Get code and name, "EPSG:32632 (WGS 84 / UTM zone 32N)"."""
+        """Returns code and name, "EPSG:32632 (WGS 84 / UTM zone 32N)"."""
     @property
     def problem(self) -> Optional[str]:
-        """Get what is wrong with the text, with the forms that are known;
-        empty if nothing is.
+        """Returns what is wrong with the text, with the forms that are
+        known; empty if nothing is.
         """
     text: Optional[str]
-    """Set the text of the system. Returns false if PROJ does not know
+    """Sets the text of the system. Returns false if PROJ does not know
     it; GetProblem() says why, and the properties below have their
     defaults: empty texts, metres, steps of 0.1 mm.
     """
     @property
     def unit(self) -> float:
-        """Get the metres per unit of x and y; 0 for degrees."""
+        """Returns the metres per unit of x and y; 0 for degrees."""
     @property
     def unit_name(self) -> Optional[str]:
-        """Get the units as text: "degrees", "US survey foot", "metre, with heights in
+        """Returns the units as text: "degrees", "US survey foot", "metre, with heights in
         foot".
         """
     @property
     def wkt(self) -> Optional[str]:
-        """Get WKT 1, or WKT 2 of 2019 if WKT 1 cannot express the system;
-        empty for a local system.
+        """Returns WKT 1, or WKT 2 of 2019 if WKT 1 cannot express the
+        system; empty for a local system.
         """
     def __init__(self, *, height_unit: float = ..., text: Optional[str] = ...) -> None: ...
     def FindMetric(self, x: float, y: float, z: float) -> str: ...
@@ -604,8 +606,8 @@ class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
     """
     @property
     def plants_per_row(self) -> int:
-        """The number of plant positions in a row: RowLength / PlantSpacing,
-        plus one.
+        """Returns the number of plant positions in a row: RowLength /
+        PlantSpacing, plus one.
         """
     position_jitter: float
     """Set/Get the standard deviation of plant positions [m], in x and
@@ -812,6 +814,155 @@ class vtkHeliosDialect(vtkObject):
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosDialect: ...
 
+class vtkHeliosEchoAlgorithm(vtkPolyDataAlgorithm):
+    """vtkHeliosEchoAlgorithm - superclass of algorithms that compute echoes, and the table of their
+    outputs
+    """
+    abort_execute: int
+    """Set/Get the AbortExecute flag for the process object. Process
+    objects may handle premature termination of execution in
+    different ways.
+    """
+    @property
+    def error_code(self) -> int:
+        """The error code contains a possible error that occurred while
+        reading or writing the file.
+        """
+    generate_colors: bool
+    """Set/Get whether the echoes have RGB (float, [0..1]), the colour
+    of the surface where the echo is: that of the cell data RGB of
+    the scene, else that of the point data RGB between the corners,
+    else the base colour of the material (Material.Color) times its
+    texture, bilinear (Material.Texture, and cell data
+    TextureCoordinates); black without. A texture that cannot be read
+    is an error; vtkHeliosImageReader lists the formats. They are
+    read again once the scene changes. vtkHeliosSurveySource reads
+    its meshes with their colours then; see ReadColors of
+    vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
+    Default: off.
+    """
+    generate_columns: bool
+    """Set/Get whether the echoes, and the pulses, have ColumnIds: the
+    column of a pulse in its revolution, from 0, of a deflector that
+    fires in columns. With ChannelIds it is the pixel of an organized
+    cloud. Default: off.
+    """
+    generate_decibels: bool
+    """Set/Get whether the echoes have the amplitudes that instruments
+    of RIEGL report: RelativeAmplitude, 10 log10(P / P0) of their
+    amplitude P above the DetectionThreshold P0 [dB], and
+    Reflectance, 10 log10(P / Pw) above the amplitude Pw that a white
+    diffuse plane across the whole beam has at the same range [dB].
+    DetectionThreshold and AveragePower must be positive then.
+    Default: off.
+    """
+    generate_pulses: bool
+    """Set/Get the outputs computed in addition to the echoes. Default:
+    off.
+    """
+    generate_scan_flags: bool
+    """Set/Get whether the echoes have ScanDirectionFlag and
+    EdgeOfFlightLine, the flags of their pulse by the deflector; 0
+    for a deflector without lines. Default: off.
+    """
+    generate_sub_rays: bool
+    """Set/Get the outputs computed in addition to the echoes. Default:
+    off.
+    """
+    generate_truth: bool
+    """Set/Get whether the echoes have TruePoint, the point hit, without
+    any instrument error, and Normal, of the surface there; in scenes
+    with mirrors or glass also SpecularEvents, how many of them were
+    on the way. Default: off.
+    """
+    generate_waveforms: bool
+    """Set/Get the outputs computed in addition to the echoes. Default:
+    off.
+    """
+    @property
+    def m_time(self) -> int:
+        """Return this object's modified time."""
+    @property
+    def number_of_input_ports(self) -> int:
+        """Get the number of input ports used by the algorithm."""
+    @property
+    def number_of_output_ports(self) -> int:
+        """Get the number of output ports provided by the algorithm."""
+    @property
+    def number_of_outputs(self) -> Any:
+        """Get a field of a row of the table of outputs: "name", of options,
+        such as "scan_flags"; "source" and "player", the properties of
+        this class and of vtkHeliosSurveyPlayer, the first empty for
+        outputs of files only; "key", in the options of run_summary.json;
+        "arrays" and "formats", names separated by blanks; "title" and
+        "state", of a report, if it is on; "help", of the command line.
+        Null for another row or field.
+        """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
+    progress_text: Optional[str]
+    """Set the current text message associated with the progress state.
+    This may be used by a calling process/GUI. Note: Because
+    SetProgressText() is called from inside RequestData() it does not
+    modify the algorithm object. Algorithms are not allowed to modify
+    themselves from inside RequestData().
+    """
+    def __init__(self, *, abort_execute: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __rshift__(self, right: Any) -> Pipeline: ...
+    def __rrshift__(self, left: Any) -> Pipeline: ...
+    def __call__(self, data: Any = None) -> Any: ...
+    def update(self) -> Any: ...
+    @property
+    def output(self) -> Any: ...
+    def GenerateColorsOff(self) -> None: ...
+    def GenerateColorsOn(self) -> None: ...
+    def GenerateColumnsOff(self) -> None: ...
+    def GenerateColumnsOn(self) -> None: ...
+    def GenerateDecibelsOff(self) -> None: ...
+    def GenerateDecibelsOn(self) -> None: ...
+    def GeneratePulsesOff(self) -> None: ...
+    def GeneratePulsesOn(self) -> None: ...
+    def GenerateScanFlagsOff(self) -> None: ...
+    def GenerateScanFlagsOn(self) -> None: ...
+    def GenerateSubRaysOff(self) -> None: ...
+    def GenerateSubRaysOn(self) -> None: ...
+    def GenerateTruthOff(self) -> None: ...
+    def GenerateTruthOn(self) -> None: ...
+    def GenerateWaveformsOff(self) -> None: ...
+    def GenerateWaveformsOn(self) -> None: ...
+    def GetGenerateColors(self) -> bool: ...
+    def GetGenerateColumns(self) -> bool: ...
+    def GetGenerateDecibels(self) -> bool: ...
+    def GetGeneratePulses(self) -> bool: ...
+    def GetGenerateScanFlags(self) -> bool: ...
+    def GetGenerateSubRays(self) -> bool: ...
+    def GetGenerateTruth(self) -> bool: ...
+    def GetGenerateWaveforms(self) -> bool: ...
+    def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfOutputs() -> int: ...
+    @staticmethod
+    def GetOutputText(output: int, field: str) -> str: ...
+    def IsA(self, type: str) -> int: ...
+    @staticmethod
+    def IsTypeOf(type: str) -> int: ...
+    def NewInstance(self) -> vtkHeliosEchoAlgorithm: ...
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkHeliosEchoAlgorithm: ...
+    def SetGenerateColors(self, isWanted: bool) -> None: ...
+    def SetGenerateColumns(self, isWanted: bool) -> None: ...
+    def SetGenerateDecibels(self, isWanted: bool) -> None: ...
+    def SetGeneratePulses(self, isWanted: bool) -> None: ...
+    def SetGenerateScanFlags(self, isWanted: bool) -> None: ...
+    def SetGenerateSubRays(self, isWanted: bool) -> None: ...
+    def SetGenerateTruth(self, isWanted: bool) -> None: ...
+    def SetGenerateWaveforms(self, isWanted: bool) -> None: ...
+
 class vtkHeliosEchoComparison(vtkTableAlgorithm):
     """vtkHeliosEchoComparison - the errors of echoes against a reference of the same pulses"""
     abort_execute: int
@@ -933,7 +1084,7 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     """
     @property
     def number_of_detectors(self) -> Any:
-        """The names of the echo detectors, as in surveys: "peak", the
+        """Return the names of the echo detectors in surveys: "peak", the
         default, "gaussian", "cfd", "leadingEdge" and "photonCounting".
         Null if the index is out of range.
         """
@@ -976,6 +1127,8 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     def update(self) -> Any: ...
     @property
     def output(self) -> Any: ...
+    @staticmethod
+    def AddDetector(name: str, prototype: vtkHeliosEchoDetector) -> bool: ...
     @staticmethod
     def GetDetectorName(index: int) -> str: ...
     def GetEchoDetector(self) -> vtkHeliosEchoDetector: ...
@@ -1020,10 +1173,10 @@ class vtkHeliosEchoDetector(vtkObject):
     """vtkHeliosEchoDetector - finds the echoes in a received waveform"""
     @property
     def calibration_amplitude(self) -> float:
-        """The amplitude [W] for which times of pulses that are not Gaussian
-        are calibrated: that of the echo of a plane across the beam at
-        the true range; 0: times are not calibrated. Default: 1000 times
-        the DetectionThreshold, or 1.
+        """Returns the amplitude [W] for which times of pulses that are not
+        Gaussian are calibrated: the amplitude of the echo of a plane
+        across the beam at the true range; 0: times are not calibrated.
+        Default: 1000 times the DetectionThreshold, or 1.
         """
     dead_time: float
     """Set/Get the dead time of the receiver [ns]: an echo within this
@@ -1281,12 +1434,12 @@ class vtkHeliosFlightLines(vtkPolyDataAlgorithm):
         [m], with TurnTime the latter at Speed; the time of all [s].
         """
     turn_radius: float
-    """Set/Get the radius of turns [m]; the time of a turn [s], 0: that
-    of the radius. Valid ranges: [0, 1e6]. Default: 0 and 0.
+    """Set/Get the radius of turns [m]; the time of a turn [s], 0: the
+    time for the radius. Valid ranges: [0, 1e6]. Default: 0 and 0.
     """
     turn_time: float
-    """Set/Get the radius of turns [m]; the time of a turn [s], 0: that
-    of the radius. Valid ranges: [0, 1e6]. Default: 0 and 0.
+    """Set/Get the radius of turns [m]; the time of a turn [s], 0: the
+    time for the radius. Valid ranges: [0, 1e6]. Default: 0 and 0.
     """
     def __init__(self, *, abort_execute: int = ..., altitude: float = ..., heading: float = ..., line_spacing: float = ..., optimize_heading: bool = ..., progress_text: Optional[str] = ..., run_in: float = ..., speed: float = ..., swath_width: float = ..., turn_radius: float = ..., turn_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -1458,16 +1611,16 @@ class vtkHeliosGeoTiffHeightReader(vtkImageAlgorithm):
     file_name: Optional[str]
     """Set/Get the file to read. Default: none."""
     height_unit: float
-    """Set/Get the height unit [m], which overrides that of the file; 0:
-    use the file's. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the height unit [m], which overrides the unit in the
+    file; 0: use the file's. Valid range: [0, 1e6]. Default: 0.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     no_data_value: float
     """Set/Get the value of pixels without height, before scale and
-    offset, which overrides that of the file; NaN: use the file's.
-    Default: NaN.
+    offset, which overrides the value in the file; NaN: use the
+    file's. Default: NaN.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -1535,16 +1688,16 @@ class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
     file_name: Optional[str]
     """Set/Get the file to read. Default: none."""
     height_unit: float
-    """Set/Get the height unit [m], which overrides that of the file; 0:
-    use the file's. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the height unit [m], which overrides the unit in the
+    file; 0: use the file's. Valid range: [0, 1e6]. Default: 0.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     no_data_value: float
     """Set/Get the value of pixels without height, before scale and
-    offset, which overrides that of the file; NaN: use the file's.
-    Default: NaN.
+    offset, which overrides the value in the file; NaN: use the
+    file's. Default: NaN.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -1825,13 +1978,8 @@ class vtkHeliosImageReader(vtkImageAlgorithm):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosImageReader: ...
     def SetFileName(self, _arg: str) -> None: ...
 
-class vtkHeliosInstrument(vtkPolyDataAlgorithm):
+class vtkHeliosInstrument(vtkHeliosEchoAlgorithm):
     """vtkHeliosInstrument - the data sheet of a laser scanner: pulse, receiver, accuracy"""
-    abort_execute: int
-    """Set/Get the AbortExecute flag for the process object. Process
-    objects may handle premature termination of execution in
-    different ways.
-    """
     angle_accuracy: float
     """Set/Get the standard deviation of the direction, on each of two
     axes across the beam [rad]: the pulse is emitted along the
@@ -1867,16 +2015,11 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     range: [0, 1e6]. Default: 0.
     """
     droplet_diameter: float
-    """Set/Get the diameter of the drops that are the extinction of the
-    air [m], as of rain: with a lidar ratio, single ones return light
-    at random places, in beams with a divergence. 0: so many that the
-    air is homogeneous. Valid range: [0, 0.05]. Default: 0.
+    """Set/Get the diameter of the drops that cause the extinction of
+    the air, such as rain [m]: with a lidar ratio, single ones return
+    light at random places, in beams with a divergence. 0: so many
+    that the air is homogeneous. Valid range: [0, 0.05]. Default: 0.
     """
-    @property
-    def error_code(self) -> int:
-        """The error code contains a possible error that occurred while
-        reading or writing the file.
-        """
     field_of_view: float
     """Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064
     nm on a clear day), the bandwidth of the receiver's filter [nm]
@@ -1899,9 +2042,6 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     to every bin. Valid range: [0, 1e6]. Default: 0 (off), 1 and
     0.001.
     """
-    @property
-    def m_time(self) -> int:
-        """Return this object's modified time."""
     maximum_number_of_returns: int
     """Set/Get the maximum number of echoes kept, in order of range; 0:
     all. Valid range: [0, 255]. Default: 0.
@@ -1918,27 +2058,9 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     Later bins are cut off, with a warning that counts the pulses.
     Valid range: 0 or at least a pulse. Default: 0.
     """
-    @property
-    def number_of_input_ports(self) -> int:
-        """Get the number of input ports used by the algorithm."""
-    @property
-    def number_of_output_ports(self) -> int:
-        """Get the number of output ports provided by the algorithm."""
     optical_efficiency: float
     """Set/Get the efficiency of the optics. Valid range: (0, 1].
     Default: 0.99.
-    """
-    @property
-    def progress(self) -> float:
-        """`SetProgress` is deprecated. Subclasses should use
-        `UpdateProgress` to report progress updates.
-        """
-    progress_text: Optional[str]
-    """Set the current text message associated with the progress state.
-    This may be used by a calling process/GUI. Note: Because
-    SetProgressText() is called from inside RequestData() it does not
-    modify the algorithm object. Algorithms are not allowed to modify
-    themselves from inside RequestData().
     """
     pulse_file_name: Optional[str]
     """Set/Get the text file of a sampled pulse: a time [ns] and a power
@@ -2029,7 +2151,7 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     (Docs/instrument.md, Weather). clear or empty: none. Default:
     none.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., droplet_diameter: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., saturation_power: float = ..., solar_irradiance: float = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., droplet_diameter: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., saturation_power: float = ..., solar_irradiance: float = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2094,7 +2216,7 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     def SetMaximumWaveformLength(self, _arg: float) -> None: ...
     def SetNumberOfBins(self, _arg: int) -> None: ...
     def SetOpticalEfficiency(self, _arg: float) -> None: ...
-    def SetPulseFileName(self, _arg: str) -> None: ...
+    def SetPulseFileName(self, fileName: str) -> None: ...
     def SetPulseLength(self, _arg: float) -> None: ...
     def SetPulseSamples(self, samples: vtkDataArray) -> None: ...
     def SetPulseShape(self, _arg: int) -> None: ...
@@ -2134,7 +2256,7 @@ class vtkHeliosInterpolatedPlatform(vtkHeliosPlatform):
     """
     @property
     def number_of_legs(self) -> int:
-        """Add a leg over [start, end] of the recorded times [s], NaN: from
+        """Adds a leg over [start, end] of the recorded times [s], NaN: from
         their first, or to their last; remove all, get their number. The
         platform does not move from the end of the leg before to a leg
         that teleports. LegIds count from FirstLegId. Default: none, all
@@ -2289,8 +2411,8 @@ class vtkHeliosLASWriter(vtkHeliosStreamWriter):
     write_waveforms: bool
     """Set/Get whether points have waveforms (formats 9 and 10), applied
     by Open(). Packets are written to a second file named .wdp
-    instead of .las. SetWaveforms() sets those of the next block.
-    Default: off.
+    instead of .las. SetWaveforms() sets the waveforms of the next
+    block. Default: off.
     """
     def __init__(self, *, count_only: bool = ..., creation_day: int = ..., creation_year: int = ..., file_name: Optional[str] = ..., full_intensity: float = ..., scale: float = ..., system_identifier: Optional[str] = ..., write_extra_bytes: bool = ..., write_waveforms: bool = ...) -> None: ...
     def Abandon(self) -> bool: ...
@@ -2483,10 +2605,11 @@ class vtkHeliosMemoryLimit(vtkObject):
     """vtkHeliosMemoryLimit - memory limit of the process for scenes"""
     @property
     def available(self) -> Any:
-        """Get the memory still available [MiB]: the limit minus the current
-        use of the process. Without a limit: the available memory of the
-        machine (MemAvailable of /proc/meminfo), or that of a control
-        group if it is less. Infinite if the system does not report it.
+        """Returns the memory still available [MiB]: the limit minus the
+        current use of the process. Without a limit: the available memory
+        of the machine (MemAvailable of /proc/meminfo), or that of a
+        control group if it is less. Infinite if the system does not
+        report it.
         """
     limit: Any
     """Total memory limit of this process [MiB], 0 or more. 0: the
@@ -2498,7 +2621,7 @@ class vtkHeliosMemoryLimit(vtkObject):
         """Return this object's modified time."""
     @property
     def used(self) -> Any:
-        """Get the memory used by this process [MiB], without pages of
+        """Returns the memory used by this process [MiB], without pages of
         files, which the system may drop; 0 if the system does not report
         it.
         """
@@ -2663,9 +2786,10 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
     """
     @property
     def number_of_dropped_triangles(self) -> int:
-        """For the last run: dropped triangles of zero area and duplicates;
-        non-manifold triangles, which passed unchanged; patches with
-        interior points, and those of them that stayed unchanged.
+        """Get, from the last run, dropped triangles of zero area and
+        duplicates; non-manifold triangles, which passed unchanged;
+        patches with interior points, and how many of these stayed
+        unchanged.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -2675,21 +2799,24 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_patches(self) -> int:
-        """For the last run: dropped triangles of zero area and duplicates;
-        non-manifold triangles, which passed unchanged; patches with
-        interior points, and those of them that stayed unchanged.
+        """Get, from the last run, dropped triangles of zero area and
+        duplicates; non-manifold triangles, which passed unchanged;
+        patches with interior points, and how many of these stayed
+        unchanged.
         """
     @property
     def number_of_rejected_triangles(self) -> int:
-        """For the last run: dropped triangles of zero area and duplicates;
-        non-manifold triangles, which passed unchanged; patches with
-        interior points, and those of them that stayed unchanged.
+        """Get, from the last run, dropped triangles of zero area and
+        duplicates; non-manifold triangles, which passed unchanged;
+        patches with interior points, and how many of these stayed
+        unchanged.
         """
     @property
     def number_of_untouched_patches(self) -> int:
-        """For the last run: dropped triangles of zero area and duplicates;
-        non-manifold triangles, which passed unchanged; patches with
-        interior points, and those of them that stayed unchanged.
+        """Get, from the last run, dropped triangles of zero area and
+        duplicates; non-manifold triangles, which passed unchanged;
+        patches with interior points, and how many of these stayed
+        unchanged.
         """
     @property
     def progress(self) -> float:
@@ -3077,7 +3204,9 @@ class vtkHeliosPCDWriter(vtkHeliosStreamWriter):
     """vtkHeliosPCDWriter - write echoes as a PCD file of the Point Cloud Library"""
     @property
     def has_float_points(self) -> bool:
-        """Whether x, y, z are float in the file that was opened last."""
+        """Returns whether x, y, z are float in the file that was opened
+        last.
+        """
     origin: Sequence[float]
     """Set/Get the origin of Precision Float [m], used if UseOrigin is
     on; else it is the centre of the first block, rounded to 100 m.
@@ -3091,9 +3220,9 @@ class vtkHeliosPCDWriter(vtkHeliosStreamWriter):
     """
     resolution: float
     """Set/Get the resolution that coordinates keep, in their unit: with
-    Precision Float, x y z are of 64 bits and absolute if those of
-    the first block were off by more than half of it. 0: they are
-    float. Valid range: [0, infinity). Default: 0.
+    Precision Float, x y z are of 64 bits and absolute if coordinates
+    of the first block were off by more than half the resolution. 0:
+    they are float. Valid range: [0, infinity). Default: 0.
     """
     storage: int
     """Set/Get the storage of numbers. Valid range: Ascii, Binary.
@@ -3261,8 +3390,8 @@ class vtkHeliosPCLGroundFilter(vtkHeliosPCLFilter):
     Default: 0.25; 2.5.
     """
     maximum_window_size: float
-    """Set/Get the width of the largest window, more than that of the
-    largest building [m]. Valid range: [0.1, 1000]. Default: 33.
+    """Set/Get the width of the largest window, more than the width of
+    the largest building [m]. Valid range: [0.1, 1000]. Default: 33.
     """
     slope: float
     """Set/Get the steepest terrain, as rise over run. Valid range: [0,
@@ -3491,7 +3620,7 @@ class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def matrix(self) -> Optional[vtkMatrix4x4]:
-        """Get the motion found in the last update: points of input 1 to
+        """Returns the motion found in the last update: points of input 1 to
         their new position.
         """
     maximum_curvature: float
@@ -3635,8 +3764,8 @@ class vtkHeliosPLYPointReader(vtkPolyDataAlgorithm):
     """Set/Get the file to read. Required."""
     @property
     def format(self) -> Optional[str]:
-        """Of the last update: the number of points of the file, and its
-        format: ascii, binary_little_endian or binary_big_endian.
+        """Get, from the last update, the number of points of the file, and
+        its format: ascii, binary_little_endian or binary_big_endian.
         """
     @property
     def m_time(self) -> int:
@@ -3649,8 +3778,8 @@ class vtkHeliosPLYPointReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_vertices(self) -> int:
-        """Of the last update: the number of points of the file, and its
-        format: ascii, binary_little_endian or binary_big_endian.
+        """Get, from the last update, the number of points of the file, and
+        its format: ascii, binary_little_endian or binary_big_endian.
         """
     @property
     def progress(self) -> float:
@@ -4249,7 +4378,7 @@ class vtkHeliosPlatformNoise(vtkObject):
     """
     @property
     def grade_names(self) -> Any:
-        """The names of SetGrade(), separated by blanks: "consumer",
+        """Returns the names of SetGrade(), separated by blanks: "consumer",
         "tactical", "survey", "navigation". Docs/trajectories.md has
         their numbers and sources.
         """
@@ -4347,8 +4476,8 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
     different ways.
     """
     begin: int
-    """Set/Get where reading begins [bytes]: the first row is that of
-    the next line. Valid range: [0, infinity). Default: 0.
+    """Set/Get where reading begins [bytes]: the first row is on the
+    next line. Valid range: [0, infinity). Default: 0.
     """
     @property
     def end(self) -> int:
@@ -4369,13 +4498,13 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
         """
     @property
     def has_whole_intensities(self) -> bool:
-        """Of the layout: the smallest and largest intensity, and whether
-        all are whole numbers.
+        """Get, from the layout, the smallest and largest intensity, and
+        whether all are whole numbers.
         """
     @property
     def intensity_range(self) -> Tuple[float, float]:
-        """Of the layout: the smallest and largest intensity, and whether
-        all are whole numbers.
+        """Get, from the layout, the smallest and largest intensity, and
+        whether all are whole numbers.
         """
     keep_invalid: bool
     """Set/Get whether numbers that are not finite are kept. Default:
@@ -4383,8 +4512,8 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
     """
     @property
     def kind(self) -> Optional[str]:
-        """Of the layout: the number of columns, and the kind of the file:
-        echoes, x y z, named columns, PTS or PTX.
+        """Returns, from the layout, the number of columns, and the kind of
+        the file: echoes, x y z, named columns, PTS or PTX.
         """
     @property
     def m_time(self) -> int:
@@ -4395,20 +4524,20 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
     """
     @property
     def number_of_columns(self) -> int:
-        """Of the layout: the number of columns, and the kind of the file:
-        echoes, x y z, named columns, PTS or PTX.
+        """Returns, from the layout, the number of columns, and the kind of
+        the file: echoes, x y z, named columns, PTS or PTX.
         """
     @property
     def number_of_counted(self) -> float:
-        """Of the last update: the scan of its points, the points of PTX
-        without a return, which are dropped, and the sum of the numbers
-        of points that PTS gives.
+        """Get, from the last update, the scan of its points, the number of
+        points of PTX without a return, which are dropped, and the sum of
+        the numbers of points that PTS gives.
         """
     @property
     def number_of_dropped(self) -> int:
-        """Of the last update: the scan of its points, the points of PTX
-        without a return, which are dropped, and the sum of the numbers
-        of points that PTS gives.
+        """Get, from the last update, the scan of its points, the number of
+        points of PTX without a return, which are dropped, and the sum of
+        the numbers of points that PTS gives.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -4418,9 +4547,9 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_scans(self) -> int:
-        """Of the layout: the number of scans, and the matrix from the frame
-        of a scanner to the world; false without one, as in files that
-        are not PTX.
+        """Returns, from the layout, the number of scans, and the matrix
+        from the frame of a scanner to the world; false without one: only
+        PTX has it.
         """
     @property
     def progress(self) -> float:
@@ -4436,9 +4565,9 @@ class vtkHeliosPointTextReader(vtkPolyDataAlgorithm):
     """
     @property
     def scan(self) -> int:
-        """Of the last update: the scan of its points, the points of PTX
-        without a return, which are dropped, and the sum of the numbers
-        of points that PTS gives.
+        """Get, from the last update, the scan of its points, the number of
+        points of PTX without a return, which are dropped, and the sum of
+        the numbers of points that PTS gives.
         """
     def __init__(self, *, abort_execute: int = ..., begin: int = ..., file_name: Optional[str] = ..., keep_invalid: bool = ..., maximum_number_of_points: int = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -4499,12 +4628,12 @@ class vtkHeliosPointTextWriter(vtkHeliosStreamWriter):
     """
     @property
     def number_of_arrays(self) -> Any:
-        """The names of the arrays that have a column, in the order of the
-        columns after x y z, without those of WriteScanFlags and
-        WriteDecibels.
+        """Returns the names of the arrays that have a column, in the order
+        of the columns after x y z, without the columns of WriteScanFlags
+        and WriteDecibels.
         """
     write_decibels: bool
-    """Set/Get whether there are four more columns: those of
+    """Set/Get whether there are four more columns: the columns of
     WriteScanFlags, and the arrays RelativeAmplitude and Reflectance.
     Default: off.
     """
@@ -4557,10 +4686,10 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     estimate_normals: bool
-    """Set/Get whether the normal of a cell is that of the plane fitted
-    to its points (least squares of distances; upwards) instead of
-    the points' own. Cells with fewer than three points, or with
-    collinear points, have none. Default: off.
+    """Set/Get whether the normal of a cell is the normal of the plane
+    fitted to its points (least squares of distances; upwards)
+    instead of the points' own. Cells with fewer than three points,
+    or with collinear points, have none. Default: off.
     """
     generate_voxel_ids: bool
     """Set/Get whether triangles carry the id of their cell. Default:
@@ -4624,8 +4753,8 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     snap_neighbor_normal: bool
-    """Set/Get whether the normal of a cell is that of the point nearest
-    to its centre, not the mean of all. Ignored with EstimateNormals.
+    """Set/Get whether a cell has the normal of the point nearest to its
+    centre, not the mean of all. Ignored with EstimateNormals.
     Default: off.
     """
     voxel_size: float
@@ -4715,13 +4844,13 @@ class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pieces(self) -> int:
-        """Get the number of pieces of the file, after UpdateInformation():
-        1 for a .vtp.
+        """Returns the number of pieces of the file, after
+        UpdateInformation(): 1 for a .vtp.
         """
     @property
     def number_of_points(self) -> int:
-        """Get the number of points of a .vtp, after UpdateInformation(); 0
-        for a .pvtp.
+        """Returns the number of points of a .vtp, after
+        UpdateInformation(); 0 for a .pvtp.
         """
     @property
     def progress(self) -> float:
@@ -4907,21 +5036,21 @@ class vtkHeliosRayCaster(vtkObject):
     """vtkHeliosRayCaster - intersects batches of rays with the triangles of a scene"""
     @property
     def accelerator_size(self) -> int:
-        """The name of the backend, as in vtkHeliosRayCasterFactory; the
-        size of its accelerator [bytes].
+        """Returns the name of the backend, as in vtkHeliosRayCasterFactory;
+        the size of its accelerator [bytes].
         """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def memory_size(self) -> int:
-        """The size of all that was built for a scene in bytes: accelerator,
-        cone probe, copies of points and corners.
+        """Returns the size of all that was built for a scene in bytes:
+        accelerator, cone probe, copies of points and corners.
         """
     @property
     def name(self) -> Optional[str]:
-        """The name of the backend, as in vtkHeliosRayCasterFactory; the
-        size of its accelerator [bytes].
+        """Returns the name of the backend, as in vtkHeliosRayCasterFactory;
+        the size of its accelerator [bytes].
         """
     def Build(self, scene: vtkPolyData) -> bool: ...
     def GetAcceleratorSize(self) -> int: ...
@@ -4950,9 +5079,9 @@ class vtkHeliosRayCasterFactory(vtkObject):
         """Return this object's modified time."""
     @property
     def number_of_backends(self) -> Any:
-        """The names of the backends in this process, the default one first:
-        "beam", "embree", "bvh", "cgal", "obbtree" if all are built.
-        Valid range of an index: [0, number - 1]; null outside.
+        """Returns the names of the backends in this process, the default
+        one first: "beam", "embree", "bvh", "cgal", "obbtree" if all are
+        built. Valid range of an index: [0, number - 1]; null outside.
         """
     @staticmethod
     def Create(name: str) -> vtkHeliosRayCaster: ...
@@ -5152,7 +5281,7 @@ class vtkHeliosReturnSelection(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def number_of_classes(self) -> int:
-        """Add a class (ClassificationIds) that passes, or remove all;
+        """Adds a class (ClassificationIds) that passes, or removes all;
         without any, all pass. Valid range: any integer. Default: none.
         """
     @property
@@ -5424,6 +5553,16 @@ class vtkHeliosRunOptions(vtkObject):
         """
     noise: bool
     """Set/Get whether ranges have the scanner's noise. Default: on."""
+    @property
+    def number_of_options(self) -> Any:
+        """Get a field of a row of the table of options: "property", of this
+        class; "name", in Python; "key", in the options of
+        run_summary.json, empty for one that changes no echo; "title", of
+        a report; "words", there, for a value, which {} stands for, times
+        "scale"; "argument", of the command line, empty for none, its
+        "metavar", "help", and "choices", separated by blanks. Empty for
+        another row or field.
+        """
     number_of_sub_rays: int
     """Set/Get a fixed number of sub-rays of every pulse: 1, 7, 19, 37,
     62 ... on circles, as by beamSampleQuality in surveys; any other
@@ -5490,6 +5629,8 @@ class vtkHeliosRunOptions(vtkObject):
     def GetEnergyToleranceMaxValue(self) -> float: ...
     def GetEnergyToleranceMinValue(self) -> float: ...
     def GetEpoch(self) -> int: ...
+    def GetEpochMaxValue(self) -> int: ...
+    def GetEpochMinValue(self) -> int: ...
     def GetGpsStart(self) -> str: ...
     def GetMaximumSubRays(self) -> int: ...
     def GetMaximumSubRaysMaxValue(self) -> int: ...
@@ -5500,15 +5641,23 @@ class vtkHeliosRunOptions(vtkObject):
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
     def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfOptions() -> int: ...
     def GetNumberOfSubRays(self) -> int: ...
     def GetNumberOfSubRaysMaxValue(self) -> int: ...
+    def GetNumberOfSubRaysMinValue(self) -> int: ...
+    @staticmethod
+    def GetOptionText(option: int, field: str) -> str: ...
     def GetPulseStep(self) -> int: ...
+    def GetPulseStepMaxValue(self) -> int: ...
+    def GetPulseStepMinValue(self) -> int: ...
     def GetRangeTolerance(self) -> float: ...
     def GetRangeToleranceMaxValue(self) -> float: ...
     def GetRangeToleranceMinValue(self) -> float: ...
     def GetRayCaster(self) -> str: ...
     def GetSeed(self) -> int: ...
     def GetSeedMaxValue(self) -> int: ...
+    def GetSeedMinValue(self) -> int: ...
     def GetSubRayPattern(self) -> str: ...
     @staticmethod
     def GetSubRayPatternNames() -> str: ...
@@ -5522,22 +5671,22 @@ class vtkHeliosRunOptions(vtkObject):
     def NoiseOn(self) -> None: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosRunOptions: ...
-    def SetAccuracyReport(self, report: bool) -> None: ...
-    def SetBinSize(self, size: float) -> None: ...
-    def SetEchoDetector(self, name: str) -> None: ...
-    def SetEnergyTolerance(self, tolerance: float) -> None: ...
-    def SetEpoch(self, epoch: int) -> None: ...
-    def SetGpsStart(self, start: str) -> None: ...
-    def SetMaximumSubRays(self, count: int) -> None: ...
-    def SetNoise(self, noise: bool) -> None: ...
-    def SetNumberOfSubRays(self, count: int) -> None: ...
-    def SetPulseStep(self, step: int) -> None: ...
-    def SetRangeTolerance(self, tolerance: float) -> None: ...
-    def SetRayCaster(self, name: str) -> None: ...
-    def SetSeed(self, seed: int) -> None: ...
-    def SetSubRayPattern(self, name: str) -> None: ...
-    def SetWeather(self, weather: str) -> None: ...
-    def SetWithout(self, parts: str) -> None: ...
+    def SetAccuracyReport(self, _arg: bool) -> None: ...
+    def SetBinSize(self, _arg: float) -> None: ...
+    def SetEchoDetector(self, _arg: str) -> None: ...
+    def SetEnergyTolerance(self, _arg: float) -> None: ...
+    def SetEpoch(self, _arg: int) -> None: ...
+    def SetGpsStart(self, _arg: str) -> None: ...
+    def SetMaximumSubRays(self, _arg: int) -> None: ...
+    def SetNoise(self, _arg: bool) -> None: ...
+    def SetNumberOfSubRays(self, _arg: int) -> None: ...
+    def SetPulseStep(self, _arg: int) -> None: ...
+    def SetRangeTolerance(self, _arg: float) -> None: ...
+    def SetRayCaster(self, _arg: str) -> None: ...
+    def SetSeed(self, _arg: int) -> None: ...
+    def SetSubRayPattern(self, _arg: str) -> None: ...
+    def SetWeather(self, _arg: str) -> None: ...
+    def SetWithout(self, _arg: str) -> None: ...
 
 class vtkHeliosSBETWriter(vtkHeliosStreamWriter):
     """vtkHeliosSBETWriter - write a trajectory as SBET"""
@@ -5590,7 +5739,7 @@ class vtkHeliosScanPlan(vtkObject):
     """vtkHeliosScanPlan - the filters of a plan, connected and set up by a planner document"""
     @property
     def candidates(self) -> Optional[vtkHeliosScanPositionCandidates]:
-        """Get the filters, in the order of the pipeline."""
+        """Returns the filters, in the order of the pipeline."""
     document: Optional[vtkHeliosPlannerReader]
     """Set/Get the planner document. Setting it sets all properties that
     it determines; call its Read() before. Default: none.
@@ -5600,13 +5749,13 @@ class vtkHeliosScanPlan(vtkObject):
         """Return this object's modified time."""
     @property
     def planner(self) -> Optional[vtkHeliosScanPositionPlanner]:
-        """Get the filters, in the order of the pipeline."""
+        """Returns the filters, in the order of the pipeline."""
     @property
     def test_points(self) -> Optional[vtkHeliosVisibilityTestPoints]:
-        """Get the filters, in the order of the pipeline."""
+        """Returns the filters, in the order of the pipeline."""
     @property
     def viewsheds(self) -> Optional[vtkHeliosViewsheds]:
-        """Get the filters, in the order of the pipeline."""
+        """Returns the filters, in the order of the pipeline."""
     def __init__(self, *, document: Optional[vtkHeliosPlannerReader] = ...) -> None: ...
     def GetCandidates(self) -> vtkHeliosScanPositionCandidates: ...
     def GetDocument(self) -> vtkHeliosPlannerReader: ...
@@ -5757,9 +5906,9 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     @property
     def best_bound(self) -> int:
         """Get, for the last update: a lower bound on the number of scans,
-        that of the linear relaxation or a valid one below it; the best
-        known bound in whole scans; the gap of the plan to it [% of the
-        plan]; and whether the plan is proved to have the fewest scans.
+        from the linear relaxation or a valid one below; the best known
+        bound in whole scans; the gap of the plan to it [% of the plan];
+        and whether the plan is proved to have the fewest scans.
         """
     @property
     def coverable_coverage(self) -> float:
@@ -5785,9 +5934,9 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     @property
     def gap(self) -> float:
         """Get, for the last update: a lower bound on the number of scans,
-        that of the linear relaxation or a valid one below it; the best
-        known bound in whole scans; the gap of the plan to it [% of the
-        plan]; and whether the plan is proved to have the fewest scans.
+        from the linear relaxation or a valid one below; the best known
+        bound in whole scans; the gap of the plan to it [% of the plan];
+        and whether the plan is proved to have the fewest scans.
         """
     @property
     def is_mean_proved_optimal(self) -> bool:
@@ -5799,9 +5948,9 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     @property
     def is_proved_optimal(self) -> bool:
         """Get, for the last update: a lower bound on the number of scans,
-        that of the linear relaxation or a valid one below it; the best
-        known bound in whole scans; the gap of the plan to it [% of the
-        plan]; and whether the plan is proved to have the fewest scans.
+        from the linear relaxation or a valid one below; the best known
+        bound in whole scans; the gap of the plan to it [% of the plan];
+        and whether the plan is proved to have the fewest scans.
         """
     @property
     def is_worst_proved_optimal(self) -> bool:
@@ -5813,9 +5962,9 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     @property
     def lower_bound(self) -> float:
         """Get, for the last update: a lower bound on the number of scans,
-        that of the linear relaxation or a valid one below it; the best
-        known bound in whole scans; the gap of the plan to it [% of the
-        plan]; and whether the plan is proved to have the fewest scans.
+        from the linear relaxation or a valid one below; the best known
+        bound in whole scans; the gap of the plan to it [% of the plan];
+        and whether the plan is proved to have the fewest scans.
         """
     @property
     def m_time(self) -> int:
@@ -6015,7 +6164,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """
     @property
     def count_names(self) -> Any:
-        """The names of the counts of a scan or of a run of
+        """Returns the names of the counts of a scan or of a run of
         vtkHeliosSurveyPlayer, separated by blanks.
         """
     duration: float
@@ -6041,56 +6190,6 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """Set/Get the id of pulse 0, and the ids of leg and channel that
     the outputs carry. Default: 0.
     """
-    generate_colors: bool
-    """Set/Get whether the echoes have RGB (float, [0..1]), the colour
-    of the surface where the echo is: that of the cell data RGB of
-    the scene, else that of the point data RGB between the corners,
-    else the base colour of the material (Material.Color) times its
-    texture, bilinear (Material.Texture, and cell data
-    TextureCoordinates); black without. A texture that cannot be read
-    is an error; vtkHeliosImageReader lists the formats. They are
-    read again once the scene changes. See ReadColors of
-    vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
-    Default: off.
-    """
-    generate_columns: bool
-    """Set/Get whether the echoes, and the pulses, have ColumnIds: the
-    column of a pulse in its revolution, from 0, of a deflector that
-    fires in columns. With ChannelIds it is the pixel of an organized
-    cloud. Default: off.
-    """
-    generate_decibels: bool
-    """Set/Get whether the echoes have the amplitudes that instruments
-    of RIEGL report: RelativeAmplitude, 10 log10(P / P0) of their
-    amplitude P above the DetectionThreshold P0 [dB], and
-    Reflectance, 10 log10(P / Pw) above the amplitude Pw that a white
-    diffuse plane across the whole beam has at the same range [dB].
-    DetectionThreshold and AveragePower must be positive then.
-    Default: off.
-    """
-    generate_pulses: bool
-    """Set/Get the outputs computed in addition to the echoes. Default:
-    off.
-    """
-    generate_scan_flags: bool
-    """Set/Get whether the echoes have ScanDirectionFlag and
-    EdgeOfFlightLine, which are those of their pulse by the
-    deflector; 0 for one without lines. Default: off.
-    """
-    generate_sub_rays: bool
-    """Set/Get the outputs computed in addition to the echoes. Default:
-    off.
-    """
-    generate_truth: bool
-    """Set/Get whether the echoes have TruePoint, the point hit, without
-    any instrument error, and Normal, of the surface there; in scenes
-    with mirrors or glass also SpecularEvents, how many of them were
-    on the way. Default: off.
-    """
-    generate_waveforms: bool
-    """Set/Get the outputs computed in addition to the echoes. Default:
-    off.
-    """
     head_rotate_axis: Sequence[float]
     """Set/Get the axis of the head rotation, in the frame of the mount.
     Default: 0, 0, 1.
@@ -6115,13 +6214,13 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """
     interpolate_orientation: bool
     """Set/Get whether the orientation of the platform rotates at a
-    constant rate between two samples of its trajectory; else that of
-    the earlier one holds. Default: on.
+    constant rate between two samples of its trajectory; else the
+    earlier one holds. Default: on.
     """
     @property
     def largest_amplitude(self) -> float:
-        """The largest signal of a pulse of the last update [W], detected or
-        not.
+        """Returns the largest signal of a pulse of the last update [W],
+        detected or not.
         """
     least_specular_share: float
     """Set/Get the limits of paths behind mirrors and glass (the optics
@@ -6165,25 +6264,25 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """
     mta_zone: int
     """Set/Get the zone of multiple-time-around (MTA) ranges that the
-    instrument takes echoes for, if pulses follow each other before
+    instrument assigns echoes to, if pulses follow each other before
     their echoes arrive. 0: it knows the pulse of each echo. Zone z:
     it takes the pulse of the same channel that is z - 1 before the
     last one emitted when the echo arrives. Of a pulse frequency f of
     the channel, zone z are the ranges from (z - 1) c / 2 f to z c /
-    2 f: echoes of it are right, and others differ in range by
-    multiples of c / 2 f, along the beam of the pulse they are taken
-    for, with its time, id and angles. An echo is lost if there is no
-    such pulse: before the scan, after it, or while a mirror is
-    turned away. ReturnNumber and NumberOfReturns count the echoes of
-    the true pulse, TruePoint is that of the target; RangeMin and
-    RangeMax gate true ranges. Not together with GenerateWaveforms.
-    Valid range: [0, 1000]. Default: 0.
+    2 f: its echoes are right, and others differ in range by
+    multiples of c / 2 f, along the beam of the pulse they are
+    assigned to, with its time, id and angles. An echo is lost if
+    there is no such pulse: before the scan, after it, or while a
+    mirror is turned away. ReturnNumber and NumberOfReturns count the
+    echoes of the true pulse, TruePoint is on the target; RangeMin
+    and RangeMax gate true ranges. Not together with
+    GenerateWaveforms. Valid range: [0, 1000]. Default: 0.
     """
     @property
     def number_of_pulses(self) -> int:
-        """The number of pulse indices of the scan (within the windows, if
-        set; in the sample or not), for the current inputs; -1 after an
-        error. Updates the trajectory.
+        """Returns the number of pulse indices of the scan (within the
+        windows, if set; in the sample or not), for the current inputs;
+        -1 after an error. Updates the trajectory.
         """
     platform_noise: Optional[vtkHeliosPlatformNoise]
     """Set/Get the noise of the platform about its trajectory. Default:
@@ -6242,22 +6341,6 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     @property
     def output(self) -> Any: ...
     def DescribeSampling(self) -> str: ...
-    def GenerateColorsOff(self) -> None: ...
-    def GenerateColorsOn(self) -> None: ...
-    def GenerateColumnsOff(self) -> None: ...
-    def GenerateColumnsOn(self) -> None: ...
-    def GenerateDecibelsOff(self) -> None: ...
-    def GenerateDecibelsOn(self) -> None: ...
-    def GeneratePulsesOff(self) -> None: ...
-    def GeneratePulsesOn(self) -> None: ...
-    def GenerateScanFlagsOff(self) -> None: ...
-    def GenerateScanFlagsOn(self) -> None: ...
-    def GenerateSubRaysOff(self) -> None: ...
-    def GenerateSubRaysOn(self) -> None: ...
-    def GenerateTruthOff(self) -> None: ...
-    def GenerateTruthOn(self) -> None: ...
-    def GenerateWaveformsOff(self) -> None: ...
-    def GenerateWaveformsOn(self) -> None: ...
     def GetBeamDeflector(self) -> vtkHeliosBeamDeflector: ...
     def GetBeamOrientation(self) -> Tuple[float, float, float, float]: ...
     def GetBeamOrigin(self) -> Tuple[float, float, float]: ...
@@ -6273,14 +6356,6 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     def GetEnergyTolerance(self) -> float: ...
     def GetErrorModel(self) -> vtkHeliosErrorModel: ...
     def GetFirstPulseId(self) -> int: ...
-    def GetGenerateColors(self) -> bool: ...
-    def GetGenerateColumns(self) -> bool: ...
-    def GetGenerateDecibels(self) -> bool: ...
-    def GetGeneratePulses(self) -> bool: ...
-    def GetGenerateScanFlags(self) -> bool: ...
-    def GetGenerateSubRays(self) -> bool: ...
-    def GetGenerateTruth(self) -> bool: ...
-    def GetGenerateWaveforms(self) -> bool: ...
     def GetHeadRotateAxis(self) -> Tuple[float, float, float]: ...
     def GetHeadRotateSpeed(self) -> float: ...
     def GetHeadRotateSpeedMaxValue(self) -> float: ...
@@ -6361,14 +6436,6 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     def SetEnergyTolerance(self, _arg: float) -> None: ...
     def SetErrorModel(self, model: vtkHeliosErrorModel) -> None: ...
     def SetFirstPulseId(self, _arg: int) -> None: ...
-    def SetGenerateColors(self, _arg: bool) -> None: ...
-    def SetGenerateColumns(self, _arg: bool) -> None: ...
-    def SetGenerateDecibels(self, _arg: bool) -> None: ...
-    def SetGeneratePulses(self, _arg: bool) -> None: ...
-    def SetGenerateScanFlags(self, _arg: bool) -> None: ...
-    def SetGenerateSubRays(self, _arg: bool) -> None: ...
-    def SetGenerateTruth(self, _arg: bool) -> None: ...
-    def SetGenerateWaveforms(self, _arg: bool) -> None: ...
     @overload
     def SetHeadRotateAxis(self, _arg1: float, _arg2: float, _arg3: float) -> None: ...
     @overload
@@ -6530,17 +6597,16 @@ class vtkHeliosScene(vtkPolyData):
         ...
     @property
     def number_of_prototypes(self) -> int:
-        """The meshes (vtkPolyData) and rasters (vtkImageData) of the
-        instances, numbered from 0: adds one, gets one (null: no such
-        number).
+        """Adds a mesh (vtkPolyData) or raster (vtkImageData) of the
+        instances, numbered from 0; returns one (null: no such number).
         """
     @property
     def number_of_strips(self) -> int:
         ...
     @property
     def number_of_triangles(self) -> int:
-        """The triangles of the mesh and of all instances; those of rasters
-        that are not valid: none.
+        """Returns the number of triangles of the mesh and of all instances;
+        an invalid raster has none.
         """
     @property
     def number_of_verts(self) -> int:
@@ -7170,7 +7236,9 @@ class vtkHeliosStreamWriter(vtkObject):
         """
     @property
     def part_ending(self) -> Any:
-        """The ending of the names of files that are not complete: ".part"."""
+        """Returns the ending of the names of files that are not complete:
+        ".part".
+        """
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def Abandon(self) -> bool: ...
     def Close(self) -> bool: ...
@@ -7307,6 +7375,7 @@ class vtkHeliosSurvey(vtkObject):
     def SetScannerAttribute(self, scanner: int, name: str, value: str) -> bool: ...
     def SetSceneAttribute(self, name: str, value: str) -> bool: ...
     def SetSurveyAttribute(self, name: str, value: str) -> bool: ...
+    def WriteFile(self, fileName: str) -> bool: ...
 
 class vtkHeliosSurveyPlayer(vtkObject):
     """vtkHeliosSurveyPlayer - runs the legs of a survey and writes what the scanner records"""
@@ -7439,8 +7508,25 @@ class vtkHeliosSurveyPlayer(vtkObject):
     own. Null is ignored.
     """
     split_by_channel: bool
-    """Set/Get whether every channel of a scanner has its own files.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
     Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey of the source, and its options. Default: no
@@ -7452,52 +7538,194 @@ class vtkHeliosSurveyPlayer(vtkObject):
         nothing.
         """
     waveforms_in_points: bool
-    """Set/Get where the waveforms of Format "las" are. Off:
-    legNNN_points.las has point format 6 or 7, which all programs
-    read, and legNNN_fullwave.las the same points with waveforms,
-    point format 9 or 10, whose packets are in legNNN_fullwave.wdp.
-    On: only legNNN_points.las, of format 9 or 10, and
-    legNNN_points.wdp. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_colors: bool
-    """Set/Get whether echoes have RGB, the colour of the surface
-    (GenerateColors of vtkHeliosScanner), and the meshes are read
-    with their colours. An error with the format xyz, which has no
-    colours. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_columns: bool
-    """Set/Get whether the echoes, and the pulses, are written with
-    ColumnIds: of spinning optics, the column of a pulse in its
-    revolution; with Format "vtp" only. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_decibels: bool
-    """Set/Get whether echoes have RelativeAmplitude and Reflectance
-    [dB] (GenerateDecibels of vtkHeliosScanner). Text has the two
-    columns of WriteScanFlags and two more then; in LAS they are
-    Extra Bytes with the names of RIEGL. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_hits: bool
-    """Set/Get whether the hits of sub-rays are written: points with
-    PulseIds, Weight (share of the energy of the pulse, (0, 1]),
-    Range [m], CellIds and IncidenceAngle [deg], output 3 of
-    vtkHeliosScanner. They are VTK XML in any Format. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_pulses: bool
-    """Set/Get whether the pulses are written, including those without a
-    hit. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_scan_flags: bool
-    """Set/Get whether echoes in text and VTK XML have ScanDirectionFlag
-    and EdgeOfFlightLine; text has two more columns then. Points in
-    LAS always have them. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_truth: bool
-    """Set/Get whether the echoes are written with TruePoint, the point
-    hit, without any noise or error, and Normal, of the surface
-    there; with Format "vtp" only. Default: off.
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
     """
     write_waveforms: bool
-    """Set/Get whether the waveforms are written. Default: off."""
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
+    """
     def __init__(self, *, bytes_to_check: int = ..., format: Optional[str] = ..., number_of_parts: int = ..., options: Optional[vtkHeliosRunOptions] = ..., output_directory: Optional[str] = ..., overwrite: bool = ..., part: int = ..., part_command: Optional[str] = ..., pulses_per_block: int = ..., ranks: Optional[vtkHeliosRanks] = ..., resume: bool = ..., source: Optional[vtkHeliosSurveySource] = ..., split_by_channel: bool = ..., survey: Optional[vtkHeliosSurvey] = ..., waveforms_in_points: bool = ..., write_colors: bool = ..., write_columns: bool = ..., write_decibels: bool = ..., write_hits: bool = ..., write_pulses: bool = ..., write_scan_flags: bool = ..., write_truth: bool = ..., write_waveforms: bool = ...) -> None: ...
     def Abort(self) -> None: ...
     def AddPartFolder(self, folder: str) -> None: ...
@@ -7572,17 +7800,17 @@ class vtkHeliosSurveyPlayer(vtkObject):
     def SetRanks(self, ranks: vtkHeliosRanks) -> None: ...
     def SetResume(self, _arg: bool) -> None: ...
     def SetSource(self, source: vtkHeliosSurveySource) -> None: ...
-    def SetSplitByChannel(self, _arg: bool) -> None: ...
+    def SetSplitByChannel(self, isWanted: bool) -> None: ...
     def SetSurvey(self, survey: vtkHeliosSurvey) -> None: ...
-    def SetWaveformsInPoints(self, _arg: bool) -> None: ...
-    def SetWriteColors(self, _arg: bool) -> None: ...
-    def SetWriteColumns(self, _arg: bool) -> None: ...
-    def SetWriteDecibels(self, _arg: bool) -> None: ...
-    def SetWriteHits(self, _arg: bool) -> None: ...
-    def SetWritePulses(self, _arg: bool) -> None: ...
-    def SetWriteScanFlags(self, _arg: bool) -> None: ...
-    def SetWriteTruth(self, _arg: bool) -> None: ...
-    def SetWriteWaveforms(self, _arg: bool) -> None: ...
+    def SetWaveformsInPoints(self, isWanted: bool) -> None: ...
+    def SetWriteColors(self, isWanted: bool) -> None: ...
+    def SetWriteColumns(self, isWanted: bool) -> None: ...
+    def SetWriteDecibels(self, isWanted: bool) -> None: ...
+    def SetWriteHits(self, isWanted: bool) -> None: ...
+    def SetWritePulses(self, isWanted: bool) -> None: ...
+    def SetWriteScanFlags(self, isWanted: bool) -> None: ...
+    def SetWriteTruth(self, isWanted: bool) -> None: ...
+    def SetWriteWaveforms(self, isWanted: bool) -> None: ...
     def SplitByChannelOff(self) -> None: ...
     def SplitByChannelOn(self) -> None: ...
     def WaveformsInPointsOff(self) -> None: ...
@@ -7652,18 +7880,8 @@ class vtkHeliosSurveyReader(vtkObject):
     def TrajectoriesRequiredOff(self) -> None: ...
     def TrajectoriesRequiredOn(self) -> None: ...
 
-class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
+class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
     """vtkHeliosSurveySource - runs a survey, or part of its pulses, in memory"""
-    abort_execute: int
-    """Set/Get the AbortExecute flag for the process object. Process
-    objects may handle premature termination of execution in
-    different ways.
-    """
-    @property
-    def error_code(self) -> int:
-        """The error code contains a possible error that occurred while
-        reading or writing the file.
-        """
     @property
     def fingerprint(self) -> Optional[str]:
         """Get the versions, the options, and the files that the survey
@@ -7675,77 +7893,12 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
         and adds the files that other files name, and the digest of the
         scene; compared with such a one, another source loads its own.
         """
-    generate_colors: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_columns: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_decibels: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_pulses: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_scan_flags: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_sub_rays: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_truth: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
-    generate_waveforms: bool
-    """Set/Get which outputs are computed besides the echoes, and
-    whether the echoes have TruePoint and Normal, ScanDirectionFlag
-    and EdgeOfFlightLine, and so on, as in vtkHeliosScanner. With
-    GenerateColors the meshes are read with their colours. Default:
-    off.
-    """
     instances: bool
     """Set/Get whether meshes that several parts of the survey have are
     stored once, and rasters of heights stay rasters, but not those
     of parts that move: the scene is then a vtkHeliosScene. Default:
     off.
     """
-    @property
-    def m_time(self) -> int:
-        """Return this object's modified time."""
-    @property
-    def number_of_input_ports(self) -> int:
-        """Get the number of input ports used by the algorithm."""
-    @property
-    def number_of_output_ports(self) -> int:
-        """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pulses(self) -> int:
         """Get the results of Load(); empty before. The scene as one mesh
@@ -7760,18 +7913,6 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     """Set/Get the options of the run: epoch, seed, sampling of the
     beam, ray caster. Default: those of a new vtkHeliosRunOptions.
     Null is ignored.
-    """
-    @property
-    def progress(self) -> float:
-        """`SetProgress` is deprecated. Subclasses should use
-        `UpdateProgress` to report progress updates.
-        """
-    progress_text: Optional[str]
-    """Set the current text message associated with the progress state.
-    This may be used by a calling process/GUI. Note: Because
-    SetProgressText() is called from inside RequestData() it does not
-    modify the algorithm object. Algorithms are not allowed to modify
-    themselves from inside RequestData().
     """
     pulse_window: Sequence[int]
     """Set/Get the range [i0, i1) of pulse ids to compute. Valid range:
@@ -7807,31 +7948,7 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     def ComputeLoadedFingerprint(self) -> str: ...
     def DescribeSampling(self) -> str: ...
     def FindPulse(self, time: float) -> int: ...
-    def GenerateColorsOff(self) -> None: ...
-    def GenerateColorsOn(self) -> None: ...
-    def GenerateColumnsOff(self) -> None: ...
-    def GenerateColumnsOn(self) -> None: ...
-    def GenerateDecibelsOff(self) -> None: ...
-    def GenerateDecibelsOn(self) -> None: ...
-    def GeneratePulsesOff(self) -> None: ...
-    def GeneratePulsesOn(self) -> None: ...
-    def GenerateScanFlagsOff(self) -> None: ...
-    def GenerateScanFlagsOn(self) -> None: ...
-    def GenerateSubRaysOff(self) -> None: ...
-    def GenerateSubRaysOn(self) -> None: ...
-    def GenerateTruthOff(self) -> None: ...
-    def GenerateTruthOn(self) -> None: ...
-    def GenerateWaveformsOff(self) -> None: ...
-    def GenerateWaveformsOn(self) -> None: ...
     def GetFingerprint(self) -> str: ...
-    def GetGenerateColors(self) -> bool: ...
-    def GetGenerateColumns(self) -> bool: ...
-    def GetGenerateDecibels(self) -> bool: ...
-    def GetGeneratePulses(self) -> bool: ...
-    def GetGenerateScanFlags(self) -> bool: ...
-    def GetGenerateSubRays(self) -> bool: ...
-    def GetGenerateTruth(self) -> bool: ...
-    def GetGenerateWaveforms(self) -> bool: ...
     def GetGrid(self, grid: int) -> vtkImageData: ...
     def GetInstances(self) -> bool: ...
     def GetLegPulseLength(self, leg: int) -> float: ...
@@ -7858,14 +7975,6 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     def NewInstance(self) -> vtkHeliosSurveySource: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosSurveySource: ...
-    def SetGenerateColors(self, _arg: bool) -> None: ...
-    def SetGenerateColumns(self, _arg: bool) -> None: ...
-    def SetGenerateDecibels(self, _arg: bool) -> None: ...
-    def SetGeneratePulses(self, _arg: bool) -> None: ...
-    def SetGenerateScanFlags(self, _arg: bool) -> None: ...
-    def SetGenerateSubRays(self, _arg: bool) -> None: ...
-    def SetGenerateTruth(self, _arg: bool) -> None: ...
-    def SetGenerateWaveforms(self, _arg: bool) -> None: ...
     def SetInstances(self, _arg: bool) -> None: ...
     def SetOptions(self, options: vtkHeliosRunOptions) -> None: ...
     @overload
@@ -8019,17 +8128,17 @@ class vtkHeliosSwath(vtkObject):
     """vtkHeliosSwath - the distribution of the pulses of a scanner across its flight path"""
     @property
     def largest_along(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     @property
     def left_tangent(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     @property
     def m_time(self) -> int:
@@ -8044,31 +8153,31 @@ class vtkHeliosSwath(vtkObject):
     """
     @property
     def pulse_rate(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     @property
     def range_max(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     @property
     def range_min(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     @property
     def right_tangent(self) -> float:
-        """Get the pulses per second that are emitted to the ground [Hz];
-        the tangents across of the left and the right edge of the swath;
-        the largest tangent along, without sign; the range gate of the
-        scanner [m].
+        """Returns the pulses per second that are emitted to the ground
+        [Hz]; the tangents across of the left and the right edge of the
+        swath; the largest tangent along, without sign; the range gate of
+        the scanner [m].
         """
     def __init__(self, *, maximum_angle: float = ..., number_of_samples: int = ...) -> None: ...
     def Build(self, survey: vtkHeliosSurvey, leg: int) -> bool: ...
@@ -8336,7 +8445,7 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     RIGHT_FORWARD_UP.
     """
     domain: Union[Literal["position", "position_and_attitude"], int]
-    """Set/Get what is read. Default: POSITION_AND_ATTITUDE."""
+    """Set/Get the values that are read. Default: POSITION_AND_ATTITUDE."""
     @property
     def error_code(self) -> int:
         """The error code contains a possible error that occurred while
@@ -8607,7 +8716,7 @@ class vtkHeliosVersion(vtkObject):
         """Return this object's modified time."""
     @property
     def version(self) -> Any:
-        """Get the version as "major.minor.patch"."""
+        """Returns the version as "major.minor.patch"."""
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
     def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
@@ -8666,8 +8775,8 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     Valid range: [0, 1e9]. Default: 0 and 1e9.
     """
     memory_limit: float
-    """Set/Get the limit for the memory of the matrix, or of a piece of
-    it [MiB]. Valid range: [1, 1e9]. Default: 2048.
+    """Set/Get the limit for the memory of the matrix, or of one of its
+    pieces [MiB]. Valid range: [1, 1e9]. Default: 2048.
     """
     minimum_elevation: float
     """Set/Get the field of view of the vertical instrument, as angles
@@ -9116,8 +9225,8 @@ class vtkHeliosWaterWaves(vtkPolyDataAlgorithm):
     """
     @property
     def significant_height(self) -> float:
-        """The significant height of the waves: four times the standard
-        deviation of their height [m].
+        """Returns the significant height of the waves: four times the
+        standard deviation of their height [m].
         """
     time: float
     """Set/Get the time [s]. Default: 0."""
@@ -9208,7 +9317,7 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pulse_ids(self) -> int:
-        """Show the waveforms of selected pulses only, applied before
+        """Shows the waveforms of selected pulses only, applied before
         EveryNth. Default: none added, which shows all.
         """
     @property
@@ -9375,7 +9484,9 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pieces(self) -> int:
-        """Get the number of pieces of the file, after UpdateInformation()."""
+        """Returns the number of pieces of the file, after
+        UpdateInformation().
+        """
     @property
     def progress(self) -> float:
         """`SetProgress` is deprecated. Subclasses should use

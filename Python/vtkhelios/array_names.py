@@ -33,8 +33,8 @@ MATERIAL_SPECULAR_EXPONENT = "Material.SpecularExponent"
 MATERIAL_CLASSIFICATION = "Material.Classification"
 MATERIAL_IS_GROUND = "Material.IsGround"
 MATERIAL_SPECTRUM = "Material.Spectrum"
-# Mirrors and glass: columns that only scenes with them have.
-# 1 mirror, 2 pane, 3 volume, 4 water, 5 leaf, 6 retroreflector
+# Mirrors and glass: columns that only scenes with them have. 1 mirror, 2 pane, 3 volume, 4 water,
+# 5 leaf, 6 retroreflector
 MATERIAL_OPTICS = "Material.Optics"
 # 0 none, 1 water, 2 soda-lime glass, 3 BK7, 4 fused silica
 MATERIAL_DISPERSION = "Material.Dispersion"
@@ -158,11 +158,11 @@ ACTIVE = "Active"
 # Cells of the ground: point data of their centres.
 PULSE_DENSITY = "PulseDensity"  # [1/m2], of all strips
 STRIP_DENSITY = "StripDensity"  # [1/m2], of the densest strip
-NUMBER_OF_STRIPS = "NumberOfStrips"  # that reach the cell
+NUMBER_OF_STRIPS = "NumberOfStrips"  # strips that reach the cell
 FLYING_HEIGHT = "FlyingHeight"  # [m], of the nearest line above it
 
 # Field data: the steps of the three coordinates in the file, in their units, and, if the
-# coordinates are those of the file, its three offsets.
+# coordinates are unchanged, the three offsets of the file.
 COORDINATE_SCALE = "CoordinateScale"
 
 # Clouds of the PCL filters: point data.

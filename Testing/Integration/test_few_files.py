@@ -22,7 +22,11 @@ FACTS = [
         "output of a run that is on or off",
         {"vtkHeliosScanner.cxx", "heliosLegOutput.cxx"},
     ),
-    (r"AccuracyReport|accuracy_report|accuracy-report", "option of a run", {"vtkHeliosSurveyPlayer.cxx"}),
+    (
+        r"AccuracyReport|accuracy_report|accuracy-report",
+        "option of a run",
+        {"vtkHeliosSurveyPlayer.cxx"},
+    ),
     (r"SolarIrradiance|solar_irradiance", "value of the instrument", set()),
     (r"FilterBandwidth|filter_bandwidth", "value of the instrument", set()),
     (

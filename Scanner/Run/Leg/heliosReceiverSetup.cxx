@@ -181,7 +181,7 @@ EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)
   const LidarEquation equation{ receiver.ReceiverDiameter, receiver.OpticalEfficiency, 0.0 };
   matching.FullAmplitude = receiver.AveragePower * equation(1.0, FullReflectance, 1.0);
   matching.LeastShare = std::max(LeastShare, energyTolerance);
-  matching.LeastAmplitude = LeastThresholds * receiver.DetectionThreshold;
+  matching.LeastAmplitude = MinimumThresholds * receiver.DetectionThreshold;
   return matching;
 }
 

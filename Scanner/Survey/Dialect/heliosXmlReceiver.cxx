@@ -167,12 +167,12 @@ void CheckReceiver(const ScannerData& data, Messages& log)
          << data.Receiver.PulseLength << "\"; give smaller bins";
   }
   else if (!isSampled &&
-    EchoPerPulse * data.Receiver.PulseLength > MostBins * receiver.BinSize * (1 + 1e-9))
+    EchoPerPulse * data.Receiver.PulseLength > MaximumBins * receiver.BinSize * (1 + 1e-9))
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" makes an echo of pulseLength_ns=\""
          << data.Receiver.PulseLength << "\" "
          << EchoPerPulse * data.Receiver.PulseLength / receiver.BinSize
-         << " bins long, and at most " << MostBins << " are allowed; give wider bins";
+         << " bins long, and at most " << MaximumBins << " are allowed; give wider bins";
   }
   else if (!isSampled && (isOfBins || length > 0.0) && length < data.Receiver.PulseLength)
   {

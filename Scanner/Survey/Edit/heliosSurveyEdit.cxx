@@ -267,10 +267,10 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   }
   if (edit.IsMoving())
   {
-    ranges.push_back({ "height", "height above ground", "m", FindLeastHeight(scanner),
-      std::max(2.0 * FindLeastHeight(scanner), std::min(scanner.Receiver.RangeMax, MostHeight)),
+    ranges.push_back({ "height", "height above ground", "m", FindMinimumHeight(scanner),
+      std::max(2.0 * FindMinimumHeight(scanner), std::min(scanner.Receiver.RangeMax, MaximumHeight)),
       {} });
-    ranges.push_back({ "speed", "speed", "m/s", 0.5, MostSpeed, {} });
+    ranges.push_back({ "speed", "speed", "m/s", 0.5, MaximumSpeed, {} });
     ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });
   }
   return ranges;
@@ -347,7 +347,7 @@ void ChooseScanner(SurveyEdit& edit, const std::string& reference, const Scanner
   edit.Scanner = reference;
   edit.ScannerModel = scanner;
   edit.Height =
-    std::max(FindLeastHeight(scanner), std::min(edit.Height, scanner.Receiver.RangeMax));
+    std::max(FindMinimumHeight(scanner), std::min(edit.Height, scanner.Receiver.RangeMax));
   BeginAgain(edit);
 }
 

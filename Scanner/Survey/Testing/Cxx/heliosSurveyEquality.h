@@ -34,6 +34,31 @@ namespace test
     return #Type ", " #__VA_ARGS__;                                                                \
   }
 
+/// What ReceiverData adds to its base, which a binding cannot list together with it.
+struct OwnReceiverData
+{
+  const std::string& Where;
+  int NumberOfCircles;
+  double RangeTolerance;
+  double EnergyTolerance;
+  const std::string& EchoDetector;
+  const ErrorExpressions& Errors;
+  const PanoramicErrorData& Panoramic;
+};
+
+/// Has the members of ReceiverData: a new one changes the size, and does not compile.
+struct ReceiverDataCopy : vtkHeliosInstrumentData
+{
+  std::string Where;
+  int NumberOfCircles;
+  double RangeTolerance;
+  double EnergyTolerance;
+  std::string EchoDetector;
+  ErrorExpressions Errors;
+  PanoramicErrorData Panoramic;
+};
+static_assert(sizeof(ReceiverDataCopy) == sizeof(ReceiverData), "list the members above");
+
 // clang-format off
 HELIOS_MEMBERS(Pose, Position, Orientation)
 HELIOS_MEMBERS(Motion, Kind, Vector, Angle, Center, Shift, Glide, IsSelf)
@@ -41,11 +66,12 @@ HELIOS_MEMBERS(MotionSequence, Motions, Loop, Next)
 HELIOS_MEMBERS(MotionData, Sequences, Pulses, Seconds, Every)
 HELIOS_MEMBERS(ErrorExpressions, Range, Deflection, Head, HeadZeroSinThreshold, RangeNoiseFactor, RangeName, DeflectionName, HeadName, RangeNoiseFactorName)
 HELIOS_MEMBERS(PanoramicErrorData, BeamOffset, TransitOffset, MirrorOffset, VerticalIndexOffset, BeamTilt, MirrorTilt, TransitTilt, RangeOffset)
-HELIOS_MEMBERS(ReceiverData, Where, NumberOfCircles, RangeTolerance, EnergyTolerance, BinSize, MaximumLength, NumberOfBins, PeakWindow, PulseShape, PulseFile, EchoDetector, ReturnSelection, DetectorNoise, Saturation, DeadTime, PhotonEfficiency, DarkCountRate, TimeJitter, SolarIrradiance, FilterBandwidth, FieldOfView, Extinction, MaximumSpecularEvents, LeastSpecularShare, LidarRatio, DropletDiameter, Weather, BeamQualityFactor, AccuracyPerMeter, AccuracyAtThreshold, AngleAccuracy, Errors, Panoramic)
+HELIOS_MEMBERS(vtkHeliosInstrumentData, PulseLength, PulseShape, PulseFile, AveragePower, Wavelength, BeamQualityFactor, OpticalEfficiency, ReceiverDiameter, BinSize, MaximumWaveformLength, NumberOfBins, DetectorNoise, SaturationPower, SolarIrradiance, FilterBandwidth, FieldOfView, AtmosphericVisibility, AtmosphericExtinction, AtmosphericLidarRatio, DropletDiameter, Weather, MaximumSpecularEvents, LeastSpecularShare, RangeAccuracy, RangeAccuracyPerMeter, RangeAccuracyAtThreshold, AngleAccuracy, RangeMin, RangeMax, ReturnSelection, MaximumNumberOfReturns, MTAZone, DetectionThreshold, DeadTime, PeakWindow, PhotonEfficiency, DarkCountRate, TimeJitter)
+HELIOS_MEMBERS(OwnReceiverData, Where, NumberOfCircles, RangeTolerance, EnergyTolerance, EchoDetector, Errors, Panoramic)
 HELIOS_MEMBERS(PrismData, WedgeAngle, RefractiveIndex, RotorFrequency, RotorPhase)
 HELIOS_MEMBERS(BeamData, Elevation, Azimuth, OriginOffset, OriginHeight, FiringTime)
 HELIOS_MEMBERS(ModelData, Name, Where, File)
-HELIOS_MEMBERS(ScannerData, Id, Name, Where, File, Channel, Type, PulseFrequencies, PulseLength, BeamDivergence, MinorBeamDivergence, MajorAxisAngle, Wavelength, AveragePower, OpticalEfficiency, ReceiverDiameter, AtmosphericVisibility, DetectionThreshold, Accuracy, RangeMin, RangeMax, MaximumNumberOfReturns, MTAZone, ScanAngleMax, ScanAngleEffectiveMax, ScanFrequencyMin, ScanFrequencyMax, FacetPitches, FacetRolls, HeadRotateSpeedMax, ScanProduct, TurningPulses, IsSinusoidal, NumberOfFibers, Prisms, AirRefractiveIndex, IncidentBeam, Beams, BeamFile, IsClockwise, StartAngle, Receiver, Beam, HeadRotateAxis, Model, OtherChannels)
+HELIOS_MEMBERS(ScannerData, Id, Name, Where, File, Channel, Type, PulseFrequencies, BeamDivergence, MinorBeamDivergence, MajorAxisAngle, ScanAngleMax, ScanAngleEffectiveMax, ScanFrequencyMin, ScanFrequencyMax, FacetPitches, FacetRolls, HeadRotateSpeedMax, ScanProduct, TurningPulses, IsSinusoidal, NumberOfFibers, Prisms, AirRefractiveIndex, IncidentBeam, Beams, BeamFile, IsClockwise, StartAngle, Receiver, Beam, HeadRotateAxis, Model, OtherChannels)
 HELIOS_MEMBERS(NoiseData, IsOn, IsUniform, Mean, Deviation, Low, High, IsClipped, ClipLow, ClipHigh, Lifespan)
 HELIOS_MEMBERS(NavigationErrorData, Grade, PositionRMS, AttitudeRMS, PositionTime, AttitudeTime, Boresight, LeverArm, ClockOffset)
 HELIOS_MEMBERS(VehicleData, BasePitch, RollSpeed, PitchSpeed, YawSpeed, RollOffset, PitchOffset)
@@ -102,6 +128,17 @@ public:
     {
       this->CompareMembers(a, b, path);
     }
+  }
+
+  void Compare(const ReceiverData& a, const ReceiverData& b, const std::string& path)
+  {
+    this->Compare<vtkHeliosInstrumentData>(a, b, path);
+    const auto own = [](const ReceiverData& data)
+    {
+      return OwnReceiverData{ data.Where, data.NumberOfCircles, data.RangeTolerance,
+        data.EnergyTolerance, data.EchoDetector, data.Errors, data.Panoramic };
+    };
+    this->CompareMembers(own(a), own(b), path);
   }
 
   template <typename T>
