@@ -16,21 +16,21 @@ constexpr double MinimumRangeTolerance = 1e-6;  ///< [m]
 constexpr double MinimumEnergyTolerance = 1e-4; ///< relative
 constexpr double LargestTolerance = 1.0;        ///< limit of both
 
-constexpr int DefaultMaximumSubRays = 65536; ///< sub-rays of a beam that is sampled
-constexpr int MinimumMaximumSubRays = 1024;
-constexpr int LargestMaximumSubRays = 1 << 24;
+constexpr int DefaultSubRayLimit = 65536; ///< sub-rays of a beam that is sampled
+constexpr int SmallestSubRayLimit = 1024;
+constexpr int LargestSubRayLimit = 1 << 24;
 
 /// Errors that the sampling of beams may have, and its cost.
 struct Tolerances
 {
   double Range = DefaultRangeTolerance;   ///< [m]
   double Energy = DefaultEnergyTolerance; ///< relative
-  int MaximumSubRays = DefaultMaximumSubRays;
+  int MaximumSubRays = DefaultSubRayLimit;
 };
 
-inline bool IsMaximumSubRays(int value)
+inline bool IsSubRayLimit(int value)
 {
-  return value >= MinimumMaximumSubRays && value <= LargestMaximumSubRays;
+  return value >= SmallestSubRayLimit && value <= LargestSubRayLimit;
 }
 
 inline bool IsRangeTolerance(double value)

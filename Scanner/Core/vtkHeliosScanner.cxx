@@ -90,7 +90,7 @@ struct vtkHeliosScanner::Scan
 vtkHeliosScanner::vtkHeliosScanner()
   : RangeTolerance(helios::DefaultRangeTolerance)
   , EnergyTolerance(helios::DefaultEnergyTolerance)
-  , MaximumNumberOfSubRays(helios::DefaultMaximumSubRays)
+  , MaximumNumberOfSubRays(helios::DefaultSubRayLimit)
   , Counts(new helios::ScanCounts)
   , Batch(new helios::BatchSize)
 {
@@ -253,10 +253,10 @@ bool vtkHeliosScanner::CheckSettings()
                   << helios::LargestTolerance << "]");
     return false;
   }
-  if (!helios::IsMaximumSubRays(this->MaximumNumberOfSubRays))
+  if (!helios::IsSubRayLimit(this->MaximumNumberOfSubRays))
   {
     vtkErrorMacro(<< "MaximumNumberOfSubRays is " << this->MaximumNumberOfSubRays << "; give "
-                  << helios::MinimumMaximumSubRays << " to " << helios::LargestMaximumSubRays);
+                  << helios::SmallestSubRayLimit << " to " << helios::LargestSubRayLimit);
     return false;
   }
   if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])

@@ -39,7 +39,7 @@ struct VTKHELIOSSCANNERCORE_EXPORT EchoMatching
 struct EchoErrors
 {
   vtkIdType Echoes = 0;  ///< echoes of the reference that count
-  vtkIdType Matched = 0; ///< of these, the echoes that were matched
+  vtkIdType Matched = 0; ///< echoes that were matched
   Estimate RangeP50;     ///< [m], of matched echoes
   Estimate RangeP95;     ///< [m]
   Estimate RangeRms;     ///< [m]

@@ -23,7 +23,7 @@ constexpr std::pair<const char*, const char * Row::*> Fields[] = { { "name", &Ro
 } // namespace
 
 //------------------------------------------------------------------------------
-/// In the order of the command line's help.
+/// Returns the rows in the order of the command line's help.
 const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
 {
   // clang-format off

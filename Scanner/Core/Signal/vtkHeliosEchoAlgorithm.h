@@ -110,11 +110,11 @@ public:
   ///@{
   /**
    * Set/Get whether the echoes have RGB (float, [0..1]), the colour of the surface where the echo
-   * is: that of the cell data RGB of the scene, else that of the point data RGB between the corners,
-   * else the base colour of the material (Material.Color) times its texture, bilinear
-   * (Material.Texture, and cell data TextureCoordinates); black without. A texture that cannot be
-   * read is an error; vtkHeliosImageReader lists the formats. They are read again once the scene
-   * changes. vtkHeliosSurveySource reads its meshes with their colours then; see ReadColors of
+   * is: the cell data RGB of the scene, else the point data RGB between the corners, else the base
+   * colour of the material (Material.Color) times its texture, bilinear (Material.Texture, and cell
+   * data TextureCoordinates); black without. A texture that cannot be read is an error;
+   * vtkHeliosImageReader lists the formats. They are read again once the scene changes.
+   * vtkHeliosSurveySource reads its meshes with their colours then; see ReadColors of
    * vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer. Default: off.
    */
   vtkHeliosOutputMacro(GenerateColors, Colors);
@@ -133,7 +133,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /// What is computed and written besides the echoes.
+  /// Outputs that are computed and written besides the echoes.
   struct Outputs
   {
     static constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, hits of sub-rays

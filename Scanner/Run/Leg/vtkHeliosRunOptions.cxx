@@ -265,11 +265,11 @@ Status RunOptions::CheckSampling() const
     status = Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
       ", but a tolerance selects adaptive sampling; set one of them to 0");
   }
-  if (status.IsOk() && this->MaximumSubRays != 0 && !IsMaximumSubRays(this->MaximumSubRays))
+  if (status.IsOk() && this->MaximumSubRays != 0 && !IsSubRayLimit(this->MaximumSubRays))
   {
     status = Status::Error("MaximumSubRays is " + std::to_string(this->MaximumSubRays) + "; give " +
-      std::to_string(MinimumMaximumSubRays) + " to " + std::to_string(LargestMaximumSubRays) +
-      ", or 0 for " + std::to_string(DefaultMaximumSubRays));
+      std::to_string(SmallestSubRayLimit) + " to " + std::to_string(LargestSubRayLimit) +
+      ", or 0 for " + std::to_string(DefaultSubRayLimit));
   }
   return status;
 }
@@ -441,13 +441,13 @@ double vtkHeliosRunOptions::GetEnergyToleranceMaxValue() const
 //------------------------------------------------------------------------------
 int vtkHeliosRunOptions::GetMaximumSubRaysMinValue() const
 {
-  return helios::MinimumMaximumSubRays;
+  return helios::SmallestSubRayLimit;
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosRunOptions::GetMaximumSubRaysMaxValue() const
 {
-  return helios::LargestMaximumSubRays;
+  return helios::LargestSubRayLimit;
 }
 
 //------------------------------------------------------------------------------
