@@ -152,7 +152,7 @@ public:
   enum Samplings
   {
     FIXED = 0,    ///< always all sub-rays of the BeamSampler, always bins
-    TOLERANCE = 1 ///< as few as RangeTolerance and EnergyTolerance allow
+    TOLERANCE = 1 ///< so few that RangeTolerance and EnergyTolerance hold
   };
 
   ///@{
