@@ -59,7 +59,7 @@ public:
   /// Loads all changes and plans the legs; false after an error or an abort.
   bool Prepare();
 
-  /// The fingerprint of what was prepared, as JSON.
+  /// Computes the fingerprint of the prepared run, as JSON.
   helios::Status ComputeFingerprint(std::string& text);
 
   /// Runs a pulse window into the outputs; false after an error.
@@ -276,7 +276,7 @@ vtkHeliosSurveySource::Internals& vtkHeliosSurveySource::GetInternals()
 }
 
 //------------------------------------------------------------------------------
-/// Null before they are planned.
+/// Returns the legs; null before they are planned.
 helios::LegRunner* vtkHeliosSurveySource::GetLegs() const
 {
   return this->Loaded ? this->Loaded->Survey.GetLegs() : nullptr;
@@ -508,7 +508,7 @@ int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
-/// A piece of the pulses needs the whole scene.
+/// Requests the whole scene for a piece of the pulses.
 int vtkHeliosSurveySource::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {

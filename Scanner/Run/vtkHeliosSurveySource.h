@@ -8,24 +8,23 @@
  * random numbers, and so the same echoes. PulseWindow selects a part of the run: a viewer requests
  * block after block, an inspector a single pulse, a study one leg (GetLegPulses()). Scene, legs and
  * the ray caster's tree are built once and kept until the survey, the inputs or the options they
- * depend on change. What the next epoch shares with the one before is not read again.
+ * depend on change. Data that the next epoch shares with the one before are not read again.
  *
- * Input 0, optional: a scene in place of that of the survey, with the arrays of
- * vtkHeliosSceneComposer if it has materials and parts. Any vtkPolyData, vtkDataSet or composite
- * data set will do: polygons and strips are triangulated, other cells are replaced by their surface.
- * Its coordinates are those of the legs [m]. Input 1, optional and repeatable: turbid voxels
- * (vtkImageData), as made by vtkHeliosVoxelReader; with an input, the parts of the survey's scene are
- * neither read nor moved.
+ * Input 0, optional: a scene in place of the survey's, with the arrays of vtkHeliosSceneComposer if
+ * it has materials and parts. Any vtkPolyData, vtkDataSet or composite data set will do: polygons
+ * and strips are triangulated, other cells are replaced by their surface. It has the coordinates of
+ * the legs [m]. Input 1, optional and repeatable: turbid voxels (vtkImageData), as made by
+ * vtkHeliosVoxelReader; with an input, the parts of the survey's scene are neither read nor moved.
  *
  * Input 2, optional and repeatable: the trajectory (vtkPolyData) of the platforms that follow one
  * (type interpolated), in place of their files: points [m] with the point arrays GpsTime [s], in
- * order, and Orientation (unit quaternion w, x, y, z), as made by vtkHeliosTrajectoryReader. Several
- * are concatenated by time. Of the legs' attributes only those of times are used: tStart, tEnd,
- * teleportToStart and syncGPSTime.
+ * order, and Orientation (unit quaternion w, x, y, z), as made by vtkHeliosTrajectoryReader.
+ * Several are concatenated by time. Only the legs' times are used: tStart, tEnd, teleportToStart
+ * and syncGPSTime.
  *
- * Input 3, optional: a mesh (vtkPolyData) that beams hit in place of the scene, on which the legs are
- * still planned: GetScene() with fewer triangles or without some parts, with its arrays of materials
- * and parts. Its moving parts move as those of the scene.
+ * Input 3, optional: a mesh (vtkPolyData) that beams hit in place of the scene, on which the legs
+ * are still planned: GetScene() with fewer triangles or without some parts, with its arrays of
+ * materials and parts. Its moving parts move like the scene's.
  *
  * Output 0: the echoes of all legs in the window, in pulse order, with the arrays of
  * vtkHeliosScanner. Outputs 1, 2 and 3, with GenerateWaveforms, GeneratePulses and GenerateSubRays:
@@ -81,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the options of the run: epoch, seed, sampling of the beam, ray caster. Default: those of
-   * a new vtkHeliosRunOptions. Null is ignored.
+   * Set/Get the options of the run: epoch, seed, sampling of the beam, ray caster. Default: a new
+   * vtkHeliosRunOptions. Null is ignored.
    */
   void SetOptions(vtkHeliosRunOptions* options);
   vtkHeliosRunOptions* GetOptions() const;
@@ -99,8 +98,8 @@ public:
   ///@{
   /**
    * Set/Get whether meshes that several parts of the survey have are stored once, and rasters of
-   * heights stay rasters, but not those of parts that move: the scene is then a vtkHeliosScene.
-   * Default: off.
+   * heights stay rasters, but not of parts that move: the scene is then a vtkHeliosScene. Default:
+   * off.
    */
   vtkSetMacro(Instances, bool);
   vtkGetMacro(Instances, bool);
@@ -115,11 +114,11 @@ public:
 
   ///@{
   /**
-   * Get the results of Load(); empty before. The scene as one mesh (with Instances: with its
-   * instances), moving parts at their start;
-   * the number of pulses of all legs; the pulse ids [i0, i1) and the time [t0, t1] of a leg [s],
-   * both empty ranges for a leg that fires no pulses; the length of its pulses, the full width at
-   * half maximum, or 0 [ns]; the time of a pulse, and the first pulse at a time or later [s].
+   * Returns the results of Load(); empty before. The scene as one mesh (with Instances: with its
+   * instances), moving parts at their start; the number of pulses of all legs; the pulse ids [i0,
+   * i1) and the time [t0, t1] of a leg [s], both empty ranges for a leg that fires no pulses; the
+   * length of its pulses, the full width at half maximum, or 0 [ns]; the time of a pulse, and the
+   * first pulse at a time or later [s].
    */
   vtkPolyData* GetScene() const;
   vtkIdType GetNumberOfPulses() const;
@@ -131,29 +130,30 @@ public:
   ///@}
 
   /**
-   * The grids of turbid voxels of the scene, from 0, after Load(): cell data PAD and field data of
-   * materials, as made by vtkHeliosVoxelReader and the filters of their parts. Null if out of
-   * range.
+   * Returns the grids of turbid voxels of the scene, from 0, after Load(): cell data PAD and field
+   * data of materials, as made by vtkHeliosVoxelReader and the filters of their parts. Null if out
+   * of range.
    */
   vtkImageData* GetGrid(int grid) const;
 
   /**
-   * The trajectory of a leg: one polyline (one point on a static platform) with GpsTime and
+   * Returns the trajectory of a leg: one polyline (one point on a static platform) with GpsTime and
    * Orientation, sampled every interval [s], and at start and end; with an interval of 0 at start
    * and end only. Null for a leg that fires no pulses.
    */
   vtkSmartPointer<vtkPolyData> GetTrajectory(int leg, double interval) const;
 
   /**
-   * Sets which echoes of a leg a comparison matches, from its scanner (the first channel): those of
-   * 2 % of a full footprint, a plane of reflectance 0.5, and of twice the detection threshold, nearer
-   * than 0.6 c sigma of the pulse. After Load(); does nothing for a leg that fires no pulses.
+   * Sets which echoes of a leg a comparison matches, from its scanner (the first channel): echoes
+   * of 2 % of a full footprint, a plane of reflectance 0.5, and of twice the detection threshold,
+   * nearer than 0.6 c sigma of the pulse. After Load(); does nothing for a leg that fires no
+   * pulses.
    */
   void SetUpComparison(vtkHeliosEchoComparison* comparison, int leg) const;
 
   /**
-   * The size of the scene and of what its ray caster has built, after an update [bytes]; 0 before.
-   * Turbid voxels and outputs are not counted.
+   * Returns the size of the scene and of what its ray caster has built, after an update [bytes]; 0
+   * before. Turbid voxels and outputs are not counted.
    */
   double GetSceneSize() const;
 
@@ -164,12 +164,12 @@ public:
 
   ///@{
   /**
-   * Get the versions, the options, and the files that the survey names with their SHA-256, as JSON;
-   * reads these files, and does not load the scene. Empty after an error. Compare it with that of a
-   * source in another process: the differences as text, such as "plane.obj has changed"; empty if
-   * both have the same results. ComputeLoadedFingerprint() loads the scene and plans the legs, and adds
-   * the files that other files name, and the digest of the scene; compared with such a one, another
-   * source loads its own.
+   * Returns the versions, the options, and the files that the survey names with their SHA-256, as
+   * JSON; reads these files, and does not load the scene. Empty after an error. Compare it with the
+   * fingerprint of a source in another process: the differences as text, such as "plane.obj has
+   * changed"; empty if both have the same results. ComputeLoadedFingerprint() loads the scene and
+   * plans the legs, and adds the files that other files name, and the digest of the scene; compared
+   * with such a one, another source loads its own.
    */
   std::string GetFingerprint();
   std::string ComputeLoadedFingerprint();
@@ -178,9 +178,9 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Checks the options and sets those of the settings; LoadScene() loads the scene, unless that is
-   * done, and sets ray caster and grids. Both return false after an error; a step that returns false
-   * stops the loading.
+   * Checks the options and sets the options of the settings; LoadScene() loads the scene, unless
+   * that is done, and sets ray caster and grids. Both return false after an error; a step that
+   * returns false stops the loading.
    */
   bool CheckOptions(helios::RunSettings& settings);
   bool LoadScene(

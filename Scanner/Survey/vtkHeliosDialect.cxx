@@ -20,15 +20,15 @@ vtkStandardNewMacro(vtkHeliosDialect);
 namespace
 {
 
-constexpr std::size_t MaximumHeaderBytes = 65536; // that are searched for faces
+constexpr std::size_t MaximumHeaderBytes = 65536; // bytes that are searched for faces
 
-/// " <element name>" if it has no note.
+/// Returns " <element name>" if it has no note.
 std::string Miss(const std::string& element, const std::string& name, const char* note)
 {
   return *note ? std::string() : " <" + element + (name.empty() ? "" : " " + name) + ">";
 }
 
-/// Whether the header of a PLY file has faces; files without are clouds.
+/// Returns whether the header of a PLY file has faces; files without are clouds.
 bool HasFaces(const std::string& fileName)
 {
   std::string head(MaximumHeaderBytes, '\0');

@@ -202,7 +202,7 @@ const helios::PlannerSettings& vtkHeliosPlannerReader::GetSettings() const
 namespace
 {
 
-/// The scan of a plan's leg; all zero if none was read.
+/// Returns the scan of a plan's leg; all zero if none was read.
 helios::ScanData GetScan(const helios::PlannerData& data)
 {
   const auto& legs = data.Survey.Legs;

@@ -4,23 +4,23 @@
  * @class   vtkHeliosPlannerReader
  * @brief   read a planning task from HELIOS XML or a mesh
  *
- * Output 0 is the scene: triangles with materials and CRS, as scanned by vtkHeliosSurveyPlayer.
+ * Output 0 is the scene: triangles with materials and CRS, which vtkHeliosSurveyPlayer scans.
  * Read() reads only the settings, with which vtkHeliosScanPlan sets up the filters. Input 0,
- * optional, is a scene in place of that of the file; then FileName may be empty. The following is
- * read from a file:
+ * optional, is a scene in place of the file's; then FileName may be empty. The following is read
+ * from a file:
  * - the first <surveyPlanner>: Docs/planning.md, Docs/dialect.md;
  * - else the first <survey>: its scene, and platform, scanner and scanner settings of its first leg
  *   that fires pulses; its changes to the scanner are ignored;
  * - else the first <scene>, scanned with DefaultPlatform and DefaultScanner;
- * - a file that ends in .obj, .tif or .tiff is itself the scene.
- * If parts of the scene are swapped, the first epoch is used; turbid voxels are not in the output:
- * with KeepGrids, GetGrid() returns them.
+ * - a file that ends in .obj, .tif or .tiff is itself the scene. If parts of the scene are swapped,
+ *   the first epoch is used; turbid voxels are not in the output: with KeepGrids, GetGrid() returns
+ *   them.
  *
- * The platform must be static, and the scanner must rotate. Platform and Scanner override those of
- * the file. The scanner rotates a full circle unless a <scannerSettings> says otherwise, at the
+ * The platform must be static, and the scanner must rotate. Platform and Scanner override the
+ * file's. The scanner rotates a full circle unless a <scannerSettings> says otherwise, at the
  * Resolution, or the finest that it supports.
  *
- * Errors give file:line, the value and the fix, as do those of vtkHeliosSurveyReader, which
+ * Errors give file:line, the value and the fix, like the errors of vtkHeliosSurveyReader, which
  * documents the search path; all errors are reported, not only the first.
  *
  * @sa
@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Add an asset directory to search, after those added before; remove all. Default: none.
+   * Adds an asset directory to search, after those added before; remove all. Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
@@ -69,8 +69,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the platform and the scanner that override those of the file, file.xml#id. Default:
-   * none.
+   * Set/Get the platform and the scanner that override the file's, file.xml#id. Default: none.
    */
   vtkSetStringMacro(Platform);
   vtkGetStringMacro(Platform);
@@ -91,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether range and elevation limits that the file does not give are those of the
-   * scanner, whatever the file says. Default: off, as in the file.
+   * Set/Get whether range and elevation limits that the file does not give come from the scanner,
+   * whatever the file says. Default: off, the file decides.
    */
   vtkSetMacro(UseScannerLimits, bool);
   vtkGetMacro(UseScannerLimits, bool);
@@ -125,9 +124,9 @@ public:
 
   ///@{
   /**
-   * Get the type of file: "planner", "survey" or "scene"; a name valid for a folder; the sources of
-   * scene, platform and scanner, file.xml#id. That of the scene is empty if the file is a mesh, or
-   * the scene is on port 0.
+   * Returns the type of file: "planner", "survey" or "scene"; a name valid for a folder; the
+   * sources of scene, platform and scanner, file.xml#id. That of the scene is empty if the file is
+   * a mesh, or the scene is on port 0.
    */
   std::string GetKind() const;
   std::string GetPlanName() const;
@@ -138,9 +137,9 @@ public:
 
   ///@{
   /**
-   * Get the method: reduce, bestcoverage, greedy, best or optimal, empty without a <surveyPlanner>;
-   * the removal criterion of reduce: viewshedSize or meanIncidenceAngle; whether limits that are
-   * not given are those of the scanner.
+   * Returns the method: reduce, bestcoverage, greedy, best or optimal, empty without a
+   * <surveyPlanner>; the removal criterion of reduce: viewshedSize or meanIncidenceAngle; whether
+   * limits that are not given come from the scanner.
    */
   std::string GetMethod() const;
   std::string GetRemoveOrder() const;
@@ -148,14 +147,14 @@ public:
   ///@}
 
   /**
-   * Get all settings of the plan, which vtkHeliosScanPlan sets on the filters.
+   * Returns all settings of the plan, which vtkHeliosScanPlan sets on the filters.
    */
   const helios::PlannerSettings& GetSettings() const;
 
   ///@{
   /**
-   * Get how a position is scanned: the pulse and the scan frequency [Hz], half the scan angle of
-   * the mirror, the window of a rotating one, and the angles [deg] and the speed [deg/s] of the
+   * Returns how a position is scanned: the pulse and the scan frequency [Hz], half the scan angle
+   * of the mirror, the window of a rotating one, and the angles [deg] and the speed [deg/s] of the
    * head rotation.
    */
   double GetLegPulseFrequency() const;
@@ -170,9 +169,9 @@ public:
 
   ///@{
   /**
-   * Get whether the scanner has a rotating mirror, which uses the window; the larger of the angles
-   * between its pulses along and across a line [deg], 0 if they are irregular; the offset from the
-   * platform to the beam origin [m].
+   * Returns whether the scanner has a rotating mirror, which uses the window; the larger of the
+   * angles between its pulses along and across a line [deg], 0 if they are irregular; the offset
+   * from the platform to the beam origin [m].
    */
   bool HasRotatingMirror() const;
   double GetLegAngularStep() const;
@@ -199,7 +198,7 @@ public:
   ///@}
 
   /**
-   * Get a grid, from 0, after Update(), as in vtkHeliosSurveySource. Null if out of range.
+   * Returns a grid, from 0, after Update(), as in vtkHeliosSurveySource. Null if out of range.
    */
   vtkImageData* GetGrid(int grid) const;
 

@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Add an asset directory to search, after those added before; remove all. Default: none.
+   * Adds an asset directory to search, after those added before; remove all. Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
@@ -80,7 +80,7 @@ public:
   bool Check();
 
   /**
-   * The survey of the last Read(), or null.
+   * Returns the survey of the last Read(), or null.
    */
   vtkHeliosSurvey* GetSurvey() const;
 

@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkHeliosSurveyWriter);
 namespace
 {
 
-constexpr const char* TemplateId = "plan"; // of scanner and platform settings
+constexpr const char* TemplateId = "plan"; // id of scanner and platform settings
 constexpr const char* SceneId = "scene";
 
 std::string Text(const char* text)
@@ -39,7 +39,7 @@ std::string Text(const char* text)
   return text ? text : "";
 }
 
-/// The number of a strip, so that names of files sort.
+/// Returns the number of a strip, so that names of files sort.
 std::string MakeStripId(double number)
 {
   const std::string digits = std::to_string(static_cast<int>(number));
@@ -80,10 +80,10 @@ private:
   vtkHeliosSurveyWriter* Writer;
   helios::Messages Log;
   vtkPolyData* Positions;
-  vtkDataArray* Speeds; // of waypoints; null: scan positions
-  vtkDataArray* Strips; // of waypoints; null: every leg has its own files
-  vtkDataArray* Active; // of waypoints; null: all
-  std::string Crs;      // of the legs; empty: that of the scene
+  vtkDataArray* Speeds; // speeds of waypoints; null: scan positions
+  vtkDataArray* Strips; // strips of waypoints; null: every leg has its own files
+  vtkDataArray* Active; // active waypoints; null: all
+  std::string Crs;      // system of the legs; empty: the scene's
 };
 
 //------------------------------------------------------------------------------

@@ -13,15 +13,15 @@
  * beam origin off the head axis rotates about the position.) Coordinates are rounded to 1e-9; other
  * numbers have the fewest digits that read back exactly.
  *
- * Points with the array Speed [m/s] are the waypoints of a moving platform instead: legs without head
- * rotation, at that speed to the next point, and active unless the point array Active is 0. Those
- * with the same number in the point array LegIds are a strip, which writes one file. The vertical
- * offset of mount and beam origin is subtracted, the horizontal one is not.
+ * Points with the array Speed [m/s] are the waypoints of a moving platform instead: legs without
+ * head rotation, at that speed to the next point, and active unless the point array Active is 0.
+ * Those with the same number in the point array LegIds are a strip, which writes one file. The
+ * vertical offset of mount and beam origin is subtracted, the horizontal one is not.
  *
- * References are written as given, and resolved as those of surveys: in the asset directories, the
- * folder of FileName and the working directory. A Scene that ends in .obj, .tif or .tiff is a mesh,
- * and becomes a scene in the file. If the positions have a CRS in their field data that differs
- * from the crs of the scene, a template adds it to the legs.
+ * References are written as given, and resolved like references in surveys: in the asset
+ * directories, the folder of FileName and the working directory. A Scene that ends in .obj, .tif or
+ * .tiff is a mesh, and becomes a scene in the file. If the positions have a CRS in their field data
+ * that differs from the crs of the scene, a template adds it to the legs.
  *
  * The output is first read with the code of vtkHeliosSurveyReader: a survey that cannot be read is
  * an error, and no file is made. The file name ends in .part until the file is complete.
@@ -57,7 +57,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the survey, and so of its output folder. Default: none, that of the file.
+   * Set/Get the name of the survey, and so of its output folder. Default: none, the name of the
+   * file.
    */
   vtkSetStringMacro(SurveyName);
   vtkGetStringMacro(SurveyName);
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the platform and the scanner: file.xml#id. The platform must be static, that of
+   * Set/Get the platform and the scanner: file.xml#id. The platform must be static, the platform of
    * waypoints must move. Default: none.
    */
   vtkSetStringMacro(Platform);
@@ -84,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Add an asset directory to search for references, after those added before; remove all. Default:
-   * none.
+   * Adds an asset directory to search for references, after those added before; remove all.
+   * Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();

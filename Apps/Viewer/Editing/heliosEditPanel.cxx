@@ -27,13 +27,13 @@ namespace
 
 constexpr int PanelWidth = 16; // in text heights: narrow, since it covers the scene
 
-/// The height of a slider with its label [pixels].
+/// Returns the height of a slider with its label [pixels].
 int GetRowHeight(int textSize)
 {
   return GetLineHeight(textSize) + textSize;
 }
 
-/// "scan angle  30 deg"; thousands of hertz are shortened.
+/// Returns "scan angle  30 deg"; thousands of hertz are shortened.
 std::string MakeLabel(const EditRange& range, double value)
 {
   const bool isLarge = range.Unit == "Hz" && value >= 1e4;
@@ -75,7 +75,7 @@ public:
   double GetValue() const { return this->Value; }
   std::string GetLabel() const { return MakeLabel(this->Range, this->Value); }
 
-  /// In a rectangle [pixels]; an empty one hides it.
+  /// Places the slider in a rectangle [pixels]; an empty one hides it.
   void Place(const Rect& track, const Theme& theme)
   {
     this->Track = track;

@@ -40,7 +40,7 @@ bool CanAdd(const fs::path& path)
 
 constexpr double StepShare = 0.01; // arrow key step, of the scene's size
 
-/// 1, 2 or 5 times a power of ten, at most a number.
+/// Returns 1, 2 or 5 times a power of ten, at most a number.
 double MakeRound(double value)
 {
   const double ten = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-3))));
@@ -100,7 +100,7 @@ void EditTool::FindFiles()
 }
 
 //------------------------------------------------------------------------------
-/// The selected part in the shown mesh, and its box [m].
+/// Finds the selected part in the shown mesh, and its box [m].
 bool EditTool::FindMeshPart(int& part, double bounds[6]) const
 {
   SceneView* view = this->Owner.GetSceneView();
@@ -185,7 +185,7 @@ void EditTool::AddPart(const ScenePick& pick)
 }
 
 //------------------------------------------------------------------------------
-/// After a change with an undo entry: shows it, or drops the entry if nothing changed.
+/// Shows a change with an undo entry, or drops the entry if nothing changed.
 void EditTool::ChangeParts(bool isGood)
 {
   if (!isGood)

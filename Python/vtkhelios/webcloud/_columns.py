@@ -48,7 +48,7 @@ class Column:
 
 
 def make_columns(arrays, names=None):
-    """The columns of a dict of arrays; without those of more than MOST_COMPONENTS components.
+    """The columns of a dict of arrays; without those of more than MAXIMUM_COMPONENTS components.
 
     names are the texts of the numbers in an array, by its name: "0" is the first.
     """

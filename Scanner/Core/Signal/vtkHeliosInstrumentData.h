@@ -15,7 +15,7 @@ struct vtkHeliosInstrumentData
   // pulse
   double PulseLength = 4.0;       ///< [ns], full width at half maximum
   int PulseShape = 0;             ///< vtkHeliosInstrument::PulseShapes
-  std::string PulseFile;          ///< of a sampled pulse
+  std::string PulseFile;          ///< file of a sampled pulse
   double AveragePower = 4.0;      ///< [W]
   double Wavelength = 1064.0;     ///< [nm]
   double BeamQualityFactor = 0.0; ///< M2; 0: no waist
@@ -25,7 +25,7 @@ struct vtkHeliosInstrumentData
   double ReceiverDiameter = 0.15;     ///< [m]
   double BinSize = 0.25;              ///< [ns]
   double MaximumWaveformLength = 0.0; ///< [ns]; 0: as the target requires
-  int NumberOfBins = 0;               ///< of a waveform; 0: as many as needed
+  int NumberOfBins = 0;               ///< bins of a waveform; 0: as many as needed
   double DetectorNoise = 0.0;         ///< [W]
   double SaturationPower = 0.0;       ///< [W]; 0: none
   double SolarIrradiance = 0.0;       ///< [W/m^2/nm]
@@ -39,7 +39,7 @@ struct vtkHeliosInstrumentData
   double DropletDiameter = 0.0;        ///< [m]; 0: no single drops
   std::string Weather;                 ///< such as "fog 0.2"
   int MaximumSpecularEvents = 8;
-  double LeastSpecularShare = 1e-4; ///< of the energy
+  double LeastSpecularShare = 1e-4; ///< share of the energy
 
   // accuracy
   double RangeAccuracy = 0.0;            ///< [m]
@@ -58,7 +58,7 @@ struct vtkHeliosInstrumentData
   double DetectionThreshold = 1e-13; ///< [W]
   double DeadTime = 0.0;             ///< [ns]
   double PeakWindow = 0.0;           ///< [ns], either side of a peak; 0: none
-  double PhotonEfficiency = 0.3;     ///< of photon counting, like the next two
+  double PhotonEfficiency = 0.3;     ///< property of photon counting, like the next two
   double DarkCountRate = 0.0;        ///< [Hz]
   double TimeJitter = 0.0;           ///< [ns]
 };

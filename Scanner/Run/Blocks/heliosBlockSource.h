@@ -21,14 +21,14 @@ class BlockSource
 public:
   virtual ~BlockSource() = default;
 
-  /// The pieces of a block, which are written one after the other.
+  /// Returns the pieces of a block, which are written one after the other.
   virtual vtkIdType GetPiecesPerBlock() const { return 1; }
 
   /// Computes, reads or receives one of the count equal pieces of a leg, while the one before is
   /// written; false after an error, or to stop.
   virtual bool Compute(const LegPlan& plan, vtkIdType piece, vtkIdType count) = 0;
 
-  /// What the outputs of a run have of that piece; it stays as it is while the next one is computed.
+  /// Returns the piece for each output. It stays valid while the next piece is computed.
   virtual LegPiece Collect(const LegOutputs& outputs) = 0;
 
   /// Adds the counts of that piece, other than pulses, and releases its memory.

@@ -26,8 +26,8 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache. Of VTK
-/// XML a piece is a block, as its files, and those of parts, depend on it.
+/// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache. A piece
+/// of VTK XML is a block, since its files, and the files of parts, depend on it.
 constexpr vtkIdType PulsesPerPiece = 32768;
 
 double Now()
@@ -60,8 +60,9 @@ LegRunner::~LegRunner() = default;
 bool LegRunner::Plan()
 {
   const InputWatch watch(this->Inputs);
-  const LegChance chance = { this->Settings.Options.Noise, this->Settings.Options.Seed };
-  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Settings.Trajectories, this->Log);
+  const LegOffsetNoise offsets = { this->Settings.Options.Noise, this->Settings.Options.Seed };
+  this->Plans =
+    PlanLegs(this->Survey, this->Scene, offsets, this->Settings.Trajectories, this->Log);
   vtkIdType shots = 0;
   for (LegPlan& plan : this->Plans)
   {
@@ -134,7 +135,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
 }
 
 //------------------------------------------------------------------------------
-/// Whether no later leg writes to the same files.
+/// Returns whether no later leg writes to the same files.
 bool LegRunner::EndsFiles(const LegPlan& plan) const
 {
   const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
@@ -224,7 +225,8 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
-  const bool hasTrajectory = !this->Settings.Part.IsSet(); // of a part, by those who join it
+  // trajectories of a part are written when it is joined
+  const bool hasTrajectory = !this->Settings.Part.IsSet();
   bool good = this->OpenAll(outputs, journal) &&
     (!hasTrajectory || this->WriteTrajectory(plan, journal, onBlock, trajectory)) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
@@ -237,7 +239,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
   {
-    this->Counts = done.Blocks + done.Pieces > 0 ? done.Counts : counts; // what is safe
+    this->Counts = done.Blocks + done.Pieces > 0 ? done.Counts : counts; // the safe counts
     return false;
   }
   done.IsDone = true;
@@ -330,7 +332,7 @@ bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
 }
 
 //------------------------------------------------------------------------------
-/// The pulses of the run before one of the count pieces of a leg.
+/// Returns the pulses of the run before one of the count pieces of a leg.
 vtkIdType LegRunner::CountPulsesBefore(const LegPlan& plan, vtkIdType piece, vtkIdType count) const
 {
   return plan.FirstPulse + SplitPulses(plan.NumberOfPulses, piece, count) - this->FirstPulse;

@@ -33,7 +33,7 @@ class LegWriting;
 class Messages;
 class RunJournal;
 
-/// Called after every block, and while pieces of it are computed; false ends the run.
+/// Runs after every block, and while its pieces are computed; false ends the run.
 using BlockCallback = std::function<bool(const ScanCounts&)>;
 
 /// Runs legs, with the blocks of its own scanner or of another source.
@@ -49,11 +49,11 @@ public:
   /// Plans the legs and counts their pulses; false after an error.
   bool Plan();
 
-  /// The legs, or those of the part that is run.
+  /// Returns the legs, or the legs of the part that is run.
   const std::vector<LegPlan>& GetPlans() const { return this->Plans; }
 
-  ///@{
-  /// The pulses of the survey, and of the part that is run.
+  /// @{
+  /// Returns the pulses of the survey, and of the part that is run.
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   vtkIdType GetNumberOfPulsesToRun() const { return this->NumberOfPulsesToRun; }
   ///@}
@@ -61,18 +61,18 @@ public:
   /// Sets where blocks are from in place of the scanner; null: the scanner.
   void SetSource(BlockSource* source) { this->Source = source ? source : &this->Own; }
 
-  /// The files that Plan() has opened: trajectories, spectra, emitted pulses.
+  /// Returns the files that Plan() has opened: trajectories, spectra, emitted pulses.
   const InputFiles& GetInputs() const { return this->Inputs; }
 
   const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
   vtkPolyData* GetScene() const;
 
-  /// Whether there was any error, including those of the objects listened to.
+  /// Returns whether there was any error, including errors of the objects listened to.
   bool HasError() const;
   void Listen(vtkHeliosStreamWriter* writer);
 
-  /// Called while the scanner computes a piece, other than those of Run(); false stops it.
+  /// Sets a callback while the scanner computes a piece outside of Run(); false stops it.
   void SetOnProgress(const std::function<bool(double)>& onProgress)
   {
     this->OnProgress = onProgress;
@@ -84,13 +84,13 @@ public:
   /// valid and end in .part; the journal has them up to the last piece that is complete.
   bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
 
-  /// The scanner, set up for a leg.
+  /// Returns the scanner, set up for a leg.
   LegScanner& Prepare(const LegPlan& plan);
 
-  /// The same, to run in another way (LegScanner::SetOptions).
+  /// Prepares a leg, to run in another way (LegScanner::SetOptions).
   LegScanner& Prepare(const LegPlan& plan, const RunOptions& options);
 
-  /// The outputs of the leg that the scanner is set up for, with unopened writers.
+  /// Makes the outputs of the leg that the scanner is set up for, with unopened writers.
   Outputs MakeOutputs(const LegPlan& plan) const;
 
   /// The blocks of the scanner, which is set up for their leg.
@@ -99,10 +99,10 @@ public:
   /// Writes the output of the scanner; false after an error.
   bool Write(const Outputs& outputs);
 
-  /// The writer of the leg's trajectory, not open yet.
+  /// Returns the writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
-  /// The most pulses that are computed, then written at a time.
+  /// Returns the most pulses that are computed, then written at a time.
   vtkIdType GetPulsesPerPiece() const;
 
   /// Describes the numbers of sub-rays and bins as text.
@@ -110,7 +110,7 @@ public:
 
   std::string GetRayCasterName() const;
 
-  /// The size of scene and ray caster [bytes].
+  /// Returns the size of scene and ray caster [bytes].
   double GetSceneSize() const { return this->Scanner.GetSceneSize(); }
 
 private:
@@ -158,7 +158,7 @@ private:
   BlockSource* Source = &this->Own;
   vtkIdType NumberOfPulses = 0;
   vtkIdType NumberOfPulsesToRun = 0;
-  vtkIdType FirstPulse = 0; // that is run
+  vtkIdType FirstPulse = 0; // first pulse that is run
   ScanCounts Counts;
 };
 

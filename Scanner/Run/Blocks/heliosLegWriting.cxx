@@ -19,7 +19,8 @@ namespace helios
 namespace
 {
 
-/// Whether no file may be written while it is flushed: the pieces of VTK XML and their index.
+/// Returns whether no file may be written while it is flushed: the pieces of VTK XML and their
+/// index.
 bool NeedsPause(const LegOutputs& outputs)
 {
   return std::any_of(outputs.begin(), outputs.end(),
@@ -88,7 +89,7 @@ bool LegWriting::Write(LegPiece piece, const std::optional<LegProgress>& progres
 LegWriting::Result LegWriting::WritePiece(
   const LegPiece& piece, std::optional<LegProgress> progress)
 {
-  const Messages::Deferral deferral;
+  const Messages::DeferredMessages deferral;
   if (!WriteOutputs(this->Outputs, piece))
   {
     return { false, {} };

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Writes the output of a leg while more of it is computed.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Writes the output of a leg while its next piece is computed.
 
 #ifndef heliosLegWriting_h
 #define heliosLegWriting_h
@@ -41,7 +40,7 @@ public:
   /// Waits until all is written and flushed to disk; false after an error.
   bool Finish();
 
-  /// The same, and journals the pieces of a block that is not complete.
+  /// Finishes, and journals the pieces of a block that is not complete.
   bool Finish(const LegProgress& progress);
 
 private:

@@ -27,9 +27,9 @@ constexpr vtkIdType MaximumMisses = 3;
 constexpr vtkIdType PulsesPerPiece = 256;                // between checks for an abort
 constexpr const char* PhotonCounting = "photonCounting"; // the name of its detector
 // The reference.
-constexpr double Finer = 0.1;           // of the tolerances of the run
-constexpr double Coarser = 0.3;         // of them: what bounds the error of the reference
-constexpr int MaximumSubRays = 1 << 18; // of a beam that it samples
+constexpr double Finer = 0.1;           // factor of the tolerances of the run
+constexpr double Coarser = 0.3;         // factor that bounds the error of the reference
+constexpr int MaximumSubRays = 1 << 18; // sub-rays of a beam that it samples
 constexpr int MaximumSubRaysCoarse = 1 << 16;
 constexpr double BinsPerPulse = 50.0;
 // Its check.
@@ -67,7 +67,7 @@ RunAccuracy::RunAccuracy(LegRunner& runner, const RunSettings& settings, Message
 }
 
 //------------------------------------------------------------------------------
-/// The bins of the reference [ns]: of the shortest pulse, and no wider than those of the survey.
+/// Returns the bins of the reference [ns]: for the shortest pulse, and no wider than the survey's.
 double RunAccuracy::GetFinestBin() const
 {
   double finest = VTK_DOUBLE_MAX;
@@ -95,7 +95,7 @@ bool RunAccuracy::CountsPhotons() const
 }
 
 //------------------------------------------------------------------------------
-/// The narrowest tolerances of the run; the default ones if it has fixed sub-rays only.
+/// Returns the narrowest tolerances of the run; the default ones if it has fixed sub-rays only.
 Tolerances RunAccuracy::GetTolerances() const
 {
   Tolerances narrowest{ LargestTolerance, LargestTolerance };
@@ -130,7 +130,7 @@ void RunAccuracy::SetReference(double factor, int maximumSubRays, RunOptions& op
 }
 
 //------------------------------------------------------------------------------
-/// By WayIndex.
+/// Makes the ways in the order of WayIndex.
 std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
 {
   std::vector<Way> ways(NumberOfWays);
@@ -160,7 +160,7 @@ std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
 }
 
 //------------------------------------------------------------------------------
-/// The samples of all channels of a leg.
+/// Returns the samples of all channels of a leg.
 vtkIdType RunAccuracy::CountSamples(const LegPlan& plan, vtkIdType step) const
 {
   const auto channels =
@@ -289,7 +289,8 @@ void RunAccuracy::Compare(const LegPlan& plan, const std::vector<Way>& ways)
 }
 
 //------------------------------------------------------------------------------
-/// The errors of the reference, at most: what its check finds counts where nothing else explains it.
+/// Returns the errors of the reference, at most: what its check finds counts where nothing else
+/// explains it.
 EchoErrors RunAccuracy::GetReferenceErrors() const
 {
   EchoErrors errors = this->CoarseErrors.GetErrors();

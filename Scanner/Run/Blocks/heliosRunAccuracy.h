@@ -40,8 +40,8 @@ public:
   /// Computes the sample. onStep gets the fraction done; false stops it.
   void Measure(const StepWatcher& onStep);
 
-  /// The "accuracy" of a summary: counts, measures with their intervals, "reference" with its own
-  /// error and its "check", "asked", "without"; or the "reason" why it was not measured.
+  /// Returns the "accuracy" of a summary: counts, measures with their intervals, "reference" with
+  /// its own error and its "check", "asked", "without"; or the "reason" why it was not measured.
   Json::Value Describe() const;
 
 private:
@@ -50,7 +50,7 @@ private:
     Run,
     Reference,
     Coarse,
-    CheckedReference, // of few pulses
+    CheckedReference, // reference of few pulses
     Check,
     HalfCheck,
     NumberOfWays
@@ -58,7 +58,7 @@ private:
   struct Way
   {
     RunOptions Options;
-    std::vector<vtkSmartPointer<vtkPolyData>> Echoes; ///< of a leg: by piece and channel
+    std::vector<vtkSmartPointer<vtkPolyData>> Echoes; ///< echoes of a leg: by piece and channel
     vtkIdType Fired = 0;
   };
 
@@ -83,9 +83,9 @@ private:
   vtkIdType Pulses = 0;
   vtkIdType CheckedPulses = 0;
   EchoComparison Errors;
-  EchoComparison CoarseErrors; // of the reference, at most
-  EchoComparison CheckErrors;  // of the reference against many sub-rays
-  EchoComparison OfCheck;      // of these
+  EchoComparison CoarseErrors; // errors of the reference, at most
+  EchoComparison CheckErrors;  // errors of the reference against many sub-rays
+  EchoComparison OfCheck;      // bound of these errors
   std::string Reason;          // why nothing was measured
 };
 

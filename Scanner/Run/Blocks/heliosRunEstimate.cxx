@@ -25,7 +25,7 @@ constexpr double SampledShare = 0.1;
 constexpr double MinimumPulses = 262144.0;
 constexpr double MaximumPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
-constexpr double MinimumWindows = 8.0;    // of a leg
+constexpr double MinimumWindows = 8.0;    // windows of a leg
 constexpr double MaximumOverBudget = 4.0; // with whole lines
 constexpr double LongestSampling = 4.0;   // [s], of all legs together
 // Trials of increasing length, until one gives the time per pulse.
@@ -40,7 +40,7 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The bytes that a writer would have written.
+/// Returns the bytes that a writer would have written.
 double CountBytes(vtkHeliosStreamWriter* writer)
 {
   const auto size = static_cast<double>(writer->GetFileSize());
@@ -73,7 +73,7 @@ bool RunEstimate::Make(const std::function<bool(double)>& onStep)
 }
 
 //------------------------------------------------------------------------------
-/// The pulses to sample of a leg.
+/// Returns the pulses to sample of a leg.
 double RunEstimate::GetWanted(const LegPlan& plan) const
 {
   const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
@@ -170,14 +170,14 @@ bool RunEstimate::Sample(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// The time for the samples of a leg [s].
+/// Returns the time for the samples of a leg [s].
 double RunEstimate::GetLongestSampling() const
 {
   return LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
 }
 
 //------------------------------------------------------------------------------
-/// The pulses of a leg that can be computed in the time that its samples may take.
+/// Returns the pulses of a leg that can be computed in the time that its samples may take.
 double RunEstimate::CountAffordable(const LegPlan& plan, LegScanner& scanner)
 {
   const auto pulses = static_cast<double>(plan.NumberOfPulses);

@@ -31,8 +31,8 @@ public:
   /// after an error.
   bool Make(const std::function<bool(double share)>& onStep);
 
-  /// "legs" with pulses, points and bytes; "totals"; for this host "memory_bytes", "load_s",
-  /// "run_s".
+  /// Describes the estimate: "legs" with pulses, points and bytes; "totals"; for this host
+  /// "memory_bytes", "load_s", "run_s".
   Json::Value Describe() const;
 
 private:
@@ -42,7 +42,7 @@ private:
     double Fired = 0.0;
     double Echoes = 0.0;
     double Bytes = 0.0;
-    double Memory = 0.0; // of the outputs [bytes]
+    double Memory = 0.0; // memory of the outputs [bytes]
     double Seconds = 0.0;
   };
   using Window = std::pair<double, double>; // times [s]
@@ -61,7 +61,7 @@ private:
 
   LegRunner& Runner;
   double LoadSeconds;
-  std::vector<Sums> Samples; // of each leg
+  std::vector<Sums> Samples; // sums of each leg
   std::vector<Sums> Legs;    // their extrapolations
 };
 

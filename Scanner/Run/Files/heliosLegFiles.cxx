@@ -33,7 +33,7 @@ LegFiles::LegFiles(const SurveyData& survey, const RunSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-/// The path of a file of a leg; channel is empty for all channels.
+/// Returns the path of a file of a leg; channel is empty for all channels.
 std::string LegFiles::MakeFileName(const LegPlan& plan, int kind, const std::string& channel) const
 {
   using Files = vtkHeliosRunFiles;
@@ -60,7 +60,7 @@ LegOutputs LegFiles::MakeOutputs(const LegPlan& plan) const
 }
 
 //------------------------------------------------------------------------------
-/// One file of a port, or one per channel.
+/// Adds one file of a port, or one per channel.
 void LegFiles::AddOutputs(const LegPlan& plan, int port, LegOutputs& outputs) const
 {
   const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);

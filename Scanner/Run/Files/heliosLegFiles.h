@@ -21,13 +21,14 @@ struct SurveyData;
 class LegFiles
 {
 public:
-  /// Of a run, or of a part of it as by MakeRunPartSettings().
+  /// Names the files of a run, or of one part of it, whose settings come from
+  /// MakeRunPartSettings().
   LegFiles(const SurveyData& survey, const RunSettings& settings);
 
-  /// The outputs of a leg, with unopened writers.
+  /// Returns the outputs of a leg, with unopened writers.
   LegOutputs MakeOutputs(const LegPlan& plan) const;
 
-  /// The writer of the trajectory of a leg, not open yet.
+  /// Returns the writer of the trajectory of a leg, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
 private:
@@ -39,17 +40,18 @@ private:
   RunSettings Settings;
 };
 
-/// The file of a part with the port and channel of an output of the run.
+/// Returns the file of a part with the port and channel of an output of the run.
 const LegOutput& FindOutput(const LegOutputs& files, const LegOutput& output);
 
-/// Whether a file is an index of VTK XML.
+/// Returns whether a file is an index of VTK XML.
 bool IsXml(const LegOutput& file);
 
-/// Whether the files of any output are VTK XML, with a file per piece.
+/// Returns whether the files of any output are VTK XML, with a file per piece.
 bool HasXml(const RunSettings& settings);
 
-/// The settings of the files of parts. Text is that of the run. LAS is VTK XML, which has the exact
-/// numbers: the header of a LAS file, by which its points are rounded, depends on all parts.
+/// Returns the settings of the files of parts. Text is the text of the run. LAS is VTK XML, which
+/// has the exact numbers: the header of a LAS file, by which its points are rounded, depends on all
+/// parts.
 RunSettings MakeRunPartSettings(RunSettings settings);
 
 } // namespace helios

@@ -39,11 +39,11 @@ struct OutputRows
   std::string Text;
 };
 
-/// What a writer writes at a time: data, or rows that have its format already.
+/// Data that a writer writes at a time, or rows that have its format already.
 struct OutputPiece
 {
   vtkSmartPointer<vtkDataObject> Data; ///< null: rows
-  vtkSmartPointer<vtkTable> Waveforms; ///< of LAS points that have them
+  vtkSmartPointer<vtkTable> Waveforms; ///< waveforms of LAS points that have them
   OutputRows Rows;
 };
 
@@ -55,7 +55,7 @@ struct LegOutput
   /// Writes a piece; false after an error.
   bool Write(const OutputPiece& piece) const;
 
-  /// Whether the writer needs the waveforms of points, too.
+  /// Returns whether the writer needs the waveforms of points, too.
   bool HasWaveforms() const;
 
   vtkSmartPointer<vtkHeliosStreamWriter> Writer;
@@ -71,20 +71,20 @@ using LegPiece = std::vector<OutputPiece>;
 /// Gets a port of the scanner, of a channel or of AllChannels; null: it has no records.
 using PortGetter = std::function<vtkSmartPointer<vtkDataObject>(int port, std::size_t channel)>;
 
-/// What an output needs of the ports.
+/// Collects the data that an output needs from the ports.
 OutputPiece CollectPiece(const LegOutput& output, const PortGetter& get);
 
 /// Writes a piece of every output; false after an error.
 bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece);
 
-/// The writer for a port of the scanner.
+/// Returns the writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
 
-/// The file name of a writer, without the folder.
+/// Returns the file name of a writer, without the folder.
 std::string GetName(vtkHeliosStreamWriter* writer);
 
-///@{
-/// The progress of the files of writers, and what was written since the last call.
+/// @{
+/// Returns the progress of the files of writers, and what was written since the last call.
 FileProgress CollectProgress(vtkHeliosStreamWriter* writer, bool isWhole);
 std::vector<FileProgress> CollectProgress(const LegOutputs& outputs, bool isWhole);
 ///@}

@@ -25,7 +25,7 @@ namespace helios
 namespace
 {
 
-/// All files that a survey names, each once.
+/// Returns all files that a survey names, each once.
 std::set<std::string> GetNamedFiles(const SurveyData& survey, const RunSettings& settings)
 {
   std::set<std::string> files(survey.Documents.begin(), survey.Documents.end());

@@ -24,11 +24,12 @@ namespace helios
 struct RunSettings;
 struct SurveyData;
 
-/// The files that a survey names. An unreadable file has no digest; its reader reports the error.
+/// Returns the files that a survey names. An unreadable file has no digest; its reader reports the
+/// error.
 Json::Value DescribeInputs(const SurveyData& survey, const RunSettings& settings);
 
-/// The files that materials of a scene and its voxels name, in their order: spectra, and images if
-/// the run has colours.
+/// Returns the files that materials of a scene and its voxels name, in their order: spectra, and
+/// images if the run has colours.
 std::vector<std::string> FindMaterialFiles(vtkDataObject* scene,
   const std::vector<vtkSmartPointer<vtkImageData>>& grids, const SurveyData& survey,
   const RunSettings& settings);
@@ -41,9 +42,9 @@ Status AddInputs(const InputFiles& files, Json::Value& inputs);
 bool AddEarlierInputs(const Json::Value& then, Json::Value& inputs);
 
 /**
- * The files that differ between the inputs of an earlier run and of this one as texts: "a.obj has
- * changed". Files in other folders, or with other names, are equal if their bytes are. Files that
- * are no longer read count if all that are read are known.
+ * Returns the files that differ between the inputs of an earlier run and of this one as texts:
+ * "a.obj has changed". Files in other folders, or with other names, are equal if their bytes are.
+ * Files that are no longer read count if all that are read are known.
  */
 std::vector<std::string> CompareInputs(
   const Json::Value& then, const Json::Value& now, bool areAllKnown);

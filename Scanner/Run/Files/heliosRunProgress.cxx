@@ -38,7 +38,7 @@ Json::Value ToJson(const FileProgress& file)
   return entry;
 }
 
-/// A required member of a type.
+/// Returns a required member of a type.
 const Json::Value& Get(
   const Json::Value& value, const char* name, bool (Json::Value::*isType)() const, const char* type)
 {
@@ -78,7 +78,7 @@ double GetNumber(const Json::Value& value, const char* name)
   return number;
 }
 
-/// The name of a file in the run folder.
+/// Returns the name of a file in the run folder.
 std::string GetName(const Json::Value& value)
 {
   const std::string name = GetText(value, "name");

@@ -23,7 +23,7 @@ struct FileProgress
   std::string Name;              ///< the final one, without its folder
   vtkIdType Size = 0;            ///< [bytes]; of an index, without its pieces
   vtkIdType Records = 0;         ///< in it, or in its pieces
-  vtkIdType Bytes = 0;           ///< of the records, in all files
+  vtkIdType Bytes = 0;           ///< bytes of the records, in all files
   bool IsWhole = false;          ///< it has its final name
   std::string Head;              ///< checksum of the bytes that every block overwrites; empty: none
   std::vector<FileBlock> Blocks; ///< since the last line, in this file and those beside it
@@ -32,23 +32,23 @@ struct FileProgress
 /// The progress of a leg.
 struct LegProgress
 {
-  int Blocks = 0; ///< that are safe
-  int Pieces = 0; ///< of the next block, which are safe, too: the run was stopped within it
+  int Blocks = 0; ///< safe blocks
+  int Pieces = 0; ///< safe pieces of the next block: the run was stopped within it
   bool IsDone = false;
   std::vector<FileProgress> Files;
-  ScanCounts Counts;    ///< of the run so far
+  ScanCounts Counts;    ///< counts of the run so far
   double Seconds = 0.0; ///< computing and writing time, over all attempts
 };
 
-/// Whether one can be journaled after the other, of the same leg.
+/// Returns whether one can be journaled after the other, of the same leg.
 bool Follows(const LegProgress& before, const LegProgress& after);
 
-/// Whether no count has decreased.
+/// Returns whether no count has decreased.
 bool HasGrown(const ScanCounts& before, const ScanCounts& after);
 bool HasGrown(const FileProgress& before, const FileProgress& after);
 
-///@{
-/// JSON in one line, or indented; false if a text is not valid.
+/// @{
+/// Write JSON in one line, or indented, and read it; false if a text is not valid.
 std::string ToLine(const Json::Value& value);
 std::string ToText(const Json::Value& value);
 bool FromText(const std::string& text, Json::Value& value);
@@ -67,8 +67,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-///@{
-/// Strict: throw BadJson.
+/// @{
+/// Read values strictly: throw BadJson.
 vtkIdType GetCount(const Json::Value& value, const char* name);
 LegProgress ProgressFromJson(const Json::Value& value);
 ///@}

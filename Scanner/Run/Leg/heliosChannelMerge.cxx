@@ -29,7 +29,7 @@ struct Source
   vtkIdType Row;
 };
 
-/// The rows of all channels in pulse order.
+/// Returns the rows of all channels in pulse order.
 std::vector<Source> FindOrder(const std::vector<vtkFieldData*>& columns)
 {
   std::vector<std::pair<double, Source>> rows; // a double holds ids up to 2^53

@@ -31,7 +31,7 @@ double LimitDuration(const LegData& leg, double duration)
   return leg.MaximumDuration >= 0.0 ? std::min(duration, leg.MaximumDuration) : duration;
 }
 
-/// The duration of a leg on a static platform: that of the head rotation.
+/// Returns the duration of a leg on a static platform: the duration of its head rotation.
 double GetStandingTime(const LegData& leg)
 {
   const double head = leg.GetHeadTime();
@@ -43,9 +43,9 @@ double GetStandingTime(const LegData& leg)
 class Planner
 {
 public:
-  Planner(const SurveyData& survey, const Journey& journey, Messages& log)
+  Planner(const SurveyData& survey, const LegPath& path, Messages& log)
     : Survey(survey)
-    , Way(journey)
+    , Path(path)
     , Log(log)
   {
   }
@@ -54,13 +54,13 @@ public:
 
 private:
   void PlanStandingLeg(std::size_t leg);
-  bool PlanJourney(std::size_t first, std::size_t last);
+  bool PlanTrajectory(std::size_t first, std::size_t last);
   void ExplainFailure(std::size_t first);
   void PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last);
   std::size_t FindEnd(std::size_t first) const;
 
   const SurveyData& Survey;
-  const Journey& Way;
+  const LegPath& Path;
   Messages& Log;
   std::vector<LegPlan> Plans;
   double Time = 0.0;
@@ -76,7 +76,7 @@ std::vector<LegPlan> Planner::Plan()
     {
       this->PlanStandingLeg(leg);
     }
-    else if (!this->PlanJourney(leg, end))
+    else if (!this->PlanTrajectory(leg, end))
     {
       return {};
     }
@@ -86,11 +86,11 @@ std::vector<LegPlan> Planner::Plan()
 }
 
 //------------------------------------------------------------------------------
-/// The end of the trajectory with a leg: one past its last leg.
+/// Returns the end of the trajectory with a leg: one past its last leg.
 std::size_t Planner::FindEnd(std::size_t first) const
 {
   std::size_t leg = first;
-  while (!this->Survey.EndsJourney(leg))
+  while (!this->Survey.EndsTrajectory(leg))
   {
     ++leg;
   }
@@ -103,7 +103,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
   const double duration = GetStandingTime(this->Survey.Legs[leg]);
   if (this->Survey.Fires(leg))
   {
-    const auto platform = MakePlatform(this->Survey, this->Way, leg, leg + 1, this->Log);
+    const auto platform = MakePlatform(this->Survey, this->Path, leg, leg + 1, this->Log);
     platform->SetStartTime(this->Time);
     this->Log.Listen(platform);
     this->Plans.push_back({ leg, platform, this->Time, duration });
@@ -112,9 +112,9 @@ void Planner::PlanStandingLeg(std::size_t leg)
 }
 
 //------------------------------------------------------------------------------
-bool Planner::PlanJourney(std::size_t first, std::size_t last)
+bool Planner::PlanTrajectory(std::size_t first, std::size_t last)
 {
-  const auto platform = MakePlatform(this->Survey, this->Way, first, last, this->Log);
+  const auto platform = MakePlatform(this->Survey, this->Path, first, last, this->Log);
   platform->SetStartTime(this->Time);
   this->Log.Listen(platform);
   platform->Update();
@@ -141,7 +141,7 @@ void Planner::ExplainFailure(std::size_t first)
 }
 
 //------------------------------------------------------------------------------
-/// Sets the times of legs to those of their samples.
+/// Sets the times of legs to the times of their samples.
 void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last)
 {
   vtkPointData* samples = platform->GetOutput()->GetPointData();
@@ -174,17 +174,17 @@ void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std
 } // namespace
 
 //------------------------------------------------------------------------------
-std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
-  const TrajectoryInputs& inputs, Messages& log)
+std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene,
+  const LegOffsetNoise& offsets, const TrajectoryInputs& inputs, Messages& log)
 {
-  Journey journey;
-  journey.Inputs = inputs;
-  journey.Crs = scene ? GetCRS(scene) : std::string();
-  if (!FindPositions(survey, scene, chance, log, journey.Positions))
+  LegPath path;
+  path.Inputs = inputs;
+  path.Crs = scene ? GetCRS(scene) : std::string();
+  if (!FindPositions(survey, scene, offsets, log, path.Positions))
   {
     return {};
   }
-  return Planner(survey, journey, log).Plan();
+  return Planner(survey, path, log).Plan();
 }
 
 //------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ class Messages;
 /// A leg that fires pulses.
 struct LegPlan
 {
-  std::size_t Leg = 0;                         ///< of the survey
+  std::size_t Leg = 0;                         ///< leg of the survey
   vtkSmartPointer<vtkHeliosPlatform> Platform; ///< makes the trajectory
   double StartTime = 0.0;                      ///< [s]
   double Duration = 0.0;                       ///< [s]
@@ -40,7 +40,7 @@ struct LegPlan
   vtkIdType EndBlock = 1;
   ///@}
 
-  /// The pulses of the leg before a block.
+  /// Returns the pulses of the leg before a block.
   vtkIdType CountPulsesBefore(vtkIdType block) const
   {
     return SplitPulses(this->NumberOfPulses, block, this->NumberOfBlocks);
@@ -48,11 +48,11 @@ struct LegPlan
 };
 
 /**
- * The legs of a survey that fire pulses, with their platforms run and their times set: each
+ * Returns the legs of a survey that fire pulses, with their platforms run and their times set: each
  * platform starts when the one before ends. Empty after an error.
  */
-std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
-  const TrajectoryInputs& inputs, Messages& log);
+std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene,
+  const LegOffsetNoise& offsets, const TrajectoryInputs& inputs, Messages& log);
 
 /**
  * Samples of the trajectory of a leg at its start, every interval [s] after that, and its end; with

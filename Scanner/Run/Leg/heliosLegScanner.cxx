@@ -195,14 +195,14 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
 }
 
 //------------------------------------------------------------------------------
-/// A scene at a wavelength [nm], or without spectra.
+/// Returns a scene at a wavelength [nm], or without spectra.
 vtkDataObject* LegScanner::GetAt(SpectralScenes& scenes, double wavelength) const
 {
   return this->Settings.Options.IsWithout("spectra") ? scenes.GetPlain() : scenes.Get(wavelength);
 }
 
 //------------------------------------------------------------------------------
-/// The scene at a wavelength [nm], with the materials of the options.
+/// Returns the scene at a wavelength [nm], with the materials of the options.
 vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
 {
   vtkDataObject* scene = this->GetAt(this->Scenes, wavelength);
@@ -216,7 +216,7 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetScene(double wavelength)
   none->Fill(0.0);
   vtkNew<vtkFieldData> fields;
   fields->ShallowCopy(scene->GetFieldData());
-  fields->AddArray(none); // replaces that of the same name
+  fields->AddArray(none); // replaces the array of this name
   const auto copy = vtkSmartPointer<vtkDataObject>::Take(scene->NewInstance());
   copy->ShallowCopy(scene);
   copy->SetFieldData(fields);

@@ -7,7 +7,7 @@
 
 #include "heliosLegPlan.h"
 #include "heliosMovingScene.h"
-#include "heliosPiecePile.h"
+#include "heliosPieceBuffer.h"
 #include "heliosRunSettings.h"
 #include "heliosScanCounts.h"
 #include "heliosSpectrum.h"
@@ -45,10 +45,11 @@ public:
 
   std::size_t GetNumberOfChannels() const { return this->Channels.size(); }
 
-  /// The part [t0, t1) of the leg to run [s]; all of it after SetUp().
+  /// Sets the part [t0, t1) of the leg to run [s]; the whole leg after SetUp().
   void SetTimeWindow(double t0, double t1);
 
-  /// The range [first, last) of each channel's pulses in the time window to run; all after SetUp().
+  /// Sets the range [first, last) of each channel's pulses in the time window to run; all after
+  /// SetUp().
   void SetPulseWindow(vtkIdType first, vtkIdType last);
 
   /// Runs in another way from the next SetUp() on.
@@ -57,10 +58,11 @@ public:
   /// Sets what is computed besides the echoes.
   void SetOutputs(const vtkHeliosEchoAlgorithm::Outputs& wants);
 
-  /// The pulses of all channels in the windows.
+  /// Returns the pulses of all channels in the windows.
   vtkIdType CountPulses();
 
-  /// Called while a piece is run, with the fraction done of it; false stops it. Null: never stops.
+  /// Sets a callback while a piece is run, with the fraction done; false stops the piece. Null:
+  /// never stops.
   void SetOnProgress(const std::function<bool(double)>& onProgress)
   {
     this->OnProgress = onProgress;
@@ -69,17 +71,17 @@ public:
   /// Runs a piece of the leg; false after an error, or if it is stopped.
   bool Update(int piece, int pieces);
 
-  /// Whether the last piece was stopped.
+  /// Returns whether the last piece was stopped.
   bool WasStopped() const { return this->IsStopped; }
 
-  /// The port of all channels together, in pulse order; the port of one of them.
+  /// Returns the port of all channels together, in pulse order; the port of one of them.
   vtkSmartPointer<vtkDataObject> GetOutput(int port) const;
   vtkDataObject* GetOutput(int port, std::size_t channel) const;
 
   /// Releases the output of the last piece.
   void ReleaseOutput();
 
-  /// The size of the output of the last piece [bytes].
+  /// Returns the size of the output of the last piece [bytes].
   double GetMemorySize() const;
 
   /// Adds the counts of the last piece.
@@ -90,7 +92,7 @@ public:
 
   std::string GetRayCasterName() const;
 
-  /// The size of scene and ray caster [bytes].
+  /// Returns the size of scene and ray caster [bytes].
   double GetSceneSize() const;
 
 private:
@@ -113,7 +115,7 @@ private:
   Messages& Log;
   SpectralScenes Scenes;
   std::vector<SpectralScenes> Grids;
-  std::size_t Scanner; // of the survey, with these channels
+  std::size_t Scanner; // scanner of the survey, with these channels
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;
   vtkIdType FirstPulse;
@@ -126,14 +128,14 @@ private:
   double ShareAfter = 1.0;
   bool IsStopped = false;
 
-  // With moving parts: the leg's clock, the time window, and the output of its windows of constant
-  // scene.
+  // Members for moving parts: the leg's clock, the time window, and the output of its windows of
+  // constant scene.
   MovingScene Motion;
   vtkSmartPointer<vtkHeliosRayCaster> MotionCaster;
   PulseClock Clock;
   double WindowStart;
   vtkMTimeType MoveTime;
-  std::vector<std::vector<PiecePile>> Gathered; // by channel and port
+  std::vector<std::vector<PieceBuffer>> Gathered; // by channel and port
   ScanCounts GatheredCounts;
 };
 

@@ -63,7 +63,7 @@ bool LegScanner::Update(int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
-/// Passes on the progress of a channel, and stops it; what it says about that is not reported.
+/// Passes on the progress of a channel, and stops it; its own message about that is not reported.
 void LegScanner::HandleProgress(vtkObject* caller, unsigned long, void*)
 {
   auto* channel = vtkAlgorithm::SafeDownCast(caller);
@@ -86,8 +86,8 @@ void LegScanner::HandleProgress(vtkObject* caller, unsigned long, void*)
 bool LegScanner::UpdateMoving(int piece, int pieces)
 {
   this->ReleaseOutput();
-  this->Gathered.assign(
-    this->Channels.size(), std::vector<PiecePile>(vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts));
+  this->Gathered.assign(this->Channels.size(),
+    std::vector<PieceBuffer>(vtkHeliosEchoAlgorithm::Outputs::NumberOfPorts));
   const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
   const vtkIdType begin = std::max(this->FirstPulse,
     helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate));
@@ -113,9 +113,9 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
     pulse = next;
   } while (isGood && pulse < end);
   this->ApplyWindow(this->FirstPulse, this->LastPulse);
-  for (std::vector<PiecePile>& ports : this->Gathered)
+  for (std::vector<PieceBuffer>& ports : this->Gathered)
   {
-    for (PiecePile& pile : ports)
+    for (PieceBuffer& pile : ports)
     {
       pile.Finish();
     }
@@ -124,7 +124,7 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
-/// The first pulse of the sample from a pulse on, of any channel.
+/// Returns the first pulse of the sample from a pulse on, of any channel.
 vtkIdType LegScanner::FindSample(vtkIdType pulse) const
 {
   vtkIdType first = VTK_ID_MAX;

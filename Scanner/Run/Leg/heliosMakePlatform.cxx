@@ -26,7 +26,7 @@ namespace helios
 namespace
 {
 
-/// The speed of the fastest leg of a trajectory, at least 1 m/s: drag is negligible below.
+/// Returns the speed of the fastest leg of a trajectory, at least 1 m/s: drag is negligible below.
 double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last)
 {
   double speed = 1.0;
@@ -85,12 +85,12 @@ vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
   return reader;
 }
 
-/// The inputs, or the files of all legs, each once, with the settings of the first leg that names
-/// it.
-vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(const SurveyData& survey,
-  const Journey& journey, std::size_t first, std::size_t last, Messages& log)
+/// Returns the inputs, or the files of all legs, each once, with the settings of the first leg that
+/// names it.
+vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
+  const SurveyData& survey, const LegPath& path, std::size_t first, std::size_t last, Messages& log)
 {
-  const TrajectoryInputs& inputs = journey.Inputs;
+  const TrajectoryInputs& inputs = path.Inputs;
   auto platform = vtkSmartPointer<vtkHeliosInterpolatedPlatform>::New();
   platform->SetFirstLegId(static_cast<int>(first));
   std::set<std::string> files = { "" };
@@ -104,9 +104,9 @@ vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(const SurveyData& survey,
     const TrajectoryFileData& file = survey.Legs[leg].Trajectory;
     if (inputs.empty() && files.insert(file.File).second)
     {
-      const auto reader = MakeReader(file, survey.Convention, journey.Crs);
+      const auto reader = MakeReader(file, survey.Convention, path.Crs);
       log.Listen(reader);
-      if (reader->IsSbet() && journey.Crs.empty())
+      if (reader->IsSbet() && path.Crs.empty())
       {
         log.WarnOnce("trajectory " + file.File,
           file.Where + ": the scene has no coordinate system; " + file.File +
@@ -190,15 +190,15 @@ void SetErrors(const NavigationErrorData& data, vtkHeliosPlatformNoise* noise)
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const Journey& journey,
-  std::size_t first, std::size_t last, Messages& log)
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(
+  const SurveyData& survey, const LegPath& path, std::size_t first, std::size_t last, Messages& log)
 {
   if (survey.GetPlatform(first).Type == PlatformType::Interpolated)
   {
-    return MakeInterpolated(survey, journey, first, last, log);
+    return MakeInterpolated(survey, path, first, last, log);
   }
   const auto platform = MakeVehicle(survey, first, last);
-  platform->SetInputData(MakeWaypoints(survey, journey.Positions, first, last));
+  platform->SetInputData(MakeWaypoints(survey, path.Positions, first, last));
   return platform;
 }
 

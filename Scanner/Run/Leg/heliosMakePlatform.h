@@ -26,18 +26,19 @@ class Messages;
 using TrajectoryInputs = std::vector<vtkSmartPointer<vtkPolyData>>;
 
 /// Where the platforms of a survey go.
-struct Journey
+struct LegPath
 {
-  std::vector<Vec3> Positions; ///< of the legs
+  std::vector<Vec3> Positions; ///< positions of the legs
   TrajectoryInputs Inputs;
-  std::string Crs; ///< of the scene, to which trajectory files are transformed; empty: none
+  std::string Crs; ///< system of the scene, to which trajectory files are transformed; empty: none
 };
 
-/// The platform of the legs [first, last), with its waypoints or its recorded trajectory.
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const Journey& journey,
+/// Returns the platform of the legs [first, last), with its waypoints or its recorded trajectory.
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, const LegPath& path,
   std::size_t first, std::size_t last, Messages& log);
 
-/// The noise of a platform, each value valid for a number of pulses of all channels; null: none.
+/// Returns the noise of a platform, each value valid for a number of pulses of all channels; null:
+/// none.
 VTKHELIOSSCANNERRUN_EXPORT vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
   const PlatformData& platform, std::size_t channels);
 

@@ -30,7 +30,7 @@ namespace
 // Echoes that are compared, as in Docs/instrument.md.
 constexpr double LeastShare = 0.02;
 constexpr double MinimumThresholds = 2.0;
-constexpr double Separation = 0.6; // of the same echoes, in c sigma
+constexpr double Separation = 0.6; // separation of equal echoes, in c sigma
 constexpr double FullReflectance = 0.5;
 
 /// The instrument of a run: what the options override, and without noise nothing that is random
@@ -40,7 +40,7 @@ vtkHeliosInstrumentData MakeInstrument(const ReceiverData& receiver, const RunOp
   vtkHeliosInstrumentData made = receiver;
   if (options.BinSize > 0.0)
   {
-    // as long as with the bins of the survey
+    // equal length with the bins of the survey
     const double bins = std::ceil(made.NumberOfBins * (made.BinSize / options.BinSize));
     made.NumberOfBins = static_cast<int>(std::min(bins, double(VTK_INT_MAX)));
     made.BinSize = options.BinSize;

@@ -24,7 +24,7 @@ struct RunPart
 
   bool IsSet() const { return this->Count > 0; }
 
-  /// The part as in options: "2/4".
+  /// Returns the part as in options: "2/4".
   std::string GetText() const
   {
     return std::to_string(this->Number) + "/" + std::to_string(this->Count);
@@ -34,11 +34,11 @@ struct RunPart
 /// Divides legs into blocks of at most this many pulses, and at least one block.
 void DivideIntoBlocks(std::vector<LegPlan>& plans, vtkIdType pulsesPerBlock);
 
-/// The blocks of all legs.
+/// Returns the blocks of all legs.
 vtkIdType CountBlocks(const std::vector<LegPlan>& plans);
 
-/// The legs with the blocks of a part. The parts have as many blocks, or one more or less, and in
-/// order they are the whole run; if there are more parts than blocks, some have no leg.
+/// Returns the legs with the blocks of a part. The parts have as many blocks, or one more or less,
+/// and in order they are the whole run; if there are more parts than blocks, some have no leg.
 std::vector<LegPlan> SelectPart(const std::vector<LegPlan>& plans, const RunPart& part);
 
 } // namespace helios

@@ -31,17 +31,18 @@ struct RunSettings
   bool HasEpochs = false; ///< whether the survey has several epochs
   vtkHeliosEchoAlgorithm::Outputs Wants;
 
-  std::string Folder; ///< of the files
+  std::string Folder; ///< folder of the files
   std::string Format; ///< xyz, las, vtp
   vtkIdType PulsesPerBlock = 262144;
-  RunPart Part; ///< that is run
+  RunPart Part; ///< part that is run
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
-  std::shared_ptr<TextureStore> Textures;           ///< of the scene; null: none are loaded
-  vtkSmartPointer<vtkPolyData> Mesh; ///< that beams hit in place of the scene; null: none
+  /// textures of the scene; null: none are loaded
+  std::shared_ptr<TextureStore> Textures;
+  vtkSmartPointer<vtkPolyData> Mesh; ///< mesh that beams hit in place of the scene; null: none
 
-  /// Of platforms that follow trajectories, in place of files; empty: none.
+  /// Trajectories that platforms follow, in place of files; empty: none.
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
 };
 

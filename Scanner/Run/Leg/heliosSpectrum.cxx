@@ -63,7 +63,8 @@ bool IsBlank(const std::string& line)
   return SkipBlanks(line.data(), end) == end;
 }
 
-/// Whether several words, and all of them, start as numbers do: a row with an error, not a header.
+/// Returns whether several words, and all of them, start as numbers do: a row with an error, not a
+/// header.
 bool HasNumbers(const std::string& line)
 {
   std::istringstream words(line);
@@ -78,7 +79,7 @@ bool HasNumbers(const std::string& line)
   return count > 1;
 }
 
-/// The reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
+/// Returns the reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
 double ReadReflectance(const std::string& name, const std::vector<std::string>& folders,
   double wavelength, Messages& log)
 {
@@ -104,7 +105,7 @@ double ReadReflectance(const std::string& name, const std::vector<std::string>& 
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The reflectances of all spectra that materials need, by name.
+/// Returns the reflectances of all spectra that materials need, by name.
 std::map<std::string, double> ReadReflectances(const MaterialTable& materials,
   const std::vector<std::string>& folders, double wavelength, Messages& log)
 {

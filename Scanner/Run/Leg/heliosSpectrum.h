@@ -29,8 +29,8 @@ public:
   /// Reads a file.
   Status Read(const std::string& path);
 
-  /// The reflectance [0..1] at a wavelength [nm], linear between rows, constant before the first
-  /// and after the last row.
+  /// Returns the reflectance [0..1] at a wavelength [nm], linear between rows, constant before the
+  /// first and after the last row.
   double GetReflectance(double wavelength) const;
 
 private:
@@ -38,10 +38,10 @@ private:
   std::vector<double> Values;      // [percent]
 };
 
-/// The file of a spectrum, <name>.txt in the first folder that has it; empty: none.
+/// Returns the file of a spectrum, <name>.txt in the first folder that has it; empty: none.
 std::string FindSpectrum(const std::string& name, const std::vector<std::string>& folders);
 
-/// Whether the reflectance of a material is that of a spectrum.
+/// Returns whether a material takes its reflectance from a spectrum.
 bool NeedsSpectrum(const Material& material);
 
 /**
@@ -55,10 +55,10 @@ class SpectralScenes
 public:
   SpectralScenes(vtkDataObject* scene, std::vector<std::string> folders, Messages& log);
 
-  /// The scene at a wavelength [nm].
+  /// Returns the scene at a wavelength [nm].
   vtkDataObject* Get(double wavelength);
 
-  /// The scene without its spectra.
+  /// Returns the scene without its spectra.
   vtkDataObject* GetPlain() const { return this->Scene; }
 
 private:

@@ -26,7 +26,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// The positions of all legs in the scene's system; false after an error.
+/// Transforms the positions of all legs to the scene's system; false after an error.
 bool TransformPositions(
   const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
 {
@@ -92,16 +92,16 @@ bool PlaceOnGround(
 } // namespace
 
 //------------------------------------------------------------------------------
-bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
+bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegOffsetNoise& offsets,
   Messages& log, std::vector<Vec3>& positions)
 {
   if (!TransformPositions(survey, scene, log, positions))
   {
     return false;
   }
-  if (chance.IsOn && survey.LegOffset.IsOn)
+  if (offsets.IsOn && survey.LegOffset.IsOn)
   {
-    MoveByChance(survey.LegOffset, chance.Seed, positions);
+    MoveByChance(survey.LegOffset, offsets.Seed, positions);
   }
   return PlaceOnGround(survey, scene, log, positions);
 }

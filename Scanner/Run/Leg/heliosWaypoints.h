@@ -19,20 +19,20 @@ namespace helios
 class Messages;
 
 /// Whether leg offset noise is enabled, and its seed.
-struct LegChance
+struct LegOffsetNoise
 {
   bool IsOn = true;
   vtkIdType Seed = 0;
 };
 
 /**
- * The positions of all legs, with leg offset noise if the survey has it, and with legs on the
- * ground placed on that of the scene; false after an error.
+ * Finds the positions of all legs, with leg offset noise if the survey has it, and with legs on the
+ * ground placed on the ground of the scene; false after an error.
  */
-bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
+bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegOffsetNoise& offsets,
   Messages& log, std::vector<Vec3>& positions);
 
-/// The legs [first, last) as waypoints.
+/// Returns the legs [first, last) as waypoints.
 vtkSmartPointer<vtkPolyData> MakeWaypoints(const SurveyData& survey,
   const std::vector<Vec3>& positions, std::size_t first, std::size_t last);
 

@@ -313,7 +313,7 @@ Status RunOptions::CheckPattern() const
 }
 
 //------------------------------------------------------------------------------
-/// What is left out of the model.
+/// Checks the parts of the model that are left out.
 Status RunOptions::CheckParts() const
 {
   for (const std::string& part : SplitWords(this->Without))

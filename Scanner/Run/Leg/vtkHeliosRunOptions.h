@@ -39,9 +39,10 @@ struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
   double RangeTolerance = 0.0;  ///< [m]
   double EnergyTolerance = 0.0; ///< relative
   int NumberOfSubRays = 0;      ///< fixed
-  int MaximumSubRays = 0;       ///< of adaptive sampling, of a beam; 0: the default of the scanner
-  std::string SubRayPattern;    ///< of the fixed ones
-  double BinSize = 0.0;         ///< [ns]
+  /// largest number for a beam in adaptive sampling; 0: the default of the scanner
+  int MaximumSubRays = 0;
+  std::string SubRayPattern; ///< pattern of fixed sub-rays
+  double BinSize = 0.0;      ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;
   std::string Weather;        ///< see ParseWeather()
@@ -98,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
-   * 0. Default: -1.
+   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: the survey's, else 0.
+   * Default: -1.
    */
   vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);
@@ -132,9 +133,9 @@ public:
 
   ///@{
   /**
-   * Set/Get a fixed number of sub-rays of every pulse: 1, 7, 19, 37, 62 ... on circles, as by
-   * beamSampleQuality in surveys; any other number, rounded up to a multiple of 4, on a spiral. Valid range: [0, 65536]. Default: 0,
-   * as in the survey.
+   * Set/Get a fixed number of sub-rays of every pulse: 1, 7, 19, 37, 62 ... on circles, like
+   * beamSampleQuality in surveys; any other number, rounded up to a multiple of 4, on a spiral.
+   * Valid range: [0, 65536]. Default: 0, as in the survey.
    */
   vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
   vtkGetMacro(NumberOfSubRays, int);
@@ -151,7 +152,7 @@ public:
   ///@}
 
   /**
-   * The names of the patterns, separated by blanks: those of vtkHeliosBeamSampler.
+   * Get the names of the patterns of vtkHeliosBeamSampler, separated by blanks.
    */
   static std::string GetSubRayPatternNames();
 
@@ -177,15 +178,15 @@ public:
 
   ///@{
   /**
-   * Set/Get the echo detector for waveforms, one of GetEchoDetectorNames(). Default: empty, that of
-   * the survey.
+   * Set/Get the echo detector for waveforms, one of GetEchoDetectorNames(). Default: empty, the
+   * survey's.
    */
   vtkSetMacro(EchoDetector, const std::string&);
   vtkGetMacro(EchoDetector, std::string);
   ///@}
 
   /**
-   * The names of the echo detectors, separated by blanks; the first is the default.
+   * Returns the names of the echo detectors, separated by blanks; the first is the default.
    */
   static std::string GetEchoDetectorNames();
 
@@ -201,7 +202,7 @@ public:
   ///@{
   /**
    * Set/Get a kind of weather and its amount, such as "fog 0.2", as
-   * vtkHeliosInstrument::SetWeather(), for all scanners. Default: empty, that of the survey.
+   * vtkHeliosInstrument::SetWeather(), for all scanners. Default: empty, the survey's.
    */
   vtkSetMacro(Weather, const std::string&);
   vtkGetMacro(Weather, std::string);
@@ -210,8 +211,8 @@ public:
   ///@{
   /**
    * Set/Get when the survey starts, at GpsTime 0, as vtkHeliosGpsTime::Parse() reads it, such as
-   * "2026-07-01 12:00:00" of UTC: points then have the field array GpsEpoch, and files of points the
-   * times of a clock. Default: empty, that of the survey, else not known.
+   * "2026-07-01 12:00:00" of UTC: points then have the field array GpsEpoch, and files of points
+   * the times of a clock. Default: empty, the survey's, else not known.
    */
   vtkSetMacro(GpsStart, const std::string&);
   vtkGetMacro(GpsStart, std::string);
@@ -231,13 +232,13 @@ public:
   ///@}
 
   /**
-   * The names of the parts of the model that can be left out, separated by blanks.
+   * Get the names of the parts of the model that can be left out, separated by blanks.
    */
   static std::string GetModelPartNames();
 
   ///@{
   /**
-   * Set/Get how many pulses have one that is fired: a sample of the run, as by
+   * Set/Get how many pulses have one that is fired: a sample of the run, see
    * vtkHeliosScanner::SetPulseStep(). Valid range: [1, 2^53]. Default: 1, all.
    */
   vtkSetClampMacro(PulseStep, vtkIdType, 1, 9007199254740992LL);
@@ -267,7 +268,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /// All options.
+  /// Returns all options.
   const helios::RunOptions& GetData() const
   {
     return *this;

@@ -111,7 +111,7 @@ vtkIdType LoadedSurvey::GetPulse(const LegPlan& plan, double time) const
 }
 
 //------------------------------------------------------------------------------
-/// The shots of a leg with their first pulse in a window of ids.
+/// Returns the shots of a leg with their first pulse in a window of ids.
 LoadedSurvey::Shots LoadedSurvey::FindShots(
   const LegPlan& plan, vtkIdType first, vtkIdType last) const
 {
@@ -138,7 +138,7 @@ bool LoadedSurvey::Run(
       return false;
     }
   }
-  for (PiecePile& pile : piles)
+  for (PieceBuffer& pile : piles)
   {
     pile.Finish();
   }

@@ -6,7 +6,7 @@
 #define heliosLoadedSurvey_h
 
 #include "heliosLegRunner.h"
-#include "heliosPiecePile.h"
+#include "heliosPieceBuffer.h"
 #include "heliosRunSettings.h"
 #include "heliosSurveyLoader.h"
 
@@ -28,7 +28,7 @@ public:
   using ProgressCallback = std::function<bool(double)>;
 
   /// One per output port of a scanner.
-  using Piles = std::vector<PiecePile>;
+  using Piles = std::vector<PieceBuffer>;
 
   explicit LoadedSurvey(Messages& log);
 
@@ -42,23 +42,23 @@ public:
   /// Runs pulses [first, last) of all legs; false if it was stopped, or after an error.
   bool Run(vtkIdType first, vtkIdType last, const ProgressCallback& onProgress, Piles& piles);
 
-  ///@{
-  /// Of the last call of Plan(): its settings, and when it was not done already.
+  /// @{
+  /// Return the settings of the last call of Plan(), and whether it changed anything.
   const RunSettings& GetSettings() const { return this->Settings; }
   vtkMTimeType GetPlanTime() const { return this->PlanTime.GetMTime(); }
   ///@}
 
-  /// The legs; null before Plan().
+  /// Returns the legs; null before Plan().
   LegRunner* GetLegs() const { return this->Runner.get(); }
 
-  /// Null if there is none.
+  /// Finds a leg; null if there is none.
   const LegPlan* FindLeg(int leg) const;
   const LegPlan* FindPulse(vtkIdType pulse) const;
 
-  /// When a pulse of a leg is fired [s].
+  /// Returns when a pulse of a leg is fired [s].
   double GetPulseTime(const LegPlan& plan, vtkIdType pulse) const;
 
-  /// The first pulse of a leg that is not fired before a time.
+  /// Returns the first pulse of a leg that is not fired before a time.
   vtkIdType GetPulse(const LegPlan& plan, double time) const;
 
 private:
@@ -91,7 +91,7 @@ private:
   Messages& Log;
   SurveyLoader Loader;
   RunSettings Settings;
-  vtkMTimeType SceneTime = 0; // of the scene that the legs were planned in
+  vtkMTimeType SceneTime = 0; // time of the scene that the legs were planned in
   vtkTimeStamp PlanTime;
   std::unique_ptr<LegRunner> Runner;
 };

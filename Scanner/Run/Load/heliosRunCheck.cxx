@@ -22,7 +22,7 @@ namespace
 
 constexpr const char* StartAgain = "; set Overwrite (--overwrite) to start again";
 
-/// The size of a file [bytes]; -1 if missing, with the reason.
+/// Returns the size of a file [bytes]; -1 if missing, with the reason.
 vtkIdType GetSize(const std::string& path, std::string& why)
 {
   std::error_code error;
@@ -65,7 +65,7 @@ std::string RunCheck::FindFile(const std::string& name) const
 Status RunCheck::CheckSizes(const RunJournal& journal) const
 {
   std::map<std::string, FileProgress> files = journal.GetFiles();
-  for (const FileBlock& block : journal.GetBlocks()) // of other files
+  for (const FileBlock& block : journal.GetBlocks()) // blocks of other files
   {
     FileProgress& file = files[block.Name];
     file.Name = block.Name;
@@ -169,7 +169,7 @@ Status RunCheck::CheckSummary(const Json::Value& summary) const
 }
 
 //------------------------------------------------------------------------------
-/// The size of a file with those that belong to it: pieces of an index, waveforms of LAS.
+/// Returns the size of a file with those that belong to it: pieces of an index, waveforms of LAS.
 vtkIdType RunCheck::GetSizeWithPieces(const std::string& name) const
 {
   std::string why;

@@ -22,7 +22,7 @@ public:
   /// Called before every block; false ends the check.
   using BlockCallback = std::function<bool()>;
 
-  /// The cure follows messages; by default, to start the run again.
+  /// Sets the folder, and the cure that follows messages; by default, to start the run again.
   explicit RunCheck(const std::string& folder, const std::string& cure = {});
 
   /// Checks the sizes of all files in a journal.
@@ -35,7 +35,7 @@ public:
   /// Checks a block against its checksum.
   Status CheckBlock(const FileBlock& block) const;
 
-  /// The path of a file, with its final name or not.
+  /// Returns the path of a file, with its final name or not.
   std::string FindFile(const std::string& name) const;
 
   /// Checks the sizes of the files of a finished run against its summary.

@@ -27,10 +27,10 @@ struct RunSettings;
 struct SurveyData;
 
 /**
- * The fingerprint of a run as JSON: "versions", "survey", "inputs" (the files that the survey
- * names, each with its SHA-256), "options", and "scene", which is empty until the scene is
- * loaded; of a part of a run also "part".
- * An unreadable file has no digest; its reader reports the error.
+ * Returns the fingerprint of a run as JSON: "versions", "survey", "inputs" (the files that the
+ * survey names, each with its SHA-256), "options", and "scene", which is empty until the scene is
+ * loaded; of a part of a run also "part". An unreadable file has no digest; its reader reports the
+ * error.
  */
 Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& settings);
 
@@ -39,18 +39,18 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
 Status AddLoadedSurvey(const SurveyLoader& loader, const LegRunner& legs,
   const RunSettings& settings, Json::Value& fingerprint, InputFiles& inputs);
 
-/// Whether a fingerprint has what a loaded survey tells.
+/// Returns whether a fingerprint has what a loaded survey tells.
 bool IsOfLoadedSurvey(const Json::Value& fingerprint);
 
-/// The digest of a loaded scene, with the bytes of files that its materials name. Grids count if
-/// they are from no file.
+/// Returns the digest of a loaded scene, with the bytes of files that its materials name. Grids
+/// count if they are from no file.
 std::string HashScene(vtkPolyData* scene,
   const std::vector<vtkSmartPointer<vtkImageData>>& grids = {},
   const std::vector<std::string>& files = {});
 
-/// The differences between the fingerprints of an earlier run and of this one as text: "survey.xml
-/// has changed, Seed was 1 and is 2"; empty: none. What only a loaded survey tells is ignored if
-/// one of them has not.
+/// Returns the differences between the fingerprints of an earlier run and of this one as text:
+/// "survey.xml has changed, Seed was 1 and is 2"; empty: none. What only a loaded survey tells is
+/// ignored if one of them has not.
 std::string CompareFingerprints(const Json::Value& then, const Json::Value& now);
 
 } // namespace helios

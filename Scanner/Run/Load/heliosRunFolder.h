@@ -34,7 +34,7 @@ public:
 
   Status WriteSummary(const Json::Value& summary) const;
 
-  /// Whether the folder has no files of a run.
+  /// Returns whether the folder has no files of a run.
   bool IsEmpty() const;
 
   bool HasSummary() const;

@@ -15,7 +15,7 @@ namespace helios
 namespace
 {
 
-/// The counts added by a leg.
+/// Returns the counts added by a leg.
 Json::Value CountLeg(const ScanCounts& before, const ScanCounts& after)
 {
   Json::Value leg;
@@ -27,7 +27,7 @@ Json::Value CountLeg(const ScanCounts& before, const ScanCounts& after)
   return leg;
 }
 
-/// Whether the records of a file are in separate pieces.
+/// Returns whether the records of a file are in separate pieces.
 bool IsIndex(const std::string& name)
 {
   const auto extension = std::filesystem::path(name).extension();

@@ -16,17 +16,18 @@ class LegRunner;
 class RunJournal;
 
 /**
- * The fingerprint of a finished run and its results: "rayCaster", "sampling", "legs" (times,
- * counts, files), "totals", "accuracy" unless it is null, "checksum". They are equal for runs with equal fingerprints. All that
- * depends on the host is in "timings": "load_s", "run_s", "legs_s", "accuracy_s", "threads".
+ * Returns the fingerprint of a finished run and its results: "rayCaster", "sampling", "legs"
+ * (times, counts, files), "totals", "accuracy" unless it is null, "checksum". They are equal for
+ * runs with equal fingerprints. All that depends on the host is in "timings": "load_s", "run_s",
+ * "legs_s", "accuracy_s", "threads".
  */
 Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journal,
   LegRunner& runner, const Json::Value& accuracy, double loadSeconds, double accuracySeconds);
 
-/// The checksum of a summary without its timings: its "checksum".
+/// Returns the checksum of a summary without its timings: its "checksum".
 std::string ComputeChecksum(Json::Value summary);
 
-/// The total counts in a summary.
+/// Returns the total counts in a summary.
 ScanCounts GetTotals(const Json::Value& summary);
 
 } // namespace helios

@@ -32,7 +32,7 @@ vtkSmartPointer<vtkPolyData> Pass(FilterT* filter, vtkDataObject* data)
   return output;
 }
 
-/// The surface of any data set; null for other data.
+/// Returns the surface of any data set; null for other data.
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))

@@ -18,9 +18,9 @@ namespace helios
 class Messages;
 
 /**
- * The surfaces of a vtkPolyData, another vtkDataSet or a composite data set as triangles, with their
- * cell data. The arrays of a mesh that has only triangles are shared. Null for other data. Warnings
- * start with its name.
+ * Returns the surfaces of a vtkPolyData, another vtkDataSet or a composite data set as triangles,
+ * with their cell data. The arrays of a mesh that has only triangles are shared. Null for other
+ * data. Warnings start with its name.
  */
 vtkSmartPointer<vtkPolyData> MakeTriangles(
   vtkDataObject* data, const std::string& name, Messages& log);

@@ -299,7 +299,7 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
   this->SceneFiles = this->Builder->GetInputs();
   if (CountEpochs(this->Inputs.Survey->Scene) == 1)
   {
-    this->Builder.reset(); // nothing of it is needed again
+    this->Builder.reset(); // not needed again
   }
   return this->Scene != nullptr;
 }

@@ -30,22 +30,22 @@ namespace helios
 class Messages;
 class TextureStore;
 
-/// What a run is made from.
+/// Inputs that a run is made from.
 struct RunInputs
 {
   const SurveyData* Survey = nullptr;
   vtkMTimeType SurveyTime = 0; ///< its last change
   RunOptions Options;
-  vtkDataObject* Scene = nullptr;         ///< replaces that of the survey; null: none
+  vtkDataObject* Scene = nullptr;         ///< replaces the survey's scene; null: none
   std::vector<vtkImageData*> Grids;       ///< turbid voxels, with that scene
-  vtkPolyData* Mesh = nullptr;            ///< that beams hit in place of the scene; null: none
+  vtkPolyData* Mesh = nullptr;            ///< mesh that beams hit in place of the scene; null: none
   std::vector<vtkPolyData*> Trajectories; ///< replace the files of platforms; empty: none
   bool Instances = false;                 ///< whether the scene may have them
   bool Colors = false;                    ///< whether meshes are read with their colours
 };
 
 /**
- * Keeps what it has loaded, and loads again only what depends on a change: another survey, epoch,
+ * Keeps its loaded data, and loads again only data that depend on a change: another survey, epoch,
  * seed or scene, or a file of the scene that was written since.
  */
 class SurveyLoader
@@ -58,31 +58,31 @@ public:
   /// valid. Before Load().
   bool Check(const RunInputs& inputs, RunSettings& settings);
 
-  /// Whether Load() has nothing to do.
+  /// Returns whether Load() has nothing to do.
   bool IsLoaded() const;
 
   /// Loads the scene and sets ray caster and grids; false after an error, or if a step returns
   /// false.
   bool Load(const StepCallback& onStep, RunSettings& settings);
 
-  /// When the scene was loaded: grows with every change.
+  /// Returns when the scene was loaded: grows with every change.
   vtkMTimeType GetLoadTime() const { return this->LoadTime; }
 
-  /// Whether the scene is an input, in place of the survey's; after Check().
+  /// Returns whether the scene is an input, in place of the survey's; after Check().
   bool HasGivenScene() const { return this->Inputs.Scene || !this->Inputs.Grids.empty(); }
 
-  /// The survey of the epoch, after Check().
+  /// Returns the survey of the epoch, after Check().
   const SurveyData& GetSurvey() const { return this->Survey; }
 
-  /// The scene; null before Load().
+  /// Returns the scene; null before Load().
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
 
-  /// The files that the scene was read from, also those that only other files name.
+  /// Returns the files that the scene was read from, also files that only other files name.
   const InputFiles& GetInputs() const { return this->SceneFiles; }
 
 private:
-  /// What the scene depends on.
+  /// Values that the scene depends on.
   struct Origin
   {
     const SurveyData* Survey = nullptr;
@@ -93,7 +93,7 @@ private:
     bool Colors = false;
     vtkDataObject* Scene = nullptr;
     vtkMTimeType SceneTime = 0;
-    InputFiles Files; ///< that the survey names
+    InputFiles Files; ///< files that the survey names
 
     bool operator==(const Origin& other) const;
   };
@@ -109,20 +109,20 @@ private:
 
   Messages& Log;
   RunInputs Inputs;
-  SurveyData Survey; // of the epoch
+  SurveyData Survey; // survey of the epoch
   Origin Loaded;
   vtkTimeStamp LoadTime;
-  std::unique_ptr<SceneBuilder> Builder; // of a survey with several epochs
+  std::unique_ptr<SceneBuilder> Builder; // builder of a survey with several epochs
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
-  std::shared_ptr<TextureStore> Textures; // of the scene, of all epochs
+  std::shared_ptr<TextureStore> Textures; // textures of the scene, of all epochs
   InputFiles SceneFiles;
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree
-  std::string CasterName;                                   // as requested
-  std::pair<vtkPolyData*, vtkMTimeType> TakenMesh;          // of the inputs
+  std::string CasterName;                                   // requested name
+  std::pair<vtkPolyData*, vtkMTimeType> TakenMesh;          // mesh of the inputs
   vtkSmartPointer<vtkPolyData> Mesh;                        // and its triangles
   std::vector<std::pair<vtkPolyData*, vtkMTimeType>> Taken; // trajectories of the inputs
-  std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;   // and what they had
+  std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;   // trajectories of the inputs
 };
 
 } // namespace helios

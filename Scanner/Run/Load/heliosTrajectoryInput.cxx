@@ -22,7 +22,7 @@ namespace
 /// The tolerance of the squared length of a quaternion, as in vtkHeliosInterpolatedPlatform.
 constexpr double UnitTolerance = 1e-6;
 
-/// A point array with a tuple per point; null after an error.
+/// Returns a point array with a tuple per point; null after an error.
 vtkDataArray* FindArray(vtkPolyData* data, const char* array, int components, const char* meaning,
   const std::string& name, Messages& log)
 {
@@ -115,7 +115,7 @@ private:
   vtkDataArray* Orientations;
 };
 
-/// Whether times can be seconds of one clock; warns of missing rows.
+/// Returns whether times can be seconds of one clock; warns of missing rows.
 bool CheckTimes(vtkPolyData* data, vtkDataArray* times, const std::string& name, Messages& log)
 {
   const auto getPosition = [data](std::size_t row)

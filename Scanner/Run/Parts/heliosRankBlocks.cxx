@@ -25,7 +25,7 @@ namespace helios
 namespace
 {
 
-constexpr int JobsPerRank = 2;   // that a rank has: it computes one, and the next one waits
+constexpr int JobsPerRank = 2;   // jobs that a rank has: it computes one, and the next one waits
 constexpr std::size_t Ahead = 3; // blocks a rank given before the one that is written next
 constexpr auto Pause = std::chrono::microseconds(200);
 constexpr auto CallInterval = std::chrono::milliseconds(50);
@@ -88,7 +88,7 @@ void RankBlocks::SetRun(const std::vector<LegPlan>& plans, const Json::Value& fi
 }
 
 //------------------------------------------------------------------------------
-/// The blocks from the first one on, in order.
+/// Adds the blocks from the first one on, in order.
 void RankBlocks::AddJobs(const Job& first)
 {
   for (const LegPlan& plan : this->Plans)
@@ -186,7 +186,7 @@ bool RankBlocks::Accept(int rank, RankMessage& message)
 {
   if (message.Run != this->Run)
   {
-    return true; // of an earlier run that was stopped
+    return true; // an earlier run that was stopped
   }
   if (message.Kind == RankMessage::Ready)
   {
@@ -224,7 +224,7 @@ std::size_t RankBlocks::FindFile(int port, std::size_t channel) const
 }
 
 //------------------------------------------------------------------------------
-/// The data of a port; null: it has no records.
+/// Returns the data of a port; null: it has no records.
 vtkSmartPointer<vtkDataObject> RankBlocks::GetData(int port, std::size_t channel)
 {
   const std::size_t file = this->FindFile(port, channel);

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// What the ranks of a run send to each other.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Messages between the ranks of a run.
 
 #ifndef heliosRankMessage_h
 #define heliosRankMessage_h
@@ -14,14 +13,14 @@
 namespace helios
 {
 
-/// What one output has of a block: rows of text, or a piece of VTK XML.
+/// Records of a block for one output: rows of text, or a piece of VTK XML.
 struct RankRecords
 {
   vtkIdType Count = 0;
   std::string Bytes;
 };
 
-/// As text: a line of JSON, and the bytes of the records.
+/// A message as text: a line of JSON, and the bytes of the records.
 struct VTKHELIOSSCANNERRUN_EXPORT RankMessage
 {
   static constexpr const char* Begin = "begin"; ///< to all: load the epoch Run of a survey
@@ -39,15 +38,15 @@ struct VTKHELIOSSCANNERRUN_EXPORT RankMessage
 
   std::string Encode() const;
 
-  /// False if a text is no message.
+  /// Decodes a text; false if it is no message.
   bool Decode(const std::string& text);
 
   std::string Kind;
   int Run = 0;   ///< number of the run; messages of earlier ones are ignored
-  int Epoch = 0; ///< of the survey
+  int Epoch = 0; ///< epoch of the survey
   int Leg = 0;
-  vtkIdType Index = 0;     ///< of the block in the leg
-  ScanCounts Counts;       ///< of the block
+  vtkIdType Index = 0;     ///< index of the block in the leg
+  ScanCounts Counts;       ///< counts of the block
   std::string Fingerprint; ///< JSON
   std::string Error;
   std::vector<RankRecords> Records; ///< by output of the leg

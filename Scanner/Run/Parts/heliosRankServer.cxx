@@ -59,7 +59,7 @@ bool RankServer::Receive(const std::atomic<bool>& stop, RankMessage& message) co
 }
 
 //------------------------------------------------------------------------------
-/// What rank 0 gets for its message; without a kind: nothing.
+/// Returns the answer to a message of rank 0; without a kind: none.
 RankMessage RankServer::RespondTo(const RankMessage& message, const LoadCallback& load)
 {
   RankMessage response;

@@ -22,7 +22,7 @@ class RankWorker;
 class RankServer
 {
 public:
-  /// What computes the blocks of an epoch.
+  /// Objects that compute the blocks of an epoch.
   struct Service
   {
     RankWorker* Worker = nullptr; ///< null: see the error

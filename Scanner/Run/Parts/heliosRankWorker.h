@@ -21,7 +21,7 @@ struct LegPlan;
 class RankWorker
 {
 public:
-  /// Files as of parts; the runner is that of the whole run.
+  /// Sets the files of parts, and the runner of the whole run.
   RankWorker(const LegFiles& files, LegRunner& runner, Messages& log);
   ~RankWorker();
 
@@ -36,9 +36,9 @@ private:
   LegFiles Files;
   LegRunner& Runner;
   Messages& Log;
-  const LegPlan* Plan = nullptr; // of the open outputs
+  const LegPlan* Plan = nullptr; // plan of the open outputs
   LegOutputs Outputs;
-  std::vector<std::string> Texts; // of the outputs
+  std::vector<std::string> Texts; // texts of the outputs
 };
 
 } // namespace helios

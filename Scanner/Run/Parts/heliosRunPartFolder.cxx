@@ -18,7 +18,7 @@ namespace helios
 namespace
 {
 
-/// The counts of a block, given those up to it.
+/// Returns the counts of a block, given those up to it.
 ScanCounts Subtract(const ScanCounts& after, const ScanCounts& before)
 {
   ScanCounts counts;
@@ -30,7 +30,7 @@ ScanCounts Subtract(const ScanCounts& after, const ScanCounts& before)
   return counts;
 }
 
-/// Which part a fingerprint is of; none: of a whole run.
+/// Reads the part that a fingerprint belongs to; none: a whole run.
 RunPart ReadPart(const Json::Value& fingerprint)
 {
   RunPart part;
@@ -93,7 +93,7 @@ Status RunPartFolder::Read()
 }
 
 //------------------------------------------------------------------------------
-/// The summary of a finished part, which is not needed, states the same as its journal.
+/// Checks that the summary of a finished part, which is not needed, states the same as its journal.
 Status RunPartFolder::CheckSummary() const
 {
   const RunFolder folder(this->Path);

@@ -25,8 +25,8 @@ struct LegPlan;
 struct RunPartBlock
 {
   std::size_t Leg = 0;
-  std::vector<FileProgress> Files; ///< Records are those of the block
-  ScanCounts Counts;               ///< of the block
+  std::vector<FileProgress> Files; ///< Records belong to the block
+  ScanCounts Counts;               ///< counts of the block
 };
 
 class RunPartFolder
@@ -43,17 +43,17 @@ public:
   /// Checks the bytes of a block.
   Status CheckBlock(const FileBlock& block) const;
 
-  /// The path of a file.
+  /// Returns the path of a file.
   std::string FindFile(const std::string& name) const;
 
   const RunPart& GetPart() const { return this->Part; }
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
   const std::vector<RunPartBlock>& GetBlocks() const { return this->Blocks; }
 
-  /// How long its blocks took [s].
+  /// Returns how long its blocks took [s].
   double GetSeconds() const;
 
-  /// The folder and the part, for messages.
+  /// Returns the folder and the part, for messages.
   std::string Describe() const;
 
 private:
@@ -65,9 +65,9 @@ private:
   RunPart Part;
   Json::Value Fingerprint;
   std::vector<RunPartBlock> Blocks;
-  ScanCounts Counts;                        // of the blocks so far
-  std::map<std::string, vtkIdType> Records; // of the files so far
-  std::map<std::size_t, double> Seconds;    // of the legs so far
+  ScanCounts Counts;                        // counts of the blocks so far
+  std::map<std::string, vtkIdType> Records; // records of the files so far
+  std::map<std::size_t, double> Seconds;    // seconds of the legs so far
 };
 
 } // namespace helios

@@ -167,7 +167,7 @@ bool RunPartReader::Check(const Status& status)
 }
 
 //------------------------------------------------------------------------------
-/// What the current block has of a file.
+/// Finds the section of a file in the current block.
 FileProgress RunPartReader::FindFile(const LegOutput& file) const
 {
   const std::string name = GetName(file.Writer);
@@ -188,7 +188,7 @@ bool RunPartReader::Compute(const LegPlan& plan, vtkIdType block, vtkIdType)
 }
 
 //------------------------------------------------------------------------------
-/// Checks the bytes of a file in the current block, and reads those of VTK XML.
+/// Checks the bytes of a file in the current block, and reads the bytes of VTK XML.
 bool RunPartReader::ReadPiece(const LegOutput& file)
 {
   for (const FileBlock& block : this->FindFile(file).Blocks)
@@ -226,7 +226,7 @@ LegPiece RunPartReader::Collect(const LegOutputs& outputs)
 }
 
 //------------------------------------------------------------------------------
-/// The data of VTK XML, or the rows of text.
+/// Returns the data of VTK XML, or the rows of text.
 OutputPiece RunPartReader::CollectOne(const LegOutput& output)
 {
   const LegOutput& file = FindOutput(this->CurrentFiles, output);

@@ -31,7 +31,7 @@ public:
   RunPartReader(const SurveyData& survey, const RunSettings& settings, Messages& log);
   ~RunPartReader() override;
 
-  /// Reads the journals of all parts, in any order: they must be those of one run.
+  /// Reads the journals of all parts, in any order: they must belong to one run.
   Status Open(const std::vector<std::string>& folders);
 
   /// Checks that the parts are of a run with this fingerprint. A scene not known yet is ignored.
@@ -40,7 +40,7 @@ public:
   /// Checks that the parts have all blocks of the legs, and finds them.
   Status FindBlocks(const std::vector<LegPlan>& plans);
 
-  /// How long the blocks of all parts took [s].
+  /// Returns how long the blocks of all parts took [s].
   double GetSeconds() const;
 
   bool Compute(const LegPlan& plan, vtkIdType block, vtkIdType count) override;
@@ -66,10 +66,10 @@ private:
   LegFiles Files;
   Messages& Log;
   std::vector<RunPartFolder> Parts;
-  std::vector<Block> Blocks;                     // of the run
-  std::map<std::size_t, std::size_t> FirstBlock; // of a leg
+  std::vector<Block> Blocks;                     // blocks of the run
+  std::map<std::size_t, std::size_t> FirstBlock; // first block of each leg
   const Block* Current = nullptr;
-  LegOutputs CurrentFiles; // of its part
+  LegOutputs CurrentFiles; // files of its part
   std::map<Place, vtkSmartPointer<vtkDataObject>> Pieces;
 };
 

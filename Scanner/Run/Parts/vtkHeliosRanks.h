@@ -29,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Get the number of ranks, and which of them this process is, counted from 0.
+   * Returns the number of ranks, and which of them this process is, counted from 0.
    */
   virtual int GetNumberOfRanks() const = 0;
   virtual int GetRank() const = 0;
@@ -50,12 +50,12 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Send a message to a rank. Returns the error message; an empty string after success.
+   * Sends a message to a rank. Returns the error message; an empty string after success.
    */
   virtual std::string Send(int rank, const std::string& message) = 0;
 
   /**
-   * Get the next message that has arrived and its rank; false if no message has.
+   * Returns the next message that has arrived and its rank; false if no message has.
    */
   bool Receive(int& rank, std::string& message);
 #endif
@@ -64,7 +64,7 @@ protected:
   vtkHeliosRanks() = default;
   ~vtkHeliosRanks() override = default;
 
-  /// As Receive(), without counting.
+  /// Receives like Receive(), without counting.
   virtual bool ReceiveNext(int& rank, std::string& message) = 0;
 
 private:

@@ -41,7 +41,7 @@ struct RunRequest
   bool Overwrite = false;
   bool Resume = false;
   vtkIdType PulsesPerBlock = 0;
-  vtkIdType BytesToCheck = 0; ///< of the files of an earlier run
+  vtkIdType BytesToCheck = 0; ///< progress of the files of an earlier run
   int Part = 1;
   int NumberOfParts = 0; ///< 0: the whole
   std::string PartCommand;
@@ -139,7 +139,7 @@ private:
   std::unique_ptr<RunJournal> Journal;
   std::unique_ptr<RunPartReader> Parts;   // null: pulses are computed
   std::unique_ptr<RankBlocks> RankSource; // null: by this process
-  std::unique_ptr<RankWorker> Worker;     // of a rank other than 0
+  std::unique_ptr<RankWorker> Worker;     // worker of a rank other than 0
   std::unique_ptr<LegRunner> Runner;
   Json::Value Fingerprint;
   InputFiles Inputs; // that were opened

@@ -26,7 +26,7 @@ std::string Join(const std::vector<std::string>& texts)
   return joined;
 }
 
-/// The candidate paths of a name, in folder order; an absolute name is the only one.
+/// Returns the candidate paths of a name, in folder order; an absolute name is the only one.
 std::vector<std::string> MakeCandidates(
   const std::string& name, const std::vector<std::string>& folders)
 {

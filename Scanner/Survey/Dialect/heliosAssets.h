@@ -34,29 +34,31 @@ class Assets
 public:
   Assets(Messages& messages, std::vector<std::string> directories);
 
-  /// The document at exactly this path; null after an error.
+  /// Returns the document at exactly this path; null after an error.
   const XmlDocument* Load(const std::string& path);
 
   /// Adds a document under its path.
   const XmlDocument* Add(std::shared_ptr<XmlDocument> document);
 
-  /// The paths of all loaded documents, in alphabetical order.
+  /// Returns the paths of all loaded documents, in alphabetical order.
   std::vector<std::string> GetDocumentPaths() const;
 
-  /// The path of a file; empty, after an error that lists the folders searched, if it is missing.
+  /// Returns the path of a file; empty, after an error that lists the folders searched, if it is
+  /// missing.
   std::string FindFile(const XmlValue& name, const XmlDocument& from) const;
 
-  /// The path of an optional file; empty if it is missing.
+  /// Returns the path of an optional file; empty if it is missing.
   std::string FindPath(const std::string& name, const XmlDocument& from) const;
 
-  /// The paths of all files of a folder whose whole names match a regular expression, in
+  /// Returns the paths of all files of a folder whose whole names match a regular expression, in
   /// alphabetical order; empty after an error.
   std::vector<std::string> FindFiles(const XmlValue& pattern, const XmlDocument& from);
 
-  /// The element that an attribute refers to by file.xml#id, #id or id; none after an error.
+  /// Returns the element that an attribute refers to by file.xml#id, #id or id; none after an
+  /// error.
   XmlElement FindElement(const char* tag, const XmlElement& from, const char* attribute);
 
-  /// The same for a reference that is not from a file.
+  /// Finds the element for a reference that is not from a file.
   XmlElement FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from);
 
   AssetNeed Scene = AssetNeed::Required;
@@ -68,7 +70,7 @@ public:
   const std::vector<std::string>& GetDirectories() const { return this->Directories; }
   ///@}
 
-  /// The folders searched for a file named in this document.
+  /// Returns the folders searched for a file named in this document.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;
 
 private:

@@ -29,10 +29,10 @@ public:
   explicit FilePattern(const std::string& text);
   ~FilePattern();
 
-  /// The error in the expression, and the fix; empty: none.
+  /// Returns the error in the expression, and the fix; empty: none.
   const std::string& GetFault() const { return this->Fault; }
 
-  /// With a trailing slash; empty: not given.
+  /// Returns the folder with a trailing slash; empty: not given.
   const std::string& GetFolder() const { return this->Folder; }
 
   /**

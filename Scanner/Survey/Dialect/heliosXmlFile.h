@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Checks a whole XML file, and what it has.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Checks a whole XML file and its contents.
 
 #ifndef heliosXmlFile_h
 #define heliosXmlFile_h
@@ -20,7 +19,7 @@ class Messages;
 void CheckFile(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
-/// Whether a file has a survey; false if it cannot be read.
+/// Returns whether a file has a survey; false if it cannot be read.
 VTKHELIOSSCANNERSURVEY_EXPORT bool HasSurvey(const std::string& fileName);
 
 } // namespace helios

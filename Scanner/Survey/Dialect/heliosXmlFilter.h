@@ -32,7 +32,8 @@ public:
   const XmlElement& GetParameter(const char* key) const { return this->Parameters.at(key); }
   XmlValue GetValue(const char* key) const;
 
-  /// The value of a parameter, by its rule; false if missing or invalid, with the target unchanged.
+  /// Reads the value of a parameter, by its rule; false if missing or invalid, with the target
+  /// unchanged.
   bool Read(const char* key, std::string& target) const;
   bool Read(const char* key, double& target) const;
   bool Read(const char* key, int& target) const;
@@ -65,23 +66,23 @@ private:
 /// The type of a filter as in FindXmlRule(), whatever its case, without aliases.
 std::string GetFilterType(const std::string& given);
 
-/// The supported filter types; loaders come first, in the order of Loader.
+/// Returns the supported filter types; loaders come first, in the order of Loader.
 const std::vector<std::string>& GetFilterTypes();
 
-/// A <document> with a <scene> of one part, a mesh file; empty if the extension is not that of a
-/// mesh.
+/// Returns a <document> with a <scene> of one part, a mesh file; empty if the extension belongs to
+/// no mesh.
 std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
 
-/// The loaders of these.
+/// Returns the loaders of these.
 VTKHELIOSSCANNERSURVEY_EXPORT std::vector<std::string> GetLoaders();
 
-/// The name of a loader: "objloader".
+/// Returns the name of a loader: "objloader".
 const std::string& GetLoaderName(Loader type);
 
-/// The loader of a mesh by the extension of its file; none: not a mesh.
+/// Returns the loader of a mesh by the extension of its file; none: not a mesh.
 std::optional<Loader> FindLoader(const std::string& fileName);
 
-/// The extensions of meshes: ".obj, .tif, ...".
+/// Returns the extensions of meshes: ".obj, .tif, ...".
 std::string GetMeshEndings();
 
 } // namespace helios

@@ -11,7 +11,7 @@ namespace helios
 namespace
 {
 
-/// Reads the settings of one leg, after those of its templates.
+/// Reads the settings of one leg, after the settings of its templates.
 class LegReader
 {
 public:

@@ -16,7 +16,7 @@ class Assets;
 /// The maximum depth of nested templates: deeper ones are cyclic.
 constexpr int DeepestTemplate = 32;
 
-/// Reads a <leg>; values that it does not give are those of settings.
+/// Reads a <leg>; values that it does not give are kept from settings.
 LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files);
 
 /// Reads a <scannerSettings> of a leg or beside legs, with its templates.

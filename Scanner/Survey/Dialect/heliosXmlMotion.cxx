@@ -144,7 +144,7 @@ MotionSequence ReadSequence(const XmlElement& element)
   return sequence;
 }
 
-/// The index of each id; a duplicate is an error.
+/// Returns the index of each id; a duplicate is an error.
 std::map<std::string, std::size_t> FindPlaces(const std::vector<XmlElement>& elements)
 {
   std::map<std::string, std::size_t> places;
@@ -160,7 +160,7 @@ std::map<std::string, std::size_t> FindPlaces(const std::vector<XmlElement>& ele
   return places;
 }
 
-/// The successor of a sequence.
+/// Returns the successor of a sequence.
 std::size_t FindNext(const XmlElement& element, const std::map<std::string, std::size_t>& places)
 {
   const std::string next = element.GetText("next");
@@ -179,7 +179,7 @@ std::size_t FindNext(const XmlElement& element, const std::map<std::string, std:
   return MotionSequence::None;
 }
 
-/// The number of steps [s] in a length [s], rounded to an integer, at least one.
+/// Returns the number of steps [s] in a length [s], rounded to an integer, at least one.
 int CountSteps(double length, double step)
 {
   const double count = std::floor(length / step * (1.0 + 1e-12));

@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// The <dmotion> of a <part>, and its steps and those of its <scene>.
+/// Reads the <dmotion> of a <part>, with its own steps and the steps of its <scene>.
 MotionData ReadMotion(const XmlElement& part, const XmlElement& scene);
 
 } // namespace helios

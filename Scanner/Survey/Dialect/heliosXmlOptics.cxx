@@ -18,13 +18,13 @@ namespace
 /// The maximum number of facets of a mirror.
 constexpr std::size_t MaximumFacets = 1000;
 
-/// A name with the number of a prism: its index from 0, its number in the file from 1.
+/// Returns a name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
 {
   return before + std::to_string(prism + 1) + after;
 }
 
-/// Whether a prism bends the beam.
+/// Returns whether a prism bends the beam.
 bool Bends(const PrismData& prism, const ScannerData& scanner)
 {
   return prism.WedgeAngle != 0.0 && prism.RefractiveIndex != scanner.AirRefractiveIndex;
@@ -50,7 +50,7 @@ void CheckPrisms(const ScannerData& scanner, Messages& log)
   }
 }
 
-/// The <beam> children.
+/// Reads the <beam> children.
 void ReadBeamElements(const XmlElement& element, std::vector<BeamData>& beams)
 {
   for (const XmlElement& child : element.GetChildren("beam"))

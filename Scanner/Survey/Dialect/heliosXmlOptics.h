@@ -20,7 +20,7 @@ void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner);
 /// Reads the <beams> of a spinning head, also from their file; unchanged without them.
 void ReadBeams(const XmlElement& element, const Assets& files, ScannerData& scanner);
 
-/// Resets all optics, except for the type, to those of a new scanner.
+/// Resets all optics, except for the type, to the values of a new scanner.
 void ResetOptics(ScannerData& scanner);
 
 /// Checks the complete optics: those that deflect nothing.

@@ -234,7 +234,7 @@ void PartReader::ReadObjLoader(const XmlFilter& filter)
 }
 
 //------------------------------------------------------------------------------
-/// A loader with a material file.
+/// Reads a loader with a material file.
 void PartReader::ReadMeshLoader(const XmlFilter& filter, Loader type)
 {
   if (this->StartLoader(filter, type))

@@ -11,7 +11,8 @@
 namespace helios
 {
 
-/// The filters and motions of a <part> of a <scene>, with their files found; it may have several.
+/// Returns the filters and motions of a <part> of a <scene>, with their files found; it may have
+/// several.
 PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets);
 
 } // namespace helios

@@ -192,7 +192,7 @@ void PlannerReader::ReadScene(const XmlElement& scene, PlannerData& data)
 }
 
 //------------------------------------------------------------------------------
-/// The asset named by the caller, else by the element.
+/// Returns the asset named by the caller, else by the element.
 XmlElement PlannerReader::FindAsset(
   const XmlElement& from, const char* tag, const std::string& asked)
 {

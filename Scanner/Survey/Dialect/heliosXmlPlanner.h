@@ -15,16 +15,16 @@ class Assets;
 class Messages;
 
 /**
- * The first <surveyPlanner> of a file, else its first <survey>, else its first <scene>; or a mesh
- * (.obj, .tif), with all references; without a file, the scene of the caller. Complete only if log
- * has no error then.
+ * Returns the first <surveyPlanner> of a file, else its first <survey>, else its first <scene>; or
+ * a mesh (.obj, .tif), with all references; without a file, the scene of the caller. Complete only
+ * if log has no error then.
  */
 PlannerData ReadPlanner(const PlannerRequest& request, Messages& log);
 
 /// Checks a <surveyPlanner> and its references.
 void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log);
 
-/// The reference file.xml#id to an element.
+/// Returns the reference file.xml#id to an element.
 std::string MakeReference(const std::string& file, const std::string& id);
 
 } // namespace helios

@@ -14,10 +14,10 @@ namespace helios
 class Assets;
 class Messages;
 
-/// The pose of <scannerMount> or <beamOrigin>; unchanged without an element.
+/// Reads the pose of <scannerMount> or <beamOrigin>; unchanged without an element.
 void ReadPose(const XmlElement& element, Pose& pose);
 
-/// The model named by an attribute; unchanged without one. Its file is not searched.
+/// Reads the model named by an attribute; unchanged without one. Its file is not searched.
 void ReadModel(const XmlElement& element, const char* attribute, ModelData& model);
 
 /// Finds the file of a model of an element. A missing file is no error: it is only displayed.
@@ -32,8 +32,8 @@ PlatformData ReadPlatform(const XmlElement& element);
 /// Checks the complete data: empty intervals of noise.
 void CheckPlatform(const PlatformData& platform, Messages& log);
 
-/// Overrides the platform's noise by that of the survey and, for a platform that plays a
-/// trajectory, its <scannerMount>.
+/// Overrides the platform's noise by the survey's and, for a platform that plays a trajectory, its
+/// <scannerMount>.
 void OverridePlatform(const XmlElement& survey, PlatformData& platform);
 
 } // namespace helios

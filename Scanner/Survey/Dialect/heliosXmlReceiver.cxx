@@ -15,7 +15,7 @@ namespace
 constexpr double MaximumBins = 5000.0;
 constexpr double EchoPerPulse = 5.0;
 
-/// Of sub-rays, the last one given counts: a number of circles, or tolerances.
+/// Checks the sub-rays: the last setting counts, a number of circles, or tolerances.
 void CheckSampling(const XmlElement& element, ReceiverData& receiver)
 {
   const bool hasRange = element.Has("rangeTolerance_m");
@@ -106,7 +106,7 @@ void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)
   ReadError(scanner, "headError", errors, errors.HeadName);
 }
 
-/// Those of a channel replace those of its scanner.
+/// Reads the errors; a channel's errors replace its scanner's.
 void ReadPanoramicErrors(const XmlElement& scanner, PanoramicErrorData& errors)
 {
   if (const XmlElement element = scanner.GetChild("panoramicError"))

@@ -27,7 +27,7 @@ void ReadInstrument(const XmlElement& element, const Assets& files, ScannerData&
   ReadModel(element, "visModel", scanner.Model);
 }
 
-/// A copy of the scanner with the channel's settings. Other optics start from the defaults.
+/// Returns a copy of the scanner with the channel's settings. Other optics start from the defaults.
 ScannerData ReadChannel(
   const XmlElement& channel, const Assets& files, ScannerData scanner, std::size_t index)
 {

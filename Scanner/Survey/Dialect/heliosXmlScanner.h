@@ -19,7 +19,7 @@ ScannerData ReadScanner(const XmlElement& element, const Assets& files);
 /// Overrides all channels of a scanner by a survey's own <FWFSettings> and <detectorSettings>.
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner);
 
-/// The axis of the head rotation; unchanged without an element.
+/// Reads the axis of the head rotation; unchanged without an element.
 void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis);
 
 /// Checks the complete data: bins too wide for the pulse, empty ranges.

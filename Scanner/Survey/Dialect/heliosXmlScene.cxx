@@ -62,7 +62,7 @@ private:
   Assets& Files;
   Messages& Log;
   PartTableData Table;
-  const XmlDocument* RowDocument = nullptr; ///< that rows name files from
+  const XmlDocument* RowDocument = nullptr; ///< document that rows name files from
 };
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ namespace helios
 SceneData ReadScene(
   const XmlElement& element, Assets& assets, std::vector<XmlElement>* elements = nullptr);
 
-/// The folders searched for the spectra of materials named in a document.
+/// Returns the folders searched for the spectra of materials named in a document.
 std::vector<std::string> FindSpectraFolders(const XmlDocument& document, const Assets& assets);
 
 } // namespace helios

@@ -67,13 +67,13 @@ bool IsFilter(const XmlElementRule& rule)
   return std::string(rule.Name).rfind("filter:", 0) == 0;
 }
 
-/// Whether the readers read a value; others may be anything.
+/// Returns whether the readers read a value; others may be anything.
 bool IsRead(const XmlValueRule& value)
 {
   return value.Use == XmlUse::Used;
 }
 
-/// "description [unit]; default: this; not read"
+/// Returns "description [unit]; default: this; not read".
 std::string Describe(const XmlValueRule& value)
 {
   const std::string usual = value.IsRequired ? std::string() : DescribeDefault(value);
@@ -83,7 +83,7 @@ std::string Describe(const XmlValueRule& value)
   return text + (value.Use == XmlUse::Used ? "" : "; not read");
 }
 
-/// The words of an attribute; for a filter's type the supported filters.
+/// Returns the words of an attribute; for a filter's type the supported filters.
 std::vector<std::string> FindChoices(const XmlElementRule& rule, const XmlValueRule& value)
 {
   std::vector<std::string> choices = value.GetChoices();
@@ -279,7 +279,7 @@ const char* NameKind(XmlKind kind)
   return "text";
 }
 
-/// "0 < . <= 10", for a table.
+/// Returns "0 < . <= 10", for a table.
 std::string DescribeRange(const XmlElementRule& rule, const XmlValueRule& value)
 {
   const std::vector<std::string> words = FindChoices(rule, value);
@@ -310,7 +310,7 @@ const char* NameUse(XmlUse use)
   return use == XmlUse::Used ? "yes" : use == XmlUse::Ignored ? "no" : "no, warns";
 }
 
-/// "`a`, `b`"
+/// Returns "`a`, `b`".
 std::string Quote(const std::vector<std::string>& tags)
 {
   std::string text;
@@ -321,7 +321,7 @@ std::string Quote(const std::vector<std::string>& tags)
   return text;
 }
 
-/// The elements that have a child of this name.
+/// Returns the elements that have a child of this name.
 std::vector<std::string> FindParents(const std::string& name)
 {
   std::vector<std::string> parents;
@@ -349,7 +349,7 @@ std::string MakeRow(const XmlElementRule& rule, const XmlValueRule& value)
   return row + "\n";
 }
 
-/// The children without a table of their own.
+/// Returns the children without a table of their own.
 std::string MakeChildRows(const XmlElementRule& rule)
 {
   std::string rows;

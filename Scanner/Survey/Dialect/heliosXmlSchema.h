@@ -10,10 +10,10 @@
 namespace helios
 {
 
-/// An XML schema (XSD 1.0) of all files with a <document>.
+/// Returns an XML schema (XSD 1.0) of all files with a <document>.
 std::string MakeXmlSchema();
 
-/// All elements and attributes as Markdown: one heading and table per element.
+/// Returns all elements and attributes as Markdown: one heading and table per element.
 std::string MakeXmlTables();
 
 } // namespace helios

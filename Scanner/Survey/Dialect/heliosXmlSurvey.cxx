@@ -60,7 +60,7 @@ private:
   std::map<std::string, XmlElement> References; // found before, by tag and text
   std::map<const void*, std::size_t> Scanners;  // by their element; null: none was found
   std::map<const void*, std::size_t> Platforms;
-  Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the following legs
+  Vec3 Origin{ 0.0, 0.0, 0.0 }; // origin of the following legs
   bool StartsScan = false;
   std::set<std::size_t> BadScanners; // with errors of their own
   std::set<std::size_t> BadPlatforms;
@@ -204,7 +204,7 @@ std::size_t SurveyReader::AddPlatform(const XmlElement& from, SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-/// The platform that plays trajectories from files: mount and noise are those of another platform.
+/// Makes the platform that plays trajectories from files, with mount and noise of another platform.
 PlatformData SurveyReader::MakeInterpolated()
 {
   PlatformData platform;
@@ -312,7 +312,7 @@ void SurveyReader::Resolve(SurveyData& data)
     if (this->IsGood(leg, data))
     {
       good.push_back(leg);
-      CheckJourney(data, leg, this->Log);
+      CheckPath(data, leg, this->Log);
       if (this->Files.Trajectories == AssetNeed::Required && NeedsTrajectory(data, leg))
       {
         this->Log.Error(data.Legs[leg].Where +
@@ -335,7 +335,8 @@ void SurveyReader::Resolve(SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a leg and its platform have no errors of their own, so that further errors are reported.
+/// Returns whether a leg and its platform have no errors of their own, so that further errors are
+/// reported.
 bool SurveyReader::IsGood(std::size_t leg, const SurveyData& data) const
 {
   return this->BadLegs.count(leg) == 0 && this->BadPlatforms.count(data.Legs[leg].Platform) == 0;

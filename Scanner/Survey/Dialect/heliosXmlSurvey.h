@@ -31,15 +31,15 @@ struct SurveyElements
   std::vector<XmlElement> Parts; ///< one for each part of the scene that is not of a table
 };
 
-/// The first survey of a document, which may be null, with all references. Complete only if log has
-/// no error then.
+/// Returns the first survey of a document, which may be null, with all references. Complete only if
+/// log has no error then.
 SurveyData ReadSurvey(
   const XmlDocument* document, Assets& assets, Messages& log, SurveyElements* elements = nullptr);
 
-/// The survey of an element; its name without a name is that of data.FileName.
+/// Reads the survey of an element; without a name it has the name of data.FileName.
 void ReadSurvey(const XmlElement& element, Assets& assets, Messages& log, SurveyData& data);
 
-/// A name valid for a folder.
+/// Returns a name valid for a folder.
 std::string MakeFolderName(std::string name);
 
 } // namespace helios

@@ -72,7 +72,7 @@ private:
   /// The children of a node that a name stands for, and how to add one.
   struct Kin
   {
-    const XmlElementRule* Rule = nullptr; ///< of the children; null: no child has the name
+    const XmlElementRule* Rule = nullptr; ///< rule of the children; null: no child has the name
     std::string Tag;
     std::string Key; ///< the attribute that tells them from others of the tag; empty: none
     std::string Name;
@@ -97,7 +97,7 @@ private:
   pugi::xml_node Node;
   std::string Path;
   const XmlValue& Value;
-  const XmlElementRule* Rule = nullptr; ///< of the last element
+  const XmlElementRule* Rule = nullptr; ///< rule of the last element
   const XmlValueRule* Last = nullptr;
   std::vector<Kin> Missing;
 };

@@ -268,7 +268,8 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   if (edit.IsMoving())
   {
     ranges.push_back({ "height", "height above ground", "m", FindMinimumHeight(scanner),
-      std::max(2.0 * FindMinimumHeight(scanner), std::min(scanner.Receiver.RangeMax, MaximumHeight)),
+      std::max(
+        2.0 * FindMinimumHeight(scanner), std::min(scanner.Receiver.RangeMax, MaximumHeight)),
       {} });
     ranges.push_back({ "speed", "speed", "m/s", 0.5, MaximumSpeed, {} });
     ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });

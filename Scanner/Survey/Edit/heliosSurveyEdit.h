@@ -23,8 +23,9 @@ struct Catalogue
   std::vector<std::pair<std::string, ScannerData>> Scanners;
 };
 
-/// The platforms and scanners of the XML files in asset directories (and their folders Assets), and
-/// of more files, as references of a survey in a folder. Items with errors are omitted.
+/// Returns the platforms and scanners of the XML files in asset directories (and their folders
+/// Assets), and of more files, as references of a survey in a folder. Items with errors are
+/// omitted.
 VTKHELIOSSCANNERSURVEY_EXPORT Catalogue ReadCatalogue(
   const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files,
   const std::string& surveyFolder);
@@ -67,7 +68,7 @@ struct SurveyEdit
   PlatformData PlatformModel;
   ScannerData ScannerModel;
   std::vector<EditLeg> Legs;
-  LegSettings Settings;  ///< of new legs
+  LegSettings Settings;  ///< settings of new legs
   double Height = 50.0;  ///< [m], above ground
   double Overlap = 30.0; ///< [%], of strips
   bool HasArea = false;  ///< the legs are flight lines over it
@@ -76,12 +77,12 @@ struct SurveyEdit
   bool IsMoving() const { return this->PlatformModel.Type != PlatformType::Static; }
 };
 
-/// The settings of an instrument on a platform, and their limits.
+/// Returns the settings of an instrument on a platform, and their limits.
 VTKHELIOSSCANNERSURVEY_EXPORT std::vector<EditRange> FindRanges(const SurveyEdit& edit);
 
-///@{
-/// Get or set a number of FindRanges() by its name; NaN, or false, if the name does not exist. The
-/// value is adapted to the instrument, for all legs: the text lists the changes; empty: none.
+/// @{
+/// Returns or set a number of FindRanges() by its name; NaN, or false, if the name does not exist.
+/// The value is adapted to the instrument, for all legs: the text lists the changes; empty: none.
 VTKHELIOSSCANNERSURVEY_EXPORT double GetSetting(const SurveyEdit& edit, const std::string& name);
 VTKHELIOSSCANNERSURVEY_EXPORT std::string SetSetting(
   SurveyEdit& edit, const std::string& name, double value);

@@ -11,17 +11,17 @@
 namespace helios
 {
 
-/// The number of epochs: one, or the longest total duration of the swaps of a part.
+/// Returns the number of epochs: one, or the longest total duration of the swaps of a part.
 VTKHELIOSSCANNERSURVEY_EXPORT int CountEpochs(const SceneData& scene);
 
 /**
- * The part in an epoch, from 0: itself in the first, then one swap after the other, the last to the
- * end. Null if it is removed.
+ * Returns the part in an epoch, from 0: itself in the first, then one swap after the other, the
+ * last to the end. Null if it is removed.
  */
 VTKHELIOSSCANNERSURVEY_EXPORT const PartData* FindPart(const PartData& part, int epoch);
 
-/// The survey of one epoch: without swaps and removed parts. The other parts keep the names that
-/// they have in the first epoch.
+/// Returns the survey of one epoch: without swaps and removed parts. The other parts keep the names
+/// that they have in the first epoch.
 VTKHELIOSSCANNERSURVEY_EXPORT SurveyData MakeEpoch(const SurveyData& survey, int epoch);
 
 } // namespace helios

@@ -17,7 +17,7 @@ class vtkHeliosBeamDeflector;
 namespace helios
 {
 
-/// The name of optics in files.
+/// Returns the name of optics in files.
 std::string GetOpticsName(Optics type);
 
 VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(

@@ -70,7 +70,8 @@ private:
     const char* HighName;
   };
 
-  /// The requested value (asked: its text in messages), clipped to the limits with a warning.
+  /// Returns the requested value (asked: its text in messages), clipped to the limits with a
+  /// warning.
   double Clip(const Sentence& asked, double value, const Limits& limits);
 
   /// Reports messages only for legs that fire pulses.
@@ -133,7 +134,7 @@ void ScanResolver::ResolvePulses()
 }
 
 //------------------------------------------------------------------------------
-/// A beam must fire before the next cycle begins.
+/// Checks that a beam fires before the next cycle begins.
 void ScanResolver::CheckBeams()
 {
   const std::vector<BeamData>& beams = this->Scanner.Beams;
@@ -152,7 +153,8 @@ void ScanResolver::CheckBeams()
 }
 
 //------------------------------------------------------------------------------
-/// The minor axis of an elliptical beam must not be longer than the major one, nor much shorter.
+/// Checks that the minor axis of an elliptical beam is not longer than the major one, nor much
+/// shorter.
 void ScanResolver::CheckEllipse()
 {
   const double minor = this->Scanner.MinorBeamDivergence;
@@ -362,7 +364,7 @@ void ScanResolver::ResolveWarmUp()
          << "\" or beyond, before the first pulse; give less than " << before << " s";
     this->Error(text);
   }
-  // On a moving platform, only the direction of the head matters.
+  // Reduces the angle on a moving platform: only the direction of the head matters.
   this->Scan.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
 }
 
@@ -406,7 +408,7 @@ void ScanResolver::Warning(const Sentence& text)
   if (this->Fires)
   {
     const std::string message = text.str();
-    std::string key = message; // the same for all channels of a scanner
+    std::string key = message; // one message for all channels of a scanner
     const std::size_t id = key.find(this->Scanner.Id);
     if (id != std::string::npos && !this->Scanner.Channel.empty())
     {
@@ -420,7 +422,7 @@ void ScanResolver::Warning(const Sentence& text)
 void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
 {
   const LegData& data = survey.Legs[leg];
-  const bool flies = survey.IsMoving(leg) && !survey.EndsJourney(leg) &&
+  const bool flies = survey.IsMoving(leg) && !survey.EndsTrajectory(leg) &&
     survey.GetPlatform(leg).Type != PlatformType::Interpolated;
   if (flies && !(data.Speed > SlowestSpeed))
   {
@@ -446,7 +448,7 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
   }
 }
 
-/// A scanner that supports all settings of a leg.
+/// Returns a scanner that supports all settings of a leg.
 ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
 {
   const double minimum = std::numeric_limits<double>::min();
@@ -476,10 +478,10 @@ void StartLegs(SurveyData& survey)
 }
 
 //------------------------------------------------------------------------------
-void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log)
+void CheckPath(const SurveyData& survey, std::size_t leg, Messages& log)
 {
   const LegData& data = survey.Legs[leg];
-  const bool isAlone = data.StartsJourney && survey.EndsJourney(leg);
+  const bool isAlone = data.StartsJourney && survey.EndsTrajectory(leg);
   const bool isFlown = survey.GetPlatform(leg).Type == PlatformType::Interpolated;
   if (isAlone && survey.IsMoving(leg) && !isFlown)
   {

@@ -20,13 +20,13 @@ class Messages;
  */
 void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log);
 
-/// Makes the legs of a survey from their settings: those of ResolveLeg() remain to be resolved.
+/// Makes the legs of a survey from their settings; ResolveLeg() is still to be called.
 void StartLegs(SurveyData& survey);
 
 /// Checks that a moving platform has somewhere to go, or a trajectory.
-void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log);
+void CheckPath(const SurveyData& survey, std::size_t leg, Messages& log);
 
-/// Whether a leg starts a flight along a trajectory that no file gives: it needs an input.
+/// Returns whether a leg starts a flight along a trajectory that no file gives: it needs an input.
 VTKHELIOSSCANNERSURVEY_EXPORT bool NeedsTrajectory(const SurveyData& survey, std::size_t leg);
 
 /// Checks a leg whose scanner has errors of its own, so only for errors that do not depend on it.

@@ -13,7 +13,8 @@ namespace helios
 namespace
 {
 
-/// The text of a message without "ERROR: In file, line n", its object and trailing line ends.
+/// Returns the text of a message without "ERROR: In file, line n", its object and trailing line
+/// ends.
 std::string StripOrigin(const std::string& message)
 {
   const std::size_t line = message.find('\n');
@@ -50,13 +51,13 @@ std::string Enumerate(const std::vector<std::string>& words, const char* last)
 }
 
 //------------------------------------------------------------------------------
-Messages::Deferral::Deferral()
+Messages::DeferredMessages::DeferredMessages()
 {
   ++NumberOfDeferrals;
 }
 
 //------------------------------------------------------------------------------
-Messages::Deferral::~Deferral()
+Messages::DeferredMessages::~DeferredMessages()
 {
   --NumberOfDeferrals;
 }

@@ -1,6 +1,6 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Errors and warnings on behalf of one VTK object: its own, and those of the objects that it runs.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Errors and warnings on behalf of one VTK object: its own, and messages of the objects that it
+// runs.
 
 #ifndef heliosMessages_h
 #define heliosMessages_h
@@ -30,7 +30,7 @@ public:
   Sentence() { this->precision(15); }
 };
 
-/// "a, b and c".
+/// Joins words: "a, b and c".
 VTKHELIOSSCANNERSURVEY_EXPORT std::string Enumerate(
   const std::vector<std::string>& words, const char* last = "and");
 
@@ -53,7 +53,7 @@ public:
   /// Warns unless there was a warning with this key before.
   void WarnOnce(const std::string& key, const std::string& text);
 
-  /// While muted, no error is reported or counted: for a run that is stopped on request.
+  /// Mutes errors: none is reported or counted, for a run that is stopped on request.
   void Mute(bool isMuted) { this->IsMuted = isMuted; }
 
   /// Forgets all messages, and reports the next ones for another owner.
@@ -64,18 +64,18 @@ public:
   /// Counts repeated errors too, so that a change shows that something failed.
   int GetNumberOfErrors() const { return this->NumberOfErrors; }
 
-  /// The last error; empty: none.
+  /// Returns the last error; empty: none.
   const std::string& GetLastError() const { return this->LastError; }
 
   /// While one exists, messages of the objects listened to that the calling thread causes are
   /// deferred: observers may need a lock that the thread of the run holds, such as Python's.
-  class Deferral
+  class DeferredMessages
   {
   public:
-    Deferral();
-    ~Deferral();
-    Deferral(const Deferral&) = delete;
-    void operator=(const Deferral&) = delete;
+    DeferredMessages();
+    ~DeferredMessages();
+    DeferredMessages(const DeferredMessages&) = delete;
+    void operator=(const DeferredMessages&) = delete;
   };
 
   /// Reports the deferred messages, in their order.

@@ -17,7 +17,7 @@ namespace helios
 struct MotionData
 {
   std::vector<MotionSequence> Sequences; ///< none: the part is at rest
-  vtkIdType Pulses = 1;                  ///< of a channel, between two steps
+  vtkIdType Pulses = 1;                  ///< pulses of a channel between two steps
   double Seconds = 0.0; ///< [s], between two steps, instead of pulses; 0: not given
   int Every = 1;        ///< steps per scene update
 

@@ -50,7 +50,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// One of the models at random, in proportion to their shares.
+/// Chooses one of the models at random, in proportion to their shares.
 const TableModel* RowParts::ChooseModel(const TableRow& row, double random) const
 {
   double sum = 0.0;

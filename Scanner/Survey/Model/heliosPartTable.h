@@ -19,8 +19,8 @@ class Messages;
 /// A part that rows place.
 struct TableModel
 {
-  PartData Part;      ///< its name is that of the model
-  double Share = 1.0; ///< of the rows without a model, in proportion
+  PartData Part;      ///< has the name of the model
+  double Share = 1.0; ///< share of the rows without a model, in proportion
 };
 
 /// A row of a table; NaN: not given.
@@ -36,14 +36,14 @@ struct TableRow
   double Yaw = NotGiven;   ///< [deg]
   double Scale = NotGiven; ///< not given: random
   std::string Name;        ///< empty: the number of the part
-  int Classification = -1; ///< negative: that of the model
+  int Classification = -1; ///< negative: class of the model
 };
 
 struct PartTableData
 {
   std::string Where;
-  std::string File;    ///< of the rows; empty: none
-  int Seed = 0;        ///< of what rows do not give
+  std::string File;    ///< file of the rows; empty: none
+  int Seed = 0;        ///< seed for values that rows do not give
   double YawMin = 0.0; ///< [deg]
   double YawMax = 0.0; ///< [deg]
   double ScaleMin = 1.0;

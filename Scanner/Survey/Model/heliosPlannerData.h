@@ -26,12 +26,12 @@ struct PlannerRequest
   bool UseScannerLimits = false;
   double Resolution = 0.0;     ///< [deg]
   double PulseFrequency = 0.0; ///< [Hz]
-  bool HasScene = false;       ///< the caller has a scene: that of the file is not read
+  bool HasScene = false;       ///< the caller has a scene: the file's is not read
 };
 
 struct PlannerData
 {
-  std::string Kind = "scene"; ///< of the file: planner, survey or scene
+  std::string Kind = "scene"; ///< kind of the file: planner, survey or scene
   SurveyData Survey;          ///< scene, platform, scanner, and a leg with a full rotation
   std::string SceneReference; ///< empty: a mesh, or the scene of the caller
   std::string PlatformReference;

@@ -16,7 +16,7 @@ namespace
 constexpr double DefaultResolution = 0.1; // [deg]
 constexpr double FullCircle = 360.0;
 
-/// The scan frequency [Hz] at which pulses of a line are at the resolution.
+/// Returns the scan frequency [Hz] at which pulses of a line are at the resolution.
 double FindScanFrequency(const ScannerData& scanner, double pulseFrequency, double resolution)
 {
   const bool isLimited = scanner.ScanFrequencyMax > 0.0;
@@ -63,7 +63,7 @@ void CompleteSettings(
   }
 }
 
-/// The elevations in the window of a vertical polygon mirror; false for other scanners.
+/// Computes the elevations in the window of a vertical polygon mirror; false for other scanners.
 bool FindElevations(const PlannerData& data, double& low, double& high)
 {
   const ScannerData& scanner = data.Survey.Scanners.front();

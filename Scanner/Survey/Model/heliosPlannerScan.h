@@ -14,12 +14,12 @@ namespace helios
 class Messages;
 
 /**
- * The offset from the platform to the beam origin [m], with the platform facing north. A beam
- * origin off the head axis rotates about that point.
+ * Returns the offset from the platform to the beam origin [m], with the platform facing north. A
+ * beam origin off the head axis rotates about that point.
  */
 Vec3 FindInstrument(const PlatformData& platform, const ScannerData& scanner);
 
-/// The settings that give the scan of a leg.
+/// Returns the settings that give the scan of a leg.
 LegSettings MakeSettings(const ScanData& scan);
 
 /**

@@ -14,20 +14,21 @@ namespace helios
 struct PlannerSettings
 {
   std::string Method; ///< reduce, bestcoverage, greedy, best, optimal; empty: not given
-  std::string RemoveOrder = "viewshedSize";             ///< or meanIncidenceAngle
-  std::string RemoveFirst = "smallest";                 ///< or largest
-  double MinimumCoverage = 100.0;                       ///< [%]
-  std::string CoverageOf = "coverable";                 ///< or all
-  double PositionStep[2] = { 0.0, 0.0 };                ///< [m], 0: not given
-  double TestPointStep = 0.0;                           ///< [m], 0: not given
-  std::string TestLines = "all";                        ///< or vertical, horizontal
-  double MaximumSlope = 15.0;                           ///< [deg]
-  std::string GroundOnly = "auto";                      ///< or true, false, open
-  bool TakesEnclosed = false;                           ///< enclosed places count
-  double ScannerHeight = 0.0;                           ///< [m]
-  double HitTolerance = 0.05;                           ///< [m]
-  bool SeesBefore = true;                               ///< points before the end of a ray are seen
-  bool HasScannerLimits = false;                        ///< use those of the scanner, if not given
+  std::string RemoveOrder = "viewshedSize"; ///< or meanIncidenceAngle
+  std::string RemoveFirst = "smallest";     ///< or largest
+  double MinimumCoverage = 100.0;           ///< [%]
+  std::string CoverageOf = "coverable";     ///< or all
+  double PositionStep[2] = { 0.0, 0.0 };    ///< [m], 0: not given
+  double TestPointStep = 0.0;               ///< [m], 0: not given
+  std::string TestLines = "all";            ///< or vertical, horizontal
+  double MaximumSlope = 15.0;               ///< [deg]
+  std::string GroundOnly = "auto";          ///< or true, false, open
+  bool TakesEnclosed = false;               ///< enclosed places count
+  double ScannerHeight = 0.0;               ///< [m]
+  double HitTolerance = 0.05;               ///< [m]
+  bool SeesBefore = true;                   ///< points before the end of a ray are seen
+  /// uses the limits of the scanner, if not given
+  bool HasScannerLimits = false;
   double RangeMin = 0.0;                                ///< [m]
   double RangeMax = std::numeric_limits<double>::max(); ///< [m]
   double ElevationMin = -90.0;                          ///< [deg]

@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// A new point array with one uninitialized tuple per point.
+/// Returns a new point array with one uninitialized tuple per point.
 template <typename ArrayT>
 ArrayT* AddPointArray(vtkPolyData* data, const char* name, int components = 1)
 {

@@ -32,7 +32,7 @@ struct ErrorExpressions
   }
 };
 
-/// Mechanical misalignments of a panoramic scanner, as of vtkHeliosPanoramicErrorModel.
+/// Mechanical misalignments of a panoramic scanner, see vtkHeliosPanoramicErrorModel.
 struct PanoramicErrorData
 {
   double BeamOffset[2] = { 0.0, 0.0 }; ///< along y, z of the head [m]
@@ -57,7 +57,7 @@ struct PanoramicErrorData
 struct ReceiverData : vtkHeliosInstrumentData
 {
   std::string Where;                               ///< the last place read
-  int NumberOfCircles = 0;                         ///< of sub-rays, fixed; 0: adaptive
+  int NumberOfCircles = 0;                         ///< circles of fixed sub-rays; 0: adaptive
   double RangeTolerance = DefaultRangeTolerance;   ///< [m]
   double EnergyTolerance = DefaultEnergyTolerance; ///< relative
   std::string EchoDetector;                        ///< its name; empty: the default

@@ -27,7 +27,7 @@ bool ReadCrs(
   return status.IsOk();
 }
 
-/// The system of the parts of a scene; not set if they have none.
+/// Returns the system of the parts of a scene; not set if they have none.
 CoordinateSystem GetPartsCrs(vtkPolyData* scene)
 {
   CoordinateSystem crs;

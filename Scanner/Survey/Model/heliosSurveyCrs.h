@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// The coordinate system of a survey: that of the scene, in metres, to which legs are transformed.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// The coordinate system of a survey: the scene's, in metres, to which legs are transformed.
 
 #ifndef heliosSurveyCrs_h
 #define heliosSurveyCrs_h
@@ -21,7 +20,8 @@ class Messages;
  */
 bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log);
 
-/// The position of a leg in the scene's system. False, after an error, without a transformation.
+/// Transforms the position of a leg to the scene's system. False, after an error, without a
+/// transformation.
 VTKHELIOSSCANNERSURVEY_EXPORT bool TransformPosition(
   const LegData& leg, vtkPolyData* scene, Messages& log, Vec3& position);
 

@@ -65,7 +65,7 @@ enum class PlatformType
 /// The 3D model file of a platform or a scanner: used by viewers only.
 struct ModelData
 {
-  std::string Name;  ///< as given; empty: none
+  std::string Name;  ///< given name; empty: none
   std::string Where; ///< file:line and the attribute
   std::string File;  ///< empty: not found
 };
@@ -76,7 +76,7 @@ struct ScannerData
   std::string Id;
   std::string Name;
   std::string Where;
-  std::string File;    ///< that it was read from; empty: none
+  std::string File;    ///< file that it was read from; empty: none
   std::string Channel; ///< id; empty: the only one
   Optics Type = Optics::RotatingMirror;
   std::vector<double> PulseFrequencies; ///< [Hz], supported; the first is the default
@@ -97,8 +97,8 @@ struct ScannerData
   PrismData Prisms[3];
   double AirRefractiveIndex = 1.0;    ///< around the prisms
   Vec3 IncidentBeam{ 0.0, 1.0, 0.0 }; ///< into the first prism
-  std::vector<BeamData> Beams;        ///< of a spinning head, in the order of firing
-  std::string BeamFile;               ///< that they are from; empty: none
+  std::vector<BeamData> Beams;        ///< beams of a spinning head, in the order of firing
+  std::string BeamFile;               ///< file of the beams; empty: none
   bool IsClockwise = false;           ///< the spin, seen from above
   double StartAngle = 0.0;            ///< [deg], azimuth of the head at pulse 0
   ReceiverData Receiver;
@@ -132,14 +132,15 @@ struct NoiseData
 /// Errors of position, attitude and calibration that the instrument does not know.
 struct NavigationErrorData
 {
-  std::string Grade;                            ///< of vtkHeliosPlatformNoise; empty: none
+  std::string Grade;                            ///< grade of vtkHeliosPlatformNoise; empty: none
   double PositionRMS[3] = { -1.0, -1.0, -1.0 }; ///< x, y, z [m]; negative: the grade's, else 0
   double AttitudeRMS[3] = { -1.0, -1.0, -1.0 }; ///< about x, y, z of the body [deg]; likewise
   double PositionTime = 60.0;                   ///< correlation time [s]
   double AttitudeTime = 60.0;                   ///< [s]
-  double Boresight[3] = { 0.0, 0.0, 0.0 };      ///< of the mount about x, y, z of the body [deg]
-  double LeverArm[3] = { 0.0, 0.0, 0.0 };       ///< [m]
-  double ClockOffset = 0.0;                     ///< [s]
+  /// angles of the mount about x, y, z of the body [deg]
+  double Boresight[3] = { 0.0, 0.0, 0.0 };
+  double LeverArm[3] = { 0.0, 0.0, 0.0 }; ///< [m]
+  double ClockOffset = 0.0;               ///< [s]
 };
 
 /// Vehicle parameters, as in files.
@@ -158,16 +159,16 @@ struct PlatformData
   std::string Id;
   std::string Name;
   std::string Where;
-  std::string File; ///< that it was read from; empty: none
+  std::string File; ///< file that it was read from; empty: none
   PlatformType Type = PlatformType::Static;
-  Pose Mount; ///< of the scanner
+  Pose Mount; ///< mount of the scanner
   VehicleData Vehicle;
   ModelData Model;    ///< in the frame of the platform
-  NoiseData Noise[6]; ///< of position x, y, z [m], attitude x, y, z [rad]
+  NoiseData Noise[6]; ///< noise of position x, y, z [m], attitude x, y, z [rad]
   NavigationErrorData Errors;
 };
 
-/// In the order of GetFilterTypes().
+/// Loaders in the order of GetFilterTypes().
 enum class Loader
 {
   Obj,
@@ -185,13 +186,13 @@ enum class Loader
 struct VoxelData
 {
   double Size = 1.0;      ///< [m], of an edge
-  std::string Separators; ///< of columns, besides blanks and tabs
+  std::string Separators; ///< separators of columns, besides blanks and tabs
   bool ReadNormals = false;
   int NormalIndex[3] = { 3, 4, 5 }; ///< columns, from 0
   bool EstimateNormals = false;
-  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< of cells without one; 0: that of the faces
+  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< normal of cells without one; 0: normal of the faces
   bool SnapNeighborNormal = false;
-  std::string Classes; ///< of a LAS file; empty: all
+  std::string Classes; ///< classes of a LAS file; empty: all
 };
 
 /// The optical model of the cells of a vegetation grid.
@@ -206,9 +207,9 @@ enum class CellMode
 struct VegetationData
 {
   CellMode Mode = CellMode::Turbid;
-  double Exponent = 0.5;    ///< of scaled cubes
-  bool RandomShift = false; ///< of scaled cubes in their cells
-  std::string LeafTable;    ///< of the projection of leaves; empty: isotropic
+  double Exponent = 0.5;    ///< exponent of scaled cubes
+  bool RandomShift = false; ///< shift of scaled cubes in their cells
+  std::string LeafTable;    ///< table of the projection of leaves; empty: isotropic
 };
 
 /// The material of a part whose file has none.
@@ -217,18 +218,18 @@ struct MaterialData
   std::string Where;
   std::string File;         ///< MTL; empty: the default material
   std::string Name;         ///< empty: the alphabetically first
-  int Count = 1;            ///< of materials: the others vary randomly from it
-  double RandomRange = 1.0; ///< of their reflectances
+  int Count = 1;            ///< number of materials: the others vary randomly from it
+  double RandomRange = 1.0; ///< range of their reflectances
 };
 
 /// A transformation between coordinate systems.
 struct CrsData
 {
   std::string Where;
-  std::string Source; ///< empty: that of the file
+  std::string Source; ///< empty: system of the file
   std::string Target;
-  double Epoch = 0.0;      ///< of the coordinates, a decimal year; 0: not known
-  double HeightUnit = 0.0; ///< of the file [m]; 0: as its system states
+  double Epoch = 0.0;      ///< epoch of the coordinates, a decimal year; 0: not known
+  double HeightUnit = 0.0; ///< unit of the file [m]; 0: stated by its system
 };
 
 struct SwapData;
@@ -242,14 +243,14 @@ struct PartData
   Loader Type = Loader::Obj;
   std::vector<std::string> Files;
   bool UpIsY = false;
-  std::string LevelOfDetail; ///< of CityJSON; empty: the highest of each object
+  std::string LevelOfDetail; ///< level of CityJSON; empty: the highest of each object
   VoxelData Voxels;
   VegetationData Vegetation;
   MaterialData Material;
   std::vector<CrsData> Crs;
   bool Repair = false;
   double SimplifyDistance = 0.0; ///< [m], tolerance of the surface; 0: not simplified
-  int Classification = -1;       ///< of its echoes; negative: that of the materials
+  int Classification = -1;       ///< class of its echoes; negative: class of the materials
   Quaternion Rotation{ 1.0, 0.0, 0.0, 0.0 };
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
@@ -257,7 +258,7 @@ struct PartData
   std::vector<SwapData> Swaps;       ///< its replacements in later epochs, in order
   MotionData Motion;                 ///< from its final position
 
-  /// Whether its points become solid voxels.
+  /// Returns whether its points become solid voxels.
   bool IsCloud() const { return this->Type == Loader::Xyz || this->Type == Loader::Las; }
 
   bool IsTurbid() const
@@ -279,8 +280,8 @@ struct SceneData
   std::string Id;
   std::string Name;
   std::string Where;
-  std::string File; ///< that it was read from; empty: none
-  std::string Crs;  ///< of parts without their own; empty: a local frame, in metres
+  std::string File; ///< file that it was read from; empty: none
+  std::string Crs;  ///< system of parts without their own; empty: a local frame, in metres
   std::vector<PartData> Parts;
   std::vector<std::string> SpectraFolders; ///< searched for spectra, in order
 };
@@ -299,7 +300,7 @@ struct ScanData
   double BeamDivergence = 0.0;   ///< [rad]
   double WarmUpTime = 0.0;       ///< [s], motion of the optics before the leg
 
-  /// The duration of the head rotation [s]; 0 without rotation.
+  /// Returns the duration of the head rotation [s]; 0 without rotation.
   double GetHeadTime() const
   {
     return this->HeadRotateSpeed != 0.0
@@ -334,7 +335,7 @@ enum class AngleConvention
   Navigation
 };
 
-/// A trajectory in a file, and the part of it used by a leg.
+/// A trajectory in a file, and the section used by a leg.
 struct TrajectoryFileData
 {
   static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
@@ -342,8 +343,8 @@ struct TrajectoryFileData
   std::string Where;
   std::string File;
   TrajectoryFileFormat Format = TrajectoryFileFormat::Automatic;
-  std::string Crs;                            ///< of SBET positions; empty: WGS 84
-  BodyFrame Body = BodyFrame::RightForwardUp; ///< of TUM and EuRoC
+  std::string Crs;                            ///< system of SBET positions; empty: WGS 84
+  BodyFrame Body = BodyFrame::RightForwardUp; ///< frame of TUM and EuRoC
   std::string Separator = ",";
   int Columns[7] = { -1, -1, -1, -1, -1, -1, -1 }; ///< t, roll, pitch, yaw, x, y, z; -1: not given
   bool IsInRadians = false;
@@ -359,12 +360,12 @@ struct TrajectoryFileData
 struct LegData
 {
   std::string Where;
-  std::size_t Platform = 0;       ///< of the survey
-  std::size_t Scanner = 0;        ///< of the survey
+  std::size_t Platform = 0;       ///< number of the survey's platform
+  std::size_t Scanner = 0;        ///< number of the survey's scanner
   bool StartsJourney = false;     ///< the platform does not come from the previous leg
   std::string Strip;              ///< with shared output files; empty: none
   Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or the unit of Crs
-  std::string Crs;                ///< of the position; empty: the scene's
+  std::string Crs;                ///< system of the position; empty: the scene's
   bool OnGround = false;
   double Speed = 70.0; ///< [m/s], to the next leg's position
   bool StopAndTurn = true;
@@ -377,7 +378,7 @@ struct LegData
   double MaximumDuration = -1.0;       ///< [s], negative: no limit
   std::vector<ScanData> Scans;         ///< one per channel of its scanner
 
-  /// The duration of the head rotation [s].
+  /// Returns the duration of the head rotation [s].
   double GetHeadTime() const
   {
     double time = 0.0;
@@ -427,7 +428,7 @@ struct SurveyData
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;
   SceneData Scene;
-  std::vector<LegSettings> Settings; ///< of the legs
+  std::vector<LegSettings> Settings; ///< settings of the legs
   std::vector<LegData> Legs;         ///< made of their settings
 
   const PlatformData& GetPlatform(std::size_t leg) const
@@ -443,17 +444,17 @@ struct SurveyData
     return this->GetPlatform(leg).Type != PlatformType::Static;
   }
 
-  /// Whether a leg is the last one of a platform's trajectory.
-  bool EndsJourney(std::size_t leg) const
+  /// Returns whether a leg is the last one of a platform's trajectory.
+  bool EndsTrajectory(std::size_t leg) const
   {
     return leg + 1 == this->Legs.size() || this->Legs[leg + 1].StartsJourney;
   }
 
-  /// Whether a leg fires pulses: the last leg of a moving platform is only an end point, unless its
-  /// trajectory comes from a file.
+  /// Returns whether a leg fires pulses: the last leg of a moving platform is only an end point,
+  /// unless its trajectory comes from a file.
   bool Fires(std::size_t leg) const
   {
-    const bool isEndPoint = this->IsMoving(leg) && this->EndsJourney(leg) &&
+    const bool isEndPoint = this->IsMoving(leg) && this->EndsTrajectory(leg) &&
       this->GetPlatform(leg).Type != PlatformType::Interpolated;
     return this->Legs[leg].Active && !isEndPoint;
   }

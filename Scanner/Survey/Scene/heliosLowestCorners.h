@@ -16,18 +16,19 @@ class vtkPolyData;
 namespace helios
 {
 
-/// The first lowest corner of a mesh along a direction; false if it has no triangles.
+/// Finds the first lowest corner of a mesh along a direction; false if it has no triangles.
 VTKHELIOSSCANNERSURVEY_EXPORT bool FindLowestCorner(
   vtkPolyData* mesh, const Vec3& up, Vec3& lowest);
 
-/// Finds those of meshes for many directions. A mesh is searched once for directions that differ
-/// only by rounding, as those of parts that are rotated about the vertical.
+/// Finds the lowest corners of meshes for many directions. A mesh is searched once for directions
+/// that differ only by rounding, such as the directions of parts that are rotated about the
+/// vertical.
 class VTKHELIOSSCANNERSURVEY_EXPORT LowestCorners
 {
 public:
   void Clear() { this->Known.clear(); }
 
-  /// As FindLowestCorner(), with a unit vector.
+  /// Finds the lowest corner for a unit vector, like FindLowestCorner().
   bool Find(vtkPolyData* mesh, const Vec3& up, Vec3& lowest);
 
 private:

@@ -12,7 +12,8 @@ namespace helios
 
 struct PartData;
 
-/// What the triangles and materials of a mesh depend on before it is placed; empty for other parts.
+/// Returns the values that the triangles and materials of a mesh depend on before it is placed;
+/// empty for other parts.
 std::string GetMeshKey(const PartData& part);
 
 } // namespace helios

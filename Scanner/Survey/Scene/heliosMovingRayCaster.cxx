@@ -29,7 +29,7 @@ namespace helios
 namespace
 {
 
-/// The vertices of some triangles, as cells.
+/// Returns the vertices of some triangles, as cells.
 vtkSmartPointer<vtkCellArray> MakePolys(
   const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
 {
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkCellArray> MakePolys(
   return polys;
 }
 
-/// The points, shared or copied.
+/// Returns the points, shared or copied.
 vtkSmartPointer<vtkPoints> MakePoints(const TriangleMesh& mesh, bool copy)
 {
   vtkNew<vtkDoubleArray> all;
@@ -196,7 +196,7 @@ bool MovingRayCaster::BuildMoving(const TriangleMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-/// At equal ranges the lowest cell is selected, as in one caster.
+/// Selects the lowest cell at equal ranges, like one caster.
 void MovingRayCaster::SelectNearer(
   const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const
 {
@@ -253,7 +253,7 @@ public:
       (this->Moving.Cones ? this->Moving.Cones->GetMemorySize() : 0);
   }
 
-  /// False if one is missing.
+  /// Returns false if one is missing.
   bool IsComplete() const { return this->Resting.IsComplete() && this->Moving.IsComplete(); }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
@@ -323,7 +323,7 @@ private:
     }
     bool IsComplete() const { return this->Own.IsEmpty() || this->Cones; }
 
-    /// The id of a cell in the whole scene.
+    /// Returns the id of a cell in the whole scene.
     vtkIdType GetCell(vtkIdType cell) const { return this->Own.GetCell(cell, this->Whole); }
 
     /// Probes its triangles; the result names cells of the whole scene.

@@ -19,9 +19,9 @@ namespace helios
 {
 
 /**
- * Two casters of one kind, for static and for moving triangles. Hits are bit-identical to those of
- * one caster for all. A cone that hits both is Unresolved. Instances are static, and are not copied if
- * that kind does not copy them.
+ * Two casters of one kind, for static and for moving triangles. Hits are bit-identical to the hits
+ * of one caster for all. A cone that hits both is Unresolved. Instances are static, and are not
+ * copied if that kind does not copy them.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingRayCaster : public vtkHeliosRayCaster
 {
@@ -59,11 +59,11 @@ private:
     vtkSmartPointer<vtkHeliosRayCaster> Caster;
     vtkSmartPointer<vtkPolyData> Scene;
     std::vector<vtkIdType> Cells;
-    bool HasInstances = false; ///< those of the scene
+    bool HasInstances = false; ///< the scene has instances
 
     bool IsEmpty() const { return this->Cells.empty() && !this->HasInstances; }
 
-    /// The id of its cell in the whole scene.
+    /// Returns the id of its cell in the whole scene.
     vtkIdType GetCell(vtkIdType cell, const SceneGeometry& whole) const;
   };
   void MakeShares(const TriangleMesh& mesh);

@@ -54,7 +54,7 @@ vtkIdType FindSeenStep(const MotionData& motion, const PulseClock& clock, vtkIdT
 namespace
 {
 
-/// The parts that have triangles.
+/// Returns the parts that have triangles.
 std::set<int> FindParts(vtkPolyData* mesh)
 {
   std::set<int> parts;
@@ -71,7 +71,7 @@ std::set<int> FindParts(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 MovingScene::MovingScene(const SceneData& scene, vtkPolyData* mesh, Messages& log)
 {
-  int id = 0; // of the composer: turbid parts are not in the mesh
+  int id = 0; // id in the composer: turbid parts are not in the mesh
   for (const PartData& part : scene.Parts)
   {
     if (!part.IsTurbid() && part.Motion.IsMoving() && FindParts(mesh).count(id) > 0)

@@ -31,11 +31,11 @@ struct PulseClock
   double Rate = 1.0;       ///< [Hz]
 };
 
-/// The motion step of a part at a pulse of a leg.
+/// Returns the motion step of a part at a pulse of a leg.
 VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindSeenStep(
   const MotionData& motion, const PulseClock& clock, vtkIdType pulse);
 
-/// The first pulse of a leg, from 0, after a step of a part.
+/// Returns the first pulse of a leg, from 0, after a step of a part.
 VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindPulseOfStep(
   const MotionData& motion, const PulseClock& clock, vtkIdType step);
 
@@ -48,7 +48,7 @@ public:
 
   bool IsMoving() const { return !this->Parts.empty(); }
 
-  /// The PartIds of the moving parts.
+  /// Returns the PartIds of the moving parts.
   std::vector<int> GetParts() const;
 
   /// Moves the parts to their positions at a pulse of a leg; returns the first pulse with other
@@ -58,7 +58,7 @@ public:
   /// Moves the mesh of another scene with the same points and triangles.
   vtkSmartPointer<vtkDataObject> Move(vtkDataObject* scene) const;
 
-  /// A ray caster of a kind that rebuilds only the moving parts.
+  /// Returns a ray caster of a kind that rebuilds only the moving parts.
   vtkSmartPointer<vtkHeliosRayCaster> MakeRayCaster(vtkHeliosRayCaster* kind) const;
 
   /// Changes when parts have moved.

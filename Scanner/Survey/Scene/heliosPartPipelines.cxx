@@ -367,7 +367,8 @@ void PartPipelines::Listen(vtkAlgorithm* filter, const std::string& where)
 }
 
 //------------------------------------------------------------------------------
-/// What a filter opens before it runs, to describe its output, it opens again then.
+/// Records the files that a filter opens before it runs, to describe its output; it opens them
+/// again then.
 void PartPipelines::HandleStart(vtkObject* caller, unsigned long, void*)
 {
   InputFiles& inputs = this->Inputs[vtkAlgorithm::SafeDownCast(caller)];
@@ -433,7 +434,7 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
 }
 
 //------------------------------------------------------------------------------
-/// The points of all files of a part, each reprojected by itself.
+/// Returns the points of all files of a part, each reprojected by itself.
 PartPipelines::Filter PartPipelines::MakeLasReaders(const PartData& part)
 {
   auto joiner = vtkSmartPointer<vtkAppendPolyData>::New();
@@ -470,7 +471,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
 }
 
 //------------------------------------------------------------------------------
-/// The cubes of a vegetation grid; those of a turbid one are made only to find the ground.
+/// Makes the cubes of a vegetation grid; cubes of a turbid one are made only to find the ground.
 PartPipelines::Filter PartPipelines::MakeCubes(const PartData& part, const std::string& file)
 {
   const VegetationData& cells = part.Vegetation;

@@ -45,10 +45,11 @@ public:
   {
   }
 
-  /// The last filter of a part before it is placed; a part that is there already has a kept one.
+  /// Returns the last filter of a part before it is placed; a part that is there already has a kept
+  /// one.
   vtkAlgorithm* GetSource(const PartData& part);
 
-  /// The filter that places a part, likewise.
+  /// Returns the filter that places a part, likewise.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
   /// Sets whether parts that differ only in place, name and motion share their filters but the
@@ -58,27 +59,28 @@ public:
   /// Sets whether meshes are read with their colours; before GetSource(). Default: false.
   void SetColors(bool areRead) { this->HasColors = areRead; }
 
-  /// Whether a part is a raster of heights that stays one.
+  /// Returns whether a part is a raster of heights that stays one.
   bool IsRaster(const PartData& part) const;
 
-  /// After ReadFiles(): whether all rasters can stay ones. The parts of those that cannot are made
-  /// of meshes from then on, by GetSource().
+  /// Returns, after ReadFiles(), whether all rasters can stay rasters. The parts of other rasters
+  /// are made of meshes from then on, by GetSource().
   bool CheckRasters();
 
   /// Releases the pipelines of all other parts.
   void RemoveOthers(const std::vector<const PartData*>& parts);
 
-  /// The grids of a turbid part after its files were read, with its materials and filters applied.
+  /// Returns the grids of a turbid part after its files were read, with its materials and filters
+  /// applied.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids(
     const PartData& part, const std::string& name, vtkHeliosSceneTransform* place);
 
   /// Reads all files; false after an error or if stopped.
   bool ReadFiles(const StepCallback& onStep);
 
-  /// The files that the filters of all parts have opened.
+  /// Returns the files that the filters of all parts have opened.
   InputFiles GetInputs() const;
 
-  /// The triangles of the readers of a filter; a mesh used twice is counted twice.
+  /// Returns the triangles of the readers of a filter; a mesh used twice is counted twice.
   static double CountTriangles(vtkAlgorithm* filter);
 
   /// Sets a function to call with the current step at every progress event; if it returns false,
@@ -111,13 +113,13 @@ private:
   vtkIdType Seed;
   std::map<const PartData*, Filter> Sources;
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
-  std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
+  std::map<const PartData*, std::vector<Filter>> GridReaders; // readers of turbid parts
   bool IsSharing = false;
   bool HasColors = false;
   std::map<std::string, Filter> Shared; // the filters before the place, by what they depend on
   std::map<std::string, Filter> RasterReaders; // by file
   std::set<std::string> NoRasters;             // files that can only be meshes
-  std::set<const PartData*> RasterParts;       // whose places are over rasters
+  std::set<const PartData*> RasterParts;       // parts whose places are over rasters
   std::string Where;                           // the current part
   std::string Step;                            // the current step
   const StepCallback* OnProgress = nullptr;

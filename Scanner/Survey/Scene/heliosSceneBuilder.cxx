@@ -132,7 +132,7 @@ void SceneBuilder::MakeParts(int epoch)
 {
   this->Parts.clear();
   std::vector<const PartData*> all;
-  std::map<const vtkAlgorithm*, int> uses; // as instances
+  std::map<const vtkAlgorithm*, int> uses; // number of uses of a filter by instances
   this->Pipelines.SetSharing(this->MakesInstances);
   for (const PartData& part : this->Scene.Parts)
   {
@@ -242,7 +242,7 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
 }
 
 //------------------------------------------------------------------------------
-/// The lowest corner of a part in the scene; false if it has no triangles.
+/// Finds the lowest corner of a part in the scene; false if it has no triangles.
 bool SceneBuilder::FindLowest(const Part& part, Vec3& lowest)
 {
   if (!part.IsInstance())
@@ -313,7 +313,7 @@ bool SceneBuilder::PlaceOnGround()
 }
 
 //------------------------------------------------------------------------------
-/// The heights of the ground at the lowest corners of parts; false after an error.
+/// Finds the heights of the ground at the lowest corners of parts; false after an error.
 bool SceneBuilder::FindGround(
   const std::vector<std::size_t>& parts, vtkPoints* lowest, std::vector<double>& heights)
 {

@@ -35,21 +35,21 @@ public:
   ~SceneBuilder();
 
   /// Sets whether meshes of several parts become instances of a vtkHeliosScene, and rasters of
-  /// heights its rasters; but not those of parts that move. Default:
-  /// false.
+  /// heights its rasters; but not of parts that move. Default: false.
   void SetInstances(bool areMade) { this->MakesInstances = areMade; }
 
   /// Sets whether the parts have their colours. Before Build(). Default: false.
   void SetColors(bool areRead);
 
-  /// All parts of an epoch as one scene, with parts on the ground placed there; null after an error,
-  /// or if stopped.
+  /// Returns all parts of an epoch as one scene, with parts on the ground placed there; null after
+  /// an error, or if stopped.
   vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int epoch = 0);
 
-  /// The turbid voxels of the built scene.
+  /// Returns the turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
-  /// The files that were opened for the built scene and its voxels, also in an epoch before.
+  /// Returns the files that were opened for the built scene and its voxels, also in an epoch
+  /// before.
   InputFiles GetInputs() const { return this->Pipelines.GetInputs(); }
 
 private:

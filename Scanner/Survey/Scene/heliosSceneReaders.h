@@ -17,18 +17,20 @@ class vtkPolyDataAlgorithm;
 namespace helios
 {
 
-/// What a reader depends on: parts with equal ones share it.
+/// Values that a reader depends on: parts with equal values share it.
 using SceneReaderKey = std::tuple<Loader, std::string, bool, std::string, std::string>;
 SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file);
 
-/// The reader of a file of a part; its loader is one of meshes. Colours are read of OBJ files.
+/// Returns the reader of a file of a part; its loader is one of meshes. Colours are read of OBJ
+/// files.
 vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
   const PartData& part, const std::string& file, bool withColors = false);
 
-/// Whether the file of a part has materials of its own, which the material file replaces by name.
+/// Returns whether the file of a part has materials of its own, which the material file replaces by
+/// name.
 bool HasOwnMaterials(const PartData& part);
 
-/// Whether the file of a part has objects that become parts of the scene.
+/// Returns whether the file of a part has objects that become parts of the scene.
 bool HasObjects(const PartData& part);
 
 } // namespace helios

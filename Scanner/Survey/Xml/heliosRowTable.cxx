@@ -16,7 +16,8 @@ namespace helios
 namespace
 {
 
-/// The text before a separator, or in quotes; removes it and the separator. False: the last one.
+/// Reads the text before a separator, or in quotes; removes it and the separator. False: the last
+/// one.
 bool ReadCellText(std::string_view& line, char separator, std::string& cell)
 {
   const std::size_t start = line.find_first_not_of(" ");
@@ -63,7 +64,7 @@ char FindSeparator(std::string_view line)
                                                    : ',';
 }
 
-/// The place "path:line" of a message that starts with "path:line: ".
+/// Returns the place "path:line" of a message that starts with "path:line: ".
 std::string TrimPlace(const std::string& place)
 {
   return place.substr(0, place.rfind(':'));

@@ -65,7 +65,7 @@ private:
   bool SkipsUnknown = false;
   char Separator = ',';
   std::vector<const XmlValueRule*> Columns; ///< null: skipped
-  std::string Where;                        ///< of the current line
+  std::string Where;                        ///< place of the current line
 };
 
 } // namespace helios

@@ -18,7 +18,7 @@ namespace
 
 constexpr const char* Utf8Mark = "\xEF\xBB\xBF";
 
-/// Whether the XML declaration has the encoding Latin-1.
+/// Returns whether the XML declaration has the encoding Latin-1.
 bool IsLatin1(const std::string& text)
 {
   const std::string declaration = text.substr(0, text.find("?>"));
@@ -47,7 +47,7 @@ std::string Latin1ToUtf8(const std::string& text)
   return utf8;
 }
 
-/// A duplicate attribute of an element; empty: none.
+/// Returns a duplicate attribute of an element; empty: none.
 std::string FindDuplicate(const pugi::xml_node& node)
 {
   std::set<std::string> names;
@@ -61,7 +61,7 @@ std::string FindDuplicate(const pugi::xml_node& node)
   return {};
 }
 
-/// The ends of lines, by LF, CR LF or CR.
+/// Returns the ends of lines, by LF, CR LF or CR.
 std::vector<std::ptrdiff_t> FindLineEnds(const std::string& text)
 {
   std::vector<std::ptrdiff_t> ends;
@@ -75,7 +75,7 @@ std::vector<std::ptrdiff_t> FindLineEnds(const std::string& text)
   return ends;
 }
 
-/// The next node in document order, children first; none after the last.
+/// Returns the next node in document order, children first; none after the last.
 pugi::xml_node NextNode(pugi::xml_node node)
 {
   if (node.first_child())
@@ -203,7 +203,7 @@ bool XmlDocument::CheckRoot()
 /// Finds elements whose lines do not tell them apart, and duplicate attributes.
 void XmlDocument::CheckElements()
 {
-  std::set<std::string> names; // of the elements of a line
+  std::set<std::string> names; // names of the elements of a line
   std::size_t line = 0;
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
   {
@@ -240,7 +240,7 @@ XmlElement XmlDocument::GetRoot() const
 }
 
 //------------------------------------------------------------------------------
-/// The line of an offset, from 0.
+/// Returns the line of an offset, from 0.
 std::size_t XmlDocument::FindLine(std::ptrdiff_t offset) const
 {
   const auto line = std::lower_bound(this->LineEnds.begin(), this->LineEnds.end(), offset);

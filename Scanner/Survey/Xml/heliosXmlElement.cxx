@@ -20,7 +20,7 @@ const Vec3 AxisX(1.0, 0.0, 0.0);
 const Vec3 AxisY(0.0, 1.0, 0.0);
 const Vec3 AxisZ(0.0, 0.0, 1.0);
 
-/// The text of a node, whose pieces comments and CDATA sections separate.
+/// Returns the text of a node, whose pieces comments and CDATA sections separate.
 std::string JoinText(pugi::xml_node node)
 {
   std::string text;

@@ -30,11 +30,11 @@ public:
   /// duplicate attribute are errors; the first is used.
   static std::unique_ptr<XmlDocument> Load(const std::string& path, Messages& messages);
 
-  /// The same for the text of a file.
+  /// Makes a document of the text of a file.
   static std::unique_ptr<XmlDocument> Make(
     const std::string& path, std::string text, Messages& messages);
 
-  /// The same for an element that is not from a file: places are paths instead of lines.
+  /// Makes a document of an element that is not from a file: places are paths instead of lines.
   static std::unique_ptr<XmlDocument> MakeOf(
     const std::string& place, std::string text, Messages& messages);
 
@@ -73,7 +73,7 @@ private:
   bool IsMade = false;                                 // not from a file
 };
 
-/// The axis of a rotation: x, y, z, or the names of the Java program; null for others.
+/// Returns the axis of a rotation: x, y, z, or the names of the Java program; null for others.
 const Vec3* FindRotationAxis(const std::string& name);
 
 /// The path of an element from one that holds it, as in dmotion[1]/motion; empty: that one.
@@ -93,10 +93,11 @@ public:
   explicit operator bool() const { return !this->Node.empty(); }
   std::string GetTag() const { return this->Node.name(); }
 
-  /// What tells it from all other elements, whatever their places and ids; null: no element.
+  /// Returns a pointer that differs for all elements, whatever their places and ids; null: no
+  /// element.
   const void* GetIdentity() const { return this->Node.internal_object(); }
 
-  /// Its place, for messages only: "file:line", or "file:line:column".
+  /// Returns its place, for messages only: "file:line", or "file:line:column".
   std::string Where() const;
 
   /// The element in the tree of its document.
@@ -105,19 +106,19 @@ public:
   const XmlDocument& GetDocument() const { return *this->Document; }
   Messages& GetMessages() const { return this->Document->GetMessages(); }
 
-  /// Children, all or with a tag, in order; the first of them, or none.
+  /// Returns the children, all or with a tag, in order; the first of them, or none.
   std::vector<XmlElement> GetChildren() const;
   std::vector<XmlElement> GetChildren(const char* tag) const;
   XmlElement GetChild(const char* tag) const { return { this->Document, this->Node.child(tag) }; }
 
   bool Has(const char* name) const { return !this->Node.attribute(name).empty(); }
 
-  /// The trimmed text of an attribute; empty if missing.
+  /// Returns the trimmed text of an attribute; empty if missing.
   std::string GetText(const char* name) const;
 
   /**
-   * Each reads an attribute (or, if the dialect has such a child, its text) by its rule. False if
-   * it is missing or invalid; the target is then unchanged.
+   * Read an attribute (or, if the dialect has such a child, its text) by its rule. False if it is
+   * missing or invalid; the target is then unchanged.
    */
   bool Read(const char* name, std::string& target) const;
   bool Read(const char* name, double& target) const;
@@ -136,10 +137,10 @@ public:
     }
   }
 
-  /// The attributes x, y, z; a missing one is left unchanged.
+  /// Reads the attributes x, y, z; a missing one is left unchanged.
   void ReadVector(Vec3& target) const;
 
-  /// The rotation of the <rot> children, composed by the attribute rotations.
+  /// Returns the rotation of the <rot> children, composed by the attribute rotations.
   Quaternion ReadRotation() const;
 
   /// Warns of attributes and children that are unknown or not modelled, and of a second child where

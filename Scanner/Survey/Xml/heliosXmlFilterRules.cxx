@@ -22,7 +22,7 @@ constexpr auto Material = &PartData::Material;
 constexpr auto Cells = &PartData::Vegetation;
 constexpr XmlRange OtherMaterials = { 0.0, 999999.0 };
 
-/// The number of materials besides the first.
+/// Sets the number of materials besides the first.
 bool SetOtherMaterials(MaterialData& material, const XmlValue& value, Messages& log)
 {
   const XmlValueRule rule = Integer("", "").In("", OtherMaterials);
@@ -37,7 +37,7 @@ std::string GetOtherMaterials(const MaterialData& material)
   return std::to_string(material.Count - 1);
 }
 
-/// Of the choices y and z.
+/// Values of the choices y and z.
 constexpr int UpIsY[] = { 1, 0 };
 
 } // namespace

@@ -18,7 +18,7 @@ constexpr auto Leg = &LegSettings::Leg;
 constexpr auto Scan = &LegSettings::Scan;
 constexpr auto Track = &LegData::Trajectory;
 
-/// A part of file names.
+/// Finds the fault of a part of file names.
 Status FindNameFault(const std::string& text)
 {
   const bool isGood = text.find_first_of("/\\") == std::string::npos;

@@ -19,10 +19,10 @@ constexpr auto Vehicle = &PlatformData::Vehicle;
 constexpr int PlatformTypes[] = { int(PlatformType::Static), int(PlatformType::Static),
   int(PlatformType::LinearPath), int(PlatformType::GroundVehicle), int(PlatformType::Multicopter) };
 
-/// As vtkHeliosPlatformNoise::SetSlowError().
+/// Range of vtkHeliosPlatformNoise::SetSlowError().
 constexpr XmlRange CorrelationTime = { 1e-3, 1e9 };
 
-/// The attributes of a noise.
+/// Returns the attributes of a noise.
 std::vector<XmlValueRule> MakeNoiseValues()
 {
   // clang-format off

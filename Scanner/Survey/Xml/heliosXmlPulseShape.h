@@ -12,12 +12,13 @@
 namespace helios
 {
 
-/// A file is searched in the folder of the value, else as given. False after an error.
+/// Sets the pulse shape; a file is searched in the folder of the value, else by its given path.
+/// False after an error.
 bool SetPulseShape(ReceiverData& receiver, const XmlValue& value, Messages& log);
 
 std::string GetPulseShape(const ReceiverData& receiver);
 
-/// False after an error.
+/// Sets the start; false after an error.
 bool SetGpsStart(std::string& start, const XmlValue& value, Messages& log);
 
 std::string GetGpsStart(const std::string& start);

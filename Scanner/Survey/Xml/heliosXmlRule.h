@@ -78,12 +78,12 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlUse Use = XmlUse::Used;
   const char* Unit = "";
   XmlRange Range = { -LargestNumber, LargestNumber };
-  const char* DefaultText = ""; ///< a phrase, if the default is not that of a struct
+  const char* DefaultText = ""; ///< a phrase, if the default is not a struct's
   const char* Choices = "";     ///< the valid words, if any; '~' in front: case-insensitive
   std::vector<std::string> (*FindChoices)() = nullptr; ///< all valid words; null: Choices
-  const int* Values = nullptr; ///< of the choices in an enumeration; null: 0, 1, 2 ...
+  const int* Values = nullptr; ///< values of the choices in an enumeration; null: 0, 1, 2 ...
   XmlStore Store;
-  double Scale = 1.0; ///< the number in the struct is that of the file times this
+  double Scale = 1.0; ///< factor from the number in the file to the number in the struct
   Status (*FindFault)(const std::string& text) = nullptr; ///< the end of a message
   bool IsRequired = false;                                ///< in files
   bool IsInverted = false;                                ///< a boolean whose opposite is stored
@@ -108,7 +108,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule Names(XmlFile file) const;
   ///@}
 
-  /// Stored in a struct at a chain of members and indices of arrays.
+  /// Stores the value in a struct at a chain of members and indices of arrays.
   template <auto First, auto... Rest>
   XmlValueRule At() const
   {
@@ -117,7 +117,8 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
     return rule;
   }
 
-  /// Stored in a member of a struct by Set(member, value, log), and got by Get(member).
+  /// Stores the value in a member of a struct by Set(member, value, log), and gets it by
+  /// Get(member).
   template <auto Set, auto Get, auto Member>
   XmlValueRule By() const
   {
@@ -126,10 +127,10 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
     return rule;
   }
 
-  /// The valid words; empty: any.
+  /// Returns the valid words; empty: any.
   std::vector<std::string> GetChoices() const;
 
-  /// Whether the case of words does not matter.
+  /// Returns whether the case of words does not matter.
   bool IsAnyCase() const { return *this->Choices == '~'; }
 };
 
@@ -150,15 +151,15 @@ struct XmlElementRule
   std::vector<XmlValueRule> Values;
   std::vector<XmlChildRule> Children;
 
-  /// The rule of a value or child; null if the dialect does not know it.
+  /// Returns the rule of a value or child; null if the dialect does not know it.
   const XmlValueRule* FindValue(const std::string& name) const;
   const XmlChildRule* FindChild(const std::string& name) const;
 
-  /// The value or child with the name nearest to a misspelt one; empty if none is near.
+  /// Returns the value or child with the name nearest to a misspelt one; empty if none is near.
   std::string FindNearestValue(const std::string& name) const;
   std::string FindNearestChild(const std::string& name) const;
 
-  /// The values that are stored in a struct of a type, aliases first.
+  /// Returns the values that are stored in a struct of a type, aliases first.
   std::vector<const XmlValueRule*> FindStored(const std::type_info& type) const;
 };
 

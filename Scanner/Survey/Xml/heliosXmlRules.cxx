@@ -35,7 +35,7 @@ std::string FindNearest(const std::vector<RuleT>& rules, const std::string& name
   return FindNearestName(name, names);
 }
 
-/// Levenshtein's distance: the number of letters to insert, delete or replace.
+/// Returns Levenshtein's distance: the number of letters to insert, delete or replace.
 std::size_t EditDistance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -54,7 +54,7 @@ std::size_t EditDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-/// A rule with one property changed.
+/// Returns a rule with one property changed.
 template <typename RuleT, typename PropertyT>
 RuleT Change(RuleT rule, PropertyT RuleT::*property, PropertyT value)
 {

@@ -14,17 +14,18 @@
 namespace helios
 {
 
-/// The rule of an element; null if the dialect does not know it. The parameters of a scene filter
-/// are the values of "filter:<type>".
+/// Returns the rule of an element; null if the dialect does not know it. The parameters of a scene
+/// filter are the values of "filter:<type>".
 const XmlElementRule* FindXmlRule(const std::string& element);
 
-/// All rules.
+/// Returns all rules.
 VTKHELIOSSCANNERSURVEY_EXPORT const std::vector<XmlElementRule>& GetXmlRules();
 
-/// The text in lower case.
+/// Returns the text in lower case.
 std::string ToLower(std::string text);
 
-/// The name nearest to a misspelt one by edit distance, case-insensitive; empty if none is near.
+/// Returns the name nearest to a misspelt one by edit distance, case-insensitive; empty if none is
+/// near.
 std::string FindNearestName(const std::string& name, const std::vector<std::string>& names);
 
 } // namespace helios

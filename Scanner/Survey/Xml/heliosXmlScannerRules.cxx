@@ -19,7 +19,7 @@ constexpr auto Prisms = &ScannerData::Prisms;
 /// Catalogues give powers in nanowatts; receivedEnergyMin_W, too, despite its name.
 constexpr double WattsPerNanowatt = 1e-9;
 
-/// The attributes of a scanner.
+/// Returns the attributes of a scanner.
 std::vector<XmlValueRule> MakeScannerValues()
 {
   // clang-format off
@@ -94,7 +94,7 @@ std::vector<XmlValueRule> MakeScannerValues()
   // clang-format on
 }
 
-/// Those of an instrument: also its place in the catalogue.
+/// Makes the values of an instrument, with its place in the catalogue.
 std::vector<XmlValueRule> MakeInstrumentValues()
 {
   std::vector<XmlValueRule> values = MakeScannerValues();
@@ -104,7 +104,7 @@ std::vector<XmlValueRule> MakeInstrumentValues()
   return values;
 }
 
-/// Those of a channel, which inherits what it does not give.
+/// Makes the values of a channel, which inherits values that it does not give.
 std::vector<XmlValueRule> MakeChannelValues()
 {
   std::vector<XmlValueRule> values = MakeScannerValues();

@@ -91,7 +91,7 @@ auto& Follow(OwnerT& from)
 template <typename OwnerT, typename ValueT>
 OwnerT OwnerOf(ValueT OwnerT::*);
 
-/// A struct with the defaults of its type.
+/// Returns a struct with the defaults of its type.
 template <typename OwnerT>
 OwnerT& GetUnchanged()
 {
@@ -120,7 +120,7 @@ XmlPlace FindDefault()
   return Find<First, Rest...>(&GetUnchanged<Owner<First>>());
 }
 
-/// The value of a member is set and got by functions.
+/// Finds the access to a member whose value is set and got by functions.
 template <auto Set, auto Get, auto First>
 XmlPlace FindAccess(void* owner)
 {
@@ -140,8 +140,8 @@ XmlPlace FindDefaultAccess()
 
 } // namespace store
 
-/// The store at a chain of members and indices, as in
-/// MakeStore<&ScannerData::Prisms, 0, &PrismData::WedgeAngle>().
+/// Returns the store at a chain of members and indices, as in MakeStore<&ScannerData::Prisms, 0,
+/// &PrismData::WedgeAngle>().
 template <auto First, auto... Rest>
 XmlStore MakeStore()
 {
@@ -149,7 +149,8 @@ XmlStore MakeStore()
     store::FindDefault<First, Rest...>, store::MakeOwner<store::Owner<First>> };
 }
 
-/// The store of a member with functions of its own: Set(member, value, log) and Get(member).
+/// Returns the store of a member with functions of its own: Set(member, value, log) and
+/// Get(member).
 template <auto Set, auto Get, auto First>
 XmlStore MakeAccess()
 {

@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  /// The value of an enumeration.
+  /// Finds the value of an enumeration.
   bool FindChoice(int& value) const
   {
     const bool isGood = ParseChoice(this->Value, this->Rule, this->Log, value);
@@ -115,7 +115,7 @@ private:
   Messages& Log;
 };
 
-/// The number that is exactly the stored one after scaling, if there is one.
+/// Returns the number that is exactly the stored one after scaling, if there is one.
 double Unscale(double stored, double scale)
 {
   const double number = stored / scale;
@@ -187,7 +187,7 @@ public:
   std::string operator()(const XmlAccess& place) const { return place.Get(place.Place); }
 
 private:
-  /// A default out of range means that the value is not given.
+  /// Returns whether the value is given: a default out of range means that it is not.
   template <typename NumberT>
   bool IsGiven(NumberT stored, double number) const
   {
@@ -203,7 +203,7 @@ private:
     return this->IsExact ? ToXmlText(number) : text.str();
   }
 
-  /// The first word for a value of an enumeration; empty: no word is for it.
+  /// Returns the first word for a value of an enumeration; empty: no word is for it.
   std::string GetWord(int value) const
   {
     const std::vector<std::string> words = this->Rule.GetChoices();
@@ -267,7 +267,7 @@ std::string DescribeDefault(const XmlValueRule& rule)
 //------------------------------------------------------------------------------
 std::string ToXmlText(double value)
 {
-  char digits[400]; // of the smallest number
+  char digits[400]; // digits of the smallest number
   return { digits, std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr };
 }
 

@@ -16,8 +16,8 @@
 namespace helios
 {
 
-///@{
-/// The elements of a group.
+/// @{
+/// Returns the elements of a group.
 std::vector<XmlElementRule> MakeSurveyRules();
 std::vector<XmlElementRule> MakePlannerRules();
 std::vector<XmlElementRule> MakeLegRules();
@@ -31,7 +31,7 @@ std::vector<XmlElementRule> MakeFilterRules();
 /// Returns the names of the echo detectors, with those that plug-ins have added; the first is the default.
 std::vector<std::string> GetEchoDetectorNames();
 
-/// What is wrong with a text of weather: the end of a message.
+/// Finds the fault of a text of weather: the end of a message.
 Status FindFaultOfWeather(const std::string& text);
 
 namespace rows
@@ -66,7 +66,8 @@ constexpr XmlRange GridStep = { 1e-3, 1e6 };
 constexpr XmlRange RightAngle = { 0.0, 90.0 };
 constexpr XmlRange Elevation = { -90.0, 90.0 };
 
-/// A row of a kind: the name of an attribute, and its meaning or the reason why it is not read.
+/// Returns a row of a kind: the name of an attribute, and its meaning or the reason why it is not
+/// read.
 template <XmlKind Kind>
 XmlValueRule MakeRow(const char* name, const char* note)
 {
@@ -86,8 +87,8 @@ constexpr auto Vector = MakeRow<XmlKind::Vector>;
 constexpr auto Rotated = MakeRow<XmlKind::Rotation>;
 constexpr auto Reference = MakeRow<XmlKind::Reference>;
 
-/// One of some words, with blanks between them, or '|' if they contain blanks; '~' in front:
-/// case-insensitive.
+/// Makes a row for one of some words, with blanks between them, or '|' if they contain blanks; '~'
+/// in front: case-insensitive.
 inline XmlValueRule Word(const char* name, const char* choices, const char* note)
 {
   XmlValueRule row = Text(name, note);
@@ -95,8 +96,9 @@ inline XmlValueRule Word(const char* name, const char* choices, const char* note
   return row;
 }
 
-///@{
-/// A child that may be given once, or several times. One without a table of its own has a note.
+/// @{
+/// Make a child that may be given once, or several times. A child without a table of its own has a
+/// note.
 inline XmlChildRule One(const char* name, const char* note = "")
 {
   return { name, false, XmlUse::Used, note };

@@ -49,7 +49,7 @@ void SetStored(pugi::xml_node node, const OwnerT& owner)
   }
 }
 
-/// A document as text.
+/// Returns a document as text.
 inline std::string ToXmlText(const pugi::xml_document& document)
 {
   std::ostringstream text;
@@ -57,7 +57,7 @@ inline std::string ToXmlText(const pugi::xml_document& document)
   return text.str();
 }
 
-/// An empty <document> with a comment before it.
+/// Returns an empty <document> with a comment before it.
 inline pugi::xml_node StartDocument(pugi::xml_document& document, const char* comment)
 {
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);

@@ -16,7 +16,7 @@ namespace helios
 namespace
 {
 
-/// A number that is the whole text; a sign + is allowed, as in C.
+/// Parses a number that is the whole text; a sign + is allowed, like in C.
 template <typename NumberT>
 bool FromText(const std::string& text, NumberT& number)
 {
@@ -45,7 +45,7 @@ std::string UnitOf(const XmlValueRule& rule)
   return *rule.Unit ? std::string(" [") + rule.Unit + "]" : std::string();
 }
 
-/// "give a number above 0 and up to 10 [Hz]"
+/// Returns "give a number above 0 and up to 10 [Hz]".
 std::string RangeText(const XmlValueRule& rule)
 {
   const XmlRange& range = rule.Range;
@@ -91,7 +91,7 @@ std::vector<std::string> Split(const std::string& text, char separator)
 
 constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
 
-/// The digits of a date, the integer part of a decimal number; negative: not a seed.
+/// Returns the digits of a date, the integer part of a decimal number; negative: not a seed.
 vtkIdType FindSeed(std::string text)
 {
   const bool isDate = text.find_first_of("-:") != std::string::npos && text.size() == 19;

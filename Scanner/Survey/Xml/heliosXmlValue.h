@@ -23,12 +23,12 @@ struct XmlValue
   std::string Name;
   std::string Text;
   std::string Where;
-  std::string Folder{}; ///< of the file; empty: the working directory
+  std::string Folder{}; ///< folder of the file; empty: the working directory
 };
 
 /**
- * Each parses a whole text; returns false, after an error with file:line, the value and the fix, if
- * the text is not valid or not in the rule's range. The target is then unchanged.
+ * Parse a whole text; return false, after an error with file:line, the value and the fix, if the
+ * text is not valid or not in the rule's range. The target is then unchanged.
  */
 bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target);
 bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target);
@@ -37,30 +37,30 @@ bool ParseRealList(
   const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target);
 bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
 
-/// A seed: an integer, a date with time, or AUTO, which is -1.
+/// Parses a seed: an integer, a date with time, or AUTO, which is -1.
 bool ParseSeed(const XmlValue& value, Messages& log, vtkIdType& target);
 
-/// The index of one of the choices of a rule.
+/// Parses the index of one of the choices of a rule.
 bool ParseChoice(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target);
 
 /// Parses a value to its place in a struct; false after an error.
 bool ParseStored(
   const XmlValue& value, const XmlValueRule& rule, Messages& log, const XmlPlace& place);
 
-/// The text that is parsed to the same value; empty: not given, as a number that is NaN, or a
-/// default out of range.
+/// Returns the text that is parsed to the same value; empty: not given, as a number that is NaN, or
+/// a default out of range.
 std::string FormatStored(const XmlValueRule& rule, const XmlPlace& place);
 
-/// The default of a value for people: that of its struct, or a phrase; empty: none.
+/// Describes the default of a value for people: its struct's, or a phrase; empty: none.
 std::string DescribeDefault(const XmlValueRule& rule);
 
-/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as an
-/// integer, but not 1e5.
+/// Returns the fewest digits that read back exactly, without an exponent: other programs read
+/// 100000 as an integer, but not 1e5.
 std::string ToXmlText(double value);
 
-///@{
-/// A computed length [m] or angle [degrees] to its billionth, so that 0.1 + 0.2 is saved as 0.3.
-/// Numbers of 2^53 billionths and more, which a double does not hold, stay as they are.
+/// @{
+/// Returns a computed length [m] or angle [degrees] to its billionth, so that 0.1 + 0.2 is saved as
+/// 0.3. Numbers of 2^53 billionths and more, which a double does not hold, stay as they are.
 inline double RoundComputed(double value)
 {
   return std::abs(value) < 9.0e6 ? std::round(value * 1e9) / 1e9 : value;

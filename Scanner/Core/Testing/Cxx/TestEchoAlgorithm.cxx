@@ -62,5 +62,5 @@ TEST_CASE("EchoAlgorithm: outputs are set one by one, or all", "[EchoAlgorithm]"
   std::ostringstream text;
   scanner->Print(text);
   CHECK(text.str().find("GenerateSubRays: 1\n") != std::string::npos);
-  CHECK(text.str().find("SplitByChannel") == std::string::npos); // of files only
+  CHECK(text.str().find("SplitByChannel") == std::string::npos); // outputs of files only
 }

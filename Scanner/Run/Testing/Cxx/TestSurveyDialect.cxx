@@ -254,7 +254,7 @@ TEST_CASE("SurveyDialect: noise of a platform, and of the survey", "[SurveyDiale
     files, Tripod, OneLeg + std::string(R"(<positionXNoise stdev="0.5" fixedLifespan="0"/>)"));
   const helios::PlatformData& platform = Read(reading).Platforms.at(0);
   CHECK(platform.Noise[0].IsOn);
-  CHECK(platform.Noise[0].Mean == 0.0); // all of it is overridden by the survey
+  CHECK(platform.Noise[0].Mean == 0.0); // the survey overrides the whole noise
   CHECK(platform.Noise[0].Deviation == 0.5);
   CHECK(platform.Noise[0].Lifespan == 0);
   CHECK_FALSE(platform.Noise[0].IsClipped);

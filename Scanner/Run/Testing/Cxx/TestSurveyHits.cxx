@@ -64,7 +64,7 @@ TEST_CASE("SurveyHits: a file per block, also beside text and LAS", "[SurveyHits
   const std::string format = GENERATE("xyz", "las", "vtp");
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetWriteHits(true);
-  playing.Player->SetPulsesPerBlock(35000); // of 40000
+  playing.Player->SetPulsesPerBlock(35000); // less than 40000
   REQUIRE(playing.Player->Run());
   CHECK(std::filesystem::exists(files / "out/test/leg000_hits_0001.vtp"));
   CHECK_FALSE(std::filesystem::exists(files / "out/test/leg000_hits_0002.vtp"));

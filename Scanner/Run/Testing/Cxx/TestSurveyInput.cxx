@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Scenes from a pipeline in place of that of the survey.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Scenes from a pipeline in place of the survey's.
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -284,7 +283,7 @@ TEST_CASE("SurveyInput: a player writes the echoes of its source", "[SurveyInput
   CHECK(player->GetWasFinished());
   bench.Source->SetInputConnection(0, MakePlane(2.0)->GetOutputPort());
   const auto log = Observe(player);
-  CHECK_FALSE(player->Run()); // the files are not those of this scene
+  CHECK_FALSE(player->Run()); // the files belong to another scene
   CHECK(
     log->HasError("cannot be resumed, since the scene has changed: its input, or a file of PROJ"));
   log->Clear();

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr double Radians = 0.017453292519943295;
-constexpr int Pulses = 80000; // of ThreeLegs, at 200 kHz
+constexpr int Pulses = 80000; // pulses of ThreeLegs, at 200 kHz
 
 /// One motion, repeated forever.
 std::string Endless(const std::string& motion)

@@ -215,7 +215,7 @@ TEST_CASE("SurveyOptics: a polygon with unlike facets", "[SurveyOptics]")
   bench.CheckQuiet();
   const auto deflector = bench.Deflector();
   double d[3];
-  for (const int line : { 0, 1, 2, 3, 4 }) // of 1000 pulses
+  for (const int line : { 0, 1, 2, 3, 4 }) // line of 1000 pulses
   {
     REQUIRE(deflector->GetDirection(1000 * line, d));
     CHECK(std::asin(d[0]) * 180.0 / 3.14159265358979323846 ==

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Surveys in memory: the same echoes as those of a player, in any parts.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Surveys in memory: the same echoes as by a player, in any parts.
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -374,7 +373,7 @@ TEST_CASE(
   const int events = progress->Events;
   CHECK(events > 2);
   progress->Events = 0;
-  progress->AbortAt = 2; // of the second leg
+  progress->AbortAt = 2; // block of the second leg
   CHECK(source.Run(1, VTK_ID_MAX)->GetNumberOfPoints() == 0);
   CHECK(source.Log->Errors.empty());
   progress->AbortAt = -1;

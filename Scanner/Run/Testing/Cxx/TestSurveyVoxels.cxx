@@ -42,8 +42,8 @@ std::string Voxels(Parameters parameters = {}, const std::string& type = "detail
   return Filter(type, parameters);
 }
 
-constexpr double Pad = 0.4;   // of the slab [m2/m3]
-constexpr double Angle = 5.0; // of the beams from the vertical [deg]
+constexpr double Pad = 0.4;   // density of the slab [m2/m3]
+constexpr double Angle = 5.0; // angle of the beams from the vertical [deg]
 constexpr int Pulses = 80000;
 
 /// A slab of 2 m from z = 10 m above the whole ground of 100 m, in cells of 2 m.

@@ -40,7 +40,7 @@ TEST_CASE("Messages: those of another thread are deferred", "[Messages]")
   std::thread writer(
     [&listening]
     {
-      const helios::Messages::Deferral deferral;
+      const helios::Messages::DeferredMessages deferral;
       listening.Warn();
       listening.Fail();
     });
@@ -59,7 +59,7 @@ TEST_CASE("Messages: after a deferral they are reported at once", "[Messages]")
 {
   Listening listening;
   {
-    const helios::Messages::Deferral deferral;
+    const helios::Messages::DeferredMessages deferral;
   }
   listening.Fail();
   CHECK(listening.Messages.GetLastError() == "survey.xml:7: the disk is full");

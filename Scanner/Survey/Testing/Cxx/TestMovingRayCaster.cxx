@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Compares the ray caster for moving scenes with that of the whole scene.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Compares the ray caster for moving scenes with the caster of the whole scene.
 #include "heliosMovingRayCaster.h"
 
 #include "heliosConeProbe.h"
@@ -75,8 +74,8 @@ vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
   return scene;
 }
 
-/// The same with instances of its triangles at three places; cell ids of two of them are between
-/// those of the mesh.
+/// Makes instances of the triangles at three places; cell ids of two of them are between the ids of
+/// the mesh.
 vtkSmartPointer<vtkPolyData> MakeInstances(double lift, bool onlyMoving)
 {
   auto scene = vtkSmartPointer<vtkHeliosScene>::New();
@@ -84,7 +83,7 @@ vtkSmartPointer<vtkPolyData> MakeInstances(double lift, bool onlyMoving)
   scene->AddPrototype(MakeScene(0.0, false));
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
-  places->InsertNextPoint(0.0, 0.0, 0.0); // the same triangles as in the mesh
+  places->InsertNextPoint(0.0, 0.0, 0.0); // triangles at the place of the mesh
   places->InsertNextPoint(3.0, 1.0, -5.0);
   places->InsertNextPoint(-8.0, 2.0, 9.0);
   vtkNew<vtkIdTypeArray> first;
@@ -187,7 +186,7 @@ TEST_CASE("MovingRayCaster: cones resolved by it are resolved equally in the who
   REQUIRE((ofKind && ofParts));
   const double up[3] = { 0, 0, 1 };
   int counts[3] = { 0, 0, 0 };
-  int planes[2] = { 0, 0 }; // of static and moving cells
+  int planes[2] = { 0, 0 }; // planes of static and moving cells
   for (const vtkHeliosRay& ray : MakeRays())
   {
     const vtkHeliosConeHit whole = ofKind->Probe(ray.Origin, up, 0.001, 0.01);

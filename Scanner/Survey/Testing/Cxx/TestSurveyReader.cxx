@@ -225,7 +225,7 @@ TEST_CASE(
   INFO(log->Warnings);
   CHECK(log->Warnings.empty());
   const helios::SurveyData& data = reader->GetSurvey()->GetData();
-  CHECK(data.Name == "survey"); // that of the file
+  CHECK(data.Name == "survey"); // name of the file
   CHECK(data.Scanners.at(0).Id == "tls");
   CHECK(data.Platforms.at(0).Type == helios::PlatformType::Static);
   CHECK(data.Scene.Parts.at(0).Files.at(0) == files / "plane.obj");

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Ranks that share a run, as threads: the files are those of one process.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Ranks that share a run, as threads: the files equal the files of one process.
 #include "heliosBrokenRun.h"
 #include "heliosRankMessage.h"
 #include "vtkHeliosRanks.h"
@@ -56,7 +55,7 @@ public:
 
   PostOffice* Office = nullptr;
   int Rank = 0;
-  std::string Fault; ///< of sending
+  std::string Fault; ///< fault of sending
 
 protected:
   bool ReceiveNext(int& rank, std::string& message) override
@@ -241,7 +240,7 @@ TEST_CASE("SurveyRanks: a run is resumed by another number of ranks", "[SurveyRa
     cluster.Main.AbortAfter(60000);
     REQUIRE_FALSE(cluster.Main.Player->Run());
     CHECK(cluster.Main.Blocks->Done.front() >= 30000); // no block is repeated
-    // the same ranks, which have blocks of the run before
+    // Runs ranks which have blocks of the previous run.
     cluster.Main.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
     REQUIRE(cluster.Main.Player->Run());
   }

@@ -176,7 +176,7 @@ private:
     return attributes.empty() ? pugi::xml_attribute() : attributes[this->Below(attributes.size())];
   }
 
-  std::mt19937 Generator; // the same numbers on all platforms
+  std::mt19937 Generator; // equal numbers on all platforms
 };
 
 } // namespace helios

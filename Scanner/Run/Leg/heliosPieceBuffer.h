@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Concatenates outputs of one scanner that come in pieces.
 
-#ifndef heliosPiecePile_h
-#define heliosPiecePile_h
+#ifndef heliosPieceBuffer_h
+#define heliosPieceBuffer_h
 
 #include "vtkHeliosScannerRunModule.h" // For export macro
 
@@ -16,16 +16,16 @@ namespace helios
 {
 
 /// Data are copied a logarithmic number of times, and few pieces are kept.
-class VTKHELIOSSCANNERRUN_EXPORT PiecePile
+class VTKHELIOSSCANNERRUN_EXPORT PieceBuffer
 {
 public:
-  /// Adds a piece with the pulses after those of the last; it may change afterwards.
+  /// Adds a piece whose pulses follow the last one's; it may change afterwards.
   void Add(vtkDataObject* piece);
 
   /// Concatenates all pieces.
   void Finish();
 
-  /// All data, after Finish(); null before.
+  /// Returns all data, after Finish(); null before.
   vtkDataObject* Get() const { return this->Whole; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosPiecePile.h"
+#include "heliosPieceBuffer.h"
 
 #include "heliosChannelMerge.h"
 
@@ -8,7 +8,7 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-void PiecePile::Add(vtkDataObject* piece)
+void PieceBuffer::Add(vtkDataObject* piece)
 {
   auto data = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
   data->ShallowCopy(piece);
@@ -21,7 +21,7 @@ void PiecePile::Add(vtkDataObject* piece)
 }
 
 //------------------------------------------------------------------------------
-void PiecePile::Finish()
+void PieceBuffer::Finish()
 {
   while (this->Groups.size() > 1)
   {
@@ -31,7 +31,7 @@ void PiecePile::Finish()
 }
 
 //------------------------------------------------------------------------------
-void PiecePile::JoinLast()
+void PieceBuffer::JoinLast()
 {
   const Merged last = this->Groups.back();
   this->Groups.pop_back();
