@@ -41,7 +41,7 @@ struct RunRequest
   bool Overwrite = false;
   bool Resume = false;
   vtkIdType PulsesPerBlock = 0;
-  vtkIdType BytesToCheck = 0; ///< progress of the files of an earlier run
+  vtkIdType BytesToCheck = 0; ///< bytes of the files of an earlier run
   int Part = 1;
   int NumberOfParts = 0; ///< 0: the whole
   std::string PartCommand;
