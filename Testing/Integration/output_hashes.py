@@ -45,7 +45,7 @@ KINDS = {"tls": 20, "als": 25, "uls": 80, "mls": 80, "forest": 20, "city": 40, "
 OWN = {
     "street": {"fixed": "--sub-rays 19 --format las --seed 9 --no-noise", "part": "--part 2/3"},
     "epochs": {"embree": "--ray-caster embree --format vtp", "copies": "--no-instances --no-accuracy-report"},
-    "glass": {"few": "--max-sub-rays 200 --energy-tolerance 0.05",
+    "glass": {"few": "--max-sub-rays 1024 --energy-tolerance 0.05",
               "fog": "--weather 'fog 0.1' --waveforms-in-points --format las --waveforms"},
     "flight": {"tolerance": "--range-tolerance 0.02 --energy-tolerance 0.1", "photons": "--detector photonCounting",
                "gaussian": "--detector gaussian --waveforms"},
