@@ -141,7 +141,7 @@ bool vtkHeliosSurvey::WriteFile(const std::string& fileName)
   const helios::Status status = this->Inside->Document->Write(fileName);
   if (!status.IsOk())
   {
-    vtkErrorMacro(<< status.Message());
+    vtkErrorMacro(<< status.Message() << "; give the survey another file");
   }
   return status.IsOk();
 }
@@ -326,6 +326,12 @@ void vtkHeliosSurvey::RemoveAllLegs()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosSurvey::MoveLeg(int leg, int to)
+{
+  return this->Inside->Change(this->Inside->Document->MoveLeg(leg, to));
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosSurvey::SetLegPosition(int leg, double x, double y, double z)
 {
   return this->SetLegAttribute(leg, "x", helios::ToXmlText(x)) &&
@@ -344,6 +350,12 @@ void vtkHeliosSurvey::RemoveAllParts()
 {
   this->Inside->Document->RemoveAllParts();
   this->Inside->Change(true);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::RemovePart(int part)
+{
+  return this->Inside->Change(this->Inside->Document->RemovePart(part));
 }
 
 //------------------------------------------------------------------------------
@@ -442,6 +454,13 @@ int vtkHeliosSurvey::GetNumberOfEpochs() const
 int vtkHeliosSurvey::GetNumberOfParts() const
 {
   return static_cast<int>(this->GetData().Scene.Parts.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfSingleParts()
+{
+  this->GetData();
+  return this->Inside->Document->GetNumberOf(Item::Part);
 }
 
 //------------------------------------------------------------------------------

@@ -17,10 +17,10 @@
  *
  * Attributes have the names, units and ranges of the HELIOS XML dialect (Docs/dialect.md), and
  * their values are texts, as in files. A value that is not valid is an error, and is not set; an
- * empty one restores the default. Attributes of elements inside are named by their path, those that
+ * empty one removes it, so that it is inherited or the default. Attributes of elements inside are named by their path, those that
  * repeat with an index, as in scannerMount/rot[1]/axis and dmotion[0]/motion[1]/angle; an index left
  * out is 0, and that after the last adds an element. The value of an element itself is true, and an
- * empty one removes it. Elements set this way replace those of the same name from a file. Changes that depend on each other, such as the limits of a
+ * empty one removes it. Elements of other files are changed in a copy. Changes that depend on each other, such as the limits of a
  * scanner and the settings of a leg, are resolved together: Check() reports all errors and
  * warnings. Messages name "leg 2", "scanner 0" or "platform 0" in place of file:line. All indices
  * count from 0.
@@ -152,6 +152,12 @@ public:
   void RemoveAllLegs();
   ///@}
 
+  /**
+   * Move a leg to another place among the legs; those between move by one. Returns false after an
+   * error.
+   */
+  bool MoveLeg(int leg, int to);
+
   ///@{
   /**
    * Set/Get a setting of a leg by its name in platformSettings, scannerSettings or leg: x, y, z,
@@ -188,6 +194,11 @@ public:
   bool SetPartAttribute(int part, const std::string& name, const std::string& value);
   std::string GetPartAttribute(int part, const std::string& name);
   ///@}
+
+  /**
+   * Remove one part that is not of a table; those after it move up. Returns false after an error.
+   */
+  bool RemovePart(int part);
 
   /**
    * Add a table of parts, a row for each place where a model stands: a CSV file, or an empty name for
@@ -268,9 +279,11 @@ public:
 
   ///@{
   /**
-   * The parts of the scene; the name is empty if the part does not exist.
+   * The parts of the scene; those that are not of tables come first, and can be changed one by one.
+   * The name is empty if the part does not exist.
    */
   int GetNumberOfParts() const;
+  int GetNumberOfSingleParts();
   std::string GetPartName(int part) const;
   ///@}
 

@@ -374,14 +374,12 @@ void EditTool::Scan()
 {
   vtkNew<vtkHeliosSurvey> survey;
   const ErrorText errors(survey);
-  Messages log(survey);
   SurveyEdit edit = this->Edit;
   edit.SceneText = this->HasNewScene ? this->Scene.GetText() : "";
-  survey->GetData() = ReadSurveyText(fs::absolute(this->Owner.GetOptions().Save).string(),
-    MakeSurveyText(edit), this->Owner.GetOptions().Assets, log);
-  if (log.HasError())
+  const std::string file = fs::absolute(this->Owner.GetOptions().Save).string();
+  if (!ReadEdit(edit, file, this->Owner.GetOptions().Assets, survey))
   {
-    this->Owner.ShowError("not scanned: " + log.GetLastError());
+    this->Owner.ShowError("not scanned: " + errors.Get("the survey is not valid"));
     return;
   }
   this->Ghost.reset();

@@ -13,28 +13,10 @@ from ..core.classes import vtk_class
 from ..core.folders import data_directory
 from ..core.paths import to_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
+from .items import SETTINGS, attributes, leg_values, text_of
 from .survey import Survey, check_options, trajectory_data
 
 __all__ = ["make_survey", "scan"]
-
-# Settings of a leg, and their attributes in surveys (Docs/dialect.md); a pair of values has two.
-_SETTINGS = {
-    "speed": "movePerSec_m",
-    "stop_and_turn": "stopAndTurn",
-    "smooth_turn": "smoothTurn",
-    "yaw_at_departure": "yawAtDeparture_deg",
-    "active": "active",
-    "pulse_frequency": "pulseFreq_hz",
-    "scan_frequency": "scanFreq_hz",
-    "scan_angle": "scanAngle_deg",
-    "vertical": ("verticalAngleMin_deg", "verticalAngleMax_deg"),
-    "head": ("headRotateStart_deg", "headRotateStop_deg"),
-    "head_speed": "headRotatePerSec_deg",
-    "beam_divergence": "beamDivergence_rad",
-    "duration": "maxDuration_s",
-    "vertical_resolution": "verticalResolution_deg",
-    "horizontal_resolution": "horizontalResolution_deg",
-}
 
 
 def make_survey(
@@ -51,7 +33,8 @@ def make_survey(
 
     scene
         a Scene, a VTK data set with a surface, or an algorithm that makes one: the
-        survey follows its pipeline.
+        survey follows its pipeline. Or a list of parts, a file name each, or a dictionary with the
+        file and what Parts.append() takes: ``["ground.obj", {"file": "car.obj", "scale": 2}]``.
     legs
         a dictionary each, or only a position. ``position``: x, y on the ground below, or
         x, y, z [m]. On a moving platform a leg extends to the position of the next,
@@ -95,7 +78,12 @@ def make_survey(
     conclude(log)
     if not succeeded:
         raise PipelineError(["the survey is not valid, for a reason that was not reported"])
-    return Survey(survey, scene=scene, trajectory=trajectory)
+    if not isinstance(scene, (list, tuple)):
+        return Survey(survey, scene=scene, trajectory=trajectory)
+    made = Survey(survey, trajectory=trajectory)
+    for part in scene:
+        made.parts.append(**(part if hasattr(part, "items") else {"file": part}))
+    return made
 
 
 def scan(
@@ -119,9 +107,9 @@ def scan(
         raise TypeError(
             "scan() needs a position (on a tripod), or a path or trajectory to move along"
         )
-    known = {"position", *_SETTINGS, *_attributes()}
+    known = {"position", *SETTINGS, *attributes("leg")}
     settings = {name: more.pop(name) for name in list(more) if name in known}
-    names = ", ".join(sorted({"position", *_SETTINGS}))
+    names = ", ".join(sorted({"position", *SETTINGS}))
     check_options(more, f"neither a setting of a leg ({names}) nor of a run")
     platform = platform or ("tripod" if position is not None else "copter_linearpath")
     legs = path if path is not None else None if position is None else [position]
@@ -143,52 +131,12 @@ def _fill(survey, legs, scanner, platform, name, assets, settings, flies):
     good = not flies or survey.SetPlatformAttribute(platform, "type", "interpolated")
     for leg in legs:
         given = leg if isinstance(leg, dict) else {"position": leg}
-        values = _values({**settings, **given}, flies)
+        values = leg_values({**settings, **given}, flies)
         index = survey.AddLeg(scanner, platform)
         for attribute, value in values.items():
-            good = survey.SetLegAttribute(index, attribute, _text(value)) and good
+            good = survey.SetLegAttribute(index, attribute, text_of(value)) and good
     return good and survey.Check()
 
 
 def _reference(name, find_file=lambda _: "platforms.xml"):
     return name if "#" in name else f"{find_file(name)}#{name}"
-
-
-def _values(leg, flies):
-    """Returns the attributes of a leg and their values; one that follows a trajectory has no
-    position."""
-    if flies == ("position" in leg):
-        raise TypeError(
-            "a leg has a position, but the trajectory gives it; leave it out"
-            if flies
-            else "a leg has no position; give x, y, or x, y, z"
-        )
-    position = () if flies else tuple(leg.pop("position"))
-    if not flies and len(position) not in (2, 3):
-        raise ValueError(f"position is {position!r}; give x, y, or x, y, z")
-    values = dict(zip("xyz", position), onGround=len(position) == 2)
-    for name, value in leg.items():
-        target = _SETTINGS.get(name, name)
-        if isinstance(target, tuple):
-            low, high = value
-            values.update(zip(target, (low, high)))
-        elif name in _SETTINGS or name in _attributes():
-            values[target] = value
-        else:
-            names = ", ".join(["position", *_SETTINGS])
-            raise TypeError(f"{name} is not a setting of a leg; known: {names}")
-    return values
-
-
-def _attributes():
-    """Returns the names of all settings of a leg in surveys."""
-    cls = vtk_class("vtkHeliosSurvey")
-    return {cls.GetAttributeName("leg", i) for i in range(cls.GetNumberOfAttributes("leg"))}
-
-
-def _text(value):
-    if isinstance(value, str):
-        return to_vtk(value)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    return repr(float(value))

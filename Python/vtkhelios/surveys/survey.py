@@ -11,7 +11,6 @@ import json
 import os
 import pathlib
 import threading
-import typing
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -29,6 +28,7 @@ from ..core.properties import set_properties
 from ..core.reading import make_reader, missing_folder
 from ..core.watching import Progress
 from ..scenes.scene import Scene, add_parts
+from .items import Leg, Legs, Parts, change
 from .options import in_python
 from .outputs import in_files, in_memory
 from .tradeoff_run import make_tradeoff
@@ -70,17 +70,6 @@ def read_survey(path, assets=(), scene=None, trajectory=None):
     return survey
 
 
-class Leg(typing.NamedTuple):
-    """A leg of a survey."""
-
-    index: int
-    position: tuple  # [m]; z is not yet on the ground if on_ground
-    on_ground: bool
-    active: bool
-    pulse_frequency: float  # [Hz]
-    scan_frequency: float  # [Hz]
-
-
 class Survey:
     """A survey that can be run: ``survey.vtk`` is the vtkHeliosSurvey.
 
@@ -102,20 +91,31 @@ class Survey:
 
     @property
     def legs(self):
-        """All legs, including inactive ones."""
-        return [self._leg(index) for index in range(self.vtk.GetNumberOfLegs())]
+        """All legs, including inactive ones: a list that can be changed.
 
-    def _leg(self, index):
-        position = [0.0, 0.0, 0.0]
-        self.vtk.GetLegPosition(index, position)
-        return Leg(
-            index,
-            tuple(position),
-            self.vtk.IsLegOnGround(index),
-            self.vtk.IsLegActive(index),
-            self.vtk.GetLegPulseFrequency(index),
-            self.vtk.GetLegScanFrequency(index),
-        )
+        >>> survey.legs[0].scan_frequency = 50
+        >>> survey.legs.append((10, 0), head=(0, 360))
+        >>> del survey.legs[2]
+        """
+        return Legs(self.vtk)
+
+    @property
+    def parts(self):
+        """The parts of the scene that are not of tables: a list that can be changed.
+
+        >>> motion = {"type": "translation", "vec": (0.1, 0, 0)}
+        >>> survey.parts.append("car.obj", dmotion={"loop": 0, "motion": motion})
+        """
+        return Parts(self.vtk)
+
+    def write(self, path):
+        """Writes the survey to an XML file, however it was made.
+
+        It reads back as the same survey with the same asset directories. What it refers to in other
+        files stays there, unless it was changed. A scene or trajectory in memory is not written:
+        read it with ``read_survey(path, scene=...)``.
+        """
+        change(self.vtk, "WriteFile", to_vtk(path))
 
     @property
     def scene(self):

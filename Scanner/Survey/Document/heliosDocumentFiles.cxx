@@ -6,6 +6,7 @@
 #include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlPart.h"
+#include "heliosXmlScene.h"
 #include "heliosXmlText.h"
 
 #include <algorithm>
@@ -48,18 +49,25 @@ void VisitFiles(pugi::xml_node node,
 /// The file part of a value, and what follows it: #id, or a pattern.
 std::pair<std::string, std::string> SplitFile(const XmlValueRule& rule, const std::string& text)
 {
-  const char mark = rule.File == XmlFile::Pattern ? '/' : '#';
-  const bool isWhole = rule.File != XmlFile::Pattern && rule.Kind != XmlKind::Reference;
-  const std::size_t end = isWhole ? std::string::npos : text.rfind(mark);
-  const bool hasFile = isWhole || (end != std::string::npos && end > 0);
-  return hasFile ? std::pair(text.substr(0, end), isWhole ? "" : text.substr(end))
-                 : std::pair(std::string(), text);
+  const bool isReference = rule.Kind == XmlKind::Reference;
+  const std::size_t end = isReference ? text.rfind('#')
+    : rule.File == XmlFile::Pattern   ? text.rfind('/')
+                                      : text.size();
+  return end == std::string::npos ? std::pair(std::string(), text)
+                                  : std::pair(text.substr(0, end), text.substr(end));
 }
 
 /// The whole path of a file or folder; empty: not found.
 std::string FindWhole(
-  const XmlValueRule& rule, const std::string& name, const XmlDocument& from, const Assets& files)
+  const XmlValueRule& rule, const std::string& name, const XmlDocument& from, Assets& files)
 {
+  if (rule.File == XmlFile::Pattern)
+  {
+    const std::vector<std::string> found =
+      files.FindFiles({ rule.Name, name, from.GetPath() }, from);
+    return found.empty() ? std::string()
+                         : fs::absolute(found.front()).lexically_normal().parent_path().string();
+  }
   std::vector<std::string> folders = files.GetFolders(from);
   if (rule.File == XmlFile::Beside)
   {
@@ -71,8 +79,7 @@ std::string FindWhole(
     for (const std::string& folder : folders)
     {
       const fs::path path = fs::path(folder) / below / name;
-      if (fs::exists(path, ignored) &&
-        fs::is_directory(path, ignored) == (rule.File == XmlFile::Pattern))
+      if (!name.empty() && fs::exists(path, ignored) && !fs::is_directory(path, ignored))
       {
         return fs::absolute(path).lexically_normal().string();
       }
@@ -103,14 +110,17 @@ std::string ReferTo(const std::string& path, const std::string& folder,
 }
 
 //------------------------------------------------------------------------------
-void FindFilesIn(pugi::xml_node node, const XmlDocument& from, const Assets& files)
+void FindFilesIn(pugi::xml_node node, const XmlDocument& from, Assets& files)
 {
   VisitFiles(node,
     [&](const XmlValueRule& rule, pugi::xml_attribute attribute)
     {
-      const auto [file, rest] = SplitFile(rule, attribute.value());
-      const std::string path = file.empty() ? file : FindWhole(rule, file, from, files);
-      path.empty() ? void() : void(attribute.set_value((path + rest).c_str()));
+      const std::string text = attribute.value();
+      const bool isPattern = rule.File == XmlFile::Pattern;
+      const auto [file, rest] = SplitFile(rule, text);
+      const std::string path = FindWhole(rule, isPattern ? text : file, from, files);
+      const std::string after = isPattern && rest[0] != '/' ? "/" + rest : rest;
+      path.empty() ? void() : void(attribute.set_value((path + after).c_str()));
     });
 }
 
@@ -125,8 +135,10 @@ void ReferToFiles(pugi::xml_node node, const std::string& folder, const Assets& 
       {
         const std::vector<std::string> none;
         const bool isBeside = rule.File == XmlFile::Beside;
-        const std::string name = ReferTo(file, folder, isBeside ? none : files.GetDirectories());
-        attribute.set_value((name + rest).c_str());
+        const bool isPattern = rule.File == XmlFile::Pattern;
+        const std::string name =
+          ReferTo(isPattern ? file + rest : file, folder, isBeside ? none : files.GetDirectories());
+        attribute.set_value((isPattern ? name : name + rest).c_str());
       }
     });
 }
@@ -139,39 +151,6 @@ std::string SurveyDocument::Refer(const XmlElement& element) const
   return element.GetTag() == "survey"
     ? "interpolated"
     : (isOwn ? "" : element.GetDocument().GetPath()) + "#" + element.GetText("id");
-}
-
-//------------------------------------------------------------------------------
-/// The attributes of the survey and its legs that refer to an element; to <survey>: interpolated.
-std::vector<pugi::xml_attribute> SurveyDocument::FindReferences(const XmlElement& element)
-{
-  const bool isSurvey = element.GetTag() == "survey";
-  const std::string tag = isSurvey ? "platform" : element.GetTag();
-  std::map<std::string, bool> known = { { "interpolated", isSurvey } };
-  std::vector<pugi::xml_attribute> found;
-  const auto add = [&](pugi::xml_attribute attribute)
-  {
-    const std::string text = attribute.value();
-    if (attribute && known.count(text) == 0)
-    {
-      Messages silent(nullptr);
-      const XmlValue value{ tag, text, "" };
-      known[text] = this->Files.FindElement(tag.c_str(), value, *this->Own).GetIdentity() ==
-        element.GetIdentity();
-    }
-    attribute&& known[text] ? found.push_back(attribute) : void();
-  };
-  add(this->GetSurvey().attribute(tag.c_str()));
-  isSurvey ? void() : add(this->GetSurvey().attribute(tag == "platform" ? "basePlatform" : ""));
-  for (const pugi::xml_node scan : this->GetSurvey().children("scan"))
-  {
-    add(scan.attribute(tag.c_str()));
-  }
-  for (const XmlElement& leg : this->GetLegs())
-  {
-    add(leg.GetNode().attribute(tag.c_str()));
-  }
-  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -204,147 +183,6 @@ pugi::xml_node SurveyDocument::CopyHere(const XmlElement& element)
 }
 
 //------------------------------------------------------------------------------
-/// A scanner or platform as an element of this document, which can be changed; of an interpolated
-/// platform the one below it.
-XmlElement SurveyDocument::TakeOver(SurveyItem item, int index)
-{
-  const bool isScanner = item == SurveyItem::Scanner;
-  std::vector<XmlElement>& all = isScanner ? this->Elements.Scanners : this->Elements.Platforms;
-  XmlElement& entry = all[static_cast<std::size_t>(index)];
-  const bool isInterpolated = entry.GetTag() == "survey";
-  XmlElement element = this->GetBasePlatform(entry);
-  pugi::xml_node survey = this->GetSurvey();
-  if (!element)
-  {
-    pugi::xml_node node =
-      this->Own->GetTree().child("document").insert_child_before("platform", survey);
-    SetAttribute(node, "id", this->MakeId("platform", "interpolated"));
-    element = this->MakeElement(node);
-    SetAttribute(survey, "basePlatform", this->Refer(element));
-  }
-  if (&element.GetDocument() == this->Own.get())
-  {
-    return element;
-  }
-  const std::vector<pugi::xml_attribute> references = this->FindReferences(element);
-  const XmlElement copy = this->MakeElement(this->CopyHere(element));
-  entry = isInterpolated ? entry : copy;
-  for (pugi::xml_attribute reference : references)
-  {
-    reference.set_value(this->Refer(copy).c_str());
-  }
-  return copy;
-}
-
-//------------------------------------------------------------------------------
-/// Makes the scene an element of this document, with one element for each part.
-void SurveyDocument::TakeOverScene()
-{
-  XmlElement& scene = this->Elements.Scene;
-  if (!scene)
-  {
-    return;
-  }
-  const std::vector<XmlElement> given = this->Elements.Parts;
-  if (&scene.GetDocument() != this->Own.get())
-  {
-    scene = this->MakeElement(this->CopyHere(scene));
-    this->GetSurvey().attribute("scene").set_value(this->Refer(scene).c_str());
-    this->Elements.Parts = scene.GetChildren("part");
-  }
-  else
-  {
-    this->Elements.Parts = this->ListOwn("part");
-  }
-  std::size_t index = 0;
-  for (const XmlElement& part : std::exchange(this->Elements.Parts, {}))
-  {
-    std::size_t last = index;
-    while (last < given.size() && given[last].GetIdentity() == given[index].GetIdentity())
-    {
-      ++last;
-    }
-    last - index > 1 ? this->SpreadPart(part, index) : this->Elements.Parts.push_back(part);
-    index = last;
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Splits a part with several files and no id into one part per file, each with its default name.
-void SurveyDocument::SpreadPart(const XmlElement& part, std::size_t index)
-{
-  const PartData data = ReadPart(part, this->Elements.Scene, this->Files);
-  pugi::xml_node scene = this->Elements.Scene.GetNode();
-  for (const std::string& file : data.Files)
-  {
-    pugi::xml_node one = scene.insert_copy_before(part.GetNode(), part.GetNode());
-    this->CopyPlaces(part, one);
-    one.remove_attribute("id");
-    one.prepend_attribute("id") = std::to_string(index++).c_str();
-    for (pugi::xml_node filter : one.children("filter"))
-    {
-      pugi::xml_node pattern = filter.find_child_by_attribute("param", "key", "efilepath");
-      filter.remove_child(
-        pattern ? filter.find_child_by_attribute("param", "key", "filepath") : pugi::xml_node());
-      if (pattern)
-      {
-        pattern.attribute("key") = "filepath";
-        pattern.attribute("value") = file.c_str();
-      }
-    }
-    this->Elements.Parts.push_back(this->MakeElement(one));
-  }
-  scene.remove_child(part.GetNode());
-}
-
-//------------------------------------------------------------------------------
-/// Adds the origins of the Java program to the positions of their legs.
-void SurveyDocument::FoldOrigins()
-{
-  pugi::xml_node survey = this->GetSurvey();
-  if (!survey.child("origin"))
-  {
-    return;
-  }
-  Vec3 offset(0.0, 0.0, 0.0);
-  int leg = 0;
-  std::vector<std::pair<int, Vec3>> moved;
-  for (const pugi::xml_node child : survey.children())
-  {
-    const std::string tag = child.name();
-    if (tag == "origin")
-    {
-      offset = Vec3(0.0, 0.0, 0.0);
-      this->MakeElement(child).ReadVector(offset);
-    }
-    const auto legs = child.children("leg");
-    const int count =
-      tag == "scan" ? static_cast<int>(std::distance(legs.begin(), legs.end())) : tag == "leg";
-    for (int i = 0; i < count; ++i)
-    {
-      moved.emplace_back(leg++, offset);
-    }
-  }
-  while (survey.remove_child("origin"))
-  {
-  }
-  for (const auto& [index, by] : moved)
-  {
-    const char* const names[] = { "x", "y", "z" };
-    for (int k = 0; k < 3; ++k)
-    {
-      const SurveyPlace place{ SurveyItem::Leg, index };
-      double number = 0.0;
-      const XmlValueRule* rule = FindXmlRule("platformSettings")->FindValue(names[k]);
-      ParseReal({ names[k], this->Get(place, names[k]), "" }, *rule, this->Log, number);
-      by[k] != 0.0
-        ? void(this->SetIn(this->Find(place), SurveyItem::Leg, names[k], ToXmlText(number + by[k])))
-        : void();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 Status SurveyDocument::Write(const std::string& fileName)
 {
   pugi::xml_document copy;
@@ -366,6 +204,7 @@ Status SurveyDocument::Write(const std::string& fileName)
     survey.prepend_attribute("name") = MakeFolderName(stem).c_str();
   }
   const std::string folder = fs::path(fileName).parent_path().string();
+  this->Log.Restart(nullptr); // a file that does not exist keeps its name
   FindFilesIn(copy, *this->Own, this->Files);
   ReferToFiles(copy, folder, this->Files);
   return WriteWhole(fileName, ToXmlText(copy));

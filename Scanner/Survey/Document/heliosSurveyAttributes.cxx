@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Attributes of the items of a survey, by their paths.
 #include "heliosElementPath.h"
+#include "heliosItemRules.h"
 #include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlLeg.h"
@@ -18,69 +19,6 @@ namespace helios
 namespace
 {
 
-/// The elements with the attributes of an item.
-struct ItemRow
-{
-  std::vector<const char*> Own; ///< named without a prefix; the first one that knows a name is set
-  std::vector<const char*> Inside; ///< with one value each, named element/attribute
-};
-
-const ItemRow& GetRow(SurveyItem item)
-{
-  static const std::map<SurveyItem, ItemRow> rows = {
-    { SurveyItem::Survey, { { "survey" }, {} } },
-    { SurveyItem::Scene, { { "scene" }, {} } },
-    { SurveyItem::Part, { { "part" }, {} } },
-    { SurveyItem::PartTable, { { "partTable" }, {} } },
-    { SurveyItem::Scanner,
-      { { "scanner", "FWFSettings" },
-        { "channel", "beamOrigin", "rangeError", "deflectionError", "headError",
-          "panoramicError" } } },
-    { SurveyItem::Platform,
-      { { "platform" },
-        { "scannerMount", "positionXNoise", "positionYNoise", "positionZNoise", "attitudeXNoise",
-          "attitudeYNoise", "attitudeZNoise", "navigationError" } } },
-    { SurveyItem::Leg, { { "platformSettings", "scannerSettings", "leg" }, {} } },
-  };
-  return rows.at(item);
-}
-
-/// The first of the elements of an item that knows a name; null: none.
-const XmlElementRule* FindRule(SurveyItem item, const std::string& name)
-{
-  for (const char* tag : GetRow(item).Own)
-  {
-    const XmlElementRule* rule = FindXmlRule(tag);
-    if (ElementPath::Knows(*rule, name))
-    {
-      return rule;
-    }
-  }
-  return nullptr;
-}
-
-/// The path from the element of an item, which begins with the name of an element inside it.
-std::string MakeFullPath(const XmlElementRule& rule, pugi::xml_node node, const std::string& path)
-{
-  const bool isOwn = std::string(rule.Name) == node.name() || std::string(node.name()) == "channel";
-  return isOwn && std::string(rule.Name) != "FWFSettings" ? path
-                                                          : std::string(rule.Name) + "/" + path;
-}
-
-/// Whether two attributes are one value of the data.
-bool IsSame(const XmlValueRule& a, const XmlValueRule& b)
-{
-  const bool isSameName = std::string(a.Name) == b.Name;
-  return a.Use == XmlUse::Used && b.Use == XmlUse::Used &&
-    (a.Store.Owner && b.Store.Owner ? a.Store.Find == b.Store.Find : isSameName);
-}
-
-bool IsTolerance(const std::string& name)
-{
-  return name == "rangeTolerance_m" || name == "energyTolerance";
-}
-
-constexpr const char* FixedSubRays = "beamSampleQuality";
 constexpr const char* ChannelPrefix = "channel/";
 
 bool StartsWith(const std::string& text, const std::string& start)
@@ -142,8 +80,8 @@ std::vector<std::string> SurveyDocument::ListAttributes(SurveyItem item)
   for (const XmlElementRule& rule : GetXmlRules())
   {
     const std::string name = rule.Name;
-    item == SurveyItem::Part&& StartsWith(name, "filter:") ? add(rule, name.substr(7) + "/")
-                                                           : void();
+    const bool isFilter = StartsWith(name, "filter:") && name != "filter:crs"; // which repeats
+    item == SurveyItem::Part&& isFilter ? add(rule, name.substr(7) + "/") : void();
   }
   return names;
 }
@@ -202,7 +140,7 @@ bool SurveyDocument::SetIn(
   {
     return text.empty() && !this->Log.HasError();
   }
-  const bool isId = path == "id" &&
+  const bool isId = path == "id" && given != node.attribute("id").value() &&
     (item == SurveyItem::Scanner || item == SurveyItem::Platform || item == SurveyItem::Scene) &&
     std::string(node.name()) != "channel";
   const std::vector<pugi::xml_attribute> references =
@@ -306,178 +244,7 @@ bool SurveyDocument::FindFiles(std::string& text, const XmlValueRule* rule, cons
 }
 
 //------------------------------------------------------------------------------
-bool SurveyDocument::SetScanner(
-  const SurveyPlace& place, const std::string& path, const std::string& text)
-{
-  const int count = this->GetNumberOfChannels(place.Index);
-  std::string where = "scanner " + std::to_string(place.Index);
-  if (count == 0)
-  {
-    return false;
-  }
-  if (place.Channel >= count)
-  {
-    this->Log.Error(where + ", channel " + std::to_string(place.Channel) +
-      " does not exist; there are " + std::to_string(count) + ", counted from 0");
-    return false;
-  }
-  const std::string name = ElementPath::GetFirstName(path);
-  if (!FindRule(SurveyItem::Scanner, name) && FindXmlRule("detectorSettings")->FindValue(name))
-  {
-    return this->SetIn({ this->MakeElement(this->GetSurvey()), where }, SurveyItem::Survey,
-      "detectorSettings/" + path, text);
-  }
-  const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, place.Index);
-  this->TakeOverrides(name);
-  const bool isOfChannel = StartsWith(path, ChannelPrefix);
-  if (isOfChannel && !this->GetChannel(scanner, 0))
-  {
-    scanner.GetNode().append_child("channels").append_child("channel");
-  }
-  const XmlElement one =
-    this->GetChannel(scanner, isOfChannel ? std::max(0, place.Channel) : place.Channel);
-  if (one)
-  {
-    where += ", channel " + std::to_string(std::max(0, place.Channel));
-    const std::string own = isOfChannel ? path.substr(std::string(ChannelPrefix).size()) : path;
-    return this->SetIn({ one, where }, SurveyItem::Scanner, own, text);
-  }
-  return this->SetWhole({ scanner, where }, path, text);
-}
-
-//------------------------------------------------------------------------------
-/// Sets an attribute of a scanner and of its channels that do not inherit it.
-bool SurveyDocument::SetWhole(
-  const Found& scanner, const std::string& path, const std::string& text)
-{
-  bool isGood = this->SetIn(scanner, SurveyItem::Scanner, path, text);
-  for (int i = 0; isGood && this->GetChannel(scanner.Element, i); ++i)
-  {
-    const XmlElement channel = this->GetChannel(scanner.Element, i);
-    const XmlValue value{ path, text, "" };
-    const XmlElementRule* rule = FindRule(SurveyItem::Scanner, ElementPath::GetFirstName(path));
-    ElementPath own(channel.GetNode(), MakeFullPath(*rule, channel.GetNode(), path), value);
-    Messages silent(nullptr);
-    const bool hasOwn = channel.Has("optics") || (own.Follow(false, silent) && !own.Get().empty());
-    isGood = !hasOwn ||
-      this->SetIn({ channel, scanner.Where + ", channel " + std::to_string(i) },
-        SurveyItem::Scanner, path, text);
-  }
-  return isGood;
-}
-
-//------------------------------------------------------------------------------
-/// Moves what a survey overrides of its scanners into each of them, so that one can be changed.
-void SurveyDocument::TakeOverrides(const std::string& name)
-{
-  const XmlElementRule* rule = FindRule(SurveyItem::Scanner, name);
-  const XmlValueRule* wanted = rule ? rule->FindValue(name) : nullptr;
-  pugi::xml_node survey = this->GetSurvey();
-  for (pugi::xml_node node :
-    { survey.child("FWFSettings"), survey.child("detectorSettings"), survey })
-  {
-    for (const XmlValueRule& value : FindXmlRule(node ? node.name() : "survey")->Values)
-    {
-      const bool isMeant = wanted &&
-        (IsSame(value, *wanted) || (IsTolerance(name) && std::string(value.Name) == FixedSubRays));
-      const std::string text = node.attribute(value.Name).value();
-      if (isMeant && value.Store.Owner && !text.empty())
-      {
-        node.remove_attribute(value.Name);
-        for (std::size_t i = 0; i < this->Elements.Scanners.size(); ++i)
-        {
-          const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, static_cast<int>(i));
-          this->SetWhole({ scanner, "scanner " + std::to_string(i) }, value.Name, text);
-        }
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// The platform below an interpolated one, made if there is none; others as they are.
-XmlElement SurveyDocument::GetBasePlatform(const XmlElement& platform)
-{
-  if (platform.GetIdentity() != this->GetSurvey().internal_object())
-  {
-    return platform;
-  }
-  return platform.Has("basePlatform")
-    ? this->Files.FindElement("platform", platform, "basePlatform")
-    : XmlElement();
-}
-
-//------------------------------------------------------------------------------
-/// Makes a platform follow the trajectories of its legs.
-bool SurveyDocument::SetInterpolated(const SurveyPlace& place)
-{
-  XmlElement& platform = this->Elements.Platforms[static_cast<std::size_t>(place.Index)];
-  const XmlElement survey = this->MakeElement(this->GetSurvey());
-  for (std::size_t i = 0; i < this->Elements.Platforms.size(); ++i)
-  {
-    if (this->Elements.Platforms[i].GetIdentity() == survey.GetIdentity())
-    {
-      const bool isThis = static_cast<int>(i) == place.Index;
-      isThis ? void()
-             : this->Log.Error("platform " + std::to_string(place.Index) +
-                 ": type=\"interpolated\": a survey has one such platform, which is platform " +
-                 std::to_string(i) + "; use it for the leg");
-      return isThis;
-    }
-  }
-  const std::vector<pugi::xml_attribute> references = this->FindReferences(platform);
-  pugi::xml_node node = survey.GetNode();
-  node.remove_attribute("basePlatform");
-  SetAttribute(node, "basePlatform", this->Refer(platform));
-  for (pugi::xml_attribute reference : references)
-  {
-    reference.set_value("interpolated");
-  }
-  platform = survey;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool SurveyDocument::SetPlatform(
-  const SurveyPlace& place, const std::string& path, const std::string& text)
-{
-  Found found = this->Find(place);
-  if (!found || (path == "type" && text == "interpolated"))
-  {
-    return found && this->SetInterpolated(place);
-  }
-  const XmlElement platform = this->TakeOver(SurveyItem::Platform, place.Index);
-  XmlElement& entry = this->Elements.Platforms[static_cast<std::size_t>(place.Index)];
-  if (path == "type" && entry.GetIdentity() != platform.GetIdentity()) // no longer interpolated
-  {
-    const std::vector<pugi::xml_attribute> references = this->FindReferences(entry);
-    this->GetSurvey().remove_attribute("basePlatform");
-    entry = platform;
-    for (pugi::xml_attribute reference : references)
-    {
-      reference.set_value(this->Refer(platform).c_str());
-    }
-  }
-  // An element of the survey overrides that of its platforms.
-  const std::string name = ElementPath::GetFirstName(path);
-  const pugi::xml_node override = this->GetSurvey().child(name.c_str());
-  const bool isOfPlatform = FindXmlRule("platform")->FindChild(name) != nullptr;
-  for (std::size_t i = 0; override && isOfPlatform && i < this->Elements.Platforms.size(); ++i)
-  {
-    const XmlElement one = this->TakeOver(SurveyItem::Platform, static_cast<int>(i));
-    const bool isInterpolated = one.GetIdentity() != this->Elements.Platforms[i].GetIdentity();
-    if (name != "scannerMount" || isInterpolated)
-    {
-      one.GetNode().remove_child(name.c_str());
-      one.GetNode().append_copy(override);
-    }
-  }
-  override&& isOfPlatform ? this->GetSurvey().remove_child(override) : false;
-  return this->SetIn({ platform, found.Where }, place.Item, path, text);
-}
-
-//------------------------------------------------------------------------------
-std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& path)
+std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& given)
 {
   this->Log.Restart(this->Owner);
   const Found found = this->Find(place);
@@ -485,13 +252,13 @@ std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& pat
   {
     return {};
   }
-  const std::vector<XmlElement> layers = this->ListLayers(found, place);
-  const bool isOfChannel = place.Item == SurveyItem::Scanner && StartsWith(path, ChannelPrefix);
-  if (isOfChannel)
+  std::vector<XmlElement> layers = this->ListLayers(found, place);
+  std::string path = given;
+  if (place.Item == SurveyItem::Scanner && StartsWith(path, ChannelPrefix))
   {
     const XmlElement channel = this->GetChannel(found.Element, std::max(0, place.Channel));
-    return channel ? channel.GetText(path.substr(std::string(ChannelPrefix).size()).c_str())
-                   : std::string();
+    layers = channel ? std::vector<XmlElement>{ channel } : std::vector<XmlElement>();
+    path = path.substr(std::string(ChannelPrefix).size());
   }
   if (place.Item == SurveyItem::Platform && path == "type" && found.Element.GetTag() == "survey")
   {
@@ -502,6 +269,8 @@ std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& pat
   const XmlElementRule* detector = FindXmlRule("detectorSettings");
   const XmlElementRule* rule = FindRule(place.Item, name);
   rule = !rule && place.Item == SurveyItem::Scanner && detector->FindValue(name) ? detector : rule;
+  const XmlElementRule* channel = FindXmlRule("channel");
+  rule = path != given && ElementPath::Knows(*channel, name) ? channel : rule;
   if (!rule)
   {
     const XmlElementRule& first = *FindXmlRule(GetRow(place.Item).Own.front());

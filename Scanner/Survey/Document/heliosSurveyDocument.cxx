@@ -3,18 +3,12 @@
 #include "heliosSurveyDocument.h"
 
 #include "heliosElementPath.h"
-#include "heliosPartTable.h"
-#include "heliosRowTable.h"
-#include "heliosXmlFilter.h"
-#include "heliosXmlPart.h"
-#include "heliosXmlPlatform.h"
-#include "heliosXmlScanner.h"
+#include "heliosXmlScene.h"
 #include "heliosXmlText.h"
 
-#include <vtkObject.h>
-
 #include <algorithm>
-#include <exception>
+#include <iterator>
+#include <utility>
 
 namespace helios
 {
@@ -53,11 +47,11 @@ void Number(const std::vector<XmlElement>& all, const std::string& what, XmlDocu
 } // namespace
 
 //------------------------------------------------------------------------------
-SurveyDocument::SurveyDocument(vtkObject* owner)
+SurveyDocument::SurveyDocument(vtkObject* owner, const std::string& path)
   : Owner(owner)
   , Log(nullptr)
   , Files(this->Log, {})
-  , Own(XmlDocument::Make("survey", "<document><survey name=\"survey\"/></document>", this->Log))
+  , Own(XmlDocument::Make(path, "<document><survey name=\"survey\"/></document>", this->Log))
 {
   this->SetNeeds(AssetNeed::Optional, AssetNeed::Optional);
   this->Own->SetPlace(this->GetSurvey(), "survey survey");
@@ -67,7 +61,19 @@ SurveyDocument::SurveyDocument(vtkObject* owner)
 bool SurveyDocument::Load(const std::string& fileName)
 {
   this->Log.Restart(this->Owner);
-  std::shared_ptr<XmlDocument> document = XmlDocument::Load(fileName, this->Log);
+  return this->Use(XmlDocument::Load(fileName, this->Log));
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::Load(const std::string& fileName, const std::string& text)
+{
+  this->Log.Restart(this->Owner);
+  return this->Use(XmlDocument::Make(fileName, text, this->Log));
+}
+
+//------------------------------------------------------------------------------
+bool SurveyDocument::Use(const std::shared_ptr<XmlDocument>& document)
+{
   if (document)
   {
     this->IsFile = true;
@@ -113,7 +119,11 @@ SurveyData SurveyDocument::Resolve(vtkObject* owner)
   Number(this->ListOwn("part"), "part", *this->Own);
   Number(this->ListOwn("partTable"), "part table", *this->Own);
   SurveyData data = ReadSurvey(this->Own.get(), this->Files, this->Log, &this->Elements);
-  data.FileName = this->IsFile ? data.FileName : std::string();
+  if (!this->IsFile)
+  {
+    data.FileName.clear();
+    data.Scene.SpectraFolders = FindSpectraFolders(*this->Own, this->Files); // also for an input
+  }
   this->IsBad = this->IsBadFile || this->Log.HasError();
   return data;
 }
@@ -135,9 +145,11 @@ const std::vector<XmlElement>& SurveyDocument::GetLegs()
     return this->Legs;
   }
   this->Legs.clear();
+  this->HasOrigins = false;
   for (const pugi::xml_node child : this->GetSurvey().children())
   {
     const std::string tag = child.name();
+    this->HasOrigins = this->HasOrigins || tag == "origin";
     if (tag == "leg")
     {
       this->Legs.push_back(this->MakeElement(child));
@@ -160,8 +172,10 @@ int SurveyDocument::GetNumberOfLegs()
 //------------------------------------------------------------------------------
 int SurveyDocument::GetNumberOf(SurveyItem item) const
 {
-  const bool isScanner = item == SurveyItem::Scanner;
-  return static_cast<int>((isScanner ? this->Elements.Scanners : this->Elements.Platforms).size());
+  const auto& all = item == SurveyItem::Scanner ? this->Elements.Scanners
+    : item == SurveyItem::Platform              ? this->Elements.Platforms
+                                                : this->Elements.Parts;
+  return static_cast<int>(all.size());
 }
 
 //------------------------------------------------------------------------------
@@ -224,137 +238,6 @@ void SurveyDocument::Change(pugi::xml_node node, const std::string& where)
     }
   }
   this->Own->SetPlace(node, isItem ? where : where + ", " + MakePath(node, from));
-}
-
-//------------------------------------------------------------------------------
-/// An id that no other element of its kind has.
-std::string SurveyDocument::MakeId(const char* tag, const std::string& wanted) const
-{
-  std::string id = wanted;
-  std::replace(id.begin(), id.end(), '#', '_');
-  const std::string stem = id.empty() ? tag : id;
-  id = stem;
-  const pugi::xml_node root = this->Own->GetTree().child("document");
-  const auto isTaken = [&root, tag](const std::string& one)
-  {
-    const auto all = root.children(tag);
-    return std::any_of(all.begin(), all.end(),
-      [&one](pugi::xml_node node) { return node.attribute("id").value() == one; });
-  };
-  for (int i = 2; isTaken(id); ++i)
-  {
-    id = stem + "_" + std::to_string(i);
-  }
-  return id;
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddScanner(const std::string& id)
-{
-  pugi::xml_node node =
-    this->Own->GetTree().child("document").insert_child_before("scanner", this->GetSurvey());
-  SetAttribute(node, "id", this->MakeId("scanner", id));
-  SetAttribute(node, "name", id);
-  SetAttribute(node, "optics", "rotating");
-  this->Own->SetPlace(node, Numbered("scanner", this->Elements.Scanners.size()));
-  this->Elements.Scanners.push_back(this->MakeElement(node));
-  return static_cast<int>(this->Elements.Scanners.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddPlatform(const std::string& id)
-{
-  pugi::xml_node node =
-    this->Own->GetTree().child("document").insert_child_before("platform", this->GetSurvey());
-  SetAttribute(node, "id", this->MakeId("platform", id));
-  SetAttribute(node, "name", id);
-  this->Own->SetPlace(node, Numbered("platform", this->Elements.Platforms.size()));
-  this->Elements.Platforms.push_back(this->MakeElement(node));
-  return static_cast<int>(this->Elements.Platforms.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddFromFile(SurveyItem item, const std::string& reference)
-{
-  const bool isScanner = item == SurveyItem::Scanner;
-  const char* tag = isScanner ? "scanner" : "platform";
-  std::vector<XmlElement>& all = isScanner ? this->Elements.Scanners : this->Elements.Platforms;
-  this->Log.Restart(this->Owner);
-  try
-  {
-    const std::string where = "survey " + std::string(this->GetSurvey().attribute("name").value());
-    XmlElement element = this->Files.FindElement(tag, { tag, reference, where }, *this->Own);
-    if (element && isScanner)
-    {
-      const ScannerData scanner = ReadScanner(element, this->Files);
-      this->Log.HasError() ? void() : CheckScanner(scanner, this->Log);
-    }
-    else if (element)
-    {
-      ReadPlatform(element);
-    }
-    if (!element || this->Log.HasError())
-    {
-      return -1;
-    }
-    const bool isKnown = std::any_of(all.begin(), all.end(),
-      [&element](const XmlElement& one) { return one.GetIdentity() == element.GetIdentity(); });
-    all.push_back(isKnown ? this->MakeElement(this->CopyHere(element)) : element);
-  }
-  catch (const std::exception& error) // standard library errors: out of memory, file system
-  {
-    this->Log.Error(reference + ": cannot be read: " + error.what());
-    return -1;
-  }
-  return static_cast<int>(all.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-/// A channel by its number; none: the scanner has no channels.
-XmlElement SurveyDocument::GetChannel(const XmlElement& scanner, int channel) const
-{
-  const XmlElement list = scanner.GetChild("channels");
-  const std::vector<XmlElement> all =
-    list ? list.GetChildren("channel") : std::vector<XmlElement>();
-  const bool exists = channel >= 0 && channel < static_cast<int>(all.size());
-  return exists ? all[static_cast<std::size_t>(channel)] : XmlElement();
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::GetNumberOfChannels(int scanner)
-{
-  this->Log.Restart(this->Owner);
-  const Found found = this->Find({ SurveyItem::Scanner, scanner });
-  int count = 0;
-  while (found && this->GetChannel(found.Element, count))
-  {
-    ++count;
-  }
-  return found ? std::max(1, count) : 0;
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddChannel(int scanner)
-{
-  const int count = this->GetNumberOfChannels(scanner);
-  if (count == 0)
-  {
-    return -1;
-  }
-  const XmlElement whole = this->TakeOver(SurveyItem::Scanner, scanner);
-  pugi::xml_node list = whole.GetNode().child("channels");
-  list = list ? list : whole.GetNode().append_child("channels");
-  pugi::xml_node first = list.child("channel");
-  first = first ? first : list.append_child("channel");
-  pugi::xml_node channel = list.append_copy(first);
-  channel.remove_attribute("id");
-  for (int i = 0; i <= count; ++i)
-  {
-    const XmlElement one = this->GetChannel(whole, i);
-    this->Own->SetPlace(
-      one.GetNode(), Numbered("scanner", scanner) + ", channel " + std::to_string(i));
-  }
-  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -433,158 +316,51 @@ bool SurveyDocument::MoveLeg(int leg, int to)
 }
 
 //------------------------------------------------------------------------------
-/// The scene of this document, made if there is none.
-SurveyDocument::Found SurveyDocument::MakeScene()
+/// Adds the origins of the Java program to the positions of their legs.
+void SurveyDocument::FoldOrigins()
 {
-  this->TakeOverScene();
-  if (!this->Elements.Scene)
+  pugi::xml_node survey = this->GetSurvey();
+  this->GetLegs();
+  if (!std::exchange(this->HasOrigins, false))
   {
-    pugi::xml_node node =
-      this->Own->GetTree().child("document").insert_child_before("scene", this->GetSurvey());
-    SetAttribute(node, "id", this->MakeId("scene", "scene"));
-    this->Own->SetPlace(node, "scene");
-    this->Elements.Scene = this->MakeElement(node);
-    SetAttribute(this->GetSurvey(), "scene", this->Refer(this->Elements.Scene));
-    this->Files.Scene =
-      this->Files.Scene == AssetNeed::Replaced ? AssetNeed::Optional : this->Files.Scene;
+    return;
   }
-  return { this->Elements.Scene, "scene" };
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddPart(const std::string& loader, const std::string& file)
-{
-  this->Log.Restart(this->Owner);
-  const std::string where = Numbered("part", this->Elements.Parts.size());
-  XmlValueRule rule;
-  std::string loaders;
-  for (const std::string& each : GetLoaders())
+  Vec3 offset(0.0, 0.0, 0.0);
+  int leg = 0;
+  std::vector<std::pair<int, Vec3>> moved;
+  for (const pugi::xml_node child : survey.children())
   {
-    loaders += (loaders.empty() ? "" : " ") + each;
-  }
-  rule.Choices = loaders.c_str();
-  int type = 0;
-  const std::string path = ParseChoice({ "filter", loader, where }, rule, this->Log, type)
-    ? this->Files.FindFile({ "filepath", file, where }, *this->Own)
-    : std::string();
-  if (this->Log.HasError())
-  {
-    return -1;
-  }
-  pugi::xml_node part = this->MakeScene().Element.GetNode().append_child("part");
-  pugi::xml_node filter = part.append_child("filter");
-  SetAttribute(filter, "type", loader);
-  pugi::xml_node parameter = filter.append_child("param");
-  SetAttribute(parameter, "key", "filepath");
-  SetAttribute(parameter, "value", path);
-  this->Own->SetPlace(part, where);
-  this->Elements.Parts.push_back(this->MakeElement(part));
-  return static_cast<int>(this->Elements.Parts.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-bool SurveyDocument::RemovePart(int part)
-{
-  this->Log.Restart(this->Owner);
-  this->TakeOverScene();
-  const Found found = this->Find({ SurveyItem::Part, part });
-  if (found)
-  {
-    this->Own->ForgetPlaces(found.Element.GetNode());
-    this->Elements.Scene.GetNode().remove_child(found.Element.GetNode());
-    this->Elements.Parts.erase(this->Elements.Parts.begin() + part);
-  }
-  return static_cast<bool>(found);
-}
-
-//------------------------------------------------------------------------------
-void SurveyDocument::RemoveAllParts()
-{
-  this->TakeOverScene();
-  for (const char* tag : { "part", "partTable" })
-  {
-    for (const XmlElement& element : this->ListOwn(tag))
+    const std::string tag = child.name();
+    if (tag == "origin")
     {
-      this->Own->ForgetPlaces(element.GetNode());
-      this->Elements.Scene.GetNode().remove_child(element.GetNode());
+      offset = Vec3(0.0, 0.0, 0.0);
+      this->MakeElement(child).ReadVector(offset);
+    }
+    const auto legs = child.children("leg");
+    const int count =
+      tag == "scan" ? static_cast<int>(std::distance(legs.begin(), legs.end())) : tag == "leg";
+    for (int i = 0; i < count; ++i)
+    {
+      moved.emplace_back(leg++, offset);
     }
   }
-  this->Elements.Parts.clear();
-}
-
-//------------------------------------------------------------------------------
-int SurveyDocument::AddPartTable(const std::string& file)
-{
-  this->Log.Restart(this->Owner);
-  const std::string path =
-    file.empty() ? file : this->Files.FindFile({ "file", file, "part table" }, *this->Own);
-  if (this->Log.HasError())
+  while (survey.remove_child("origin"))
   {
-    return -1;
   }
-  const std::size_t index = this->ListOwn("partTable").size();
-  pugi::xml_node table = this->MakeScene().Element.GetNode().append_child("partTable");
-  SetAttribute(table, "file", path);
-  this->Own->SetPlace(table, Numbered("part table", index));
-  return static_cast<int>(this->ListOwn("partTable").size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-bool SurveyDocument::SetPartTableRows(int table, const std::string& text)
-{
-  this->Log.Restart(this->Owner);
-  this->TakeOverScene();
-  const Found found = this->Find({ SurveyItem::PartTable, table });
-  std::vector<TableRow> rows;
-  RowTable reader("row", this->Log);
-  reader.AddRequired("x", "the place of the part [m]");
-  reader.AddRequired("y", "the place of the part [m]");
-  reader.SetSkipsUnknown(true);
-  const auto addRow = [&rows](const std::string& where) -> void*
+  for (const auto& [index, by] : moved)
   {
-    rows.emplace_back().Where = where;
-    return &rows.back();
-  };
-  if (!found || !reader.ReadText(found.Where + ", rows", text, addRow))
-  {
-    return false;
+    const char* const names[] = { "x", "y", "z" };
+    for (int k = 0; k < 3; ++k)
+    {
+      const SurveyPlace place{ SurveyItem::Leg, index };
+      double number = 0.0;
+      const XmlValueRule* rule = FindXmlRule("platformSettings")->FindValue(names[k]);
+      ParseReal({ names[k], this->Get(place, names[k]), "" }, *rule, this->Log, number);
+      by[k] != 0.0
+        ? void(this->SetIn(this->Find(place), SurveyItem::Leg, names[k], ToXmlText(number + by[k])))
+        : void();
+    }
   }
-  pugi::xml_node node = found.Element.GetNode();
-  for (const XmlElement& row : found.Element.GetChildren("row"))
-  {
-    this->Own->ForgetPlaces(row.GetNode());
-    node.remove_child(row.GetNode());
-  }
-  for (const TableRow& row : rows)
-  {
-    pugi::xml_node element = node.append_child("row");
-    SetStored(element, row);
-    this->Own->SetPlace(element, row.Where);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool SurveyDocument::RotatePart(int part, const std::string& axis, double angle)
-{
-  this->Log.Restart(this->Owner);
-  this->TakeOverScene();
-  const Found found = this->Find({ SurveyItem::Part, part });
-  const XmlElementRule* rule = FindXmlRule("rot");
-  const XmlValue turn{ "angle_deg", ToXmlText(angle), found.Where };
-  const bool isGood = found && CheckValue(turn, *rule->FindValue("angle_deg"), this->Log) &&
-    CheckValue({ "axis", axis, found.Where }, *rule->FindValue("axis"), this->Log);
-  if (isGood)
-  {
-    pugi::xml_node filter = found.Element.GetNode().append_child("filter");
-    SetAttribute(filter, "type", "rotate");
-    pugi::xml_node parameter = filter.append_child("param");
-    SetAttribute(parameter, "key", "rotation");
-    pugi::xml_node rot = parameter.append_child("rot");
-    SetAttribute(rot, "axis", axis);
-    SetAttribute(rot, "angle_deg", turn.Text);
-  }
-  return isGood;
 }
 
 } // namespace helios

@@ -50,7 +50,8 @@ struct SurveyPlace
 class SurveyDocument
 {
 public:
-  explicit SurveyDocument(vtkObject* owner);
+  /// Makes a survey without a file; names of files are also relative to the folder of a path.
+  explicit SurveyDocument(vtkObject* owner, const std::string& path = "survey");
   SurveyDocument(const SurveyDocument&) = delete;
   void operator=(const SurveyDocument&) = delete;
 
@@ -60,6 +61,7 @@ public:
   /// Loads a file, in place of what the document has. False if it is not a document; its other errors
   /// are those of Resolve(), too.
   bool Load(const std::string& fileName);
+  bool Load(const std::string& fileName, const std::string& text); ///< as if the file had that text
 
   ///@{
   /// Whether a scene and trajectories are required, optional (of a survey without a file), or
@@ -73,6 +75,12 @@ public:
   /// Reads the whole document; errors and warnings are reported for an owner, null: none.
   SurveyData Resolve(vtkObject* owner);
 
+  /// Reads only the scene; messages are those of another log.
+  SceneData ResolveScene(Messages& log);
+
+  /// The last error; empty: none.
+  const std::string& GetLastError() const { return this->Log.GetLastError(); }
+
   /// Whether the last call of Resolve() had an error.
   bool HasError() const { return this->IsBad; }
 
@@ -83,7 +91,7 @@ public:
   /// Sets the text of an attribute; an empty one, or false for an element, removes it. Returns false
   /// after an error. Get returns what is given there or inherited, else the default, if it is a value.
   bool Set(const SurveyPlace& place, const std::string& path, const std::string& text);
-  std::string Get(const SurveyPlace& place, const std::string& path);
+  std::string Get(const SurveyPlace& place, const std::string& given);
   ///@}
 
   ///@{
@@ -99,7 +107,7 @@ public:
   void RemoveLeg(int leg);
   void RemoveAllLegs();
   int GetNumberOfLegs();
-  int GetNumberOf(SurveyItem item) const; ///< scanners or platforms
+  int GetNumberOf(SurveyItem item) const; ///< scanners, platforms or parts
 
   /// Moves a leg to another place among the legs.
   bool MoveLeg(int leg, int to);
@@ -112,6 +120,14 @@ public:
   bool RemovePart(int part);
   void RemoveAllParts();
   bool RotatePart(int part, const std::string& axis, double angle);
+  ///@}
+
+  ///@{
+  /// Copies a scene into the document, file.xml#id or the first one of a file. Get or set its element as
+  /// text, with files named from a folder; empty: none.
+  bool UseScene(const std::string& reference);
+  std::string GetSceneText(const std::string& folder) const;
+  void SetSceneText(const std::string& text);
   ///@}
 
   /// The names of all attributes of an item that have one value.
@@ -159,6 +175,7 @@ private:
   std::string MakeId(const char* tag, const std::string& wanted) const;
   void Change(pugi::xml_node node, const std::string& where);
   Found MakeScene();
+  bool Use(const std::shared_ptr<XmlDocument>& document);
 
   vtkObject* Owner;
   Messages Log;
@@ -167,6 +184,7 @@ private:
   SurveyElements Elements;
   std::vector<XmlElement> Legs;
   bool AreLegsListed = false;
+  bool HasOrigins = false; ///< among the legs
   bool IsFile = false;
   bool IsBadFile = false;
   bool IsBad = false;
@@ -182,7 +200,7 @@ VTKHELIOSSCANNERSURVEY_EXPORT std::string ReferTo(const std::string& path,
 ///@{
 /// Names all files in an element by their whole paths, as found from a document; or as a file in a
 /// folder refers to them.
-void FindFilesIn(pugi::xml_node node, const XmlDocument& from, const Assets& files);
+void FindFilesIn(pugi::xml_node node, const XmlDocument& from, Assets& files);
 void ReferToFiles(pugi::xml_node node, const std::string& folder, const Assets& files);
 ///@}
 

@@ -75,8 +75,6 @@ public:
   Status Save(const std::string& fileName) const;
 
 private:
-  std::string MakeFile() const;
-
   class Internals;
   std::unique_ptr<Internals> Inside;
 };

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSurveyXml.h"
 
-#include "heliosAssets.h"
 #include "heliosMessages.h"
 #include "heliosPartFile.h"
 #include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
-#include "heliosXmlSurvey.h"
 #include "heliosXmlText.h"
+#include "vtkHeliosSurvey.h"
 
 namespace helios
 {
@@ -96,11 +96,14 @@ std::string MakeSurveyText(const SurveyEdit& edit)
 }
 
 //------------------------------------------------------------------------------
-SurveyData ReadSurveyText(const std::string& fileName, const std::string& text,
-  const std::vector<std::string>& assetDirectories, Messages& log)
+bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
+  const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey)
 {
-  Assets assets(log, assetDirectories);
-  return ReadSurvey(assets.Add(XmlDocument::Make(fileName, text, log)), assets, log);
+  auto document = std::make_unique<SurveyDocument>(survey);
+  document->SetAssetDirectories(assetDirectories);
+  document->SetNeeds(AssetNeed::Required, AssetNeed::Required);
+  return document->Load(fileName, MakeSurveyText(edit)) &&
+    survey->ReadDocument(std::move(document), survey);
 }
 
 //------------------------------------------------------------------------------
@@ -108,12 +111,16 @@ Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, Messages& log)
 {
   const std::string text = MakeSurveyText(edit);
-  const int before = log.GetNumberOfErrors();
-  ReadSurveyText(fileName, text, assetDirectories, log);
-  if (log.GetNumberOfErrors() != before)
+  SurveyDocument document(nullptr);
+  document.SetAssetDirectories(assetDirectories);
+  document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
+  document.Load(fileName, text);
+  document.Resolve(nullptr);
+  if (document.HasError())
   {
+    log.Error(document.GetLastError());
     return Status::Error(
-      fileName + ": not written: the survey could not be run: " + log.GetLastError());
+      fileName + ": not written: the survey could not be run: " + document.GetLastError());
   }
   return WriteWhole(fileName, text);
 }

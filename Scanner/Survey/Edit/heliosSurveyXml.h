@@ -8,15 +8,19 @@
 #include "heliosStatus.h"
 #include "heliosSurveyEdit.h"
 
+class vtkHeliosSurvey;
+
 namespace helios
 {
+
+class Messages;
 
 /// The survey as a file.
 VTKHELIOSSCANNERSURVEY_EXPORT std::string MakeSurveyText(const SurveyEdit& edit);
 
-/// The survey read from a file with that text. Complete only if log has no error then.
-VTKHELIOSSCANNERSURVEY_EXPORT SurveyData ReadSurveyText(const std::string& fileName,
-  const std::string& text, const std::vector<std::string>& assetDirectories, Messages& log);
+/// Reads an edit as a file with its text into a survey, which reports errors. False after an error.
+VTKHELIOSSCANNERSURVEY_EXPORT bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
+  const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey);
 
 /// Writes a file that can be run; after an error nothing is written.
 VTKHELIOSSCANNERSURVEY_EXPORT Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,

@@ -3,8 +3,8 @@
 """Changes of a loaded survey."""
 
 from ...core.pipeline import MessageLog, conclude
+from ...surveys.items import change
 from ._errors import PyHeliosToolsException
-from ._settings import change
 
 NOISES = [f"{what}{axis}Noise" for what in ("position", "attitude") for axis in "XYZ"]
 _GIVEN = ("type", "mean", "stdev", "min", "max")

@@ -5,7 +5,6 @@
 import math
 import typing
 
-from ...core.pipeline import MessageLog, PipelineError, conclude
 from ._errors import Closed
 
 
@@ -66,14 +65,3 @@ def format_value(setting, value):
         return str(value)
     number = float(value) * setting.unit
     return str(round(number)) if isinstance(setting.default, int) else repr(number)
-
-
-def change(survey, method, *arguments):
-    """Calls a method of a vtkHeliosSurvey that returns whether it succeeded; raises PipelineError."""
-    with MessageLog() as log:
-        log.watch(survey)
-        succeeded = getattr(survey, method)(*arguments)
-    conclude(log)
-    if succeeded is False:
-        raise PipelineError([f"{method}{arguments}: is not valid"])
-    return succeeded

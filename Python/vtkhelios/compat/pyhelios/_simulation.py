@@ -13,13 +13,13 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ...array_names import GPS_TIME
 from ...cluster._blocks import split_windows
 from ...surveys.survey import read_survey
+from ...surveys.items import change
 from ._changes import check_survey, find_part, move_part, remove_noise, rotate_part, scale_part
 from ._coordinates import find_rotations
 from ._errors import not_covered
 from ._files import write_files
 from ._logging import say_step, say_warning
 from ._output import make_output
-from ._settings import change
 from ._survey import Leg, Platform, Scanner, ScanningStrip
 from ._worker import Worker
 

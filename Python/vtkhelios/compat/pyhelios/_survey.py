@@ -6,9 +6,10 @@ import itertools
 import math
 
 from ...core.paths import text_from_vtk, to_vtk
+from ...surveys.items import change
 from ._errors import Closed, NotCoveredError
 from ._output import Vector
-from ._settings import DEGREES, Setting, Settings, change, name_all
+from ._settings import DEGREES, Setting, Settings, name_all
 
 
 class PlatformSettings(Settings):

@@ -209,9 +209,9 @@ TEST_CASE("SceneEdit: a mesh becomes a scene of a survey", "[SceneEdit]")
   survey.Settings.Scan.HeadRotateSpeed = 10.0;
   survey.Settings.ScanFrequency = 50.0;
   AddLeg(survey, { 5.0, 5.0, 0.0 }, true);
-  const SurveyData data =
-    ReadSurveyText(scene.Folder / "x.xml", MakeSurveyText(survey), {}, scene.Log);
-  CHECK_FALSE(scene.Log.HasError());
+  vtkNew<vtkHeliosSurvey> read;
+  REQUIRE(ReadEdit(survey, scene.Folder / "x.xml", {}, read));
+  const SurveyData& data = read->GetData();
   REQUIRE(data.Scene.Parts.size() == 2);
   CHECK(data.Scene.Parts[1].Translation == Vec3(-1.0, -0.5, 0.0));
 }

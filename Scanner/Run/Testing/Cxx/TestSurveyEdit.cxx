@@ -211,7 +211,7 @@ TEST_CASE(
   isMoving ? SetSetting(hand.Edit, "height", 100.0 / 3.0) : SetSetting(hand.Edit, "headStop", 2.0);
   isMoving ? SetSetting(hand.Edit, "speed", 10.0) : "";
   vtkNew<vtkHeliosSurvey> shown;
-  shown->GetData() = ReadSurveyText(files / "survey.xml", MakeSurveyText(hand.Edit), {}, hand.Log);
+  REQUIRE(ReadEdit(hand.Edit, files / "survey.xml", {}, shown));
   CHECK_FALSE(hand.Log.HasError());
   REQUIRE(hand.Save(files).IsOk());
   const Reading reading(files);

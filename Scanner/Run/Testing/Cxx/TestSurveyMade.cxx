@@ -139,7 +139,7 @@ TEST_CASE("SurveyMade: a flight", "[SurveyMade]")
   making.Survey->RemoveAllLegs();
   making.Log->Clear();
   CHECK_FALSE(making.Survey->Check());
-  CHECK(making.Log->HasError("survey test has no leg; add one"));
+  CHECK(making.Log->HasError("survey test: survey test has 0 <leg>; add one"));
 }
 
 TEST_CASE("SurveyMade: a change of a leg resolves it again", "[SurveyMade]")
@@ -230,7 +230,8 @@ TEST_CASE("SurveyMade: scanners, channels and platforms from nothing", "[SurveyM
   CHECK(survey->AddLeg() == 0);
   CHECK_FALSE(survey->Check());
   CHECK(
-    making.Log->HasError("scanner 0: scanner own, channel 0: scanAngleMax_deg is missing or 0"));
+    making.Log->HasError(
+      "scanner 0, channel 0: scanner own, channel 0: scanAngleMax_deg is missing or 0"));
   CHECK(survey->SetScannerAttribute(0, "scanAngleMax_deg", "60"));
   CHECK(survey->SetScannerAttribute(0, "rangeTolerance_m", "0.002"));
   CHECK(survey->SetScannerAttribute(0, "beamSampleQuality", "3"));
@@ -249,7 +250,7 @@ TEST_CASE("SurveyMade: scanners, channels and platforms from nothing", "[SurveyM
   CHECK(data.Scanners.at(0).Id == "own, channel 0");
   CHECK(data.Scanners.at(0).GetChannel(1).Id == "own, channel 1");
   CHECK(data.Scanners.at(0).GetChannel(1).Receiver.Errors.RangeName ==
-    "scanner 0, channel 1: rangeError/expr=\"0.01 * THETA\"");
+    "scanner 0, channel 1, rangeError: expr=\"0.01 * THETA\"");
   CHECK(data.Scanners.at(0).Receiver.NumberOfCircles == 3);
   CHECK(data.Platforms.at(0).Noise[5].IsOn);
   CHECK_FALSE(data.Platforms.at(0).Noise[4].IsOn);
@@ -260,7 +261,7 @@ TEST_CASE("SurveyMade: scanners, channels and platforms from nothing", "[SurveyM
   CHECK_FALSE(survey->Check());
   CHECK(making.Log->HasError("platform 0, attitudeZNoise: min=\"5\" is above max=\"1\""));
   CHECK_FALSE(survey->SetChannelAttribute(0, 2, "maxNOR", "1"));
-  CHECK(making.Log->HasError("scanner 0, channel 1 does not exist"));
+  CHECK(making.Log->HasError("scanner 0, channel 2 does not exist; there are 2, counted from 0"));
   CHECK_FALSE(survey->SetScannerAttribute(0, "rangeError/expr", "0.01 *"));
   CHECK(making.Log->HasError("scanner 0: rangeError/expr=\"0.01 *\": "));
   CHECK_FALSE(survey->SetScannerAttribute(0, "optics", "turning"));
@@ -301,8 +302,7 @@ TEST_CASE("SurveyMade: parts of the scene", "[SurveyMade]")
   CHECK(survey->AddPart("objloader", "none.obj") == -1);
   CHECK(making.Log->HasError("part 2: filepath=\"none.obj\": no such file"));
   CHECK_FALSE(survey->SetPartAttribute(0, "translate/ofset", "1;2;3"));
-  CHECK(making.Log->HasError("part 0: attribute translate/ofset is unknown; did you mean "
-                             "translate/offset?"));
+  CHECK(making.Log->HasError("part 0: attribute translate/ofset is unknown; did you mean offset?"));
   CHECK_FALSE(survey->RotatePart(0, "w", 90));
   CHECK(making.Log->HasError("part 0: axis=\"w\" is not valid"));
   CHECK_FALSE(survey->RotatePart(0, "z", NAN));

@@ -74,7 +74,7 @@ const std::string Root = fs::path(__FILE__).parent_path() / "../../../..";
 TEST_CASE("SurveyWritten: surveys of files", "[SurveyWritten]")
 {
   const Files files;
-  files.Write("data/scene.obj", ReadText(files / "plane.obj"));
+  files.Write("plate.obj", ReadText(files / "plane.obj"));
   files.Write("pulse.txt", "0 0\n1 1\n2 0\n");
   files.Write("grass.xyz", "0 0 1\n1 0 1\n");
   files.Write("stand.csv", "model,x,y\nplane.obj,1,2\nplane.obj,3,4\n");
@@ -97,8 +97,8 @@ TEST_CASE("SurveyWritten: surveys of files", "[SurveyWritten]")
 <FWFSettings binSize_ns="0.1"/>)" +
     std::string(OneLeg) +
     R"(<leg scanner="assets.xml#two"><platformSettings template="t" y="3"/>
-<scannerSettings maxDuration_s="2"/></leg><origin x="5"/>
-<scan platform="assets.xml#tripod"><scannerRotation end="90"/>
+<scannerSettings maxDuration_s="2" scanFreq_hz="10"/></leg><origin x="5"/>
+<scan platform="assets.xml#tripod" scanner="assets.xml#tls"><scannerRotation end="90"/>
 <leg x="1"><maxDuration_s>3</maxDuration_s></leg></scan>
 <leg platform="interpolated"><platformSettings trajectory="flight.txt" trajectory_separator=","/>
 <scannerSettings scanFreq_hz="50"/></leg><FWFSettings pulseShape="pulse.txt"/>
@@ -174,13 +174,20 @@ TEST_CASE("SurveyWritten: surveys made by methods", "[SurveyWritten]")
   CHECK(isGood);
   CheckWritten(survey, { files / "" });
   CHECK_FALSE(survey->WriteFile(files / "plane.obj/survey.xml"));
-  CHECK(log->HasError("plane.obj/survey.xml"));
+  CHECK(log->HasError("plane.obj"));
 }
 
 TEST_CASE("SurveyWritten: surveys of the tree and of HELIOS_SURVEYS", "[SurveyWritten]")
 {
   const std::vector<std::string> assets = { Root + "/Data/Assets", Root + "/Data" };
-  CHECK(CheckFolder(Root + "/Data/Surveys", assets) > 0);
+  const Files files;
+  files.Replace("scene.xml", "id=\"s\"", "id=\"village\"");
+  fs::rename(files / "scene.xml", files / "village_scene.xml");
+  for (const auto& entry : fs::directory_iterator(Root + "/Data/Surveys"))
+  {
+    fs::copy(entry.path(), files / "");
+  }
+  CHECK(CheckFolder(files / "", assets) > 3);
   if (const char* folder = std::getenv("HELIOS_SURVEYS"))
   {
     CHECK(CheckFolder(folder, { folder, assets[0], assets[1] }) > 0);
