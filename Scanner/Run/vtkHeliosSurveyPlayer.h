@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveyPlayer
- * @brief   runs the legs of a survey and writes what the scanner records
+ * @brief   runs the legs of a survey and writes the records of the scanner
  *
  * The player is a vtkHeliosSurveySource with writers: Run() loads the source, runs the legs of its
  * survey block by block and passes each block to the writers, so that memory does not grow with the
- * number of pulses. A leg of a moving platform runs from its waypoint to the next, and the
- * last leg is an end point; on a static platform a leg is a scan position. GPS time and pulse ids
- * continue from leg to leg; an inactive leg takes its time and fires no pulses. MaximumDuration of
- * a leg ends its pulses, not its trajectory.
+ * number of pulses. A leg of a moving platform runs from its waypoint to the next, and the last leg
+ * is an end point; on a static platform a leg is a scan position. GPS time and pulse ids continue
+ * from leg to leg; an inactive leg takes its time and fires no pulses. MaximumDuration of a leg
+ * ends its pulses, not its trajectory.
  *
  * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the survey>:
  * - legNNN_points.xyz (or .las, .pvtp): the echoes
@@ -18,27 +18,26 @@
  * - legNNN_fullwave.txt (or .las, .pvtt), with WriteWaveforms: the waveforms; LAS has them with the
  *   points again, unless WaveformsInPoints puts them into legNNN_points.las
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
- * - legNNN_hits.pvtp, with WriteHits: the hits of the sub-rays of the beams
- * Legs of the same strip S share files, stripS_points.xyz etc. The channels of a scanner fire at
- * once, and their records go to one file in pulse order, or with SplitByChannel to
- * legNNN_points_dev<channel>.xyz etc.
+ * - legNNN_hits.pvtp, with WriteHits: the hits of the sub-rays of the beams Legs of the same strip
+ *   S share files, stripS_points.xyz etc. The channels of a scanner fire at once, and their records
+ *   go to one file in pulse order, or with SplitByChannel to legNNN_points_dev<channel>.xyz etc.
  *
  * If parts of the scene are swapped, the survey has several epochs
  * (vtkHeliosSurvey::GetNumberOfEpochs()): the same legs and other geometry. A run is one of them,
  * Epoch of the options, in a subfolder of the survey's folder, play000, play001 etc., with its own
- * journal and summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
- * epochs: their points differ only by geometry.
+ * journal and summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the
+ * same in all epochs: their points differ only by geometry.
  *
  * While a leg runs its files end in .part and are valid up to the last block; run.journal records
  * what is flushed to disk. Resume continues a run that ended early for any reason; its files are
- * byte-identical to those of an uninterrupted run. When all legs are complete, run_summary.json
+ * byte-identical to the files of an uninterrupted run. When all legs are complete, run_summary.json
  * replaces the journal: versions, inputs with their SHA-256, options, counts and files of every
  * leg, and separately the timings, which depend on the host. With the option AccuracyReport some of
  * the pulses are computed again with a reference, and the summary has the "accuracy".
  *
  * Events: StartEvent, ProgressEvent (while loading and after every block; the data is the progress
- * as a double), EndEvent. The player forwards errors and warnings of all filters. The number of
- * threads is that of vtkSMPTools; the output does not depend on it.
+ * as a double), EndEvent. The player forwards errors and warnings of all filters. vtkSMPTools sets
+ * the number of threads; the output does not depend on it.
  *
  * @sa
  * vtkHeliosSurveySource vtkHeliosRunOptions vtkHeliosSurvey vtkHeliosSurveyReader
@@ -87,7 +86,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the survey of the source, and its options. Default: no survey, and those of a new
+   * Set/Get the survey of the source, and its options. Default: no survey, and a new
    * vtkHeliosRunOptions.
    */
   void SetSurvey(vtkHeliosSurvey* survey);
@@ -105,8 +104,8 @@ public:
   ///@}
 
   /**
-   * The output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder playNNN if
-   * the survey has several epochs, and partNNNofNNN of a part. Empty without a survey.
+   * Returns the output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder
+   * playNNN if the survey has several epochs, and partNNNofNNN of a part. Empty without a survey.
    */
   std::string GetRunFolder();
 
@@ -181,12 +180,12 @@ public:
 
   ///@{
   /**
-   * Set/Get which part of the run is run, of a number of parts: consecutive blocks of pulses, so that
-   * several computers share a run. A part has its own folder, partNNNofNNN in that of the run, and its
-   * own journal, which stays; --resume continues it as any run, and starts one that was not started.
-   * Its files of points and waveforms are those of the run if Format is "xyz", else VTK XML; it has
-   * no trajectories and no accuracy. Valid range: [1, NumberOfParts]; 0: the whole run. Default: 1
-   * and 0.
+   * Set/Get which part of the run is run, of a number of parts: consecutive blocks of pulses, so
+   * that several computers share a run. A part has its own folder, partNNNofNNN in the folder of
+   * the run, and its own journal, which stays; --resume continues it as any run, and starts one
+   * that was not started. Its files of points and waveforms have the format of the run if Format is
+   * "xyz", else VTK XML; it has no trajectories and no accuracy. Valid range: [1, NumberOfParts];
+   * 0: the whole run. Default: 1 and 0.
    */
   vtkSetClampMacro(Part, int, 1, VTK_INT_MAX);
   vtkGetMacro(Part, int);
@@ -205,10 +204,10 @@ public:
 
   ///@{
   /**
-   * Add the folder of a part, or remove all of them. With folders Run() computes no pulses: it reads
-   * their blocks from the parts and writes the files of the run, byte-identical to those of one
-   * process. All parts of one run are required, with the same inputs and options; their folders may
-   * be anywhere. Default: none.
+   * Adds the folder of a part, or removes all of them. With folders Run() computes no pulses: it
+   * reads their blocks from the parts and writes the files of the run, byte-identical to the files
+   * of one process. All parts of one run are required, with the same inputs and options; their
+   * folders may be anywhere. Default: none.
    */
   void AddPartFolder(const std::string& folder);
   void ClearPartFolders();
@@ -261,8 +260,8 @@ public:
   ///@}
 
   /**
-   * The run_summary.json of the last Run(), or the result of the last Estimate(), as JSON. Empty
-   * before, and after a failure.
+   * Returns the run_summary.json of the last Run(), or the result of the last Estimate(), as JSON.
+   * Empty before, and after a failure.
    */
   std::string GetReport() const;
 
@@ -277,9 +276,9 @@ public:
   vtkIdType GetNumberOfPulses() const;
 
   /**
-   * A count of the blocks done, by its name: "pulses", pulse indices, whether emitted or not;
-   * "points" and "firstReturns", written; and those of vtkHeliosScanner::GetCount(). -1 for any
-   * other name.
+   * Returns a count of the blocks done, by its name: "pulses", pulse indices, whether emitted or
+   * not; "points" and "firstReturns", written; and the names of vtkHeliosScanner::GetCount(). -1
+   * for any other name.
    */
   vtkIdType GetCount(const std::string& name) const;
 

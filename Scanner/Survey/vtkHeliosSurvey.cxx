@@ -16,7 +16,7 @@ vtkStandardNewMacro(vtkHeliosSurvey);
 namespace
 {
 
-/// "a, b".
+/// Joins names: "a, b".
 template <typename DataT>
 std::string JoinNames(const std::vector<DataT>& all)
 {

@@ -7,12 +7,10 @@
  * It is read by vtkHeliosSurveyReader, or made by its methods, and run by vtkHeliosSurveyPlayer:
  *
  * @code
- * survey->AddAssetDirectory("Data/Assets");
- * const int scanner = survey->AddScannerFromFile("scanners.xml#vz400_class_tls");
- * const int platform = survey->AddPlatformFromFile("platforms.xml#tripod");
- * const int leg = survey->AddLeg(scanner, platform);
- * survey->SetLegAttribute(leg, "scanFreq_hz", "100");
- * if (!survey->Check()) ...
+ * survey->AddAssetDirectory("Data/Assets"); const int scanner =
+ * survey->AddScannerFromFile("scanners.xml#vz400_class_tls"); const int platform =
+ * survey->AddPlatformFromFile("platforms.xml#tripod"); const int leg = survey->AddLeg(scanner,
+ * platform); survey->SetLegAttribute(leg, "scanFreq_hz", "100"); if (!survey->Check()) ...
  * @endcode
  *
  * Attributes have the names, units and ranges of the HELIOS XML dialect (Docs/dialect.md), and
@@ -57,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the survey, also that of its output folder; it is changed to a valid folder
-   * name. Default: survey.
+   * Set/Get the name of the survey and of its output folder; it is changed to a valid folder name.
+   * Default: survey.
    */
   void SetName(const std::string& name);
   std::string GetName() const;
@@ -66,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Add an asset directory (and its folder data) to search for references, after those added
+   * Adds an asset directory (and its folder data) to search for references, after those added
    * before; remove all. The working directory is searched last. Default: none.
    */
   void AddAssetDirectory(const std::string& directory);
@@ -87,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Add a scanner or a platform: one with the default attributes, or file.xml#id. Returns its index
-   * for AddLeg(), or -1 after an error.
+   * Adds a scanner or a platform: one with the default attributes, or file.xml#id. Returns its
+   * index for AddLeg(), or -1 after an error.
    */
   int AddScanner(const std::string& id);
   int AddPlatform(const std::string& id);
@@ -98,7 +96,7 @@ public:
 
   ///@{
   /**
-   * The number of scanners and of platforms.
+   * Get the number of scanners and of platforms.
    */
   int GetNumberOfScanners() const;
   int GetNumberOfPlatforms() const;
@@ -116,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Add a channel, a copy of the first one, which is the scanner itself. Returns its index, or -1
+   * Adds a channel, a copy of the first one, which is the scanner itself. Returns its index, or -1
    * after an error. Set/Get an attribute of one channel.
    */
   int AddChannel(int scanner);
@@ -138,7 +136,7 @@ public:
   ///@}
 
   /**
-   * Add a leg with the default settings, for one of the scanners on one of the platforms. Returns
+   * Adds a leg with the default settings, for one of the scanners on one of the platforms. Returns
    * its index, or -1 after an error. On a moving platform a leg extends to the position of the next
    * leg with the same platform, and the last one is its end.
    */
@@ -146,7 +144,7 @@ public:
 
   ///@{
   /**
-   * Remove a leg, or all legs; those after it move up. Does nothing if the leg does not exist.
+   * Removes a leg, or all legs; those after it move up. Does nothing if the leg does not exist.
    */
   void RemoveLeg(int leg);
   void RemoveAllLegs();
@@ -169,14 +167,14 @@ public:
   ///@}
 
   /**
-   * Set the position of a leg [m]; z is replaced by the height of the ground for a leg with
+   * Sets the position of a leg [m]; z is replaced by the height of the ground for a leg with
    * onGround. Returns false after an error.
    */
   bool SetLegPosition(int leg, double x, double y, double z);
 
   ///@{
   /**
-   * Add a part of the scene from a file, by a loader: objloader, geotiffloader, xyzloader,
+   * Adds a part of the scene from a file, by a loader: objloader, geotiffloader, xyzloader,
    * detailedvoxels, plyloader, stlloader, cityjsonloader, gltfloader or lasloader. Returns its
    * index, or -1 after an error. Remove all parts.
    */
@@ -217,20 +215,20 @@ public:
   ///@}
 
   /**
-   * Set the rows of a table that has no file as the text of a CSV file. Returns false after an
+   * Sets the rows of a table that has no file as the text of a CSV file. Returns false after an
    * error.
    */
   bool SetPartTableRows(int table, const std::string& text);
 
   /**
-   * Rotate a part about x, y or z by an angle [deg], after its other rotations. Valid range: [-1e6,
-   * 1e6]. Returns false after an error.
+   * Rotates a part about x, y or z by an angle [deg], after its other rotations. Valid range:
+   * [-1e6, 1e6]. Returns false after an error.
    */
   bool RotatePart(int part, const std::string& axis, double angle);
 
   ///@{
   /**
-   * The names of all attributes of a kind that have one value: survey, scene, part, scanner,
+   * Get the names of all attributes of a kind that have one value: survey, scene, part, scanner,
    * platform or leg; none of another kind, and empty if the index is out of range.
    */
   static int GetNumberOfAttributes(const std::string& kind);
@@ -245,16 +243,16 @@ public:
   bool WriteFile(const std::string& fileName);
 
   /**
-   * Check the survey: reports all errors and warnings, of scanners and of legs with their inherited
-   * values and limits. Returns false after an error. A survey that has not changed since it was
-   * checked, or read without error, is valid. Scene and trajectory are not required: they may be
-   * inputs of a vtkHeliosSurveySource.
+   * Checks the survey: reports all errors and warnings, of scanners and of legs with their
+   * inherited values and limits. Returns false after an error. A survey that has not changed since
+   * it was checked, or read without error, is valid. Scene and trajectory are not required: they
+   * may be inputs of a vtkHeliosSurveySource.
    */
   bool Check();
 
   ///@{
   /**
-   * The names of what the survey uses, separated by commas.
+   * Returns the names of what the survey uses, separated by commas.
    */
   std::string GetScannerName() const;
   std::string GetPlatformName() const;
@@ -262,18 +260,18 @@ public:
   ///@}
 
   /**
-   * The seed of the survey; -1: none.
+   * Returns the seed of the survey; -1: none.
    */
   vtkIdType GetSeed() const;
 
   /**
-   * Whether a platform moves from leg to leg. Its last leg is then an end point only.
+   * Returns whether a platform moves from leg to leg. Its last leg is then an end point only.
    */
   bool IsMoving() const;
 
   /**
-   * The number of epochs: more than one if parts of the scene are swapped. vtkHeliosSurveyPlayer
-   * runs one epoch at a time.
+   * Returns the number of epochs: more than one if parts of the scene are swapped.
+   * vtkHeliosSurveyPlayer runs one epoch at a time.
    */
   int GetNumberOfEpochs() const;
 
@@ -288,19 +286,19 @@ public:
   ///@}
 
   /**
-   * The number of legs, including inactive ones.
+   * Returns the number of legs, including inactive ones.
    */
   int GetNumberOfLegs() const;
 
   /**
-   * The position of a leg [m]: for a leg that IsLegOnGround(), z is not yet on
-   * the ground. Zero if the leg does not exist.
+   * Gets the position of a leg [m]: for a leg that IsLegOnGround(), z is not yet on the ground.
+   * Zero if the leg does not exist.
    */
   void GetLegPosition(int leg, double position[3]) const;
 
   ///@{
   /**
-   * Whether a leg is placed on the ground; whether it fires pulses.
+   * Returns whether a leg is placed on the ground; whether it fires pulses.
    */
   bool IsLegOnGround(int leg) const;
   bool IsLegActive(int leg) const;
@@ -308,7 +306,7 @@ public:
 
   ///@{
   /**
-   * The pulse frequency [Hz] and the scan frequency [Hz] of a leg; 0 if it does not exist.
+   * Returns the pulse frequency [Hz] and the scan frequency [Hz] of a leg; 0 if it does not exist.
    */
   double GetLegPulseFrequency(int leg) const;
   double GetLegScanFrequency(int leg) const;
@@ -318,9 +316,9 @@ public:
   /// Replaces the survey by a document, whose errors are reported for an owner. False after an error.
   bool ReadDocument(std::unique_ptr<helios::SurveyDocument> document, vtkObject* owner);
 
-  ///@{
-  /// All data; call Modified() after a change. A leg is changed by its settings: the methods above
-  /// make all legs of theirs again.
+  /// @{
+  /// Returns all data; call Modified() after a change. A leg is changed by its settings: the
+  /// methods above make all legs of theirs again.
   helios::SurveyData& GetData();
   const helios::SurveyData& GetData() const;
   ///@}

@@ -208,7 +208,7 @@ void EditTool::ClickAt(int x, int y, bool isMore)
   switch (this->Doing)
   {
     case Mode::Scanner:
-      this->SetStand(*pick, isMore);
+      this->SetScanPosition(*pick, isMore);
       break;
     case Mode::Area:
       this->SetCorner(*pick);
@@ -220,7 +220,7 @@ void EditTool::ClickAt(int x, int y, bool isMore)
 }
 
 //------------------------------------------------------------------------------
-void EditTool::SetStand(const ScenePick& pick, bool isMore)
+void EditTool::SetScanPosition(const ScenePick& pick, bool isMore)
 {
   this->Remember();
   if (this->Edit.HasArea)
@@ -362,10 +362,10 @@ void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
 //------------------------------------------------------------------------------
 void EditTool::Remember()
 {
-  this->Befores.push_back({ this->Edit, this->HasNewScene ? this->Scene.GetText() : "" });
-  if (this->Befores.size() > MaximumUndos)
+  this->UndoStack.push_back({ this->Edit, this->HasNewScene ? this->Scene.GetText() : "" });
+  if (this->UndoStack.size() > MaximumUndos)
   {
-    this->Befores.erase(this->Befores.begin());
+    this->UndoStack.erase(this->UndoStack.begin());
   }
 }
 
@@ -385,10 +385,10 @@ void EditTool::Scan()
   this->Ghost.reset();
   this->HasChanges = false;
   ++this->Scans;
-  this->IsMine = true;
+  this->IsEditedSurvey = true;
   this->Owner.GetClock().SetPlaying(true);
   this->Owner.ShowSurvey(survey, true);
-  this->IsMine = false;
+  this->IsEditedSurvey = false;
   this->Owner.ShowMessage("scanning; s saves the survey");
 }
 
@@ -422,7 +422,7 @@ void EditTool::Save()
 //------------------------------------------------------------------------------
 void EditTool::OnNewSurvey()
 {
-  if (this->IsMine)
+  if (this->IsEditedSurvey)
   {
     return;
   }
@@ -431,7 +431,7 @@ void EditTool::OnNewSurvey()
   this->HasNewScene = false;
   this->HasChanges = false;
   this->Ghost.reset();
-  this->Befores.clear();
+  this->UndoStack.clear();
   this->Saved.clear();
   this->Part.clear();
   if (this->Panel)

@@ -68,7 +68,7 @@ private:
   void ChangeSetting(const std::string& name, double value, bool isOver);
   void Remove();
   void ClickAt(int x, int y, bool isMore);
-  void SetStand(const ScenePick& pick, bool isMore);
+  void SetScanPosition(const ScenePick& pick, bool isMore);
   void SetCorner(const ScenePick& pick);
   void Select(const ScenePick& pick, bool isMore);
   bool LoadScene();
@@ -92,7 +92,7 @@ private:
   std::map<std::string, void (*)(EditTool&)> PartActions;
   bool IsOn = false;
   bool HasBegun = false;
-  bool IsMine = false; ///< the survey being shown
+  bool IsEditedSurvey = false; ///< the survey being shown
   Mode Doing = Mode::Scanner;
   Catalogue Choice;
   SurveyEdit Edit;
@@ -106,7 +106,7 @@ private:
   std::string Part;               ///< selected; empty: none
   std::vector<std::string> Files; ///< sources of new parts
   std::size_t File = 0;
-  std::vector<Before> Befores;
+  std::vector<Before> UndoStack;
   std::unique_ptr<EditPanel> Panel;
   std::unique_ptr<PlatformView> Ghost;
   std::shared_ptr<ModelFiles> Models; // platform models

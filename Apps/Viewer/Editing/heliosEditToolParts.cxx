@@ -176,7 +176,7 @@ void EditTool::AddPart(const ScenePick& pick)
   const int part = this->Scene.AddPart(this->Files[this->File], pick.Position, log);
   if (part < 0)
   {
-    this->Befores.pop_back();
+    this->UndoStack.pop_back();
     this->Owner.ShowError(log.GetLastError());
     return;
   }
@@ -190,7 +190,7 @@ void EditTool::ChangeParts(bool isGood)
 {
   if (!isGood)
   {
-    this->Befores.pop_back();
+    this->UndoStack.pop_back();
     this->Owner.ShowMessage(this->Part.empty()
         ? "select a part first: click on it"
         : this->Part + ": this change is not possible; a scene keeps at least one part");
@@ -229,13 +229,13 @@ void EditTool::ShowScene()
 //------------------------------------------------------------------------------
 void EditTool::Undo()
 {
-  if (this->Befores.empty())
+  if (this->UndoStack.empty())
   {
     this->Owner.ShowMessage("nothing is left to undo");
     return;
   }
-  const Before before = this->Befores.back();
-  this->Befores.pop_back();
+  const Before before = this->UndoStack.back();
+  this->UndoStack.pop_back();
   this->Edit = before.Edit;
   const bool hadScene = this->HasNewScene;
   const std::string now = hadScene ? this->Scene.GetText() : "";

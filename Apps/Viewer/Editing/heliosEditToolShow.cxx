@@ -323,7 +323,7 @@ void EditTool::Describe(Json::Value& state) const
     editor["parts"].append(this->Scene.GetPartName(i));
   }
   editor["file"] = this->Files.empty() ? "" : this->Files[this->File];
-  editor["undos"] = Json::UInt64(this->Befores.size());
+  editor["undos"] = Json::UInt64(this->UndoStack.size());
   editor["saved"] = this->Saved;
   editor["scans"] = this->Scans;
 }

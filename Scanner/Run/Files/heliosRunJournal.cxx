@@ -99,7 +99,7 @@ Status RunJournal::Read()
 }
 
 //------------------------------------------------------------------------------
-/// The journals of earlier versions are JSON lines, too.
+/// Returns whether the journal has no checksums; journals of earlier versions are JSON lines, too.
 bool RunJournal::IsWithoutChecksums() const
 {
   std::ifstream file(this->Path, std::ios::binary);
@@ -110,7 +110,7 @@ bool RunJournal::IsWithoutChecksums() const
 }
 
 //------------------------------------------------------------------------------
-/// A value as a line with the checksum of all lines up to it.
+/// Returns a value as a line with the checksum of all lines up to it.
 std::string RunJournal::Seal(const Json::Value& value)
 {
   std::string body = ToLine(value);
@@ -174,7 +174,7 @@ Status RunJournal::ReadLine(const std::string& body)
 }
 
 //------------------------------------------------------------------------------
-/// Checks whether progress can follow what was read.
+/// Checks whether progress can follow the lines that were read.
 Status RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) const
 {
   const LegProgress& before = this->GetLeg(leg);

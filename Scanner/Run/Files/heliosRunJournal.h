@@ -26,32 +26,32 @@ public:
   const std::string& GetPath() const { return this->Path; }
   bool Exists() const;
 
-  ///@{
-  /// An incomplete last line is ignored.
+  /// @{
+  /// Create or read a journal; an incomplete last line is ignored.
   Status Create(const Json::Value& fingerprint); ///< a new one
-  Status Read();                                 ///< that of an earlier run
+  Status Read();                                 ///< journal of an earlier run
   Status Continue();                             ///< after Read()
   Status Append(std::size_t leg, const LegProgress& progress);
   ///@}
 
-  /// The fingerprint of the run whose journal was read.
+  /// Returns the fingerprint of the run whose journal was read.
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
 
   const LegProgress& GetLeg(std::size_t leg) const;
 
-  /// The progress of a file of some leg; null: nothing of it is safe.
+  /// Finds the progress of a file of some leg; null: no block of the file is safe.
   const FileProgress* FindFile(const std::string& name) const;
 
-  /// The progress of all files, by name.
+  /// Returns the progress of all files, by name.
   const std::map<std::string, FileProgress>& GetFiles() const { return this->Files; }
 
-  ///@{
-  /// The lines that Read() has read: the leg, and its progress. Remembered on request only.
+  /// @{
+  /// Return the lines that Read() has read: the leg, and its progress. Remembered on request only.
   void RememberLines() { this->RemembersLines = true; }
   const std::vector<std::pair<std::size_t, LegProgress>>& GetLines() const { return this->Lines; }
   ///@}
 
-  /// The file blocks that were read, in the order of writing.
+  /// Returns the file blocks that were read, in the order of writing.
   const std::vector<FileBlock>& GetBlocks() const { return this->Blocks; }
 
   /// Checks that the file still exists while it is written.
@@ -77,10 +77,10 @@ private:
   std::vector<FileBlock> Blocks;
   std::vector<std::pair<std::size_t, LegProgress>> Lines;
   bool RemembersLines = false;
-  std::size_t Leg = 0;    // of the last line
-  ScanCounts Counts;      // of the last line
+  std::size_t Leg = 0;    // leg of the last line
+  ScanCounts Counts;      // counts of the last line
   std::string LastSeal;   // the checksum of the last line
-  std::uint64_t Size = 0; // of the lines that were read
+  std::uint64_t Size = 0; // size of the lines that were read
 };
 
 } // namespace helios

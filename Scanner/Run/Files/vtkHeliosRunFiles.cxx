@@ -23,7 +23,7 @@ struct KindOfFile
   std::string_view Endings[NumberOfFormats]; ///< by format
 };
 
-/// By FileKind.
+/// Kinds in the order of FileKind.
 constexpr KindOfFile Kinds[] = {
   { "_points", { ".xyz", ".las", ".pvtp" } },
   { "_fullwave", { ".txt", ".las", ".pvtt" } },
@@ -38,7 +38,7 @@ constexpr std::string_view RunPartFolder = "part";
 constexpr std::string_view PartCount = "of";
 constexpr std::string_view Channel = "_dev";
 constexpr std::string_view ConvertedPoints = ".laz";
-constexpr std::size_t MinimumWidth = 3; // of numbers and names of strips
+constexpr std::size_t MinimumWidth = 3; // width of numbers and names of strips
 
 std::string Pad(std::string_view start, const std::string& word)
 {
@@ -51,7 +51,7 @@ bool StartsWith(std::string_view text, std::string_view start)
   return text.substr(0, start.size()) == start;
 }
 
-/// A number without a sign; -1 for any other text.
+/// Parses a number without a sign; -1 for any other text.
 int ParseNumber(std::string_view text)
 {
   int number = -1;
@@ -82,7 +82,7 @@ NameParts Split(std::string_view name)
   return parts;
 }
 
-/// The number or name of a leg or strip; empty of another stem.
+/// Returns the number or name of a leg or strip; empty of another stem.
 std::string_view GetId(std::string_view stem)
 {
   const bool isLeg = StartsWith(stem, Leg);
@@ -96,7 +96,7 @@ std::string_view GetId(std::string_view stem)
   return isLeg && !isNumber ? std::string_view() : id;
 }
 
-/// Whether a channel, if any, and an ending follow the kind.
+/// Returns whether a channel, if any, and an ending follow the kind.
 bool IsFinished(const NameParts& parts)
 {
   std::string_view rest = parts.Rest;
@@ -109,7 +109,7 @@ bool IsFinished(const NameParts& parts)
     (parts.Kind == vtkHeliosRunFiles::POINTS && rest == ConvertedPoints);
 }
 
-/// The same of finished files of legs and strips only.
+/// Splits names of finished files of legs and strips only.
 NameParts SplitFinished(std::string_view name)
 {
   const NameParts parts = Split(name);

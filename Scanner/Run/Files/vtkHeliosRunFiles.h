@@ -35,7 +35,7 @@ public:
   vtkTypeMacro(vtkHeliosRunFiles, vtkObject);
 
   /**
-   * What a file contains; the first four are the output ports of vtkHeliosScanner.
+   * Kind of the contents of a file; the first four are the output ports of vtkHeliosScanner.
    */
   enum FileKind
   {
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * The files of a whole run.
+   * Returns the files of a whole run.
    */
   static const char* GetSummaryName();
   static const char* GetJournalName();
@@ -56,20 +56,20 @@ public:
 
   ///@{
   /**
-   * The subfolder of an epoch, and the epoch of a subfolder; -1 for any other folder.
+   * Returns the subfolder of an epoch, and the epoch of a subfolder; -1 for any other folder.
    */
   static std::string GetEpochName(int epoch);
   static int GetEpoch(const std::string& folder);
   ///@}
 
   /**
-   * The subfolder of a part, counted from 1, of a run in a number of parts: "part002of004".
+   * Returns the subfolder of a part, counted from 1, of a run in a number of parts: "part002of004".
    */
   static std::string GetPartName(int part, int parts);
 
   ///@{
   /**
-   * The formats of a run: "xyz", "las", "vtp". Null if the index is out of range.
+   * Get the formats of a run: "xyz", "las", "vtp". Null if the index is out of range.
    */
   static int GetNumberOfFormats();
   static const char* GetFormat(int index);
@@ -77,29 +77,29 @@ public:
 
   ///@{
   /**
-   * The beginning of the names of a leg's or strip's files: "leg012", "strip00A".
+   * Returns the beginning of the names of a leg's or strip's files: "leg012", "strip00A".
    */
   static std::string GetLegStem(int leg);
   static std::string GetStripStem(const std::string& strip);
   ///@}
 
   /**
-   * The name of a file: its stem, kind (FileKind) and format, and the channel if it has only one.
-   * Empty for any other kind or format.
+   * Returns the name of a file: its stem, kind (FileKind) and format, and the channel if it has
+   * only one. Empty for any other kind or format.
    */
   static std::string GetFileName(const std::string& stem, int kind, const std::string& format,
     const std::string& channel = std::string());
 
   /**
-   * The name of the file of a kind and format that belongs to a file of another kind, also if its
-   * stem is neither a leg's nor a strip's. Empty if the name has no kind.
+   * Returns the name of the file of a kind and format that belongs to a file of another kind, also
+   * if its stem is neither a leg's nor a strip's. Empty if the name has no kind.
    */
   static std::string GetBeside(const std::string& fileName, int kind, const std::string& format);
 
   ///@{
   /**
-   * The kind, the stem, and the number of the leg or strip of a file's name. -1, empty and -1 if it
-   * is no finished file of a run; -1 if the strip has no number.
+   * Get the kind, the stem, and the number of the leg or strip of a file's name. -1, empty and -1
+   * if it is no finished file of a run; -1 if the strip has no number.
    */
   static int GetKind(const std::string& fileName);
   static std::string GetStem(const std::string& fileName);
@@ -107,7 +107,8 @@ public:
   ///@}
 
   /**
-   * Whether a name is that of a file of a leg, finished or not, or of a part of one.
+   * Returns whether a name belongs to a file of a leg, finished or not, or to a part of such a
+   * file.
    */
   static bool IsOfLeg(const std::string& fileName);
 

@@ -97,7 +97,7 @@ void AddArrays(vtkFieldData* data, Sha256& hash)
   }
 }
 
-/// The digest of the trajectories of inputs.
+/// Returns the digest of the trajectories of inputs.
 std::string HashTrajectories(const std::vector<vtkSmartPointer<vtkPolyData>>& trajectories)
 {
   Sha256 hash;
@@ -110,7 +110,7 @@ std::string HashTrajectories(const std::vector<vtkSmartPointer<vtkPolyData>>& tr
   return hash.Finish();
 }
 
-/// The part of a fingerprint: "2/4"; empty: the whole run.
+/// Returns the part of a fingerprint: "2/4"; empty: the whole run.
 std::string DescribePart(const Json::Value& fingerprint)
 {
   const Json::Value& part = fingerprint["part"];
@@ -118,7 +118,7 @@ std::string DescribePart(const Json::Value& fingerprint)
                          : std::string();
 }
 
-/// A value as a user would type it.
+/// Returns a value as a user would type it.
 std::string Quote(const Json::Value& value)
 {
   return value.isNull() ? "unknown" : ToLine(value);
@@ -189,7 +189,7 @@ void AddGrid(vtkImageData* grid, Sha256& hash)
   hash.Add(grid->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
 }
 
-/// A mesh, or a raster of heights.
+/// Adds a mesh, or a raster of heights.
 void AddTriangles(vtkDataSet* data, Sha256& hash)
 {
   if (auto* mesh = vtkPolyData::SafeDownCast(data))
@@ -263,7 +263,7 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   CompareMembers(then["versions"], now["versions"], differences);
   CompareMembers(then["options"], now["options"], differences);
   const std::string part = DescribePart(now);
-  if (!part.empty() && part != DescribePart(then)) // those who join parts read all of them
+  if (!part.empty() && part != DescribePart(then)) // readers of parts read all of them
   {
     differences.push_back("it is part " + DescribePart(then) + " and not " + part);
   }

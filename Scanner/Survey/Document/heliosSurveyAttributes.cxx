@@ -177,7 +177,7 @@ void SurveyDocument::RemoveSame(
   }
   const auto remove = [&](const char* other)
   { item == SurveyItem::Scanner ? kept.remove_attribute(other) : false; };
-  if (IsTolerance(name)) // of fixed and adaptive sub-rays, the last one given counts
+  if (IsTolerance(name)) // the last setting counts, of fixed and adaptive sub-rays
   {
     remove(FixedSubRays);
   }

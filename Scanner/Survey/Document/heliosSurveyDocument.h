@@ -20,7 +20,7 @@ class vtkObject;
 namespace helios
 {
 
-/// What an attribute is of.
+/// Owner of an attribute.
 enum class SurveyItem
 {
   Survey,
@@ -37,7 +37,7 @@ struct SurveyPlace
 {
   SurveyItem Item;
   int Index = 0;
-  int Channel = -1; ///< of a scanner; negative: all
+  int Channel = -1; ///< number of a scanner; negative: all
 };
 
 /**

@@ -59,14 +59,14 @@ public:
   /// or -1 after an error.
   int AddPart(const std::string& fileName, const Vec3& place, Messages& log);
 
-  /// The mesh of the scene, for a file in its folder; null after an error.
+  /// Returns the mesh of the scene, for a file in its folder; null after an error.
   vtkSmartPointer<vtkPolyData> Build(Messages& log) const;
 
-  /// The id of the scene in references of surveys.
+  /// Returns the id of the scene in references of surveys.
   std::string GetId() const;
 
-  ///@{
-  /// Get the text of the <scene>; restore a scene from such a text.
+  /// @{
+  /// Returns the text of the <scene>; restore a scene from such a text.
   std::string GetText() const;
   void SetText(const std::string& text);
   ///@}

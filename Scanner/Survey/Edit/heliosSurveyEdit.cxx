@@ -24,7 +24,7 @@ constexpr double MaximumScanFrequency = 400.0;
 constexpr double MaximumHeight = 3000.0; // [m]
 constexpr double MaximumSpeed = 100.0;   // [m/s]
 
-/// The half scan angle of emitted pulses [deg].
+/// Returns the half scan angle of emitted pulses [deg].
 double FindHalfAngle(const ScannerData& scanner)
 {
   const double angle =
@@ -59,7 +59,7 @@ double FindMaximumScanFrequency(const ScannerData& scanner)
   return scanner.ScanFrequencyMax > 0.0 ? scanner.ScanFrequencyMax : MaximumScanFrequency;
 }
 
-/// The storage of a number; null: none.
+/// Returns the storage of a number; null: none.
 double* FindNumber(LegSettings& settings, const std::string& name)
 {
   const std::pair<const char*, double*> all[] = { { "headStart", &settings.Scan.HeadRotateStart },
@@ -84,7 +84,7 @@ double* FindNumber(SurveyEdit& edit, const std::string& name)
                           : FindNumber(edit.Settings, name);
 }
 
-/// The nearest valid value of a range.
+/// Returns the nearest valid value of a range.
 double Limit(const EditRange& range, double value)
 {
   if (range.Choices.empty())
@@ -160,7 +160,7 @@ void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& tex
   }
 }
 
-/// The initial settings of an instrument.
+/// Returns the initial settings of an instrument.
 LegSettings MakeUsualSettings(const SurveyEdit& edit)
 {
   const ScannerData& scanner = edit.ScannerModel;

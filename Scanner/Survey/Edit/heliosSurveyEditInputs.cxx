@@ -46,7 +46,7 @@ std::string MakeWhole(const std::string& path)
   return whole.empty() ? path : whole.string();
 }
 
-/// The id of a scanner, without that of its channel.
+/// Returns the id of a scanner, without that of its channel.
 std::string GetScannerId(const ScannerData& scanner)
 {
   return scanner.Id.substr(0, scanner.Id.find(", channel "));
@@ -70,7 +70,7 @@ void AddEntries(const XmlElement& root, const char* tag, const std::string& refe
   }
 }
 
-/// The entry read from the same file; else a reference to it.
+/// Returns the entry read from the same file; else a reference to it.
 template <typename T>
 std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
   const std::string& file, const std::string& id, const std::string& path)
@@ -116,7 +116,7 @@ void CopySurvey(const std::string& fileName, SurveyEdit& edit)
   edit.Children = text.str();
 }
 
-/// The settings that resolve to the scan of a leg.
+/// Returns the settings that resolve to the scan of a leg.
 LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
 {
   const LegData& data = survey.Legs[leg];

@@ -36,7 +36,7 @@ std::string AddScene(pugi::xml_node root, const SurveyEdit& edit)
   return edit.Scene;
 }
 
-/// The settings of a leg on a static platform.
+/// Returns the settings of a leg on a static platform.
 LegSettings MakeStill(const LegSettings& settings)
 {
   LegSettings still = settings;

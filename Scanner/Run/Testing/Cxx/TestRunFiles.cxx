@@ -76,7 +76,7 @@ TEST_CASE("RunFiles: other names are not those of a run", "[RunFiles]")
     CHECK(Files::GetStem(name).empty());
     CHECK(Files::GetNumber(name) == -1);
   }
-  // of a leg, but not complete, or a part of another file
+  // files of a leg, but not complete, or a part of another file
   for (const char* name : { "leg000_points.wdp", "leg000_points_0.vtp", "leg000_points",
          "leg000_points_dev1", "leg000_fullwave.laz", "leg000_trajectory.xyz" })
   {

@@ -226,7 +226,7 @@ TEST_CASE("SceneEdit: tables of parts are kept, with their files", "[SceneEdit]"
 <param type="double" key="scale" value="0.5"/></filter></model></partTable><partTable>
 <row model="box.obj" x="-9" y="0" z="5"/></partTable></scene>)");
   REQUIRE(scene.Edit.Load("parts/scene.xml#s", scene.Folder / "", {}, scene.Log));
-  CHECK(scene.Edit.GetNumberOfParts() == 4); // without those of tables
+  CHECK(scene.Edit.GetNumberOfParts() == 4); // without the tables' parts
   CHECK_THAT(scene.Edit.GetText(), Contains("file=\"parts/stand.csv\""));
   CHECK(scene.Edit.MovePart(1, { 1.0, 0.0, 0.0 }));
   const auto mesh = scene.Read();

@@ -251,7 +251,7 @@ TEST_CASE("SurveyDamage: changed bytes of files", "[SurveyDamage]")
       const std::string path = "out/test/" + name;
       const auto size = static_cast<double>(fs::file_size(files / path));
       const auto at = static_cast<std::size_t>(place * size);
-      // The header of a continued LAS file is checked once restored, and that of its .wdp is
+      // The header of a continued LAS file is checked once restored, and the header of its .wdp is
       // rewritten.
       Flip(files, path, at);
       playing.CheckFails({ path, "the file was changed or is damaged; set Overwrite" });
@@ -276,7 +276,7 @@ TEST_CASE("SurveyDamage: the header of an unfinished LAS file", "[SurveyDamage]"
   broken.Player->SetFormat("las");
   broken.AbortAfter(50000);
   REQUIRE_FALSE(broken.Player->Run());
-  Flip(files, "out/test/leg001_points.las.part", 156); // of the offset of x
+  Flip(files, "out/test/leg001_points.las.part", 156); // byte of the offset of x
   BlockRun playing(files, reading);
   playing.Player->SetFormat("las");
   playing.Player->SetResume(true);

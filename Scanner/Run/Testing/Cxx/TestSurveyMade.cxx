@@ -42,7 +42,7 @@ struct Making
     return leg;
   }
 
-  /// On a tripod, or flown.
+  /// Adds an instrument on a tripod, or flown.
   void AddInstrument(bool isFlown = false)
   {
     const std::string platform = isFlown ? "assets.xml#plane" : "assets.xml#tripod";

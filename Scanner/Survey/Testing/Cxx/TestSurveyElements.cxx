@@ -21,7 +21,7 @@ using namespace helios::test;
 namespace
 {
 
-/// What is made in another way, by element or element/attribute, and why.
+/// Attributes that are made in another way, by element or element/attribute, and why.
 const std::map<std::string, std::string> Exceptions = {
   { "survey/scanner", "AddScannerFromFile, AddLeg" },
   { "survey/platform", "AddPlatformFromFile, AddLeg" },
@@ -341,7 +341,7 @@ TEST_CASE("SurveyElements: axes and mounts are those of a file", "[SurveyElement
   Bench bench;
   vtkHeliosSurvey* made = bench.Survey;
   CHECK(made->AddChannel(0) == 1);
-  CHECK(bench.Set("scanner", "headRotateAxis/y", "2")); // as in a file, x and z are then 0
+  CHECK(bench.Set("scanner", "headRotateAxis/y", "2")); // x and z are then 0, like in a file
   CHECK(made->SetChannelAttribute(0, 1, "headRotateAxis/x", "1"));
   CHECK(made->SetChannelAttribute(0, 1, "headRotateAxis/y", "1"));
   CHECK(bench.Set("scanner", "incidentBeam/y", "1"));
@@ -378,7 +378,7 @@ TEST_CASE("SurveyElements: axes and mounts are those of a file", "[SurveyElement
   CHECK(platforms[0].Mount.Position[2] == 0.7);
   CHECK(bench.Set("platform", "scannerMount/rotations", "local"));
   CHECK(platforms[0].Mount.Orientation[0] == made->GetData().Platforms[0].Mount.Orientation[0]);
-  CHECK(made->SetPlatformAttribute(1, "scannerMount", "")); // the default replaces that of the file
+  CHECK(made->SetPlatformAttribute(1, "scannerMount", "")); // the default replaces the file's
   CHECK(made->GetData().Platforms[1].Mount.Orientation[0] == 1.0);
   CHECK(bench.Set("scanner", "headRotateAxis", ""));
   CHECK(made->GetData().Scanners.at(0).HeadRotateAxis[2] == 1.0);

@@ -34,7 +34,7 @@ namespace test
     return #Type ", " #__VA_ARGS__;                                                                \
   }
 
-/// What ReceiverData adds to its base, which a binding cannot list together with it.
+/// Members that ReceiverData adds to its base, which a binding cannot list together with it.
 struct OwnReceiverData
 {
   const std::string& Where;

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
-// SPDX-License-Identifier: BSD-3-Clause
-// Parts of a run, joined: the files are those of one process.
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// Parts of a run, joined: the files equal the files of one process.
 #include "heliosBrokenRun.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"

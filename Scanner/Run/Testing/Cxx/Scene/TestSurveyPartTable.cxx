@@ -407,7 +407,7 @@ TEST_CASE("SurveyPartTable: tables are made by methods", "[SurveyPartTable]")
     CHECK(a[i].Translation[1] == b[i].Translation[1]);
   }
   CHECK(made->GetData().Documents == std::vector<std::string>{ files / "stand.csv" });
-  CHECK(made->AddPart("objloader", "oak.obj") == 1); // before those of the table
+  CHECK(made->AddPart("objloader", "oak.obj") == 1); // before the table's parts
   CHECK(made->GetNumberOfParts() == 4);
   CHECK(made->GetPartName(1) == "1");
   CHECK(made->SetPartAttribute(1, "classification", "3"));
