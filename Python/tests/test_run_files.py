@@ -70,4 +70,4 @@ def test_facts_of_a_run():
         "run.journal",
         ".part",
     )
-    assert files.is_epoch(pathlib.Path("a/play012")) and not files.is_epoch(pathlib.Path("a/play"))
+    assert files.is_epoch(pathlib.Path("a/epoch012")) and not files.is_epoch(pathlib.Path("a/epoch"))

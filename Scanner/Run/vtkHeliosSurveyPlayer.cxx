@@ -188,7 +188,7 @@ std::string vtkHeliosSurveyPlayer::GetRunFolder()
   folder /= survey->GetName();
   if (survey->GetNumberOfEpochs() > 1)
   {
-    folder /= vtkHeliosRunFiles::GetEpochName(this->GetOptions()->GetEpoch());
+    folder = vtkHeliosRunFiles::FindEpoch(folder.string(), this->GetOptions()->GetEpoch());
   }
   if (this->NumberOfParts > 0)
   {

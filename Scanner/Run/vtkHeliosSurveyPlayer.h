@@ -24,9 +24,9 @@
  *
  * If parts of the scene are swapped, the survey has several epochs
  * (vtkHeliosSurvey::GetNumberOfEpochs()): the same legs and other geometry. A run is one of them,
- * Epoch of the options, in a subfolder of the survey's folder, play000, play001 etc., with its own
- * journal and summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the
- * same in all epochs: their points differ only by geometry.
+ * Epoch of the options, in a subfolder of the survey's folder, epoch000, epoch001 etc., with its own
+ * journal and summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
+ * epochs: their points differ only by geometry.
  *
  * While a leg runs its files end in .part and are valid up to the last block; run.journal records
  * what is flushed to disk. Resume continues a run that ended early for any reason; its files are
@@ -104,8 +104,8 @@ public:
   ///@}
 
   /**
-   * Returns the output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder
-   * playNNN if the survey has several epochs, and partNNNofNNN of a part. Empty without a survey.
+   * Returns the output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder epochNNN if
+   * the survey has several epochs, and partNNNofNNN of a part. Empty without a survey.
    */
   std::string GetRunFolder();
 

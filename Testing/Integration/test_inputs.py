@@ -429,9 +429,9 @@ def test_epochs_have_the_files_that_they_read(folder, tmp_path):
     def names(output, epoch):
         return {os.path.relpath(each["file"], copy) for each in inputs(output, epoch)}
 
-    assert names("both", "play000") == set(KINDS) | {"old.obj", "old.mtl"}
-    assert names("both", "play001") == set(KINDS) | {"new.obj", "new.mtl"}
-    assert inputs("both", "play001") == inputs("alone", "play001")
+    assert names("both", "epoch000") == set(KINDS) | {"old.obj", "old.mtl"}
+    assert names("both", "epoch001") == set(KINDS) | {"new.obj", "new.mtl"}
+    assert inputs("both", "epoch001") == inputs("alone", "epoch001")
 
 
 # Ranks and workers: each reads its own files.

@@ -132,14 +132,14 @@ def height(folder):
 def test_epochs(command_line, make_epochs, tmp_path):
     survey, folder = make_epochs(), tmp_path / "out/plane"
     arguments = ["run", survey, "--output", tmp_path / "out", "--no-noise"]
-    alone = command_line(*arguments, "--play", 2)
+    alone = command_line(*arguments, "--epoch", 2)
     assert alone.returncode == 0, alone.stderr
-    assert [path.name for path in folder.iterdir()] == ["play002"]
-    only = (folder / "play002/leg000_points.xyz").read_bytes()
+    assert [path.name for path in folder.iterdir()] == ["epoch002"]
+    only = (folder / "epoch002/leg000_points.xyz").read_bytes()
     done = command_line(*arguments)
-    expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
+    expect_failure(done, "epoch002: holds the files of an earlier run.*--resume.*--overwrite")
     assert [path.name for path in folder.iterdir()] == [
-        "play002"
+        "epoch002"
     ]  # reported before the first epoch
     expect_failure(
         command_line(*arguments, "--epoch", 3), "Epoch is 3, but the survey has 3 epochs"
@@ -149,16 +149,16 @@ def test_epochs(command_line, make_epochs, tmp_path):
     assert done.returncode == 0, done.stderr
     for epoch in range(3):
         assert f"epoch    {epoch} of 3, counted from 0\n" in done.stdout
-        assert height(folder / f"play00{epoch}") == pytest.approx(HEIGHTS[epoch], abs=1e-3)
-    assert (folder / "play002/leg000_points.xyz").read_bytes() == only
+        assert height(folder / f"epoch00{epoch}") == pytest.approx(HEIGHTS[epoch], abs=1e-3)
+    assert (folder / "epoch002/leg000_points.xyz").read_bytes() == only
     assert f"epochs   3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
 
     done = command_line(*arguments, "--resume", "--json")  # nothing is left to do
     report = json.loads(done.stdout)
-    assert [each["play"] for each in report["plays"]] == [0, 1, 2]
-    assert [each["options"]["play"] for each in report["plays"]] == [0, 1, 2]
+    assert [each["epoch"] for each in report["epochs"]] == [0, 1, 2]
+    assert [each["options"]["epoch"] for each in report["epochs"]] == [0, 1, 2]
     assert report["totals"]["pulsesFired"] == 3 * PULSES
-    points = sum(each["totals"]["points"] for each in report["plays"])
+    points = sum(each["totals"]["points"] for each in report["epochs"])
     assert report["totals"]["points"] == points > 0
 
 
@@ -181,8 +181,8 @@ def test_dry_run_of_epochs(command_line, make_epochs, tmp_path):
     )
     report = json.loads(command_line(*arguments, "--json").stdout)
     assert report["totals"]["pulsesFired"] == 3 * PULSES
-    assert report["memory_bytes"] == max(each["memory_bytes"] for each in report["plays"])
-    assert report["timings"]["run_s"] == pytest.approx(sum(e["run_s"] for e in report["plays"]))
+    assert report["memory_bytes"] == max(each["memory_bytes"] for each in report["epochs"])
+    assert report["timings"]["run_s"] == pytest.approx(sum(e["run_s"] for e in report["epochs"]))
     assert not (tmp_path / "out").exists()
 
 
@@ -195,24 +195,24 @@ def test_interrupted_epochs(number, command_line, make_epochs, tmp_path):
         shutil.rmtree(tmp_path / "out", ignore_errors=True)
         run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
         until = time.monotonic() + 60
-        while not list(folder.glob("play001/*points*")) and time.monotonic() < until:
+        while not list(folder.glob("epoch001/*points*")) and time.monotonic() < until:
             time.sleep(0.01)
-        wait_for_points(folder / "play001")
+        wait_for_points(folder / "epoch001")
         run.send_signal(number)
         _, errors = run.communicate(timeout=60)
-        if (folder / "play001/run.journal").exists() and not (folder / "play002").exists():
+        if (folder / "epoch001/run.journal").exists() and not (folder / "epoch002").exists():
             break
     assert run.returncode == (-9 if number == signal.SIGKILL else 130), errors
-    assert (folder / "play001/run.journal").exists() and not (folder / "play002").exists()
+    assert (folder / "epoch001/run.journal").exists() and not (folder / "epoch002").exists()
 
     done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
     assert done.returncode == 0, done.stderr
     assert "Nothing is left to do" in done.stdout  # run of the first epoch
     whole = command_line("run", survey, "--output", tmp_path / "whole", "--epoch", 1, *more)
     assert whole.returncode == 0, whole.stderr
-    name = "plane/play001/leg000_points.xyz"
+    name = "plane/epoch001/leg000_points.xyz"
     assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
-    assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was started
+    assert height(folder / "epoch002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was started
 
 
 def test_interrupt_between_epochs(make_epochs, capsys):

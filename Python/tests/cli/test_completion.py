@@ -50,7 +50,6 @@ def test_all_commands_are_described(commands):
     assert list(commands) == cli.command_names()
     options = {name for option in commands["run"].options for name in option.names}
     assert {"--format", "--assets", "--help", "-h"} <= options
-    assert "--play" not in options  # a former name, not shown
     kinds = {option.names[-1]: option.value for option in commands["run"].options}
     assert kinds["--format"].words == ("xyz", "las", "vtp")
     assert kinds["--assets"].kind == kinds["--output"].kind == "folder"

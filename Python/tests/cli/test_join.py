@@ -132,8 +132,8 @@ def test_parts_of_epochs(command_line, make_survey, tmp_path):
         assert done.returncode == 0, done
     done = command_line("join", "output/plane", "--json", cwd=tmp_path)
     assert done.returncode == 0, done
-    assert len(json.loads(done.stdout)["plays"]) == 2
-    for epoch in ("play000", "play001"):
+    assert len(json.loads(done.stdout)["epochs"]) == 2
+    for epoch in ("epoch000", "epoch001"):
         assert digests(tmp_path / "output/plane" / epoch) == digests(
             tmp_path / "whole/plane" / epoch
         )

@@ -151,7 +151,7 @@ def test_epochs_and_parts(make_survey, command_line, tmp_path):
         assert done.returncode == 0, done
     done = command_line("join", tmp_path / "parts/plane")
     assert done.returncode == 0, done
-    for epoch in ("play000", "play001"):
+    for epoch in ("epoch000", "epoch001"):
         whole = digests(tmp_path / "whole/plane" / epoch)
         assert digests(tmp_path / "out/plane" / epoch) == whole
         assert digests(tmp_path / "parts/plane" / epoch) == whole

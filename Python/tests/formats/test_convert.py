@@ -482,7 +482,7 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
         ),
         (["folder", "b.las"], "folder: is a folder without run_summary.json; give the folder of"),
         (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume continues it"),
-        (["plays", "b.las"], "plays: holds several epochs; give the folder of one: play000"),
+        (["epochs", "b.las"], "epochs: holds several epochs; give the folder of one: epoch000"),
         (
             ["other", "b.las"],
             "run_summary.json: the file is a list: expected an object; run the survey",
@@ -503,10 +503,10 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
 )
 def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     monkeypatch.chdir(tmp_path)
-    for folder in ("folder", "begun", "plays/play000", "broken", "other", "bare"):
+    for folder in ("folder", "begun", "epochs/epoch000", "broken", "other", "bare"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(las, "folder/a.las")
-    for name in ("there.laz", "notes.dat", "begun/run.journal", "plays/play000/run_summary.json"):
+    for name in ("there.laz", "notes.dat", "begun/run.journal", "epochs/epoch000/run_summary.json"):
         (tmp_path / name).write_text("")
     (tmp_path / "broken/run_summary.json").write_text("{")
     (tmp_path / "other/run_summary.json").write_text("[1]")

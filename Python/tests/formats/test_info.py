@@ -87,7 +87,7 @@ def test_surveys(small_runs, info):
     survey = small_runs["las"].parents[1] / "survey.xml"
     code, facts, _ = info(survey)
     assert code == 0
-    assert (facts["name"], facts["moving"], facts["plays"]) == ("fence", False, 1)
+    assert (facts["name"], facts["moving"], facts["epochs"]) == ("fence", False, 1)
     assert facts["scene"] == "fence" and "VZ-400" in facts["scanner"]
     assert [leg["position_m"] for leg in facts["legs"]] == [[0, 0, 2], [-8, 3, 2]]
     assert facts["legs"][0]["pulseFrequency_Hz"] == 100_000

@@ -327,7 +327,7 @@ def inspect_survey(path, assets, messages):
         "platform": text_from_vtk(survey.GetPlatformName()),
         "moving": survey.IsMoving(),
         "scene": text_from_vtk(survey.GetSceneName()),
-        "plays": survey.GetNumberOfEpochs(),
+        "epochs": survey.GetNumberOfEpochs(),
         "seed": survey.GetSeed(),
         "legs": legs,
     }

@@ -198,8 +198,8 @@ def survey_lines(facts):
     yield f"scanner    {facts['scanner']}"
     yield f"platform   {facts['platform']}, {'moving' if facts['moving'] else 'static'}"
     yield f"scene      {facts['scene']}"
-    if facts["plays"] > 1:
-        yield f"epochs     {facts['plays']}"
+    if facts["epochs"] > 1:
+        yield f"epochs     {facts['epochs']}"
     yield f"legs       {len(facts['legs'])}, {sum(leg['active'] for leg in facts['legs'])} active"
     for leg in facts["legs"][:MOST]:
         x, y, z = leg["position_m"]

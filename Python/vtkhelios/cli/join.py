@@ -8,8 +8,9 @@ import os
 import pathlib
 
 from ..core.json_files import parse_json
-from ..core.run_files import JOURNAL_NAME
+from ..core.run_files import JOURNAL_NAME, is_epoch
 from ..formats import FormatError
+from ..formats._summary import convert_to_current
 from . import run as run_command
 from ._messages import say_error
 from ._parser import Parser, whole_number
@@ -75,7 +76,7 @@ def run(arguments):
     try:
         parts = {}
         for folder in find_parts(arguments.parts):
-            parts.setdefault(read_part(folder)["options"].get("play", 0), []).append(folder)
+            parts.setdefault(read_part(folder)["options"].get("epoch", 0), []).append(folder)
         first = parts[min(parts)][0]
         options = join_options(arguments, read_part(first), first)
         options.output = arguments.output or find_output(parts, read_part(first))
@@ -89,8 +90,8 @@ def find_parts(folders):
     """Returns the folders of all parts in or below some folders."""
     found = []
     for folder in map(pathlib.Path, folders):
-        below = [*folder.glob("part*of*"), *folder.glob("play*/part*of*")]
-        below = sorted(path for path in below if path.is_dir())
+        below = [path for path in folder.glob("*/part*of*") if is_epoch(path.parent)]
+        below = sorted(path for path in [*folder.glob("part*of*"), *below] if path.is_dir())
         if not (folder / JOURNAL_NAME).exists() and not below:
             raise FormatError(
                 f"{folder}: has no parts of a run; give the folders of vtkhelios run --part, or one "
@@ -107,7 +108,7 @@ def read_part(folder):
         with open(path, encoding="utf-8") as file:
             part = parse_json(file.readline())
         if isinstance(part["part"], dict) and isinstance(part["options"], dict):
-            return part
+            return convert_to_current(part)
     except OSError as error:
         raise FormatError(f"{path}: cannot be read: {error.strerror}; run the part") from error
     except (ValueError, KeyError, TypeError):
@@ -179,7 +180,7 @@ def find_file(name, there):
 
 def find_output(parts, part):
     """Returns the output folder of the parts, if all are in the same."""
-    epochs = "play" in part["options"]
+    epochs = "epoch" in part["options"]
     outputs = {path.absolute().parents[2 if epochs else 1] for path in sum(parts.values(), [])}
     if len(outputs) > 1:
         raise FormatError(

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios run: runs a survey and writes the echoes."""
 
-import argparse
 import json
 import os
 import pathlib
@@ -63,9 +62,6 @@ def add_arguments(parser):
         metavar="K/N",
         type=part_of_run,
         help="run part K of N parts of the pulses, for vtkhelios join (default: the whole run)",
-    )
-    parser.add_argument(  # its former name
-        "--play", dest="epoch", type=whole_number(2**31 - 1), help=argparse.SUPPRESS
     )
     parser.add_argument(
         "--format",

@@ -85,7 +85,7 @@ class RunReader(Reader):
         if (self.folder / JOURNAL_NAME).is_file():
             self.fail("the run is not finished; vtkhelios run --resume continues it")
         if any(is_epoch(path) and (path / SUMMARY_NAME).exists() for path in self.folder.iterdir()):
-            self.fail("holds several epochs; give the folder of one: play000, play001 ...")
+            self.fail("holds several epochs; give the folder of one: epoch000, epoch001 ...")
         self.fail(f"is a folder without {SUMMARY_NAME}; give the folder of a run, or files")
 
     def _open(self, name):

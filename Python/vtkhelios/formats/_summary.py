@@ -82,7 +82,7 @@ WHOLE = {
     "timings": {"legs_s": [_number], "threads": _count,
                 **dict.fromkeys(("load_s", "run_s", "accuracy_s", "parts_s"), _number)},
     "totals": dict.fromkeys(_COUNTS, _count),
-    "versions": {"VTK": _text, "vtkHelios": _text},
+    "versions": {"VTK": _text, "vtkHelios": _text, "summary": _count},
 }  # fmt: skip
 
 # Required to find points; other keys are checked if present.
@@ -125,6 +125,14 @@ def parse_summary(data, path, needed=FILES):
     except JsonError as error:
         raise FormatError(f"{path}: {error}; {CURE}") from error
     check_summary(summary, path, needed)
+    return convert_to_current(summary)
+
+
+def convert_to_current(summary):
+    """A summary or fingerprint of version 1 as one of version 2, which has epochs for plays."""
+    options = summary.get("options", {})
+    if "summary" not in summary.get("versions", {}) and "play" in options:
+        options["epoch"] = options.pop("play")
     return summary
 
 

@@ -86,7 +86,7 @@ def estimate_lines(report):
 
 def join_reports(epochs, reports):
     """Merges the reports of several epochs, with their sums."""
-    joined = {"plays": [{"play": epoch, **report} for epoch, report in zip(epochs, reports)]}
+    joined = {"epochs": [{"epoch": epoch, **report} for epoch, report in zip(epochs, reports)]}
     names = reports[0]["totals"]
     joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
     times = [each.get("timings", each) for each in reports]
@@ -101,7 +101,7 @@ def epochs_lines(joined):
     """Yields all epochs of a survey together."""
     totals, timings = joined["totals"], joined["timings"]
     seconds = timings["load_s"] + timings["run_s"]
-    yield f"epochs   {len(joined['plays'])}, of the same legs"
+    yield f"epochs   {len(joined['epochs'])}, of the same legs"
     yield f"pulses   {totals['pulsesFired']:,}"
     yield f"points   {totals['points']:,}"
     if "memory_bytes" in joined:

@@ -22,6 +22,22 @@ constexpr const char* SealEnd = "\"}";
 } // namespace
 
 //------------------------------------------------------------------------------
+void ConvertToCurrent(Json::Value& summary)
+{
+  if (!summary.isObject() || !summary["versions"].isObject() || !summary["options"].isObject() ||
+    summary["versions"].isMember("summary"))
+  {
+    return;
+  }
+  summary["versions"]["summary"] = SummaryVersion;
+  Json::Value epoch;
+  if (summary["options"].removeMember("play", &epoch))
+  {
+    summary["options"]["epoch"] = epoch;
+  }
+}
+
+//------------------------------------------------------------------------------
 RunJournal::RunJournal(const std::string& folder)
   : Path((std::filesystem::path(folder) / vtkHeliosRunFiles::GetJournalName()).string())
 {
@@ -154,6 +170,7 @@ Status RunJournal::ReadLine(const std::string& body)
   if (!this->Fingerprint.isObject())
   {
     this->Fingerprint = value;
+    ConvertToCurrent(this->Fingerprint);
     return {};
   }
   try

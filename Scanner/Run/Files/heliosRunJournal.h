@@ -18,6 +18,12 @@
 namespace helios
 {
 
+/// The version of summaries and fingerprints: 2 has epochs, which 1 called plays.
+inline constexpr int SummaryVersion = 2;
+
+/// Converts a summary or fingerprint of version 1, which states none.
+void ConvertToCurrent(Json::Value& summary);
+
 class RunJournal
 {
 public:

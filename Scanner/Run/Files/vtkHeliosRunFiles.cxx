@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <iterator>
 #include <string_view>
 
@@ -33,7 +34,8 @@ constexpr KindOfFile Kinds[] = {
 };
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
-constexpr std::string_view EpochFolder = "play";
+constexpr std::string_view EpochFolder = "epoch";
+constexpr std::string_view FormerEpochFolder = "play"; // before version 0.3
 constexpr std::string_view RunPartFolder = "part";
 constexpr std::string_view PartCount = "of";
 constexpr std::string_view Channel = "_dev";
@@ -139,9 +141,26 @@ std::string vtkHeliosRunFiles::GetEpochName(int epoch)
 //------------------------------------------------------------------------------
 int vtkHeliosRunFiles::GetEpoch(const std::string& folder)
 {
-  const int epoch =
-    StartsWith(folder, EpochFolder) ? ParseNumber(folder.substr(EpochFolder.size())) : -1;
-  return epoch >= 0 && vtkHeliosRunFiles::GetEpochName(epoch) == folder ? epoch : -1;
+  for (const std::string_view start : { EpochFolder, FormerEpochFolder })
+  {
+    const int epoch = StartsWith(folder, start) ? ParseNumber(folder.substr(start.size())) : -1;
+    if (epoch >= 0 && Pad(start, std::to_string(epoch)) == folder)
+    {
+      return epoch;
+    }
+  }
+  return -1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosRunFiles::FindEpoch(const std::string& folder, int epoch)
+{
+  namespace fs = std::filesystem;
+  const fs::path found = fs::path(folder) / vtkHeliosRunFiles::GetEpochName(epoch);
+  const fs::path former = fs::path(folder) / Pad(FormerEpochFolder, std::to_string(epoch));
+  std::error_code ignored;
+  const bool isFormer = !fs::exists(found, ignored) && fs::is_directory(former, ignored);
+  return (isFormer ? former : found).string();
 }
 
 //------------------------------------------------------------------------------

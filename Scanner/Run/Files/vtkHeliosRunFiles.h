@@ -5,7 +5,7 @@
  * @brief   names of the files of a run
  *
  * A run writes into the folder of its survey or, of a survey with several epochs, into the
- * subfolder playNNN, a part of a run into the subfolder partNNNofNNN of that: run.journal while it runs, run_summary.json at its end, and of each leg, or of
+ * subfolder epochNNN, a part of a run into the subfolder partNNNofNNN of that: run.journal while it runs, run_summary.json at its end, and of each leg, or of
  * the legs of a strip S:
  * - legNNN_points, stripS_points: echoes
  * - legNNN_fullwave: waveforms
@@ -56,10 +56,12 @@ public:
 
   ///@{
   /**
-   * Returns the subfolder of an epoch, and the epoch of a subfolder; -1 for any other folder.
+   * Returns the subfolder of an epoch, and the epoch of a subfolder; -1 for any other folder. FindEpoch()
+   * returns its path below a folder: playNNN if an earlier version wrote it there, and there is no other.
    */
   static std::string GetEpochName(int epoch);
   static int GetEpoch(const std::string& folder);
+  static std::string FindEpoch(const std::string& folder, int epoch);
   ///@}
 
   /**

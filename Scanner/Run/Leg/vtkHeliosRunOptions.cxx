@@ -108,7 +108,7 @@ enum class Listing
 {
   Always,
   IfGiven,
-  Elsewhere ///< "play", in surveys of several epochs, and nothing that changes no echo
+  Elsewhere ///< "epoch", in surveys of several epochs, and nothing that changes no echo
 };
 
 struct OptionRow
@@ -180,7 +180,7 @@ const std::vector<OptionRow>& GetOptionRows()
     "ray caster asked for", "{}", "1", "--ray-caster", "NAME",
     "ray caster: %(choices)s (default: the survey's rayCaster, else the first); the points are the same "
     "(obbtree: nearly); Docs/ray-casters.md compares their cost", GetRayCasterNames },
-  { &RunOptions::Epoch, "Epoch", "epoch", "play", Listing::Elsewhere,
+  { &RunOptions::Epoch, "Epoch", "epoch", "epoch", Listing::Elsewhere,
     "epoch", "{}", "", "", "", "" },
   { &RunOptions::Without, "Without", "without", "without", Listing::Always,
     "parts of the model left out", "{}", "1", "", "", "" },

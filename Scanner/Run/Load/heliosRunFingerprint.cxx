@@ -59,7 +59,7 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
   if (settings.HasEpochs)
   {
-    options["play"] = settings.Options.Epoch;
+    options["epoch"] = settings.Options.Epoch;
   }
   return options;
 }
@@ -158,6 +158,7 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
   Json::Value fingerprint;
   fingerprint["versions"]["vtkHelios"] = vtkHeliosVersion::GetVersion();
   fingerprint["versions"]["VTK"] = vtkVersion::GetVTKVersion();
+  fingerprint["versions"]["summary"] = SummaryVersion;
   fingerprint["survey"] = survey.Name;
   fingerprint["inputs"] = DescribeInputs(survey, settings);
   fingerprint["options"] = DescribeOptions(settings);

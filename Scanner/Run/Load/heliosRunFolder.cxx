@@ -152,9 +152,12 @@ Status RunFolder::ReadSummary(Json::Value& summary) const
     return Status::Error(path.string() +
       " has no checksum: it was changed, or written by an earlier version of vtkHelios");
   }
-  return summary["checksum"].asString() == ComputeChecksum(summary)
-    ? Status()
-    : Status::Error(path.string() + " is damaged: it does not match its checksum");
+  if (summary["checksum"].asString() != ComputeChecksum(summary))
+  {
+    return Status::Error(path.string() + " is damaged: it does not match its checksum");
+  }
+  ConvertToCurrent(summary);
+  return {};
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ their pieces beside them.
                           leg, timings
 During a run file names end in .part; the files hold whole lines at any time.
 A survey whose scene swaps parts has several epochs. They run one after the other, each into its
-own folder below that: play000, play001 and so on. See Docs/scenes.md.
+own folder below that: epoch000, epoch001 and so on. See Docs/scenes.md.
 
 interrupted runs:
   run.journal, beside the files, records what is flushed to disk. The same command with --resume

@@ -88,13 +88,15 @@ TEST_CASE("RunFiles: other names are not those of a run", "[RunFiles]")
 
 TEST_CASE("RunFiles: folders of epochs, journal and summary", "[RunFiles]")
 {
-  CHECK(Files::GetEpochName(0) == "play000");
-  CHECK(Files::GetEpochName(1000) == "play1000");
+  CHECK(Files::GetEpochName(0) == "epoch000");
+  CHECK(Files::GetEpochName(1000) == "epoch1000");
   CHECK(Files::GetPartName(2, 4) == "part002of004");
   CHECK(Files::GetPartName(12, 1000) == "part012of1000");
   CHECK_FALSE(Files::IsOfLeg(Files::GetPartName(2, 4)));
-  CHECK(Files::GetEpoch("play007") == 7);
-  for (const char* name : { "", "play", "play7", "play-07", "play0007", "plays007", "play007x" })
+  CHECK(Files::GetEpoch("epoch007") == 7);
+  CHECK(Files::GetEpoch("play007") == 7); // of earlier versions
+  for (const char* name :
+    { "", "epoch", "epoch7", "epoch-07", "epoch0007", "epochs007", "epoch007x", "play7" })
   {
     INFO(name);
     CHECK(Files::GetEpoch(name) == -1);

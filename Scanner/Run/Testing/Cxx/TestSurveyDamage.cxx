@@ -2,60 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs resumed with a damaged journal or damaged files.
 #include "heliosBrokenRun.h"
-
-#include "heliosChecksum.h"
-
-#include <sstream>
+#include "heliosFormerRun.h"
 
 namespace fs = std::filesystem;
 using namespace helios::test;
 
 namespace
 {
-
-std::vector<std::string> SplitLines(const std::string& text)
-{
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-  {
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-std::string JoinLines(const std::vector<std::string>& lines)
-{
-  std::string text;
-  for (const std::string& line : lines)
-  {
-    text += line + "\n";
-  }
-  return text;
-}
-
-/// A line of a journal without its checksum.
-std::string Unseal(const std::string& line)
-{
-  return line.substr(0, line.rfind(",\"check\":")) + "}";
-}
-
-/// Recomputes the checksums of all lines.
-std::string Reseal(const std::vector<std::string>& lines)
-{
-  std::string text;
-  std::string seal;
-  for (const std::string& line : lines)
-  {
-    std::string body = Unseal(line);
-    helios::Checksum sum;
-    sum.Add(seal + body);
-    seal = sum.Finish();
-    body.pop_back();
-    text += body + ",\"check\":\"" + seal + "\"}\n";
-  }
-  return text;
-}
 
 /// Flips a byte of a file.
 void Flip(const Files& files, const std::string& name, std::size_t place)

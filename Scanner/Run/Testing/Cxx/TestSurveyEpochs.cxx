@@ -5,6 +5,7 @@
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosEpochs.h"
+#include "heliosFormerRun.h"
 #include "heliosSurveyPlaying.h"
 
 #include <vtkCallbackCommand.h>
@@ -226,17 +227,17 @@ TEST_CASE("Epochs: points of each epoch lie on its geometry", "[SurveyEpochs]")
   {
     Playing playing(files, reading);
     playing.Player->GetOptions()->SetEpoch(epoch);
-    const std::string folder = files / ("out/test/play00" + std::to_string(epoch));
+    const std::string folder = files / ("out/test/epoch00" + std::to_string(epoch));
     CHECK(playing.Player->GetRunFolder() == folder);
     CHECK(playing.Player->Run());
     INFO(playing.Log->Errors);
-    CHECK(
-      playing.Player->GetReport().find("\"play\" : " + std::to_string(epoch)) != std::string::npos);
+    CHECK(playing.Player->GetReport().find("\"epoch\" : " + std::to_string(epoch)) !=
+      std::string::npos);
     CHECK(FindHeight(folder) == Approx(heights[epoch]).margin(1e-6));
   }
-  CHECK(ReadText(files / "out/test/play001/leg001_points.xyz") ==
-    ReadText(files / "out/test/play002/leg001_points.xyz"));
-  const std::string summary = ReadText(files / "out/test/play003/run_summary.json");
+  CHECK(ReadText(files / "out/test/epoch001/leg001_points.xyz") ==
+    ReadText(files / "out/test/epoch002/leg001_points.xyz"));
+  const std::string summary = ReadText(files / "out/test/epoch003/run_summary.json");
   CHECK(summary.find("lid.obj") == std::string::npos); // not read in this epoch
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
 }
@@ -272,14 +273,14 @@ TEST_CASE("Epochs: one player reads only what an epoch changes", "[SurveyEpochs]
     playing.Player->GetOptions()->SetEpoch(epoch);
     REQUIRE(playing.Player->Run());
     CHECK(read == expected[epoch]);
-    const std::string folder = files / ("out/test/play00" + std::to_string(epoch));
+    const std::string folder = files / ("out/test/epoch00" + std::to_string(epoch));
     CHECK(FindHeight(folder) == Approx(heights[epoch]).margin(1e-6));
   }
   read.clear();
   files.Write("roof.obj", "v -90 -90 7\nv 90 -90 7\nv 90 90 7\nv -90 90 7\nf 1 2 3 4\n");
   playing.Player->OverwriteOn();
   REQUIRE(playing.Player->Run());
-  CHECK(FindHeight(files / "out/test/play002") == Approx(7.0)); // a changed file is read again
+  CHECK(FindHeight(files / "out/test/epoch002") == Approx(7.0)); // a changed file is read again
 }
 
 TEST_CASE("Epochs: equal geometry has equal noise", "[SurveyEpochs]")
@@ -295,9 +296,9 @@ TEST_CASE("Epochs: equal geometry has equal noise", "[SurveyEpochs]")
     playing.Player->GetOptions()->SetEpoch(epoch);
     REQUIRE(playing.Player->Run());
   }
-  const std::string first = ReadText(files / "out/test/play000/leg000_points.xyz");
+  const std::string first = ReadText(files / "out/test/epoch000/leg000_points.xyz");
   CHECK(first.size() > 100000);
-  CHECK(first == ReadText(files / "out/test/play001/leg000_points.xyz"));
+  CHECK(first == ReadText(files / "out/test/epoch001/leg000_points.xyz"));
 }
 
 TEST_CASE("Epochs: an epoch that does not exist", "[SurveyEpochs]")
@@ -378,7 +379,7 @@ TEST_CASE("Epochs: each epoch is resumed separately", "[SurveyEpochs]")
       BreakOff(playing.Player);
     }
   }
-  REQUIRE(fs::exists(files / "out/test/play001/run.journal"));
+  REQUIRE(fs::exists(files / "out/test/epoch001/run.journal"));
   SECTION("equal to an uninterrupted run")
   {
     CHECK(resume(0, ""));       // was finished
@@ -386,10 +387,22 @@ TEST_CASE("Epochs: each epoch is resumed separately", "[SurveyEpochs]")
     CHECK_FALSE(resume(2, "")); // started
     for (const char* name : { "leg000_points.xyz", "leg001_points.xyz", "leg001_trajectory.txt" })
     {
-      CHECK(ReadText((files / "out/test/play001/") + name) ==
-        ReadText((files / "out/test/play002/") + name));
+      CHECK(ReadText((files / "out/test/epoch001/") + name) ==
+        ReadText((files / "out/test/epoch002/") + name));
     }
-    CHECK(FindHeight(files / "out/test/play001") == Approx(8.0).margin(1e-6));
+    CHECK(FindHeight(files / "out/test/epoch001") == Approx(8.0).margin(1e-6));
+  }
+  SECTION("in the folder of an earlier version")
+  {
+    fs::rename(files / "out/test/epoch001", files / "out/test/play001");
+    MakeFormer(files / "out/test/play001");
+    CHECK_FALSE(resume(1, ""));
+    CHECK_FALSE(resume(2, ""));
+    CHECK_FALSE(fs::exists(files / "out/test/epoch001"));
+    CHECK(ReadText(files / "out/test/play001/leg000_points.xyz") ==
+      ReadText(files / "out/test/epoch002/leg000_points.xyz"));
+    CHECK(ReadText(files / "out/test/play001/run_summary.json").find("\"epoch\" : 1") !=
+      std::string::npos);
   }
   SECTION("unless its files have changed")
   {

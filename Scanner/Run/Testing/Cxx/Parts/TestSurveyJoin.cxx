@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
 // Parts of a run, joined: the files equal the files of one process.
 #include "heliosBrokenRun.h"
+#include "heliosFormerRun.h"
 #include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"
 
@@ -144,6 +145,39 @@ TEST_CASE("SurveyJoin: legs", "[SurveyJoin]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   CheckJoin(files, reading, { GENERATE("las", "xyz", "vtp") });
+}
+
+TEST_CASE("SurveyJoin: parts of an epoch, written by an earlier version", "[SurveyJoin]")
+{
+  const Files files;
+  files.Write("scene.xml",
+    "<document><scene id=\"s\"><part><filter type=\"objloader\"><param key=\"filepath\" "
+    "value=\"plane.obj\"/></filter><swap><filter type=\"translate\"><param key=\"offset\" "
+    "value=\"0;0;1\"/></filter></swap></part></scene></document>");
+  const Reading reading(files, Flight, ThreeLegs);
+  PartRun whole(files, reading, { "xyz" }, "whole");
+  whole.Player->GetOptions()->SetEpoch(1);
+  whole.Run();
+  PartRun joined(files, reading, { "xyz" }, "joined");
+  joined.Player->GetOptions()->SetEpoch(1);
+  for (const int part : { 1, 2 })
+  {
+    PartRun run(files, reading, { "xyz" });
+    run.Player->GetOptions()->SetEpoch(1);
+    run.SetPart(part, 2);
+    run.Run();
+  }
+  fs::rename(files / "parts/test/epoch001", files / "parts/test/play001");
+  for (const int part : { 1, 2 })
+  {
+    const std::string former =
+      files / ("parts/test/play001/" + vtkHeliosRunFiles::GetPartName(part, 2));
+    fs::remove(former + "/run_summary.json"); // it is not needed
+    MakeFormer(former);
+    joined.Player->AddPartFolder(former);
+  }
+  joined.Run();
+  CheckSame(files / "joined/test/epoch001", files / "whole/test/epoch001");
 }
 
 TEST_CASE("SurveyJoin: hits of blocks larger than pieces of text", "[SurveyJoin]")
