@@ -7495,7 +7495,7 @@ class vtkHeliosSurveyPlayer(vtkObject):
     @property
     def run_folder(self) -> Optional[str]:
         """The output folder of Run(): OutputDirectory/<name of the survey>,
-        with the subfolder playNNN if the survey has several epochs, and
+        with the subfolder epochNNN if the survey has several epochs, and
         partNNNofNNN of a part. Empty without a survey.
         """
     @property

@@ -28,7 +28,7 @@ class PointActor;
  * Points without cells; renderer coordinates are the cloud's relative to its origin. Call Update()
  * after the cloud has grown, before drawing.
  *
- * A cloud of up to GetWholeLimit() points is drawn whole, for 4 extra bytes/point. Of a larger one
+ * A cloud of up to SetWholeLimit() points is drawn whole, for 4 extra bytes/point. Of a larger one
  * each frame draws the point closest to the camera at each pixel, found among all points in
  * parallel: the same picture, and fast with software rendering.
  */
@@ -38,11 +38,8 @@ public:
   /// Maximum number of moving points.
   static constexpr std::size_t MaximumSample = 120000;
 
-  ///@{
   /// Clouds of up to this many points are drawn whole. Default: 2 million.
   void SetWholeLimit(vtkIdType points);
-  vtkIdType GetWholeLimit() const { return this->WholeLimit; }
-  ///@}
 
   /// The cloud and the renderer must outlive the view.
   CloudView(const Cloud& cloud, vtkRenderer* renderer);
@@ -92,7 +89,6 @@ public:
 
   /// Draws only the points in a slab [m], in world coordinates; none: all. Default: none.
   void SetSection(const std::optional<Slab>& slab);
-  const std::optional<Slab>& GetSection() const { return this->Section; }
 
   /// Sets the time [s] after which points are not drawn. Default: infinity.
   void SetTimeLimit(double time);
@@ -120,7 +116,7 @@ public:
   std::optional<Echo> Pick(double x, double y, double radius) const;
 
   /// Returns the number of points drawn, including points outside the clip box in chunks that
-  /// intersect it; for a cloud above GetWholeLimit(), in the last frame.
+  /// intersect it; for a cloud above SetWholeLimit(), in the last frame.
   vtkIdType GetNumberOfDrawnPoints() const;
 
   /// Bytes besides the cloud's own.

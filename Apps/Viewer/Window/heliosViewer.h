@@ -70,7 +70,6 @@ public:
   CameraRig& GetCamera() { return this->Camera; }
   PlayClock& GetClock() { return this->Clock; }
   Hud& GetHud() { return *this->Words; }
-  TimeBar* GetTimeBar() { return this->Bar.get(); }
   ///@}
 
   /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.

@@ -129,7 +129,7 @@ def parse_summary(data, path, needed=FILES):
 
 
 def convert_to_current(summary):
-    """A summary or fingerprint of version 1 as one of version 2, which has epochs for plays."""
+    """Converts a summary or fingerprint of version 1 to version 2, which has epochs for plays."""
     options = summary.get("options", {})
     if "summary" not in summary.get("versions", {}) and "play" in options:
         options["epoch"] = options.pop("play")

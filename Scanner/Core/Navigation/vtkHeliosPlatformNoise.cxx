@@ -3,7 +3,6 @@
 #include "vtkHeliosPlatformNoise.h"
 
 #include "heliosDriftState.h"
-#include "heliosNavigationGrades.h"
 #include "heliosRandom.h"
 
 #include <vtkMath.h>
@@ -24,6 +23,24 @@ const char* const ComponentNames[6] = { "PositionX", "PositionY", "PositionZ", "
 
 constexpr double ShortestTime = 1e-3; // correlation time [s]
 constexpr double LongestTime = 1e9;
+
+/// RMS errors of a class of GNSS/IMU solutions; Docs/trajectories.md has the table with the sources.
+struct NavigationGrade
+{
+  const char* Name;
+  double RMS[6]; ///< east, north, up [m]; about x, y, z of the body [deg]
+};
+
+constexpr NavigationGrade NavigationGrades[] = {
+  // DJI Zenmuse L1 with RTK in real time, specifications
+  { "consumer", { 0.010, 0.010, 0.015, 0.05, 0.05, 0.30 } },
+  // Applanix APX-15 UAV after post-processing, data sheet; positions: the upper end
+  { "tactical", { 0.05, 0.05, 0.05, 0.025, 0.025, 0.080 } },
+  // SBG Systems Apogee, PPK, airborne, hardware manual 1.5, section 2.3.4, without the part per km
+  { "survey", { 0.010, 0.010, 0.020, 0.005, 0.005, 0.010 } },
+  // An Applanix solution: medians of its error report (smrmsg.txt of PDAL)
+  { "navigation", { 0.038, 0.041, 0.047, 0.0022, 0.0022, 0.0173 } },
+};
 
 bool IsComponent(int component)
 {
@@ -77,10 +94,9 @@ void vtkHeliosPlatformNoise::SetNormal(int component, double mean, double stdev)
 //------------------------------------------------------------------------------
 bool vtkHeliosPlatformNoise::SetGrade(const std::string& name)
 {
-  const auto* grade =
-    std::find_if(std::begin(helios::NavigationGrades), std::end(helios::NavigationGrades),
-      [&name](const helios::NavigationGrade& each) { return name == each.Name; });
-  if (grade == std::end(helios::NavigationGrades))
+  const auto* grade = std::find_if(std::begin(NavigationGrades), std::end(NavigationGrades),
+    [&name](const NavigationGrade& each) { return name == each.Name; });
+  if (grade == std::end(NavigationGrades))
   {
     vtkErrorMacro(<< "Grade is \"" << name << "\"; give one of " << GetGradeNames() << ".");
     return false;
@@ -96,7 +112,7 @@ bool vtkHeliosPlatformNoise::SetGrade(const std::string& name)
 std::string vtkHeliosPlatformNoise::GetGradeNames()
 {
   std::string names;
-  for (const helios::NavigationGrade& grade : helios::NavigationGrades)
+  for (const NavigationGrade& grade : NavigationGrades)
   {
     names += (names.empty() ? "" : " ") + std::string(grade.Name);
   }
