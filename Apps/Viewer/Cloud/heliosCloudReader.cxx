@@ -212,18 +212,6 @@ Status GetFiles(const fs::path& summary, std::vector<std::string>& files)
 } // namespace
 
 //------------------------------------------------------------------------------
-bool CloudReader::CanRead(const std::string& path)
-{
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored))
-  {
-    return fs::is_regular_file(fs::path(path) / RunFiles::GetSummaryName(), ignored);
-  }
-  const std::string ending = GetEnding(path);
-  return std::find(std::begin(Endings), std::end(Endings), ending) != std::end(Endings);
-}
-
-//------------------------------------------------------------------------------
 Status CloudReader::Read(const std::string& path, Cloud& cloud)
 {
   return this->Read(path,

@@ -42,9 +42,6 @@ public:
   std::vector<std::string> Files;
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
 
-  /// Returns whether the file, or the folder's contents, can be read.
-  static bool CanRead(const std::string& path);
-
   /// Passes on the blocks one by one.
   Status Read(const std::string& path, const BlockFunction& onBlock);
 

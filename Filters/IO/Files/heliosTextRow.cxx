@@ -148,21 +148,4 @@ bool TextRow::IsEmpty(std::string_view line)
   return at == end || IsComment(at, end);
 }
 
-bool TextRow::HasNumber() const
-{
-  const char* at = this->Line.data();
-  const char* const end = at + this->Line.size();
-  while ((at = SkipBlanks(at, end)) != end)
-  {
-    double value = 0.0;
-    const char* const wordEnd = this->SkipWord(at, end);
-    if (ParseNumber(at, wordEnd, value) && SkipBlanks(at, wordEnd) == wordEnd)
-    {
-      return true;
-    }
-    at = wordEnd + (wordEnd != end);
-  }
-  return false;
-}
-
 } // namespace helios

@@ -60,9 +60,6 @@ public:
   /// Returns whether a line contains only blanks and a comment.
   static bool IsEmpty(std::string_view line);
 
-  /// Returns whether any word of the last line read is a number.
-  bool HasNumber() const;
-
 private:
   enum CharacterClass : char
   {
