@@ -7,11 +7,8 @@ import sys
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
 from ..core.pipeline import (
-    SimilarMessages,
-    is_executive_message,
-    observe_messages,
-    remove_observers,
-)
+    SimilarMessages, is_executive_message, observe_messages, remove_observers,
+)  # fmt: skip
 from ..core.streams import visible
 from ._stopping import is_stopping
 

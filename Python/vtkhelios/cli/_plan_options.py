@@ -3,23 +3,74 @@
 """The options of vtkhelios plan."""
 
 from ..plans.document import PLATFORM, SCANNER
+from ..plans.kinds import Areas, Choice, Flag, Number, Region
 from ..plans.settings import SETTINGS
-from ._parser import number, whole_number
-from ._reading import add_assets_argument
+from ._parser import number
+from ._reading import add_assets_argument, add_threads_argument
+
+METAVARS = {  # of numbers, by their units
+    "1/m2": "N", "%": "PERCENT", "m": "M", "deg": "DEG", "m/s": "M/S", "s": "S", "Hz": "HZ",
+    "MiB": "MIB",
+}  # fmt: skip
+WORDS = {"method": "NAME", "remove_order": "KEY", "ground": "WHERE"}  # metavars of words
+TEXTS = {  # of the settings, by the groups of --help
+    "coverage": {
+        "method": "planning method: %(choices)s",
+        "coverage": "fraction of the test points that must be covered (default: 100)",
+        "coverage_of": "percent of the test points that any candidate sees, or of all (default: "
+        "coverable)",
+        "overlap": "overlap that connects the scans, in percent of common points, for "
+        "registration (default: 0)",
+        "objects": "share of the area of each part that must be covered, of what any candidate "
+        "sees; without --coverage nothing else is required (default: 0)",
+        "order": "order of the scans: gain, the largest first (default); walk, the shortest walk;"
+        " round, the shortest that returns",
+        "area_weights": "weight test points by the area that they represent",
+        "remove_order": "reduce: removal criterion, %(choices)s (default: viewshedSize)",
+        "remove_first": "reduce: values removed first (default: smallest)",
+        "time_limit": "optimal: limit of the search, in wall time (default: 300 s)",
+    },
+    "scan positions": {
+        "grid": "spacing of candidates along x and y",
+        "grid_y": "spacing along y, if different",
+        "region": "rectangle of the candidates (default: the scene's)",
+        "exclude": "excluded areas: polygons or closed lines",
+        "max_slope": "exclude steeper places (default: 15)",
+        "ground": "positions on ground (helios_isGround of materials): true, false, open (with "
+        "nothing above), auto (true if any material is ground; default)",
+        "enclosed": "include enclosed places, such as rooms (default: only if there are no "
+        "others)",
+        "height": "instrument height above the ground (default: that of the platform's mount)",
+    },
+    "visibility": {
+        "test_grid": "spacing of test points (default: that of --grid)",
+        "test_lines": "grid lines that carry test points: %(choices)s (default: all)",
+        "tolerance": "a ray sees a test point if it ends at most this far before it (default: "
+        "0.05)",
+        "two_sided": "also limit the distance behind it: the test of the paper",
+        "scanner_limits": "use the scanner's range gate and field of view where no limit is given",
+        "range_min": "minimum range (default: 0)",
+        "range_max": "maximum range (default: no limit)",
+        "elevation_min": "vertical FOV, minimum (default: -90)",
+        "elevation_max": "vertical FOV, maximum (default: 90)",
+        "max_incidence": "maximum angle of incidence, from the surface normal (default: 90)",
+        "min_density": "minimum point density on a surface from one position [points/m2] "
+        "(default: 0)",
+    },
+    "scan settings": {
+        "platform": f"file.xml#id (default: the file's, else {PLATFORM}; --als: an aeroplane, of "
+        "unmanned scanners a multicopter)",
+        "scanner": f"file.xml#id (default: the file's, else {SCANNER}; --als: rotating_als)",
+        "resolution": "angular step between pulses of a line and between lines, as near as the "
+        "scanner allows (default: the file's, else 0.1)",
+        "pulse_frequency": "pulse frequency (default: the file's, else the scanner's first)",
+    },
+}
 
 
 def value_of(name):
     """Returns an argparse type: a number in the valid range of a setting."""
-
-    def parse(text):
-        return number(*SETTINGS[name].limits())(text)
-
-    return parse
-
-
-def words_of(name):
-    """Returns the words of a setting."""
-    return list(SETTINGS[name].words)
+    return lambda text: number(*SETTINGS[name].limits())(text)
 
 
 def given_settings(arguments):
@@ -30,6 +81,25 @@ def given_settings(arguments):
 def option_of(name):
     """Returns the option of a setting."""
     return "--" + name.replace("_", "-")
+
+
+def add_setting(group, name, text):
+    """Adds the option of a setting; its kind says what it takes."""
+    setting = SETTINGS[name]
+    if isinstance(setting, Flag):
+        takes = {"action": "store_true", "default": None}
+    elif isinstance(setting, Number):
+        takes = {
+            "metavar": METAVARS[setting.unit],
+            "type": value_of(name),
+        }
+    elif isinstance(setting, Choice):
+        takes = {"metavar": WORDS.get(name, "WHICH"), "choices": list(setting.words)}
+    elif isinstance(setting, Region):
+        takes = {"metavar": ("X0", "X1", "Y0", "Y1"), "nargs": 4, "type": float}
+    else:
+        takes = {"metavar": "FILE.vtp" if isinstance(setting, Areas) else "REF"}
+    group.add_argument(option_of(name), help=text, **takes)
 
 
 def add_plan_arguments(parser):
@@ -49,228 +119,17 @@ def add_plan_arguments(parser):
         action="store_true",
         help="replace the files of an earlier plan (default: keep them and refuse to plan)",
     )
-    add_method_arguments(parser.add_argument_group("coverage"))
-    add_candidate_arguments(parser.add_argument_group("scan positions"))
-    add_sight_arguments(parser.add_argument_group("visibility"))
-    add_scan_arguments(parser.add_argument_group("scan settings"))
+    for title, texts in TEXTS.items():
+        group = parser.add_argument_group(title)
+        for name, text in texts.items():
+            add_setting(group, name, text)
     parser.add_argument(
         "--check",
         action="store_true",
         help="simulate the survey, without noise, and compare predicted with simulated coverage",
     )
     parser.add_argument("--no-picture", action="store_true", help="do not write plan.png")
-    parser.add_argument(
-        "--memory",
-        metavar="MIB",
-        type=value_of("memory"),
-        help="memory limit of grids and viewsheds (default: 2048 MiB)",
-    )
-    parser.add_argument(
-        "--threads",
-        metavar="N",
-        type=whole_number(4096),
-        default=0,
-        help="number of threads; 0: one per processor core (default: %(default)s)",
-    )
+    add_setting(parser, "memory", "memory limit of grids and viewsheds (default: 2048 MiB)")
+    add_threads_argument(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
-
-
-def add_method_arguments(group):
-    group.add_argument(
-        "--method", metavar="NAME", choices=words_of("method"), help="planning method: %(choices)s"
-    )
-    group.add_argument(
-        "--coverage",
-        metavar="PERCENT",
-        type=value_of("coverage"),
-        help="fraction of the test points that must be covered (default: 100)",
-    )
-    group.add_argument(
-        "--coverage-of",
-        metavar="WHICH",
-        choices=words_of("coverage_of"),
-        help="percent of the test points that any candidate sees, or of all (default: coverable)",
-    )
-    group.add_argument(
-        "--overlap",
-        metavar="PERCENT",
-        type=value_of("overlap"),
-        help="overlap that connects the scans, in percent of common points, for registration "
-        "(default: 0)",
-    )
-    group.add_argument(
-        "--objects",
-        metavar="PERCENT",
-        type=value_of("objects"),
-        help="share of the area of each part that must be covered, of what any candidate sees; without "
-        "--coverage nothing else is required (default: 0)",
-    )
-    group.add_argument(
-        "--order",
-        metavar="WHICH",
-        choices=words_of("order"),
-        help="order of the scans: gain, the largest first (default); walk, the shortest walk; round, the "
-        "shortest that returns",
-    )
-    group.add_argument(
-        "--area-weights",
-        action="store_true",
-        default=None,
-        help="weight test points by the area that they represent",
-    )
-    group.add_argument(
-        "--remove-order",
-        metavar="KEY",
-        choices=words_of("remove_order"),
-        help="reduce: removal criterion, %(choices)s (default: viewshedSize)",
-    )
-    group.add_argument(
-        "--remove-first",
-        metavar="WHICH",
-        choices=words_of("remove_first"),
-        help="reduce: values removed first (default: smallest)",
-    )
-    group.add_argument(
-        "--time-limit",
-        metavar="S",
-        type=value_of("time_limit"),
-        help="optimal: limit of the search, in wall time (default: 300 s)",
-    )
-
-
-def add_candidate_arguments(group):
-    group.add_argument(
-        "--grid", metavar="M", type=value_of("grid"), help="spacing of candidates along x and y"
-    )
-    group.add_argument(
-        "--grid-y", metavar="M", type=value_of("grid_y"), help="spacing along y, if different"
-    )
-    group.add_argument(
-        "--region",
-        metavar=("X0", "X1", "Y0", "Y1"),
-        nargs=4,
-        type=float,
-        help="rectangle of the candidates (default: the scene's)",
-    )
-    group.add_argument(
-        "--exclude", metavar="FILE.vtp", help="excluded areas: polygons or closed lines"
-    )
-    group.add_argument(
-        "--max-slope",
-        metavar="DEG",
-        type=value_of("max_slope"),
-        help="exclude steeper places (default: 15)",
-    )
-    group.add_argument(
-        "--ground",
-        metavar="WHERE",
-        choices=words_of("ground"),
-        help="positions on ground (helios_isGround of materials): true, false, open (with nothing "
-        "above), auto (true if any material is ground; default)",
-    )
-    group.add_argument(
-        "--enclosed",
-        action="store_true",
-        default=None,
-        help="include enclosed places, such as rooms (default: only if there are no others)",
-    )
-    group.add_argument(
-        "--height",
-        metavar="M",
-        type=value_of("height"),
-        help="instrument height above the ground (default: that of the platform's mount)",
-    )
-
-
-def add_sight_arguments(group):
-    group.add_argument(
-        "--test-grid",
-        metavar="M",
-        type=value_of("test_grid"),
-        help="spacing of test points (default: that of --grid)",
-    )
-    group.add_argument(
-        "--test-lines",
-        metavar="WHICH",
-        choices=words_of("test_lines"),
-        help="grid lines that carry test points: %(choices)s (default: all)",
-    )
-    group.add_argument(
-        "--tolerance",
-        metavar="M",
-        type=value_of("tolerance"),
-        help="a ray sees a test point if it ends at most this far before it (default: 0.05)",
-    )
-    group.add_argument(
-        "--two-sided",
-        action="store_true",
-        default=None,
-        help="also limit the distance behind it: the test of the paper",
-    )
-    group.add_argument(
-        "--scanner-limits",
-        action="store_true",
-        default=None,
-        help="use the scanner's range gate and field of view where no limit is given",
-    )
-    group.add_argument(
-        "--range-min", metavar="M", type=value_of("range_min"), help="minimum range (default: 0)"
-    )
-    group.add_argument(
-        "--range-max",
-        metavar="M",
-        type=value_of("range_max"),
-        help="maximum range (default: no limit)",
-    )
-    group.add_argument(
-        "--elevation-min",
-        metavar="DEG",
-        type=value_of("elevation_min"),
-        help="vertical FOV, minimum (default: -90)",
-    )
-    group.add_argument(
-        "--elevation-max",
-        metavar="DEG",
-        type=value_of("elevation_max"),
-        help="vertical FOV, maximum (default: 90)",
-    )
-    group.add_argument(
-        "--max-incidence",
-        metavar="DEG",
-        type=value_of("max_incidence"),
-        help="maximum angle of incidence, from the surface normal (default: 90)",
-    )
-    group.add_argument(
-        "--min-density",
-        metavar="N",
-        type=value_of("min_density"),
-        help="minimum point density on a surface from one position [points/m2] (default: 0)",
-    )
-
-
-def add_scan_arguments(group):
-    group.add_argument(
-        "--platform",
-        metavar="REF",
-        help=f"file.xml#id (default: the file's, else {PLATFORM}; --als: an aeroplane, of "
-        "unmanned scanners a multicopter)",
-    )
-    group.add_argument(
-        "--scanner",
-        metavar="REF",
-        help=f"file.xml#id (default: the file's, else {SCANNER}; --als: rotating_als)",
-    )
-    group.add_argument(
-        "--resolution",
-        metavar="DEG",
-        type=value_of("resolution"),
-        help="angular step between pulses of a line and between lines, as near as the scanner "
-        "allows (default: the file's, else 0.1)",
-    )
-    group.add_argument(
-        "--pulse-frequency",
-        metavar="HZ",
-        type=value_of("pulse_frequency"),
-        help="pulse frequency (default: the file's, else the scanner's first)",
-    )

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options that several commands have: --assets, --memory and --height-unit."""
+"""Options that several commands have: --assets, --threads and --memory."""
 
 import argparse
 import re
 
-from ..core.systems import HEIGHT_UNITS
 from ..vtkHeliosFiltersCore import vtkHeliosMemoryLimit
+from ._parser import whole_number
 
 SIZES = {"": 1, "k": 1e3, "m": 1e6, "g": 1e9, "t": 1e12}
 SIZES |= {f"{unit}i": 1024**power for power, unit in enumerate("kmgt", 1)}
@@ -33,6 +33,16 @@ def size(text):
     return float(found[1]) * SIZES[found[2]]
 
 
+def add_threads_argument(parser):
+    parser.add_argument(
+        "--threads",
+        metavar="N",
+        type=whole_number(4096),
+        default=0,
+        help="number of threads; 0: one per processor core (default: %(default)s)",
+    )
+
+
 def add_memory_argument(parser, more=""):
     parser.add_argument(
         "--memory",
@@ -47,28 +57,3 @@ def add_memory_argument(parser, more=""):
 def limit_memory(arguments):
     """Applies --memory from here on."""
     vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
-
-
-def height_unit(text):
-    """Returns the unit of heights of an option [m]."""
-    if text in HEIGHT_UNITS:
-        return HEIGHT_UNITS[text]
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not 1e-6 <= value <= 1e6:
-        raise argparse.ArgumentTypeError(
-            f"{text!r} is no unit of heights: {', '.join(HEIGHT_UNITS)}, or its metres"
-        )
-    return value
-
-
-def add_height_unit_argument(parser):
-    parser.add_argument(
-        "--height-unit",
-        metavar="UNIT",
-        type=height_unit,
-        help="unit of the heights of the inputs: m, ft, us-ft, or metres (default: as their "
-        "coordinate system states, else that of x and y)",
-    )

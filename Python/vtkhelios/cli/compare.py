@@ -15,9 +15,9 @@ from ..reports.page import load_template
 from ._messages import Messages
 from ._parser import number, whole_number
 from ._progress import make_progress
-from ._reading import add_height_unit_argument
 from ._stopping import set_outcome
 from ._task import StepWatch
+from ._units import add_height_unit_argument
 from .plan import shown_warnings
 
 SUMMARY = "compare two clouds: returns, spacing, planes, heights, distances, with intervals"

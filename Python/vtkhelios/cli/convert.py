@@ -15,9 +15,9 @@ from . import _meshes
 from ._messages import Messages
 from ._parser import number, whole_number
 from ._progress import make_progress
-from ._reading import add_height_unit_argument
 from ._stopping import set_outcome
 from ._task import Task
+from ._units import add_height_unit_argument
 
 SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
 

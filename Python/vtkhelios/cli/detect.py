@@ -21,6 +21,7 @@ from ..core.unfinished import set_unfinished
 from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
 from ._parser import number, whole_number
+from ._reading import add_threads_argument
 from ._stopping import set_outcome
 from .run import detectors
 
@@ -142,13 +143,7 @@ def add_arguments(parser):
         action="store_true",
         help="the times of a text file are one-way (HELIOS++)",
     )
-    parser.add_argument(
-        "--threads",
-        metavar="N",
-        type=whole_number(4096),
-        default=0,
-        help="number of threads; 0: one per processor core (default: %(default)s)",
-    )
+    add_threads_argument(parser)
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 

@@ -12,8 +12,9 @@ from ._inspect import Inspection, inspect_xml
 from ._meshes import describe_crs
 from ._messages import Messages
 from ._progress import make_progress
-from ._reading import add_assets_argument, add_height_unit_argument
+from ._reading import add_assets_argument
 from ._task import Task
+from ._units import add_height_unit_argument
 from .list_ import list_entries
 
 SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"

@@ -13,8 +13,8 @@ from ..formats import FormatError
 from ..formats._summary import convert_to_current
 from . import run as run_command
 from ._messages import say_error
-from ._parser import Parser, whole_number
-from ._reading import add_memory_argument
+from ._parser import Parser
+from ._reading import add_memory_argument, add_threads_argument
 
 SUMMARY = "join the parts of a run (vtkhelios run --part) into the run of one process"
 
@@ -57,13 +57,7 @@ def add_arguments(parser):
         "--output", metavar="DIR", help="where the files go (default: where the parts are)"
     )
     run_command.add_earlier_run_arguments(parser)
-    parser.add_argument(
-        "--threads",
-        metavar="N",
-        type=whole_number(4096),
-        default=0,
-        help="number of threads; 0: one per processor core (default: %(default)s)",
-    )
+    add_threads_argument(parser)
     add_memory_argument(parser)
     parser.add_argument("--json", action="store_true", help="print the summary of the run as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")

@@ -18,7 +18,7 @@ from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
 from ._parser import part_of_run, whole_number
 from ._progress import make_progress
-from ._reading import add_assets_argument, add_memory_argument, limit_memory
+from ._reading import add_assets_argument, add_memory_argument, add_threads_argument, limit_memory
 from ._run.help import EPILOG
 from ._run.options import add_option_arguments, set_options
 from ._run.outputs import add_output_arguments, find_fault, set_outputs
@@ -77,13 +77,7 @@ def add_arguments(parser):
         help="copy the mesh of a file for each part that has it, instead of storing it once, and make "
         "meshes of height rasters",
     )
-    parser.add_argument(
-        "--threads",
-        metavar="N",
-        type=whole_number(4096),
-        default=0,
-        help="number of threads; 0: one per processor core (default: %(default)s)",
-    )
+    add_threads_argument(parser)
     add_memory_argument(parser)
     parser.add_argument(
         "--pulses-per-block",

@@ -25,7 +25,7 @@ from ._messages import Messages
 from ._parser import whole_number
 from ._plan_options import option_of, value_of
 from ._progress import make_progress
-from ._reading import add_assets_argument, add_memory_argument, limit_memory
+from ._reading import add_assets_argument, add_memory_argument, add_threads_argument, limit_memory
 from ._stopping import set_outcome
 from ._task import StepWatch
 from ._tradeoff.input import open_input
@@ -162,13 +162,7 @@ def add_arguments(parser):
     parser.add_argument(
         "--apply", metavar="FILE.xml", help="write the survey with the recommended setting"
     )
-    parser.add_argument(
-        "--threads",
-        metavar="N",
-        type=whole_number(4096),
-        default=0,
-        help="number of threads; 0: one per processor core (default: %(default)s)",
-    )
+    add_threads_argument(parser)
     add_memory_argument(parser, "recommend: only settings whose run needs no more; ")
     parser.add_argument("--json", action="store_true", help="print all results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")

@@ -8,18 +8,17 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
 from vtkmodules.vtkCommonCore import (
-    VTK_DOUBLE,
-    vtkPoints,
-    vtkTypeInt32Array,
-    vtkTypeInt64Array,
-)
+    VTK_DOUBLE, vtkPoints, vtkTypeInt32Array, vtkTypeInt64Array,
+)  # fmt: skip
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from .. import webcloud
 from ..array_names import UNITS
 from ..core import write
-from ..core.arrays import View, arrays
+from ..core.arrays import arrays
+from ..core.views import View
 from ..exchange._clouds import to_open3d, to_pandas, to_pyvista
 from .transfer import pack, unpack
 

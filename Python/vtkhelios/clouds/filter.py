@@ -9,8 +9,8 @@ import numpy as np
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
-from ..core.arrays import data_of
 from ..core.compose import METHODS, compose
+from ..core.views import data_of
 from .cloud import Cloud
 
 __all__ = ["FunctionAlgorithm", "filter"]

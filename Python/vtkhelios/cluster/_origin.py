@@ -6,7 +6,7 @@ import os
 import uuid
 
 from ..core.paths import from_vtk
-from ..core.pipeline import MessageLog, conclude
+from ..core.pipeline import perform
 
 
 class Origin:
@@ -40,11 +40,7 @@ class Origin:
         """Returns the digests of the files of the survey, computed once."""
         if self._fingerprint is None:
             source = survey.source()
-            with MessageLog() as log:
-                log.watch(source)
-                fingerprint = source.GetFingerprint()
-            conclude(log)
-            self._fingerprint = from_vtk(fingerprint)
+            self._fingerprint = from_vtk(perform(source, source.GetFingerprint))
         return self._fingerprint
 
 

@@ -6,8 +6,8 @@ import pathlib
 
 import numpy as np
 
-from ..core.arrays import data_of
 from ..core.systems import find_difference
+from ..core.views import data_of
 from ..formats import FormatError
 from ..scenes.scene import Scene, flatten
 from ._blocks import DRAWS

@@ -12,9 +12,9 @@ from ..array_names import (
     AMPLITUDE, CHANNEL_IDS, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INTENSITY, LEG_IDS,
     NUMBER_OF_RETURNS, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG,
 )  # fmt: skip
-from ..core.arrays import data_of
 from ..core.run_files import POINTS, SUMMARY_NAME, kind_of
 from ..core.systems import Metres, find_difference
+from ..core.views import data_of
 from ..formats import FormatError
 from ..formats._base import Header, from_cloud, rows_of, select
 from ..formats._endings import points

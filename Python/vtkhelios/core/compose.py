@@ -9,8 +9,8 @@
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
-from .arrays import data_of
 from .pipeline import update, upstream
+from .views import data_of
 
 __all__ = ["Pipeline", "select_ports"]
 

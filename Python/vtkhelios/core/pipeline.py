@@ -193,6 +193,21 @@ def update(algorithm, port=0, progress=None):
     return algorithm.GetOutputDataObject(port)
 
 
+def perform(vtk_object, action, failure=None, stacklevel=3, warn=None):
+    """Calls a function, usually a method of the object, and returns what it returns.
+
+    Raises PipelineError if the object reports an error meanwhile, and with the text of failure if the
+    function returns False without one.
+    """
+    with MessageLog() as log:
+        log.watch(vtk_object)
+        result = action()
+    conclude(log, stacklevel=stacklevel + 1, warn=warn)
+    if failure and not result:
+        raise PipelineError([failure])
+    return result
+
+
 def conclude(log, exceptions=(), stacklevel=3, warn=None):
     """Issues the logged warnings, by warnings.warn or another function, and raises errors."""
     for exception in exceptions:

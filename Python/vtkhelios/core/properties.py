@@ -11,8 +11,8 @@ import functools
 import math
 import re
 
-from .arrays import data_of
 from .pipeline import MessageLog
+from .views import data_of
 
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 

@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from ..array_names import PULSE_DENSITY, RETURN_NUMBER
+from ..array_names import PULSE_DENSITY
 from ._summary import spread
 from ._terrain import Grid
 
@@ -108,15 +108,3 @@ def _look_up(plan, places):
     found = np.zeros(len(places), dtype=bool)
     found[known] = plan.inside[index[known, 1], index[known, 0]]
     return found
-
-
-def check_plan(plan, progress=None):
-    """Simulates a FlightPlan in memory, without noise; returns the comparison of Counts.compare()."""
-    counts, survey = Counts(plan), plan.survey()
-    legs = [leg.index for leg in survey.legs if leg.active]
-    for leg in legs:
-        if survey.leg_pulses(leg)[0] == survey.leg_pulses(leg)[1]:
-            continue
-        cloud = survey.run(progress=progress, legs=leg, noise=False)
-        counts.add(cloud.points[cloud[RETURN_NUMBER] == 1])
-    return counts.compare()

@@ -9,12 +9,11 @@ from .. import catalogue
 from ..core.classes import vtk_class
 from ..core.folders import data_directory
 from ..core.paths import to_vtk
-from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..core.pipeline import MessageLog, PipelineError, conclude, perform
 from ..plans.kinds import SettingError
 from ._settings import PLATFORM, PLATFORMS
 
 SWEEPS = {"rotating": 1, "oscillating": 2, "conic": 2, "palmer": 2}  # per scan period
-FIXED_LINES = ("line", "risley")  # without a scan frequency
 
 
 class Instrument:
@@ -65,12 +64,7 @@ class Instrument:
             attributes["scanAngle_deg"] = scan_angle
         survey = self._make_survey(attributes)
         swath = vtk_class("vtkHeliosSwath")()
-        with MessageLog() as log:
-            log.watch(swath)
-            succeeded = swath.Build(survey, 0)
-        conclude(log)
-        if not succeeded:
-            raise PipelineError([f"{self.scanner}: has no swath"])
+        perform(swath, lambda: swath.Build(survey, 0), f"{self.scanner}: has no swath")
         return swath
 
     def _make_survey(self, attributes):

@@ -5,11 +5,9 @@
 import pathlib
 import tempfile
 
-from ..core.classes import vtk_class
-from ..core.paths import from_vtk, to_vtk
-from ..core.pipeline import MessageLog, PipelineError, conclude
-from ..core.reading import look_up
-from ..plans.files import SCENE, refer
+from ..core.paths import from_vtk
+from ..plans import files
+from ..plans.files import SCENE
 from ..scenes.scene import Scene
 from ..surveys.survey import read_survey
 
@@ -18,32 +16,15 @@ STAND_IN = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"  # for a scene that stays in m
 
 def write_survey(plan, path, scene=None):
     """Writes the survey of a FlightPlan, of its scene or of a mesh file; returns the path."""
-    folder = path.parent
     scene = scene or from_vtk(plan.document.GetSceneReference()) or plan.source
-
-    def short(reference):
-        path = reference.partition("#")[0]
-        return to_vtk(refer(reference, folder) if pathlib.Path(path).exists() else reference)
-
-    writer = vtk_class("vtkHeliosSurveyWriter")()
-    look_up(writer, str(path), plan.assets)
-    writer.SetInputDataObject(plan.flight)
-    writer.SetSurveyName(to_vtk(plan.name))
-    writer.SetScene(short(str(scene)))
-    writer.SetPlatform(short(plan.instrument.platform))
-    writer.SetScanner(short(plan.instrument.scanner))
-    writer.SetPulseFrequency(plan.design.pulse_frequency)
-    if plan.design.scan_frequency:
-        writer.SetScanFrequency(plan.design.scan_frequency)
-    if plan.design.scan_angle and _needs_angle(plan):
-        writer.SetScanAngle(plan.design.scan_angle)
-    with MessageLog() as log:
-        log.watch(writer)
-        succeeded = writer.Write()
-    conclude(log)
-    if not succeeded:
-        raise PipelineError([f"{path}: cannot be written"])
-    return path
+    references = str(scene), plan.instrument.platform, plan.instrument.scanner
+    design = plan.design
+    settings = {"PulseFrequency": design.pulse_frequency}
+    if design.scan_frequency:
+        settings["ScanFrequency"] = design.scan_frequency
+    if design.scan_angle and _needs_angle(plan):
+        settings["ScanAngle"] = design.scan_angle
+    return files.write_survey(path, plan.flight, plan.name, references, plan.assets, settings)
 
 
 def _needs_angle(plan):

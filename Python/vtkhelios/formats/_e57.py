@@ -11,22 +11,11 @@ from ..array_names import (
 )  # fmt: skip
 from ..core.systems import Metres
 from ._base import ROWS, Reader, Scan, guarded, need
+
 from ._e57_fields import (
-    COLOURS,
-    DIRECTION_ONLY,
-    FULL,
-    KNOWN,
-    OURS,
-    POLAR,
-    STATES,
-    XYZ,
-    Range,
-    check_flags,
-    find_range,
-    full_colour,
-    number_of,
-    rotation_matrix,
-)
+    COLOURS, DIRECTION_ONLY, FULL, KNOWN, OURS, POLAR, STATES, XYZ, Range, check_flags, find_range,
+    full_colour, number_of, rotation_matrix,
+)  # fmt: skip
 from ._e57_writer import E57Writer
 from ._union import explain_missing, fill, join_layouts, layout_of
 

@@ -14,18 +14,11 @@ import numpy as np
 
 from ..core.classes import vtk_class
 from ..core.run_files import PART
+
 from ._base import (
-    FileWriter,
-    FormatError,
-    Header,
-    Reader,
-    StreamWriter,
-    call,
-    check_file,
-    from_cloud,
-    need,
+    FileWriter, FormatError, Header, Reader, StreamWriter, call, check_file, from_cloud, need,
     to_cloud,
-)
+)  # fmt: skip
 from ._las_check import HEADER_BYTES
 from ._names import add_names, check_names, drop_part_names, watch_part, write_names
 from ._records import EXTENDED_HEAD, RecordReader, RecordWriter

@@ -13,18 +13,10 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from ..core.classes import vtk_class
 from ..core.files import drop_part
 from ..core.write import write_points
+
 from ._base import (
-    Header,
-    Reader,
-    StreamWriter,
-    Writer,
-    call,
-    check_file,
-    from_cloud,
-    rows_of,
-    select,
-    to_cloud,
-)
+    Header, Reader, StreamWriter, Writer, call, check_file, from_cloud, rows_of, select, to_cloud,
+)  # fmt: skip
 
 
 class VtpReader(Reader):

@@ -15,13 +15,14 @@ from ..core.classes import vtk_class
 from ..core.files import write_whole
 from ..core.folders import data_directory
 from ..core.paths import from_vtk, to_vtk
-from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..core.pipeline import PipelineError, perform
 from ..core.reading import look_up
 from ..core.write import write_points
 from ..scenes.scene import Scene
 
 __all__ = [
-    "data_files", "has_plan", "new_plan", "picture_file", "refer", "survey_file", "summary_file",
+    "LEG_SETTINGS", "data_files", "has_plan", "leg_settings", "new_plan", "picture_file", "survey_file",
+    "summary_file", "write_survey",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
@@ -67,36 +68,59 @@ def data_files(plan, folder):
     return files
 
 
+# Settings of the legs: properties of the document (GetLeg...) and of the writer, and attributes.
+LEG_SETTINGS = {
+    "PulseFrequency": "pulseFreq_hz",
+    "ScanFrequency": "scanFreq_hz",
+    "HeadRotateStart": "headRotateStart_deg",
+    "HeadRotateStop": "headRotateStop_deg",
+    "HeadRotatePerSecond": "headRotatePerSec_deg",
+    "VerticalAngleMin": "verticalAngleMin_deg",
+    "VerticalAngleMax": "verticalAngleMax_deg",
+    "ScanAngle": "scanAngle_deg",
+}
+
+
+def leg_settings(document):
+    """The settings of the legs of a plan, by their names in LEG_SETTINGS."""
+    values = {name: getattr(document, f"GetLeg{name}")() for name in LEG_SETTINGS}
+    unused = (
+        ["ScanAngle"] if document.HasRotatingMirror() else ["VerticalAngleMin", "VerticalAngleMax"]
+    )
+    if not values["ScanAngle"] > 0:
+        unused.append("ScanAngle")
+    return {name: value for name, value in values.items() if name not in unused}
+
+
 def survey_file(plan, folder, name=SURVEY):
     """Writes the survey; returns its path."""
-    document, path = plan.task.document, folder / name
+    document = plan.task.document
+    scene = from_vtk(document.GetSceneReference()) or _scene_file(plan, folder)
+    instrument = map(from_vtk, (document.GetPlatformReference(), document.GetScannerReference()))
+    settings = leg_settings(document)
+    return write_survey(
+        folder / name, plan.outputs[2], plan.name, (scene, *instrument), plan.task.assets, settings
+    )
 
-    def short(reference):
-        return to_vtk(refer(from_vtk(reference), folder))
 
+def write_survey(path, legs, name, references, assets, settings):
+    """Writes a survey of positions or waypoints (vtkPolyData); returns the path.
+
+    references are those of the scene, the platform and the scanner; settings are by the names in
+    LEG_SETTINGS.
+    """
     writer = vtk_class("vtkHeliosSurveyWriter")()
-    look_up(writer, str(path), plan.task.assets)
-    writer.SetInputDataObject(plan.outputs[2])
-    writer.SetSurveyName(to_vtk(plan.name))
-    writer.SetScene(short(document.GetSceneReference() or _scene_file(plan, folder)))
-    writer.SetPlatform(short(document.GetPlatformReference()))
-    writer.SetScanner(short(document.GetScannerReference()))
-    writer.SetPulseFrequency(document.GetLegPulseFrequency())
-    writer.SetScanFrequency(document.GetLegScanFrequency())
-    if document.HasRotatingMirror():
-        writer.SetVerticalAngleMin(document.GetLegVerticalAngleMin())
-        writer.SetVerticalAngleMax(document.GetLegVerticalAngleMax())
-    elif document.GetLegScanAngle() > 0:
-        writer.SetScanAngle(document.GetLegScanAngle())
-    writer.SetHeadRotateStart(document.GetLegHeadRotateStart())
-    writer.SetHeadRotateStop(document.GetLegHeadRotateStop())
-    writer.SetHeadRotatePerSecond(document.GetLegHeadRotatePerSecond())
-    with MessageLog() as log:
-        log.watch(writer)
-        succeeded = writer.Write()
-    conclude(log)
-    if not succeeded:
-        raise PipelineError([f"{path}: cannot be written"])
+    look_up(writer, str(path), assets)
+    writer.SetInputDataObject(legs)
+    writer.SetSurveyName(to_vtk(name))
+    for kind, reference in zip(("Scene", "Platform", "Scanner"), references):
+        exists = pathlib.Path(reference.partition("#")[0]).exists()
+        getattr(writer, f"Set{kind}")(
+            to_vtk(refer(reference, path.parent) if exists else reference)
+        )
+    for setting, value in settings.items():
+        getattr(writer, f"Set{setting}")(value)
+    perform(writer, writer.Write, f"{path}: cannot be written")
     return path
 
 

@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from ..clouds.cloud import Cloud
 from ..core.classes import vtk_class
 from ..core.paths import from_vtk
-from ..core.pipeline import MessageLog, PipelineError, conclude, update
+from ..core.pipeline import perform, update
 from ..core.watching import Progress
 from ..scenes.scene import has_instances
 from ..surveys.scanning import make_survey
@@ -168,19 +168,11 @@ class PlanTask:
         given = check_settings(settings)
         self.source, self.document = make_document(scene, self.assets)
         fill_document(self.document, given)
-        self._read()
+        perform(self.document, self.document.Read, f"{self.source}: cannot be read", stacklevel=4)
         self.name = from_vtk(self.document.GetPlanName()) if name is None else name
         self.filters = vtk_class("vtkHeliosScanPlan")()
         self.filters.SetDocument(self.document)
         self.settings = fill_filters(self.filters, given)
-
-    def _read(self):
-        with MessageLog() as log:
-            log.watch(self.document)
-            succeeded = self.document.Read()
-        conclude(log, stacklevel=5)
-        if not succeeded:
-            raise PipelineError([f"{self.source}: cannot be read"])
 
     def steps(self):
         """Yields the steps, each to be run before the next one is taken."""
@@ -273,17 +265,8 @@ class Plan:
         document = self.task.document
         instrument = [0.0, 0.0, 0.0]
         document.GetInstrument(instrument)
-        settings = {
-            "pulse_frequency": document.GetLegPulseFrequency(),
-            "scan_frequency": document.GetLegScanFrequency(),
-            "head": (document.GetLegHeadRotateStart(), document.GetLegHeadRotateStop()),
-            "head_speed": document.GetLegHeadRotatePerSecond(),
-        }
-        if document.HasRotatingMirror():
-            window = document.GetLegVerticalAngleMin(), document.GetLegVerticalAngleMax()
-            settings["vertical"] = window
-        elif document.GetLegScanAngle() > 0:
-            settings["scan_angle"] = document.GetLegScanAngle()
+        values = plan_files.leg_settings(document)
+        settings = {plan_files.LEG_SETTINGS[name]: value for name, value in values.items()}
         return make_survey(
             self.scene,
             [tuple(position) for position in (self.positions - instrument).tolist()],

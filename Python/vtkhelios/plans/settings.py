@@ -8,17 +8,8 @@ A setting has the same name as the option of the command line: ``max_slope``, ``
 import difflib
 
 from .kinds import (
-    Areas,
-    Choice,
-    Flag,
-    Number,
-    PlanOption,
-    Reference,
-    Region,
-    SettingError,
-    DocumentChoice,
-    objects_of,
-)
+    Areas, Choice, DocumentChoice, Flag, Number, PlanOption, Reference, Region, SettingError, objects_of,
+)  # fmt: skip
 
 __all__ = ["SETTINGS", "SettingError", "check_settings", "fill_document", "fill_filters"]
 

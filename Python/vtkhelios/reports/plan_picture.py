@@ -16,7 +16,7 @@ from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
 from ..array_names import BEST_INCIDENCE_ANGLE, COVERABLE, NORMAL, NUMBER_OF_SCANS
 from ..core.arrays import arrays
 from ..core.classes import vtk_class
-from ..core.pipeline import MessageLog, conclude
+from ..core.pipeline import perform
 from ..scenes.scene import Scene, has_instances
 from . import picture
 from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, rendering
@@ -116,10 +116,7 @@ class View:
         """Returns the distances that grab_distances() returns, by rays."""
         width, height = self.window.GetSize()
         caster = vtk_class("vtkHeliosRayCasterFactory").Create("")
-        with MessageLog() as log:
-            log.watch(caster)
-            caster.Build(scene)
-        conclude(log)
+        perform(caster, lambda: caster.Build(scene))
         eye = self.origin + self.camera.GetPosition()
         return np.array([cast(caster, eye, row) for row in self.make_rays(width, height)])
 

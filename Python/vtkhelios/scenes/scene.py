@@ -21,10 +21,10 @@ from ..array_names import (
     MATERIAL_RETROREFLECTION, MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY,
     MATERIAL_THICKNESS, MATERIAL_TRANSMITTANCE,
 )  # fmt: skip
-from ..core.arrays import data_of
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
 from ..core.pipeline import MessageLog, conclude, update
+from ..core.views import data_of
 from ..exchange._clouds import scene_to_pyvista
 from ..exchange._polydata import read_polydata, triangulate
 

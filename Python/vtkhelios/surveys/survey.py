@@ -20,12 +20,12 @@ from ..clouds.cloud import Cloud
 from ..clouds.join import join_clouds, join_tables
 from ..cluster._blocks import check_pulses, iterate_blocks, make_delayed, split_windows
 from ..cluster._origin import Origin
-from ..core.arrays import data_of
 from ..core.classes import vtk_class
 from ..core.paths import from_vtk, text_from_vtk, to_vtk
 from ..core.pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
 from ..core.properties import set_properties
 from ..core.reading import make_reader, missing_folder
+from ..core.views import data_of
 from ..core.watching import Progress
 from ..scenes.scene import Scene, add_parts
 from .items import Leg, Legs, Parts, change

@@ -5,10 +5,10 @@
 from ...flight._settings import ALL, NUMBERS
 from ...plans.settings import SETTINGS as TRIPOD_SETTINGS
 from .._parser import number
+from .._plan_options import METAVARS, option_of
 
 SHARED = ("scanner", "platform", "pulse_frequency")  # with plans of scan positions
 OWN = tuple(name for name in ALL if name not in SHARED)
-METAVARS = {"1/m2": "N", "%": "PERCENT", "m": "M", "deg": "DEG", "m/s": "M/S", "s": "S", "Hz": "HZ"}
 TEXTS = {
     "density": "least pulse density of a strip [points/m2] (default: 4)",
     "side_overlap": "overlap of neighbouring strips (default: 20)",
@@ -28,10 +28,6 @@ TEXTS = {
     "scan_angle": "half the scan angle (default: the scanner's largest, at most 45)",
     "cell": "cells of the predicted density (default: twice the nominal pulse spacing)",
 }
-
-
-def option_of(name):
-    return "--" + name.replace("_", "-")
 
 
 def add_flight_arguments(parser):

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios run that are properties of vtkHeliosRunOptions."""
 
-from ...surveys.options import OPTIONS
 from ...core.paths import to_vtk
+from ...surveys.options import OPTIONS
 from ...vtkHeliosScannerRun import vtkHeliosRunOptions
 from .._parser import number, whole_number
 

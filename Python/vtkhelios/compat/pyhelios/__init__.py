@@ -16,14 +16,10 @@ from ... import vtkHeliosFiltersCore as _core
 from ._build import PYHELIOS_SIMULATION_BUILD_CONDITION_VARIABLE, SimulationBuild, SimulationBuilder
 from ._coordinates import cartesianToSpherical, sphericalToCartesian
 from ._errors import NotCoveredError, PyHeliosToolsException, not_covered
+
 from ._logging import (
-    loggingDefault,
-    loggingQuiet,
-    loggingSilent,
-    loggingTime,
-    loggingVerbose,
-    loggingVerbose2,
-)
+    loggingDefault, loggingQuiet, loggingSilent, loggingTime, loggingVerbose, loggingVerbose2,
+)  # fmt: skip
 from ._output import Measurement, Output, Trajectory, outputToList, outputToNumpy
 from ._simulation import Simulation, setDefaultRandomnessGeneratorSeed
 
