@@ -8,12 +8,16 @@ from ..plans.settings import SETTINGS
 from ._parser import number
 from ._reading import add_assets_argument, add_threads_argument
 
-METAVARS = {  # of numbers, by their units
+METAVARS = {  # words for the numbers of each unit
     "1/m2": "N", "%": "PERCENT", "m": "M", "deg": "DEG", "m/s": "M/S", "s": "S", "Hz": "HZ",
     "MiB": "MIB",
 }  # fmt: skip
-WORDS = {"method": "NAME", "remove_order": "KEY", "ground": "WHERE"}  # metavars of words
-TEXTS = {  # of the settings, by the groups of --help
+WORDS = {
+    "method": "NAME",
+    "remove_order": "KEY",
+    "ground": "WHERE",
+}  # for a choice; others have WHICH
+TEXTS = {  # help of each setting, by group
     "coverage": {
         "method": "planning method: %(choices)s",
         "coverage": "fraction of the test points that must be covered (default: 100)",

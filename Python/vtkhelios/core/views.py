@@ -4,7 +4,7 @@
 
 
 class View:
-    """What is a thin view of a VTK data object, which is its ``data``."""
+    """A thin view of a VTK data object, which is its ``data``."""
 
 
 def data_of(item):
