@@ -3,6 +3,7 @@
 """The accuracy that a run reports of itself."""
 
 import json
+import re
 import pathlib
 import runpy
 
@@ -10,7 +11,7 @@ import pytest
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
-from vtkhelios.reports.accuracy import accuracy_lines
+from vtkhelios.reports.accuracy import accuracy_line, accuracy_lines, accuracy_rows
 from vtkhelios.formats._summary import parse_summary
 
 MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")
@@ -146,8 +147,11 @@ def test_moving_parts_are_where_they_were(make_survey, tmp_path):
 
 
 def test_a_scene_of_voxels_has_no_reference():
-    lines = list(accuracy_lines({"reason": "the scene has only turbid voxels, which are random"}))
-    assert lines == ["accuracy not measured: the scene has only turbid voxels, which are random"]
+    accuracy = {"reason": "the scene has only turbid voxels, which are random"}
+    assert accuracy_line(accuracy) == f"accuracy not measured: {accuracy['reason']}"
+    assert list(accuracy_lines(accuracy)) == [accuracy_line(accuracy)]
+    assert list(accuracy_rows(accuracy)) == [("accuracy", accuracy["reason"])]
+    assert list(accuracy_rows(None)) == [("accuracy", "not measured")]
 
 
 def test_what_the_reference_cannot_tell_is_no_number(fence, tmp_path):
@@ -156,6 +160,12 @@ def test_what_the_reference_cannot_tell_is_no_number(fence, tmp_path):
     lines = list(accuracy_lines(accuracy))
     row = next(line for line in lines if "95th percentile" in line)
     assert row.endswith(" cannot be told to better than 8.4 mm, asked 1 mm")
+    assert "95 % of the ranges within 8.4 mm or better, " in accuracy_line(accuracy)
+    accuracy["missedAndInvented"] = [0.03, 0.02, 0.04]
+    assert "3 % of the echoes missed or invented (more than asked), " in accuracy_line(accuracy)
+    assert accuracy_line(accuracy | {"echoes": 1}).endswith("; asked 1 mm, 1 %, 1 %; from 1 echo")
+    del accuracy["asked"]  # as with a fixed number of sub-rays
+    assert "asked" not in accuracy_line(accuracy)
 
 
 def test_the_text_of_a_run_of_version_0_2(fence, tmp_path):
@@ -166,7 +176,17 @@ def test_the_text_of_a_run_of_version_0_2(fence, tmp_path):
 
 
 def test_the_last_lines_of_a_run_say_it(command_line, make_survey, tmp_path):
-    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--no-noise")
+    arguments = ("run", make_survey(), "--output", tmp_path / "out", "--no-noise", "--overwrite")
+    done = command_line(*arguments)
+    assert done.returncode == 0, done.stderr
+    lines = [line for line in done.stdout.splitlines() if line.startswith("accuracy")]
+    assert lines == done.stdout.splitlines()[-1:]
+    assert re.fullmatch(
+        r"accuracy 95 % of the ranges within [\d.e-]+ mm, [\d.]+ % of the echoes missed or invented, "
+        r"amplitudes within [\d.e-]+ % \(RMS\); asked 1 mm, 1 %, 1 %; from [\d,]+ echoes",
+        lines[0],
+    )
+    done = command_line(*arguments, "--verbose")
     assert done.returncode == 0, done.stderr
     title, *rows = done.stdout.splitlines()[-7:]
     assert title.startswith("accuracy of ") and title.endswith("again within 0.1 mm and 0.1 %")

@@ -63,7 +63,7 @@ BAD = [
     (changed(["legs", 0, "leg"], "<script>"), 'legs[0].leg is "<script>": expected a whole number'),
     (changed(["legs", 0, "start_s"], 1e300), "start_s is 1e+300: expected a number from 0 to 1e+15"),
     ('{"legs": [], "timings": {"run_s": 1e999}}', "run_s is Infinity: expected a number from 0"),
-    (changed(["timings", "legs_s"], [1, 2]), "timings.legs_s has 2 entries, but there are 1 legs"),
+    (changed(["timings", "legs_s"], [1, 2]), "timings.legs_s has 2 entries, for 1 leg"),
     (changed(["timings", "threads"], "\x1b[2J" * 99), r'threads is "\u001b[2J'),
     (changed(["options", "seed"], []), "options.seed is a list: expected a text, true, false or"),
     (changed(["versions", "VTK"], None), "versions.VTK is null: expected a text"),
@@ -157,3 +157,11 @@ def test_mutants(tmp_path):
             accepted += 1
             json.dumps(summary, allow_nan=False).encode()
     assert accepted > 50
+
+
+def test_an_accuracy_that_is_shown_is_whole():
+    text = changed(["accuracy"], {"echoes": 1})
+    parse_summary(text, "a")  # readers of points do not need it
+    with pytest.raises(formats.FormatError, match="a: accuracy has no rangeP50_m"):
+        parse_summary(text, "a", REPORT)
+    parse_summary(changed(["accuracy"], {"reason": "no echo"}), "a", REPORT)

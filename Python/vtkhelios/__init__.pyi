@@ -5552,7 +5552,9 @@ class vtkHeliosRunOptions(vtkObject):
         separated by blanks.
         """
     noise: bool
-    """Set/Get whether ranges have the scanner's noise. Default: on."""
+    """Set/Get whether there is noise: of ranges, directions, detector,
+    platform and legs. Default: on.
+    """
     @property
     def number_of_options(self) -> Any:
         """Get a field of a row of the table of options: "property", of this

@@ -11,8 +11,9 @@ import pytest
 from _small_run import write_survey
 
 import vtkhelios
-from vtkhelios import cli, example_surveys, formats, scene
+from vtkhelios import cli, example_surveys, formats
 from vtkhelios.core.run_files import FORMATS
+from vtkhelios.scenes.scene import _OPTICS as OPTICS
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS = ROOT / "Docs"
@@ -101,7 +102,7 @@ def test_platforms():
 
 def test_optics_of_materials():
     names = set(first_cells(DOCS / "materials.md", "## Kinds")) - {"illum"}
-    assert names == set(scene._OPTICS)
+    assert names == set(OPTICS)
 
 
 def test_formats_of_points():

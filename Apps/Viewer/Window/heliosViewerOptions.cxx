@@ -64,7 +64,8 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
       "memory limit, e.g. 8G (default: the available memory)")
     ->transform(CLI::AsSizeValue(true))
     ->option_text("SIZE");
-  app.add_flag("!--no-noise", options.Noise, "ranges without the scanner's noise");
+  app.add_flag(
+    "!--no-noise", options.Noise, "no noise of ranges, directions, detector, platform and legs");
 }
 
 void AddTime(CLI::App& app, ViewerOptions& options, std::string& speed)

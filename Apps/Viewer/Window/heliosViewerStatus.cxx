@@ -161,7 +161,7 @@ std::string Viewer::DescribeCloud() const
   }
   if (points > 0.0)
   {
-    text += ShortenNumber(points) + " points";
+    text += points == 1.0 ? "1 point" : ShortenNumber(points) + " points";
     text += isComputing ? ", " + ShortenNumber(this->PointsPerSecond) + "/s\n" : "\n";
   }
   return text;

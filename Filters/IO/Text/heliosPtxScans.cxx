@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCounted.h"
 #include "heliosTextFile.h"
 #include "heliosTextLayout.h"
 
@@ -63,7 +64,7 @@ private:
       {
         return Status::Error(this->File.GetPlace() + "line " + std::to_string(i + 1) +
           " of the header of scan " + std::to_string(this->Layout.Scans.size() + 1) + " has not " +
-          std::to_string(columns[i]) + (columns[i] == 1 ? " number" : " numbers") +
+          Counted(columns[i], "number") +
           "; PTX has columns, rows, four lines of 3 and four of 4 numbers before the points: is "
           "the "
           "scan before it complete?");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXyzParser.h"
 
+#include "heliosCounted.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -257,8 +258,7 @@ bool XyzParser::FailShort()
       : std::string(", ") + values.Column.Array + " in " +
         std::to_string(values.Indices[0] + first);
   }
-  return this->Fail("the row has " + std::to_string(columns) +
-    (columns == 1 ? " column" : " columns") + ", but columns are read up to " +
+  return this->Fail("the row has " + Counted(columns, "column") + ", but columns are read up to " +
     std::to_string(this->Row.GetNumberOfColumns() - 1 + first) + " from " + std::to_string(first) +
     " (" + wanted +
     "); complete the row, or set what separates columns (Separators) and which are read");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTrajectoryParser.h"
 
+#include "heliosCounted.h"
+
 #include <algorithm>
 #include <charconv>
 #include <system_error>
@@ -169,8 +171,7 @@ bool TrajectoryParser::FailShort()
       needed.push_back(i);
     }
   }
-  return this->Fail("the row has " + std::to_string(columns) +
-    (columns == 1 ? " column" : " columns") + ", but columns are read up to " +
+  return this->Fail("the row has " + Counted(columns, "column") + ", but columns are read up to " +
     std::to_string(this->Row.GetNumberOfColumns() - 1) + " from 0 (" + List(this->Columns, needed) +
     "); complete the row, or set what separates columns (Separators) and which are read");
 }

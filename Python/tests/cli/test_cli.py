@@ -315,10 +315,14 @@ def test_sampling(command_line, make_survey, tmp_path):
         return done.stdout
 
     tolerant = run("--range-tolerance", "0.001")
-    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ planar", tolerant)
-    fixed = run("--sub-rays", "7")
-    assert "sampling fixed, 7 sub-rays per pulse" in fixed
-    assert re.search(r"[\d,]+ binned.*; 7\.0 sub-rays per pulse", fixed)
+    assert "sampling adaptive, visible areas of surfaces\n" in tolerant
+    assert re.search(rf"pulses   {PULSES:,} emitted, [\d,]+ with an echo \([\d.]+ %\)\n", tolerant)
+    assert "planar" not in tolerant and "ray caster" not in tolerant
+    fixed = run("--sub-rays", "7", "--verbose")
+    assert "sampling fixed, 7 sub-rays per pulse" in fixed and "ray caster beam\n" in fixed
+    assert re.search(r"[\d,]+ with a binned waveform.*; 7\.0 sub-rays per pulse", fixed)
+    tolerant = run("--range-tolerance", "0.001", "--verbose")
+    assert re.search(r"[\d,]+ with a planar footprint", tolerant) and "; waveform bin " in tolerant
 
 
 def test_pulses_beyond_the_most_sub_rays_are_told(command_line, make_survey, tmp_path):

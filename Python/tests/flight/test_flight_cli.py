@@ -3,6 +3,7 @@
 """vtkhelios plan --als: files, texts, check and errors."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -53,6 +54,11 @@ def test_files_check_and_page(plan, tmp_path):
     assert kinds == ["LineString"] * len(report["lines"]) + ["MultiPolygon"]
     page = (folder / "plan.html").read_text()
     assert page.count("data:image/png;base64,") == 3 and "simulated mean density" in page
+    settings = page.partition("<h2>Settings</h2>")[2]
+    assert re.search(r">Half swath</td>\s*<td[^>]*>[\d.]{2,5} deg</td>", settings), settings
+    assert re.search(r">Terrain following</td>\s*<td[^>]*>no</td>", settings)
+    assert not re.search(r"\d\.\d{5}|_(deg|m|Hz)\b", re.sub("<[^>]*>", " ", settings))
+    assert f"<b>{len(report['lines'])}</b><span>flight line" in page
     assert (folder / "plan.png").read_bytes().startswith(b"\x89PNG")
     survey = vtkhelios.read_survey(folder / "survey.xml")
     assert survey.legs[0].position[2] == pytest.approx(50 + 0.2)  # the scanner hangs below
@@ -66,7 +72,7 @@ def test_texts(plan):
         "length", "[m]", "time", "[s]",
     ] or "heading [deg]" in out  # fmt: skip
     for words in ("plan     ground_als (ground.obj), airborne", "flight   ", "density  of a strip at least",
-                  "covered  100.00 % of 8,000 m2", "run it   vtkhelios run output/ground_als/survey.xml"):  # fmt: skip
+                  "covered  100.00 % of 8,000 m²", "run it   vtkhelios run output/ground_als/survey.xml"):  # fmt: skip
         assert words in out + said
     code, _, said = plan(*FLIGHT, "--area", AREA, "--no-picture")
     assert code == 1 and "output/ground_als: holds the files of an earlier plan" in said

@@ -14,6 +14,7 @@ from ..catalogue._files import CatalogueError, read_root
 from ..core.paths import text_from_vtk
 from ..core.reading import make_reader
 from ..core.systems import Metres
+from ..core.words import counted
 from ..formats._base import rows_of
 from ..formats._names import NAMES
 from ..formats._records import RecordReader
@@ -205,24 +206,26 @@ class Inspection:
     def _check(self, reader):
         if reader.count is not None and reader.count != self._count and "E57" not in reader.kind:
             self.warnings.append(
-                f"the header counts {reader.count:,} points, but there are {self._count:,}"
+                f"the header counts {counted(reader.count, 'point')}, but there are {self._count:,}"
             )
         if self._invalid:
             self.warnings.append(
-                f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid drops "
+                f"{counted(self._invalid, 'point', 'are')} not finite; vtkhelios convert --skip-invalid drops "
                 "them"
             )
         if self._far:
             self.warnings.append(
-                f"{self._far:,} points are more than {FARTHEST:g} m from the origin; the spacing "
+                f"{counted(self._far, 'point', 'are')} more than {FARTHEST:g} m from the origin; the spacing "
                 "excludes them"
             )
         if self._impossible:
             self.warnings.append(
-                f"{self._impossible:,} points have a return number above their number of returns"
+                f"{counted(self._impossible, 'point', 'have')} a return number above their number of returns"
             )
         if self._returns[0]:
-            self.warnings.append(f"{self._returns[0]:,} points have the return number 0")
+            self.warnings.append(
+                f"{counted(self._returns[0], 'point', 'have')} the return number 0"
+            )
         if self._backward and "COPC" not in reader.kind:
             self.warnings.append(
                 f"GPS times decrease {self._backward:,} times from point to point: points are not "

@@ -18,6 +18,7 @@ from ..core.pipeline import MessageLog
 from ..core.run_files import PART
 from ..core.systems import HEIGHT_UNITS, find_system
 from ..core.unfinished import set_unfinished
+from ..core.words import counted
 from ..formats import FormatError
 from ..reports.raster import FARTHEST
 from ..scenes.scene import make_reader
@@ -205,7 +206,7 @@ def describe_lines(facts):
     for each in facts["materials"]:
         reflectance = each["reflectance"]
         yield (
-            f"material   {each['name']}: {each['triangles']:,} triangles, {each['area_m2']:,.6g} m², "
+            f"material   {each['name']}: {counted(each['triangles'], 'triangle')}, {each['area_m2']:,.6g} m², "
             + ("" if reflectance is None else f"reflectance {reflectance:g}, ")
             + f"class {each['class']}"
             + (", ground" if each["ground"] else "")
@@ -213,7 +214,7 @@ def describe_lines(facts):
     if facts["parts"]:
         yield f"parts      {len(facts['parts']):,}"
     for each in facts["parts"][:SHOWN_PARTS]:
-        yield f"part       {each['name']}: {each['triangles']:,} triangles, {each['area_m2']:,.6g} m²"
+        yield f"part       {each['name']}: {counted(each['triangles'], 'triangle')}, {each['area_m2']:,.6g} m²"
     if len(facts["parts"]) > SHOWN_PARTS:
         yield f"           and {len(facts['parts']) - SHOWN_PARTS:,} more; --json lists all"
     for each in facts["textures"]:
@@ -236,7 +237,9 @@ def convert(arguments, messages):
         messages.warning(f"{path}: its coordinate system {crs} is dropped: OBJ has none")
     if names := mesh.GetFieldData().GetAbstractArray(PART_NAME):
         count = names.GetNumberOfValues()
-        messages.warning(f"{path}: the names of its {count:,} parts are dropped: OBJ has none")
+        messages.warning(
+            f"{path}: the names of its {counted(count, 'part')} are dropped: OBJ has none"
+        )
     writer = vtkhelios.vtkHeliosObjSceneWriter(file_name=to_vtk(arguments.output))
     writer.SetInputDataObject(mesh)
     messages.watch(writer)
@@ -249,7 +252,7 @@ def convert(arguments, messages):
     for part in parts:
         set_unfinished(part, False)
     set_outcome(f"{arguments.output} is written")
-    messages.info(f"output   {arguments.output}: {mesh.GetNumberOfPolys():,} triangles")
+    messages.info(f"output   {arguments.output}: {counted(mesh.GetNumberOfPolys(), 'triangle')}")
     return 0
 
 

@@ -10,7 +10,7 @@ import time
 
 from ..core.paths import from_vtk
 from ..core.streams import unfiltered, visible
-from ..core.words import amount, duration, speed
+from ..core.words import amount, counted, duration, speed
 from ._stopping import is_stopping, set_terminal
 
 SECONDS_BETWEEN_LINES = 2.0
@@ -87,7 +87,7 @@ class Progress:
         remaining = "" if left is None else f", {duration(left)} left"
         return (
             f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "
-            f"{amount(fired)} pulses, {pace}{points:,} points{remaining}"
+            f"{amount(fired)} pulses, {pace}{counted(points, 'point')}{remaining}"
         )
 
     def show(self):

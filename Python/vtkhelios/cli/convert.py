@@ -7,6 +7,7 @@ import pathlib
 import time
 
 from .. import formats
+from ..core.words import counted
 from ..formats._run import RunReader, is_run
 from ..points.conversion import Conversion
 from ..points.selection import RETURNS, Selection
@@ -239,16 +240,18 @@ def conclude(conversion, seconds, messages):
     for note in dict.fromkeys(conversion.notes):
         messages.warning(note)
     for path, kind, count in conversion.kinds:
-        messages.info(f"input    {path}: {kind}, {count:,} points")
+        messages.info(f"input    {path}: {kind}, {counted(count, 'point')}")
     reasons = {}
     for name, reason in conversion.lost.items():
         reasons.setdefault(reason, []).append(name)
     for reason, names in reasons.items():
         messages.info(f"dropped  {', '.join(names)}: {reason}")
     if conversion.selection.invalid:
-        messages.info(f"skipped  {conversion.selection.invalid:,} points that are not finite")
+        messages.info(
+            f"skipped  {counted(conversion.selection.invalid, 'point')} that are not finite"
+        )
     size = sum(path.stat().st_size for path in conversion.files() if path.exists())
     messages.info(
-        f"output   {conversion.output}: {conversion.count:,} points, {readable(size)}, "
+        f"output   {conversion.output}: {counted(conversion.count, 'point')}, {readable(size)}, "
         f"{seconds:.2f} s, {conversion.count / max(seconds, 1e-9) / 1e6:.2f} M points/s"
     )

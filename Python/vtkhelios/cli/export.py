@@ -7,6 +7,7 @@ import pathlib
 
 from .. import formats, learning
 from ..core.files import cannot_be_written, new_folder
+from ..core.words import counted
 from ..formats._run import RunReader, is_run
 from ._messages import Messages
 from ._progress import make_progress
@@ -107,7 +108,9 @@ def export(arguments, messages):
                     counted_scans(learning.read_scans(reader, arguments.window), task)
                 )
         set_outcome(f"{output} is written")
-    messages.info(f"{arguments.layout} {output}: {scans:,} scans, {points:,} points")
+    messages.info(
+        f"{arguments.layout} {output}: {counted(scans, 'scan')}, {counted(points, 'point')}"
+    )
     return 0
 
 

@@ -61,6 +61,7 @@ def add_arguments(parser):
     add_memory_argument(parser)
     parser.add_argument("--json", action="store_true", help="print the summary of the run as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+    run_command.add_verbose_argument(parser)
 
 
 def run(arguments):
@@ -125,7 +126,16 @@ def join_options(arguments, part, folder):
     joined.survey = arguments.survey or find_file(survey, there)
     joined.assets = arguments.assets + [find_file(name, there) for name in assets]
     joined.assets = [name for name in joined.assets if os.path.isdir(name)]
-    for name in ("overwrite", "resume", "check_all", "threads", "memory", "json", "quiet"):
+    for name in (
+        "overwrite",
+        "resume",
+        "check_all",
+        "threads",
+        "memory",
+        "json",
+        "quiet",
+        "verbose",
+    ):
         setattr(joined, name, getattr(arguments, name))
     if not os.path.isfile(joined.survey):
         raise FormatError(

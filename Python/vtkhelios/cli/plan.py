@@ -14,11 +14,11 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ..core.files import cannot_be_written, find_unwritable
 from ..core.paths import from_vtk, require_utf8
 from ..core.pipeline import PipelineError
+from ..core.words import counted
 from ..plans.files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
 from ..plans.plan import Plan, PlanTask
 from ..plans.settings import SettingError
 from ..reports.plan import file_lines, print_table, result_lines
-from ..reports.run import counted
 from ._flight.options import add_flight_arguments, find_misplaced
 from ._flight.run import make_flight_plan
 from ._messages import Messages
@@ -169,7 +169,7 @@ def print_plan(plan, messages):
     """Prints the result of a plan."""
     report = plan.report
     messages.info(
-        f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
+        f"from     {counted(report['candidates'], 'candidate')} and {counted(report['testPoints'], 'test point')}, "
         f"{report['coverable']:,} of them coverable"
     )
     if report["enclosed"]:

@@ -8,6 +8,7 @@ import pathlib
 from .. import formats
 from ..core.files import cannot_be_written, write_whole
 from ..core.run_files import SUMMARY_NAME
+from ..core.words import counted
 from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
 from ..formats._summary import REPORT, check_summary
@@ -125,7 +126,9 @@ def make_report(arguments, messages):
             raise formats.FormatError(cannot_be_written(error, page, "--output")) from error
     for note in reader.notes:
         messages.warning(note)
-    messages.info(f"report   {page} ({readable(len(text.encode()))}), {figures.count:,} points")
+    messages.info(
+        f"report   {page} ({readable(len(text.encode()))}), {counted(figures.count, 'point')}"
+    )
     if link:
         messages.info(f"cloud    {cloud_page.path} ({link['size']}), {link['points']} points")
     if arguments.json:

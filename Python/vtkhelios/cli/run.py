@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from ..core.paths import from_vtk, text_from_vtk, to_vtk
 from ..core.reading import make_reader, missing_folder
 from ..core.run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
+from ..core.words import counted
 from ..reports.run import epochs_lines, estimate_lines, join_reports, summary_lines
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
@@ -96,6 +97,15 @@ def add_arguments(parser):
         help="print the summary of the run, or the estimate of --dry-run, as JSON",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+    add_verbose_argument(parser)
+
+
+def add_verbose_argument(parser):
+    parser.add_argument(
+        "--verbose",
+        action="store_true",
+        help="also print versions, how the pulses were sampled, and the accuracy in detail",
+    )
 
 
 def add_earlier_run_arguments(parser):
@@ -261,9 +271,7 @@ def make_player(arguments, survey, messages):
 
 def command_of_part(arguments):
     """Returns the values that determine the output, as JSON: for vtkhelios join."""
-    host = (
-        "command run part epoch output overwrite resume check_all dry_run threads memory json quiet"
-    )
+    host = "command run part epoch output overwrite resume check_all dry_run threads memory json quiet verbose"
     options = {name: value for name, value in vars(arguments).items() if name not in host.split()}
     return json.dumps({"folder": os.getcwd(), "options": options})
 
@@ -312,7 +320,7 @@ def run_epoch(arguments, player, epoch, messages, request, reports):
     if request.signal and not succeeded:
         points = player.GetCount("points")
         kept = (
-            f"the {points:,} points so far are kept in {folder}; --resume continues the run"
+            f"the {counted(points, 'point')} so far are kept in {folder}; --resume continues the run"
             if points
             else "no points yet"
         )
@@ -326,7 +334,9 @@ def run_epoch(arguments, player, epoch, messages, request, reports):
         return 1
     if player.GetWasFinished():
         messages.info(from_vtk(player.GetMessage()))
-    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
+    verbose = arguments.verbose
+    lines = summary_lines(report, folder, verbose)
+    for line in estimate_lines(report, verbose) if arguments.dry_run else lines:
         messages.info(line)
     reports.append(report)
     if request.signal:

@@ -10,6 +10,7 @@ import re
 from ..core.pipeline import SimilarMessages, observe_messages, remove_observers
 from ..core.reading import make_reader, missing_folder
 from ..core.streams import visible
+from ..core.words import counted
 from ..surveys.text import has_survey
 from ..vtkHeliosScannerRun import vtkHeliosSurveySource
 from ._messages import Messages, say_error
@@ -180,10 +181,6 @@ def first_of(findings, text):
     return next(found for found in findings if text.startswith(found.message))
 
 
-def count(number, word):
-    return f"{number} {word}{'s'[:number != 1]}"
-
-
 def run(arguments):
     if problem := missing_folder(arguments.assets):
         say_error(problem)
@@ -203,6 +200,6 @@ def run(arguments):
         for found in findings:
             print(found)
         skipped = "" if arguments.deep or errors else "; geometry was not read (--deep reads it)"
-        files = count(len(arguments.files), "file")
-        print(f"{files}: {count(errors, 'error')}, {count(warnings, 'warning')}{skipped}")
+        files = counted(len(arguments.files), "file")
+        print(f"{files}: {counted(errors, 'error')}, {counted(warnings, 'warning')}{skipped}")
     return 1 if errors or (arguments.strict and warnings) else 0

@@ -19,6 +19,7 @@ from ..array_names import UNITS
 from ..core import write
 from ..core.arrays import arrays
 from ..core.views import View
+from ..core.words import counted
 from ..exchange._clouds import to_open3d, to_pandas, to_pyvista
 from .transfer import pack, unpack
 
@@ -239,7 +240,7 @@ class Cloud(View):
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
         more = ", waveforms" if self.waveforms is not None else ""
-        return f"Cloud({len(self):,} points, {box} m; {', '.join(self.names) or 'no arrays'}{more})"
+        return f"Cloud({counted(len(self), 'point')}, {box} m; {', '.join(self.names) or 'no arrays'}{more})"
 
     def _repr_html_(self):
         rows = [
@@ -248,7 +249,7 @@ class Cloud(View):
             for name, values in {"points": self.points, **arrays(self.data)}.items()
         ]
         head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"
-        return f"<b>Cloud</b>, {len(self):,} points<table>{head}{''.join(rows)}</table>"
+        return f"<b>Cloud</b>, {counted(len(self), 'point')}<table>{head}{''.join(rows)}</table>"
 
 
 def _unpack(data, waveforms, pulses, sub_rays):

@@ -15,6 +15,7 @@ from ..array_names import (
 from ..core.run_files import POINTS, SUMMARY_NAME, kind_of
 from ..core.systems import Metres, find_difference
 from ..core.views import data_of
+from ..core.words import counted
 from ..formats import FormatError
 from ..formats._base import Header, from_cloud, rows_of, select
 from ..formats._endings import points
@@ -202,4 +203,4 @@ def chunk_of(given):
 
 def describe(given):
     chunk, _ = chunk_of(given)
-    return f"{type(given).__name__} of {rows_of(chunk):,} points"
+    return f"{type(given).__name__} of {counted(rows_of(chunk), 'point')}"

@@ -7,6 +7,7 @@ import numpy as np
 from ..array_names import (
     AMPLITUDE, CLASSIFICATION_IDS, ECHO_WIDTH, INTENSITY, NUMBER_OF_RETURNS,
 )  # fmt: skip
+from ..core.words import counted
 from ._blocks import Blocks, kolmogorov_smirnov, total_variation
 from ._distances import MeshDistance, Nearest
 from ._ground import box_of, cells_of
@@ -195,7 +196,7 @@ class Measurement:
         blocks, tiles = self.blocks, planes.tiles
         self.add("planar share of cells", "", lambda side: blocks.ratio(
             blocks.sums(planes.cells, planes.planar[order[id(side)]]), blocks.sums(planes.cells)))  # fmt: skip
-        count = f"{len(planes.offset):,} cells planar in both clouds"
+        count = f"{counted(len(planes.offset), 'cell')} planar in both clouds"
         self.add("noise of planes, RMS", "m", lambda side: blocks.ratio(
             blocks.sums(tiles, planes.squares[order[id(side)]]),
             blocks.sums(tiles, planes.freedom[order[id(side)]]), np.sqrt), note=count)  # fmt: skip

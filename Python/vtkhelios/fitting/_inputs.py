@@ -12,6 +12,7 @@ from ..array_names import (
 )  # fmt: skip
 from ..comparison._inputs import chunk_of, describe, is_path, list_files
 from ..core.systems import Metres, find_difference
+from ..core.words import counted
 from ..formats import FormatError
 
 KEPT = (
@@ -53,7 +54,7 @@ def read_flight(clouds, on_step, unit, limit):
             total += len(chunk["points"])
             if total > limit:
                 raise FormatError(
-                    f"{names[-1]}: the clouds have more than {limit:,} points; give fewer strips, "
+                    f"{names[-1]}: the clouds have more than {counted(limit, 'point')}; give fewer strips, "
                     "or more points in memory"
                 )
             if crs and (problem := find_difference(crs, header.crs)):

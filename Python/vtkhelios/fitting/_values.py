@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ..array_names import AMPLITUDE
+from ..core.words import counted
 from ._mirror import CONIC, OSCILLATING, ROTATING, join
 from .result import Value
 
@@ -54,7 +55,7 @@ class Values:
         kinds = [mirror.kind for mirror in mirrors]
         kind = max(set(kinds), key=kinds.count)
         share = kinds.count(kind)
-        self.add("mirror", "", None, None, f"{WORDS[kind]}, in {share} of {len(kinds)} strips",
+        self.add("mirror", "", None, None, f"{WORDS[kind]}, in {share} of {counted(len(kinds), 'strip')}",
                  text=kind)  # fmt: skip
         some = [mirror for mirror in mirrors if mirror.kind == kind]
         value, error = join(*(np.array([getattr(each, name) for each in some])
@@ -108,7 +109,7 @@ class Values:
         if noise is None:
             self.add_unknown(name, "m", "no planes with 10 points of a strip")
             return
-        self.add(name, "m", *noise, f"most frequent of {planes:,} planes: standard deviation normal to the "
+        self.add(name, "m", *noise, f"most frequent of {counted(planes, 'plane')}: standard deviation normal to the "
                  "plane over the cosine of the incidence; with the roughness of surfaces")  # fmt: skip
 
     def add_threshold(self, threshold):
@@ -146,7 +147,7 @@ class Values:
         error = float(np.hypot(np.sqrt(np.average(errors**2, weights=counts) / len(counts)),
                                0.5 * value))  # fmt: skip
         self.add(name, "rad", value, error, f"width of the zone of divided pulses at "
-                 f"{int(counts.sum()):,} edges: of the part of the beam that is detected")  # fmt: skip
+                 f"{counted(int(counts.sum()), 'edge')}: of the part of the beam that is detected")  # fmt: skip
 
     # Values of strips
 

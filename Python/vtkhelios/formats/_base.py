@@ -27,6 +27,7 @@ from ..core.files import drop_part, keep_part, open_part, part_of
 from ..core.pipeline import MessageLog
 from ..core.systems import find_system
 from ..core.unfinished import set_unfinished
+from ..core.words import counted
 
 ROWS = 500_000  # points of a chunk
 
@@ -242,9 +243,11 @@ class Reader(_Closing):
     def _note_invalid(self, invalid, seen):
         for name, count in invalid.items():
             if name == "points":
-                note = f"{count:,} of {seen:,} points are not finite; they are dropped"
+                note = f"{count:,} of {counted(seen, 'point')} are not finite; they are dropped"
             else:
-                note = f"{name} is not finite at {count:,} of {seen:,} points, and is kept so"
+                note = (
+                    f"{name} is not finite at {count:,} of {counted(seen, 'point')}, and is kept so"
+                )
             if count and f"{self.path}: {note}" not in self.notes:
                 self.notes.append(f"{self.path}: {note}")
 

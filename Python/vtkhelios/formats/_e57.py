@@ -10,6 +10,7 @@ from ..array_names import (
     AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, RETURN_NUMBER, RGB,
 )  # fmt: skip
 from ..core.systems import Metres
+from ..core.words import counted
 from ._base import ROWS, Reader, Scan, guarded, need
 
 from ._e57_fields import (
@@ -81,7 +82,7 @@ class E57Reader(Reader):
         """Notes on what is not read, and on scans without a start."""
         if any(starts) and not all(starts):
             self.notes.append(
-                f"{self.path}: {starts.count(0.0)} of {len(starts)} scans have no acquisitionStart: "
+                f"{self.path}: {starts.count(0.0)} of {counted(len(starts), 'scan')} have no acquisitionStart: "
                 f"their times count from {self.header.epoch:.17g} s, as those of the first that has one"
             )
         unread = set().union(*(header.point_fields for header in headers)) - KNOWN
@@ -152,7 +153,7 @@ class E57Reader(Reader):
         directions, invalid = counts.pop("directions", 0), counts.pop("invalid", 0)
         if directions or invalid:
             self.notes.append(
-                f"{self.path}: {directions + invalid:,} points are marked as invalid ({directions:,} "
+                f"{self.path}: {counted(directions + invalid, 'point', 'are')} marked as invalid ({directions:,} "
                 f"pulses without an echo, {invalid:,} without coordinates); they are dropped"
             )
         clipped = counts.pop("clipped", 0)

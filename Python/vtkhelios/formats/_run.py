@@ -15,6 +15,7 @@ from ..core.run_files import (
     JOURNAL_NAME, POINTS, PULSES, SUMMARY_NAME, TRAJECTORY, WAVEFORMS, beside, is_epoch, kind_of,
     number_of, stem_of,
 )  # fmt: skip
+from ..core.words import counted
 from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
 from ._open import open_file
 from ._summary import read_summary
@@ -48,9 +49,7 @@ class RunReader(Reader):
             kind_of(path) == WAVEFORMS for path in self.folder.iterdir()
         )
         self.count = self._count()
-        self.kind = (
-            f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
-        )
+        self.kind = f"run of {counted(len(self.files), 'file')} of points ({pathlib.Path(self.files[0]).suffix})"
 
     def _names(self, kind):
         """Returns the files of a kind that the summary lists."""

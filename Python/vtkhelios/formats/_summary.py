@@ -6,6 +6,7 @@ import json
 
 from ..core.classes import vtk_class
 from ..core.json_files import JsonError, parse_json
+from ..core.words import counted
 from ._base import FormatError, check_file
 
 CURE = "run the survey again"
@@ -85,6 +86,12 @@ WHOLE = {
     "versions": {"VTK": _text, "vtkHelios": _text, "summary": _count},
 }  # fmt: skip
 
+# Keys that an accuracy has, if it was measured and is shown.
+MEASURED = dict.fromkeys(
+    ("rangeP50_m", "rangeP95_m", "missed", "invented", "missedAndInvented", "amplitudeRms")
+)
+ACCURACY = {**MEASURED, "pulses": None, "echoes": None, "without": None, "reference": MEASURED}
+
 # Required to find points; other keys are checked if present.
 FILES = {"legs": [{"files": [{"name": None, "records": None}]}]}
 # Also for reports.
@@ -141,6 +148,10 @@ def check_summary(summary, path, needed=FILES):
     try:
         _check(summary, WHOLE, "")
         _check_keys(summary, needed, "")
+        if needed is not FILES and "reason" not in (
+            accuracy := summary.get("accuracy") or {"reason"}
+        ):
+            _check_keys(accuracy, ACCURACY, "accuracy")
         _check_lengths(summary)
     except _Wrong as wrong:
         raise FormatError(f"{path}: {wrong}; {CURE}") from wrong
@@ -180,8 +191,8 @@ def _check_lengths(summary):
     times = summary.get("timings", {}).get("legs_s")
     if times is not None and len(times) != len(summary.get("legs", [])):
         raise _Wrong(
-            f"timings.legs_s has {len(times)} entries, but there are "
-            f"{len(summary.get('legs', []))} legs"
+            f"timings.legs_s has {len(times)} entries, for "
+            f"{counted(len(summary.get('legs', [])), 'leg')}"
         )
 
 

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkMath
 from ..array_names import AMPLITUDE, INTENSITY
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
+from ..core.words import counted
 from ._base import Header, Reader, Scan, StreamWriter, call, check_file, from_cloud, rows_of
 from ._intensity import IntensityScale
 
@@ -67,11 +68,11 @@ class TextReader(Reader):
         return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True)
 
     def read_chunks(self, rows):
-        begin, size, counted, seen, dropped = 0, 1, 0, 0, 0
+        begin, size, told, seen, dropped = 0, 1, 0, 0, 0
         while begin < size:
             cloud = self._update(begin, rows)
             begin, size = self._reader.GetEnd(), self._reader.GetFileSize()
-            counted += self._reader.GetNumberOfCounted()
+            told += self._reader.GetNumberOfCounted()
             dropped += self._reader.GetNumberOfDropped()
             self.scan = self._reader.GetScan()
             names = Header(cloud.GetFieldData()).part_names
@@ -83,16 +84,16 @@ class TextReader(Reader):
                 if INTENSITY in chunk:
                     self._scale.apply(chunk)
                 yield chunk
-        self._note_counts(counted, seen, dropped)
+        self._note_counts(told, seen, dropped)
 
-    def _note_counts(self, counted, seen, dropped):
+    def _note_counts(self, told, seen, dropped):
         notes = [self._scale.note] if self._scale.note else []
-        if counted and counted != seen:
+        if told and told != seen:
             notes.append(
-                f"has {seen:,} points, but its lines of numbers count {counted:,.0f}; is it whole?"
+                f"has {counted(seen, 'point')}, but its lines of numbers count {told:,.0f}; is it whole?"
             )
         if dropped:
-            notes.append(f"{dropped:,} points without a return (0 0 0) are dropped")
+            notes.append(f"{counted(dropped, 'point')} without a return (0 0 0) are dropped")
         self.notes += [
             f"{self.path}: {note}" for note in notes if f"{self.path}: {note}" not in self.notes
         ]

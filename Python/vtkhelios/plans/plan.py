@@ -21,6 +21,7 @@ from ..core.classes import vtk_class
 from ..core.paths import from_vtk
 from ..core.pipeline import perform, update
 from ..core.watching import Progress
+from ..core.words import counted
 from ..scenes.scene import has_instances
 from ..surveys.scanning import make_survey
 from ..surveys.survey import read_survey
@@ -182,7 +183,7 @@ class PlanTask:
         yield Step("finding test points", test_points, 0.15, 0.2)
         positions = candidates.GetOutput().GetNumberOfPoints()
         points = test_points.GetOutput().GetNumberOfPoints()
-        words = f"viewsheds of {positions:,} candidates, {points:,} test points"
+        words = f"viewsheds of {counted(positions, 'candidate')}, {counted(points, 'test point')}"
         yield Step(words, self.filters.GetViewsheds(), 0.2, 0.8)
         is_limited = self.settings["method"] == "optimal" and self.settings["time_limit"]
         limit = f", search limited to {self.settings['time_limit']:g} s" if is_limited else ""
@@ -305,7 +306,7 @@ class Plan:
         proof = "the fewest" if self.is_proved_optimal else f"at least {result['bestBound']}"
         return (
             f"Plan({self.name!r}: {len(self)} scan{'s'[: len(self) != 1]}, {proof} of "
-            f"{self.report['candidates']:,} candidates, cover {self.coverage:.2f} % of the "
+            f"{counted(self.report['candidates'], 'candidate')}, cover {self.coverage:.2f} % of the "
             f"{self.report['coverable']:,} coverable test points)"
         )
 

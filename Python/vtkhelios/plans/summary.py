@@ -16,6 +16,7 @@ from ..core.arrays import arrays
 from ..core.classes import version, vtk_class
 from ..core.paths import from_vtk
 from ..core.pipeline import update
+from ..core.words import counted
 from ..scenes.scene import has_instances
 from .settings import report_settings
 
@@ -194,7 +195,7 @@ def warn_of_roofs(plan):
         return None
     index, distance = raised[0]
     x, y, z = plan.positions[index]
-    count = f"{len(raised)} of {len(plan.positions)} positions"
+    count = f"{len(raised)} of {counted(len(plan.positions), 'position')}"
     return (
         f"{count} {'stand' if len(raised) > 1 else 'stands'} above another surface, as on a roof: "
         f"position {index + 1} at ({x:.2f}, {y:.2f}, {z:.2f}), {distance:.2f} m above it. No material "

@@ -16,6 +16,7 @@ from ..array_names import (
 from ..core.classes import vtk_class
 from ..core.files import drop_part, keep_part, open_part
 from ..core.systems import find_system
+from ..core.words import counted
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 
 from ..formats._names import (
@@ -322,7 +323,7 @@ class Conversion:
     def _check_count(self):
         if self.count == 0:
             raise formats.FormatError(
-                f"{self.output}: none of the {self.selection.seen:,} points is selected; choose "
+                f"{self.output}: none of the {counted(self.selection.seen, 'point')} is selected; choose "
                 "other --returns, --class or --every"
             )
 

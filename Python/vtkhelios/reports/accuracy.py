@@ -2,30 +2,76 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The accuracy of a run as text: from its summary, checked or not."""
 
+from ..core.words import counted, digits
+
 MILLIMETRES, PERCENT = (1e3, " mm"), (1e2, " %")
+
+
+MEASURES = (  # title, key, unit, tolerance
+    ("range error, median", "rangeP50_m", MILLIMETRES, None),
+    ("range error, 95th percentile", "rangeP95_m", MILLIMETRES, "rangeTolerance_m"),
+    ("missed echoes", "missed", PERCENT, None),
+    ("invented echoes", "invented", PERCENT, None),
+    ("missed and invented", "missedAndInvented", PERCENT, "energyTolerance"),
+    ("amplitude, RMS of a full footprint", "amplitudeRms", PERCENT, "energyTolerance"),
+)
+ASKED = (  # the measures that a tolerance bounds: text, key, unit, tolerance
+    ("95 % of the ranges within {}", "rangeP95_m", MILLIMETRES, "rangeTolerance_m"),
+    ("{} of the echoes missed or invented", "missedAndInvented", PERCENT, "energyTolerance"),
+    ("amplitudes within {} (RMS)", "amplitudeRms", PERCENT, "energyTolerance"),
+)
+
+
+def accuracy_line(accuracy):
+    """Returns the accuracy of a run as one line."""
+    if "reason" in accuracy:
+        return f"accuracy not measured: {accuracy['reason']}"
+    asked = accuracy.get("asked", {})
+    parts = []
+    for text, name, unit, tolerance in ASKED:
+        value, least, _ = accuracy[name]
+        own, wish = accuracy["reference"][name][0], asked.get(tolerance)
+        is_known = wish is None or max(own, 1e-9) <= wish
+        part = text.format(short(value, unit) if is_known else f"{short(own, unit)} or better")
+        parts.append(part + (" (more than asked)" if wish is not None and least > wish else ""))
+    wishes = ", ".join(short(asked[name], unit) for _, _, unit, name in ASKED if name in asked)
+    return (
+        f"accuracy {', '.join(parts)}; {f'asked {wishes}; ' if wishes else ''}"
+        f"from {counted(accuracy['echoes'], 'echo')}"
+    )
+
+
+def short(value, unit):
+    """Returns a number in a unit, to two digits; below a nanometre, or a billionth: 0."""
+    factor, own = unit
+    return digits(factor * value if value > 1e-9 else 0, 2) + own
 
 
 def accuracy_lines(accuracy):
     """Yields the measured errors, the tolerances, and the error of the reference itself."""
     if "reason" in accuracy:
-        yield f"accuracy not measured: {accuracy['reason']}"
+        yield accuracy_line(accuracy)
+        return
+    (_, head), *rows = accuracy_rows(accuracy)
+    yield f"accuracy of {head}"
+    for title, text in rows:
+        yield f"         {title + ':':36}{text}"
+
+
+def accuracy_rows(accuracy):
+    """Yields the rows of a page, or of a text: titles and values. None: not measured."""
+    if accuracy is None or "reason" in accuracy:
+        yield "accuracy", "not measured" if accuracy is None else accuracy["reason"]
         return
     reference, asked = accuracy["reference"], accuracy.get("asked", {})
     without = " and ".join(accuracy["without"])
     yield (
-        f"accuracy of {accuracy['echoes']:,} echoes of {accuracy['pulses']:,} pulses, computed again "
-        f"{_method(reference)}{f', without {without}' if without else ''}"
+        "accuracy",
+        f"{counted(accuracy['echoes'], 'echo')} of {counted(accuracy['pulses'], 'pulse')}, computed again "
+        f"{_method(reference)}{f', without {without}' if without else ''}",
     )
-    rows = (
-        ("range error, median", "rangeP50_m", MILLIMETRES, None),
-        ("range error, 95th percentile", "rangeP95_m", MILLIMETRES, "rangeTolerance_m"),
-        ("missed echoes", "missed", PERCENT, None),
-        ("invented echoes", "invented", PERCENT, None),
-        ("missed and invented", "missedAndInvented", PERCENT, "energyTolerance"),
-        ("amplitude, RMS of a full footprint", "amplitudeRms", PERCENT, "energyTolerance"),
-    )
-    for title, name, unit, tolerance in rows:
-        yield f"         {title + ':':36}{_result(accuracy, name, unit, asked.get(tolerance))}"
+    for title, name, unit, tolerance in MEASURES:
+        yield title, _result(accuracy, name, unit, asked.get(tolerance))
 
 
 def _method(reference):

@@ -6,6 +6,7 @@ import math
 
 from ..comparison.result import ROUNDING
 from ..core.classes import version
+from ..core.words import counted, describe_settings, digits
 from . import charts
 from .page import load_template, make_figure
 from .template import MACROS, STYLE
@@ -92,10 +93,10 @@ def parts_of(result):
 def comparison_lines(result):
     """Everything as text."""
     for name, side in (("A", result.a), ("B", result.b)):
-        yield f"{name:8} {side['name']}, {side['compared']:,} of {side['points']:,} points compared"
+        yield f"{name:8} {side['name']}, {side['compared']:,} of {counted(side['points'], 'point')} compared"
     settings = result.settings
     yield (
-        f"ground   {settings['tiles']} tiles of {settings['tile_m']:g} m, "
+        f"ground   {counted(settings['tiles'], 'tile')} of {digits(settings['tile_m'])} m, "
         f"{settings['commonTiles']} of them in both; cells of {settings['cell_m']:g} m"
     )
     if settings["sampledShare"] < 1:
@@ -153,7 +154,7 @@ def write_comparison_page(result):
         histograms=[_histogram(each) for each in result.histograms],
         absent=result.absent,
         notes=result.notes,
-        settings=[(name, str(value)) for name, value in result.settings.items()],
+        settings=describe_settings(result.settings),
     )
 
 

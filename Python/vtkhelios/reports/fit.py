@@ -4,6 +4,8 @@
 
 import math
 
+from ..core.words import counted
+
 NAME, VALUE, UNCERTAINTY = 28, 24, 12
 UNITS = {"rad": ("mrad", 1e3)}
 
@@ -31,7 +33,7 @@ def fit_lines(fit):
         duration = strip.times[-1] - strip.times[0]
         source = "" if strip.source is None else f", source {strip.source}"
         yield (
-            f"strip {strip.number}{source}: {strip.points:,} points of {strip.pulses:,} pulses in "
+            f"strip {strip.number}{source}: {counted(strip.points, 'point')} of {counted(strip.pulses, 'pulse')} in "
             f"{duration:.2f} s from {strip.times[0]:.3f} s"
         )
     for number in (None, *(strip.number for strip in fit.strips)):
@@ -49,7 +51,7 @@ def fit_lines(fit):
             unit = " deg" if row.of == "incidence" else ""
             yield (
                 f"  {row.of} {row.lower:.4g} to {row.upper:.4g}{unit}: {1e3 * row.noise:.1f} "
-                f"+- {1e3 * row.uncertainty:.1f} mm, {row.cells:,} planes"
+                f"+- {1e3 * row.uncertainty:.1f} mm, {counted(row.cells, 'plane')}"
             )
     yield ""
     yield "+- is the half width of a 95 % interval"

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The result of a flight plan as text."""
 
+from ..core.words import between, counted, digits, time_span
 from .plan import print_rows
 
 MAXIMUM_ROWS = 50
@@ -41,17 +42,20 @@ def flight_lines(report):
         f"{2 * scan['halfSwath_deg']:.1f} deg, {flight['swathWidth_m']:.4g} m"
     )
     height = predicted["flyingHeight_m"]
+    lines = counted(flight["lines"], "line")
+    if flight["lines"] > 1:
+        lines += f" every {digits(flight['lineSpacing_m'])} m"
     yield (
-        f"flight   {flight['lines']} lines every {flight['lineSpacing_m']:.4g} m, {flight['speed_m_s']:.4g} m/s; "
-        f"{height['minimum']:.4g} to {height['maximum']:.4g} m above ground"
+        f"flight   {lines}, {flight['speed_m_s']:.4g} m/s; "
+        f"{between(height['minimum'], height['maximum'], 'm')} above ground"
     )
     turns = (
         f"{flight['turnTime_s']:g} s"
         if flight["turnTime_s"]
-        else f"radius {flight['turnRadius_m']:.4g} m"
+        else f"radius {digits(flight['turnRadius_m'])} m"
     )
     yield (
-        f"time     {duration(flight['time_s'])}: lines {flight['lineLength_m'] / 1000:.4g} km, turns "
+        f"time     {time_span(flight['time_s'])}: lines {flight['lineLength_m'] / 1000:.4g} km, turns "
         f"{flight['turnLength_m'] / 1000:.4g} km ({turns})"
     )
     yield from predicted_lines(predicted)
@@ -61,7 +65,7 @@ def predicted_lines(predicted):
     strip, density = predicted["strip_1_m2"], predicted["density_1_m2"]
     yield (
         f"density  of a strip at least {strip['minimum']:.4g}, on average {predicted['meanOfStrips_1_m2']:.4g} "
-        f"pulses/m2; of all at least {density['minimum']:.4g}, on average {density['mean']:.4g}"
+        f"pulses/m²; of all at least {density['minimum']:.4g}, on average {density['mean']:.4g}"
     )
     if predicted["along_m"] is not None:
         yield (
@@ -69,16 +73,10 @@ def predicted_lines(predicted):
             "in a strip"
         )
     yield (
-        f"covered  {predicted['covered_percent']:.2f} % of {predicted['area_m2']:,.0f} m2, "
+        f"covered  {predicted['covered_percent']:.2f} % of {predicted['area_m2']:,.0f} m², "
         f"{predicted['overlap_percent']:.1f} % by two strips or more; {predicted['met_percent']:.2f} % with "
-        f"{predicted['required_1_m2']:.4g} pulses/m2 or more of one strip"
+        f"{predicted['required_1_m2']:.4g} pulses/m² or more of one strip"
     )
-
-
-def duration(seconds):
-    minutes, rest = divmod(round(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours} h {minutes:02} min" if hours else f"{minutes} min {rest:02} s"
 
 
 def lacks(report):
@@ -93,7 +91,7 @@ def lacks(report):
     if predicted["met_percent"] < 99:
         yield (
             f"{100 - predicted['met_percent']:.1f} % of the area has less than "
-            f"{predicted['required_1_m2']:.4g} pulses/m2 of one strip, on slopes or far below the lines; give "
+            f"{predicted['required_1_m2']:.4g} pulses/m² of one strip, on slopes or far below the lines; give "
             "--terrain-following, or lower --min-speed"
         )
     if predicted["flyingHeight_m"]["minimum"] < settings["nohd_m"] * (1 - 1e-9):
@@ -107,11 +105,11 @@ def check_lines(check):
     """Yields the result of a simulation."""
     predicted, simulated = check["predicted_1_m2"], check["simulated_1_m2"]
     yield (
-        f"check    {check['firstReturns']:,} first returns in {check['cells']:,} cells of {check['cell_m']:.3g} m: "
-        f"predicted {predicted['mean']:.4g}, simulated {simulated['mean']:.4g} pulses/m2 "
+        f"check    {check['firstReturns']:,} first returns in {counted(check['cells'], 'cell')} of {check['cell_m']:.3g} m: "
+        f"predicted {predicted['mean']:.4g}, simulated {simulated['mean']:.4g} pulses/m² "
         f"({check['bias_percent']:+.2f} %); least {predicted['minimum']:.4g} and {simulated['minimum']:.4g}"
     )
     yield (
         f"         95 % of the cells agree within {check['within95_percent']:.1f} %; {check['empty']:,} of "
-        f"{check['gapCells']:,} cells of {check['gapCell_m']:.3g} m have no return"
+        f"{counted(check['gapCells'], 'cell')} of {check['gapCell_m']:.3g} m have no return"
     )

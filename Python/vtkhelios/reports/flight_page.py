@@ -5,6 +5,7 @@
 
 from ..array_names import NUMBER_OF_STRIPS, PULSE_DENSITY
 from ..core.classes import version
+from ..core.words import between, counted, describe_settings, noun, time_span
 from . import page
 from .flight_picture import draw_density, draw_lines, draw_strips, load_charts
 from .page import make_figure
@@ -45,8 +46,8 @@ def write_page(plan, counts=None):
 def _tiles(plan, check):
     flight, predicted = plan.report["flight"], plan.report["predicted"]
     tiles = [
-        (f"{len(plan)}", "flight lines"),
-        (f"{flight['time_s'] / 60:.1f} min", "flight time with turns"),
+        (f"{len(plan)}", noun(len(plan), "flight line")),
+        (time_span(flight["time_s"]), "flight time with turns"),
         (f"{flight['speed_m_s']:.1f} m/s", "speed over the ground"),
         (f"{plan.design.pulse_frequency / 1000:g} kHz", "pulse frequency"),
         (f"{predicted['meanOfStrips_1_m2']:.3g} /m²", "predicted mean density of a strip"),
@@ -57,7 +58,9 @@ def _tiles(plan, check):
         tiles.insert(4, (f"{plan.design.scan_frequency:.4g} Hz", "scan frequency"))
     if check:
         tiles.append((f"{check['simulated_1_m2']['mean']:.3g} /m²", "simulated mean density"))
-        tiles.append((f"{check['empty']:,}", f"of {check['gapCells']:,} cells without a return"))
+        tiles.append(
+            (f"{check['empty']:,}", f"of {counted(check['gapCells'], 'cell')} without a return")
+        )
     return tiles
 
 
@@ -101,7 +104,7 @@ def _rows(plan):
             row["line"],
             f"{row['begin'][0]:.2f}, {row['begin'][1]:.2f}",
             f"{row['end'][0]:.2f}, {row['end'][1]:.2f}",
-            f"{row['lowest_m']:.1f} to {row['highest_m']:.1f}",
+            between(round(row["lowest_m"], 1), round(row["highest_m"], 1), "").strip(),
             f"{row['heading_deg']:.1f}",
             f"{row['length_m']:,.1f}",
             f"{row['time_s']:.1f}",
@@ -111,8 +114,7 @@ def _rows(plan):
 
 
 def _settings(plan):
-    given = {**plan.report["settings"], **plan.report["scan"]}
-    return [(name, str(value)) for name, value in given.items() if value is not None]
+    return describe_settings({**plan.report["settings"], **plan.report["scan"]})
 
 
 PAGE = """\

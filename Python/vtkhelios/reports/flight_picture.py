@@ -5,6 +5,7 @@
 import numpy as np
 
 from ..array_names import NUMBER_OF_STRIPS, PULSE_DENSITY
+from ..core.words import counted, time_span
 from . import charts
 
 SIZE = (12.5, 6.2)  # inches
@@ -38,7 +39,7 @@ def load_charts():
 def describe(plan):
     design, flight = plan.design, plan.pattern
     return (
-        f"{plan.name}: {len(plan)} lines, {flight['time_s'] / 60:.1f} min; {design.flying_height:.0f} m "
+        f"{plan.name}: {counted(len(plan), 'line')}, {time_span(flight['time_s'])}; {design.flying_height:.0f} m "
         f"above ground, {design.speed:.1f} m/s, {design.pulse_frequency / 1000:g} kHz"
     )
 

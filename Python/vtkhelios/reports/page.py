@@ -6,9 +6,10 @@ import base64
 
 from ..array_names import AMPLITUDE, RANGE
 from ..core.classes import version
-from ..core.words import duration
+from ..core.words import counted, noun, time_span
 from ..formats._classes import CLASSES
 from . import charts
+from .accuracy import accuracy_rows
 from .options import describe_options
 from .raster import Histogram, is_near
 from .run import describe_paths, describe_time, readable
@@ -46,6 +47,7 @@ def write_page(summary, figures, reader, cloud=None):
     return load_template().render(
         style=STYLE,
         summary=summary,
+        legs_with_pulses=counted(len(summary["legs"]), "leg"),
         version=version(),
         tiles=_tiles(summary, figures),
         cloud=cloud,
@@ -66,8 +68,8 @@ def _tiles(summary, figures):
     fired, hit = totals["pulsesFired"], totals["pulsesHit"]
     seconds = timings.get("parts_s", timings["run_s"])
     tiles = [
-        (f"{figures.count:,}", "points"),
-        (f"{fired:,}", "pulses fired"),
+        (f"{figures.count:,}", noun(figures.count, "point")),
+        (f"{fired:,}", f"{noun(fired, 'pulse')} emitted"),
         (f"{100 * hit / max(1, fired):.1f} %", "of the pulses with an echo"),
         (f"{figures.count / max(1, hit):.3f}", "echoes per pulse with an echo"),
         (f"{figures.mean_density():.4g} /m²", "point density of non-empty cells"),
@@ -77,7 +79,7 @@ def _tiles(summary, figures):
         tiles.append((f"{100 * figures.overlap():.1f} %", "overlap: covered by two legs or more"))
     is_joined = "parts_s" in timings
     rate = f"{fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"
-    tiles.append((duration(seconds) if seconds >= 60 else f"{seconds:.2f} s",
+    tiles.append((time_span(seconds),
                   "run time of the parts" if is_joined else f"run time, {rate}"))  # fmt: skip
     return tiles
 
@@ -186,6 +188,7 @@ def _settings(summary):
         ("pulses", describe_paths(summary["totals"])),
         ("ray caster", summary["rayCaster"]),
         ("time", f"{timings['load_s']:.2f} s to load; {describe_time(summary['totals'], timings)}"),
+        *accuracy_rows(summary.get("accuracy")),
         *describe_options(options),
         ("scene (SHA-256 of its triangles)", {"code": summary["scene"]}),
     ]  # fmt: skip

@@ -5,7 +5,8 @@
 import sys
 
 from ..core.streams import unfiltered
-from .run import counted, readable
+from ..core.words import counted
+from .run import readable
 
 try:
     from rich import box
@@ -66,7 +67,7 @@ def result_lines(report):
     result = report["result"]
     points = report["testPoints"]
     yield (
-        f"covered  {result['covered']:,} test points: "
+        f"covered  {counted(result['covered'], 'test point')}: "
         f"{result['coverableCoverage_percent']:.2f} % of the {report['coverable']:,} coverable "
         f"ones, {result['coverage_percent']:.2f} % of all {points:,}"
     )

@@ -3,8 +3,8 @@
 """A run, or its estimate, as text: from the report of the player."""
 
 from ..core.run_files import SUMMARY_NAME
-from ..core.words import duration
-from .accuracy import accuracy_lines
+from ..core.words import counted, time_span
+from .accuracy import accuracy_line, accuracy_lines
 
 MAXIMUM_LEGS = 20
 MAXIMUM_FILES = 12
@@ -14,31 +14,43 @@ COLUMNS = (  # columns of a table of legs: title, width, text
     ("start [s]", 12, lambda leg: f"{leg['start_s']:.3f}"),
     ("lasts [s]", 12, lambda leg: f"{leg['duration_s']:.3f}"),
     ("pulses", 15, lambda leg: f"{leg['pulses']:,}"),
-    ("fired", 15, lambda leg: f"{leg['pulsesFired']:,}"),
+    ("emitted", 15, lambda leg: f"{leg['pulsesFired']:,}"),
     ("points", 15, lambda leg: f"{leg['points']:,}"),
 )
 
 
-def summary_lines(report, folder):
-    """Yields a finished run."""
+def summary_lines(report, folder, is_verbose=False):
+    """Yields a finished run; in detail also versions, how pulses were sampled, and all of the accuracy."""
     totals, timings = report["totals"], report["timings"]
     versions = report["versions"]
-    yield (
-        f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
-        f"ray caster {report['rayCaster']}"
-    )
-    yield f"sampling {report['sampling']}"
+    if is_verbose:
+        yield (
+            f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
+            f"ray caster {report['rayCaster']}"
+        )
+    yield f"sampling {describe_sampling(report, is_verbose)}"
     if len(report["legs"]) > 1:
         is_joined = "parts_s" in timings  # its legs were computed in the parts
         times = [] if is_joined else [("time [s]", 10, timings["legs_s"])]
         yield from table_lines(report["legs"], times)
-    yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
+    echoes = totals["firstReturns"]
+    share = 100 * echoes / max(1, totals["pulsesFired"])
+    yield f"pulses   {totals['pulsesFired']:,} emitted, {echoes:,} with an echo ({share:.1f} %)"
+    if is_verbose:
+        yield f"         {describe_paths(totals)}"
     yield from unresolved_lines(totals)
     yield f"points   {totals['points']:,} ({totals['firstReturns']:,} first returns)"
     yield f"time     {describe_time(totals, timings)}; {timings['load_s']:.2f} s to load the scene"
     yield from file_lines(report["legs"], folder)
-    if "accuracy" in report:
+    if "accuracy" in report and is_verbose:
         yield from accuracy_lines(report["accuracy"])
+    elif "accuracy" in report:
+        yield accuracy_line(report["accuracy"])
+
+
+def describe_sampling(report, is_verbose):
+    """Returns how beams are sampled: the method alone, or with its limits."""
+    return report["sampling"] if is_verbose else report["sampling"].partition(";")[0]
 
 
 def describe_time(totals, timings):
@@ -64,21 +76,20 @@ def file_lines(legs, folder):
         yield f"{'' if index else 'files':8} {line}"
 
 
-def estimate_lines(report):
+def estimate_lines(report, is_verbose=False):
     """Yields an estimated run."""
     totals = report["totals"]
-    yield f"sampling {report['sampling']}"
+    yield f"sampling {describe_sampling(report, is_verbose)}"
     sizes = [readable(leg["bytes"]) for leg in report["legs"]]
     yield from table_lines(report["legs"], [("bytes", 12, sizes)])
     share = totals["pulsesSampled"] / max(1, totals["pulses"])
     yield f"legs     {len(report['legs'])}, {totals['duration_s']:.3f} s"
-    yield f"pulses   {totals['pulses']:,}, {totals['pulsesFired']:,} of them fired"
+    yield f"pulses   {totals['pulses']:,}, {totals['pulsesFired']:,} of them emitted"
     yield f"points   {totals['points']:,}"
     yield f"files    {readable(totals['bytes'])}"
     yield f"memory   {readable(report['memory_bytes'])}"
     yield (
-        f"time     {duration(report['load_s'] + report['run_s'])} "
-        f"({(report['load_s'] + report['run_s']) / 60:.2f} minutes) "
+        f"time     {time_span(report['load_s'] + report['run_s'])} "
         f"with {counted(report['threads'], 'thread')}"
     )
     yield f"         estimated from {100 * share:.0f} % of the pulses; nothing was written"
@@ -110,7 +121,7 @@ def epochs_lines(joined):
     if "parts_s" in timings:
         yield f"time     {timings['parts_s']:.2f} s in the parts, {seconds:.2f} s to join them"
     else:
-        yield f"time     {duration(seconds)} ({seconds / 60:.2f} minutes)"
+        yield f"time     {time_span(seconds)}"
 
 
 def table_lines(legs, more):
@@ -137,11 +148,11 @@ def describe_paths(totals):
     """How pulses were sampled, and their cost."""
     pulses = totals["pulsesFired"]
     ways = {
-        "planar": totals["pulsesOnPlane"],
-        "without bins": totals["pulsesWithoutBins"],
-        "binned": totals["pulsesBinned"],
+        "with a planar footprint": totals["pulsesOnPlane"],
+        "in closed form": totals["pulsesWithoutBins"],
+        "with a binned waveform": totals["pulsesBinned"],
     }
-    ways["without hits"] = pulses - sum(ways.values())
+    ways["without a hit"] = pulses - sum(ways.values())
     counts = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
     return f"{counts or 'none'}; {totals['subRays'] / max(1, pulses):.1f} sub-rays per pulse"
 
@@ -155,11 +166,6 @@ def unresolved_lines(totals):
             f"         {count:,} of them ({share:.2g} %) need more sub-rays for the tolerances: "
             "give --max-sub-rays"
         )
-
-
-def counted(number, what):
-    """1 thread, 2 threads."""
-    return f"{number} {what}{'s'[: number != 1]}"
 
 
 def readable(size):

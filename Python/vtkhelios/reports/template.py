@@ -60,14 +60,14 @@ PAGE = (
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{{ summary.survey }}: report of a run</title><style>{{ style | safe }}</style></head><body>
 <h1>{{ summary.survey }}</h1>
-<p class="lead">Simulated survey of {{ summary.legs | length }} legs with pulses, by vtkHelios \
+<p class="lead">Simulated survey of {{ legs_with_pulses }} with pulses, by vtkHelios \
 {{ summary.versions.vtkHelios }} (this page: {{ version }}), VTK {{ summary.versions.VTK }}.</p>
 <div class="tiles">
 {%- for value, name in tiles -%}
 <div class="tile"><b>{{ value }}</b><span>{{ name }}</span></div>
 {%- endfor -%}
 </div>
-{%- if cloud %}<p><a href="{{ cloud.href }}">The point cloud</a>: {{ cloud.points }} points, {{ cloud.size }}, \
+{%- if cloud %}<p><a href="{{ cloud.href }}">The point cloud</a>: {{ cloud.points }} {{ "point" if cloud.points == "1" else "points" }}, {{ cloud.size }}, \
 a file beside this one.</p>{% endif %}
 <h2>Plan view</h2>
 {{ charts(maps) }}<p class="note">Coverage is the fraction of non-empty cells among all cells \

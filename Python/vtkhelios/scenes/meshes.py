@@ -18,6 +18,7 @@ from ..array_names import (
 )  # fmt: skip
 from ..core.classes import vtk_classes
 from ..core.pipeline import PipelineError, update
+from ..core.words import counted
 from .scene import has_instances
 
 
@@ -41,7 +42,7 @@ def find_groups(scene):
         members.setdefault(stem, []).append((int(index), int(count), name or stem))
     groups = []
     for stem, parts in members.items():
-        name = parts[0][2] if len(parts) == 1 else f"{stem} ({len(parts)} parts)"
+        name = parts[0][2] if len(parts) == 1 else f"{stem} ({counted(len(parts), 'part')})"
         indices, counts = tuple(part[0] for part in parts), sum(part[1] for part in parts)
         groups.append(Group(name, indices, counts))
     return sorted(groups, key=lambda group: -group.triangles)

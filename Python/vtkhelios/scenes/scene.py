@@ -25,6 +25,7 @@ from ..core.classes import vtk_class
 from ..core.paths import to_vtk
 from ..core.pipeline import MessageLog, conclude, update
 from ..core.views import data_of
+from ..core.words import counted
 from ..exchange._clouds import scene_to_pyvista
 from ..exchange._polydata import read_polydata, triangulate
 
@@ -178,7 +179,7 @@ class Scene:
             return "Scene(no triangles)"
         low, high = self.bounds
         box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
-        return f"Scene({len(self):,} triangles, {box} m)"
+        return f"Scene({counted(len(self), 'triangle')}, {box} m)"
 
 
 def has_instances(polydata):

@@ -27,6 +27,7 @@ from ..core.properties import set_properties
 from ..core.reading import make_reader, missing_folder
 from ..core.views import data_of
 from ..core.watching import Progress
+from ..core.words import counted
 from ..scenes.scene import Scene, add_parts
 from .items import Leg, Legs, Parts, change
 from .options import in_python
@@ -390,7 +391,7 @@ class Survey:
         )
         return (
             f"Survey({self.name!r}: {scanner} on {platform}, "
-            f"{len(legs)} legs, {active} active, scene {scene!r})"
+            f"{counted(len(legs), 'leg')}, {active} active, scene {scene!r})"
         )
 
     def _repr_html_(self):

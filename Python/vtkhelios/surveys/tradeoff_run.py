@@ -8,6 +8,7 @@ import numpy as np
 
 from ..array_names import PART_IDS
 from ..core.classes import vtk_class, vtk_classes
+from ..core.words import counted
 from ..scenes import meshes as meshes
 from ..scenes.scene import count_triangles, flatten, has_instances
 from . import tradeoff as kinds
@@ -188,7 +189,7 @@ class _Run:
             self._absent.append("simplified meshes: this build has no CGAL")
         elif count > MAXIMUM_TRIANGLES:
             self._absent.append(
-                f"simplified meshes: the scene has {count:,} triangles, and at most "
+                f"simplified meshes: the scene has {counted(count, 'triangle')}, and at most "
                 f"{MAXIMUM_TRIANGLES:,} are simplified here"
             )
         elif count > 0:
@@ -211,7 +212,7 @@ class _Run:
         name = f"mesh within {1e3 * distance:g} mm"
         self._step.begin(name)
         detail = (
-            f"{mesh.GetNumberOfPolys():,} of {self._scene.GetNumberOfPolys():,} triangles, "
+            f"{mesh.GetNumberOfPolys():,} of {counted(self._scene.GetNumberOfPolys(), 'triangle')}, "
             f"verified {1e3 * verified:.3g} mm"
         )
         return self._measure(name, kinds.MESH, {}, reference, detail, mesh=mesh)
@@ -288,7 +289,7 @@ class _Run:
         mesh = meshes.without_parts(self._scene, group.ids)
         cloud, _ = self._sampler.run(mesh=mesh)
         share = 100 * (1 - len(others) / len(whole))
-        detail = f"{group.triangles:,} triangles, {share:.3g} % of the echoes"
+        detail = f"{counted(group.triangles, 'triangle')}, {share:.3g} % of the echoes"
         name = f"without {group.name}"
         return self._compare_part(name, kinds.SCENE_PART, {}, cloud, others, detail, mesh=mesh)
 
@@ -299,7 +300,7 @@ class _Run:
         if saved <= 0:
             return []
         cloud, _ = self._sampler.run(mesh=mesh)
-        detail = f"{group.triangles - saved:,} of {group.triangles:,} triangles"
+        detail = f"{group.triangles - saved:,} of {counted(group.triangles, 'triangle')}"
         name = f"{group.name} within {1e3 * PART_DISTANCE:g} mm"
         row = self._compare_part(name, kinds.SCENE_PART, {}, cloud, whole, detail, mesh=mesh)
         return [row]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTexture.h"
 
+#include "heliosCounted.h"
 #include "heliosImage.h"
 #include "heliosMaterialTable.h"
 #include "heliosMemoryCheck.h"
@@ -50,9 +51,8 @@ Status CheckMemoryOf(const std::vector<ImageHeader>& images)
     pixels += image.CountPixels();
     extra = std::max(extra, (image.BytesPerPixel - kept) * image.CountPixels());
   }
-  const std::string count = std::to_string(images.size());
-  return CheckMemory("pixels of " + count + (images.size() == 1 ? " texture" : " textures"), pixels,
-    kept + extra / std::max(1.0, pixels));
+  const std::string textures = Counted(static_cast<std::int64_t>(images.size()), "texture");
+  return CheckMemory("pixels of " + textures, pixels, kept + extra / std::max(1.0, pixels));
 }
 
 } // namespace

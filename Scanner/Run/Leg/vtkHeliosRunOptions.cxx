@@ -172,7 +172,7 @@ const std::vector<OptionRow>& GetOptionRows()
     "the survey's, else 0)" },
   { &RunOptions::Noise, "Noise", "noise", "noise", Listing::Always,
     "noise", "on off", "", "--no-noise", "",
-    "ranges without the scanner's noise" },
+    "no noise of ranges, directions, detector, platform and legs" },
   { &RunOptions::AccuracyReport, "AccuracyReport", "accuracy_report", "", Listing::Elsewhere,
     "", "", "", "--no-accuracy-report", "",
     "do not compute 200 to 1000 of the pulses again to measure the accuracy of the run" },

@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether ranges have the scanner's noise. Default: on.
+   * Set/Get whether there is noise: of ranges, directions, detector, platform and legs. Default: on.
    */
   vtkSetMacro(Noise, bool);
   vtkGetMacro(Noise, bool);

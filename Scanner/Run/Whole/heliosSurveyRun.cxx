@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSurveyRun.h"
 
+#include "heliosCounted.h"
 #include "heliosNoEchoes.h"
 #include "heliosRankServer.h"
 #include "heliosRunAccuracy.h"
@@ -377,7 +378,7 @@ bool SurveyRun::Conclude()
   }
   this->State.Report = ToText(summary);
   Sentence text;
-  text << counts.Echoes << " points from " << counts.Pulses << " pulses "
+  text << Counted(counts.Echoes, "point") << " from " << Counted(counts.Pulses, "pulse") << " "
        << (isPart ? "of part " + this->Settings.Part.GetText() + " " : "") << "are in "
        << this->Settings.Folder << ".";
   this->State.Message = text.str();
@@ -395,7 +396,7 @@ bool SurveyRun::ConcludeFinished()
   this->SetCounts(counts);
   Sentence text;
   text << "Nothing is left to do: the run in " << this->Settings.Folder << " is finished, with "
-       << counts.Echoes << " points from " << counts.Pulses << " pulses.";
+       << Counted(counts.Echoes, "point") << " from " << Counted(counts.Pulses, "pulse") << ".";
   this->State.Message = text.str();
   return true;
 }

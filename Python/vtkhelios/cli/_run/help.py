@@ -51,16 +51,16 @@ beam sampling:
   adaptive, to the tolerances (1 mm for 95 % of the ranges, 1 % of the amplitudes and echoes): a
   closed form for planar footprints, the visible areas of all surfaces in other beams, and samples
   in beams of more than 512 surfaces, until successive answers agree or there are --max-sub-rays of
-  them. --range-tolerance and --energy-tolerance, or --sub-rays, override the survey. The end of a
-  run prints the statistics. See Docs/instrument.md.
+  them. --range-tolerance and --energy-tolerance, or --sub-rays, override the survey. --verbose prints
+  the statistics. See Docs/instrument.md.
 
 accuracy:
   At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again at a tenth of
-  the tolerances, and prints the difference: median and 95th percentile of the range error, missed
-  and invented echoes and the RMS of the amplitude, each with its 95 % confidence interval, beside
-  what was asked and beside the error of this reference itself, some of whose pulses are checked with
-  32,768 sub-rays. What it cannot tell, it says. run_summary.json has it as "accuracy".
-  Noise and turbid voxels are left out. The point files do not depend on it.
+  the tolerances, and prints the difference: the 95th percentile of the range error, missed and
+  invented echoes, and the RMS of the amplitude, beside what was asked. --verbose prints all measures
+  with their 95 % confidence intervals, and the error of this reference itself, some of whose pulses
+  are checked with 32,768 sub-rays; run_summary.json has them as "accuracy". What cannot be told is
+  said. Noise and turbid voxels are left out. The point files do not depend on it.
 
 where files are searched: absolute names are used unchanged; others in every --assets folder in
 order, the folder of the survey, the working directory, and the data shipped with vtkHelios.

@@ -8,6 +8,7 @@ import sys
 from ... import formats
 from ...core.files import cannot_be_written, write_whole
 from ...core.pipeline import PipelineError
+from ...core.words import counted
 from ...reports.run import readable
 from ...surveys.survey import read_survey
 from ...webcloud import LIMIT, Contents
@@ -86,7 +87,7 @@ def _write(arguments, messages):
     set_outcome(f"{page} is written")
     shown = min(contents.sample.limit, contents.sample.count)
     messages.info(
-        f"page     {page} ({readable(page.stat().st_size)}), {shown:,} of {contents.sample.count:,} points"
+        f"page     {page} ({readable(page.stat().st_size)}), {shown:,} of {counted(contents.sample.count, 'point')}"
     )
     return 0
 

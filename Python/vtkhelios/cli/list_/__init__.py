@@ -5,6 +5,7 @@
 import json
 
 from ...core.reading import missing_folder
+from ...core.words import counted
 from .._messages import Messages
 from .._reading import add_assets_argument
 from . import _platforms, _scanners, _scenes
@@ -69,5 +70,5 @@ def list_entries(kind, text, assets, as_json, messages):
     widths = [max(len(row[k]) for row in rows) for k in range(len(module.COLUMNS))]
     for row in rows:
         messages.info("  ".join(map(str.ljust, row, widths)).rstrip())
-    messages.info(f"{len(found)} {kind}. {module.LEGEND}")
+    messages.info(f"{counted(len(found), kind.removesuffix('s'))}. {module.LEGEND}")
     return 0
