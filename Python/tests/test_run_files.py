@@ -70,4 +70,6 @@ def test_facts_of_a_run():
         "run.journal",
         ".part",
     )
-    assert files.is_epoch(pathlib.Path("a/epoch012")) and not files.is_epoch(pathlib.Path("a/epoch"))
+    assert files.is_epoch(pathlib.Path("a/epoch012")) and not files.is_epoch(
+        pathlib.Path("a/epoch")
+    )

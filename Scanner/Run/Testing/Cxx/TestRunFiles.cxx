@@ -94,7 +94,7 @@ TEST_CASE("RunFiles: folders of epochs, journal and summary", "[RunFiles]")
   CHECK(Files::GetPartName(12, 1000) == "part012of1000");
   CHECK_FALSE(Files::IsOfLeg(Files::GetPartName(2, 4)));
   CHECK(Files::GetEpoch("epoch007") == 7);
-  CHECK(Files::GetEpoch("play007") == 7); // of earlier versions
+  CHECK(Files::GetEpoch("play007") == 7); // earlier versions wrote it
   for (const char* name :
     { "", "epoch", "epoch7", "epoch-07", "epoch0007", "epochs007", "epoch007x", "play7" })
   {

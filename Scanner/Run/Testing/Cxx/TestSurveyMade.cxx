@@ -229,9 +229,8 @@ TEST_CASE("SurveyMade: scanners, channels and platforms from nothing", "[SurveyM
   CHECK(survey->GetNumberOfChannels(0) == 2);
   CHECK(survey->AddLeg() == 0);
   CHECK_FALSE(survey->Check());
-  CHECK(
-    making.Log->HasError(
-      "scanner 0, channel 0: scanner own, channel 0: scanAngleMax_deg is missing or 0"));
+  CHECK(making.Log->HasError(
+    "scanner 0, channel 0: scanner own, channel 0: scanAngleMax_deg is missing or 0"));
   CHECK(survey->SetScannerAttribute(0, "scanAngleMax_deg", "60"));
   CHECK(survey->SetScannerAttribute(0, "rangeTolerance_m", "0.002"));
   CHECK(survey->SetScannerAttribute(0, "beamSampleQuality", "3"));

@@ -421,8 +421,8 @@ TEST_CASE("SurveyElements: errors of elements name their path", "[SurveyElements
   fails("objloader/filepath", "none.obj", "part 0: objloader/filepath=\"none.obj\": no such file");
   fails("swap/xyzloader/matfile", "none.mtl",
     "part 0: swap/xyzloader/matfile=\"none.mtl\": no such file");
-  fails("xyzloader/voxelSize", "1",
-    "part 0: its loader is objloader, not xyzloader; add another part");
+  fails(
+    "xyzloader/voxelSize", "1", "part 0: its loader is objloader, not xyzloader; add another part");
   CHECK(made->GetPartAttribute(0, "dmotion/loop").empty()); // nothing was set
   CHECK(made->GetPartAttribute(0, "repair").empty());
   CHECK_FALSE(bench.Set("leg", "trajectory", "none.txt"));

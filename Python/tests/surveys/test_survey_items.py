@@ -14,7 +14,7 @@ from vtkhelios.example_surveys import KINDS, write_example
 
 FLAT = "v -60 -60 0\nv 60 -60 0\nv 60 60 0\nv -60 60 0\nf 1 2 3 4\n"
 TRIPOD = dict(scan_frequency=100, vertical=(-40, 60), head=(0, 30), head_speed=60)
-ROOT = pathlib.Path(__file__).parents[2]
+ROOT = pathlib.Path(__file__).parents[3]
 OTHERS = pathlib.Path(os.environ.get("HELIOS_DATA") or ROOT.parent / "shared/data") / "helios"
 
 
@@ -89,9 +89,9 @@ def test_parts_are_a_list(survey, tmp_path):
     assert [part.name for part in survey.parts] == ["0", "tree"]
     with pytest.raises(
         AttributeError,
-        match="clasification is not an attribute of a part; did you mean classification?",
+        match="classificatoin is not an attribute of a part; did you mean classification?",
     ):
-        survey.parts[0].clasification = 3
+        survey.parts[0].classificatoin = 3
     with pytest.raises(vtkhelios.PipelineError, match="did you mean motion?"):
         survey.parts.append(
             tmp_path / "car.obj", dmotion={"loop": 0, "moton": {"type": "identity"}}
