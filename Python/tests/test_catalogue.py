@@ -157,7 +157,7 @@ def test_list(capsys):
         "instruments/riegl.xml#riegl_vz400i RIEGL VZ-400i terrestrial, rotating 100-1200 100 0.35"
     )
     assert " ".join(line.split()).startswith(f"{words} RIEGL VZ-400i data sheet")
-    assert end.startswith("1 scanners. kHz: ")
+    assert end.startswith("1 scanner. kHz: ")
 
 
 def test_list_of_channels_and_of_all(capsys):

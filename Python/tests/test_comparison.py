@@ -286,7 +286,7 @@ def test_lines_of_mirrors(mirror):
 def test_one_point_and_few_points_are_not_measured():
     one = np.array([[1.0, 2.0, 3.0]])
     result = vtkhelios.compare(one, one)
-    assert "nearest-neighbour spacing: ndarray of 1 points has one point" in result.absent
+    assert "nearest-neighbour spacing: ndarray of 1 point has one point" in result.absent
     assert all(row.agrees is None for row in result.rows)
     json.loads(result.to_json())
     result = vtkhelios.compare(one, make_survey(1))

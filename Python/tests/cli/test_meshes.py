@@ -58,11 +58,11 @@ def test_info_of_a_mesh_as_text(call):
         "z          0.000 to 0.000 m",
         "crs        EPSG:7415 (Amersfoort / RD New + NAP height)",
         "area       12 m²",
-        "material   Building: 1 triangles, 6 m², class 6",
-        "material   Road: 1 triangles, 6 m², class 11, ground",
+        "material   Building: 1 triangle, 6 m², class 6",
+        "material   Road: 1 triangle, 6 m², class 11, ground",
         "parts      2",
-        "part       Building: 1 triangles, 6 m²",
-        "part       Road: 1 triangles, 6 m²",
+        "part       Building: 1 triangle, 6 m²",
+        "part       Road: 1 triangle, 6 m²",
     ]
 
 
@@ -70,7 +70,7 @@ def test_info_of_many_parts_shows_the_first(call, tmp_path):
     objects = {f"house {i:02}": CITY["CityObjects"]["Building"] for i in range(13)}
     (tmp_path / "many.city.json").write_text(json.dumps({**CITY, "CityObjects": objects}))
     lines = call("info", "many.city.json")[1].splitlines()
-    assert lines[-12:-10] == ["parts      13", "part       house 00: 1 triangles, 6 m²"]
+    assert lines[-12:-10] == ["parts      13", "part       house 00: 1 triangle, 6 m²"]
     assert lines[-1] == "           and 3 more; --json lists all"
     facts = json.loads(call("info", "many.city.json", "--json")[1])
     assert len(facts["parts"]) == 13
@@ -97,7 +97,7 @@ def test_info_of_reflectances(call, tmp_path):
         "mtllib a.mtl\nusemtl leaf\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
     )
     out = call("info", "a.obj")[1]
-    assert "material   leaf: 1 triangles, 0.5 m², reflectance 0.25, class 0\n" in out
+    assert "material   leaf: 1 triangle, 0.5 m², reflectance 0.25, class 0\n" in out
 
 
 def test_ply_without_faces_is_a_cloud(call):

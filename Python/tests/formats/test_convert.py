@@ -583,7 +583,7 @@ def test_points_that_are_not_finite_can_be_skipped(convert, tmp_path):
     with formats.open_writer(tmp_path / "a.ply") as writer:
         writer.write({"points": np.array([[0, 0, 0], [np.nan, 0, 0], [1, 1, 1.0]])})
     code, out, _ = convert(tmp_path / "a.ply", tmp_path / "b.las", "--skip-invalid")
-    assert code == 0 and "skipped  1 points that are not finite" in out
+    assert code == 0 and "skipped  1 point that are not finite" in out
     assert read(tmp_path / "b.las")["points"].tolist() == [[0, 0, 0], [1, 1, 1]]
 
 

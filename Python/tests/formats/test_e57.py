@@ -160,7 +160,7 @@ def test_values_marked_as_invalid_are_counted(tmp_path):
     assert back["GpsTime"].tolist() == [5, 0, 0]
     assert back["RGB"][:, 0].tolist() == [0, 1, 1]
     text = "\n".join(reader.notes)
-    assert "3 points are marked as invalid (1 pulses without an echo, 2 without coord" in text
+    assert "3 points are marked as invalid (1 pulse without an echo, 2 without coord" in text
     assert "1 intensities are marked as invalid: read as 0" in text
     assert "2 time stamps are marked as invalid: read as 0" in text
     assert "1 colours are marked as invalid: read as 0" in text
@@ -177,7 +177,7 @@ def test_spherical_points_marked_as_invalid_are_dropped(tmp_path):
     write_scans(tmp_path / "a.e57", (fields, {}))
     reader, back = read(tmp_path / "a.e57")
     assert back["points"].tolist() == [[2, 0, 0]]
-    assert "1 points are marked as invalid" in reader.notes[0]
+    assert "1 point is marked as invalid" in reader.notes[0]
 
 
 def start_of(seconds):

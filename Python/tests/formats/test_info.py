@@ -188,9 +188,9 @@ def test_unusual_points(tmp_path, info):
         )
     _, facts, _ = info(tmp_path / "a.ply")
     assert facts["warnings"] == [
-        "1 points are not finite; vtkhelios convert --skip-invalid drops them",
-        "1 points have a return number above their number of returns",
-        "1 points have the return number 0",
+        "1 point is not finite; vtkhelios convert --skip-invalid drops them",
+        "1 point has a return number above their number of returns",
+        "1 point has the return number 0",
         "GPS times decrease 1 times from point to point: points are not in order of measurement",
     ]
 

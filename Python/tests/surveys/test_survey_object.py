@@ -32,7 +32,7 @@ def three():
 def test_read(survey):
     assert repr(survey) == (
         "Survey('plane': Terrestrial polygon mirror (RIEGL VZ-400 class) on Tripod, "
-        "1 legs, 1 active, scene 'plane')"
+        "1 leg, 1 active, scene 'plane')"
     )
     assert survey.legs[0].position == (0, 0, 2) and survey.legs[0].pulse_frequency == 100_000
     assert survey.number_of_pulses == 50_000 and survey.leg_pulses(0) == (0, 50_000)

@@ -15,6 +15,7 @@ import vtkhelios
 from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS, RETURN_NUMBER
 from ..core.reading import make_reader
 from ..core.run_files import POINTS, file_of_leg
+from ..core.words import counted
 from ._progress import make_progress
 from ._stopping import Interrupted, StopRequest, run_player, set_outcome
 
@@ -198,9 +199,9 @@ def check_lines(check, tolerance):
     """Yields the result of the comparison."""
     yield (
         f"check    predicted {check['predicted_percent']:.2f} %, simulated "
-        f"{check['simulated_percent']:.2f} % of the coverable test points, by {check['echoes']:,} "
-        f"echoes; {check['predictedNotMet']:,} false positives, {check['metNotPredicted']:,} "
-        "false negatives"
+        f"{check['simulated_percent']:.2f} % of the coverable test points, by "
+        f"{counted(check['echoes'], 'echo')}; {counted(check['predictedNotMet'], 'false positive')}, "
+        f"{counted(check['metNotPredicted'], 'false negative')}"
     )
     if check["coarse_percent"] > 1:
         yield (

@@ -14,6 +14,7 @@ import typing
 import numpy as np
 
 from ..array_names import SCAN_ANGLE
+from ..core.words import counted
 from ._smooth import Knots
 
 FEWEST = 50  # lines of a strip
@@ -105,8 +106,8 @@ def find_track(pulses):
     beams = beams_of_returns(pulses)
     if beams is not None:
         knots = make_knots(pulses.times)
-        return track_of(beams, knots, f"lines through first and last return of {len(beams.times):,} "
-                        "pulses"), True  # fmt: skip
+        return track_of(beams, knots, f"lines through first and last return of "
+                        f"{counted(len(beams.times), 'pulse')}"), True  # fmt: skip
     track = track_by_angles(pulses)
     return None if track is None else (track, False)
 

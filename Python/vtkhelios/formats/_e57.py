@@ -153,8 +153,8 @@ class E57Reader(Reader):
         directions, invalid = counts.pop("directions", 0), counts.pop("invalid", 0)
         if directions or invalid:
             self.notes.append(
-                f"{self.path}: {counted(directions + invalid, 'point', 'are')} marked as invalid ({directions:,} "
-                f"pulses without an echo, {invalid:,} without coordinates); they are dropped"
+                f"{self.path}: {counted(directions + invalid, 'point', 'are')} marked as invalid "
+                f"({counted(directions, 'pulse')} without an echo, {invalid:,} without coordinates); they are dropped"
             )
         clipped = counts.pop("clipped", 0)
         if clipped:

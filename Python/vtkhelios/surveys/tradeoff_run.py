@@ -150,8 +150,8 @@ class _Run:
         self._step.begin(name)
         if kind == kinds.RAY_CASTER and choice["ray_caster"] != "beam" and self._is_huge():
             self._absent.append(
-                f"{name}: it copies instances, and the scene has {count_triangles(self._scene):,} "
-                f"triangles with them; at most {MAXIMUM_COPIED:,} are copied here"
+                f"{name}: it copies instances, and the scene has "
+                f"{counted(count_triangles(self._scene), 'triangle')} with them; at most {MAXIMUM_COPIED:,} are copied here"
             )
             return None
         if kind == kinds.BINS:
