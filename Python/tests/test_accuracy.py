@@ -164,7 +164,7 @@ def test_what_the_reference_cannot_tell_is_no_number(fence, tmp_path):
     accuracy["missedAndInvented"] = [0.03, 0.02, 0.04]
     assert "3 % of the echoes missed or invented (more than asked), " in accuracy_line(accuracy)
     assert accuracy_line(accuracy | {"echoes": 1}).endswith("; asked 1 mm, 1 %, 1 %; from 1 echo")
-    del accuracy["asked"]  # a fixed number of sub-rays has none
+    del accuracy["asked"]  # like a fixed number of sub-rays
     assert "asked" not in accuracy_line(accuracy)
 
 

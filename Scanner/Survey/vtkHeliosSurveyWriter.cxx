@@ -132,7 +132,7 @@ bool vtkHeliosSurveyWriter::Internals::CheckPositions()
     const double* p = this->Positions->GetPoint(i);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
-      helios::Sentence text;
+      helios::MessageBuilder text;
       text << this->Writer->FileName << ": not written: position " << i << " is (" << p[0] << ", "
            << p[1] << ", " << p[2] << "); give finite coordinates";
       return this->Fail(text.str());
@@ -149,7 +149,7 @@ bool vtkHeliosSurveyWriter::Internals::CheckSpeeds()
     const double speed = this->Speeds->GetTuple1(i);
     if (!(std::isfinite(speed) && speed > 0.0))
     {
-      helios::Sentence text;
+      helios::MessageBuilder text;
       text << this->Writer->FileName << ": not written: " << vtkHeliosArrayNames::Speed
            << " of waypoint " << i << " is " << speed << " m/s; give a positive speed";
       return this->Fail(text.str());

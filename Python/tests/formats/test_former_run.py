@@ -38,7 +38,7 @@ def test_report(tmp_path, capsys):
 
 
 def test_run_is_finished(tmp_path, capsys, monkeypatch):
-    """Only versions in its fingerprint may differ."""
+    """Only versions may differ in its fingerprint."""
     shutil.copytree(FORMER, tmp_path / "here")
     monkeypatch.chdir(tmp_path / "here")
     code = cli.main(

@@ -73,7 +73,7 @@ bool LegRunner::Plan()
     this->NumberOfPulses += plan.NumberOfPulses;
     if (this->NumberOfPulses > MaximumPulses)
     {
-      Sentence text;
+      MessageBuilder text;
       text << this->Survey.Legs[plan.Leg].Where << ": " << static_cast<double>(plan.NumberOfPulses)
            << " pulses are more than a leg can have (all legs together: at most "
            << static_cast<double>(MaximumPulses)

@@ -18,7 +18,7 @@ std::string ExplainNoEchoes(const LegRunner& runner)
   const ScannerData& scanner = runner.GetSurvey().GetScanner(leg);
   const std::string& where = runner.GetSurvey().Legs[leg].Where;
   const ScanCounts& counts = runner.GetCounts();
-  Sentence text;
+  MessageBuilder text;
   text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (runner.GetNumberOfPulses() == 0)
   {

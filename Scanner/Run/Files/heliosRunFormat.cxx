@@ -30,7 +30,7 @@ Status CheckName(const std::string& format)
   {
     formats.emplace_back(vtkHeliosRunFiles::GetFormat(i));
   }
-  return Status::Error("Format is \"" + format + "\"; give " + Enumerate(formats, "or") + ".");
+  return Status::Error("Format is \"" + format + "\"; give " + JoinChoices(formats, "or") + ".");
 }
 
 /// Checks that files of the format can have what is wanted; waveforms of other formats have files of
@@ -45,7 +45,7 @@ Status CheckOutputs(const std::string& format, const Outputs& wants)
       std::find(formats.begin(), formats.end(), format) == formats.end())
     {
       return Status::Error(std::string(row.FileProperty) + " is on, but files of the Format \"" +
-        format + "\" cannot have " + row.Title + "; give " + Enumerate(formats, "or") + ".");
+        format + "\" cannot have " + row.Title + "; give " + JoinChoices(formats, "or") + ".");
     }
   }
   return {};

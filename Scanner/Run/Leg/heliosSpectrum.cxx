@@ -99,7 +99,7 @@ double ReadReflectance(const std::string& name, const std::vector<std::string>& 
       problem += " " + folder;
     }
   }
-  Sentence text;
+  MessageBuilder text;
   text << "Spectrum " << name << " " << problem << "; its materials reflect " << DefaultReflectance;
   log.Warning(text.str());
   return std::numeric_limits<double>::quiet_NaN();

@@ -43,7 +43,7 @@ Status CheckTolerance(
   {
     return {};
   }
-  Sentence fault;
+  MessageBuilder fault;
   fault << name << " is " << value << "; give " << minimum << " to " << LargestTolerance << unit
         << ", or 0 for the survey's value";
   return Status::Error(fault.str());
@@ -54,7 +54,7 @@ Status CheckName(const char* name, const std::string& value, const std::vector<s
   const bool isKnown = value.empty() || std::find(known.begin(), known.end(), value) != known.end();
   return isKnown
     ? Status()
-    : Status::Error(std::string(name) + " is \"" + value + "\"; give " + Enumerate(known));
+    : Status::Error(std::string(name) + " is \"" + value + "\"; give " + JoinChoices(known));
 }
 
 std::vector<std::string> GetEchoDetectorNames()
@@ -239,7 +239,7 @@ Status RunOptions::FindFault() const
   status = status.IsOk() ? this->CheckGpsStart() : status;
   if (status.IsOk() && !(this->BinSize >= 0.0 && this->BinSize <= LargestBinSize))
   {
-    Sentence text;
+    MessageBuilder text;
     text << "BinSize is " << this->BinSize << " ns; give 0 to " << LargestBinSize
          << " ns, 0 for the survey's value";
     status = Status::Error(text.str());
@@ -301,7 +301,7 @@ Status RunOptions::CheckPattern() const
   {
     return {};
   }
-  Sentence text;
+  MessageBuilder text;
   text << "NumberOfSubRays is " << this->NumberOfSubRays << ", which SubRayPattern \"" << name
        << "\" does not have; give ";
   if (size > 1)

@@ -281,7 +281,7 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
     differences.emplace_back(
       "the scene has changed: its input, or a file of PROJ that its coordinate systems need");
   }
-  return Enumerate(differences);
+  return JoinChoices(differences);
 }
 
 } // namespace helios

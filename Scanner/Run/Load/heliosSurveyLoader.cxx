@@ -128,7 +128,7 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
   const int epochs = CountEpochs(survey.Scene);
   if (options.Epoch >= epochs)
   {
-    Sentence fault;
+    MessageBuilder fault;
     fault << "Epoch is " << options.Epoch << ", but the survey has " << epochs
           << (epochs > 1 ? " epochs" : " epoch") << "; give 0 to " << epochs - 1;
     return Status::Error(fault.str());
@@ -144,7 +144,7 @@ Status SurveyLoader::SetOptions(RunSettings& settings)
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
   {
     return Status::Error((isOwn ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
-      "\" is not in this build; give one of " + Enumerate(names));
+      "\" is not in this build; give one of " + JoinChoices(names));
   }
   options.RayCaster = name;
   options.Seed = std::max<vtkIdType>(0, options.Seed >= 0 ? options.Seed : survey.Seed);

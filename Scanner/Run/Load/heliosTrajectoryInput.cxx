@@ -26,7 +26,7 @@ constexpr double UnitTolerance = 1e-6;
 vtkDataArray* FindArray(vtkPolyData* data, const char* array, int components, const char* meaning,
   const std::string& name, Messages& log)
 {
-  Sentence text;
+  MessageBuilder text;
   vtkDataArray* found = data->GetPointData()->GetArray(array);
   if (!found)
   {
@@ -62,7 +62,7 @@ public:
   }
 
   /// Describes the fault of a row in the text, with its cure; unchanged without one.
-  void Describe(vtkIdType row, Sentence& text) const
+  void Describe(vtkIdType row, MessageBuilder& text) const
   {
     double p[3];
     double q[4];
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  void DescribeOrder(vtkIdType row, double time, Sentence& text) const
+  void DescribeOrder(vtkIdType row, double time, MessageBuilder& text) const
   {
     const double before = row > 0 ? this->Times->GetComponent(row - 1, 0) : -INFINITY;
     if (time < before)
@@ -160,7 +160,7 @@ bool CheckTrajectoryInput(vtkPolyData* data, const std::string& name, Messages& 
   const RowCheck check(data, times, orientations);
   for (vtkIdType row = 0; row < data->GetNumberOfPoints(); ++row)
   {
-    Sentence fault;
+    MessageBuilder fault;
     check.Describe(row, fault);
     if (fault.tellp() > 0)
     {

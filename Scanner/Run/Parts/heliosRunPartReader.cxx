@@ -105,7 +105,7 @@ Status RunPartReader::FindMissing() const
   }
   return missing.empty()
     ? Status()
-    : Status::Error((missing.size() > 1 ? "parts " : "part ") + Enumerate(missing) +
+    : Status::Error((missing.size() > 1 ? "parts " : "part ") + JoinChoices(missing) +
         (missing.size() > 1 ? " are" : " is") +
         " missing; give all folders of the run, or run what is missing with --part");
 }

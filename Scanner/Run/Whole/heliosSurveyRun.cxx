@@ -314,7 +314,7 @@ bool SurveyRun::RunLegs()
 //------------------------------------------------------------------------------
 std::string SurveyRun::DescribeKept() const
 {
-  Sentence text;
+  MessageBuilder text;
   text << " after " << this->State.Counts.Pulses << " of " << this->State.NumberOfPulses
        << " pulses; ";
   if (!this->Folder->Exists() || !this->Journal->Check().IsOk())
@@ -377,7 +377,7 @@ bool SurveyRun::Conclude()
     this->Journal->Remove();
   }
   this->State.Report = ToText(summary);
-  Sentence text;
+  MessageBuilder text;
   text << Counted(counts.Echoes, "point") << " from " << Counted(counts.Pulses, "pulse") << " "
        << (isPart ? "of part " + this->Settings.Part.GetText() + " " : "") << "are in "
        << this->Settings.Folder << ".";
@@ -394,7 +394,7 @@ bool SurveyRun::ConcludeFinished()
   this->State.NumberOfPulses = counts.Pulses;
   this->State.Sampling = summary["sampling"].asString();
   this->SetCounts(counts);
-  Sentence text;
+  MessageBuilder text;
   text << "Nothing is left to do: the run in " << this->Settings.Folder << " is finished, with "
        << Counted(counts.Echoes, "point") << " from " << Counted(counts.Pulses, "pulse") << ".";
   this->State.Message = text.str();

@@ -60,8 +60,8 @@ void CheckRayCaster(const std::string& name, const std::string& where, Messages&
   }
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
   {
-    log.Error(
-      where + ": rayCaster=\"" + name + "\" is not in this build; give one of " + Enumerate(names));
+    log.Error(where + ": rayCaster=\"" + name + "\" is not in this build; give one of " +
+      JoinChoices(names));
   }
 }
 

@@ -55,7 +55,7 @@ const KindRow* FindKind(const XmlElement& element)
   }
   const std::string nearest = FindNearestName(given, names);
   element.GetMessages().Error(element.Where() + ": <motion> type=\"" + given + "\" is unknown; " +
-    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " + Enumerate(names));
+    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " + JoinChoices(names));
   return nullptr;
 }
 
@@ -175,7 +175,7 @@ std::size_t FindNext(const XmlElement& element, const std::map<std::string, std:
     names.push_back("\"" + place.first + "\"");
   }
   element.GetMessages().Error(element.Where() + ": next=\"" + next +
-    "\" is not a <dmotion> of this <part>; its ids are " + Enumerate(names));
+    "\" is not a <dmotion> of this <part>; its ids are " + JoinChoices(names));
   return MotionSequence::None;
 }
 

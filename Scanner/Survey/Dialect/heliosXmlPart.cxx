@@ -81,7 +81,7 @@ PartData PartReader::Read()
   {
     this->Element.GetMessages().Error(this->Part.Where + ": <" + this->Element.GetTag() +
       "> has no loader; add a <filter type=\"objloader\"> or another one of " +
-      Enumerate(GetLoaders()));
+      JoinChoices(GetLoaders()));
   }
   this->CheckTurbid();
   this->ReadSwaps();
@@ -407,7 +407,7 @@ void PartReader::ReportFilter(const XmlFilter& filter)
     text +=
       "is unknown; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Filters are ";
   }
-  filter.GetMessages().Error(text + Enumerate(now));
+  filter.GetMessages().Error(text + JoinChoices(now));
   this->HasLoader = this->HasLoader || type.find("load") != std::string::npos ||
     type.find("voxel") != std::string::npos;
 }

@@ -125,7 +125,7 @@ void PlannerReader::CheckLimits(const XmlElement& planner, const PlannerSettings
 {
   const auto check = [&](const char* lowName, double low, const char* highName, double high)
   {
-    Sentence text;
+    MessageBuilder text;
     text << planner.Where() << ": " << lowName << "=\"" << low << "\" is not below " << highName
          << "=\"" << high << "\", so nothing is visible; give a smaller one";
     if (low >= high) // false for NaN: not given
@@ -305,7 +305,7 @@ void PlannerReader::CheckHeight(PlannerData& data)
   data.Settings.ScannerHeight = data.Instrument[2];
   if (data.Settings.ScannerHeight < 1e-6)
   {
-    Sentence text;
+    MessageBuilder text;
     text << data.Survey.Platforms.front().Where << ": platform "
          << data.Survey.Platforms.front().Name << " carries the scanner "
          << data.Settings.ScannerHeight

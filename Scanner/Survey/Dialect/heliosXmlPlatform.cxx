@@ -17,7 +17,7 @@ void CheckInterval(const std::string& where, const char* from, const char* to, d
 {
   if (low > high)
   {
-    Sentence text;
+    MessageBuilder text;
     text << where << ": " << from << "=\"" << low << "\" is above " << to << "=\"" << high
          << "\"; exchange them";
     log.Error(text.str());

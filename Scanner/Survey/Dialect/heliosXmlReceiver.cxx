@@ -57,7 +57,7 @@ void CheckAperture(const XmlElement& element, const char* name, const ScannerDat
   double aperture = data.Receiver.ReceiverDiameter;
   if (element.Read(name, aperture) && aperture != data.Receiver.ReceiverDiameter)
   {
-    Sentence text;
+    MessageBuilder text;
     text << element.Where() << ": " << name << "=\"" << aperture
          << "\" has no effect; the receiver has receiverDiameter_m=\""
          << data.Receiver.ReceiverDiameter << "\" of scanner " << data.Id;
@@ -160,7 +160,7 @@ void CheckReceiver(const ScannerData& data, Messages& log)
     (receiver.MaximumWaveformLength == 0.0 || ofBins < receiver.MaximumWaveformLength);
   const double length =
     isOfBins ? ofBins : receiver.MaximumWaveformLength; // 0: as the target requires
-  Sentence text;
+  MessageBuilder text;
   if (!isSampled && receiver.BinSize > 0.5 * data.Receiver.PulseLength)
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" is wider than half of pulseLength_ns=\""

@@ -71,7 +71,7 @@ void CheckChannel(const ScannerData& scanner, Messages& log)
   CheckReceiver(scanner, log);
   if (!(scanner.Receiver.RangeMin < scanner.Receiver.RangeMax))
   {
-    Sentence text;
+    MessageBuilder text;
     text << scanner.Where << ": scanner " << scanner.Id << ": rangeMin_m=\""
          << scanner.Receiver.RangeMin << "\" is not below rangeMax_m=\""
          << scanner.Receiver.RangeMax << "\"; no range is measured. Correct one of them";
@@ -113,7 +113,7 @@ ScannerData ReadScanner(const XmlElement& element, const Assets& files)
   {
     element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id +
       " has no optics; give " +
-      Enumerate(FindXmlRule("scanner")->FindValue("optics")->GetChoices(), "or"));
+      JoinChoices(FindXmlRule("scanner")->FindValue("optics")->GetChoices(), "or"));
   }
   ReadInstrument(element, files, scanner);
   return ReadChannels(element, files, scanner);

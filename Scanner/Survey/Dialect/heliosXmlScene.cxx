@@ -89,7 +89,7 @@ void TableReader::CheckRanges()
   {
     if (lowest > highest)
     {
-      Sentence text;
+      MessageBuilder text;
       text << this->Table.Where << ": " << low << "=\"" << lowest << "\" is above " << high << "=\""
            << highest << "\"; exchange them";
       this->Log.Error(text.str());
@@ -225,7 +225,7 @@ void TableReader::AddFileModel(const TableRow& row)
   this->Log.Error(row.Where + ": model=\"" + Shorten(row.Model) +
     "\" is neither a <model> of the " + "table nor a file with a mesh; " +
     (names.empty() ? "add a <model>, or give the name of a file"
-                   : "the models are " + Enumerate(names)));
+                   : "the models are " + JoinChoices(names)));
 }
 
 /// Adds the parts of a <partTable>.
@@ -283,7 +283,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets, std::vector<XmlEl
   if (parts.empty() && tables.empty() && assets.Scene == AssetNeed::Required)
   {
     element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
-      " has no <part>; add one with a loader: " + Enumerate(GetLoaders()));
+      " has no <part>; add one with a loader: " + JoinChoices(GetLoaders()));
   }
   CheckEpochs(scene, element.GetMessages());
   return scene;

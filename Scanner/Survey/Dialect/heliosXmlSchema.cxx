@@ -222,7 +222,7 @@ std::string SchemaMaker::MakeNumber(const XmlValueRule& value)
   const XmlRange& range = value.Range;
   const double maximum = isReal ? NoLimit : 2147483647.0;
   // Unlimited reals get limits too: NaN and infinity are not valid.
-  Sentence text;
+  MessageBuilder text;
   text << "<xs:min" << (range.AboveLow ? "Exclusive" : "Inclusive") << " value=\""
        << std::max(range.Low, -maximum) << "\"/><xs:maxInclusive value=\""
        << std::min(range.High, maximum) << "\"/>";
@@ -285,7 +285,7 @@ std::string DescribeRange(const XmlElementRule& rule, const XmlValueRule& value)
   const std::vector<std::string> words = FindChoices(rule, value);
   if (!words.empty())
   {
-    return Enumerate(words);
+    return JoinChoices(words);
   }
   const XmlRange& range = value.Range;
   std::string text;

@@ -297,7 +297,7 @@ void SurveyReader::AddLeg(
   leg.Position += this->Origin;
   leg.Scanner = this->FindScanner(from.Has("scanner") ? from : this->Survey, data);
   leg.Platform = this->FindPlatform(from.Has("platform") ? from : this->Survey, data);
-  leg.StartsJourney = this->StartsScan;
+  leg.StartsTrajectory = this->StartsScan;
   this->StartsScan = false;
   data.Settings.push_back(settings);
 }

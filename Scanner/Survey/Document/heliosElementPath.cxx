@@ -109,7 +109,7 @@ bool RefuseName(const XmlValue& value, const std::string& name,
 {
   const std::string nearest = FindNearestName(name, names);
   log.Error(value.Where + ": attribute " + value.Name + " is unknown" +
-    (nearest.empty()      ? "; give one of " + Enumerate(names)
+    (nearest.empty()      ? "; give one of " + JoinChoices(names)
         : nearest == name ? ": " + name + " cannot be set"
                           : "; did you mean " + nearest + "?"));
   return false;

@@ -97,7 +97,7 @@ double Limit(const EditRange& range, double value)
 }
 
 /// Adds the change of a number to the text.
-void AddChange(const EditRange& range, double asked, double given, Sentence& text)
+void AddChange(const EditRange& range, double asked, double given, MessageBuilder& text)
 {
   if (asked != given && !std::isnan(asked))
   {
@@ -108,7 +108,7 @@ void AddChange(const EditRange& range, double asked, double given, Sentence& tex
   }
 }
 
-void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, Sentence& text)
+void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, MessageBuilder& text)
 {
   for (const EditRange& range : FindRanges(edit))
   {
@@ -122,7 +122,7 @@ void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, Sentence& text)
 }
 
 /// Makes the head stop after its start.
-void LimitHead(LegSettings& settings, Sentence& text)
+void LimitHead(LegSettings& settings, MessageBuilder& text)
 {
   ScanData& scan = settings.Scan;
   if (!(scan.HeadRotateStop >= scan.HeadRotateStart + 1.0))
@@ -135,7 +135,7 @@ void LimitHead(LegSettings& settings, Sentence& text)
 }
 
 /// Limits a window to that of the mirror, and makes it non-empty.
-void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& text)
+void LimitWindow(const ScannerData& scanner, LegSettings& settings, MessageBuilder& text)
 {
   const double widest = 2.0 * FindHalfAngle(scanner);
   const double low = settings.VerticalAngleMin;
@@ -149,7 +149,7 @@ void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& te
 }
 
 /// Limits the scan angle of an oscillating mirror by its frequency.
-void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& text)
+void LimitSwing(const ScannerData& scanner, LegSettings& settings, MessageBuilder& text)
 {
   const double maximum = scanner.ScanProduct / settings.ScanAngle;
   if (settings.ScanFrequency > maximum)
@@ -296,7 +296,7 @@ std::string SetSetting(SurveyEdit& edit, const std::string& name, double value)
     return name + " is not a setting of " + edit.ScannerModel.Name + " on " +
       edit.PlatformModel.Name;
   }
-  Sentence text;
+  MessageBuilder text;
   const double given = Limit(*range, value);
   AddChange(*range, value, given, text);
   *FindNumber(edit, name) = given;
@@ -316,7 +316,7 @@ std::string SetSetting(SurveyEdit& edit, const std::string& name, double value)
 //------------------------------------------------------------------------------
 std::string ClampSettings(const SurveyEdit& edit, LegSettings& settings)
 {
-  Sentence text;
+  MessageBuilder text;
   LimitNumbers(edit, settings, text);
   if (!edit.IsMoving())
   {

@@ -186,7 +186,7 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
 {
   const auto refer = [&](const std::string& file)
   { return ReferTo(file, surveyFolder, assetDirectories); };
-  Sentence left;
+  MessageBuilder left;
   edit = SurveyEdit();
   edit.Name = survey.Name;
   edit.Scene = refer(survey.Scene.File) + "#" + survey.Scene.Id;
@@ -203,7 +203,7 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
   {
     const LegData& data = survey.Legs[i];
     const bool isKept = data.Platform == 0 && data.Scanner == 0 &&
-      edit.PlatformModel.Type != PlatformType::Interpolated && (i == 0 || !data.StartsJourney);
+      edit.PlatformModel.Type != PlatformType::Interpolated && (i == 0 || !data.StartsTrajectory);
     if (isKept && !data.Scans.empty())
     {
       EditLeg leg;

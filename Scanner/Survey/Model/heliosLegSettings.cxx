@@ -72,11 +72,11 @@ private:
 
   /// Returns the requested value (asked: its text in messages), clipped to the limits with a
   /// warning.
-  double Clip(const Sentence& asked, double value, const Limits& limits);
+  double Clip(const MessageBuilder& asked, double value, const Limits& limits);
 
   /// Reports messages only for legs that fire pulses.
-  void Error(const Sentence& text);
-  void Warning(const Sentence& text);
+  void Error(const MessageBuilder& text);
+  void Warning(const MessageBuilder& text);
 
   const LegSettings& Given;
   const ScannerData& Scanner;
@@ -108,7 +108,7 @@ void ScanResolver::ResolvePulses()
 {
   const std::vector<double>& offered = this->Scanner.PulseFrequencies;
   this->Scan.PulseFrequency = this->Given.PulseFrequency;
-  Sentence text;
+  MessageBuilder text;
   if (std::isnan(this->Given.PulseFrequency) && offered.empty())
   {
     text << "no pulse frequency: give pulseFreq_hz here, or pulseFreqs_Hz for scanner "
@@ -143,7 +143,7 @@ void ScanResolver::CheckBeams()
     beams.begin(), beams.end(), [cycle](const BeamData& beam) { return beam.FiringTime >= cycle; });
   if (this->Has(Optics::SpinningChannels) && late != beams.end())
   {
-    Sentence text;
+    MessageBuilder text;
     text << "beam " << late - beams.begin() << " of scanner " << this->Scanner.Id
          << " fires at firingTime_s=\"" << late->FiringTime << "\", after the cycle of " << cycle
          << " s that " << beams.size() << " beams have at pulseFreq_hz=\""
@@ -161,7 +161,7 @@ void ScanResolver::CheckEllipse()
   const double major = this->Scanner.BeamDivergence;
   if (minor > 0.0 && !(minor <= major && minor >= MinimumAxisRatio * major))
   {
-    Sentence text;
+    MessageBuilder text;
     text << "beamDivergenceMinor_rad=\"" << minor << "\" of scanner " << this->Scanner.Id
          << " is not " << MinimumAxisRatio << " to 1 times its beamDivergence_rad=\"" << major
          << "\"; give the larger angle as beamDivergence_rad, and turn the beam by "
@@ -177,14 +177,14 @@ void ScanResolver::ResolveScanAngles()
   const bool isLimited = this->Scanner.ScanAngleMax > 0.0;
   const double maximum =
     isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
-  Sentence asked;
+  MessageBuilder asked;
   asked << "scanAngle_deg=\"" << this->Given.ScanAngle << "\"";
   this->Scan.ScanAngle = isGiven
     ? this->Clip(asked, this->Given.ScanAngle, { 0.0, "", maximum, "scanAngleMax_deg" })
     : maximum;
   if (this->Has(Optics::OscillatingMirror) && !isGiven && !isLimited)
   {
-    Sentence text;
+    MessageBuilder text;
     text << "no scan angle: give scanAngle_deg here, or scanAngleMax_deg for scanner "
          << this->Scanner.Id;
     this->Error(text);
@@ -200,7 +200,7 @@ void ScanResolver::ResolveScanAngles()
 }
 
 //------------------------------------------------------------------------------
-double ScanResolver::Clip(const Sentence& asked, double value, const Limits& limits)
+double ScanResolver::Clip(const MessageBuilder& asked, double value, const Limits& limits)
 {
   const bool isLow = value < limits.Low;
   if (!isLow && !(value > limits.High * (1.0 + 1e-9)))
@@ -208,7 +208,7 @@ double ScanResolver::Clip(const Sentence& asked, double value, const Limits& lim
     return value;
   }
   const double limit = isLow ? limits.Low : limits.High;
-  Sentence text;
+  MessageBuilder text;
   text << asked.str() << " is clipped to " << limit << ", "
        << (isLow ? limits.LowName : limits.HighName) << " of scanner " << this->Scanner.Id;
   this->Warning(text);
@@ -224,7 +224,7 @@ void ScanResolver::ResolveWindow()
     : this->Scanner.ScanAngleMax;
   const double low = this->Scan.VerticalAngleMin;
   const double high = this->Scan.VerticalAngleMax;
-  Sentence text;
+  MessageBuilder text;
   text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\"";
   if (this->Has(Optics::RotatingMirror) && !(low < high))
   {
@@ -256,7 +256,7 @@ void ScanResolver::ResolveFrequencies()
       (2.0 * this->Scanner.ScanAngleMax);
     if (this->Given.VerticalResolution == 0.0)
     {
-      Sentence text;
+      MessageBuilder text;
       text << "horizontalResolution_deg=\"" << this->Given.HorizontalResolution
            << "\" also needs verticalResolution_deg; add it";
       this->Error(text);
@@ -282,7 +282,7 @@ void ScanResolver::ResolveScanProduct()
     return;
   }
   this->Scan.ScanAngle = this->Scanner.ScanProduct / frequency;
-  Sentence text;
+  MessageBuilder text;
   text << "a scan angle of " << asked << " deg is clipped to " << this->Scan.ScanAngle
        << " deg, since scanProduct=\"" << this->Scanner.ScanProduct << "\" of scanner "
        << this->Scanner.Id << " allows no more at scanFreq_hz=\"" << frequency << "\"";
@@ -293,7 +293,7 @@ void ScanResolver::ResolveScanProduct()
 void ScanResolver::ClipScanFrequency()
 {
   const double frequency = this->Scan.ScanFrequency;
-  Sentence text;
+  MessageBuilder text;
   const bool isSpinning = this->Has(Optics::SpinningChannels);
   if ((isSpinning || this->Has(Optics::OscillatingMirror)) && frequency == 0.0)
   {
@@ -317,7 +317,7 @@ void ScanResolver::ResolveHead()
 {
   const double maximum = this->Scanner.HeadRotateSpeedMax;
   const double asked = this->Scan.HeadRotateSpeed;
-  Sentence text;
+  MessageBuilder text;
   text << "headRotatePerSec_deg=\"" << asked << "\"";
   this->Scan.HeadRotateSpeed = std::copysign(
     this->Clip(text, std::abs(asked), { 0.0, "", maximum, "headRotatePerSecMax_deg" }), asked);
@@ -330,7 +330,7 @@ void ScanResolver::CheckHead()
   const double time = this->Scan.GetHeadTime();
   const bool turns = this->Scan.HeadRotateSpeed != 0.0;
   const bool isEndless = !turns || std::abs(time) > LongestLeg;
-  Sentence text;
+  MessageBuilder text;
   text << "the head rotates from headRotateStart_deg=\"" << this->Scan.HeadRotateStart
        << "\" to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
        << "\" with headRotatePerSec_deg=\"" << this->Scan.HeadRotateSpeed << "\" ";
@@ -358,7 +358,7 @@ void ScanResolver::ResolveWarmUp()
   const double turn = this->Scan.HeadRotateSpeed * this->Scan.WarmUpTime;
   if (!this->IsMoving && before > 0.0 && this->Scan.WarmUpTime >= before)
   {
-    Sentence text;
+    MessageBuilder text;
     text << "opticsWarmupPhase_s=\"" << this->Scan.WarmUpTime << "\" rotates the head by " << turn
          << " deg, to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
          << "\" or beyond, before the first pulse; give less than " << before << " s";
@@ -379,7 +379,7 @@ void ScanResolver::CheckUnused()
   const bool ownsFrequency = hasPrisms || this->Has(Optics::FiberArray);
   const auto warn = [this](const char* names, bool isUnused)
   {
-    Sentence text;
+    MessageBuilder text;
     text << names << " not used by " << GetOpticsName(this->Scanner.Type) << " optics";
     if (isUnused)
     {
@@ -394,7 +394,7 @@ void ScanResolver::CheckUnused()
 }
 
 //------------------------------------------------------------------------------
-void ScanResolver::Error(const Sentence& text)
+void ScanResolver::Error(const MessageBuilder& text)
 {
   if (this->Fires)
   {
@@ -403,7 +403,7 @@ void ScanResolver::Error(const Sentence& text)
 }
 
 //------------------------------------------------------------------------------
-void ScanResolver::Warning(const Sentence& text)
+void ScanResolver::Warning(const MessageBuilder& text)
 {
   if (this->Fires)
   {
@@ -426,7 +426,7 @@ void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
     survey.GetPlatform(leg).Type != PlatformType::Interpolated;
   if (flies && !(data.Speed > SlowestSpeed))
   {
-    Sentence text;
+    MessageBuilder text;
     text << data.Where << ": movePerSec_m=\"" << data.Speed
          << "\": the platform never reaches the next leg; give a speed above 0 [m/s]";
     log.Error(text.str());
@@ -441,7 +441,7 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
   if (asked > 0.0 && asked < minimum && fires)
   {
     leg.TrajectoryTimeInterval = minimum;
-    Sentence text;
+    MessageBuilder text;
     text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than the time between pulses; "
          << minimum << " s is used";
     log.WarnOnce(text.str(), leg.Where + ": " + text.str());
@@ -473,7 +473,7 @@ void StartLegs(SurveyData& survey)
     const bool isOther =
       survey.Legs.empty() || survey.Legs.back().Platform != settings.Leg.Platform;
     survey.Legs.push_back(settings.Leg);
-    survey.Legs.back().StartsJourney = isOther || settings.Leg.StartsJourney;
+    survey.Legs.back().StartsTrajectory = isOther || settings.Leg.StartsTrajectory;
   }
 }
 
@@ -481,7 +481,7 @@ void StartLegs(SurveyData& survey)
 void CheckPath(const SurveyData& survey, std::size_t leg, Messages& log)
 {
   const LegData& data = survey.Legs[leg];
-  const bool isAlone = data.StartsJourney && survey.EndsTrajectory(leg);
+  const bool isAlone = data.StartsTrajectory && survey.EndsTrajectory(leg);
   const bool isFlown = survey.GetPlatform(leg).Type == PlatformType::Interpolated;
   if (isAlone && survey.IsMoving(leg) && !isFlown)
   {
@@ -494,7 +494,7 @@ void CheckPath(const SurveyData& survey, std::size_t leg, Messages& log)
 bool NeedsTrajectory(const SurveyData& survey, std::size_t leg)
 {
   const LegData& data = survey.Legs[leg];
-  return survey.GetPlatform(leg).Type == PlatformType::Interpolated && data.StartsJourney &&
+  return survey.GetPlatform(leg).Type == PlatformType::Interpolated && data.StartsTrajectory &&
     data.Trajectory.File.empty();
 }
 

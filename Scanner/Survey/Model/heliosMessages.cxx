@@ -39,7 +39,7 @@ std::string Shorten(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-std::string Enumerate(const std::vector<std::string>& words, const char* last)
+std::string JoinChoices(const std::vector<std::string>& words, const char* last)
 {
   const std::string before = std::string(" ") + last + " ";
   std::string text;

@@ -24,14 +24,14 @@ namespace helios
 {
 
 /// A message stream: numbers are formatted as a user would type them.
-class Sentence : public std::ostringstream
+class MessageBuilder : public std::ostringstream
 {
 public:
-  Sentence() { this->precision(15); }
+  MessageBuilder() { this->precision(15); }
 };
 
 /// Joins words: "a, b and c".
-VTKHELIOSSCANNERSURVEY_EXPORT std::string Enumerate(
+VTKHELIOSSCANNERSURVEY_EXPORT std::string JoinChoices(
   const std::vector<std::string>& words, const char* last = "and");
 
 /// Shortens a value that may be long for messages.

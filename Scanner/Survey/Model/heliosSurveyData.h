@@ -362,7 +362,7 @@ struct LegData
   std::string Where;
   std::size_t Platform = 0;       ///< number of the survey's platform
   std::size_t Scanner = 0;        ///< number of the survey's scanner
-  bool StartsJourney = false;     ///< the platform does not come from the previous leg
+  bool StartsTrajectory = false;  ///< the platform does not come from the previous leg
   std::string Strip;              ///< with shared output files; empty: none
   Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or the unit of Crs
   std::string Crs;                ///< system of the position; empty: the scene's
@@ -395,7 +395,7 @@ struct LegSettings
 {
   static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-  LegData Leg;   ///< with all settings that need no conversion; StartsJourney: in any case
+  LegData Leg;   ///< with all settings that need no conversion; StartsTrajectory: in any case
   ScanData Scan; ///< likewise its head and its warm-up
   double PulseFrequency = NotGiven;
   double ScanFrequency = NotGiven;
@@ -447,7 +447,7 @@ struct SurveyData
   /// Returns whether a leg is the last one of a platform's trajectory.
   bool EndsTrajectory(std::size_t leg) const
   {
-    return leg + 1 == this->Legs.size() || this->Legs[leg + 1].StartsJourney;
+    return leg + 1 == this->Legs.size() || this->Legs[leg + 1].StartsTrajectory;
   }
 
   /// Returns whether a leg fires pulses: the last leg of a moving platform is only an end point,

@@ -337,7 +337,7 @@ bool SceneBuilder::FindGround(
     const auto index = missing - heights.begin();
     const double* p = lowest->GetPoint(index);
     const Part& part = this->Parts[parts[static_cast<std::size_t>(index)]];
-    Sentence text;
+    MessageBuilder text;
     text << part.Data->Where << ": part " << *part.Name
          << " is on the ground, but there is no ground above or below its lowest corner at x "
          << p[0] << ", y " << p[1] << "; move the part, or give its height without onGround";

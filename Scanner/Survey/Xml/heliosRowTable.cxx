@@ -178,7 +178,7 @@ bool RowTable::AddColumn(const std::string& name)
   }
   const std::string message = "column " + Quote(name) + " is unknown" +
     (this->SkipsUnknown ? " and not used; " : "; ") +
-    (nearest.empty() ? "the columns are " + Enumerate(known) : "did you mean " + nearest + "?");
+    (nearest.empty() ? "the columns are " + JoinChoices(known) : "did you mean " + nearest + "?");
   if (!this->SkipsUnknown)
   {
     return this->Fail(message);

@@ -198,7 +198,7 @@ private:
 
   std::string ToText(double number) const
   {
-    Sentence text;
+    MessageBuilder text;
     text << number;
     return this->IsExact ? ToXmlText(number) : text.str();
   }
@@ -238,7 +238,7 @@ bool ParseChoice(const XmlValue& value, const XmlValueRule& rule, Messages& log,
   const std::string nearest = FindNearestName(value.Text, words);
   log.Error(value.Where + ": " + value.Name + "=\"" + Shorten(value.Text) + "\" is not valid" +
     (nearest.empty() ? ": expected " : "; did you mean " + nearest + "? Expected ") +
-    Enumerate(words, "or"));
+    JoinChoices(words, "or"));
   return false;
 }
 

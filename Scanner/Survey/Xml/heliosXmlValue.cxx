@@ -49,7 +49,7 @@ std::string UnitOf(const XmlValueRule& rule)
 std::string RangeText(const XmlValueRule& rule)
 {
   const XmlRange& range = rule.Range;
-  Sentence text;
+  MessageBuilder text;
   text << "give a number ";
   text << (range.AboveLow ? "above " : "from ") << range.Low
        << (range.AboveLow ? " and up to " : " to ") << range.High << UnitOf(rule);

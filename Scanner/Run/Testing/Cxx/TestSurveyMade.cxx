@@ -67,7 +67,7 @@ void CheckSameLegs(vtkHeliosSurvey* made, vtkHeliosSurvey* read)
     }
     const helios::LegData& a = made->GetData().Legs.at(static_cast<std::size_t>(leg));
     const helios::LegData& b = read->GetData().Legs.at(static_cast<std::size_t>(leg));
-    CHECK(a.StartsJourney == b.StartsJourney);
+    CHECK(a.StartsTrajectory == b.StartsTrajectory);
     REQUIRE(a.Scans.size() == b.Scans.size());
     CHECK(a.Scans[0].PulseFrequency == b.Scans[0].PulseFrequency);
     CHECK(a.Scans[0].ScanFrequency == b.Scans[0].ScanFrequency);
