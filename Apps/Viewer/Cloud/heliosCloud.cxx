@@ -55,6 +55,13 @@ std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType en
   return values;
 }
 
+/// Returns a text of an array; empty without it.
+std::string GetText(vtkStringArray* texts, int index)
+{
+  const vtkIdType count = texts ? texts->GetNumberOfValues() : 0;
+  return index >= 0 && index < count ? texts->GetValue(index) : std::string();
+}
+
 template <typename T>
 std::size_t GetBytes(const std::vector<T>& values)
 {
@@ -173,8 +180,12 @@ void Cloud::Append(vtkPolyData* echoes)
   {
     return;
   }
-  auto* parts = echoes->GetFieldData()->GetAbstractArray(names::PartName);
+  vtkFieldData* fields = echoes->GetFieldData();
+  auto* parts = fields->GetAbstractArray(names::PartName);
   this->PartNames = parts ? vtkStringArray::SafeDownCast(parts) : this->PartNames.GetPointer();
+  auto* materials = fields->GetAbstractArray(names::MaterialName);
+  this->MaterialNames =
+    materials ? vtkStringArray::SafeDownCast(materials) : this->MaterialNames.GetPointer();
   const vtkIdType size = echoes->GetNumberOfPoints();
   for (vtkIdType begin = 0; begin < size; begin += CloudChunk::Capacity)
   {
@@ -185,8 +196,13 @@ void Cloud::Append(vtkPolyData* echoes)
 //------------------------------------------------------------------------------
 std::string Cloud::GetPartName(int part) const
 {
-  const vtkIdType count = this->PartNames ? this->PartNames->GetNumberOfValues() : 0;
-  return part >= 0 && part < count ? this->PartNames->GetValue(part) : std::string();
+  return GetText(this->PartNames, part);
+}
+
+//------------------------------------------------------------------------------
+std::string Cloud::GetMaterialName(int material) const
+{
+  return GetText(this->MaterialNames, material);
 }
 
 //------------------------------------------------------------------------------

@@ -143,6 +143,8 @@ public:
 
   /// Returns the name of a part in the field data of the blocks; empty: unknown.
   std::string GetPartName(int part) const;
+  /// Returns the name of a material in that data; empty: unknown.
+  std::string GetMaterialName(int material) const;
 
   /// Finds the chunk that contains a row.
   const CloudChunk& FindChunk(vtkIdType row) const;
@@ -182,7 +184,8 @@ private:
   vtkIdType NumberOfDropped = 0;
   std::vector<std::unique_ptr<CloudChunk>> Chunks;
   std::vector<Tag> Tags;
-  vtkSmartPointer<vtkStringArray> PartNames; // names of the latest block that has them
+  vtkSmartPointer<vtkStringArray> PartNames,
+    MaterialNames; // names of the latest block that has them
   std::unordered_map<Tag, std::uint32_t, TagHash> TagRows;
   std::uint32_t LastTag = 0;
 };

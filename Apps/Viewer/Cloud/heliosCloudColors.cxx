@@ -196,14 +196,17 @@ std::string CloudColors::GetUnit(const Cloud& cloud) const
 }
 
 //------------------------------------------------------------------------------
-std::string CloudColors::GetLabel(int category) const
+std::string CloudColors::GetLabel(const Cloud& cloud, int category) const
 {
   if (this->By == ColorBy::Class)
   {
     return GetClassName(category);
   }
+  const std::string name = this->By == ColorBy::Part ? cloud.GetPartName(category)
+    : this->By == ColorBy::Material                  ? cloud.GetMaterialName(category)
+                                                     : "";
   const bool isCount = this->By == ColorBy::ReturnNumber || this->By == ColorBy::NumberOfReturns;
-  return isCount && category >= 5 ? "5 and more" : std::to_string(category);
+  return !name.empty() ? name : isCount && category >= 5 ? "5 and more" : std::to_string(category);
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +217,7 @@ Legend CloudColors::MakeLegend(const Cloud& cloud, const std::vector<double>& va
   legend.IsCategory = this->IsCategory();
   if (!this->IsPlain())
   {
-    legend.IsCategory ? this->AddCategories(values, legend) : this->AddTicks(cloud, legend);
+    legend.IsCategory ? this->AddCategories(cloud, values, legend) : this->AddTicks(cloud, legend);
   }
   return legend;
 }
@@ -239,7 +242,8 @@ void CloudColors::AddTicks(const Cloud& cloud, Legend& legend) const
 }
 
 //------------------------------------------------------------------------------
-void CloudColors::AddCategories(const std::vector<double>& values, Legend& legend) const
+void CloudColors::AddCategories(
+  const Cloud& cloud, const std::vector<double>& values, Legend& legend) const
 {
   const bool isCount = this->By == ColorBy::ReturnNumber || this->By == ColorBy::NumberOfReturns;
   std::set<int> categories;
@@ -253,7 +257,8 @@ void CloudColors::AddCategories(const std::vector<double>& values, Legend& legen
   }
   for (const int category : categories)
   {
-    legend.Marks.push_back({ static_cast<double>(legend.Colors.size()), this->GetLabel(category) });
+    legend.Marks.push_back(
+      { static_cast<double>(legend.Colors.size()), this->GetLabel(cloud, category) });
     legend.Colors.push_back(this->Map(category));
   }
 }

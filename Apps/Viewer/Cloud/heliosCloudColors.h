@@ -70,9 +70,9 @@ public:
 private:
   std::string GetUnit(const Cloud& cloud) const;
   void AddTicks(const Cloud& cloud, Legend& legend) const;
-  void AddCategories(const std::vector<double>& values, Legend& legend) const;
+  void AddCategories(const Cloud& cloud, const std::vector<double>& values, Legend& legend) const;
   double GetShare(double value) const;
-  std::string GetLabel(int category) const;
+  std::string GetLabel(const Cloud& cloud, int category) const;
 };
 
 } // namespace helios::viewer

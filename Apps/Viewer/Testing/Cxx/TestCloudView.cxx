@@ -5,8 +5,14 @@
 
 #include <catch2/catch.hpp>
 
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace helios;
 using namespace helios::viewer;
@@ -215,6 +221,41 @@ TEST_CASE("CloudView: the legend has the title, ticks and colours of the map")
   CHECK(view.GetLegend().Colors[0] == GetClassColor(2));
   view.SetColorBy(ColorBy::One);
   CHECK(view.GetLegend().Colors.empty());
+}
+
+TEST_CASE("CloudView: the legend has the names of parts and materials, else their numbers")
+{
+  Stage stage;
+  Cloud cloud;
+  auto echoes = MakeFour();
+  AddColumn(echoes, names::PartIds, { 0, 1, 1, 2 });
+  AddColumn(echoes, names::MaterialIds, { 0, 0, 1, 1 });
+  const auto addNames = [&](const char* name, const std::vector<std::string>& texts)
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    for (const std::string& text : texts)
+    {
+      array->InsertNextValue(text);
+    }
+    echoes->GetFieldData()->AddArray(array);
+  };
+  addNames(names::PartName, { "house", "" });
+  addNames(names::MaterialName, { "brick", "glass" });
+  cloud.Append(echoes);
+  CloudView view(cloud, stage.Renderer);
+  const auto getTexts = [&](ColorBy by)
+  {
+    view.SetColorBy(by);
+    std::vector<std::string> texts;
+    for (const Legend::Mark& mark : view.GetLegend().Marks)
+    {
+      texts.push_back(mark.Text);
+    }
+    return texts;
+  };
+  CHECK(getTexts(ColorBy::Part) == std::vector<std::string>{ "house", "1", "2" });
+  CHECK(getTexts(ColorBy::Material) == std::vector<std::string>{ "brick", "glass" });
 }
 
 TEST_CASE("CloudView: the clip box hides exactly the points outside")
