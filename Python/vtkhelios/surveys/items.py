@@ -66,7 +66,7 @@ def text_of(value):
     if isinstance(value, int):
         return str(value)
     if hasattr(value, "__len__"):
-        return ";".join(repr(float(number)) for number in value)
+        return ";".join(text_of(number) for number in value)
     return repr(float(value))
 
 

@@ -32,7 +32,7 @@ std::string MakeFullPath(const XmlElementRule& rule, pugi::xml_node node, const 
 bool IsSame(const XmlValueRule& a, const XmlValueRule& b);
 
 ///@{
-/// Of a fixed number of sub-rays and tolerances of adaptive ones, the last one given counts.
+/// A fixed number of sub-rays and tolerances of adaptive ones exclude each other.
 bool IsTolerance(const std::string& name);
 constexpr const char* FixedSubRays = "beamSampleQuality";
 ///@}

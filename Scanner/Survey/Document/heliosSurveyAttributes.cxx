@@ -104,7 +104,7 @@ bool SurveyDocument::Set(const SurveyPlace& place, const std::string& path, cons
   }
   if (place.Item == SurveyItem::Part || place.Item == SurveyItem::PartTable)
   {
-    this->TakeOverScene();
+    this->AdoptScene();
   }
   const bool isName = place.Item == SurveyItem::Survey && path == "name";
   place.Item == SurveyItem::Leg ? this->FoldOrigins() : void();

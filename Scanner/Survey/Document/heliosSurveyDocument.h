@@ -163,11 +163,11 @@ private:
   void AddTemplates(const XmlElement& settings, std::vector<XmlElement>& layers);
   XmlElement GetBasePlatform(const XmlElement& platform);
 
-  XmlElement TakeOver(SurveyItem item, int index);
-  void TakeOverScene();
+  XmlElement AdoptItem(SurveyItem item, int index);
+  void AdoptScene();
   void SpreadPart(const XmlElement& part, std::size_t index);
   std::vector<pugi::xml_attribute> FindReferences(const XmlElement& element);
-  void TakeOverrides(const std::string& path);
+  void AdoptOverrides(const std::string& path);
   void FoldOrigins();
   pugi::xml_node CopyHere(const XmlElement& element);
   void CopyPlaces(const XmlElement& from, pugi::xml_node to);

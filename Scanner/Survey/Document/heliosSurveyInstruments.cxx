@@ -119,7 +119,7 @@ int SurveyDocument::AddChannel(int scanner)
   {
     return -1;
   }
-  const XmlElement whole = this->TakeOver(SurveyItem::Scanner, scanner);
+  const XmlElement whole = this->AdoptItem(SurveyItem::Scanner, scanner);
   pugi::xml_node list = whole.GetNode().child("channels");
   list = list ? list : whole.GetNode().append_child("channels");
   pugi::xml_node first = list.child("channel");
@@ -157,8 +157,8 @@ bool SurveyDocument::SetScanner(
     return this->SetIn({ this->MakeElement(this->GetSurvey()), where }, SurveyItem::Survey,
       "detectorSettings/" + path, text);
   }
-  const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, place.Index);
-  this->TakeOverrides(name);
+  const XmlElement scanner = this->AdoptItem(SurveyItem::Scanner, place.Index);
+  this->AdoptOverrides(name);
   const bool isOfChannel = path.compare(0, std::string(ChannelPrefix).size(), ChannelPrefix) == 0;
   if (isOfChannel && !this->GetChannel(scanner, 0))
   {
@@ -198,7 +198,7 @@ bool SurveyDocument::SetWhole(
 
 //------------------------------------------------------------------------------
 /// Moves what a survey overrides of its scanners into each of them, so that one can be changed.
-void SurveyDocument::TakeOverrides(const std::string& name)
+void SurveyDocument::AdoptOverrides(const std::string& name)
 {
   const XmlElementRule* rule = FindRule(SurveyItem::Scanner, name);
   const XmlValueRule* wanted = rule ? rule->FindValue(name) : nullptr;
@@ -216,7 +216,7 @@ void SurveyDocument::TakeOverrides(const std::string& name)
         node.remove_attribute(value.Name);
         for (std::size_t i = 0; i < this->Elements.Scanners.size(); ++i)
         {
-          const XmlElement scanner = this->TakeOver(SurveyItem::Scanner, static_cast<int>(i));
+          const XmlElement scanner = this->AdoptItem(SurveyItem::Scanner, static_cast<int>(i));
           this->SetWhole({ scanner, "scanner " + std::to_string(i) }, value.Name, text);
         }
       }
@@ -276,7 +276,7 @@ bool SurveyDocument::SetPlatform(
   {
     return found && this->SetInterpolated(place);
   }
-  const XmlElement platform = this->TakeOver(SurveyItem::Platform, place.Index);
+  const XmlElement platform = this->AdoptItem(SurveyItem::Platform, place.Index);
   XmlElement& entry = this->Elements.Platforms[static_cast<std::size_t>(place.Index)];
   if (path == "type" && entry.GetIdentity() != platform.GetIdentity()) // no longer interpolated
   {
@@ -294,7 +294,7 @@ bool SurveyDocument::SetPlatform(
   const bool isOfPlatform = FindXmlRule("platform")->FindChild(name) != nullptr;
   for (std::size_t i = 0; override && isOfPlatform && i < this->Elements.Platforms.size(); ++i)
   {
-    const XmlElement one = this->TakeOver(SurveyItem::Platform, static_cast<int>(i));
+    const XmlElement one = this->AdoptItem(SurveyItem::Platform, static_cast<int>(i));
     const bool isInterpolated = one.GetIdentity() != this->Elements.Platforms[i].GetIdentity();
     if (name != "scannerMount" || isInterpolated)
     {
@@ -309,7 +309,7 @@ bool SurveyDocument::SetPlatform(
 //------------------------------------------------------------------------------
 /// A scanner or platform as an element of this document, which can be changed; of an interpolated
 /// platform the one below it.
-XmlElement SurveyDocument::TakeOver(SurveyItem item, int index)
+XmlElement SurveyDocument::AdoptItem(SurveyItem item, int index)
 {
   const bool isScanner = item == SurveyItem::Scanner;
   std::vector<XmlElement>& all = isScanner ? this->Elements.Scanners : this->Elements.Platforms;

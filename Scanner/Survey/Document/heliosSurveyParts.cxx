@@ -57,7 +57,7 @@ void AddRotation(pugi::xml_node part, const std::string& axis, double angle)
 /// The scene of this document, made if there is none.
 SurveyDocument::Found SurveyDocument::MakeScene()
 {
-  this->TakeOverScene();
+  this->AdoptScene();
   if (!this->Elements.Scene)
   {
     pugi::xml_node node =
@@ -107,7 +107,7 @@ int SurveyDocument::AddPart(const std::string& loader, const std::string& file)
 bool SurveyDocument::RemovePart(int part)
 {
   this->Log.Restart(this->Owner);
-  this->TakeOverScene();
+  this->AdoptScene();
   const Found found = this->Find({ SurveyItem::Part, part });
   if (found)
   {
@@ -121,7 +121,7 @@ bool SurveyDocument::RemovePart(int part)
 //------------------------------------------------------------------------------
 void SurveyDocument::RemoveAllParts()
 {
-  this->TakeOverScene();
+  this->AdoptScene();
   for (const char* tag : { "part", "partTable" })
   {
     for (const XmlElement& element : this->ListOwn(tag))
@@ -154,7 +154,7 @@ int SurveyDocument::AddPartTable(const std::string& file)
 bool SurveyDocument::SetPartTableRows(int table, const std::string& text)
 {
   this->Log.Restart(this->Owner);
-  this->TakeOverScene();
+  this->AdoptScene();
   const Found found = this->Find({ SurveyItem::PartTable, table });
   std::vector<TableRow> rows;
   RowTable reader("row", this->Log);
@@ -189,7 +189,7 @@ bool SurveyDocument::SetPartTableRows(int table, const std::string& text)
 bool SurveyDocument::RotatePart(int part, const std::string& axis, double angle)
 {
   this->Log.Restart(this->Owner);
-  this->TakeOverScene();
+  this->AdoptScene();
   const Found found = this->Find({ SurveyItem::Part, part });
   const XmlElementRule* rule = FindXmlRule("rot");
   const XmlValue turn{ "angle_deg", ToXmlText(angle), found.Where };
@@ -221,7 +221,7 @@ bool SurveyDocument::UseScene(const std::string& reference)
   this->Elements.Scene = scene;
   this->GetSurvey().remove_attribute("scene");
   SetAttribute(this->GetSurvey(), "scene", this->Refer(scene));
-  this->TakeOverScene();
+  this->AdoptScene();
   return true;
 }
 
@@ -267,7 +267,7 @@ void SurveyDocument::SetSceneText(const std::string& text)
 
 //------------------------------------------------------------------------------
 /// Makes the scene an element of this document, with one element for each part.
-void SurveyDocument::TakeOverScene()
+void SurveyDocument::AdoptScene()
 {
   XmlElement& scene = this->Elements.Scene;
   if (!scene)
