@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Elements that a survey refers to in other files: copied into its document, or named as in a new
 // folder.
 #include "heliosElementPath.h"
