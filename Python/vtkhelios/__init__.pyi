@@ -830,16 +830,15 @@ class vtkHeliosEchoAlgorithm(vtkPolyDataAlgorithm):
         """
     generate_colors: bool
     """Set/Get whether the echoes have RGB (float, [0..1]), the colour
-    of the surface where the echo is: that of the cell data RGB of
-    the scene, else that of the point data RGB between the corners,
-    else the base colour of the material (Material.Color) times its
-    texture, bilinear (Material.Texture, and cell data
-    TextureCoordinates); black without. A texture that cannot be read
-    is an error; vtkHeliosImageReader lists the formats. They are
-    read again once the scene changes. vtkHeliosSurveySource reads
-    its meshes with their colours then; see ReadColors of
-    vtkHeliosObjSceneReader and PassColors of vtkHeliosSceneComposer.
-    Default: off.
+    of the surface where the echo is: the cell data RGB of the scene,
+    else the point data RGB between the corners, else the base colour
+    of the material (Material.Color) times its texture, bilinear
+    (Material.Texture, and cell data TextureCoordinates); black
+    without. A texture that cannot be read is an error;
+    vtkHeliosImageReader lists the formats. They are read again once
+    the scene changes. vtkHeliosSurveySource reads its meshes with
+    their colours then; see ReadColors of vtkHeliosObjSceneReader and
+    PassColors of vtkHeliosSceneComposer. Default: off.
     """
     generate_columns: bool
     """Set/Get whether the echoes, and the pulses, have ColumnIds: the
@@ -4074,83 +4073,83 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     """
     @property
     def kind(self) -> Optional[str]:
-        """Get the type of file: "planner", "survey" or "scene"; a name
+        """Returns the type of file: "planner", "survey" or "scene"; a name
         valid for a folder; the sources of scene, platform and scanner,
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
         """
     @property
     def leg_angular_step(self) -> float:
-        """Get whether the scanner has a rotating mirror, which uses the
+        """Returns whether the scanner has a rotating mirror, which uses the
         window; the larger of the angles between its pulses along and
         across a line [deg], 0 if they are irregular; the offset from the
         platform to the beam origin [m].
         """
     @property
     def leg_head_rotate_per_second(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_head_rotate_start(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_head_rotate_stop(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_pulse_frequency(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_scan_angle(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_scan_frequency(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_vertical_angle_max(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def leg_vertical_angle_min(self) -> float:
-        """Get how a position is scanned: the pulse and the scan frequency
-        [Hz], half the scan angle of the mirror, the window of a rotating
-        one, and the angles [deg] and the speed [deg/s] of the head
-        rotation.
+        """Returns how a position is scanned: the pulse and the scan
+        frequency [Hz], half the scan angle of the mirror, the window of
+        a rotating one, and the angles [deg] and the speed [deg/s] of the
+        head rotation.
         """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def method(self) -> Optional[str]:
-        """Get the method: reduce, bestcoverage, greedy, best or optimal,
-        empty without a ; the removal criterion of reduce: viewshedSize
-        or meanIncidenceAngle; whether limits that are not given are
-        those of the scanner.
+        """Returns the method: reduce, bestcoverage, greedy, best or
+        optimal, empty without a ; the removal criterion of reduce:
+        viewshedSize or meanIncidenceAngle; whether limits that are not
+        given come from the scanner.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -4160,18 +4159,18 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def plan_name(self) -> Optional[str]:
-        """Get the type of file: "planner", "survey" or "scene"; a name
+        """Returns the type of file: "planner", "survey" or "scene"; a name
         valid for a folder; the sources of scene, platform and scanner,
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
         """
     platform: Optional[str]
-    """Set/Get the platform and the scanner that override those of the
-    file, file.xml#id. Default: none.
+    """Set/Get the platform and the scanner that override the file's,
+    file.xml#id. Default: none.
     """
     @property
     def platform_reference(self) -> Optional[str]:
-        """Get the type of file: "planner", "survey" or "scene"; a name
+        """Returns the type of file: "planner", "survey" or "scene"; a name
         valid for a folder; the sources of scene, platform and scanner,
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
@@ -4195,10 +4194,10 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     """
     @property
     def remove_order(self) -> Optional[str]:
-        """Get the method: reduce, bestcoverage, greedy, best or optimal,
-        empty without a ; the removal criterion of reduce: viewshedSize
-        or meanIncidenceAngle; whether limits that are not given are
-        those of the scanner.
+        """Returns the method: reduce, bestcoverage, greedy, best or
+        optimal, empty without a ; the removal criterion of reduce:
+        viewshedSize or meanIncidenceAngle; whether limits that are not
+        given come from the scanner.
         """
     resolution: float
     """Set/Get the angle between pulses of a line and between lines
@@ -4207,34 +4206,34 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     file, else 0.1.
     """
     scanner: Optional[str]
-    """Set/Get the platform and the scanner that override those of the
-    file, file.xml#id. Default: none.
+    """Set/Get the platform and the scanner that override the file's,
+    file.xml#id. Default: none.
     """
     @property
     def scanner_limits(self) -> bool:
-        """Get the method: reduce, bestcoverage, greedy, best or optimal,
-        empty without a ; the removal criterion of reduce: viewshedSize
-        or meanIncidenceAngle; whether limits that are not given are
-        those of the scanner.
+        """Returns the method: reduce, bestcoverage, greedy, best or
+        optimal, empty without a ; the removal criterion of reduce:
+        viewshedSize or meanIncidenceAngle; whether limits that are not
+        given come from the scanner.
         """
     @property
     def scanner_reference(self) -> Optional[str]:
-        """Get the type of file: "planner", "survey" or "scene"; a name
+        """Returns the type of file: "planner", "survey" or "scene"; a name
         valid for a folder; the sources of scene, platform and scanner,
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
         """
     @property
     def scene_reference(self) -> Optional[str]:
-        """Get the type of file: "planner", "survey" or "scene"; a name
+        """Returns the type of file: "planner", "survey" or "scene"; a name
         valid for a folder; the sources of scene, platform and scanner,
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
         """
     use_scanner_limits: bool
     """Set/Get whether range and elevation limits that the file does not
-    give are those of the scanner, whatever the file says. Default:
-    off, as in the file.
+    give come from the scanner, whatever the file says. Default: off,
+    the file decides.
     """
     def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., instances: bool = ..., keep_grids: bool = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_scanner_limits: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -5009,12 +5008,12 @@ class vtkHeliosRanks(vtkObject):
         """
     @property
     def number_of_ranks(self) -> int:
-        """Get the number of ranks, and which of them this process is,
+        """Returns the number of ranks, and which of them this process is,
         counted from 0.
         """
     @property
     def rank(self) -> int:
-        """Get the number of ranks, and which of them this process is,
+        """Returns the number of ranks, and which of them this process is,
         counted from 0.
         """
     def Dismiss(self) -> None: ...
@@ -5447,18 +5446,18 @@ class vtkHeliosRunFiles(vtkObject):
     """vtkHeliosRunFiles - names of the files of a run"""
     @property
     def journal_name(self) -> Any:
-        """The files of a whole run."""
+        """Returns the files of a whole run."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def number_of_formats(self) -> Any:
-        """The formats of a run: "xyz", "las", "vtp". Null if the index is
-        out of range.
+        """Get the formats of a run: "xyz", "las", "vtp". Null if the index
+        is out of range.
         """
     @property
     def summary_name(self) -> Any:
-        """The files of a whole run."""
+        """Returns the files of a whole run."""
     @staticmethod
     def FindEpoch(folder: str, epoch: int) -> str: ...
     @staticmethod
@@ -5514,12 +5513,12 @@ class vtkHeliosRunOptions(vtkObject):
     """
     echo_detector: Optional[str]
     """Set/Get the echo detector for waveforms, one of
-    GetEchoDetectorNames(). Default: empty, that of the survey.
+    GetEchoDetectorNames(). Default: empty, the survey's.
     """
     @property
     def echo_detector_names(self) -> Any:
-        """The names of the echo detectors, separated by blanks; the first
-        is the default.
+        """Returns the names of the echo detectors, separated by blanks; the
+        first is the default.
         """
     energy_tolerance: float
     """Set/Get the tolerances of adaptive beam sampling, in range [m]
@@ -5536,8 +5535,8 @@ class vtkHeliosRunOptions(vtkObject):
     """Set/Get when the survey starts, at GpsTime 0, as
     vtkHeliosGpsTime::Parse() reads it, such as "2026-07-01 12:00:00"
     of UTC: points then have the field array GpsEpoch, and files of
-    points the times of a clock. Default: empty, that of the survey,
-    else not known.
+    points the times of a clock. Default: empty, the survey's, else
+    not known.
     """
     @property
     def m_time(self) -> int:
@@ -5550,7 +5549,7 @@ class vtkHeliosRunOptions(vtkObject):
     """
     @property
     def model_part_names(self) -> Any:
-        """The names of the parts of the model that can be left out,
+        """Get the names of the parts of the model that can be left out,
         separated by blanks.
         """
     noise: bool
@@ -5569,13 +5568,13 @@ class vtkHeliosRunOptions(vtkObject):
         """
     number_of_sub_rays: int
     """Set/Get a fixed number of sub-rays of every pulse: 1, 7, 19, 37,
-    62 ... on circles, as by beamSampleQuality in surveys; any other
+    62 ... on circles, like beamSampleQuality in surveys; any other
     number, rounded up to a multiple of 4, on a spiral. Valid range:
     [0, 65536]. Default: 0, as in the survey.
     """
     pulse_step: int
     """Set/Get how many pulses have one that is fired: a sample of the
-    run, as by vtkHeliosScanner::SetPulseStep(). Valid range: [1,
+    run, see vtkHeliosScanner::SetPulseStep(). Valid range: [1,
     2^53]. Default: 1, all.
     """
     range_tolerance: float
@@ -5591,8 +5590,7 @@ class vtkHeliosRunOptions(vtkObject):
     """
     seed: int
     """Set/Get the seed of all random numbers. Valid range: [0, 2^62],
-    or -1: that of the survey, else
-    0. Default: -1.
+    or -1: the survey's, else 0. Default: -1.
     """
     sub_ray_pattern: Optional[str]
     """Set/Get the pattern of these sub-rays, a name of
@@ -5602,13 +5600,13 @@ class vtkHeliosRunOptions(vtkObject):
     """
     @property
     def sub_ray_pattern_names(self) -> Any:
-        """The names of the patterns, separated by blanks: those of
-        vtkHeliosBeamSampler.
+        """Get the names of the patterns of vtkHeliosBeamSampler, separated
+        by blanks.
         """
     weather: Optional[str]
     """Set/Get a kind of weather and its amount, such as "fog 0.2", as
     vtkHeliosInstrument::SetWeather(), for all scanners. Default:
-    empty, that of the survey.
+    empty, the survey's.
     """
     without: Optional[str]
     """Set/Get the parts of the model that are left out, names of
@@ -7279,40 +7277,47 @@ class vtkHeliosSurvey(vtkObject):
     def m_time(self) -> int:
         """Return this object's modified time."""
     name: Optional[str]
-    """Set/Get the name of the survey, also that of its output folder;
-    it is changed to a valid folder name. Default: survey.
+    """Set/Get the name of the survey and of its output folder; it is
+    changed to a valid folder name. Default: survey.
     """
     @property
     def number_of_epochs(self) -> int:
-        """The number of epochs: more than one if parts of the scene are
-        swapped. vtkHeliosSurveyPlayer runs one epoch at a time.
+        """Returns the number of epochs: more than one if parts of the scene
+        are swapped. vtkHeliosSurveyPlayer runs one epoch at a time.
         """
     @property
     def number_of_legs(self) -> int:
-        """The number of legs, including inactive ones."""
+        """Returns the number of legs, including inactive ones."""
     @property
     def number_of_parts(self) -> int:
-        """The parts of the scene; the name is empty if the part does not
-        exist.
+        """The parts of the scene; those that are not of tables come first,
+        and can be changed one by one. The name is empty if the part does
+        not exist.
         """
     @property
     def number_of_platforms(self) -> int:
-        """The number of scanners and of platforms."""
+        """Get the number of scanners and of platforms."""
     @property
     def number_of_scanners(self) -> int:
-        """The number of scanners and of platforms."""
+        """Get the number of scanners and of platforms."""
+    @property
+    def number_of_single_parts(self) -> int:
+        """The parts of the scene; those that are not of tables come first,
+        and can be changed one by one. The name is empty if the part does
+        not exist.
+        """
     @property
     def platform_name(self) -> Optional[str]:
-        """The names of what the survey uses, separated by commas."""
+        """Returns the names of what the survey uses, separated by commas."""
     @property
     def scanner_name(self) -> Optional[str]:
-        """The names of what the survey uses, separated by commas."""
+        """Returns the names of what the survey uses, separated by commas."""
     @property
     def scene_name(self) -> Optional[str]:
-        """The names of what the survey uses, separated by commas."""
+        """Returns the names of what the survey uses, separated by commas."""
     @property
     def seed(self) -> int:
-        """The seed of the survey; -1: none."""
+        """Returns the seed of the survey; -1: none."""
     def __init__(self, *, name: Optional[str] = ...) -> None: ...
     def AddAssetDirectory(self, directory: str) -> None: ...
     def AddChannel(self, scanner: int) -> int: ...
@@ -7343,6 +7348,7 @@ class vtkHeliosSurvey(vtkObject):
     def GetNumberOfParts(self) -> int: ...
     def GetNumberOfPlatforms(self) -> int: ...
     def GetNumberOfScanners(self) -> int: ...
+    def GetNumberOfSingleParts(self) -> int: ...
     def GetPartAttribute(self, part: int, name: str) -> str: ...
     def GetPartName(self, part: int) -> str: ...
     def GetPartTableAttribute(self, table: int, name: str) -> str: ...
@@ -7360,11 +7366,13 @@ class vtkHeliosSurvey(vtkObject):
     def IsMoving(self) -> bool: ...
     @staticmethod
     def IsTypeOf(type: str) -> int: ...
+    def MoveLeg(self, leg: int, to: int) -> bool: ...
     def NewInstance(self) -> vtkHeliosSurvey: ...
     def RemoveAllAssetDirectories(self) -> None: ...
     def RemoveAllLegs(self) -> None: ...
     def RemoveAllParts(self) -> None: ...
     def RemoveLeg(self, leg: int) -> None: ...
+    def RemovePart(self, part: int) -> bool: ...
     def RotatePart(self, part: int, axis: str, angle: float) -> bool: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosSurvey: ...
@@ -7382,7 +7390,7 @@ class vtkHeliosSurvey(vtkObject):
     def WriteFile(self, fileName: str) -> bool: ...
 
 class vtkHeliosSurveyPlayer(vtkObject):
-    """vtkHeliosSurveyPlayer - runs the legs of a survey and writes what the scanner records"""
+    """vtkHeliosSurveyPlayer - runs the legs of a survey and writes the records of the scanner"""
     bytes_to_check: int
     """Set/Get how many bytes of the earlier run's newest blocks Resume
     compares with their checksums in the journal; the sizes of all
@@ -7417,20 +7425,20 @@ class vtkHeliosSurveyPlayer(vtkObject):
         """
     @property
     def number_of_part_folders(self) -> int:
-        """Add the folder of a part, or remove all of them. With folders
+        """Adds the folder of a part, or removes all of them. With folders
         Run() computes no pulses: it reads their blocks from the parts
-        and writes the files of the run, byte-identical to those of one
-        process. All parts of one run are required, with the same inputs
-        and options; their folders may be anywhere. Default: none.
+        and writes the files of the run, byte-identical to the files of
+        one process. All parts of one run are required, with the same
+        inputs and options; their folders may be anywhere. Default: none.
         """
     number_of_parts: int
     """Set/Get which part of the run is run, of a number of parts:
     consecutive blocks of pulses, so that several computers share a
-    run. A part has its own folder, partNNNofNNN in that of the run,
-    and its own journal, which stays; --resume continues it as any
-    run, and starts one that was not started. Its files of points and
-    waveforms are those of the run if Format is "xyz", else VTK XML;
-    it has no trajectories and no accuracy. Valid range: [1,
+    run. A part has its own folder, partNNNofNNN in the folder of the
+    run, and its own journal, which stays; --resume continues it as
+    any run, and starts one that was not started. Its files of points
+    and waveforms have the format of the run if Format is "xyz", else
+    VTK XML; it has no trajectories and no accuracy. Valid range: [1,
     NumberOfParts]; 0: the whole run. Default: 1 and 0.
     """
     @property
@@ -7440,7 +7448,7 @@ class vtkHeliosSurveyPlayer(vtkObject):
         """
     options: Optional[vtkHeliosRunOptions]
     """Set/Get the survey of the source, and its options. Default: no
-    survey, and those of a new vtkHeliosRunOptions.
+    survey, and a new vtkHeliosRunOptions.
     """
     output_directory: Optional[str]
     """Set/Get the parent of the survey's output folder. Default:
@@ -7453,11 +7461,11 @@ class vtkHeliosSurveyPlayer(vtkObject):
     part: int
     """Set/Get which part of the run is run, of a number of parts:
     consecutive blocks of pulses, so that several computers share a
-    run. A part has its own folder, partNNNofNNN in that of the run,
-    and its own journal, which stays; --resume continues it as any
-    run, and starts one that was not started. Its files of points and
-    waveforms are those of the run if Format is "xyz", else VTK XML;
-    it has no trajectories and no accuracy. Valid range: [1,
+    run. A part has its own folder, partNNNofNNN in the folder of the
+    run, and its own journal, which stays; --resume continues it as
+    any run, and starts one that was not started. Its files of points
+    and waveforms have the format of the run if Format is "xyz", else
+    VTK XML; it has no trajectories and no accuracy. Valid range: [1,
     NumberOfParts]; 0: the whole run. Default: 1 and 0.
     """
     part_command: Optional[str]
@@ -7486,8 +7494,8 @@ class vtkHeliosSurveyPlayer(vtkObject):
     """
     @property
     def report(self) -> Optional[str]:
-        """The run_summary.json of the last Run(), or the result of the last
-        Estimate(), as JSON. Empty before, and after a failure.
+        """Returns the run_summary.json of the last Run(), or the result of
+        the last Estimate(), as JSON. Empty before, and after a failure.
         """
     resume: bool
     """Set/Get whether the earlier run in the folder is continued after
@@ -7498,9 +7506,9 @@ class vtkHeliosSurveyPlayer(vtkObject):
     """
     @property
     def run_folder(self) -> Optional[str]:
-        """The output folder of Run(): OutputDirectory/<name of the survey>,
-        with the subfolder epochNNN if the survey has several epochs, and
-        partNNNofNNN of a part. Empty without a survey.
+        """Returns the output folder of Run(): OutputDirectory/<name of the
+        survey>, with the subfolder epochNNN if the survey has several
+        epochs, and partNNNofNNN of a part. Empty without a survey.
         """
     @property
     def sampling(self) -> Optional[str]:
@@ -7534,7 +7542,7 @@ class vtkHeliosSurveyPlayer(vtkObject):
     """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey of the source, and its options. Default: no
-    survey, and those of a new vtkHeliosRunOptions.
+    survey, and a new vtkHeliosRunOptions.
     """
     @property
     def was_finished(self) -> bool:
@@ -7851,7 +7859,7 @@ class vtkHeliosSurveyReader(vtkObject):
     """
     @property
     def survey(self) -> Optional[vtkHeliosSurvey]:
-        """The survey of the last Read(), or null."""
+        """Returns the survey of the last Read(), or null."""
     trajectories_required: bool
     """Set/Get whether the scene of the survey, and the trajectory files
     of its legs, are required. If not, Read() does not read that
@@ -7888,25 +7896,26 @@ class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
     """vtkHeliosSurveySource - runs a survey, or part of its pulses, in memory"""
     @property
     def fingerprint(self) -> Optional[str]:
-        """Get the versions, the options, and the files that the survey
+        """Returns the versions, the options, and the files that the survey
         names with their SHA-256, as JSON; reads these files, and does
-        not load the scene. Empty after an error. Compare it with that of
-        a source in another process: the differences as text, such as "plane.obj has
-        changed"; empty if both have the same results.
-        ComputeLoadedFingerprint() loads the scene and plans the legs,
-        and adds the files that other files name, and the digest of the
-        scene; compared with such a one, another source loads its own.
+        not load the scene. Empty after an error. Compare it with the
+        fingerprint of a source in another process: the differences as
+        text, such as "plane.obj has changed"; empty if both have the
+        same results. ComputeLoadedFingerprint() loads the scene and
+        plans the legs, and adds the files that other files name, and the
+        digest of the scene; compared with such a one, another source
+        loads its own.
         """
     instances: bool
     """Set/Get whether meshes that several parts of the survey have are
-    stored once, and rasters of heights stay rasters, but not those
-    of parts that move: the scene is then a vtkHeliosScene. Default:
+    stored once, and rasters of heights stay rasters, but not of
+    parts that move: the scene is then a vtkHeliosScene. Default:
     off.
     """
     @property
     def number_of_pulses(self) -> int:
-        """Get the results of Load(); empty before. The scene as one mesh
-        (with Instances: with its instances), moving parts at their
+        """Returns the results of Load(); empty before. The scene as one
+        mesh (with Instances: with its instances), moving parts at their
         start; the number of pulses of all legs; the pulse ids [i0, i1)
         and the time [t0, t1] of a leg [s], both empty ranges for a leg
         that fires no pulses; the length of its pulses, the full width at
@@ -7915,8 +7924,8 @@ class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
         """
     options: Optional[vtkHeliosRunOptions]
     """Set/Get the options of the run: epoch, seed, sampling of the
-    beam, ray caster. Default: those of a new vtkHeliosRunOptions.
-    Null is ignored.
+    beam, ray caster. Default: a new vtkHeliosRunOptions. Null is
+    ignored.
     """
     pulse_window: Sequence[int]
     """Set/Get the range [i0, i1) of pulse ids to compute. Valid range:
@@ -7924,8 +7933,8 @@ class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
     """
     @property
     def scene(self) -> Optional[vtkPolyData]:
-        """Get the results of Load(); empty before. The scene as one mesh
-        (with Instances: with its instances), moving parts at their
+        """Returns the results of Load(); empty before. The scene as one
+        mesh (with Instances: with its instances), moving parts at their
         start; the number of pulses of all legs; the pulse ids [i0, i1)
         and the time [t0, t1] of a leg [s], both empty ranges for a leg
         that fires no pulses; the length of its pulses, the full width at
@@ -7934,9 +7943,9 @@ class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
         """
     @property
     def scene_size(self) -> float:
-        """The size of the scene and of what its ray caster has built, after
-        an update [bytes]; 0 before. Turbid voxels and outputs are not
-        counted.
+        """Returns the size of the scene and of what its ray caster has
+        built, after an update [bytes]; 0 before. Turbid voxels and
+        outputs are not counted.
         """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey to run. Required; no default."""
@@ -8027,7 +8036,8 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     platform: Optional[str]
     """Set/Get the platform and the scanner: file.xml#id. The platform
-    must be static, that of waypoints must move. Default: none.
+    must be static, the platform of waypoints must move. Default:
+    none.
     """
     @property
     def progress(self) -> float:
@@ -8058,13 +8068,14 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     """
     scanner: Optional[str]
     """Set/Get the platform and the scanner: file.xml#id. The platform
-    must be static, that of waypoints must move. Default: none.
+    must be static, the platform of waypoints must move. Default:
+    none.
     """
     scene: Optional[str]
     """Set/Get the scene: file.xml#id, or a mesh. Default: none."""
     survey_name: Optional[str]
     """Set/Get the name of the survey, and so of its output folder.
-    Default: none, that of the file.
+    Default: none, the name of the file.
     """
     vertical_angle_max: float
     """Set/Get half the scan angle and, for a rotating mirror, the

@@ -61,7 +61,7 @@ public:
   /// Loads a file, in place of what the document has. False if it is not a document; its other errors
   /// are those of Resolve(), too.
   bool Load(const std::string& fileName);
-  bool Load(const std::string& fileName, const std::string& text); ///< as if the file had that text
+  bool Load(const std::string& fileName, const std::string& text); ///< loads that text as the file
 
   ///@{
   /// Whether a scene and trajectories are required, optional (of a survey without a file), or
