@@ -109,9 +109,14 @@ bool SurveyDocument::Set(const SurveyPlace& place, const std::string& path, cons
   const bool isName = place.Item == SurveyItem::Survey && path == "name";
   place.Item == SurveyItem::Leg ? this->FoldOrigins() : void();
   const Found found = this->Find(place);
-  return found &&
+  const bool isSet = found &&
     this->SetIn(
       found, place.Item, path, isName ? MakeFolderName(text.empty() ? "survey" : text) : text);
+  if (isSet && isName && !this->IsFile)
+  {
+    this->Own->SetPlace(found.Element.GetNode(), this->Find(place).Where);
+  }
+  return isSet;
 }
 
 //------------------------------------------------------------------------------
@@ -133,9 +138,11 @@ bool SurveyDocument::SetIn(
   }
   const pugi::xml_node node = found.Element.GetNode();
   ElementPath target(node, MakeFullPath(*rule, node, path), value);
-  std::string given = text;
-  const bool isGood = target.Follow(!text.empty(), this->Log) && this->CheckLoader(found, name) &&
-    this->FindFiles(given, target.GetRule(), value) && target.Check(given, this->Log);
+  const bool isFound = target.Follow(!text.empty(), this->Log) && this->CheckLoader(found, name);
+  const bool hasBlanks = isFound && target.GetRule() && target.GetRule()->HasBlanks;
+  std::string given = hasBlanks ? text : TrimBlanks(text);
+  const bool isGood =
+    isFound && this->FindFiles(given, target.GetRule(), value) && target.Check(given, this->Log);
   if (!isGood)
   {
     return text.empty() && !this->Log.HasError();

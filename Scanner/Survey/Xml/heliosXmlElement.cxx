@@ -310,9 +310,7 @@ bool XmlElement::FindValue(const char* name, XmlValue& value) const
     return false;
   }
   std::string text = attribute.empty() ? JoinText(child.Node) : attribute.value();
-  text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  text.erase(text.find_last_not_of(" \t\r\n") + 1);
-  value = { name, text, attribute.empty() ? child.Where() : this->Where() };
+  value = { name, TrimBlanks(text), attribute.empty() ? child.Where() : this->Where() };
   return true;
 }
 

@@ -111,6 +111,14 @@ vtkIdType FindSeed(std::string text)
 } // namespace
 
 //------------------------------------------------------------------------------
+std::string TrimBlanks(std::string text)
+{
+  text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  return text;
+}
+
+//------------------------------------------------------------------------------
 bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target)
 {
   double number = 0.0;

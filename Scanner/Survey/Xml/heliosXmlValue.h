@@ -26,6 +26,9 @@ struct XmlValue
   std::string Folder{}; ///< folder of the file; empty: the working directory
 };
 
+/// Returns a text without blanks and line ends around it.
+std::string TrimBlanks(std::string text);
+
 /**
  * Parse a whole text; return false, after an error with file:line, the value and the fix, if the
  * text is not valid or not in the rule's range. The target is then unchanged.

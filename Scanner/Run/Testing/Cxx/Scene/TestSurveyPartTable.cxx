@@ -332,7 +332,7 @@ TEST_CASE("SurveyPartTable: tables that are not valid", "[SurveyPartTable]")
   CheckRefused("x,y\n1,2\n", MakeTable(Models, " scaleMin=\"2\""),
     { "scene.xml:3: scaleMin=\"2\" is above scaleMax=\"1\"; exchange them" });
   CheckRefused("x,y\n1,2\n", MakeTable(Models + "<row x=\"1\" y=\"2\"/>"),
-    { "<partTable> has rows from two of: a file, <row> children, and a text; give one of them" });
+    { "<partTable> has a file and <row> children; give one of them" });
   CheckRefused("", "<partTable>" + Models + "<row x=\"1\"/></partTable>",
     { "<row> has no y; give the place of the part [m]" });
   CheckRefused("", "<partTable>" + Models + "</partTable>", { "the table has no rows" });
