@@ -53,6 +53,8 @@ struct DetectorKind
   vtkSmartPointer<vtkHeliosEchoDetector> Prototype;
 };
 
+constexpr int NumberOfOwnKinds = 5; // which are not removed
+
 /// The known detectors; the first is the default. A list never moves its members.
 std::list<DetectorKind>& GetKinds()
 {
@@ -335,6 +337,20 @@ bool vtkHeliosEchoDetection::AddDetector(const std::string& name, vtkHeliosEchoD
     kinds.push_back({ name, prototype });
   }
   return isValid;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosEchoDetection::RemoveDetector(const std::string& name)
+{
+  std::list<DetectorKind>& kinds = GetKinds();
+  const auto found = std::find_if(std::next(kinds.begin(), NumberOfOwnKinds), kinds.end(),
+    [&name](const DetectorKind& kind) { return kind.Name == name; });
+  const bool isAdded = found != kinds.end();
+  if (isAdded)
+  {
+    kinds.erase(found);
+  }
+  return isAdded;
 }
 
 //------------------------------------------------------------------------------

@@ -60,13 +60,17 @@ public:
    */
   VTK_NEWINSTANCE static vtkHeliosEchoDetector* MakeDetector(const char* name);
 
+  ///@{
   /**
    * Adds an echo detector, so that surveys and runs find it by its name, as they find "peak": a
    * plug-in calls it before surveys are read. MakeDetector() makes new objects of the class of the
    * prototype, which scanners set up by vtkHeliosEchoDetector::SetInstrument(). Returns false if the
-   * prototype is null, or the name is empty, has blanks, or is known.
+   * prototype is null, or the name is empty, has blanks, or is known. RemoveDetector() removes one
+   * that was added, and returns false for any other.
    */
   static bool AddDetector(const std::string& name, vtkHeliosEchoDetector* prototype);
+  static bool RemoveDetector(const std::string& name);
+  ///@}
 
   ///@{
   /**

@@ -57,64 +57,89 @@ private:
 
 vtkStandardNewMacro(LargestSample);
 
-/// Adds the detector once, as a plug-in does that is loaded.
-void LoadPlugin()
+/// The plug-in while it is loaded.
+struct Plugin
 {
-  vtkNew<LargestSample> detector;
-  static const bool isAdded = vtkHeliosEchoDetection::AddDetector("largestSample", detector);
-  REQUIRE(isAdded);
-}
+  vtkNew<LargestSample> Detector;
+
+  Plugin() { REQUIRE(vtkHeliosEchoDetection::AddDetector("largestSample", this->Detector)); }
+  ~Plugin() { vtkHeliosEchoDetection::RemoveDetector("largestSample"); }
+  Plugin(const Plugin&) = delete;
+  void operator=(const Plugin&) = delete;
+};
+
+/// A survey of a tripod whose scanner names its detector.
+struct Bench
+{
+  Files Folder;
+  helios::test::Reading Reading;
+
+  explicit Bench(const std::string& detector)
+    : Reading(Write(Folder, detector), Tripod, OneLeg)
+  {
+  }
+
+private:
+  static const Files& Write(const Files& files, const std::string& detector)
+  {
+    files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
+      "<FWFSettings beamSampleQuality=\"2\" echoDetector=\"" + detector + "\"/>");
+    return files;
+  }
+};
 
 } // namespace
 
 TEST_CASE("SurveyDetector: names of added detectors are checked", "[SurveyDetector]")
 {
-  LoadPlugin();
-  vtkNew<LargestSample> detector;
-  const int count = vtkHeliosEchoDetection::GetNumberOfDetectors();
-  for (const char* name : { "largestSample", "peak", "", "two words" })
+  const int own = vtkHeliosEchoDetection::GetNumberOfDetectors();
   {
-    CHECK_FALSE(vtkHeliosEchoDetection::AddDetector(name, detector));
+    const Plugin plugin;
+    vtkNew<LargestSample> detector;
+    for (const char* name : { "largestSample", "peak", "", "two words" })
+    {
+      CHECK_FALSE(vtkHeliosEchoDetection::AddDetector(name, detector));
+    }
+    CHECK_FALSE(vtkHeliosEchoDetection::AddDetector("none", nullptr));
+    CHECK(vtkHeliosEchoDetection::GetNumberOfDetectors() == own + 1);
+    CHECK(std::string(vtkHeliosEchoDetection::GetDetectorName(own)) == "largestSample");
   }
-  CHECK_FALSE(vtkHeliosEchoDetection::AddDetector("none", nullptr));
-  CHECK(vtkHeliosEchoDetection::GetNumberOfDetectors() == count);
-  CHECK(std::string(vtkHeliosEchoDetection::GetDetectorName(count - 1)) == "largestSample");
+  CHECK(vtkHeliosEchoDetection::GetNumberOfDetectors() == own);
+  CHECK_FALSE(vtkHeliosEchoDetection::RemoveDetector("largestSample"));
+  for (int i = own - 1; i >= 0; --i)
+  {
+    CHECK_FALSE(vtkHeliosEchoDetection::RemoveDetector(vtkHeliosEchoDetection::GetDetectorName(i)));
+  }
 }
 
 TEST_CASE("SurveyDetector: a survey names the detector of a plug-in", "[SurveyDetector]")
 {
-  LoadPlugin();
-  const Files files;
-  files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
-    "<FWFSettings beamSampleQuality=\"2\" echoDetector=\"largestSample\"/>");
-  const Reading reading(files);
-  REQUIRE(reading.Good);
+  const Plugin plugin;
+  const Bench bench("largestSample");
+  INFO(bench.Reading.Log->Errors);
+  REQUIRE(bench.Reading.Good);
   vtkNew<vtkHeliosSurveySource> source;
-  source->SetSurvey(reading.Reader->GetSurvey());
+  source->SetSurvey(bench.Reading.Reader->GetSurvey());
   source->Update();
   vtkPolyData* echoes = source->GetOutput();
   REQUIRE(echoes->GetNumberOfPoints() > 0);
   vtkDataArray* widths = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::EchoWidth);
-  CHECK(widths->GetRange()[0] == 5.0); // width of the instrument
+  CHECK(widths->GetRange()[0] == 5.0); // of the instrument
   CHECK(widths->GetRange()[1] == 5.0);
   vtkDataArray* counts = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::NumberOfReturns);
   CHECK(counts->GetRange()[1] == 1.0);
 
   source->GetOptions()->SetEchoDetector("peak");
   source->Update();
-  CHECK(
-    source->GetOutput()->GetPointData()->GetArray(vtkHeliosArrayNames::EchoWidth)->GetRange()[1] !=
-    5.0);
+  widths = source->GetOutput()->GetPointData()->GetArray(vtkHeliosArrayNames::EchoWidth);
+  CHECK(widths->GetRange()[1] != 5.0);
 }
 
 TEST_CASE("SurveyDetector: an unknown detector is an error that names all", "[SurveyDetector]")
 {
-  LoadPlugin();
-  const Files files;
-  files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
-    "<FWFSettings beamSampleQuality=\"2\" echoDetector=\"largestSampel\"/>");
-  const Reading reading(files);
-  INFO(reading.Log->Errors);
-  CHECK_FALSE(reading.Good);
-  CHECK(reading.Log->HasError("did you mean largestSample?"));
+  const Plugin plugin;
+  const Bench bench("largestSampel");
+  INFO(bench.Reading.Log->Errors);
+  CHECK_FALSE(bench.Reading.Good);
+  CHECK(bench.Reading.Log->HasError("did you mean largestSample?"));
 }
