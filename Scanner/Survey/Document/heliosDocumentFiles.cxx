@@ -96,18 +96,24 @@ std::string ReferTo(const std::string& path, const std::string& folder,
   const std::vector<std::string>& assetDirectories)
 {
   const fs::path whole = fs::absolute(path).lexically_normal();
+  // Without a name after the slash, so that a folder has the same text with a slash at its end.
+  const auto absolute = [](const std::string& base)
+  { return fs::absolute(base.empty() ? "." : base + "/.").lexically_normal(); };
   std::vector<std::string> bases = assetDirectories;
-  bases.push_back(folder.empty() ? "." : folder);
+  bases.push_back(folder);
+  std::string shortest = whole.string();
   for (const std::string& base : bases)
   {
-    // A trailing slash of the folder would make its last part empty.
-    const fs::path way = whole.lexically_relative(fs::absolute(base + "/.").lexically_normal());
-    if (!way.empty() && way != "." && *way.begin() != "..")
+    const fs::path way = whole.lexically_relative(absolute(base));
+    const bool isBelow = !way.empty() && way != "." && *way.begin() != "..";
+    // The working directory of the program that reads the file may be another one.
+    const bool isFixed = absolute(base) == absolute(folder) || absolute(base) != absolute("");
+    if (isBelow && isFixed && way.string().size() < shortest.size())
     {
-      return way.string();
+      shortest = way.string();
     }
   }
-  return whole.string();
+  return shortest;
 }
 
 //------------------------------------------------------------------------------

@@ -191,8 +191,8 @@ private:
 };
 
 /**
- * How a file in a folder refers to another: by its name in one of the asset directories, by the
- * relative path if it is below the folder, else by its absolute path.
+ * Returns how a file in a folder refers to another: by the shortest path from the folder or one of the
+ * asset directories other than the working directory, else by its absolute path.
  */
 VTKHELIOSSCANNERSURVEY_EXPORT std::string ReferTo(const std::string& path,
   const std::string& folder, const std::vector<std::string>& assetDirectories);

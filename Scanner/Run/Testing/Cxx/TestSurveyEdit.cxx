@@ -20,6 +20,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 
 using Catch::Contains;
 using namespace helios;
@@ -283,4 +284,8 @@ TEST_CASE("SurveyEdit: references to files are kept", "[SurveyEdit]")
   CHECK(ReferTo("/x/c.xml", "/x/", { "/a" }) == "c.xml");
   CHECK(ReferTo("/x/../y/c.xml", "/x", { "/a" }) == "/y/c.xml");
   CHECK(ReferTo("/ab/c.xml", "/x", { "/a" }) == "/ab/c.xml");
+  CHECK(ReferTo("/a/b/c.xml", "/x", { "/", "/a/b", "/a" }) == "c.xml");
+  const std::string here = std::filesystem::current_path().string();
+  CHECK(ReferTo(here + "/c.xml", "/x", { "", "." }) == here + "/c.xml");
+  CHECK(ReferTo(here + "/c.xml", here, { "." }) == "c.xml");
 }
