@@ -25,7 +25,7 @@ FACTS = [
     (
         r"AccuracyReport|accuracy_report|accuracy-report",
         "option of a run",
-        {"vtkHeliosSurveyPlayer.cxx"},
+        {"heliosSurveyRun.cxx"},
     ),
     (r"SolarIrradiance|solar_irradiance", "value of the instrument", set()),
     (r"FilterBandwidth|filter_bandwidth", "value of the instrument", set()),
