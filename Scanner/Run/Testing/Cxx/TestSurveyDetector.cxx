@@ -124,7 +124,7 @@ TEST_CASE("SurveyDetector: a survey names the detector of a plug-in", "[SurveyDe
   vtkPolyData* echoes = source->GetOutput();
   REQUIRE(echoes->GetNumberOfPoints() > 0);
   vtkDataArray* widths = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::EchoWidth);
-  CHECK(widths->GetRange()[0] == 5.0); // of the instrument
+  CHECK(widths->GetRange()[0] == 5.0); // the pulse length
   CHECK(widths->GetRange()[1] == 5.0);
   vtkDataArray* counts = echoes->GetPointData()->GetArray(vtkHeliosArrayNames::NumberOfReturns);
   CHECK(counts->GetRange()[1] == 1.0);
