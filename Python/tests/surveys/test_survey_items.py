@@ -22,7 +22,7 @@ OTHERS = pathlib.Path(os.environ.get("HELIOS_DATA") or ROOT.parent / "shared/dat
 def survey(tmp_path):
     (tmp_path / "ground.obj").write_text(FLAT)
     (tmp_path / "car.obj").write_text(FLAT.replace("60", "1"))
-    car = {"file": tmp_path / "car.obj", "id": "car", "translate": (5, 0, 1)}
+    car = {"file": tmp_path / "car.obj", "id": "car", "translate": (5, 0, 1), "dynStep": 5000}
     car["dmotion"] = [{"loop": 0, "motion": {"type": "translation", "vec": (0.1, 0, 0)}}]
     legs = [(0, 0, 2), dict(position=(4, 0), scan_frequency=50), (8, 0, 2)]
     return vtkhelios.make_survey([tmp_path / "ground.obj", car], legs, **TRIPOD)
@@ -108,8 +108,20 @@ def test_a_survey_of_parts_is_written(survey, tmp_path):
     assert len(a) > 1000 and np.array_equal(a.points, b.points)
     assert np.array_equal(a["PartIds"], b["PartIds"])
     assert 'value="car.obj"' in (tmp_path / "written.xml").read_text()
-    with pytest.raises(vtkhelios.PipelineError, match="nowhere"):
-        survey.write(tmp_path / "nowhere/written.xml")
+    with pytest.raises(vtkhelios.PipelineError, match="car.obj cannot be created: Not a directory"):
+        survey.write(tmp_path / "car.obj/written.xml")
+
+
+def test_a_run_of_moving_parts_is_stopped(survey):
+    def stop(share):
+        if share > 0:
+            raise KeyboardInterrupt
+
+    survey.parts[1].dynStep = 1
+    with pytest.raises(KeyboardInterrupt):
+        survey.run(progress=stop)
+    survey.parts[1].dynStep = 5000
+    assert len(survey.run()) > 1000
 
 
 def test_a_changed_file_is_written(make_survey, tmp_path):

@@ -109,7 +109,7 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
     this->ApplyParts();
     this->ApplyWindow(pulse, next);
     isGood = this->UpdateAll(0, 1);
-    this->Gather();
+    isGood ? this->Gather() : void(); // a stopped scanner has no arrays
     pulse = next;
   } while (isGood && pulse < end);
   this->ApplyWindow(this->FirstPulse, this->LastPulse);
