@@ -15,7 +15,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "Python/vtkhelios"
 NAMES = {value for name, value in vars(array_names).items() if name.isupper() and name != "UNITS"}
 # Other meanings of the same words.
-OTHERS = {("cli/convert.py", "CRS")}  # an option's metavar
+OTHERS = {
+    ("cli/convert.py", "CRS"),  # an option's metavar
+    ("flight/_survey.py", "ScanAngle"),  # a property of a writer
+    ("plans/files.py", "ScanAngle"),
+}
 
 
 @pytest.fixture(scope="module")

@@ -290,7 +290,7 @@ def test_errors_survive_pickling():
 @pytest.mark.parametrize(
     "options, error, message",
     [
-        (dict(sede=1), TypeError, "sede is no option; options are: seed, noise"),
+        (dict(sede=1), TypeError, "sede is no option; options are: tolerance, energy_tolerance"),
         (dict(seed=-7), ValueError, "seed is -7; its valid range is"),
         (dict(detector="best"), vtkhelios.PipelineError, 'EchoDetector is "best"; give peak'),
         (dict(legs=7), ValueError, "there is no leg 7; legs are 0 to 1"),

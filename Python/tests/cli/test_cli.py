@@ -201,7 +201,7 @@ def test_dry_run(command_line, make_survey, tmp_path):
     assert sorted(tmp_path.rglob("*")) == before
     for line in (r"legs +leg +start", r"points   [\d,]+\n", r"files    [\d.]+ MB\n"):
         assert re.search(line, done.stdout), done.stdout
-    assert re.search(r"memory   [\d.]+ [MG]B\ntime     \d+:\d\d \([\d.]+ minutes\)", done.stdout)
+    assert re.search(r"memory   [\d.]+ [MG]B\ntime     [\d.]+ (s|min) with \d+ thread", done.stdout)
     assert "nothing was written" in done.stdout
 
     done = command_line("run", survey, "--dry-run", "--json", "--output", tmp_path / "out")
@@ -238,7 +238,16 @@ def test_summary(command_line, make_survey, tmp_path):
     assert leg["files"][0]["records"] == leg["points"] == report["totals"]["points"]
     assert report["timings"].keys() == {"load_s", "run_s", "legs_s", "accuracy_s", "threads"}
     again = command_line(
-        "run", survey, "--output", tmp_path / "out", "--overwrite", "--seed", 7, "--threads", 1
+        "run",
+        survey,
+        "--output",
+        tmp_path / "out",
+        "--overwrite",
+        "--seed",
+        7,
+        "--threads",
+        1,
+        "--verbose",
     )
     assert "ray caster" in again.stdout and "run_summary.json" in again.stdout
     timings = report.pop("timings")
