@@ -21,7 +21,7 @@ def make_leg(number, count):
 def test_columns_of_common_numbers():
     lines = list(table_lines([make_leg(0, 1000)], [("bytes", 12, ["1.0 kB"])]))
     assert lines == [
-        "legs    leg   start [s]   lasts [s]         pulses          fired         points       bytes",
+        "legs    leg   start [s]   lasts [s]         pulses        emitted         points       bytes",
         "          0       0.500       0.010          1,000          1,000          1,000      1.0 kB",
     ]
 
