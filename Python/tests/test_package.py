@@ -44,7 +44,10 @@ def test_every_class_with_a_header_is_wrapped():
     for module, folder in OPTIONAL.items():
         if module not in built:
             headers -= {path.stem for path in (ROOT / folder).glob("vtkHelios*.h")}
-    headers = {name for name in headers if not name.endswith("ArrayNames")} - {"vtkHeliosRay", "vtkHeliosInstrumentData"}
+    headers = {name for name in headers if not name.endswith("ArrayNames")} - {
+        "vtkHeliosRay",
+        "vtkHeliosInstrumentData",
+    }
     # class of a module that is imported by runs of several ranks only
     headers -= {"vtkHeliosMPIRanks"}
     assert headers <= set(CLASSES)
