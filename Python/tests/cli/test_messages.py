@@ -112,8 +112,8 @@ def test_options_in_words():
         "waveforms": True, "pulses": False, "detector": "", "new": 1,
     }  # fmt: skip
     assert describe_options(options) == [
-        ("format", "LAS 1.4 (.las)"), ("seed of random numbers", "7"), ("noise", "off"),
-        ("range tolerance", "2.5 mm"), ("energy tolerance", "2 %"), ("waveform bins", "0.25 ns"),
+        ("format", "LAS 1.4 (.las)"), ("range tolerance", "2.5 mm"), ("energy tolerance", "2 %"),
+        ("waveform bins", "0.25 ns"), ("seed of random numbers", "7"), ("noise", "off"),
         ("pulses computed", "one of 10"), ("waveforms", "written"), ("pulses per block", "262,144"),
         ("new", "1"),
     ]  # fmt: skip
