@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Traces a beam to the returns of its sub-rays.
 
 #ifndef heliosBeamTracer_h

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Plans of scenes with instances equal plans of copies, byte for byte.
 #include "heliosFlatScene.h"
 #include "heliosMaterialTable.h"

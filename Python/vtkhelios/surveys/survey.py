@@ -104,8 +104,8 @@ class Survey:
     def parts(self):
         """The parts of the scene that are not of tables: a list that can be changed.
 
-        >>> motion = {"type": "translation", "vec": (0.1, 0, 0)}
-        >>> survey.parts.append("car.obj", dmotion={"loop": 0, "motion": motion})
+        >>> motion = {"loop": 0, "motion": {"type": "translation", "vec": (0.1, 0, 0)}}
+        >>> survey.parts.append("car.obj", dynTimeStep=0.01, dmotion=motion)
         """
         return Parts(self.vtk)
 

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Errors and warnings on behalf of one VTK object: its own, and messages of the objects that it
 // runs.
 

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Triangles of thousands of random polygons in any plane, near and far from the origin: their area
 // equals the area of the rings to 1e-9, they face along its normal, and they overlap nowhere.
 #include "heliosPolygonTesting.h"

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Several pulses in the air: echoes that are assigned to other pulses.
 #include "heliosScannerBench.h"
 #include "vtkHeliosLinearPathPlatform.h"

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Scenes from a pipeline in place of the survey's.
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveySource.h"

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Surveys in memory: the same echoes as by a player, in any parts.
 #include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveySource.h"

@@ -1,4 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
 // Parts of a run, joined: the files equal the files of one process.
 #include "heliosBrokenRun.h"
 #include "heliosFormerRun.h"
