@@ -207,7 +207,7 @@ def test_exception_of_a_callback_ends_the_run(three, tmp_path):
     "call, error, message",
     [
         (lambda s: s.run(sede=1), TypeError, "sede is no option; options are: tolerance, en"),
-        (lambda s: s.run(seed=-7), ValueError, r"seed is -7; its valid range is \[-1, 4"),
+        (lambda s: s.run(seed=-7), ValueError, r"seed is -7; its valid range is \[0, 2"),
         (
             lambda s: s.run(detector="best"),
             vtkhelios.PipelineError,

@@ -166,18 +166,15 @@ class Property:
         """Returns the valid range as text, from the class."""
         if self.choices:
             return f"give {self.kind}"
+        told = re.search(r"Valid\s+range:\s*(.*?)\.(?:\s|$)", self.__doc__ or "", re.S)
+        text = " ".join(told.group(1).split()) if told else ""
         limits = [
             getattr(vtk_object, f"Get{self.camel}{end}Value", lambda: None)()
             for end in ("Min", "Max")
         ]
-        if None not in limits:
+        if None not in limits and ", or " not in text:  # a value with a meaning of its own
             return f"its valid range is [{limits[0]:g}, {limits[1]:g}]"
-        told = re.search(r"Valid\s+range:\s*(.*?)\.(?:\s|$)", self.__doc__ or "", re.S)
-        return (
-            f"its valid range is {' '.join(told.group(1).split())}"
-            if told
-            else "it is out of range"
-        )
+        return f"its valid range is {text}" if text else "it is out of range"
 
     def _is_told_valid(self, value):
         """Returns whether a number is within the documented range, if there is one."""
