@@ -74,7 +74,7 @@ public:
   ///@{
   /**
    * Set/Get an attribute of the survey (name, seed, rayCaster, legRandomOffset ...) or of its scene
-   * (id, name, crs). Set returns false after an error; Get returns an empty text if the value is
+   * (id, name, crs). Set returns false after an error; Get returns an empty string if the value is
    * not given.
    */
   bool SetSurveyAttribute(const std::string& name, const std::string& value);
@@ -160,7 +160,7 @@ public:
   /**
    * Set/Get a setting of a leg by its name in platformSettings, scannerSettings or leg: x, y, z,
    * onGround, movePerSec_m, scanFreq_hz ... Get returns the setting as given, before inheritance
-   * and limits, and an empty text if it is not given.
+   * and limits, and an empty string if it is not given.
    */
   bool SetLegAttribute(int leg, const std::string& name, const std::string& value);
   std::string GetLegAttribute(int leg, const std::string& name);

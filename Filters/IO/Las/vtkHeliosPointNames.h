@@ -47,20 +47,20 @@ public:
 
   /**
    * Adds the names of a file with this number of points to field data. Returns an error for a file
-   * that is damaged or belongs to another number of points; without a file, an empty text.
+   * that is damaged or belongs to another number of points; without a file, an empty string.
    */
   static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
    * Finds whether the file of names of a point file was changed since vtkHelios wrote it. Returns
-   * how, or an empty text. A missing file and one without a checksum, as users write it, are not
+   * how, or an empty string. A missing file and one without a checksum, as users write it, are not
    * changed.
    */
   static std::string FindChange(const std::string& pointFile);
 
   /**
    * Checks whether the file of names of a point file can be written. Returns an error if another
-   * program's file has its name, or an empty text.
+   * program's file has its name, or an empty string.
    */
   static std::string Check(const std::string& pointFile);
 

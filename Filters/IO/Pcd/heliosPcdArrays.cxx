@@ -277,7 +277,9 @@ Status PcdArrays::AddLine(std::string_view line)
       if (!isGood)
       {
         return Status::Error(Quote(word) + " is not a number of type " + field.Type + " and size " +
-          std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it");
+          std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; " +
+          (word.find(',') == word.npos ? "correct it"
+                                       : "write a decimal point, and blanks between numbers"));
       }
       this->HasNoColor = this->HasNoColor ||
         (this->Columns[i].Meaning == PcdMeaning::Color && field.Type == 'F' &&

@@ -35,7 +35,7 @@ std::string ToUtf8(std::string_view text)
   return UnescapeText(EscapeText(UnescapeText(std::string(text))));
 }
 
-/// The property x, y or z of a vertex, in upper case if there is none in lower case; -1: missing.
+/// Returns the index of the property x, y or z of a vertex: in lower case, else in upper case, else -1.
 int FindAxis(const PlyElement& vertex, char axis)
 {
   const int lower = vertex.Find(std::string(1, axis));

@@ -87,7 +87,7 @@ class Fit:
         return self.of_strip(name, None)
 
     def of_strip(self, name, strip):
-        """Returns the Value of a strip with a name; KeyError if there is none."""
+        """Returns the Value of a strip by its name; raises KeyError for an unknown name."""
         for value in self.values:
             if value.name == name and value.strip == strip:
                 return value

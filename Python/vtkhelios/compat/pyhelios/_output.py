@@ -213,7 +213,7 @@ def _measure(cloud):
 
 
 def _find_names(cloud, part):
-    """Returns the id of the part of each echo, a text; its number if there is none."""
+    """Returns the ids of the parts of all echoes, as strings; for a part without an id, its number."""
     names = cloud.data.GetFieldData().GetAbstractArray(PART_NAME)
     count = names.GetNumberOfValues() if names else 0
     known = np.array([names.GetValue(k) or str(k) for k in range(count)] or [""], dtype=str)

@@ -238,7 +238,8 @@ TEST_CASE("PCDReader: bad lines are errors", "[PCDReader]")
   CHECK(reading.FailsWith(Replace(AsciiPcd, "0.5 7 8", "0.5 7 8 9"), ":12",
     "the point has more than the 6 numbers that FIELDS and COUNT make"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "0.5 7 8", "0,5 7 8"), ":12",
-    "\"0,5\" is not a number of type F and size 4, as the field \"intensity\" has; correct it"));
+    "\"0,5\" is not a number of type F and size 4, as the field \"intensity\" has; write a decimal "
+    "point, and blanks between numbers"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "65535", "65536"), ":13",
     "\"65536\" is not a number of type U and size 2, as the field \"label\" has"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "\n4 5 6 1 2 3", "\n"), ":15",
