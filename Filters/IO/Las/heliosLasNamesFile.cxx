@@ -4,7 +4,7 @@
 
 #include "heliosInputFile.h"
 #include "heliosPartFile.h"
-#include "vtkHeliosPointNames.h"
+#include "heliosPointNames.h"
 
 #include <vtkFieldData.h>
 
@@ -14,16 +14,6 @@
 
 namespace helios
 {
-
-namespace
-{
-
-Status ToStatus(const std::string& problem)
-{
-  return problem.empty() ? Status() : Status::Error(problem);
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 LasNamesFile::LasNamesFile() = default;
@@ -49,15 +39,15 @@ std::string LasNamesFile::GetPart() const
 //------------------------------------------------------------------------------
 Status LasNamesFile::Add(vtkFieldData* fields)
 {
-  const vtkIdType count = vtkHeliosPointNames::CountNames(fields);
+  const vtkIdType count = CountPointNames(fields);
   if (count <= this->Count)
   {
     return {};
   }
   this->Count = count;
   this->Names->DeepCopy(fields);
-  const Status status = ToStatus(vtkHeliosPointNames::Check(this->Path));
-  return status.IsOk() ? ToStatus(vtkHeliosPointNames::Write(this->GetPart(), 0, fields)) : status;
+  const Status status = CheckPointNames(this->Path);
+  return status.IsOk() ? WritePointNames(this->GetPart(), 0, fields) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -66,18 +56,18 @@ Status LasNamesFile::Finish(vtkIdType points)
   const InputWatch ignore([](const std::string&, const std::string&) {});
   if (this->Count == 0 && this->IsResumed)
   {
-    Status status = ToStatus(vtkHeliosPointNames::Read(this->GetPart(), 0, this->Names));
-    if (status.IsOk() && vtkHeliosPointNames::CountNames(this->Names) == 0)
+    Status status = ReadPointNames(this->GetPart(), 0, this->Names);
+    if (status.IsOk() && CountPointNames(this->Names) == 0)
     {
-      status = ToStatus(vtkHeliosPointNames::Read(this->Path, points, this->Names));
+      status = ReadPointNames(this->Path, points, this->Names);
     }
     if (!status.IsOk())
     {
       return status;
     }
   }
-  const Status status = ToStatus(vtkHeliosPointNames::Write(this->Path, points, this->Names));
-  RemoveFile(vtkHeliosPointNames::GetFileName(this->GetPart()));
+  const Status status = WritePointNames(this->Path, points, this->Names);
+  RemoveFile(GetPointNamesFile(this->GetPart()));
   return status;
 }
 
@@ -85,7 +75,7 @@ Status LasNamesFile::Finish(vtkIdType points)
 void LasNamesFile::CollectBlock(std::vector<FileBlock>& blocks) const
 {
   std::error_code missing;
-  const std::string path = vtkHeliosPointNames::GetFileName(this->Path);
+  const std::string path = GetPointNamesFile(this->Path);
   const std::uintmax_t size = std::filesystem::file_size(path, missing);
   if (!missing)
   {

@@ -10,10 +10,10 @@
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
 #include "heliosLazFile.h"
+#include "heliosPointNames.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosPointNames.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -338,12 +338,12 @@ void vtkHeliosLASReader::SelectPoints(const std::vector<char>& isWanted, vtkPoly
 /// Adds the names of parts and materials, if there is a file of them.
 void vtkHeliosLASReader::ReadNames(vtkIdType points, vtkPolyData* cloud)
 {
-  const std::string problem =
-    vtkHeliosPointNames::Read(this->FileName, points, cloud->GetFieldData());
-  if (!problem.empty() && this->WarnedNames != problem)
+  const helios::Status status =
+    helios::ReadPointNames(this->FileName, points, cloud->GetFieldData());
+  if (!status.IsOk() && this->WarnedNames != status.Message())
   {
-    this->WarnedNames = problem; // once, not per piece
-    vtkWarningMacro(<< problem);
+    this->WarnedNames = status.Message(); // once, not per piece
+    vtkWarningMacro(<< status.Message());
   }
 }
 

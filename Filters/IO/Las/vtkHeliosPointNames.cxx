@@ -2,294 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPointNames.h"
 
-#include "heliosFileBytes.h"
-#include "heliosInputFile.h"
-#include "heliosJsonFile.h"
-#include "heliosPartFile.h"
-#include "heliosSha256.h"
-#include "heliosStatus.h"
-#include "vtkHeliosArrayNames.h"
+#include "heliosPointNames.h"
 
-#include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkStringArray.h>
-
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <limits>
-#include <system_error>
-
-#include <json/json.h>
 
 vtkStandardNewMacro(vtkHeliosPointNames);
-
-namespace fs = std::filesystem;
-
-namespace
-{
-
-constexpr const char* Ending = ".names.json";
-constexpr const char* Format = "vtkHelios names of points";
-constexpr int Version = 1;
-constexpr const char* PointEndings[] = { ".copc.laz", ".las", ".laz" };
-
-struct Table
-{
-  const char* Array; ///< array of the field data
-  const char* Key;   ///< in the file
-};
-constexpr Table Tables[] = { { vtkHeliosArrayNames::PartName, "parts" },
-  { vtkHeliosArrayNames::MaterialName, "materials" } };
-
-vtkStringArray* GetNames(vtkFieldData* fields, const Table& table)
-{
-  auto* names =
-    fields ? vtkStringArray::SafeDownCast(fields->GetAbstractArray(table.Array)) : nullptr;
-  return names && names->GetNumberOfValues() > 0 ? names : nullptr;
-}
-
-bool Exists(const std::string& path)
-{
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
-
-/// Checks what is common to all files of names.
-helios::Status CheckFormat(const helios::JsonFile& file)
-{
-  const Json::Value& root = file.GetRoot();
-  const Json::Value& version = helios::GetMember(root, "version");
-  if (helios::GetText(root, "format") != Format)
-  {
-    return helios::Status::Error(file.GetPath() + ": is no file of names: its format is not \"" +
-      Format + "\"; give it another name");
-  }
-  return version.isInt() && version.asInt() == Version
-    ? helios::Status()
-    : helios::Status::Error(file.GetPlace(version) + "version is " + helios::Describe(version) +
-        "; " + std::to_string(Version) + " can be read: use a newer vtkHelios, or write it again");
-}
-
-helios::Status CheckNames(const helios::JsonFile& file, const Json::Value& names)
-{
-  if (!names.isArray())
-  {
-    return helios::Status::Error(file.GetPlace(names) + "is " + helios::Describe(names) +
-      ", not a list of names; write the file again");
-  }
-  for (const Json::Value& name : names)
-  {
-    if (!name.isString())
-    {
-      return helios::Status::Error(file.GetPlace(name) + "the name " + helios::Describe(name) +
-        " is no text; write the file again");
-    }
-  }
-  return {};
-}
-
-/// Returns the SHA-256 of all other members, whatever their layout.
-std::string ComputeChecksum(Json::Value root)
-{
-  root.removeMember("checksum");
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "";
-  helios::Sha256 digest;
-  digest.Add(Json::writeString(builder, root));
-  return digest.Finish();
-}
-
-/// Checks the checksum: a file without one was made, or changed, by hand.
-helios::Status CheckChecksum(const helios::JsonFile& file)
-{
-  const Json::Value& checksum = helios::GetMember(file.GetRoot(), "checksum");
-  return checksum.isNull() || checksum == ComputeChecksum(file.GetRoot())
-    ? helios::Status()
-    : helios::Status::Error(file.GetPlace(checksum) +
-        "its names do not match their checksum; remove \"checksum\" if they were changed on "
-        "purpose, or write the file again");
-}
-
-/// Opens a file of names.
-helios::Status OpenNames(const std::string& path, helios::JsonFile& file)
-{
-  const helios::Status status = file.Read(path);
-  return status.IsOk() ? CheckFormat(file) : status;
-}
-
-/// Adds the names in a file to field data.
-helios::Status AddNames(
-  const helios::JsonFile& file, const std::string& points, vtkIdType count, vtkFieldData* fields)
-{
-  const Json::Value& number = helios::GetMember(file.GetRoot(), "points");
-  if (helios::ReadIndex(number, std::numeric_limits<std::int64_t>::max()) != count)
-  {
-    return helios::Status::Error(file.GetPlace(number) + "is for a file of " +
-      helios::Describe(number) + " points, and " + points + " has " + std::to_string(count) +
-      "; correct \"points\" if the names are right, or remove the file");
-  }
-  for (const Table& table : Tables)
-  {
-    const Json::Value& names = helios::GetMember(file.GetRoot(), table.Key);
-    if (names.isNull())
-    {
-      continue;
-    }
-    if (const helios::Status status = CheckNames(file, names); !status.IsOk())
-    {
-      return status;
-    }
-    vtkNew<vtkStringArray> array;
-    array->SetName(table.Array);
-    for (const Json::Value& name : names)
-    {
-      array->InsertNextValue(name.asString());
-    }
-    fields->AddArray(array);
-  }
-  return {};
-}
-
-std::string EncodeRoot(const Json::Value& root)
-{
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "  ";
-  builder["emitUTF8"] = true;
-  return Json::writeString(builder, root) + "\n";
-}
-
-std::string Encode(vtkIdType points, vtkFieldData* fields)
-{
-  Json::Value root;
-  root["format"] = Format;
-  root["version"] = Version;
-  root["points"] = static_cast<Json::Int64>(points);
-  for (const Table& table : Tables)
-  {
-    vtkStringArray* names = GetNames(fields, table);
-    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
-    {
-      root[table.Key].append(std::string(names->GetValue(i)));
-    }
-  }
-  root["checksum"] = ComputeChecksum(root);
-  return EncodeRoot(root);
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosPointNames::GetFileName(const std::string& pointFile)
 {
-  const std::string part = helios::PartEnding;
-  if (pointFile.size() > part.size() &&
-    pointFile.compare(pointFile.size() - part.size(), part.size(), part) == 0)
-  {
-    return vtkHeliosPointNames::GetFileName(pointFile.substr(0, pointFile.size() - part.size())) +
-      part;
-  }
-  std::string lower = pointFile;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const std::string ending : PointEndings)
-  {
-    if (lower.size() > ending.size() &&
-      lower.compare(lower.size() - ending.size(), ending.size(), ending) == 0)
-    {
-      return pointFile.substr(0, pointFile.size() - ending.size()) + Ending;
-    }
-  }
-  return pointFile + Ending;
+  return helios::GetPointNamesFile(pointFile);
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosPointNames::CountNames(vtkFieldData* fields)
 {
-  vtkIdType count = 0;
-  for (const Table& table : Tables)
-  {
-    vtkStringArray* names = GetNames(fields, table);
-    count += names ? names->GetNumberOfValues() : 0;
-  }
-  return count;
+  return helios::CountPointNames(fields);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosPointNames::Read(
+bool vtkHeliosPointNames::Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields)
+{
+  const helios::Status status = helios::ReadPointNames(pointFile, points, fields);
+  this->Message = status.Message();
+  return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPointNames::Check(const std::string& pointFile)
+{
+  const helios::Status status = helios::CheckPointNames(pointFile);
+  this->Message = status.Message();
+  return status.IsOk();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPointNames::Write(
   const std::string& pointFile, vtkIdType points, vtkFieldData* fields)
 {
-  const std::string path = vtkHeliosPointNames::GetFileName(pointFile);
-  if (!Exists(path))
-  {
-    return {};
-  }
-  helios::JsonFile file;
-  helios::Status status = OpenNames(path, file);
-  status = status.IsOk() ? CheckChecksum(file) : status;
-  status = status.IsOk() ? AddNames(file, pointFile, points, fields) : status;
-  return status.IsOk() ? std::string() : status.Message() + " (names are not read)";
+  const helios::Status status = helios::WritePointNames(pointFile, points, fields);
+  this->Message = status.Message();
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosPointNames::FindChange(const std::string& pointFile)
+std::string vtkHeliosPointNames::GetMessage() const
 {
-  const std::string path = vtkHeliosPointNames::GetFileName(pointFile);
-  if (!Exists(path))
-  {
-    return {};
-  }
-  const helios::InputWatch ignore([](const std::string&, const std::string&) {}); // an output
-  helios::JsonFile file;
-  helios::Status status = OpenNames(path, file);
-  status = status.IsOk() ? CheckChecksum(file) : status;
-  if (!status.IsOk())
-  {
-    return status.Message();
-  }
-  constexpr double bytesPerByte = 2.0;
-  std::string text;
-  if (const helios::Status read = helios::ReadBytes(path, bytesPerByte, text); !read.IsOk())
-  {
-    return path + ": " + read.Message();
-  }
-  const bool isByHand = helios::GetMember(file.GetRoot(), "checksum").isNull();
-  return isByHand || text == EncodeRoot(file.GetRoot())
-    ? std::string()
-    : path + ": was changed since it was written";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPointNames::Check(const std::string& pointFile)
-{
-  const std::string path = vtkHeliosPointNames::GetFileName(pointFile);
-  if (!Exists(path))
-  {
-    return {};
-  }
-  const helios::InputWatch ignore([](const std::string&, const std::string&) {}); // an output
-  helios::JsonFile file;
-  const helios::Status status = OpenNames(path, file);
-  return status.IsOk()
-    ? std::string()
-    : status.Message() + " (it is not replaced by the names of " + pointFile + ")";
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPointNames::Write(
-  const std::string& pointFile, vtkIdType points, vtkFieldData* fields)
-{
-  const std::string path = vtkHeliosPointNames::GetFileName(pointFile);
-  const bool hasNames = vtkHeliosPointNames::CountNames(fields) > 0;
-  const std::string problem = vtkHeliosPointNames::Check(pointFile);
-  if (!hasNames)
-  {
-    if (problem.empty()) // else something else, which stays
-    {
-      helios::RemoveFile(path);
-    }
-    return {};
-  }
-  return problem.empty() ? helios::WriteWhole(path, Encode(points, fields)).Message() : problem;
+  return this->Message;
 }

@@ -46,29 +46,27 @@ public:
   static vtkIdType CountNames(vtkFieldData* fields);
 
   /**
-   * Adds the names of a file with this number of points to field data. Returns an error for a file
-   * that is damaged or belongs to another number of points; without a file, an empty string.
+   * Adds the names of a file with this number of points to field data; without a file, none. Returns
+   * false for a file that is damaged or belongs to another number of points; GetMessage() says why.
    */
-  static std::string Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
+  bool Read(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
-   * Finds whether the file of names of a point file was changed since vtkHelios wrote it. Returns
-   * how, or an empty string. A missing file and one without a checksum, as users write it, are not
-   * changed.
+   * Checks that the file of the names of a point file can be written. Returns false if another
+   * program's file has its name; GetMessage() says so.
    */
-  static std::string FindChange(const std::string& pointFile);
+  bool Check(const std::string& pointFile);
 
   /**
-   * Checks whether the file of names of a point file can be written. Returns an error if another
-   * program's file has its name, or an empty string.
+   * Writes the names in field data, after Check(); without names, removes the file of names of an
+   * earlier file of points. Returns false after an error, which GetMessage() returns.
    */
-  static std::string Check(const std::string& pointFile);
+  bool Write(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
 
   /**
-   * Writes the names in field data, or removes the file of an earlier file of points if there are
-   * none. Returns an error, also of Check(); empty: none.
+   * Returns the error of the last call of Read(), Check() or Write() that returned false.
    */
-  static std::string Write(const std::string& pointFile, vtkIdType points, vtkFieldData* fields);
+  std::string GetMessage() const;
 
 protected:
   vtkHeliosPointNames() = default;
@@ -77,6 +75,8 @@ protected:
 private:
   vtkHeliosPointNames(const vtkHeliosPointNames&) = delete;
   void operator=(const vtkHeliosPointNames&) = delete;
+
+  std::string Message;
 };
 
 #endif

@@ -24,23 +24,23 @@ def names_file(path):
 
 def add_names(path, count, header):
     """Adds the names beside a file with this number of points to a header; returns a note, or ''."""
-    return from_vtk(vtkHeliosPointNames.Read(to_vtk(path), count, header.fields))
+    names = vtkHeliosPointNames()
+    is_read = names.Read(to_vtk(path), count, header.fields)
+    return "" if is_read else from_vtk(names.GetMessage())
 
 
 def check_names(path, header):
     """Raises FormatError if a file that is something else is where names would be written."""
-    if vtkHeliosPointNames.CountNames(header.fields):
-        _raise(vtkHeliosPointNames.Check(to_vtk(path)))
+    names = vtkHeliosPointNames()
+    if names.CountNames(header.fields) and not names.Check(to_vtk(path)):
+        raise FormatError(from_vtk(names.GetMessage()))
 
 
 def write_names(path, count, header):
     """Writes the names in a header beside a file, or removes the names of an earlier file."""
-    _raise(vtkHeliosPointNames.Write(to_vtk(path), count, header.fields))
-
-
-def _raise(problem):
-    if problem:
-        raise FormatError(from_vtk(problem))
+    names = vtkHeliosPointNames()
+    if not names.Write(to_vtk(path), count, header.fields):
+        raise FormatError(from_vtk(names.GetMessage()))
 
 
 def watch_part(path, is_unfinished=True):

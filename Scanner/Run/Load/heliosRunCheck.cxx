@@ -3,9 +3,9 @@
 #include "heliosRunCheck.h"
 
 #include "heliosPartFile.h"
+#include "heliosPointNames.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
-#include "vtkHeliosPointNames.h"
 #include "vtkHeliosRunFiles.h"
 
 #include <algorithm>
@@ -160,9 +160,9 @@ Status RunCheck::CheckSummary(const Json::Value& summary) const
       return Status::Error(path + ": was complete with " + std::to_string(file.second) +
         " bytes and " + Describe(size, why) + this->Cure);
     }
-    if (const std::string change = vtkHeliosPointNames::FindChange(path); !change.empty())
+    if (const Status status = CheckPointNamesUnchanged(path); !status.IsOk())
     {
-      return Status::Error(change + this->Cure);
+      return Status::Error(status.Message() + this->Cure);
     }
   }
   return {};
