@@ -165,3 +165,15 @@ def test_an_accuracy_that_is_shown_is_whole():
     with pytest.raises(formats.FormatError, match="a: accuracy has no rangeP50_m"):
         parse_summary(text, "a", REPORT)
     parse_summary(changed(["accuracy"], {"reason": "no echo"}), "a", REPORT)
+
+
+def test_a_reference_states_its_tolerances_or_sub_rays():
+    measures = dict.fromkeys(formats._summary.MEASURED, [0.001, 0.0, 0.002])
+    accuracy = {**measures, "pulses": 9, "echoes": 9, "without": []}
+    asked = dict(measures, rangeTolerance_m=1e-4, energyTolerance=1e-3)
+    for reference in (asked, dict(measures, subRays=4096)):
+        parse_summary(changed(["accuracy"], {**accuracy, "reference": reference}), "a", REPORT)
+    del asked["rangeTolerance_m"]
+    text = changed(["accuracy"], {**accuracy, "reference": asked})
+    with pytest.raises(formats.FormatError, match="accuracy.reference has no rangeTolerance_m"):
+        parse_summary(text, "a", REPORT)

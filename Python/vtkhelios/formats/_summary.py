@@ -86,11 +86,14 @@ WHOLE = {
     "versions": {"VTK": _text, "vtkHelios": _text, "summary": _count},
 }  # fmt: skip
 
-# Keys that an accuracy has, if it was measured and is shown.
+# Keys that an accuracy has, if it was measured and is shown. Its reference is adaptive; in 0.2 it
+# had sub-rays.
 MEASURED = dict.fromkeys(
     ("rangeP50_m", "rangeP95_m", "missed", "invented", "missedAndInvented", "amplitudeRms")
 )
-ACCURACY = {**MEASURED, "pulses": None, "echoes": None, "without": None, "reference": MEASURED}
+ADAPTIVE = {**MEASURED, **dict.fromkeys(("rangeTolerance_m", "energyTolerance"))}
+SUB_RAYS = {**MEASURED, "subRays": None}
+ACCURACY = {**MEASURED, "pulses": None, "echoes": None, "without": None, "reference": None}
 
 # Required to find points; other keys are checked if present.
 FILES = {"legs": [{"files": [{"name": None, "records": None}]}]}
@@ -152,6 +155,9 @@ def check_summary(summary, path, needed=FILES):
             accuracy := summary.get("accuracy") or {"reason"}
         ):
             _check_keys(accuracy, ACCURACY, "accuracy")
+            reference = accuracy["reference"]
+            kind = SUB_RAYS if "subRays" in reference else ADAPTIVE
+            _check_keys(reference, kind, "accuracy.reference")
         _check_lengths(summary)
     except _Wrong as wrong:
         raise FormatError(f"{path}: {wrong}; {CURE}") from wrong
