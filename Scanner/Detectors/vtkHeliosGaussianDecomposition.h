@@ -43,7 +43,8 @@ public:
    * echo [ns]; 0: all are. Noise has many maxima: set the length of the pulse
    * then. Valid range: [0, 1e6]. Default: 0.
    */
-  vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
+  vtkSetClampMacro(MinimumSeparation, double, vtkHeliosInstrumentRanges::PeakWindow.Low,
+    vtkHeliosInstrumentRanges::PeakWindow.High);
   vtkGetMacro(MinimumSeparation, double);
   ///@}
 

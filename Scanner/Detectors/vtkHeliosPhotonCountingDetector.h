@@ -48,7 +48,8 @@ public:
    * Set/Get the probability that a received photon is detected. Valid range:
    * [0, 1]. Default: 0.3.
    */
-  vtkSetClampMacro(DetectionEfficiency, double, 0.0, 1.0);
+  vtkSetClampMacro(DetectionEfficiency, double, vtkHeliosInstrumentRanges::PhotonEfficiency.Low,
+    vtkHeliosInstrumentRanges::PhotonEfficiency.High);
   vtkGetMacro(DetectionEfficiency, double);
   ///@}
 
@@ -57,7 +58,8 @@ public:
    * Set/Get the wavelength, which gives the energy of a photon [nm]. Valid range:
    * [200, 20000]. Default: 1064.
    */
-  vtkSetClampMacro(Wavelength, double, 200.0, 20000.0);
+  vtkSetClampMacro(Wavelength, double, vtkHeliosInstrumentRanges::Wavelength.Low,
+    vtkHeliosInstrumentRanges::Wavelength.High);
   vtkGetMacro(Wavelength, double);
   ///@}
 
@@ -66,7 +68,8 @@ public:
    * Set/Get the mean number of detections without light in a second [Hz]. A scanner
    * needs a RangeMax then. Valid range: [0, 1e10]. Default: 0.
    */
-  vtkSetClampMacro(DarkCountRate, double, 0.0, 1e10);
+  vtkSetClampMacro(DarkCountRate, double, vtkHeliosInstrumentRanges::DarkCountRate.Low,
+    vtkHeliosInstrumentRanges::DarkCountRate.High);
   vtkGetMacro(DarkCountRate, double);
   ///@}
 
@@ -75,7 +78,8 @@ public:
    * Set/Get the standard deviation of the times of detections, normally distributed
    * [ns]. Valid range: [0, 1e3]. Default: 0.
    */
-  vtkSetClampMacro(TimeJitter, double, 0.0, 1e3);
+  vtkSetClampMacro(TimeJitter, double, vtkHeliosInstrumentRanges::TimeJitter.Low,
+    vtkHeliosInstrumentRanges::TimeJitter.High);
   vtkGetMacro(TimeJitter, double);
   ///@}
 

@@ -7,6 +7,7 @@
 #include "heliosRadiometry.h"
 #include "heliosStatus.h"
 #include "heliosWeather.h"
+#include "vtkHeliosInstrumentRanges.h"
 
 #include <vtkDataArray.h>
 #include <vtkMath.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <type_traits>
 #include <variant>
 
@@ -24,48 +26,46 @@ namespace
 constexpr double LongestWaveform = 1 << 20;
 
 using Data = vtkHeliosInstrumentData;
-
-constexpr double Tiny = 1e-300; // for a range open at zero
+namespace ranges = vtkHeliosInstrumentRanges;
 
 /// A value that is printed and, if it is a number with a range, checked.
 struct InstrumentRow
 {
   const char* Name;
   std::variant<double Data::*, int Data::*, std::string Data::*> Member;
-  double Low = -VTK_DOUBLE_MAX;
-  double High = VTK_DOUBLE_MAX;
+  vtkHeliosValueRange Range = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   const char* Unit = "";
   const char* Cure = "";
 };
 
 // clang-format off
 const InstrumentRow Rows[] = {
-  { "PulseLength", &Data::PulseLength, 1e-3, 1e6, " ns", "give the full width at half maximum" },
+  { "PulseLength", &Data::PulseLength, ranges::PulseLength, " ns", "give the full width at half maximum" },
   { "PulseShape", &Data::PulseShape },
   { "PulseFileName", &Data::PulseFile },
-  { "BinSize", &Data::BinSize, 1e-4, 1e3, " ns", "use a sixteenth of the pulse length" },
-  { "MaximumWaveformLength", &Data::MaximumWaveformLength, 0.0, 1e12, " ns", "0 for no limit" },
-  { "NumberOfBins", &Data::NumberOfBins, 0.0, 1e8, "", "0 for no limit" },
-  { "AveragePower", &Data::AveragePower, 0.0, 1e12, " W", "give the power of the pulse" },
-  { "Wavelength", &Data::Wavelength, 200.0, 20000.0, " nm", "give it in nanometres" },
-  { "OpticalEfficiency", &Data::OpticalEfficiency, Tiny, 1.0, "", "give the fraction of the light that passes the optics, above 0" },
-  { "ReceiverDiameter", &Data::ReceiverDiameter, Tiny, 100.0, " m", "give the aperture in metres, above 0" },
-  { "AtmosphericVisibility", &Data::AtmosphericVisibility, 1e-3, VTK_DOUBLE_MAX, " km", "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
-  { "AtmosphericExtinction", &Data::AtmosphericExtinction, -1.0, 1e3, " 1/m", "-1 derives it from AtmosphericVisibility" },
-  { "AtmosphericLidarRatio", &Data::AtmosphericLidarRatio, 0.0, 1e6, " sr", "0 for air without backscatter" },
-  { "DropletDiameter", &Data::DropletDiameter, 0.0, 0.05, " m", "0 for no single drops" },
+  { "BinSize", &Data::BinSize, ranges::BinSize, " ns", "use a sixteenth of the pulse length" },
+  { "MaximumWaveformLength", &Data::MaximumWaveformLength, ranges::MaximumWaveformLength, " ns", "0 for no limit" },
+  { "NumberOfBins", &Data::NumberOfBins, ranges::NumberOfBins, "", "0 for no limit" },
+  { "AveragePower", &Data::AveragePower, ranges::AveragePower, " W", "give the power of the pulse" },
+  { "Wavelength", &Data::Wavelength, ranges::Wavelength, " nm", "give it in nanometres" },
+  { "OpticalEfficiency", &Data::OpticalEfficiency, ranges::OpticalEfficiency, "", "give the fraction of the light that passes the optics, above 0" },
+  { "ReceiverDiameter", &Data::ReceiverDiameter, ranges::ReceiverDiameter, " m", "give the aperture in metres, above 0" },
+  { "AtmosphericVisibility", &Data::AtmosphericVisibility, ranges::AtmosphericVisibility, " km", "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
+  { "AtmosphericExtinction", &Data::AtmosphericExtinction, ranges::AtmosphericExtinction, " 1/m", "-1 derives it from AtmosphericVisibility" },
+  { "AtmosphericLidarRatio", &Data::AtmosphericLidarRatio, ranges::AtmosphericLidarRatio, " sr", "0 for air without backscatter" },
+  { "DropletDiameter", &Data::DropletDiameter, ranges::DropletDiameter, " m", "0 for no single drops" },
   { "Weather", &Data::Weather },
-  { "DetectorNoise", &Data::DetectorNoise, 0.0, 1e6, " W", "0 for none" },
-  { "SaturationPower", &Data::SaturationPower, 0.0, 1e6, " W", "0 for none" },
-  { "SolarIrradiance", &Data::SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
-  { "FilterBandwidth", &Data::FilterBandwidth, 0.0, 1e6, " nm", "1 nm is usual" },
-  { "FieldOfView", &Data::FieldOfView, 0.0, 1.0, " rad", "give the full angle" },
-  { "RangeAccuracy", &Data::RangeAccuracy, 0.0, 1e3, " m", "0 for none" },
-  { "RangeAccuracyPerMeter", &Data::RangeAccuracyPerMeter, 0.0, 1.0, " m/m", "0 for none" },
-  { "RangeAccuracyAtThreshold", &Data::RangeAccuracyAtThreshold, 0.0, 1e3, " m", "0 for none" },
-  { "AngleAccuracy", &Data::AngleAccuracy, 0.0, 0.1, " rad", "0 for none" },
-  { "RangeMin", &Data::RangeMin, 0.0, VTK_DOUBLE_MAX, " m", "0 for no limit" },
-  { "RangeMax", &Data::RangeMax, 0.0, VTK_DOUBLE_MAX, " m", "VTK_DOUBLE_MAX for no limit" },
+  { "DetectorNoise", &Data::DetectorNoise, ranges::DetectorNoise, " W", "0 for none" },
+  { "SaturationPower", &Data::SaturationPower, ranges::SaturationPower, " W", "0 for none" },
+  { "SolarIrradiance", &Data::SolarIrradiance, ranges::SolarIrradiance, " W/m^2/nm", "0 for none" },
+  { "FilterBandwidth", &Data::FilterBandwidth, ranges::FilterBandwidth, " nm", "1 nm is usual" },
+  { "FieldOfView", &Data::FieldOfView, ranges::FieldOfView, " rad", "give the full angle" },
+  { "RangeAccuracy", &Data::RangeAccuracy, ranges::RangeAccuracy, " m", "0 for none" },
+  { "RangeAccuracyPerMeter", &Data::RangeAccuracyPerMeter, ranges::RangeAccuracyPerMeter, " m/m", "0 for none" },
+  { "RangeAccuracyAtThreshold", &Data::RangeAccuracyAtThreshold, ranges::RangeAccuracyAtThreshold, " m", "0 for none" },
+  { "AngleAccuracy", &Data::AngleAccuracy, ranges::AngleAccuracy, " rad", "0 for none" },
+  { "RangeMin", &Data::RangeMin, ranges::Range, " m", "0 for no limit" },
+  { "RangeMax", &Data::RangeMax, ranges::Range, " m", "VTK_DOUBLE_MAX for no limit" },
   { "ReturnSelection", &Data::ReturnSelection },
   { "MaximumNumberOfReturns", &Data::MaximumNumberOfReturns },
   { "MTAZone", &Data::MTAZone },
@@ -207,11 +207,12 @@ bool vtkHeliosInstrument::CheckInstrument()
       }
     };
     const double value = std::visit(toNumber, row.Member);
-    if (!(value >= row.Low && value <= row.High)) // false for NaN, too
+    const auto [low, high] = row.Range;
+    if (!(value >= low && value <= high)) // false for NaN, too
     {
+      const bool isOpen = low == ranges::AboveZero;
       vtkErrorMacro(<< row.Name << " is " << value << row.Unit << ", outside "
-                    << (row.Low == Tiny ? "(0" : "[")
-                    << (row.Low == Tiny ? "" : std::to_string(row.Low)) << ", " << row.High << "]; "
+                    << (isOpen ? "(0" : "[" + std::to_string(low)) << ", " << high << "]; "
                     << row.Cure);
       return false;
     }

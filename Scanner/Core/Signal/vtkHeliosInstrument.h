@@ -29,6 +29,7 @@
 
 #include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosInstrumentData.h"
+#include "vtkHeliosInstrumentRanges.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the samples of a pulse
 
@@ -48,6 +49,21 @@ class vtkDataArray;
 #else
 #define vtkHeliosInstrumentValues
 #endif
+
+// The properties ReturnSelection and MaximumNumberOfReturns of a class with these members; VTK's
+// wrappers need each macro in one line.
+// clang-format off
+#define vtkHeliosReturnsMacro()                                                                    \
+  vtkSetClampMacro(ReturnSelection, int, vtkHeliosInstrument::ALL, vtkHeliosInstrument::FIRST_AND_LAST); \
+  vtkGetMacro(ReturnSelection, int);                                                               \
+  void SetReturnSelectionToAll() { this->SetReturnSelection(vtkHeliosInstrument::ALL); }           \
+  void SetReturnSelectionToFirst() { this->SetReturnSelection(vtkHeliosInstrument::FIRST); }       \
+  void SetReturnSelectionToLast() { this->SetReturnSelection(vtkHeliosInstrument::LAST); }         \
+  void SetReturnSelectionToStrongest() { this->SetReturnSelection(vtkHeliosInstrument::STRONGEST); } \
+  void SetReturnSelectionToFirstAndLast() { this->SetReturnSelection(vtkHeliosInstrument::FIRST_AND_LAST); } \
+  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, vtkHeliosInstrumentRanges::LargestNumberOfReturns); \
+  vtkGetMacro(MaximumNumberOfReturns, int)
+// clang-format on
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument
   : public vtkHeliosEchoAlgorithm vtkHeliosInstrumentValues
@@ -302,25 +318,10 @@ public:
 
   ///@{
   /**
-   * Set/Get which echoes of a pulse are kept; NumberOfReturns counts these.
-   * Default: ALL.
+   * Set/Get which echoes of a pulse are kept, which NumberOfReturns counts, and the maximum number of
+   * these, in order of range; 0: all. Valid range: [0, 255]. Default: ALL and 0.
    */
-  vtkSetClampMacro(ReturnSelection, int, ALL, FIRST_AND_LAST);
-  vtkGetMacro(ReturnSelection, int);
-  void SetReturnSelectionToAll() { this->SetReturnSelection(ALL); }
-  void SetReturnSelectionToFirst() { this->SetReturnSelection(FIRST); }
-  void SetReturnSelectionToLast() { this->SetReturnSelection(LAST); }
-  void SetReturnSelectionToStrongest() { this->SetReturnSelection(STRONGEST); }
-  void SetReturnSelectionToFirstAndLast() { this->SetReturnSelection(FIRST_AND_LAST); }
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the maximum number of echoes kept, in order of range; 0: all. Valid
-   * range: [0, 255]. Default: 0.
-   */
-  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
-  vtkGetMacro(MaximumNumberOfReturns, int);
+  vtkHeliosReturnsMacro();
   ///@}
 
 #ifndef __VTK_WRAP__

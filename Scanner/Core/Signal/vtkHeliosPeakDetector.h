@@ -44,7 +44,8 @@ public:
    * Set/Get the distance within which a smaller maximum is ignored [ns]; 0: all
    * count. Valid range: [0, 1e6]. Default: 0.
    */
-  vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
+  vtkSetClampMacro(MinimumSeparation, double, vtkHeliosInstrumentRanges::PeakWindow.Low,
+    vtkHeliosInstrumentRanges::PeakWindow.High);
   vtkGetMacro(MinimumSeparation, double);
   ///@}
 

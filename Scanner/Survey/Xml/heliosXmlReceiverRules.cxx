@@ -55,14 +55,14 @@ std::vector<XmlElementRule> MakeReceiverRules()
   return {
   { "FWFSettings", "sampling, waveforms and echoes; that of a survey overrides that of its scanner",
     {
-      Number("binSize_ns", "bin size of the waveform; 1 ns is 0.15 m of range").In("ns", { 1e-4, 1e3 }).At<Receiver, &ReceiverData::BinSize>(),
+      Number("binSize_ns", "bin size of the waveform; 1 ns is 0.15 m of range").In("ns", InUnits(instrument::BinSize)).At<Receiver, &ReceiverData::BinSize>(),
       Integer("beamSampleQuality", "circles of sub-rays, a fixed count per pulse: 1, 7, 19, 37 ... sub-rays").In("", { 1.0, 64.0 }).Default("adaptive sampling").At<Receiver, &ReceiverData::NumberOfCircles>(),
       Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
       Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
       Word("echoDetector", "peak gaussian cfd leadingEdge photonCounting", "method of echo detection in waveforms").Default("peak").From(GetEchoDetectorNames).At<Receiver, &ReceiverData::EchoDetector>(),
       Text("pulseShape", "gaussian, helios, or a text file (CSV) of times [ns] and powers").Default("gaussian").Names(XmlFile::Beside).By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
-      Number("winSize_ns", "an echo within this time of a higher one is discarded").In("ns", { 0.0, 1e6 }).At<Receiver, &ReceiverData::PeakWindow>(),
+      Number("winSize_ns", "an echo within this time of a higher one is discarded").In("ns", InUnits(instrument::PeakWindow)).At<Receiver, &ReceiverData::PeakWindow>(),
       Number("maxFullwaveRange_ns", "maximum length of the waveform; 0: as long as the target requires").In("ns", { 0.0, 1e9 }).At<Receiver, &ReceiverData::MaximumWaveformLength>(),
       Text("id", "never referenced").Ignored(),
       Text("name", "never referenced").Ignored(),
@@ -73,7 +73,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
       Number("scannerEfficiency", "overrides opticalEfficiency of the scanner").In("", Share).Default("the scanner's").At<Receiver, &ReceiverData::OpticalEfficiency>(),
       Number("atmosphericVisibility", "overrides atmosphericVisibility_km of the scanner").In("km", { 1e-3, 1e300 }).Default("the scanner's").At<Receiver, &ReceiverData::AtmosphericVisibility>(),
       Text("weather", "overrides weather of the scanner").Default("the scanner's").Checked(FindFaultOfWeather).At<Receiver, &ReceiverData::Weather>(),
-      Number("scannerWaveLength", "overrides wavelength_nm of the scanner").In("nm", { 200.0, 20000.0 }).Default("the scanner's").At<Receiver, &ReceiverData::Wavelength>(),
+      Number("scannerWaveLength", "overrides wavelength_nm of the scanner").In("nm", InUnits(instrument::Wavelength)).Default("the scanner's").At<Receiver, &ReceiverData::Wavelength>(),
       Number("beamDivergence_rad", "overrides beamDivergence_rad of the scanner").In("rad", Fraction).Default("the scanner's").At<&ScannerData::BeamDivergence>(),
       Number("pulseLength_ns", "overrides pulseLength_ns of the scanner").In("ns", PulseLength).Default("the scanner's").At<Receiver, &ReceiverData::PulseLength>(),
       Integer("numTimeBins", "samples of the emitted pulse, which has a closed form here").Later(),
@@ -84,7 +84,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
 
   { "detectorSettings", "detector of a survey; overrides the values of the scanner",
     {
-      Number("accuracy_m", "overrides accuracy_m of the scanner").In("m", { 0.0, 1e3 }).Default("the scanner's").At<Receiver, &ReceiverData::RangeAccuracy>(),
+      Number("accuracy_m", "overrides accuracy_m of the scanner").In("m", InUnits(instrument::RangeAccuracy)).Default("the scanner's").At<Receiver, &ReceiverData::RangeAccuracy>(),
       Number("rangeMin_m", "overrides rangeMin_m of the scanner").In("m", NotNegative).Default("the scanner's").At<Receiver, &ReceiverData::RangeMin>(),
       Number("rangeMax_m", "overrides rangeMax_m of the scanner").In("m", NotNegative).Default("the scanner's").At<Receiver, &ReceiverData::RangeMax>(),
       Text("distanceMeasurementError", "factor of the range noise, an expression of the range t [m]").Default("1").Checked(FindExpressionFault).At<Receiver, &ReceiverData::Errors, &ErrorExpressions::RangeNoiseFactor>(),

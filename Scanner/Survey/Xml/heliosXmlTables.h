@@ -9,6 +9,7 @@
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "heliosXmlRule.h"
+#include "vtkHeliosInstrumentRanges.h"
 
 #include <string>
 #include <vector>
@@ -38,6 +39,14 @@ namespace rows
 {
 
 // Sufficient for any survey; no division or square of values overflows.
+namespace instrument = vtkHeliosInstrumentRanges;
+
+/// Returns the range of a value of the instrument, in a unit of which the scale makes the value's.
+constexpr XmlRange InUnits(const vtkHeliosValueRange& range, double unitsPerValue = 1.0)
+{
+  return { unitsPerValue * range.Low, unitsPerValue * range.High };
+}
+
 constexpr XmlRange Frequency = { 1e-3, 1e9 };
 constexpr XmlRange Distance = { 1e-3, 1e9 };
 constexpr XmlRange Seconds = { 1e-3, 1e9 };
