@@ -57,6 +57,8 @@ from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
 from .surveys.scanning import make_survey as make_survey, scan as scan
 from .clouds.cloud import Cloud as Cloud, Records as Records
+from .core.detectors import add_detector as add_detector
+from .core.plugins import load_plugin as load_plugin
 from .flight import plan_flight as plan_flight
 from .plans.plan import Plan as Plan, plan as plan
 from .scenes.scene import Scene as Scene

@@ -34,6 +34,9 @@ public:
   /// Returns whether the work ends; for any thread, once a step.
   bool IsStopped() const { return this->Stopped.load(std::memory_order_relaxed); }
 
+  /// Ends the work; for any thread.
+  void Stop() { this->Stopped.store(true, std::memory_order_relaxed); }
+
   /// Counts steps that were done; for any thread. The thread that started the work reports at
   /// intervals.
   void Count(vtkIdType steps)
@@ -52,7 +55,7 @@ public:
     const auto done = static_cast<double>(this->Done.load(std::memory_order_relaxed));
     if (!this->IsStopped() && !this->GoesOn(done / static_cast<double>(this->Steps)))
     {
-      this->Stopped.store(true, std::memory_order_relaxed);
+      this->Stop();
     }
     this->Last = std::chrono::steady_clock::now();
     return !this->IsStopped();

@@ -5,6 +5,7 @@
 #include "heliosInput.h"
 #include "heliosLegTrajectory.h"
 #include "heliosObserve.h"
+#include "heliosPythonDetector.h"
 #include "heliosRun.h"
 #include "heliosSignals.h"
 #include "heliosTypes.h"
@@ -24,6 +25,8 @@ PyMethodDef Methods[] = {
   { "remove_at_end", heliosRemoveAtEnd, METH_VARARGS, "remove_at_end(path, is_unfinished)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
   { "check_input_file", heliosCheckInputFile, METH_VARARGS, "check_input_file(path): a text" },
+  { "add_detector", heliosAddDetector, METH_VARARGS,
+    "add_detector(name, detect): whether it is new" },
   { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },
   { nullptr, nullptr, 0, nullptr },
 };

@@ -28,6 +28,8 @@ Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
     makes a filter from a function on data.
+add_detector(), load_plugin()
+    echo detectors that are functions, and files that register some, for surveys.
 
 See Docs/python.md.
 
@@ -60,8 +62,10 @@ _HOMES = {
     "comparison": ("Comparison", "compare"),
     "core.arrays": ("arrays",),
     "core.compose": ("Pipeline", "select_ports"),
+    "core.detectors": ("add_detector",),
     "core.folders": ("data_directory",),
     "core.pipeline": ("PipelineError", "update"),
+    "core.plugins": ("load_plugin",),
     "fitting": ("Fit", "fit"),
     "flight": ("plan_flight",),
     "plans.plan": ("Plan", "plan"),

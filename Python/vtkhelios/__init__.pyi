@@ -17,6 +17,8 @@ from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
 from .surveys.scanning import make_survey as make_survey, scan as scan
 from .clouds.cloud import Cloud as Cloud, Records as Records
+from .core.detectors import add_detector as add_detector
+from .core.plugins import load_plugin as load_plugin
 from .flight import plan_flight as plan_flight
 from .plans.plan import Plan as Plan, plan as plan
 from .scenes.scene import Scene as Scene
@@ -1078,8 +1080,9 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Includes changes of the detector."""
     maximum_number_of_returns: int
-    """Set/Get the maximum number of echoes kept, in order of range; 0:
-    all. Valid range: [0, 255]. Default: 0.
+    """Set/Get which echoes of a pulse are kept, and their maximum
+    number, as in vtkHeliosInstrument. Valid range: [0, 255].
+    Default: ALL and 0.
     """
     @property
     def number_of_detectors(self) -> Any:
@@ -1111,8 +1114,9 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     Default: 0.
     """
     return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int]
-    """Set/Get which echoes of a pulse are kept, as in
-    vtkHeliosInstrument. Default: ALL.
+    """Set/Get which echoes of a pulse are kept, and their maximum
+    number, as in vtkHeliosInstrument. Valid range: [0, 255].
+    Default: ALL and 0.
     """
     seed: int
     """Set/Get the key of the random numbers of detectors that draw
@@ -1128,6 +1132,8 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     def output(self) -> Any: ...
     @staticmethod
     def AddDetector(name: str, prototype: vtkHeliosEchoDetector) -> bool: ...
+    @staticmethod
+    def GetDetectorFile(name: str) -> str: ...
     @staticmethod
     def GetDetectorName(index: int) -> str: ...
     def GetEchoDetector(self) -> vtkHeliosEchoDetector: ...
@@ -1159,6 +1165,8 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     def RemoveDetector(name: str) -> bool: ...
     @staticmethod
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosEchoDetection: ...
+    @staticmethod
+    def SetDetectorFile(name: str, file: str) -> None: ...
     def SetEchoDetector(self, detector: vtkHeliosEchoDetector) -> None: ...
     def SetMaximumNumberOfReturns(self, _arg: int) -> None: ...
     def SetPulseLength(self, _arg: float) -> None: ...
@@ -2044,8 +2052,9 @@ class vtkHeliosInstrument(vtkHeliosEchoAlgorithm):
     0.001.
     """
     maximum_number_of_returns: int
-    """Set/Get the maximum number of echoes kept, in order of range; 0:
-    all. Valid range: [0, 255]. Default: 0.
+    """Set/Get which echoes of a pulse are kept, which NumberOfReturns
+    counts, and the maximum number of these, in order of range; 0:
+    all. Valid range: [0, 255]. Default: ALL and 0.
     """
     maximum_waveform_length: float
     """Set/Get the maximum length of a waveform [ns], or its maximum
@@ -2121,8 +2130,9 @@ class vtkHeliosInstrument(vtkHeliosEchoAlgorithm):
     Default: 0.15.
     """
     return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int]
-    """Set/Get which echoes of a pulse are kept; NumberOfReturns counts
-    these. Default: ALL.
+    """Set/Get which echoes of a pulse are kept, which NumberOfReturns
+    counts, and the maximum number of these, in order of range; 0:
+    all. Valid range: [0, 255]. Default: ALL and 0.
     """
     saturation_power: float
     """Set/Get the power at which the receiver saturates [W]: larger

@@ -86,6 +86,7 @@ public:
 
   /// The paths of the surfaces collected last behind mirrors and glass.
   const PathTracer& GetPaths() const { return this->Paths; }
+  PathTracer& GetPaths() { return this->Paths; }
 
 private:
   /// Sub-rays of consecutive pulses, such as a group (heliosScanRun.h), and their hits.

@@ -56,6 +56,9 @@ public:
     return static_cast<int>(this->Ends.size()) - 1;
   }
 
+  /// Swaps the ends of the paths of a pulse.
+  void SwapEnds(std::vector<PathEnd>& ends) { this->Ends.swap(ends); }
+
   /// Returns the end of SubReturn::Path.
   const PathEnd& GetEnd(int path) const { return this->Ends[static_cast<std::size_t>(path)]; }
 

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr vtkIdType MaximumPulses = 32;    // pulses of a group, traced together
+constexpr vtkIdType MaximumWaiting = 256;  // likewise, for a detector of blocks
 constexpr std::size_t MaximumRays = 16384; // rays of a group with several pulses
 // share of a full footprint, for echoes that the tolerances bound
 constexpr double LeastShare = 0.02;
@@ -29,6 +30,7 @@ PulseKernel::PulseKernel(const ScanModel& model)
   , Response(model)
   , Tracer(model, this->Response)
   , Signal(model.Receiver)
+  , HasBlocks(model.Path.Echo == EchoPath::Waveform && model.Receiver.Detector->PrefersBlocks())
 {
 }
 
@@ -38,7 +40,8 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
   const bool isAdaptive = this->Model.Path.IsAdaptive();
   const std::size_t rays = isAdaptive ? 1 : std::max<std::size_t>(1, this->Model.SubRays.size());
-  const vtkIdType size = std::clamp<vtkIdType>(MaximumRays / rays, 1, MaximumPulses);
+  const vtkIdType size =
+    std::clamp<vtkIdType>(MaximumRays / rays, 1, this->HasBlocks ? MaximumWaiting : MaximumPulses);
   for (vtkIdType begin = first; begin < last && !watch.IsStopped(); begin += size)
   {
     const vtkIdType end = std::min(last, begin + size);
@@ -52,10 +55,17 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
       this->Echoes.clear();
       this->HasWaveform = false;
+      this->CanWait = this->HasBlocks;
+      this->IsWaiting = false;
       this->Response.StartPulse();
       isAdaptive ? this->RunAdaptive(slot) : this->RunFixed(slot);
       this->DetectDarkCounts();
-      this->StorePulse(slot, result);
+      this->HasBlocks ? this->AddToBlock(slot, result) : this->StorePulse(slot, result);
+    }
+    this->StoreBlock(result);
+    if (!this->GetFault().empty())
+    {
+      watch.Stop();
     }
     watch.Count(end - begin);
   }
@@ -226,6 +236,7 @@ void PulseKernel::Refine(const Pulse& pulse, SampleT sample)
 {
   ++this->Counts.PulsesSampled;
   this->Returns.clear();
+  this->CanWait = false;
   bool isBinned = false;
   bool isResolved = false;
   for (int level = 0; !isResolved && sample(level); ++level)
@@ -361,7 +372,7 @@ void PulseKernel::FinishPlane(const PlaneEcho& echo)
   }
   if (isInWaveform)
   {
-    this->Signal.DetectEchoes(this->Returns, this->Echoes);
+    this->DetectEchoes();
   }
   else if (echo.Power > 0.0 && echo.Power >= this->Model.Receiver.Detector->GetDetectionThreshold())
   {
@@ -406,10 +417,21 @@ bool PulseKernel::FindEchoes()
       [[fallthrough]];
     case EchoPath::Waveform:
       this->FillWaveform(this->Returns);
-      this->Signal.DetectEchoes(this->Returns, this->Echoes);
+      this->DetectEchoes();
       break;
   }
   return isBinned;
+}
+
+//------------------------------------------------------------------------------
+/// Detects the echoes in the waveform, or later, in a block.
+void PulseKernel::DetectEchoes()
+{
+  this->IsWaiting = this->CanWait;
+  if (!this->IsWaiting)
+  {
+    this->Signal.DetectEchoes(this->Returns, this->Echoes);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -421,7 +443,7 @@ void PulseKernel::DetectDarkCounts()
     m.Receiver.Detector->HasDarkCounts())
   {
     this->Signal.FillEmpty(this->PulseId);
-    this->Signal.DetectEchoes(this->Returns, this->Echoes);
+    this->DetectEchoes();
   }
 }
 

@@ -13,6 +13,7 @@
 #include "heliosSurfaceResponse.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace helios
@@ -31,6 +32,9 @@ public:
 
   const ScanCounts& GetCounts() const { return this->Counts; }
 
+  /// Returns the first error of the detector, which has stopped the watch; empty: none.
+  const std::string& GetFault() const { return this->Signal.GetFault(); }
+
 private:
   /// The geometry of a beam on a plane.
   struct Incidence
@@ -45,6 +49,20 @@ private:
     bool MayHitTurbidVoxels;
     bool HasLayer;   ///< one continuous surface fills the beam
     Incidence Plane; ///< plane of PlanarFootprint
+  };
+
+  /// A pulse whose waveform is passed to the detector together with those of others.
+  struct WaitingPulse
+  {
+    std::size_t Slot;
+    vtkIdType Id;
+    bool HasWaveform;
+    bool IsDetected; ///< its echoes are known
+    std::vector<SubReturn> Returns;
+    std::vector<CastSubRay> SubRays;
+    std::vector<PathEnd> Ends;
+    std::vector<Echo> Echoes;
+    Waveform Wave;
   };
 
   void AimPulses(vtkIdType first, vtkIdType last);
@@ -67,8 +85,12 @@ private:
   bool FindEchoes();
   template <typename SourceT>
   void FillWaveform(const SourceT& source);
+  void DetectEchoes();
   void DetectDarkCounts();
   double GetBackground();
+  void AddToBlock(std::size_t slot, ChunkResult& result);
+  void StoreBlock(ChunkResult& result);
+  void SwapPulse(WaitingPulse& pulse);
 
   void StorePulse(std::size_t slot, ChunkResult& result);
   bool HasSurface() const;
@@ -107,6 +129,14 @@ private:
   std::vector<std::size_t> Kept;
   bool HasWaveform = false;
   bool IsCut = false; ///< whether the waveform, filled or not, was cut
+
+  // Pulses of a group that wait for a detector of blocks.
+  const bool HasBlocks;
+  bool CanWait = false; ///< whether the echoes of the current pulse are not needed at once
+  bool IsWaiting = false;
+  std::vector<WaitingPulse> Block; ///< keeps its memory
+  std::size_t BlockSize = 0;
+  std::size_t BlockSamples = 0;
 };
 
 } // namespace helios

@@ -13,11 +13,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
 namespace
 {
+
+constexpr std::size_t ManySamples = 1 << 22; // samples of a block
 
 double IncidenceDegrees(double cosIncidence)
 {
@@ -57,6 +60,74 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
     result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
       scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
   }
+}
+
+//------------------------------------------------------------------------------
+/// Exchanges the members of the current pulse for those of a waiting one.
+void PulseKernel::SwapPulse(WaitingPulse& pulse)
+{
+  this->Returns.swap(pulse.Returns);
+  this->SubRays.swap(pulse.SubRays);
+  this->Echoes.swap(pulse.Echoes);
+  this->Tracer.GetPaths().SwapEnds(pulse.Ends);
+  this->Signal.SwapWaveform(pulse.Wave);
+}
+
+//------------------------------------------------------------------------------
+/// Adds the current pulse to the block, which is stored once it is large.
+void PulseKernel::AddToBlock(std::size_t slot, ChunkResult& result)
+{
+  if (this->BlockSize == this->Block.size())
+  {
+    this->Block.emplace_back();
+  }
+  WaitingPulse& pulse = this->Block[this->BlockSize++];
+  pulse.Slot = slot;
+  pulse.Id = this->PulseId;
+  pulse.HasWaveform = this->HasWaveform;
+  pulse.IsDetected = !this->IsWaiting;
+  this->SwapPulse(pulse);
+  this->BlockSamples += pulse.HasWaveform ? pulse.Wave.Samples.size() : 0;
+  if (this->BlockSamples > ManySamples)
+  {
+    this->StoreBlock(result);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Detects the echoes of the pulses that wait, and stores them in their order.
+void PulseKernel::StoreBlock(ChunkResult& result)
+{
+  std::vector<std::pair<const Waveform*, vtkIdType>> waveforms;
+  for (std::size_t i = 0; i < this->BlockSize; ++i)
+  {
+    const WaitingPulse& pulse = this->Block[i];
+    if (!pulse.IsDetected)
+    {
+      waveforms.emplace_back(&pulse.Wave, pulse.Id);
+    }
+  }
+  std::vector<std::vector<vtkHeliosDetectedEcho>> detected;
+  if (!waveforms.empty())
+  {
+    this->Signal.DetectAll(waveforms, detected);
+  }
+  auto echoes = detected.begin();
+  for (std::size_t i = 0; i < this->BlockSize; ++i)
+  {
+    WaitingPulse& pulse = this->Block[i];
+    this->SwapPulse(pulse);
+    this->PulseId = pulse.Id;
+    this->HasWaveform = pulse.HasWaveform;
+    if (!pulse.IsDetected)
+    {
+      this->Signal.AddEchoes(*echoes++, this->Returns, this->Echoes);
+    }
+    this->StorePulse(pulse.Slot, result);
+    this->SwapPulse(pulse);
+  }
+  this->BlockSize = 0;
+  this->BlockSamples = 0;
 }
 
 //------------------------------------------------------------------------------

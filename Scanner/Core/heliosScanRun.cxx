@@ -94,8 +94,8 @@ void BatchSize::Adapt(double seconds, std::size_t bytes)
 }
 
 //------------------------------------------------------------------------------
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
-  const RunWatcher& shouldContinue, const ChunkSink& onChunks)
+Status RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
+  const RunWatcher& shouldContinue, const ChunkSink& onChunks, ScanCounts& counts)
 {
   const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   WorkWatch watch(shouldContinue, last - first);
@@ -120,12 +120,14 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, Batc
     batch.Adapt(
       std::chrono::duration<double>(Clock::now() - start).count(), CountBytes(functor.Results));
   }
-  ScanCounts sum;
+  counts = {};
+  Status status;
   for (auto& kernel : functor.Kernels)
   {
-    sum.Add(kernel->GetCounts());
+    counts.Add(kernel->GetCounts());
+    status = kernel->GetFault().empty() ? status : Status::Error(kernel->GetFault());
   }
-  return sum;
+  return status;
 }
 
 } // namespace helios

@@ -30,6 +30,7 @@
 
 #include "heliosScanCounts.h"
 #include "heliosScanRecords.h"
+#include "heliosStatus.h"
 #include "heliosWorkWatch.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -73,9 +74,10 @@ private:
 };
 
 /// Passes on the records of the pulses [first, last) of the sample, in order, in batches; and counts
-/// them. The first batch is as large as the last one of the scan before.
-ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
-  const RunWatcher& shouldContinue, const ChunkSink& onChunks);
+/// them. The first batch is as large as the last one of the scan before. An error of the detector
+/// ends the scan.
+Status RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSize& batch,
+  const RunWatcher& shouldContinue, const ChunkSink& onChunks, ScanCounts& counts);
 
 } // namespace helios
 

@@ -33,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 
 vtkStandardNewMacro(vtkHeliosScanner);
@@ -610,9 +611,18 @@ bool vtkHeliosScanner::RunPulses(
   helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, end - begin, outputs);
   const auto onChunks = [&output](const std::vector<helios::ChunkResult>& chunks)
   { output.Add(chunks); };
-  const helios::ScanCounts sum =
-    helios::RunScan(scan.Model, begin, end, *this->Batch, shouldContinue, onChunks);
+  helios::ScanCounts sum;
+  std::shared_ptr<void> threads = this->EchoDetector->PrepareThreads();
+  const helios::Status status =
+    helios::RunScan(scan.Model, begin, end, *this->Batch, shouldContinue, onChunks, sum);
+  threads.reset();
   output.Finish();
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    ClearOutputs(outputs);
+    return false;
+  }
   if (isAborted)
   {
     vtkErrorMacro(<< "The scan was aborted at " << 100.0 * this->GetProgress()

@@ -3,6 +3,7 @@
 #include "vtkHeliosEchoDetection.h"
 
 #include "heliosDetectorOffset.h"
+#include "heliosDetectorRegistry.h"
 #include "heliosPose.h"
 #include "heliosPulseShape.h"
 #include "heliosPulseTable.h"
@@ -10,11 +11,7 @@
 #include "heliosStatus.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosConstantFractionDetector.h"
-#include "vtkHeliosGaussianDecomposition.h"
-#include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
-#include "vtkHeliosPhotonCountingDetector.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
@@ -36,7 +33,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -46,27 +43,6 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
-
-struct DetectorKind
-{
-  std::string Name;
-  vtkSmartPointer<vtkHeliosEchoDetector> Prototype;
-};
-
-constexpr int NumberOfOwnKinds = 5; // which are not removed
-
-/// The known detectors; the first is the default. A list never moves its members.
-std::list<DetectorKind>& GetKinds()
-{
-  static std::list<DetectorKind> kinds = {
-    { "peak", vtkSmartPointer<vtkHeliosPeakDetector>::New() },
-    { "gaussian", vtkSmartPointer<vtkHeliosGaussianDecomposition>::New() },
-    { "cfd", vtkSmartPointer<vtkHeliosConstantFractionDetector>::New() },
-    { "leadingEdge", vtkSmartPointer<vtkHeliosLeadingEdgeDetector>::New() },
-    { "photonCounting", vtkSmartPointer<vtkHeliosPhotonCountingDetector>::New() },
-  };
-  return kinds;
-}
 
 // Waveforms per task, and such chunks of each thread between two checks for progress and abort,
 // about 0.1 s.
@@ -169,9 +145,12 @@ struct vtkHeliosEchoDetection::Run
   int Selection = 0;
   int Maximum = 0;
   std::vector<std::vector<Record>> Chunks;
+  std::vector<helios::Status> Faults; // one of each chunk
 
   void ReadSamples(vtkDataArray* array);
-  void DetectRow(vtkIdType row, std::vector<vtkHeliosDetectedEcho>& echoes,
+  vtkHeliosWaveform GetWaveform(vtkIdType row) const;
+  helios::Status DetectChunk(vtkIdType chunk);
+  void AddRecords(vtkIdType row, const std::vector<vtkHeliosDetectedEcho>& echoes,
     std::vector<std::size_t>& kept, std::vector<Record>& records) const;
   void DetectChunks(vtkIdType begin, vtkIdType end);
   void Fill(vtkPolyData* output) const;
@@ -196,16 +175,45 @@ void vtkHeliosEchoDetection::Run::ReadSamples(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosEchoDetection::Run::DetectRow(vtkIdType row,
-  std::vector<vtkHeliosDetectedEcho>& echoes, std::vector<std::size_t>& kept,
+vtkHeliosWaveform vtkHeliosEchoDetection::Run::GetWaveform(vtkIdType row) const
+{
+  return { this->Samples + this->Table.Offset.GetInteger(row), this->Table.Count.GetInteger(row),
+    this->Table.BinSize.GetNumber(row), this->PulseLength, 0.0, 0.0, this->Seed,
+    static_cast<std::uint64_t>(this->Table.PulseIds.GetInteger(row)) };
+}
+
+//------------------------------------------------------------------------------
+/// Detects the echoes of a chunk; returns the error of the detector.
+helios::Status vtkHeliosEchoDetection::Run::DetectChunk(vtkIdType chunk)
+{
+  const vtkIdType first = chunk * RowsPerChunk;
+  const vtkIdType last = std::min(this->Table.NumberOfRows, first + RowsPerChunk);
+  std::vector<vtkHeliosWaveform> waveforms;
+  for (vtkIdType row = first; row < last; ++row)
+  {
+    waveforms.push_back(this->GetWaveform(row));
+  }
+  std::vector<vtkHeliosEchoDetector::Echoes> echoes(waveforms.size());
+  const std::string fault = this->Detector->DetectAll(waveforms, echoes);
+  if (!fault.empty())
+  {
+    return helios::Status::Error(fault);
+  }
+  std::vector<std::size_t> kept;
+  for (vtkIdType row = first; row < last; ++row)
+  {
+    this->AddRecords(row, echoes[static_cast<std::size_t>(row - first)], kept,
+      this->Chunks[static_cast<std::size_t>(chunk)]);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// Adds the echoes of a row that are kept.
+void vtkHeliosEchoDetection::Run::AddRecords(vtkIdType row,
+  const std::vector<vtkHeliosDetectedEcho>& echoes, std::vector<std::size_t>& kept,
   std::vector<Record>& records) const
 {
-  echoes.clear();
-  this->Detector->Detect(
-    { this->Samples + this->Table.Offset.GetInteger(row), this->Table.Count.GetInteger(row),
-      this->Table.BinSize.GetNumber(row), this->PulseLength, 0.0, 0.0, this->Seed,
-      static_cast<std::uint64_t>(this->Table.PulseIds.GetInteger(row)) },
-    echoes);
   helios::SelectReturns(echoes, this->Selection, this->Maximum, kept);
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
@@ -219,15 +227,9 @@ void vtkHeliosEchoDetection::Run::DetectRow(vtkIdType row,
 //------------------------------------------------------------------------------
 void vtkHeliosEchoDetection::Run::DetectChunks(vtkIdType begin, vtkIdType end)
 {
-  std::vector<vtkHeliosDetectedEcho> echoes;
-  std::vector<std::size_t> kept;
   for (vtkIdType chunk = begin; chunk < end; ++chunk)
   {
-    const vtkIdType last = std::min(this->Table.NumberOfRows, (chunk + 1) * RowsPerChunk);
-    for (vtkIdType row = chunk * RowsPerChunk; row < last; ++row)
-    {
-      this->DetectRow(row, echoes, kept, this->Chunks[static_cast<std::size_t>(chunk)]);
-    }
+    this->Faults[static_cast<std::size_t>(chunk)] = this->DetectChunk(chunk);
   }
 }
 
@@ -304,53 +306,49 @@ void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) 
 //------------------------------------------------------------------------------
 int vtkHeliosEchoDetection::GetNumberOfDetectors()
 {
-  return static_cast<int>(GetKinds().size());
+  return static_cast<int>(helios::GetDetectorKinds().size());
 }
 
 //------------------------------------------------------------------------------
 const char* vtkHeliosEchoDetection::GetDetectorName(int index)
 {
   const bool isValid = index >= 0 && index < vtkHeliosEchoDetection::GetNumberOfDetectors();
-  return isValid ? std::next(GetKinds().begin(), index)->Name.c_str() : nullptr;
+  return isValid ? std::next(helios::GetDetectorKinds().begin(), index)->Name.c_str() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkHeliosEchoDetector* vtkHeliosEchoDetection::MakeDetector(const char* name)
 {
-  const std::list<DetectorKind>& kinds = GetKinds();
-  const std::string wanted = name && *name ? name : kinds.front().Name;
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-    [&wanted](const DetectorKind& kind) { return kind.Name == wanted; });
-  return found == kinds.end() ? nullptr : found->Prototype->NewInstance();
+  const helios::DetectorKind* kind = helios::FindDetectorKind(name ? name : "");
+  return kind ? kind->Prototype->NewInstance() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosEchoDetection::AddDetector(const std::string& name, vtkHeliosEchoDetector* prototype)
 {
-  std::list<DetectorKind>& kinds = GetKinds();
-  const bool isKnown = std::any_of(
-    kinds.begin(), kinds.end(), [&name](const DetectorKind& kind) { return kind.Name == name; });
-  const bool isValid =
-    prototype && !name.empty() && name.find_first_of(" \t\n") == std::string::npos && !isKnown;
-  if (isValid)
-  {
-    kinds.push_back({ name, prototype });
-  }
-  return isValid;
+  return helios::AddDetectorKind(name, prototype);
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosEchoDetection::RemoveDetector(const std::string& name)
 {
-  std::list<DetectorKind>& kinds = GetKinds();
-  const auto found = std::find_if(std::next(kinds.begin(), NumberOfOwnKinds), kinds.end(),
-    [&name](const DetectorKind& kind) { return kind.Name == name; });
-  const bool isAdded = found != kinds.end();
-  if (isAdded)
+  return helios::RemoveDetectorKind(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::SetDetectorFile(const std::string& name, const std::string& file)
+{
+  if (helios::DetectorKind* kind = helios::FindDetectorKind(name))
   {
-    kinds.erase(found);
+    kind->File = file;
   }
-  return isAdded;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosEchoDetection::GetDetectorFile(const std::string& name)
+{
+  const helios::DetectorKind* kind = helios::FindDetectorKind(name);
+  return kind ? kind->File : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -471,8 +469,13 @@ bool vtkHeliosEchoDetection::Calibrate(vtkTable* table, Run& run)
     vtkErrorMacro(<< "the input is not valid: " << status.Message());
     return false;
   }
-  run.Offset = helios::ComputeDetectorOffset(*run.Detector, shape, run.Table.BinSize.GetNumber(0));
-  return true;
+  const helios::Status fault =
+    helios::ComputeDetectorOffset(*run.Detector, shape, run.Table.BinSize.GetNumber(0), run.Offset);
+  if (!fault.IsOk())
+  {
+    vtkErrorMacro(<< fault.Message());
+  }
+  return fault.IsOk();
 }
 
 //------------------------------------------------------------------------------
@@ -487,6 +490,7 @@ int vtkHeliosEchoDetection::RequestData(
   }
   const vtkIdType chunks = (run.Table.NumberOfRows + RowsPerChunk - 1) / RowsPerChunk;
   run.Chunks.resize(static_cast<std::size_t>(chunks));
+  run.Faults.resize(static_cast<std::size_t>(chunks));
   const vtkIdType batch = ChunksOfThread * vtkSMPTools::GetEstimatedNumberOfThreads();
   for (vtkIdType chunk = 0; chunk < chunks; chunk += batch)
   {
@@ -497,8 +501,17 @@ int vtkHeliosEchoDetection::RequestData(
       return 0;
     }
     const vtkIdType end = std::min(chunks, chunk + batch);
+    std::shared_ptr<void> threads = run.Detector->PrepareThreads();
     vtkSMPTools::For(
       chunk, end, 1, [&run](vtkIdType from, vtkIdType to) { run.DetectChunks(from, to); });
+    threads.reset();
+    const auto isBad = [](const helios::Status& status) { return !status.IsOk(); };
+    const auto fault = std::find_if(run.Faults.begin(), run.Faults.end(), isBad);
+    if (fault != run.Faults.end())
+    {
+      vtkErrorMacro(<< fault->Message());
+      return 0;
+    }
     this->UpdateProgress(static_cast<double>(end) / static_cast<double>(chunks));
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs);

@@ -74,6 +74,15 @@ public:
 
   ///@{
   /**
+   * Set/Get the file of the plug-in that has added an echo detector: an input of the runs that use
+   * it, with its digest. Default: empty, none.
+   */
+  static void SetDetectorFile(const std::string& name, const std::string& file);
+  static std::string GetDetectorFile(const std::string& name);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the echo detector. Default: a vtkHeliosPeakDetector.
    */
   void SetEchoDetector(vtkHeliosEchoDetector* detector);
@@ -100,29 +109,10 @@ public:
 
   ///@{
   /**
-   * Set/Get which echoes of a pulse are kept, as in vtkHeliosInstrument.
-   * Default: ALL.
+   * Set/Get which echoes of a pulse are kept, and their maximum number, as in vtkHeliosInstrument.
+   * Valid range: [0, 255]. Default: ALL and 0.
    */
-  vtkSetClampMacro(
-    ReturnSelection, int, vtkHeliosInstrument::ALL, vtkHeliosInstrument::FIRST_AND_LAST);
-  vtkGetMacro(ReturnSelection, int);
-  void SetReturnSelectionToAll() { this->SetReturnSelection(vtkHeliosInstrument::ALL); }
-  void SetReturnSelectionToFirst() { this->SetReturnSelection(vtkHeliosInstrument::FIRST); }
-  void SetReturnSelectionToLast() { this->SetReturnSelection(vtkHeliosInstrument::LAST); }
-  void SetReturnSelectionToStrongest() { this->SetReturnSelection(vtkHeliosInstrument::STRONGEST); }
-  void SetReturnSelectionToFirstAndLast()
-  {
-    this->SetReturnSelection(vtkHeliosInstrument::FIRST_AND_LAST);
-  }
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the maximum number of echoes kept, in order of range; 0: all. Valid
-   * range: [0, 255]. Default: 0.
-   */
-  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
-  vtkGetMacro(MaximumNumberOfReturns, int);
+  vtkHeliosReturnsMacro();
   ///@}
 
   /// Includes changes of the detector.

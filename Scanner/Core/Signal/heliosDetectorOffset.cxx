@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace helios
@@ -14,7 +15,7 @@ namespace helios
 namespace
 {
 
-constexpr int Positions = 8; // within a bin
+constexpr std::size_t Positions = 8; // within a bin
 
 /// Fills samples of the pulse with its peak at a time [ns].
 void FillSamples(const PulseShape& shape, double amplitude, double time, double binSize,
@@ -30,37 +31,44 @@ void FillSamples(const PulseShape& shape, double amplitude, double time, double 
 } // namespace
 
 //------------------------------------------------------------------------------
-double ComputeDetectorOffset(
-  const vtkHeliosEchoDetector& detector, const PulseShape& shape, double binSize)
+Status ComputeDetectorOffset(
+  const vtkHeliosEchoDetector& detector, const PulseShape& shape, double binSize, double& offset)
 {
+  offset = 0.0;
   const double amplitude = detector.GetCalibrationAmplitude();
   if (shape.IsGaussian() || !(amplitude > 0.0))
   {
-    return 0.0;
+    return {};
   }
   const double start = binSize - shape.GetStart();
   const double count = std::ceil((start + shape.GetEnd()) / binSize) + 2.0;
-  std::vector<float> samples(static_cast<std::size_t>(count));
-  std::vector<vtkHeliosDetectedEcho> echoes;
+  std::vector<std::vector<float>> samples(
+    Positions, std::vector<float>(static_cast<std::size_t>(count)));
+  std::vector<vtkHeliosWaveform> waveforms;
+  const auto getTime = [start, binSize](std::size_t k)
+  { return start + binSize * static_cast<double>(k) / Positions; };
+  for (std::size_t k = 0; k < Positions; ++k)
+  {
+    FillSamples(shape, amplitude, getTime(k), binSize, samples[k]);
+    waveforms.push_back(
+      { samples[k].data(), static_cast<vtkIdType>(samples[k].size()), binSize, shape.GetLength() });
+  }
+  std::vector<vtkHeliosEchoDetector::Echoes> echoes(Positions);
+  const std::string fault = detector.DetectAll(waveforms, echoes);
   double sum = 0.0;
   int found = 0;
-  for (int k = 0; k < Positions; ++k)
+  for (std::size_t k = 0; k < Positions; ++k)
   {
-    const double time = start + binSize * k / Positions;
-    FillSamples(shape, amplitude, time, binSize, samples);
-    echoes.clear();
-    detector.Detect(
-      { samples.data(), static_cast<vtkIdType>(samples.size()), binSize, shape.GetLength() },
-      echoes);
-    const auto strongest = std::max_element(echoes.begin(), echoes.end(),
+    const auto strongest = std::max_element(echoes[k].begin(), echoes[k].end(),
       [](const auto& a, const auto& b) { return a.Amplitude < b.Amplitude; });
-    if (strongest != echoes.end())
+    if (strongest != echoes[k].end())
     {
-      sum += strongest->Time - time;
+      sum += strongest->Time - getTime(k);
       ++found;
     }
   }
-  return found > 0 ? sum / found : 0.0;
+  offset = found > 0 ? sum / found : 0.0;
+  return fault.empty() ? Status() : Status::Error(fault);
 }
 
 } // namespace helios

@@ -5,6 +5,7 @@
 #ifndef heliosDetectorOffset_h
 #define heliosDetectorOffset_h
 
+#include "heliosStatus.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 class vtkHeliosEchoDetector;
@@ -15,12 +16,12 @@ namespace helios
 class PulseShape;
 
 /**
- * Returns how late a detector finds the echo of a plane across the beam [ns], in bins of a size
+ * Computes how late a detector finds the echo of a plane across the beam [ns], in bins of a size
  * [ns], at its calibration amplitude: the mean over eight positions within a bin. 0 for a Gaussian,
- * whose times detectors know in closed form.
+ * whose times detectors know in closed form. Returns the error of the detector, if any.
  */
-VTKHELIOSSCANNERCORE_EXPORT double ComputeDetectorOffset(
-  const vtkHeliosEchoDetector& detector, const PulseShape& shape, double binSize);
+VTKHELIOSSCANNERCORE_EXPORT Status ComputeDetectorOffset(
+  const vtkHeliosEchoDetector& detector, const PulseShape& shape, double binSize, double& offset);
 
 } // namespace helios
 

@@ -84,14 +84,17 @@ const SubReturn* FindNearestSurface(
 Receiver::Receiver(const ReceiverSettings& settings)
   : Settings(settings)
   , DetectionShape(settings.Shape)
-  , Offset(settings.Detector
-        ? ComputeDetectorOffset(*settings.Detector, settings.Shape, settings.BinSize)
-        : 0.0)
   , Sigma(settings.Shape.GetSigma())
   , SigmaRange(0.5 * SpeedOfLight * settings.Shape.GetSigma())
 {
   this->Settings.Shape.SetBinSize(settings.BinSize);
   this->DetectionShape.SetBinSize(settings.DetectionBin);
+  if (settings.Detector)
+  {
+    this->SetFault(
+      ComputeDetectorOffset(*settings.Detector, settings.Shape, settings.BinSize, this->Offset)
+        .Message());
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -595,19 +598,60 @@ void Receiver::DetectEchoes(const std::vector<SubReturn>& returns, std::vector<E
 //------------------------------------------------------------------------------
 void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes)
 {
-  this->Detected.clear();
-  const auto& samples = this->Wave.Samples;
-  const double start = this->Wave.StartTime;
-  this->Settings.Detector->Detect(
-    { samples.data(), static_cast<vtkIdType>(samples.size()), binSize,
-      this->Settings.Shape.GetLength(), this->Settings.GateStart - start,
-      this->Settings.GateStop - start, this->Settings.Seed,
-      static_cast<std::uint64_t>(this->PulseId) },
-    this->Detected);
-  for (const vtkHeliosDetectedEcho& echo : this->Detected)
+  std::vector<vtkHeliosDetectedEcho>& detected = this->Detected.front();
+  detected.clear();
+  const vtkHeliosWaveform wave = this->Describe(this->Wave, this->PulseId, binSize);
+  if (this->Settings.Detector->PrefersBlocks())
+  {
+    this->SetFault(this->Settings.Detector->DetectAll({ wave }, this->Detected));
+  }
+  else
+  {
+    this->Settings.Detector->Detect(wave, detected);
+  }
+  for (const vtkHeliosDetectedEcho& echo : detected)
   {
     this->AddEcho(echo, begin, end, echoes);
   }
+}
+
+//------------------------------------------------------------------------------
+void Receiver::DetectAll(const std::vector<std::pair<const Waveform*, vtkIdType>>& waveforms,
+  std::vector<std::vector<vtkHeliosDetectedEcho>>& detected)
+{
+  std::vector<vtkHeliosWaveform> described;
+  for (const auto& [wave, pulseId] : waveforms)
+  {
+    described.push_back(this->Describe(*wave, pulseId, this->Settings.BinSize));
+  }
+  detected.assign(waveforms.size(), {});
+  this->SetFault(this->Settings.Detector->DetectAll(described, detected));
+}
+
+//------------------------------------------------------------------------------
+void Receiver::AddEchoes(const std::vector<vtkHeliosDetectedEcho>& detected,
+  const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const
+{
+  for (const vtkHeliosDetectedEcho& echo : detected)
+  {
+    this->AddEcho(echo, returns.data(), returns.data() + returns.size(), echoes);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Returns a waveform of a pulse as a detector reads it.
+vtkHeliosWaveform Receiver::Describe(const Waveform& wave, vtkIdType pulseId, double binSize) const
+{
+  return { wave.Samples.data(), static_cast<vtkIdType>(wave.Samples.size()), binSize,
+    this->Settings.Shape.GetLength(), this->Settings.GateStart - wave.StartTime,
+    this->Settings.GateStop - wave.StartTime, this->Settings.Seed,
+    static_cast<std::uint64_t>(pulseId) };
+}
+
+//------------------------------------------------------------------------------
+void Receiver::SetFault(const std::string& fault)
+{
+  this->Fault = this->Fault.empty() ? fault : this->Fault;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -126,6 +127,20 @@ public:
   /// Detects the echoes in the waveform filled last, and their nearest returns.
   void DetectEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
+  /// Swaps the waveform filled last with another one.
+  void SwapWaveform(Waveform& other) { std::swap(this->Wave, other); }
+
+  /// Detects the echoes in waveforms of the receiver, each with the id of its pulse, together.
+  void DetectAll(const std::vector<std::pair<const Waveform*, vtkIdType>>& waveforms,
+    std::vector<std::vector<vtkHeliosDetectedEcho>>& detected);
+
+  /// Adds echoes that were detected in the current waveform, with their nearest returns.
+  void AddEchoes(const std::vector<vtkHeliosDetectedEcho>& detected,
+    const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const;
+
+  /// Returns the first error of the detector; empty: none.
+  const std::string& GetFault() const { return this->Fault; }
+
 private:
   using Iterator = const SubReturn*;
 
@@ -169,13 +184,16 @@ private:
   double GetTime(double range) const;
   void SetSamples(const BinRange& bins);
   void AddNoise(double background, vtkIdType pulseId);
+  vtkHeliosWaveform Describe(const Waveform& wave, vtkIdType pulseId, double binSize) const;
+  void SetFault(const std::string& fault);
   void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
   void AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, Iterator end,
     std::vector<Echo>& echoes) const;
 
   ReceiverSettings Settings;
   PulseShape DetectionShape;
-  double Offset; // how late the detector finds a plane [ns]
+  double Offset = 0.0; // how late the detector finds a plane [ns]
+  std::string Fault;
   vtkIdType PulseId = 0;
   double Sigma;      // [ns]
   double SigmaRange; // [m]
@@ -190,7 +208,7 @@ private:
   SingleMaximum Maximum;
   Waveform Wave;
   std::vector<Peak> Peaks;
-  std::vector<vtkHeliosDetectedEcho> Detected;
+  std::vector<std::vector<vtkHeliosDetectedEcho>> Detected{ 1 }; // in the current waveform
 };
 
 } // namespace helios

@@ -26,6 +26,23 @@ double vtkHeliosEchoDetector::GetCalibrationAmplitude() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosEchoDetector::DetectAll(
+  const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes) const
+{
+  for (std::size_t i = 0; i < waveforms.size(); ++i)
+  {
+    this->Detect(waveforms[i], echoes[i]);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<void> vtkHeliosEchoDetector::PrepareThreads() const
+{
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosEchoDetector::RemoveDead(
   std::vector<vtkHeliosDetectedEcho>& echoes, std::size_t first) const
 {

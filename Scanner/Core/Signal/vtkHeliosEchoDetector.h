@@ -7,7 +7,8 @@
  * A strategy, const and thread-safe once set up. The scanner and the filters on
  * stored waveforms call the same detector on the same float samples.
  *
- * To add one: subclass, implement Detect().
+ * To add one: subclass, implement Detect(). Where many waveforms at once are faster, implement
+ * DetectAll(), too, and PrefersBlocks().
  *
  * @sa
  * vtkHeliosPeakDetector vtkHeliosScanner
@@ -17,11 +18,14 @@
 #define vtkHeliosEchoDetector_h
 
 #include "vtkHeliosInstrumentData.h"
+#include "vtkHeliosInstrumentRanges.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
 #include <cstdint> // For the keys of random numbers
 #include <limits>  // For the missing Deviation
+#include <memory>  // For PrepareThreads()
+#include <string>  // For errors
 #include <vector>  // For the echoes
 
 /// A received waveform: Samples[i] [W] was received at i BinSize.
@@ -62,7 +66,8 @@ public:
    * Set/Get the smallest amplitude of an echo [W]. Valid range: [0, 1e6].
    * Default: 1e-13.
    */
-  vtkSetClampMacro(DetectionThreshold, double, 0.0, 1e6);
+  vtkSetClampMacro(DetectionThreshold, double, vtkHeliosInstrumentRanges::DetectionThreshold.Low,
+    vtkHeliosInstrumentRanges::DetectionThreshold.High);
   double GetDetectionThreshold() const { return this->DetectionThreshold; }
   ///@}
 
@@ -72,7 +77,8 @@ public:
    * the one before, which was detected, is lost. Valid range: [0, 1e6].
    * Default: 0.
    */
-  vtkSetClampMacro(DeadTime, double, 0.0, 1e6);
+  vtkSetClampMacro(DeadTime, double, vtkHeliosInstrumentRanges::DeadTime.Low,
+    vtkHeliosInstrumentRanges::DeadTime.High);
   vtkGetMacro(DeadTime, double);
   ///@}
 
@@ -118,6 +124,27 @@ public:
    */
   virtual void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const = 0;
+
+#ifndef __VTK_WRAP__
+  using Echoes = std::vector<vtkHeliosDetectedEcho>;
+
+  /// Returns whether DetectAll() is faster with many waveforms: the scanner then collects those of up
+  /// to 256 pulses. Default: no.
+  virtual bool PrefersBlocks() const
+  {
+    return false;
+  }
+
+  /// Appends the echoes of each of some waveforms to the echoes with its index. Returns an error, which
+  /// ends a scan, or an empty text. Thread-safe; the echoes of a waveform do not depend on others.
+  /// Default: calls Detect().
+  virtual std::string DetectAll(
+    const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes) const;
+
+  /// Returns what the thread that starts others, and waits for them, holds while these detect echoes.
+  /// Default: null.
+  virtual std::shared_ptr<void> PrepareThreads() const;
+#endif
 
 protected:
   vtkHeliosEchoDetector() = default;

@@ -4,9 +4,11 @@
 
 #include "heliosInputDigest.h"
 #include "heliosMaterialTable.h"
+#include "heliosReceiverSetup.h"
 #include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <vtkDataObject.h>
@@ -40,7 +42,10 @@ std::set<std::string> GetNamedFiles(const SurveyData& survey, const RunSettings&
   {
     for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
     {
-      files.insert(scanner.GetChannel(k).Receiver.PulseFile);
+      const ReceiverData& receiver = scanner.GetChannel(k).Receiver;
+      files.insert(
+        vtkHeliosEchoDetection::GetDetectorFile(ChooseDetector(receiver, settings.Options)));
+      files.insert(receiver.PulseFile);
       files.insert(scanner.GetChannel(k).BeamFile);
     }
   }

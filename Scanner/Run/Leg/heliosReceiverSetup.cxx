@@ -107,10 +107,8 @@ void SetUpSampling(
 vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(
   const ReceiverData& receiver, const RunOptions& options)
 {
-  const std::string& name =
-    options.EchoDetector.empty() ? receiver.EchoDetector : options.EchoDetector;
   auto detector = vtkSmartPointer<vtkHeliosEchoDetector>::Take(
-    vtkHeliosEchoDetection::MakeDetector(name.c_str()));
+    vtkHeliosEchoDetection::MakeDetector(ChooseDetector(receiver, options).c_str()));
   if (!detector)
   {
     detector.TakeReference(vtkHeliosEchoDetection::MakeDetector(nullptr));
@@ -163,6 +161,12 @@ BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& opti
   return { !isFixed,
     options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance,
     options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance };
+}
+
+//------------------------------------------------------------------------------
+const std::string& ChooseDetector(const ReceiverData& receiver, const RunOptions& options)
+{
+  return options.EchoDetector.empty() ? receiver.EchoDetector : options.EchoDetector;
 }
 
 //------------------------------------------------------------------------------

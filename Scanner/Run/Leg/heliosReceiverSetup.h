@@ -7,6 +7,8 @@
 
 #include "vtkHeliosScannerRunModule.h" // For export macro
 
+#include <string>
+
 class vtkHeliosScanner;
 
 namespace helios
@@ -25,6 +27,9 @@ struct BeamSampling
   double EnergyTolerance; ///< relative
 };
 BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& options);
+
+/// Returns the name of the echo detector of a scanner, or of the options.
+const std::string& ChooseDetector(const ReceiverData& receiver, const RunOptions& options);
 
 /// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; options override
 /// the data.
