@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The installed package in other projects: find_package(vtkHelios), and pip install."""
 
+import json
 import os
 import pathlib
 import re
@@ -40,21 +41,31 @@ def prefix(tmp_path_factory):
     return folder
 
 
-def test_separate_project_with_its_own_deflector(prefix, tmp_path):
-    call(
-        "cmake",
-        "-S",
-        HERE,
-        "-B",
-        tmp_path,
-        "-G",
-        "Ninja",
-        f"-DCMAKE_PREFIX_PATH={prefix}",
-        "-DCMAKE_BUILD_TYPE=Release",
-    )
-    call("cmake", "--build", tmp_path)
-    output = call(tmp_path / "own_deflector")
+@pytest.fixture(scope="module")
+def project(prefix, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("project")
+    settings = [f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release"]
+    call("cmake", "-S", HERE, "-B", folder, "-G", "Ninja", *settings)
+    call("cmake", "--build", folder)
+    return folder
+
+
+def test_separate_project_with_its_own_deflector(project):
+    output = call(project / "own_deflector")
     assert output.startswith("1000 echoes, largest error")
+
+
+def test_installed_command_line_with_a_plugin_in_cpp(prefix, project, tmp_path):
+    program = prefix / "bin/vtkhelios"
+    call(program, "new", tmp_path / "yard", "--kind", "tls")
+    (survey,) = (tmp_path / "yard").glob("*survey*.xml")
+    plugin = ["--plugin", project / "libown_detector.so", "--detector", "firstSample"]
+    call(program, "run", survey, *plugin, "--output", tmp_path / "out", "--no-accuracy-report")
+    (summary,) = (tmp_path / "out").rglob("run_summary.json")
+    report = json.loads(summary.read_text())
+    assert report["options"]["detector"] == "firstSample"
+    assert report["totals"]["points"] > 1000
+    assert str(project / "libown_detector.so") in [each["file"] for each in report["inputs"]]
 
 
 def test_missing_component_is_reported(prefix, tmp_path):

@@ -23,10 +23,12 @@ import importlib
 import pkgutil
 import sys
 
+from ..core.plugins import PluginError
 from ..core.streams import standard_streams
 from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
+from ._reading import load_plugins
 from ._stopping import Stopping, is_stopping, leave, report_stop
 
 DESCRIPTION = (
@@ -133,6 +135,11 @@ def run_command(argv):
         module = commands(known)[argv[0]]
         if hasattr(module, "start"):
             return module.start(argv[1:])
+        try:
+            load_plugins(argv)
+        except PluginError as error:
+            say_error(str(error))
+            return 1
     parser = make_parser(known)
     arguments = parser.parse_args(argv)
     if arguments.version:

@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Options that several commands have: --assets, --threads and --memory."""
+"""Options that several commands have: --assets, --plugin, --threads and --memory."""
 
 import argparse
 import re
 
+from ..core.plugins import load_plugin
 from ..vtkHeliosFiltersCore import vtkHeliosMemoryLimit
 from ._parser import whole_number
 
@@ -21,6 +22,30 @@ def add_assets_argument(parser):
         default=[],
         help="a folder to search for scenes, scanners and platforms; may be repeated",
     )
+    add_plugin_argument(parser)
+
+
+def add_plugin_argument(parser):
+    parser.add_argument(
+        "--plugin",
+        metavar="FILE",
+        action="append",
+        default=[],
+        help="a file in Python (.py), or a shared library (.so), that registers echo detectors; may be "
+        "repeated",
+    )
+
+
+def load_plugins(words):
+    """Loads the plug-ins of --plugin in the words of a command, before its parser knows detectors."""
+    parser = argparse.ArgumentParser(add_help=False, exit_on_error=False)
+    add_plugin_argument(parser)
+    try:
+        files = parser.parse_known_args(words)[0].plugin
+    except argparse.ArgumentError:
+        return  # the command reports it
+    for file in files:
+        load_plugin(file)
 
 
 def size(text):

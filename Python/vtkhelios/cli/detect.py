@@ -21,7 +21,7 @@ from ..core.unfinished import set_unfinished
 from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
 from ._parser import number, whole_number
-from ._reading import add_threads_argument
+from ._reading import add_plugin_argument, add_threads_argument
 from ._stopping import set_outcome
 from .run import detectors
 
@@ -85,7 +85,7 @@ def add_arguments(parser):
         metavar="NAME",
         choices=detectors(),
         default="peak",
-        help="peak, gaussian, cfd, leadingEdge or photonCounting (default: %(default)s)",
+        help="peak, gaussian, cfd, leadingEdge, photonCounting, or one of a plug-in (default: %(default)s)",
     )
     parser.add_argument(
         "--pulse-length",
@@ -143,6 +143,7 @@ def add_arguments(parser):
         action="store_true",
         help="the times of a text file are one-way (HELIOS++)",
     )
+    add_plugin_argument(parser)
     add_threads_argument(parser)
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 

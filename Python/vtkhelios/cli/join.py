@@ -8,6 +8,7 @@ import os
 import pathlib
 
 from ..core.json_files import parse_json
+from ..core.plugins import PluginError, load_plugin
 from ..core.run_files import JOURNAL_NAME, is_epoch
 from ..formats import FormatError
 from ..formats._summary import convert_to_current
@@ -75,7 +76,7 @@ def run(arguments):
         first = parts[min(parts)][0]
         options = join_options(arguments, read_part(first), first)
         options.output = arguments.output or find_output(parts, read_part(first))
-    except FormatError as error:
+    except (FormatError, PluginError) as error:
         say_error(str(error))
         return 1
     return run_command.run_survey(options, parts)
@@ -117,11 +118,14 @@ def join_options(arguments, part, folder):
         command = parse_json(str(part["part"]["command"]))
         there, options = pathlib.Path(command["folder"]), dict(command["options"])
         survey, assets = str(options["survey"]), [str(name) for name in options["assets"]]
+        plugins = [str(name) for name in options.get("plugin", [])]
     except (ValueError, KeyError, TypeError):
         raise FormatError(
             f"{folder}: was not run by the command line; join it with AddPartFolder() of "
             "vtkHeliosSurveyPlayer"
         ) from None
+    for name in plugins:  # the parser knows their detectors
+        load_plugin(find_file(name, there))
     joined = default_options(survey, options, folder)
     joined.survey = arguments.survey or find_file(survey, there)
     joined.assets = arguments.assets + [find_file(name, there) for name in assets]

@@ -272,6 +272,7 @@ def make_player(arguments, survey, messages):
 def command_of_part(arguments):
     """Returns the values that determine the output, as JSON: for vtkhelios join."""
     host = "command run part epoch output overwrite resume check_all dry_run threads memory json quiet verbose"
+    host += "" if arguments.plugin else " plugin"
     options = {name: value for name, value in vars(arguments).items() if name not in host.split()}
     return json.dumps({"folder": os.getcwd(), "options": options})
 

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from ..core.paths import from_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..core.plugins import load_plugin, loaded_plugins
 
 MAXIMUM_SURVEYS = 2  # surveys that a worker keeps loaded
 
@@ -36,6 +37,7 @@ def make_task(survey, options):
         "path": origin.path,
         "assets": origin.assets,
         "folder": origin.folder,
+        "plugins": loaded_plugins(),
         "fingerprint": origin.get_fingerprint(survey),
         "options": options,
     }
@@ -118,6 +120,8 @@ def _find_survey(read, task):
 
 
 def _read_survey(read, task):
+    for file in task["plugins"]:
+        load_plugin(file)
     folder = task["folder"]  # may be of another computer
     assets = [*task["assets"], os.path.dirname(task["path"])]
     survey = read(task["path"], assets + [folder] * os.path.isdir(folder))

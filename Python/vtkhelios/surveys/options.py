@@ -18,7 +18,10 @@ class Option(NamedTuple):
     argument: str  # option of the command line; empty: none
     metavar: str
     help: str
-    choices: str
+
+    def get_choices(self):
+        """Returns the words of its value, with those of plug-ins; empty: any."""
+        return vtkHeliosRunOptions.GetOptionText(OPTIONS.index(self), "choices").split()
 
 
 OPTIONS = tuple(

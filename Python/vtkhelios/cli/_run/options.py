@@ -28,7 +28,7 @@ def _make_argument(option, defaults):
         return {"action": "store_true"}
     given = {"metavar": option.metavar, "default": None if default == -1 else default}
     if isinstance(default, str):
-        return given | {"choices": option.choices.split() or None}
+        return given | {"choices": option.get_choices() or None}
     if isinstance(default, float):
         return given | {"type": number(get("MinValue"), get("MaxValue"))}
     return given | {"type": whole_number(get("MaxValue"), max(0, get("MinValue")))}

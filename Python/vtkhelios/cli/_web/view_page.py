@@ -8,6 +8,7 @@ import sys
 from ... import formats
 from ...core.files import cannot_be_written, write_whole
 from ...core.pipeline import PipelineError
+from ...core.plugins import load_plugin
 from ...core.words import counted
 from ...reports.run import readable
 from ...surveys.survey import read_survey
@@ -111,6 +112,8 @@ def _read(arguments, messages):
 
 
 def _run_survey(arguments, names):
+    for file in arguments.plugin:
+        load_plugin(file)
     survey = read_survey(arguments.input, arguments.assets)
     cloud = survey.run(
         progress=sys.stderr.isatty() and not arguments.quiet, waveforms=arguments.waveforms
