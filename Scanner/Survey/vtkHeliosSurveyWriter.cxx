@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurveyWriter.h"
 
-#include "heliosAssets.h"
 #include "heliosMessages.h"
-#include "heliosPartFile.h"
 #include "heliosPlannerScan.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
-#include "heliosXmlSurvey.h"
-#include "heliosXmlText.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosFlightArrayNames.h"
+#include "vtkHeliosSurvey.h"
 
 #include <vtkDataArray.h>
 #include <vtkInformation.h>
@@ -21,10 +19,10 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <pugixml.hpp>
-
 #include <cmath>
 #include <exception>
+#include <filesystem>
+#include <memory>
 
 vtkStandardNewMacro(vtkHeliosSurveyWriter);
 
@@ -32,7 +30,6 @@ namespace
 {
 
 constexpr const char* TemplateId = "plan"; // id of scanner and platform settings
-constexpr const char* SceneId = "scene";
 
 std::string Text(const char* text)
 {
@@ -63,18 +60,19 @@ public:
   {
   }
 
-  bool Write();
+  bool Write(vtkHeliosSurvey* survey);
 
 private:
-  bool CheckSettings();
+  using Document = std::unique_ptr<helios::SurveyDocument>;
+
+  bool CheckSettings(bool isFile);
   bool CheckPositions();
   bool CheckSpeeds();
-  bool CheckSurvey(const helios::SurveyData& survey);
-  helios::SurveyData Read(const std::string& text);
-  std::string MakeText(const helios::Vec3& instrument) const;
-  void AddSettings(pugi::xml_node root) const;
-  void AddScene(pugi::xml_node root) const;
-  void AddLegs(pugi::xml_node survey, const helios::Vec3& instrument) const;
+  bool CheckSurvey(const helios::SurveyData& survey, bool hasError);
+  Document Make(const helios::Vec3& instrument) const;
+  helios::LegSettings MakeSettings() const;
+  void AddLegs(const helios::Vec3& instrument, helios::SurveyDocument& document) const;
+  std::string GetName() const;
   bool Fail(const std::string& text);
 
   vtkHeliosSurveyWriter* Writer;
@@ -87,33 +85,37 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyWriter::Internals::Write()
+/// Writes the file, or makes a survey without one.
+bool vtkHeliosSurveyWriter::Internals::Write(vtkHeliosSurvey* survey)
 {
-  if (!this->CheckSettings() || !this->CheckPositions() || !this->CheckSpeeds())
+  if (!this->CheckSettings(!survey) || !this->CheckPositions() || !this->CheckSpeeds())
   {
     return false;
   }
   // First read with uncorrected positions: the references give the offset to the platform's foot.
-  const helios::SurveyData survey = this->Read(this->MakeText({ 0.0, 0.0, 0.0 }));
-  if (!this->CheckSurvey(survey))
+  Document document = this->Make({ 0.0, 0.0, 0.0 });
+  const helios::SurveyData data = document->Resolve(this->Writer);
+  if (!this->CheckSurvey(data, document->HasError()))
   {
     return false;
   }
-  this->Crs = this->Crs == survey.Scene.Crs ? "" : this->Crs;
-  const helios::Vec3 instrument =
-    helios::FindInstrument(survey.Platforms.front(), survey.Scanners.front());
-  const helios::Status status =
-    helios::WriteWhole(this->Writer->FileName, this->MakeText(instrument));
+  this->Crs = this->Crs == data.Scene.Crs ? "" : this->Crs;
+  document = this->Make(helios::FindInstrument(data.Platforms.front(), data.Scanners.front()));
+  if (survey)
+  {
+    return survey->ReadDocument(std::move(document), this->Writer);
+  }
+  const helios::Status status = document->Write(this->Writer->FileName);
   return status.IsOk() || this->Fail(status.Message() + "; give another FileName");
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyWriter::Internals::CheckSettings()
+bool vtkHeliosSurveyWriter::Internals::CheckSettings(bool isFile)
 {
   const auto isSet = [this](const char* name, const char* value, const char* cure)
   { return (value && *value) || this->Fail(std::string(name) + " is not set; give " + cure); };
-  return isSet("FileName", this->Writer->FileName, "the survey file to write") &&
-    isSet("Scene", this->Writer->Scene, "what is scanned, file.xml#id or a mesh") &&
+  return (!isFile || isSet("FileName", this->Writer->FileName, "the survey file to write")) &&
+    (!isFile || isSet("Scene", this->Writer->Scene, "what is scanned, file.xml#id or a mesh")) &&
     isSet("Platform", this->Writer->Platform, "what carries the scanner, file.xml#id") &&
     isSet("Scanner", this->Writer->Scanner, "the scanner, file.xml#id");
 }
@@ -123,7 +125,7 @@ bool vtkHeliosSurveyWriter::Internals::CheckPositions()
 {
   if (this->Positions->GetNumberOfPoints() == 0)
   {
-    return this->Fail(Text(this->Writer->FileName) +
+    return this->Fail(this->GetName() +
       ": not written: the input has no position; give it the positions that a "
       "vtkHeliosScanPositionPlanner has selected");
   }
@@ -133,8 +135,8 @@ bool vtkHeliosSurveyWriter::Internals::CheckPositions()
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
       helios::MessageBuilder text;
-      text << this->Writer->FileName << ": not written: position " << i << " is (" << p[0] << ", "
-           << p[1] << ", " << p[2] << "); give finite coordinates";
+      text << this->GetName() << ": not written: position " << i << " is (" << p[0] << ", " << p[1]
+           << ", " << p[2] << "); give finite coordinates";
       return this->Fail(text.str());
     }
   }
@@ -150,8 +152,8 @@ bool vtkHeliosSurveyWriter::Internals::CheckSpeeds()
     if (!(std::isfinite(speed) && speed > 0.0))
     {
       helios::MessageBuilder text;
-      text << this->Writer->FileName << ": not written: " << vtkHeliosArrayNames::Speed
-           << " of waypoint " << i << " is " << speed << " m/s; give a positive speed";
+      text << this->GetName() << ": not written: " << vtkHeliosArrayNames::Speed << " of waypoint "
+           << i << " is " << speed << " m/s; give a positive speed";
       return this->Fail(text.str());
     }
   }
@@ -159,25 +161,16 @@ bool vtkHeliosSurveyWriter::Internals::CheckSpeeds()
 }
 
 //------------------------------------------------------------------------------
-helios::SurveyData vtkHeliosSurveyWriter::Internals::Read(const std::string& text)
+bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& survey, bool hasError)
 {
-  helios::Assets assets(this->Log, this->Writer->AssetDirectories);
-  return helios::ReadSurvey(
-    assets.Add(helios::XmlDocument::Make(this->Writer->FileName, text, this->Log)), assets,
-    this->Log);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& survey)
-{
-  const std::string file = this->Writer->FileName;
+  const std::string file = this->GetName();
   if (this->Speeds && !survey.Legs.empty() && !survey.IsMoving(0))
   {
     return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
       " is static, but waypoints need a moving one; give a platform such as "
       "platforms.xml#airplane_linearpath");
   }
-  if (this->Log.HasError())
+  if (hasError)
   {
     return this->Fail(file +
       ": not written: the survey could not be run; correct the properties "
@@ -192,89 +185,74 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instrument) const
+vtkHeliosSurveyWriter::Internals::Document vtkHeliosSurveyWriter::Internals::Make(
+  const helios::Vec3& instrument) const
 {
-  pugi::xml_document document;
-  pugi::xml_node root = helios::StartDocument(document,
-    this->Speeds ? " Flight lines, written by vtkHelios. "
-                 : " Scan positions, written by vtkHelios. ");
-  this->AddScene(root);
-  this->AddSettings(root);
-  pugi::xml_node survey = root.append_child("survey");
-  helios::SetAttribute(survey, "name", Text(this->Writer->SurveyName));
-  helios::SetAttribute(survey, "scene", root.child("scene") ? SceneId : this->Writer->Scene);
-  helios::SetAttribute(survey, "platform", this->Writer->Platform);
-  helios::SetAttribute(survey, "scanner", this->Writer->Scanner);
-  this->AddLegs(survey, instrument);
-  return helios::ToXmlText(document);
+  const std::string name = Text(this->Writer->SurveyName);
+  const std::string stem = std::filesystem::path(this->GetName()).stem().string();
+  auto document = std::make_unique<helios::SurveyDocument>(this->Writer, this->GetName());
+  document->SetAssetDirectories(this->Writer->AssetDirectories);
+  const bool hasScene = !Text(this->Writer->Scene).empty();
+  document->SetNeeds(hasScene ? helios::AssetNeed::Required : helios::AssetNeed::Replaced,
+    helios::AssetNeed::Required);
+  document->SetComment(this->Speeds ? " Flight lines, written by vtkHelios. "
+                                    : " Scan positions, written by vtkHelios. ");
+  document->Set({ helios::SurveyItem::Survey }, "name", name.empty() ? stem : name);
+  document->SetSources(
+    Text(this->Writer->Scene), Text(this->Writer->Platform), Text(this->Writer->Scanner));
+  if (helios::FindLoader(Text(this->Writer->Scene)))
+  {
+    document->Set({ helios::SurveyItem::Scene }, "crs", helios::GetCRS(this->Positions));
+  }
+  document->AddTemplate(TemplateId, this->MakeSettings());
+  this->AddLegs(instrument, *document);
+  return document;
 }
 
 //------------------------------------------------------------------------------
-/// Adds a scene for a mesh.
-void vtkHeliosSurveyWriter::Internals::AddScene(pugi::xml_node root) const
+/// Returns the settings of all legs; the CRS only once, since WKT is long.
+helios::LegSettings vtkHeliosSurveyWriter::Internals::MakeSettings() const
 {
-  const std::string text = helios::MakeMeshDocument(this->Writer->Scene, SceneId);
-  pugi::xml_document mesh;
-  if (!text.empty() && mesh.load_string(text.c_str()))
-  {
-    pugi::xml_node scene = root.append_copy(mesh.document_element().first_child());
-    helios::SetAttribute(scene, "crs", helios::GetCRS(this->Positions));
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
-{
-  if (!this->Crs.empty())
-  {
-    pugi::xml_node place = root.append_child("platformSettings");
-    helios::SetAttribute(place, "id", TemplateId);
-    helios::SetAttribute(place, "crs", this->Crs); // only once, since WKT is long
-  }
-  pugi::xml_node settings = root.append_child("scannerSettings");
-  helios::SetAttribute(settings, "id", TemplateId);
-  helios::LegSettings leg;
-  leg.PulseFrequency = this->Writer->PulseFrequency;
-  leg.ScanFrequency = this->Writer->ScanFrequency;
-  leg.ScanAngle = this->Writer->ScanAngle;
-  leg.VerticalAngleMin = this->Writer->VerticalAngleMin;
-  leg.VerticalAngleMax = this->Writer->VerticalAngleMax;
+  helios::LegSettings all;
+  all.Leg.Crs = this->Crs;
+  all.PulseFrequency = this->Writer->PulseFrequency;
+  all.ScanFrequency = this->Writer->ScanFrequency;
+  all.ScanAngle = this->Writer->ScanAngle;
+  all.VerticalAngleMin = this->Writer->VerticalAngleMin;
+  all.VerticalAngleMax = this->Writer->VerticalAngleMax;
   if (!this->Speeds)
   {
-    leg.Scan.HeadRotateStart = this->Writer->HeadRotateStart;
-    leg.Scan.HeadRotateStop = this->Writer->HeadRotateStop;
-    leg.Scan.HeadRotateSpeed = this->Writer->HeadRotatePerSecond;
+    all.Scan.HeadRotateStart = this->Writer->HeadRotateStart;
+    all.Scan.HeadRotateStop = this->Writer->HeadRotateStop;
+    all.Scan.HeadRotateSpeed = this->Writer->HeadRotatePerSecond;
   }
-  helios::SetStored(settings, leg);
+  return all;
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurveyWriter::Internals::AddLegs(
-  pugi::xml_node survey, const helios::Vec3& instrument) const
+  const helios::Vec3& instrument, helios::SurveyDocument& document) const
 {
   // A moving platform turns the horizontal offset with its heading; only the vertical one stays.
   const helios::Vec3 offset = this->Speeds ? helios::Vec3(0.0, 0.0, instrument[2]) : instrument;
   for (vtkIdType i = 0; i < this->Positions->GetNumberOfPoints(); ++i)
   {
-    const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - offset;
-    pugi::xml_node leg = survey.append_child("leg");
-    if (this->Speeds && this->Strips)
-    {
-      helios::SetAttribute(leg, "stripId", MakeStripId(this->Strips->GetTuple1(i)));
-    }
-    pugi::xml_node place = leg.append_child("platformSettings");
-    helios::SetAttribute(place, "template", this->Crs.empty() ? "" : TemplateId);
-    helios::LegSettings settings;
-    settings.Leg.Position = helios::RoundComputed(foot);
-    settings.Leg.Speed = this->Speeds ? this->Speeds->GetTuple1(i) : settings.Leg.Speed;
-    helios::SetStored(place, settings);
-    pugi::xml_node scan = leg.append_child("scannerSettings");
-    helios::SetAttribute(scan, "template", TemplateId);
-    if (this->Active && this->Active->GetTuple1(i) == 0.0)
-    {
-      helios::SetAttribute(scan, "active", "false");
-    }
+    helios::LegSettings leg;
+    leg.Leg.Position = helios::RoundComputed(helios::Vec3(this->Positions->GetPoint(i)) - offset);
+    leg.Leg.Speed = this->Speeds ? this->Speeds->GetTuple1(i) : leg.Leg.Speed;
+    leg.Leg.Strip =
+      this->Speeds && this->Strips ? MakeStripId(this->Strips->GetTuple1(i)) : std::string();
+    leg.Leg.Active = !this->Active || this->Active->GetTuple1(i) != 0.0;
+    document.AddLeg(leg, TemplateId);
   }
+}
+
+//------------------------------------------------------------------------------
+/// Returns the file in messages, or what stands for one.
+std::string vtkHeliosSurveyWriter::Internals::GetName() const
+{
+  const std::string file = Text(this->Writer->FileName);
+  return file.empty() ? "survey" : file;
 }
 
 //------------------------------------------------------------------------------
@@ -320,6 +298,12 @@ void vtkHeliosSurveyWriter::RemoveAllAssetDirectories()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyWriter::Write()
 {
+  return this->BuildSurvey(nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::BuildSurvey(vtkHeliosSurvey* survey)
+{
   this->IsWritten = false;
   if (this->GetNumberOfInputConnections(0) == 0)
   {
@@ -327,7 +311,9 @@ bool vtkHeliosSurveyWriter::Write()
     return false;
   }
   this->Modified(); // write again, even if nothing changed
+  this->Survey = survey;
   this->Update();
+  this->Survey = nullptr;
   return this->IsWritten;
 }
 
@@ -338,7 +324,7 @@ int vtkHeliosSurveyWriter::RequestData(
   try
   {
     Internals internals(this, vtkPolyData::GetData(inputVector[0]));
-    this->IsWritten = internals.Write();
+    this->IsWritten = internals.Write(this->Survey);
   }
   catch (const std::exception& error) // standard library errors: out of memory, file system
   {

@@ -40,6 +40,8 @@
 #include <string> // For the asset directories
 #include <vector> // For the asset directories
 
+class vtkHeliosSurvey;
+
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveyWriter : public vtkPolyDataAlgorithm
 {
 public:
@@ -134,6 +136,12 @@ public:
    */
   bool Write();
 
+  /**
+   * Makes the survey that Write() writes, in place of another one, without a file. Without a Scene it
+   * scans the input of its vtkHeliosSurveySource. Returns false after an error.
+   */
+  bool BuildSurvey(vtkHeliosSurvey* survey);
+
 protected:
   vtkHeliosSurveyWriter();
   ~vtkHeliosSurveyWriter() override;
@@ -163,6 +171,7 @@ private:
   double HeadRotateStop = 360.0;
   double HeadRotatePerSecond = 10.0;
   std::vector<std::string> AssetDirectories;
+  vtkHeliosSurvey* Survey = nullptr; ///< being made; null: a file is written
   bool IsWritten = false;
 };
 

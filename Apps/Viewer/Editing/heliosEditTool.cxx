@@ -403,10 +403,10 @@ void EditTool::Save()
   Status status;
   if (this->HasNewScene)
   {
-    fs::path scene = file;
+    fs::path scene = fs::absolute(file);
     scene.replace_filename(file.stem().string() + "_scene.xml");
     status = this->Scene.Save(scene.string());
-    edit.Scene = scene.filename().string() + "#" + this->Scene.GetId();
+    edit.Scene = scene.string() + "#" + this->Scene.GetId();
   }
   status =
     status.IsOk() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log) : status;

@@ -84,7 +84,6 @@ private:
   void ShowGhost();
   void PlaceGhost();
   std::string MakeHeading() const;
-  std::string GetFolder() const;
   std::vector<std::string> GetDocuments() const;
 
   Viewer& Owner;

@@ -64,7 +64,7 @@ bool EditTool::LoadScene()
   vtkNew<vtkHeliosSurvey> owner;
   const ErrorText errors(owner);
   Messages log(owner);
-  if (!this->Scene.Load(this->Edit.Scene, this->GetFolder(), this->Owner.GetOptions().Assets, log))
+  if (!this->Scene.Load(this->Edit.Scene, this->Owner.GetOptions().Assets, log))
   {
     this->Owner.ShowError("the scene cannot be changed: " + log.GetLastError());
     return false;

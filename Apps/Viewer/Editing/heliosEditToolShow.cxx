@@ -9,8 +9,6 @@
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
-#include "heliosSurveyDocument.h"
-#include "heliosSurveyXml.h"
 #include "heliosViewer.h"
 #include "vtkHeliosSurvey.h"
 
@@ -65,12 +63,6 @@ std::vector<SimulatedLeg> MakeTrajectories(const SurveyEdit& edit)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string EditTool::GetFolder() const
-{
-  return fs::absolute(this->Owner.GetOptions().Save).parent_path().string();
-}
-
-//------------------------------------------------------------------------------
 /// Returns the source files of the shown data.
 std::vector<std::string> EditTool::GetDocuments() const
 {
@@ -101,7 +93,7 @@ bool EditTool::Begin()
   {
     fs::path(file).extension() == ".xml" ? files.push_back(file) : void();
   }
-  this->Choice = ReadCatalogue(this->Owner.GetOptions().Assets, files, this->GetFolder());
+  this->Choice = ReadCatalogue(this->Owner.GetOptions().Assets, files);
   this->Scene = SceneEdit();
   this->HasBegun = this->Owner.GetSurvey() ? this->BeginWithSurvey() : this->BeginWithScene();
   this->Edit.Seed = this->Owner.GetOptions().Seed;
@@ -115,8 +107,7 @@ bool EditTool::Begin()
 //------------------------------------------------------------------------------
 bool EditTool::BeginWithSurvey()
 {
-  const std::string left = EditSurvey(this->Owner.GetSurvey()->GetData(), this->Choice,
-    this->GetFolder(), this->Owner.GetOptions().Assets, this->Edit);
+  const std::string left = EditSurvey(this->Owner.GetSurvey()->GetData(), this->Edit);
   this->FindGround();
   if (!left.empty())
   {
@@ -174,9 +165,7 @@ bool EditTool::BeginWithScene()
   {
     return false;
   }
-  const std::string file =
-    ReferTo(input.string(), this->GetFolder(), this->Owner.GetOptions().Assets);
-  this->Edit.Scene = input.extension() == ".xml" ? file + "#" + this->Scene.GetId() : file;
+  this->Edit.Scene += input.extension() == ".xml" ? "#" + this->Scene.GetId() : "";
   return true;
 }
 

@@ -47,6 +47,27 @@ void VisitFiles(pugi::xml_node node,
   }
 }
 
+fs::path GetFolder(const std::string& file)
+{
+  return fs::absolute(file).lexically_normal().parent_path();
+}
+
+/// Returns a document as a file has it.
+std::string MakeText(pugi::xml_document& document)
+{
+  for (pugi::xml_node node = document.first_child(); node;)
+  {
+    const pugi::xml_node next = node.next_sibling();
+    const bool isHead = node.type() == pugi::node_doctype || node.type() == pugi::node_declaration;
+    isHead ? document.remove_child(node) : false;
+    node = next;
+  }
+  pugi::xml_node declaration = document.prepend_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  return ToXmlText(document);
+}
+
 /// The file part of a value, and what follows it: #id, or a pattern.
 std::pair<std::string, std::string> SplitFile(const XmlValueRule& rule, const std::string& text)
 {
@@ -194,27 +215,37 @@ Status SurveyDocument::Write(const std::string& fileName)
 {
   pugi::xml_document copy;
   copy.reset(this->Own->GetTree());
-  for (pugi::xml_node node = copy.first_child(); node;)
-  {
-    const pugi::xml_node next = node.next_sibling();
-    const bool isHead = node.type() == pugi::node_doctype || node.type() == pugi::node_declaration;
-    isHead ? copy.remove_child(node) : false;
-    node = next;
-  }
-  pugi::xml_node declaration = copy.prepend_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
   pugi::xml_node survey = copy.child("document").child("survey");
   if (!survey.attribute("name"))
   {
     const std::string stem = fs::path(this->Own->GetPath()).stem().string();
     survey.prepend_attribute("name") = MakeFolderName(stem).c_str();
   }
-  const std::string folder = fs::path(fileName).parent_path().string();
-  this->Log.Restart(nullptr); // a file that does not exist keeps its name
-  FindFilesIn(copy, *this->Own, this->Files);
-  ReferToFiles(copy, folder, this->Files);
-  return WriteWhole(fileName, ToXmlText(copy));
+  const fs::path folder = GetFolder(fileName);
+  if (folder != GetFolder(this->Own->GetPath()))
+  {
+    this->Log.Restart(nullptr); // a file that does not exist keeps its name
+    FindFilesIn(copy, *this->Own, this->Files);
+  }
+  ReferToFiles(copy, folder.string(), this->Files);
+  return WriteWhole(fileName, MakeText(copy));
+}
+
+//------------------------------------------------------------------------------
+Status SurveyDocument::WriteScene(const std::string& fileName, const std::string& comment) const
+{
+  pugi::xml_document document;
+  document.append_child(pugi::node_comment).set_value(comment.c_str());
+  document.append_child("document").append_copy(this->Elements.Scene.GetNode());
+  ReferToFiles(document, GetFolder(fileName).string(), this->Files);
+  return WriteWhole(fileName, MakeText(document));
+}
+
+//------------------------------------------------------------------------------
+void SurveyDocument::SetComment(const std::string& text)
+{
+  pugi::xml_node root = this->Own->GetTree().child("document");
+  root.parent().insert_child_before(pugi::node_comment, root).set_value(text.c_str());
 }
 
 } // namespace helios

@@ -3,6 +3,7 @@
 #include "heliosSurveyDocument.h"
 
 #include "heliosElementPath.h"
+#include "heliosXmlFilter.h"
 #include "heliosXmlScene.h"
 #include "heliosXmlText.h"
 
@@ -241,6 +242,63 @@ void SurveyDocument::Change(pugi::xml_node node, const std::string& where)
 }
 
 //------------------------------------------------------------------------------
+/// Adds an element with an id before the survey.
+pugi::xml_node SurveyDocument::AddBefore(
+  const char* tag, const std::string& id, const std::string& where)
+{
+  const pugi::xml_node survey = this->GetSurvey();
+  pugi::xml_node node = survey.parent().insert_child_before(tag, survey);
+  SetAttribute(node, "id", id);
+  this->Own->SetPlace(node, where);
+  return node;
+}
+
+//------------------------------------------------------------------------------
+void SurveyDocument::SetSources(
+  const std::string& scene, const std::string& platform, const std::string& scanner)
+{
+  const std::string mesh = MakeMeshDocument(scene, "scene");
+  this->SetSceneText(mesh);
+  const std::string used = mesh.empty() ? scene : this->Elements.Scene.GetText("id");
+  pugi::xml_node survey = this->GetSurvey();
+  for (const auto& [name, reference] :
+    { std::pair("scene", used), std::pair("platform", platform), std::pair("scanner", scanner) })
+  {
+    reference.empty() ? false : survey.remove_attribute(name);
+    SetAttribute(survey, name, reference);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurveyDocument::AddTemplate(const std::string& id, const LegSettings& settings)
+{
+  for (const char* tag : { "platformSettings", "scannerSettings" })
+  {
+    pugi::xml_node node = this->AddBefore(tag, id, std::string(tag) + " " + id);
+    SetStored(node, settings);
+    node.first_attribute().next_attribute() ? false : node.parent().remove_child(node);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SurveyDocument::AddLeg(const LegSettings& settings, const std::string& base)
+{
+  const pugi::xml_node root = this->GetSurvey().parent();
+  const std::string where = Numbered("leg", this->GetLegs().size());
+  pugi::xml_node leg = this->GetSurvey().append_child("leg");
+  SetAttribute(leg, "stripId", settings.Leg.Strip);
+  for (const char* tag : { "platformSettings", "scannerSettings" })
+  {
+    pugi::xml_node node = leg.append_child(tag);
+    const bool hasBase = root.find_child_by_attribute(tag, "id", base.c_str());
+    SetAttribute(node, "template", hasBase ? base : std::string());
+    SetStored(node, settings);
+  }
+  this->Own->SetPlace(leg, where);
+  this->Legs.push_back(this->MakeElement(leg));
+}
+
+//------------------------------------------------------------------------------
 int SurveyDocument::AddLeg(int scanner, int platform)
 {
   this->Log.Restart(this->Owner);
@@ -294,6 +352,10 @@ void SurveyDocument::RemoveAllLegs()
     this->Own->ForgetPlaces(leg.GetNode());
     leg.GetNode().parent().remove_child(leg.GetNode());
   }
+  while (this->GetSurvey().remove_child("scan") || this->GetSurvey().remove_child("origin"))
+  {
+  }
+  this->HasOrigins = false;
   this->Legs.clear();
 }
 

@@ -84,8 +84,12 @@ public:
   /// Whether the last call of Resolve() had an error.
   bool HasError() const { return this->IsBad; }
 
-  /// Writes the document to a file that can be read with the same asset directories.
+  /// Writes the document to a file that can be read with the same asset directories. Names are as given
+  /// in the folder of the document, and from other folders as ReferTo() returns them.
   Status Write(const std::string& fileName);
+
+  /// Sets the comment before the document.
+  void SetComment(const std::string& text);
 
   ///@{
   /// Sets the text of an attribute; an empty one, or false for an element, removes it. Returns false
@@ -101,6 +105,15 @@ public:
   int AddFromFile(SurveyItem item, const std::string& reference);
   int AddChannel(int scanner);
   int GetNumberOfChannels(int scanner);
+  ///@}
+
+  ///@{
+  /// Name what a survey consists of as given, file.xml#id or a mesh, which Resolve() finds; empty: not
+  /// given. Add a leg with such a scanner and platform, and the settings of a template below its own.
+  void SetSources(
+    const std::string& scene, const std::string& platform, const std::string& scanner);
+  void AddTemplate(const std::string& id, const LegSettings& settings);
+  void AddLeg(const LegSettings& settings, const std::string& base);
   ///@}
 
   int AddLeg(int scanner, int platform);
@@ -124,10 +137,11 @@ public:
 
   ///@{
   /// Copies a scene into the document, file.xml#id or the first one of a file. Get or set its element as
-  /// text, with files named from a folder; empty: none.
+  /// text, with whole paths of files; empty: none. Write it to a file of its own.
   bool UseScene(const std::string& reference);
-  std::string GetSceneText(const std::string& folder) const;
+  std::string GetSceneText() const;
   void SetSceneText(const std::string& text);
+  Status WriteScene(const std::string& fileName, const std::string& comment) const;
   ///@}
 
   /// The names of all attributes of an item that have one value.
@@ -174,6 +188,7 @@ private:
   std::string Refer(const XmlElement& element) const;
   std::string MakeId(const char* tag, const std::string& wanted) const;
   void Change(pugi::xml_node node, const std::string& where);
+  pugi::xml_node AddBefore(const char* tag, const std::string& id, const std::string& where);
   Found MakeScene();
   bool Use(const std::shared_ptr<XmlDocument>& document);
 

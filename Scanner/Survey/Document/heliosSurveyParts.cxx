@@ -11,6 +11,7 @@
 #include "heliosXmlText.h"
 
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace helios
@@ -60,11 +61,9 @@ SurveyDocument::Found SurveyDocument::MakeScene()
   this->AdoptScene();
   if (!this->Elements.Scene)
   {
-    pugi::xml_node node =
-      this->Own->GetTree().child("document").insert_child_before("scene", this->GetSurvey());
-    SetAttribute(node, "id", this->MakeId("scene", "scene"));
-    this->Own->SetPlace(node, "scene");
-    this->Elements.Scene = this->MakeElement(node);
+    this->Elements.Scene =
+      this->MakeElement(this->AddBefore("scene", this->MakeId("scene", "scene"), "scene"));
+    this->GetSurvey().remove_attribute("scene");
     SetAttribute(this->GetSurvey(), "scene", this->Refer(this->Elements.Scene));
     this->Files.Scene =
       this->Files.Scene == AssetNeed::Replaced ? AssetNeed::Optional : this->Files.Scene;
@@ -237,32 +236,32 @@ SceneData SurveyDocument::ResolveScene(Messages& log)
 }
 
 //------------------------------------------------------------------------------
-std::string SurveyDocument::GetSceneText(const std::string& folder) const
+std::string SurveyDocument::GetSceneText() const
 {
   pugi::xml_document document;
-  const XmlElement& scene = this->Elements.Scene;
-  scene ? document.append_copy(scene.GetNode()) : pugi::xml_node();
-  ReferToFiles(document, folder, this->Files);
-  return scene ? ToXmlText(document) : std::string();
+  document.append_copy(this->Elements.Scene.GetNode());
+  return this->Elements.Scene ? ToXmlText(document) : std::string();
 }
 
 //------------------------------------------------------------------------------
 void SurveyDocument::SetSceneText(const std::string& text)
 {
   pugi::xml_document document;
-  if (!this->Elements.Scene || !document.load_string(text.c_str()))
+  document.load_string(text.c_str());
+  const pugi::xml_node given =
+    document.find_node([](pugi::xml_node node) { return std::strcmp(node.name(), "scene") == 0; });
+  if (!given)
   {
     return;
   }
-  pugi::xml_node old = this->Elements.Scene.GetNode();
-  pugi::xml_node root = old.parent();
-  pugi::xml_node scene = root.insert_copy_before(document.document_element(), old);
+  pugi::xml_node old = this->MakeScene().Element.GetNode();
+  pugi::xml_node scene = old.parent().insert_copy_before(given, old);
   this->Own->ForgetPlaces(old);
-  root.remove_child(old);
-  FindFilesIn(scene, *this->Own, this->Files);
+  old.parent().remove_child(old);
   this->Own->SetPlace(scene, "scene");
   this->Elements.Scene = this->MakeElement(scene);
   this->Elements.Parts = this->ListOwn("part");
+  this->GetSurvey().attribute("scene").set_value(this->Refer(this->Elements.Scene).c_str());
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 #include "heliosSceneEdit.h"
 
 #include "heliosMessages.h"
-#include "heliosPartFile.h"
 #include "heliosSceneBuilder.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyDocument.h"
@@ -37,9 +36,8 @@ std::string ToText(const Vec3& v)
 class SceneEdit::Internals
 {
 public:
-  Internals(const std::string& folder, const std::vector<std::string>& assetDirectories)
-    : Folder(folder)
-    , Document(nullptr, (fs::path(folder) / "survey.xml").string())
+  explicit Internals(const std::vector<std::string>& assetDirectories)
+    : Document(nullptr)
   {
     this->Document.SetAssetDirectories(assetDirectories);
   }
@@ -70,13 +68,12 @@ public:
     return this->Set(part, Offset, ToText(RoundComputed(offset)));
   }
 
-  std::string Folder;
   SurveyDocument Document;
 };
 
 //------------------------------------------------------------------------------
 SceneEdit::SceneEdit()
-  : Inside(std::make_unique<Internals>("", std::vector<std::string>()))
+  : Inside(std::make_unique<Internals>(std::vector<std::string>()))
 {
 }
 
@@ -86,10 +83,10 @@ SceneEdit::SceneEdit(SceneEdit&&) noexcept = default;
 SceneEdit& SceneEdit::operator=(SceneEdit&&) noexcept = default;
 
 //------------------------------------------------------------------------------
-bool SceneEdit::Load(const std::string& scene, const std::string& folder,
-  const std::vector<std::string>& assetDirectories, Messages& log)
+bool SceneEdit::Load(
+  const std::string& scene, const std::vector<std::string>& assetDirectories, Messages& log)
 {
-  this->Inside = std::make_unique<Internals>(folder, assetDirectories);
+  this->Inside = std::make_unique<Internals>(assetDirectories);
   const std::optional<Loader> loader = FindLoader(scene);
   const bool isGood = loader
     ? this->Inside->Document.AddPart(GetLoaderName(*loader), fs::absolute(scene).string()) == 0 &&
@@ -217,7 +214,7 @@ std::string SceneEdit::GetId() const
 //------------------------------------------------------------------------------
 std::string SceneEdit::GetText() const
 {
-  return this->Inside->Document.GetSceneText(this->Inside->Folder);
+  return this->Inside->Document.GetSceneText();
 }
 
 //------------------------------------------------------------------------------
@@ -229,12 +226,8 @@ void SceneEdit::SetText(const std::string& text)
 //------------------------------------------------------------------------------
 Status SceneEdit::Save(const std::string& fileName) const
 {
-  pugi::xml_document scene;
-  scene.load_string(this->GetText().c_str());
-  pugi::xml_document document;
-  StartDocument(document, " A scene changed by hand, written by vtkHelios. ")
-    .append_copy(scene.document_element());
-  return WriteWhole(fileName, ToXmlText(document));
+  return this->Inside->Document.WriteScene(
+    fileName, " A scene changed by hand, written by vtkHelios. ");
 }
 
 } // namespace helios

@@ -24,7 +24,7 @@ class Messages;
 
 /**
  * Edits the <scene> itself, so that everything else (materials, motions, swaps, systems) is
- * unchanged. Files are referred to as from the folder of a new file.
+ * unchanged.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT SceneEdit
 {
@@ -35,8 +35,8 @@ public:
   SceneEdit& operator=(SceneEdit&&) noexcept;
 
   /// Loads a scene, file.xml#id (or the first of file.xml), or a mesh. False after an error.
-  bool Load(const std::string& scene, const std::string& folder,
-    const std::vector<std::string>& assetDirectories, Messages& log);
+  bool Load(
+    const std::string& scene, const std::vector<std::string>& assetDirectories, Messages& log);
 
   bool IsLoaded() const;
   int GetNumberOfParts() const;

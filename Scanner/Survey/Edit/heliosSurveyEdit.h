@@ -16,7 +16,7 @@
 namespace helios
 {
 
-/// The available items, each with its reference in a survey (file.xml#id).
+/// The available items, each with its reference (/folder/file.xml#id).
 struct Catalogue
 {
   std::vector<std::pair<std::string, PlatformData>> Platforms;
@@ -24,11 +24,9 @@ struct Catalogue
 };
 
 /// Returns the platforms and scanners of the XML files in asset directories (and their folders
-/// Assets), and of more files, as references of a survey in a folder. Items with errors are
-/// omitted.
+/// Assets), and of more files. Items with errors are omitted.
 VTKHELIOSSCANNERSURVEY_EXPORT Catalogue ReadCatalogue(
-  const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files,
-  const std::string& surveyFolder);
+  const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files);
 
 /// A number that can be set, and its range.
 struct EditRange
@@ -62,9 +60,8 @@ struct SurveyEdit
   std::string SceneText; ///< a <scene> used instead; empty: none
   std::string Platform;  ///< file.xml#id
   std::string Scanner;   ///< file.xml#id
-  vtkIdType Seed = -1;   ///< negative: that of Attributes, or none
-  std::vector<std::pair<std::string, std::string>> Attributes; ///< other attributes of the <survey>
-  std::string Children;                                        ///< other elements of it
+  std::string File;      ///< a survey that has all else; empty: none
+  vtkIdType Seed = -1;   ///< negative: that of File, or none
   PlatformData PlatformModel;
   ScannerData ScannerModel;
   std::vector<EditLeg> Legs;
@@ -110,11 +107,9 @@ VTKHELIOSSCANNERSURVEY_EXPORT void RemoveLeg(SurveyEdit& edit, std::size_t leg);
 VTKHELIOSSCANNERSURVEY_EXPORT void SetLines(SurveyEdit& edit, const std::vector<FlightLine>& lines);
 ///@}
 
-/// Converts a survey to one that can be edited, to be saved in a folder. Returns as text what
-/// cannot be edited and is dropped; empty: nothing.
-VTKHELIOSSCANNERSURVEY_EXPORT std::string EditSurvey(const SurveyData& survey,
-  const Catalogue& catalogue, const std::string& surveyFolder,
-  const std::vector<std::string>& assetDirectories, SurveyEdit& edit);
+/// Converts a survey to one that can be edited. Returns as text what cannot be edited and is dropped;
+/// empty: nothing.
+VTKHELIOSSCANNERSURVEY_EXPORT std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit);
 
 } // namespace helios
 

@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs of survey editing: catalogues, and existing surveys.
 #include "heliosAssets.h"
-#include "heliosInputFile.h"
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
-#include "heliosSurveyDocument.h"
 #include "heliosSurveyEdit.h"
-#include "heliosSurveyXml.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -37,6 +33,11 @@ void FindXmlFiles(const fs::path& folder, std::vector<std::string>& files)
   }
   std::sort(found.begin(), found.end());
   files.insert(files.end(), found.begin(), found.end());
+}
+
+std::string MakeAbsolute(const std::string& path)
+{
+  return fs::absolute(path).lexically_normal().string();
 }
 
 std::string MakeWhole(const std::string& path)
@@ -70,52 +71,6 @@ void AddEntries(const XmlElement& root, const char* tag, const std::string& refe
   }
 }
 
-/// Returns the entry read from the same file; else a reference to it.
-template <typename T>
-std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
-  const std::string& file, const std::string& id, const std::string& path)
-{
-  for (const auto& entry : entries)
-  {
-    const bool isSame = entry.first.substr(entry.first.rfind('#') + 1) == id;
-    if (isSame && MakeWhole(entry.second.File) == MakeWhole(file))
-    {
-      return entry.first;
-    }
-  }
-  return path + "#" + id;
-}
-
-/// Keeps the parts of the <survey> that are not edited.
-void CopySurvey(const std::string& fileName, SurveyEdit& edit)
-{
-  static const std::set<std::string> ours = { "name", "scene", "platform", "scanner",
-    "basePlatform" };
-  static const std::set<std::string> places = { "leg", "scan", "origin", "scannerMount" };
-  pugi::xml_document document;
-  if (CheckInputFile(fileName).IsOk())
-  {
-    document.load_file(fileName.c_str());
-  }
-  const pugi::xml_node survey = document.document_element().child("survey");
-  for (const pugi::xml_attribute attribute : survey.attributes())
-  {
-    if (ours.count(attribute.name()) == 0)
-    {
-      edit.Attributes.emplace_back(attribute.name(), attribute.value());
-    }
-  }
-  std::ostringstream text;
-  for (const pugi::xml_node child : survey.children())
-  {
-    if (child.type() == pugi::node_element && places.count(child.name()) == 0)
-    {
-      child.print(text);
-    }
-  }
-  edit.Children = text.str();
-}
-
 /// Returns the settings that resolve to the scan of a leg.
 LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
 {
@@ -146,8 +101,8 @@ LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
 } // namespace
 
 //------------------------------------------------------------------------------
-Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
-  const std::vector<std::string>& files, const std::string& surveyFolder)
+Catalogue ReadCatalogue(
+  const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files)
 {
   std::vector<std::string> all;
   for (const std::string& folder : assetDirectories)
@@ -169,7 +124,7 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
     const XmlDocument* document = isNew ? assets.Load(file) : nullptr;
     if (document)
     {
-      const std::string name = ReferTo(file, surveyFolder, assetDirectories);
+      const std::string name = MakeAbsolute(file);
       AddEntries(document->GetRoot(), "platform", name, ReadPlatform, assets, catalogue.Platforms);
       const auto readScanner = [&assets](const XmlElement& element)
       { return ReadScanner(element, assets); };
@@ -180,24 +135,17 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
 }
 
 //------------------------------------------------------------------------------
-std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
-  const std::string& surveyFolder, const std::vector<std::string>& assetDirectories,
-  SurveyEdit& edit)
+std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit)
 {
-  const auto refer = [&](const std::string& file)
-  { return ReferTo(file, surveyFolder, assetDirectories); };
   MessageBuilder left;
   edit = SurveyEdit();
   edit.Name = survey.Name;
-  edit.Scene = refer(survey.Scene.File) + "#" + survey.Scene.Id;
-  CopySurvey(survey.FileName, edit);
+  edit.File = survey.FileName;
+  edit.Scene = MakeAbsolute(survey.Scene.File) + "#" + survey.Scene.Id;
   edit.PlatformModel = survey.Platforms.front();
   edit.ScannerModel = survey.Scanners.front();
-  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.File, edit.PlatformModel.Id,
-    refer(edit.PlatformModel.File));
-  const std::string id = GetScannerId(edit.ScannerModel);
-  edit.Scanner =
-    FindReference(catalogue.Scanners, edit.ScannerModel.File, id, refer(edit.ScannerModel.File));
+  edit.Platform = MakeAbsolute(edit.PlatformModel.File) + "#" + edit.PlatformModel.Id;
+  edit.Scanner = MakeAbsolute(edit.ScannerModel.File) + "#" + GetScannerId(edit.ScannerModel);
   std::size_t count = 0;
   for (std::size_t i = 0; i < survey.Legs.size(); ++i)
   {

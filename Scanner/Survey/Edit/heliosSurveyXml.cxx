@@ -3,38 +3,17 @@
 #include "heliosSurveyXml.h"
 
 #include "heliosMessages.h"
-#include "heliosPartFile.h"
 #include "heliosStatus.h"
 #include "heliosSurveyDocument.h"
-#include "heliosXmlFilter.h"
-#include "heliosXmlText.h"
 #include "vtkHeliosSurvey.h"
+
+#include <memory>
 
 namespace helios
 {
 
 namespace
 {
-
-constexpr const char* SceneId = "scene";
-
-/// Adds the scene to the file if it is a mesh, or was edited.
-std::string AddScene(pugi::xml_node root, const SurveyEdit& edit)
-{
-  pugi::xml_document document;
-  const std::string mesh =
-    edit.SceneText.empty() ? MakeMeshDocument(edit.Scene, SceneId) : std::string();
-  if (!edit.SceneText.empty() && document.load_string(edit.SceneText.c_str()))
-  {
-    return root.append_copy(document.document_element()).attribute("id").value();
-  }
-  if (!mesh.empty() && document.load_string(mesh.c_str()))
-  {
-    root.append_copy(document.document_element().first_child());
-    return SceneId;
-  }
-  return edit.Scene;
-}
 
 /// Returns the settings of a leg on a static platform.
 LegSettings MakeStill(const LegSettings& settings)
@@ -51,78 +30,54 @@ LegSettings MakeStill(const LegSettings& settings)
   return still;
 }
 
-void AddSurvey(pugi::xml_node survey, const SurveyEdit& edit, const std::string& scene)
+/// Returns the document of an edited survey: that of its file, with other legs.
+std::unique_ptr<SurveyDocument> MakeDocument(vtkObject* owner, const SurveyEdit& edit,
+  const std::string& fileName, const std::vector<std::string>& assetDirectories)
 {
-  SetAttribute(survey, "name", edit.Name);
-  SetAttribute(survey, "scene", scene);
-  SetAttribute(survey, "platform", edit.Platform);
-  SetAttribute(survey, "scanner", edit.Scanner);
-  for (const auto& attribute : edit.Attributes)
+  auto document = std::make_unique<SurveyDocument>(owner, fileName);
+  document->SetAssetDirectories(assetDirectories);
+  document->SetNeeds(AssetNeed::Required, AssetNeed::Required);
+  const SurveyPlace survey{ SurveyItem::Survey };
+  if (!edit.File.empty() && document->Load(edit.File))
   {
-    if (attribute.first != "seed" || edit.Seed < 0)
-    {
-      SetAttribute(survey, attribute.first.c_str(), attribute.second);
-    }
+    document->Set(survey, "basePlatform", "");
+    document->RemoveAllLegs();
   }
-  SetAttribute(survey, "seed", edit.Seed < 0 ? "" : std::to_string(edit.Seed));
-  pugi::xml_document more;
-  if (more.load_string(edit.Children.c_str(), pugi::parse_default | pugi::parse_fragment))
-  {
-    for (const pugi::xml_node child : more.children())
-    {
-      survey.append_copy(child);
-    }
-  }
+  document->SetComment(" A survey made by hand, written by vtkHelios. ");
+  document->Set(survey, "name", edit.Name);
+  document->SetSceneText(edit.SceneText);
+  document->SetSources(
+    edit.SceneText.empty() ? edit.Scene : std::string(), edit.Platform, edit.Scanner);
+  edit.Seed < 0 ? false : document->Set(survey, "seed", std::to_string(edit.Seed));
   for (const EditLeg& leg : edit.Legs)
   {
-    pugi::xml_node node = survey.append_child("leg");
-    const LegSettings settings = edit.IsMoving() ? leg.Settings : MakeStill(leg.Settings);
-    SetStored(node.append_child("platformSettings"), settings);
-    SetStored(node.append_child("scannerSettings"), settings);
-    SetAttribute(node, "stripId", settings.Leg.Strip);
+    document->AddLeg(edit.IsMoving() ? leg.Settings : MakeStill(leg.Settings), "");
   }
+  return document;
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-std::string MakeSurveyText(const SurveyEdit& edit)
-{
-  pugi::xml_document document;
-  pugi::xml_node root = StartDocument(document, " A survey made by hand, written by vtkHelios. ");
-  const std::string scene = AddScene(root, edit);
-  AddSurvey(root.append_child("survey"), edit, scene);
-  return ToXmlText(document);
-}
-
-//------------------------------------------------------------------------------
 bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey)
 {
-  auto document = std::make_unique<SurveyDocument>(survey);
-  document->SetAssetDirectories(assetDirectories);
-  document->SetNeeds(AssetNeed::Required, AssetNeed::Required);
-  return document->Load(fileName, MakeSurveyText(edit)) &&
-    survey->ReadDocument(std::move(document), survey);
+  return survey->ReadDocument(MakeDocument(survey, edit, fileName, assetDirectories), survey);
 }
 
 //------------------------------------------------------------------------------
 Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, Messages& log)
 {
-  const std::string text = MakeSurveyText(edit);
-  SurveyDocument document(nullptr);
-  document.SetAssetDirectories(assetDirectories);
-  document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
-  document.Load(fileName, text);
-  document.Resolve(nullptr);
-  if (document.HasError())
+  const auto document = MakeDocument(nullptr, edit, fileName, assetDirectories);
+  document->Resolve(nullptr);
+  if (document->HasError())
   {
-    log.Error(document.GetLastError());
+    log.Error(document->GetLastError());
     return Status::Error(
-      fileName + ": not written: the survey could not be run: " + document.GetLastError());
+      fileName + ": not written: the survey could not be run: " + document->GetLastError());
   }
-  return WriteWhole(fileName, text);
+  return document->Write(fileName);
 }
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes edited surveys as XML, and reads that back.
+// Edited surveys as documents, to be run or written.
 
 #ifndef heliosSurveyXml_h
 #define heliosSurveyXml_h
@@ -15,10 +15,7 @@ namespace helios
 
 class Messages;
 
-/// The survey as a file.
-VTKHELIOSSCANNERSURVEY_EXPORT std::string MakeSurveyText(const SurveyEdit& edit);
-
-/// Reads an edit as a file with its text into a survey, which reports errors. False after an error.
+/// Reads an edit as the survey of a file into a survey, which reports errors. False after an error.
 VTKHELIOSSCANNERSURVEY_EXPORT bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey);
 

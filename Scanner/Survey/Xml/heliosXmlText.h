@@ -57,16 +57,6 @@ inline std::string ToXmlText(const pugi::xml_document& document)
   return text.str();
 }
 
-/// Returns an empty <document> with a comment before it.
-inline pugi::xml_node StartDocument(pugi::xml_document& document, const char* comment)
-{
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  document.append_child(pugi::node_comment).set_value(comment);
-  return document.append_child("document");
-}
-
 } // namespace helios
 
 #endif

@@ -53,7 +53,7 @@ struct Scene
 <filter type="rotate"><param type="rotation" key="rotation"><rot axis="x" angle_deg="20"/></param>
 </filter></part><part><filter type="objloader">
 <param type="string" key="efilepath" value="many/.*[.]obj"/></filter></part></scene></document>)");
-    REQUIRE(this->Edit.Load("parts/scene.xml#s", this->Folder / "", {}, this->Log));
+    REQUIRE(this->Edit.Load(this->Folder / "parts/scene.xml#s", {}, this->Log));
   }
 
   /// The mesh of a saved scene, read by a survey.
@@ -189,7 +189,7 @@ TEST_CASE("SceneEdit: changes of missing parts are errors", "[SceneEdit]")
   CHECK(scene.Edit.AddPart(scene.Folder / "no.obj", { 0.0, 0.0, 0.0 }, scene.Log) == -1);
   CHECK_THAT(scene.Log.GetLastError(), Contains("no.obj"));
   SceneEdit other;
-  CHECK_FALSE(other.Load("parts/scene.xml#none", scene.Folder / "", {}, scene.Log));
+  CHECK_FALSE(other.Load(scene.Folder / "parts/scene.xml#none", {}, scene.Log));
   CHECK_THAT(scene.Log.GetLastError(), Contains("has no <scene> with the id \"none\""));
   CHECK_FALSE(other.IsLoaded());
 }
@@ -198,7 +198,7 @@ TEST_CASE("SceneEdit: a mesh becomes a scene of a survey", "[SceneEdit]")
 {
   Scene scene;
   SceneEdit edit;
-  REQUIRE(edit.Load(scene.Folder / "plane.obj", scene.Folder / "", {}, scene.Log));
+  REQUIRE(edit.Load(scene.Folder / "plane.obj", {}, scene.Log));
   CHECK(edit.GetId() == "scene");
   REQUIRE(edit.AddPart(scene.Folder / "parts/box.obj", { 0.0, 0.0, 0.0 }, scene.Log) == 1);
   SurveyEdit survey;
@@ -225,9 +225,9 @@ TEST_CASE("SceneEdit: tables of parts are kept, with their files", "[SceneEdit]"
 <param type="string" key="filepath" value="box.obj"/></filter><filter type="scale">
 <param type="double" key="scale" value="0.5"/></filter></model></partTable><partTable>
 <row model="box.obj" x="-9" y="0" z="5"/></partTable></scene>)");
-  REQUIRE(scene.Edit.Load("parts/scene.xml#s", scene.Folder / "", {}, scene.Log));
+  REQUIRE(scene.Edit.Load(scene.Folder / "parts/scene.xml#s", {}, scene.Log));
   CHECK(scene.Edit.GetNumberOfParts() == 4); // without the tables' parts
-  CHECK_THAT(scene.Edit.GetText(), Contains("file=\"parts/stand.csv\""));
+  CHECK_THAT(scene.Edit.GetText(), Contains(std::string(scene.Folder / "parts/stand.csv") + "\""));
   CHECK(scene.Edit.MovePart(1, { 1.0, 0.0, 0.0 }));
   const auto mesh = scene.Read();
   CHECK(GetBounds(mesh, 4) == std::array<double, 6>{ 3.0, 5.0, 4.0, 5.0, 0.0, 3.0 });

@@ -39,7 +39,7 @@ struct Hand
   SurveyEdit Edit;
 
   explicit Hand(const Files& files, const char* platform = "tripod", const char* scanner = "tls")
-    : Choice(ReadCatalogue({ files / "" }, {}, files / ""))
+    : Choice(ReadCatalogue({ files / "" }, {}))
   {
     this->Edit.Scene = "scene.xml#s";
     for (const auto& entry : this->Choice.Platforms)
@@ -50,8 +50,8 @@ struct Hand
     {
       entry.second.Id == scanner ? ChooseScanner(this->Edit, entry.first, entry.second) : void();
     }
-    REQUIRE(this->Edit.Scanner == "assets.xml#" + std::string(scanner));
-    REQUIRE(this->Edit.Platform == "assets.xml#" + std::string(platform));
+    REQUIRE(this->Edit.Scanner == files / "assets.xml#" + scanner);
+    REQUIRE(this->Edit.Platform == files / "assets.xml#" + platform);
   }
 
   Status Save(const Files& files)
@@ -237,11 +237,10 @@ TEST_CASE("SurveyEdit: an unchanged survey is written unchanged", "[SurveyEdit]"
   REQUIRE(first.Good);
   const auto before = Run(first.Reader->GetSurvey());
   Hand hand(files);
-  const std::string left =
-    EditSurvey(first.Data(), hand.Choice, files / "", { files / "" }, hand.Edit);
+  const std::string left = EditSurvey(first.Data(), hand.Edit);
   CHECK(left.empty());
-  CHECK(hand.Edit.Scene == "scene.xml#s");
-  CHECK(hand.Edit.Scanner == (isMoving ? "assets.xml#als" : "assets.xml#tls"));
+  CHECK(hand.Edit.Scene == files / "scene.xml#s");
+  CHECK(hand.Edit.Scanner == files / (isMoving ? "assets.xml#als" : "assets.xml#tls"));
   REQUIRE(hand.Save(files).IsOk());
   CHECK_THAT(ReadText(files / "survey.xml"), Contains("made by hand"));
   const Reading second(files);
@@ -273,8 +272,7 @@ TEST_CASE("SurveyEdit: legs that cannot be edited are named", "[SurveyEdit]")
 <platformSettings z="50"/></leg><leg platform="assets.xml#plane" scanner="assets.xml#als">
 <platformSettings x="9" z="50"/></leg>)");
   REQUIRE(reading.Good);
-  CHECK_THAT(EditSurvey(reading.Data(), hand.Choice, files / "", {}, hand.Edit),
-    Contains("2 of 3 legs are left out"));
+  CHECK_THAT(EditSurvey(reading.Data(), hand.Edit), Contains("2 of 3 legs are left out"));
 }
 
 TEST_CASE("SurveyEdit: references to files are kept", "[SurveyEdit]")
