@@ -3,10 +3,13 @@
 #include "vtkHeliosDialect.h"
 
 #include "heliosInputFile.h"
+#include "heliosMessages.h"
 #include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlSchema.h"
+#include "heliosXmlText.h"
 
 #include <vtkObjectFactory.h>
 
@@ -43,6 +46,12 @@ bool HasFaces(const std::string& fileName)
     head.find_first_of("123456789", found + key.size()) < head.find('\n', found + 1);
 }
 
+bool IsWritten(const helios::Status& status, helios::Messages& log)
+{
+  status.IsOk() ? void() : log.Error(status.Message());
+  return status.IsOk();
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -68,6 +77,43 @@ std::string vtkHeliosDialect::FindLoader(const std::string& fileName)
 std::string vtkHeliosDialect::GetMeshEndings()
 {
   return helios::GetMeshEndings();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosDialect::GetDocumentEndings()
+{
+  return ".xml, .yaml, .yml";
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosDialect::ReadXml(const std::string& fileName)
+{
+  helios::Messages log(this);
+  const auto document = helios::XmlDocument::Load(fileName, log);
+  return document && !log.HasError() ? helios::ToXmlText(document->GetTree()) : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosDialect::WriteXml(const std::string& fileName, const std::string& xml)
+{
+  helios::Messages log(this);
+  const auto document = helios::XmlDocument::Make(fileName, xml, log);
+  return document && !log.HasError() &&
+    IsWritten(helios::WriteTree(document->GetTree(), fileName), log);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosDialect::Convert(const std::string& from, const std::string& to)
+{
+  helios::Messages log(this);
+  const auto document = helios::XmlDocument::Load(from, log);
+  if (!document || log.HasError())
+  {
+    return false;
+  }
+  helios::Messages silent(nullptr); // a file that does not exist keeps its name
+  helios::Assets files(silent, {});
+  return IsWritten(helios::WriteDocument(*document, files, to), log);
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosDialect
- * @brief   the HELIOS XML dialect as vtkHelios reads it
+ * @brief   the HELIOS XML dialect as vtkHelios reads it, in XML and YAML
  *
  * Lists elements, attributes and filter parameters with their kind, unit, range, default and use.
  * The list is generated from the table that vtkHeliosSurveyReader reads files with: as an XML
@@ -49,6 +49,22 @@ public:
    */
   static std::string FindLoader(const std::string& fileName);
   static std::string GetMeshEndings();
+
+  /**
+   * Returns the extensions of documents: ".xml, .yaml, .yml".
+   */
+  static std::string GetDocumentEndings();
+
+  ///@{
+  /**
+   * Read a document, XML or YAML, and return it as XML; empty after an error. Write XML to a file, as
+   * YAML by its extension. Convert one file into another: in another folder, names of files are changed
+   * so that they are found from there. Write and Convert return false after an error.
+   */
+  std::string ReadXml(const std::string& fileName);
+  bool WriteXml(const std::string& fileName, const std::string& xml);
+  bool Convert(const std::string& from, const std::string& to);
+  ///@}
 
   /**
    * Returns whether a file is a mesh by its extension; a .ply is one if its header has faces, and else

@@ -181,7 +181,7 @@ std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDoc
 XmlElement Assets::FindElement(const char* tag, const XmlElement& from, const char* attribute)
 {
   return this->FindElement(
-    tag, { attribute, from.GetText(attribute), from.Where() }, from.GetDocument());
+    tag, { attribute, from.GetText(attribute), from.Where(attribute) }, from.GetDocument());
 }
 
 //------------------------------------------------------------------------------

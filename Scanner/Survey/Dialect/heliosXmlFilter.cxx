@@ -32,7 +32,7 @@ constexpr struct
 XmlFilter::XmlFilter(const XmlElement& element)
   : Element(element)
   , Type(GetFilterType(element.GetText("type")))
-  , Rule(FindXmlRule("filter:" + this->Type))
+  , Rule(FindFilterRule(this->Type))
 {
   element.CheckNames();
   if (this->Rule)
@@ -108,13 +108,6 @@ bool XmlFilter::Read(const char* key, bool& target) const
 bool XmlFilter::Read(const char* key, Vec3& target) const
 {
   return this->Has(key) && ParseVector(this->GetValue(key), this->GetMessages(), target);
-}
-
-//------------------------------------------------------------------------------
-std::string GetFilterType(const std::string& given)
-{
-  const std::string type = ToLower(given);
-  return type == "crstransform" || type == "transform" ? "crs" : type;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 
 #include "heliosSurveyData.h"
 #include "heliosXmlElement.h"
+#include "heliosXmlKin.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <map>
@@ -62,9 +63,6 @@ private:
   const XmlElementRule* Rule;
   std::map<std::string, XmlElement> Parameters;
 };
-
-/// The type of a filter as in FindXmlRule(), whatever its case, without aliases.
-std::string GetFilterType(const std::string& given);
 
 /// Returns the supported filter types; loaders come first, in the order of Loader.
 const std::vector<std::string>& GetFilterTypes();

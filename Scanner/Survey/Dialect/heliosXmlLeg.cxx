@@ -50,7 +50,7 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
   {
     trajectory.Where = element.Where();
     trajectory.File = this->Files.Trajectories != AssetNeed::Replaced
-      ? this->Files.FindFile({ "trajectory", file, element.Where() }, element.GetDocument())
+      ? this->Files.FindFile({ "trajectory", file, element.Where("trajectory") }, element.GetDocument())
       : this->Files.FindPath(file, element.GetDocument());
   }
 }
@@ -77,7 +77,7 @@ XmlElement LegReader::FindTemplate(const XmlElement& element, int depth)
   {
     return this->Files.FindElement(element.GetTag().c_str(), element, "template");
   }
-  element.GetMessages().Error(element.Where() + ": template=\"" + element.GetText("template") +
+  element.GetMessages().Error(element.Where("template") + ": template=\"" + element.GetText("template") +
     "\" refers back to itself; remove the template of the last one");
   return {};
 }

@@ -54,7 +54,7 @@ const KindRow* FindKind(const XmlElement& element)
     names.emplace_back(row.Name);
   }
   const std::string nearest = FindNearestName(given, names);
-  element.GetMessages().Error(element.Where() + ": <motion> type=\"" + given + "\" is unknown; " +
+  element.GetMessages().Error(element.Where("type") + ": <motion> type=\"" + given + "\" is unknown; " +
     (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " + JoinChoices(names));
   return nullptr;
 }
@@ -83,7 +83,7 @@ void ReadShift(const XmlElement& element, Motion& motion)
     std::abs(motion.Shift.Dot(motion.Vector)) >
       PlaneTolerance * motion.Shift.Norm() * motion.Vector.Norm())
   {
-    element.GetMessages().Error(element.Where() + ": shift=\"" + element.GetText("shift") +
+    element.GetMessages().Error(element.Where("shift") + ": shift=\"" + element.GetText("shift") +
       "\" is not in the plane normal to ortho=\"" + element.GetText("ortho") +
       "\"; give one perpendicular to ortho");
   }
@@ -174,7 +174,7 @@ std::size_t FindNext(const XmlElement& element, const std::map<std::string, std:
   {
     names.push_back("\"" + place.first + "\"");
   }
-  element.GetMessages().Error(element.Where() + ": next=\"" + next +
+  element.GetMessages().Error(element.Where("next") + ": next=\"" + next +
     "\" is not a <dmotion> of this <part>; its ids are " + JoinChoices(names));
   return MotionSequence::None;
 }
@@ -215,7 +215,7 @@ void ReadSteps(const XmlElement& part, const XmlElement& scene, MotionData& moti
   }
   else if (seenTime > 0.0)
   {
-    part.GetMessages().Warning(part.Where() + ": kdtDynTimeStep=\"" +
+    part.GetMessages().Warning(part.Where("kdtDynTimeStep") + ": kdtDynTimeStep=\"" +
       part.GetText("kdtDynTimeStep") +
       "\" is not used: the part steps by pulses; give it a dynTimeStep, or kdtDynStep");
   }

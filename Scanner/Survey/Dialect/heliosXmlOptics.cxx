@@ -124,7 +124,7 @@ void ReadBeams(const XmlElement& element, const Assets& files, ScannerData& scan
   else if (table.Has("file"))
   {
     scanner.BeamFile =
-      files.FindFile({ "file", table.GetText("file"), table.Where() }, table.GetDocument());
+      files.FindFile({ "file", table.GetText("file"), table.Where("file") }, table.GetDocument());
     scanner.BeamFile.empty() ? void() : ReadBeamTable(scanner.BeamFile, scanner.Beams, log);
   }
 }

@@ -77,7 +77,7 @@ void ReadModel(const XmlElement& element, const char* attribute, ModelData& mode
   std::string name;
   if (element.Read(attribute, name) && !name.empty())
   {
-    model = { name, element.Where() + ": " + attribute + "=\"" + name + "\"", "" };
+    model = { name, element.Where(attribute) + ": " + attribute + "=\"" + name + "\"", "" };
   }
 }
 

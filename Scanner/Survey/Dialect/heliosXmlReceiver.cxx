@@ -96,7 +96,7 @@ void ReadError(
       "> has no expr; add one, such as expr=\"0.001 * sin(THETA)\"");
   }
   element.ReadStored(errors);
-  name = element.Where() + ": expr=\"" + Shorten(text) + "\"";
+  name = element.Where("expr") + ": expr=\"" + Shorten(text) + "\"";
 }
 
 void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)

@@ -62,11 +62,6 @@ std::string Capitalise(std::string text)
   return text;
 }
 
-bool IsFilter(const XmlElementRule& rule)
-{
-  return std::string(rule.Name).rfind("filter:", 0) == 0;
-}
-
 /// Returns whether the readers read a value; others may be anything.
 bool IsRead(const XmlValueRule& value)
 {
@@ -124,7 +119,7 @@ std::string SchemaMaker::Make()
   this->Text = Head;
   for (const XmlElementRule& rule : GetXmlRules())
   {
-    if (!IsFilter(rule)) // their parameters are attributes of <param>
+    if (!IsFilterRule(rule)) // their parameters are attributes of <param>
     {
       this->AddElement(rule);
     }
@@ -366,7 +361,7 @@ std::string MakeChildRows(const XmlElementRule& rule)
 
 std::string MakeTable(const XmlElementRule& rule)
 {
-  const bool isFilter = IsFilter(rule);
+  const bool isFilter = IsFilterRule(rule);
   const std::string name = rule.Name;
   const std::vector<std::string> parents = FindParents(name);
   std::string text =

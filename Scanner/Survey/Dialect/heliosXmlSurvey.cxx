@@ -87,7 +87,7 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
   data.Name = MakeFolderName(given.empty() ? stem : given);
   if (!given.empty() && data.Name != given)
   {
-    this->Log.Warning(survey.Where() + ": name=\"" + given +
+    this->Log.Warning(survey.Where("name") + ": name=\"" + given +
       "\" is not a valid folder name; the survey is called \"" + data.Name + "\"");
   }
 }

@@ -9,6 +9,7 @@
 #include "heliosXmlPart.h"
 #include "heliosXmlScene.h"
 #include "heliosXmlText.h"
+#include "heliosYamlWriter.h"
 
 #include <algorithm>
 #include <cstring>
@@ -29,8 +30,9 @@ void VisitFiles(pugi::xml_node node,
   const std::function<void(const XmlValueRule& rule, pugi::xml_attribute attribute)>& visit)
 {
   const bool isParameter = std::strcmp(node.name(), "param") == 0;
-  const std::string type = GetFilterType(node.parent().attribute("type").value());
-  const XmlElementRule* rule = FindXmlRule(isParameter ? "filter:" + type : node.name());
+  const XmlElementRule* rule = isParameter
+    ? FindFilterRule(node.parent().attribute("type").value())
+    : FindXmlRule(node.name());
   for (const pugi::xml_attribute attribute : node.attributes())
   {
     const bool isValue = isParameter && std::strcmp(attribute.name(), "value") == 0;
@@ -52,7 +54,7 @@ fs::path GetFolder(const std::string& file)
   return fs::absolute(file).lexically_normal().parent_path();
 }
 
-/// Returns a document as a file has it.
+/// Returns a document as an XML file has it.
 std::string MakeText(pugi::xml_document& document)
 {
   for (pugi::xml_node node = document.first_child(); node;)
@@ -211,24 +213,41 @@ pugi::xml_node SurveyDocument::CopyHere(const XmlElement& element)
 }
 
 //------------------------------------------------------------------------------
-Status SurveyDocument::Write(const std::string& fileName)
+Status WriteTree(pugi::xml_document& document, const std::string& fileName)
+{
+  std::string text;
+  if (const Status status = IsYaml(fileName) ? MakeYaml(document, text) : Status(); !status.IsOk())
+  {
+    return Status::Error(fileName + ": not written: " + status.Message());
+  }
+  return WriteWhole(fileName, IsYaml(fileName) ? text : MakeText(document));
+}
+
+//------------------------------------------------------------------------------
+Status WriteDocument(XmlDocument& document, Assets& files, const std::string& fileName)
 {
   pugi::xml_document copy;
-  copy.reset(this->Own->GetTree());
+  copy.reset(document.GetTree());
   pugi::xml_node survey = copy.child("document").child("survey");
-  if (!survey.attribute("name"))
+  if (survey && !survey.attribute("name"))
   {
-    const std::string stem = fs::path(this->Own->GetPath()).stem().string();
+    const std::string stem = fs::path(document.GetPath()).stem().string();
     survey.prepend_attribute("name") = MakeFolderName(stem).c_str();
   }
   const fs::path folder = GetFolder(fileName);
-  if (folder != GetFolder(this->Own->GetPath()))
+  if (folder != GetFolder(document.GetPath()))
   {
-    this->Log.Restart(nullptr); // a file that does not exist keeps its name
-    FindFilesIn(copy, *this->Own, this->Files);
+    FindFilesIn(copy, document, files);
   }
-  ReferToFiles(copy, folder.string(), this->Files);
-  return WriteWhole(fileName, MakeText(copy));
+  ReferToFiles(copy, folder.string(), files);
+  return WriteTree(copy, fileName);
+}
+
+//------------------------------------------------------------------------------
+Status SurveyDocument::Write(const std::string& fileName)
+{
+  this->Log.Restart(nullptr); // a file that does not exist keeps its name
+  return WriteDocument(*this->Own, this->Files, fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -238,7 +257,7 @@ Status SurveyDocument::WriteScene(const std::string& fileName, const std::string
   document.append_child(pugi::node_comment).set_value(comment.c_str());
   document.append_child("document").append_copy(this->Elements.Scene.GetNode());
   ReferToFiles(document, GetFolder(fileName).string(), this->Files);
-  return WriteWhole(fileName, MakeText(document));
+  return WriteTree(document, fileName);
 }
 
 //------------------------------------------------------------------------------

@@ -15,13 +15,6 @@ namespace helios
 namespace
 {
 
-const std::string FilterPrefix = "filter:";
-
-bool IsFilter(const XmlElementRule& rule)
-{
-  return std::string(rule.Name).compare(0, FilterPrefix.size(), FilterPrefix) == 0;
-}
-
 /// Whether the last one of several filters is used.
 bool ReplacesOthers(const std::string& filter)
 {
@@ -179,52 +172,10 @@ std::vector<ElementPath::Step> ElementPath::Split(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-ElementPath::Kin ElementPath::FindKin(const XmlElementRule& rule, const std::string& name)
-{
-  const XmlChildRule* child = rule.FindChild(name);
-  if (child && child->Use == XmlUse::Used && name != "filter")
-  {
-    const XmlElementRule* own = FindXmlRule(name);
-    return own ? Kin{ own, name, "", name, child->Repeats } : Kin();
-  }
-  if (const XmlElementRule* filter = FindXmlRule(FilterPrefix + name);
-      filter && rule.FindChild("filter"))
-  {
-    return { filter, "filter", "type", name, true };
-  }
-  const XmlValueRule* value = IsFilter(rule) ? rule.FindValue(name) : nullptr;
-  return value && value->Kind == XmlKind::Rotation
-    ? Kin{ FindXmlRule("param"), "param", "key", name, false }
-    : Kin();
-}
-
-//------------------------------------------------------------------------------
 bool ElementPath::Knows(const XmlElementRule& rule, const std::string& name)
 {
   const XmlValueRule* value = rule.FindValue(name);
-  return (value && value->Use == XmlUse::Used) || FindKin(rule, name).Rule;
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::string> ElementPath::ListNames(const XmlElementRule& rule)
-{
-  std::vector<std::string> names;
-  for (const XmlValueRule& value : rule.Values)
-  {
-    names.emplace_back(value.Name);
-  }
-  for (const XmlChildRule& child : rule.Children)
-  {
-    names.emplace_back(child.Name);
-  }
-  for (const XmlElementRule& other : GetXmlRules())
-  {
-    if (rule.FindChild("filter") && IsFilter(other))
-    {
-      names.push_back(std::string(other.Name).substr(FilterPrefix.size()));
-    }
-  }
-  return names;
+  return (value && value->Use == XmlUse::Used) || FindXmlKin(rule, name).Rule;
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +199,7 @@ bool ElementPath::Follow(bool adds, Messages& log)
   {
     const XmlValueRule* value = this->Rule->FindValue(steps[i].Name);
     const bool isLast = i + 1 == steps.size() && value && value->Use == XmlUse::Used &&
-      !FindKin(*this->Rule, steps[i].Name).Rule;
+      !FindXmlKin(*this->Rule, steps[i].Name).Rule;
     this->Last = isLast ? value : nullptr;
     if (!this->Last && !this->Enter(steps[i], adds, log))
     {
@@ -261,7 +212,7 @@ bool ElementPath::Follow(bool adds, Messages& log)
 //------------------------------------------------------------------------------
 bool ElementPath::Enter(const Step& step, bool adds, Messages& log)
 {
-  const Kin kin = FindKin(*this->Rule, step.Name);
+  const Kin kin{ FindXmlKin(*this->Rule, step.Name) };
   if (!kin.Rule)
   {
     return this->Refuse(step.Name, log);
@@ -285,7 +236,7 @@ bool ElementPath::Enter(const Step& step, bool adds, Messages& log)
 //------------------------------------------------------------------------------
 bool ElementPath::Refuse(const std::string& name, Messages& log) const
 {
-  return RefuseName(this->Value, name, ListNames(*this->Rule), log);
+  return RefuseName(this->Value, name, ListXmlNames(*this->Rule), log);
 }
 
 //------------------------------------------------------------------------------
@@ -296,7 +247,7 @@ std::string ElementPath::Get() const
     return {};
   }
   return !this->Last        ? "true"
-    : IsFilter(*this->Rule) ? FindParameter(this->Node, this->Last->Name).attribute("value").value()
+    : IsFilterRule(*this->Rule) ? FindParameter(this->Node, this->Last->Name).attribute("value").value()
     : this->Node.attribute(this->Last->Name) ? this->Node.attribute(this->Last->Name).value()
                                              : this->Node.child_value(this->Last->Name);
 }
@@ -333,7 +284,7 @@ void ElementPath::Set(const std::string& text, XmlDocument& document)
     this->Node.parent().remove_child(this->Node);
     this->Node = parent;
   }
-  else if (this->Last && IsFilter(*this->Rule))
+  else if (this->Last && IsFilterRule(*this->Rule))
   {
     pugi::xml_node parameter = FindParameter(this->Node, this->Last->Name);
     for (; removes && parameter; parameter = FindParameter(this->Node, this->Last->Name))

@@ -6,6 +6,7 @@
 #define heliosElementPath_h
 
 #include "heliosXmlElement.h"
+#include "heliosXmlKin.h"
 #include "heliosXmlValue.h"
 
 #include <pugixml.hpp>
@@ -62,22 +63,13 @@ public:
   /// The first name of a path.
   static std::string GetFirstName(const std::string& path);
 
-  ///@{
-  /// Whether an element has an attribute or a child of a name, and all such names.
+  /// Whether an element has an attribute or a child of a name.
   static bool Knows(const XmlElementRule& rule, const std::string& name);
-  static std::vector<std::string> ListNames(const XmlElementRule& rule);
-  ///@}
 
 private:
   /// The children of a node that a name stands for, and how to add one.
-  struct Kin
+  struct Kin : XmlKin
   {
-    const XmlElementRule* Rule = nullptr; ///< rule of the children; null: no child has the name
-    std::string Tag;
-    std::string Key; ///< the attribute that tells them from others of the tag; empty: none
-    std::string Name;
-    bool Repeats = false;
-
     bool Has(pugi::xml_node child) const;
     pugi::xml_node Find(pugi::xml_node parent, int index, std::size_t& count) const;
     pugi::xml_node Add(pugi::xml_node parent) const;
@@ -90,7 +82,6 @@ private:
   };
 
   static std::vector<Step> Split(const std::string& path);
-  static Kin FindKin(const XmlElementRule& rule, const std::string& name);
   bool Enter(const Step& step, bool adds, Messages& log);
   bool Refuse(const std::string& name, Messages& log) const;
 

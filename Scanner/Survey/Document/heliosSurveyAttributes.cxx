@@ -131,7 +131,7 @@ bool SurveyDocument::SetIn(
     std::vector<std::string> names;
     for (const char* tag : GetRow(item).Own)
     {
-      const std::vector<std::string> more = ElementPath::ListNames(*FindXmlRule(tag));
+      const std::vector<std::string> more = ListXmlNames(*FindXmlRule(tag));
       names.insert(names.end(), more.begin(), more.end());
     }
     return RefuseName(value, name, names, this->Log);
@@ -281,7 +281,7 @@ std::string SurveyDocument::Get(const SurveyPlace& place, const std::string& giv
   if (!rule)
   {
     const XmlElementRule& first = *FindXmlRule(GetRow(place.Item).Own.front());
-    RefuseName(value, name, ElementPath::ListNames(first), this->Log);
+    RefuseName(value, name, ListXmlNames(first), this->Log);
     return {};
   }
   const XmlValueRule* own = rule->FindValue(name);

@@ -219,6 +219,13 @@ void FindFilesIn(pugi::xml_node node, const XmlDocument& from, Assets& files);
 void ReferToFiles(pugi::xml_node node, const std::string& folder, const Assets& files);
 ///@}
 
+///@{
+/// Write a document as XML, or as YAML by the ending of the file: a tree as it is, or with its name and
+/// the files that it names as the folder of the file has them.
+Status WriteTree(pugi::xml_document& document, const std::string& fileName);
+Status WriteDocument(XmlDocument& document, Assets& files, const std::string& fileName);
+///@}
+
 } // namespace helios
 
 #endif

@@ -4,6 +4,7 @@
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosXmlElement.h"
+#include "heliosYamlReader.h"
 
 #include <algorithm>
 #include <fstream>
@@ -102,20 +103,36 @@ std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages
   std::ifstream file(path, std::ios::binary);
   if (!file)
   {
-    messages.Error(path + ": cannot be read; give the name of an XML file");
+    messages.Error(path + ": cannot be read; give the name of an XML or YAML file");
     return nullptr;
   }
-  return XmlDocument::Make(
-    path, { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() }, messages);
+  return XmlDocument::Make(path,
+    { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() }, IsYaml(path),
+    messages);
 }
 
 //------------------------------------------------------------------------------
 std::unique_ptr<XmlDocument> XmlDocument::Make(
   const std::string& path, std::string text, Messages& messages)
 {
+  return XmlDocument::Make(path, std::move(text), false, messages);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<XmlDocument> XmlDocument::Make(
+  const std::string& path, std::string text, bool isYaml, Messages& messages)
+{
   std::unique_ptr<XmlDocument> document(new XmlDocument);
   document->Path = path;
   document->Log = &messages;
+  if (!document->CheckText(text))
+  {
+    return nullptr;
+  }
+  if (isYaml)
+  {
+    return ReadYaml(text, *document) ? std::move(document) : nullptr;
+  }
   if (!document->Parse(std::move(text)) || !document->CheckRoot())
   {
     return nullptr;
@@ -135,7 +152,8 @@ std::unique_ptr<XmlDocument> XmlDocument::MakeOf(
 }
 
 //------------------------------------------------------------------------------
-bool XmlDocument::Parse(std::string text)
+/// Removes the mark of UTF-8; false after an error if nothing can be read.
+bool XmlDocument::CheckText(std::string& text)
 {
   if (text.compare(0, 3, Utf8Mark) == 0)
   {
@@ -151,6 +169,12 @@ bool XmlDocument::Parse(std::string text)
     this->Log->Error(this->Path + ":1: the file is UTF-16; save it as UTF-8");
     return false;
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool XmlDocument::Parse(std::string text)
+{
   if (IsLatin1(text))
   {
     text = Latin1ToUtf8(text);
@@ -265,6 +289,10 @@ std::string XmlDocument::Where(pugi::xml_node node) const
   {
     return own->second;
   }
+  if (const auto line = this->Lines.find(node.internal_object()); line != this->Lines.end())
+  {
+    return this->MakePlace(line->second);
+  }
   if (const std::ptrdiff_t offset = node.offset_debug(); offset >= 0 && !this->IsMade)
   {
     return this->WhereOffset(offset);
@@ -279,6 +307,27 @@ std::string XmlDocument::Where(pugi::xml_node node) const
     }
   }
   return this->Path;
+}
+
+//------------------------------------------------------------------------------
+std::string XmlDocument::Where(pugi::xml_node node, pugi::xml_attribute attribute) const
+{
+  const auto line = this->Lines.find(attribute.internal_object());
+  const bool isOwn = line != this->Lines.end() && !this->GetPlace(node);
+  return isOwn ? this->MakePlace(line->second) : this->Where(node);
+}
+
+//------------------------------------------------------------------------------
+std::string XmlDocument::MakePlace(const std::pair<std::size_t, std::size_t>& line) const
+{
+  return this->Path + ":" + std::to_string(line.first) +
+    (line.second ? ":" + std::to_string(line.second) : std::string());
+}
+
+//------------------------------------------------------------------------------
+void XmlDocument::SetLine(const void* object, std::size_t line, std::size_t column)
+{
+  this->Lines[object] = { line, column };
 }
 
 //------------------------------------------------------------------------------
@@ -298,6 +347,11 @@ void XmlDocument::SetPlace(pugi::xml_node node, const std::string& place)
 void XmlDocument::ForgetPlaces(pugi::xml_node node)
 {
   this->Places.erase(node.internal_object());
+  this->Lines.erase(node.internal_object());
+  for (const pugi::xml_attribute attribute : node.attributes())
+  {
+    this->Lines.erase(attribute.internal_object());
+  }
   for (const pugi::xml_node child : node.children())
   {
     this->ForgetPlaces(child);

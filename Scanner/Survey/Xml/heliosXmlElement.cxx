@@ -88,6 +88,12 @@ std::string XmlElement::Where() const
 }
 
 //------------------------------------------------------------------------------
+std::string XmlElement::Where(const char* attribute) const
+{
+  return this->Document->Where(this->Node, this->Node.attribute(attribute));
+}
+
+//------------------------------------------------------------------------------
 std::vector<XmlElement> XmlElement::GetChildren() const
 {
   std::vector<XmlElement> children;
@@ -197,7 +203,7 @@ Quaternion XmlElement::ReadRotation() const
   std::string order = "global";
   if (this->Read("rotations", order) && order != "global" && order != "local")
   {
-    this->GetMessages().Error(this->Where() + ": rotations=\"" + order +
+    this->GetMessages().Error(this->Where("rotations") + ": rotations=\"" + order +
       "\" is neither global nor local; give one of them");
   }
   for (const XmlElement& rot : this->GetChildren("rot"))
@@ -208,7 +214,7 @@ Quaternion XmlElement::ReadRotation() const
     double angle = 0.0;
     if (!axis)
     {
-      this->GetMessages().Error(rot.Where() + ": axis=\"" + name +
+      this->GetMessages().Error(rot.Where("axis") + ": axis=\"" + name +
         "\" is not valid: expected x, y or z (or pitch, roll or yaw)");
     }
     else if (rot.Read("angle_deg", angle))
@@ -262,7 +268,7 @@ void XmlElement::WarnOfValue(const XmlElementRule& rule, const std::string& name
     return;
   }
   const std::string key = this->Document->GetPath() + " <" + rule.Name + " " + name + ">";
-  std::string text = this->Where() + ": attribute " + name + " of <" + rule.Name + "> is ";
+  std::string text = this->Where(name.c_str()) + ": attribute " + name + " of <" + rule.Name + "> is ";
   if (value)
   {
     text += "not used: this version does not model it";
@@ -310,7 +316,7 @@ bool XmlElement::FindValue(const char* name, XmlValue& value) const
     return false;
   }
   std::string text = attribute.empty() ? JoinText(child.Node) : attribute.value();
-  value = { name, TrimBlanks(text), attribute.empty() ? child.Where() : this->Where() };
+  value = { name, TrimBlanks(text), attribute.empty() ? child.Where() : this->Where(name) };
   return true;
 }
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -22,15 +23,15 @@ namespace helios
 class Messages;
 class XmlElement;
 
-/// One file. Entities other than XML's own five are not expanded.
+/// One file: XML, or YAML by its ending. Entities of XML other than its own five are not expanded.
 class XmlDocument
 {
 public:
-  /// Reads a file; null if it is not XML or its root is not <document>. A second root and a
+  /// Reads a file; null if it is not XML or YAML, or its root is not <document>. A second root and a
   /// duplicate attribute are errors; the first is used.
   static std::unique_ptr<XmlDocument> Load(const std::string& path, Messages& messages);
 
-  /// Makes a document of the text of a file.
+  /// Makes a document of the text of a file, XML.
   static std::unique_ptr<XmlDocument> Make(
     const std::string& path, std::string text, Messages& messages);
 
@@ -48,6 +49,13 @@ public:
   /// with one, as in "part 0, dmotion[1]/motion".
   std::string Where(pugi::xml_node node) const;
 
+  /// The place of an attribute: its own line in YAML, or that of its element.
+  std::string Where(pugi::xml_node node, pugi::xml_attribute attribute) const;
+
+  /// Sets the line of an element or attribute of a file, and the column of one that the line does not
+  /// tell from others; 0: none.
+  void SetLine(const void* object, std::size_t line, std::size_t column = 0);
+
   /// Sets the place of an element, and forgets that of an element that is removed.
   void SetPlace(pugi::xml_node node, const std::string& place);
   const std::string* GetPlace(pugi::xml_node node) const; ///< that was set; null: none
@@ -58,9 +66,13 @@ public:
 
 private:
   XmlDocument() = default;
+  static std::unique_ptr<XmlDocument> Make(
+    const std::string& path, std::string text, bool isYaml, Messages& messages);
+  bool CheckText(std::string& text);
   bool Parse(std::string text);
   bool CheckRoot();
   std::string WhereOffset(std::ptrdiff_t offset) const;
+  std::string MakePlace(const std::pair<std::size_t, std::size_t>& line) const;
   std::size_t FindLine(std::ptrdiff_t offset) const;
   void CheckElements();
 
@@ -70,8 +82,12 @@ private:
   std::vector<std::ptrdiff_t> LineEnds;
   std::vector<std::ptrdiff_t> Repeated; // elements after others with their name in a line, in order
   std::unordered_map<const void*, std::string> Places; // by their elements
+  std::unordered_map<const void*, std::pair<std::size_t, std::size_t>> Lines; // and columns, of YAML
   bool IsMade = false;                                 // not from a file
 };
+
+/// Returns whether a name is that of a file in YAML, by its ending.
+bool IsYaml(const std::string& path);
 
 /// Returns the axis of a rotation: x, y, z, or the names of the Java program; null for others.
 const Vec3* FindRotationAxis(const std::string& name);
@@ -97,8 +113,9 @@ public:
   /// element.
   const void* GetIdentity() const { return this->Node.internal_object(); }
 
-  /// Returns its place, for messages only: "file:line", or "file:line:column".
+  /// Returns its place, or that of an attribute, for messages only: "file:line", or "file:line:column".
   std::string Where() const;
+  std::string Where(const char* attribute) const;
 
   /// The element in the tree of its document.
   pugi::xml_node GetNode() const { return this->Node; }

@@ -3,7 +3,7 @@
 // Surveys of any origin are written, and read back as they are.
 #include "heliosSurveyEquality.h"
 #include "heliosSurveyFiles.h"
-#include "heliosXmlFilter.h"
+#include "vtkHeliosDialect.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,13 +19,10 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Writes a survey to a new folder and compares what is read from there.
-void CheckWritten(vtkHeliosSurvey* survey, const std::vector<std::string>& assets)
+/// Compares a survey with what is read from a file.
+void CheckFile(
+  vtkHeliosSurvey* survey, const std::string& copy, const std::vector<std::string>& assets)
 {
-  const Files other;
-  const std::string copy = other / "some/where/copy.xml";
-  fs::create_directories(fs::path(copy).parent_path());
-  REQUIRE(survey->WriteFile(copy));
   vtkNew<vtkHeliosSurveyReader> reader;
   const auto log = Observe(reader);
   reader->SetFileName(copy.c_str());
@@ -38,6 +35,27 @@ void CheckWritten(vtkHeliosSurvey* survey, const std::vector<std::string>& asset
   INFO(log->Errors << ReadText(copy));
   REQUIRE(isRead);
   CHECK(FindDifferences(survey->GetData(), reader->GetSurvey()->GetData()) == "");
+}
+
+/// Writes a survey to a new folder as XML and YAML, and compares what is read from there, and from each
+/// when it is converted into the other. YAML, once written, stays the same text.
+void CheckWritten(vtkHeliosSurvey* survey, const std::vector<std::string>& assets)
+{
+  const Files other;
+  const std::string copy = other / "some/where/copy.";
+  fs::create_directories(fs::path(copy).parent_path());
+  vtkNew<vtkHeliosDialect> dialect;
+  REQUIRE(survey->WriteFile(copy + "xml"));
+  REQUIRE(survey->WriteFile(copy + "yaml"));
+  REQUIRE(dialect->Convert(copy + "xml", copy + "2.yml"));
+  REQUIRE(dialect->Convert(copy + "yaml", copy + "2.xml"));
+  REQUIRE(dialect->Convert(copy + "2.xml", copy + "3.yaml"));
+  for (const char* ending : { "xml", "yaml", "2.yml", "2.xml" })
+  {
+    CheckFile(survey, copy + ending, assets);
+  }
+  CHECK(ReadText(copy + "yaml") == ReadText(copy + "3.yaml"));
+  CHECK(ReadText(copy + "yaml") == ReadText(copy + "2.yml"));
 }
 
 /// All surveys in a folder that can be read with asset directories.

@@ -1,0 +1,483 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosYamlWriter.h"
+
+#include "heliosXmlKin.h"
+#include "heliosXmlRules.h"
+#include "heliosXmlValue.h"
+#include "heliosYamlReader.h"
+
+#include <yaml.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstring>
+#include <set>
+#include <sstream>
+#include <vector>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr std::size_t Width = 100; // of lines with whole elements
+
+/// A key with its value.
+struct Entry
+{
+  std::string Key;
+  std::vector<std::string> Comments; // before it
+  std::string Text;                  // of an attribute
+  pugi::xml_node Element;            // or an element, with its rule, null: unknown
+  const XmlElementRule* Rule = nullptr;
+};
+
+struct Content
+{
+  std::vector<Entry> Entries;
+  std::vector<std::string> Comments; // after them
+};
+
+/// Returns whether a text without quotes is that text for every reader of YAML, not a number, date,
+/// word for true and false, or syntax.
+bool IsPlain(const std::string& text, bool isNumber)
+{
+  static const std::set<std::string> words = { "y", "n", "yes", "no", "on", "off", "true", "false",
+    "null" };
+  const auto isGood = [](unsigned char c)
+  { return std::isalnum(c) || std::strchr(" _-./+#:()=;@%^*", c); };
+  const auto first = static_cast<unsigned char>(text.empty() ? ' ' : text.front());
+  return (std::isalpha(first) || first == '/' ||
+           (isNumber && (std::isdigit(first) || (std::strchr("+-.", first) && text.size() > 1)))) &&
+    std::all_of(text.begin(), text.end(), isGood) && text.back() != ' ' && text.back() != ':' &&
+    text.find(" #") == std::string::npos && text.find(": ") == std::string::npos &&
+    (isNumber || !words.count(ToLower(text)));
+}
+
+/// Returns the length of a character that YAML does not show, or takes for the end of a line; 0: none.
+std::size_t FindHidden(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t i)
+  { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U; };
+  const bool isControl = byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) < 0xA0;
+  const bool isEnd = byte(0) == 0xE2 && byte(1) == 0x80 && (byte(2) == 0xA8 || byte(2) == 0xA9);
+  const bool isMark = byte(0) == 0xEF &&
+    ((byte(1) == 0xBB && byte(2) == 0xBF) || (byte(1) == 0xBF && byte(2) >= 0xBE));
+  return byte(0) < ' ' || byte(0) == 0x7F ? 1 : isControl ? 2 : isEnd || isMark ? 3 : 0;
+}
+
+/// Returns a text with characters escaped, those that YAML does not show and others.
+std::string Escape(const std::string& text, const char* others)
+{
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const std::size_t length = FindHidden(text, i);
+    if (length == 0)
+    {
+      escaped += std::strchr(others, text[i]) ? std::string("\\") + text[i] : text.substr(i, 1);
+      continue;
+    }
+    unsigned code = static_cast<unsigned char>(text[i]) & (length == 1 ? 0x7F : 0x1F >> (length - 2));
+    for (std::size_t k = 1; k < length; ++k)
+    {
+      code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
+    }
+    char shown[16];
+    std::snprintf(shown, sizeof(shown), "\\u%04X", code);
+    escaped += shown;
+    i += length - 1;
+  }
+  return escaped;
+}
+
+std::string Quote(const std::string& text)
+{
+  return "\"" + Escape(text, "\"\\") + "\"";
+}
+
+/// Returns the lines of a comment without blanks that only lay it out.
+std::vector<std::string> SplitComment(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+  {
+    line.erase(line.find_last_not_of(" \t\r") + 1);
+    !lines.empty() || !line.empty() ? lines.push_back(line) : void();
+  }
+  while (!lines.empty() && lines.back().empty())
+  {
+    lines.pop_back();
+  }
+  if (!lines.empty() && lines.front().front() == ' ')
+  {
+    lines.front().erase(0, 1);
+  }
+  return lines;
+}
+
+/// Returns whether a filter has only parameters, each once, with what follows from their keys.
+bool IsUsualFilter(pugi::xml_node filter)
+{
+  std::set<std::string> keys;
+  for (const pugi::xml_node child : filter.children())
+  {
+    if (child.type() != pugi::node_element)
+    {
+      continue;
+    }
+    const pugi::xml_attribute value = child.attribute("value");
+    const pugi::xml_node below = child.find_child(
+      [](pugi::xml_node node) { return node.type() != pugi::node_comment; });
+    for (const pugi::xml_attribute attribute : child.attributes())
+    {
+      const std::string name = attribute.name();
+      if (name != "type" && name != "key" && (value ? name != "value" : name != "rotations"))
+      {
+        return false;
+      }
+    }
+    const std::string key = child.attribute("key").value();
+    const XmlKin kin = FindXmlKin(*FindFilterRule(filter.attribute("type").value()), key);
+    if (std::strcmp(child.name(), "param") != 0 || key.empty() || key == YamlChildren ||
+      key == "<<" || (value ? below || kin.Rule : !kin.Rule) || !keys.insert(key).second)
+    {
+      return false;
+    }
+  }
+  return std::next(filter.attributes_begin()) == filter.attributes_end();
+}
+
+/// Returns the key of an element and the rule of its content.
+Entry MakeEntry(pugi::xml_node node, const XmlElementRule* parent)
+{
+  Entry entry;
+  entry.Element = node;
+  entry.Key = node.name();
+  const bool isKnown = parent && parent->FindChild(entry.Key);
+  entry.Rule = isKnown ? FindXmlRule(entry.Key) : nullptr;
+  const std::string type = node.attribute("type").value();
+  const XmlElementRule* filter = isKnown && entry.Key == "filter" ? FindFilterRule(type) : nullptr;
+  if (filter && IsUsualFilter(node))
+  {
+    entry.Rule = filter;
+    entry.Key = GetFilterType(type);
+  }
+  else if (parent && IsFilterRule(*parent))
+  {
+    entry.Rule = FindXmlRule("param");
+    entry.Key = node.attribute("key").value();
+  }
+  return entry;
+}
+
+class YamlWriter
+{
+public:
+  std::string Write(const pugi::xml_document& tree);
+  bool IsDeep = false;
+
+private:
+  static Content List(pugi::xml_node node, const XmlElementRule* rule, bool isParameter = false);
+  static void ListChild(pugi::xml_node child, const XmlElementRule* rule, Content& content);
+  static bool NeedsOrder(const Content& content);
+  static std::string MakeText(const Entry& entry, const XmlElementRule* rule);
+  static std::string MakeKey(const std::string& key);
+  void AddContent(const Content& content, const XmlElementRule* rule, std::size_t indent);
+  void AddElement(const Entry& entry, const Content& content, std::size_t indent);
+  void AddItem(const Entry& entry, const std::string& key, std::size_t indent);
+  void AddComments(const std::vector<std::string>& comments, std::size_t indent);
+  static std::string MakeLine(const Content& content, const XmlElementRule* rule, std::size_t room);
+  static Content ListOf(const Entry& entry);
+
+  std::string Text;
+  int Depth = 0;
+};
+
+//------------------------------------------------------------------------------
+std::string YamlWriter::Write(const pugi::xml_document& tree)
+{
+  std::vector<std::string> head;
+  Content content;
+  for (const pugi::xml_node node : tree.children())
+  {
+    if (node.type() == pugi::node_comment)
+    {
+      (content.Entries.empty() ? head : content.Comments).emplace_back(node.value());
+    }
+    else if (node.type() == pugi::node_element)
+    {
+      content = List(node, FindXmlRule("document"));
+    }
+  }
+  this->AddComments(head, 0);
+  this->Text += head.empty() ? "" : "\n";
+  this->AddContent(content, FindXmlRule("document"), 0);
+  this->Text += content.Entries.empty() ? "{}\n" : "";
+  return this->Text;
+}
+
+//------------------------------------------------------------------------------
+/// Lists what an element has; of a parameter without what its key says.
+Content YamlWriter::List(pugi::xml_node node, const XmlElementRule* rule, bool isParameter)
+{
+  Content content;
+  const bool isFilter = rule && IsFilterRule(*rule);
+  for (const pugi::xml_attribute attribute : node.attributes())
+  {
+    const std::string name = attribute.name();
+    const bool isSaid = isFilter || (isParameter && (name == "type" || name == "key"));
+    isSaid ? void() : content.Entries.push_back({ name, {}, attribute.value(), {}, nullptr });
+  }
+  for (const pugi::xml_node child : node.children())
+  {
+    ListChild(child, rule, content);
+  }
+  return content;
+}
+
+//------------------------------------------------------------------------------
+void YamlWriter::ListChild(
+  pugi::xml_node child, const XmlElementRule* rule, Content& content)
+{
+  const bool isElement = child.type() == pugi::node_element;
+  if (!isElement)
+  {
+    const bool isText = child.type() != pugi::node_pi && !SplitComment(child.value()).empty();
+    isText ? content.Comments.push_back(child.value()) : void();
+    return;
+  }
+  Entry entry = MakeEntry(child, rule);
+  const bool isFilter = rule && IsFilterRule(*rule);
+  const bool isValue = isFilter ? !child.attribute("value").empty()
+                                : rule && !entry.Rule && rule->FindValue(entry.Key);
+  if (isValue)
+  {
+    const auto isSame = [&entry](const Entry& other) { return other.Key == entry.Key; };
+    const auto& all = content.Entries;
+    if (std::any_of(all.begin(), all.end(), isSame))
+    {
+      return; // an attribute, or an earlier child, is read instead
+    }
+    entry.Text = isFilter ? child.attribute("value").value() : TrimBlanks(child.text().get());
+    entry.Element = {};
+  }
+  entry.Comments = std::move(content.Comments);
+  content.Comments.clear();
+  content.Entries.push_back(std::move(entry));
+}
+
+//------------------------------------------------------------------------------
+Content YamlWriter::ListOf(const Entry& entry)
+{
+  const bool isParameter = entry.Rule == FindXmlRule("param") && entry.Key != "param";
+  return List(entry.Element, entry.Rule, isParameter);
+}
+
+//------------------------------------------------------------------------------
+/// Returns whether elements of one name do not follow each other, or have the name of an attribute.
+bool YamlWriter::NeedsOrder(const Content& content)
+{
+  std::set<std::string> keys;
+  std::string last;
+  for (const Entry& entry : content.Entries)
+  {
+    const bool follows = entry.Element && entry.Key == last;
+    if (!follows && !keys.insert(entry.Key).second)
+    {
+      return true;
+    }
+    last = entry.Element ? entry.Key : std::string();
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string YamlWriter::MakeKey(const std::string& key)
+{
+  return IsPlain(key, true) ? key : Quote(key);
+}
+
+//------------------------------------------------------------------------------
+std::string YamlWriter::MakeText(const Entry& entry, const XmlElementRule* rule)
+{
+  const XmlValueRule* value = rule ? rule->FindValue(entry.Key) : nullptr;
+  const XmlKind kind = value ? value->Kind : XmlKind::Text;
+  const char separator = kind == XmlKind::Vector ? ';' : kind == XmlKind::RealList ? ',' : '\0';
+  if (separator && entry.Text.find(separator) != std::string::npos && entry.Text.back() != separator)
+  {
+    std::string list;
+    std::istringstream stream(entry.Text);
+    for (std::string item; std::getline(stream, item, separator);)
+    {
+      item = TrimBlanks(item);
+      list += (list.empty() ? "[" : ", ") + (IsPlain(item, true) ? item : Quote(item));
+    }
+    return list + "]";
+  }
+  const bool isNumber = separator || kind == XmlKind::Real || kind == XmlKind::Integer ||
+    kind == XmlKind::Boolean;
+  return IsPlain(entry.Text, isNumber) ? entry.Text : Quote(entry.Text);
+}
+
+//------------------------------------------------------------------------------
+/// Returns attributes in one line; empty: it has others, or no room.
+std::string YamlWriter::MakeLine(
+  const Content& content, const XmlElementRule* rule, std::size_t room)
+{
+  std::string line;
+  bool isLong = !content.Comments.empty();
+  for (const Entry& entry : content.Entries)
+  {
+    isLong = isLong || entry.Element || !entry.Comments.empty() || line.size() > room;
+    line += isLong ? "" : (line.empty() ? "" : ", ") + MakeKey(entry.Key) + ": " + MakeText(entry, rule);
+  }
+  return isLong || line.size() + 2 > room ? std::string() : "{" + line + "}";
+}
+
+//------------------------------------------------------------------------------
+void YamlWriter::AddComments(const std::vector<std::string>& comments, std::size_t indent)
+{
+  for (std::size_t i = 0; i < comments.size(); ++i)
+  {
+    this->Text += i > 0 ? "\n" : "";
+    for (const std::string& line : SplitComment(comments[i]))
+    {
+      this->Text += std::string(indent, ' ') + (line.empty() ? "#" : "# ") + Escape(line, "") + "\n";
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void YamlWriter::AddContent(
+  const Content& content, const XmlElementRule* rule, std::size_t indent)
+{
+  const std::string blanks(indent, ' ');
+  const bool isOrdered = NeedsOrder(content);
+  bool isOpen = false; // the list of all elements
+  for (std::size_t i = 0; i < content.Entries.size(); ++i)
+  {
+    const Entry& entry = content.Entries[i];
+    if (isOrdered && entry.Element)
+    {
+      this->Text += isOpen ? "" : blanks + YamlChildren + ":\n";
+      isOpen = true;
+      this->AddItem(entry, MakeKey(entry.Key), indent + 2);
+      continue;
+    }
+    const auto isSame = [&](std::size_t other)
+    {
+      return other < content.Entries.size() && content.Entries[other].Element &&
+        content.Entries[other].Key == entry.Key;
+    };
+    this->AddComments(entry.Comments, indent);
+    this->Text += blanks + MakeKey(entry.Key) + ":";
+    if (!entry.Element)
+    {
+      this->Text += " " + MakeText(entry, rule) + "\n";
+    }
+    else if (!isSame(i + 1))
+    {
+      this->AddElement(entry, ListOf(entry), indent + 2);
+    }
+    else
+    {
+      this->Text += "\n";
+      Entry first = entry;
+      first.Comments.clear();
+      this->AddItem(first, "", indent + 2);
+      for (; isSame(i + 1); ++i)
+      {
+        this->AddItem(content.Entries[i + 1], "", indent + 2);
+      }
+    }
+  }
+  this->AddComments(content.Comments, indent);
+}
+
+//------------------------------------------------------------------------------
+/// Adds the content of an element after its name: in the line, or in lines of its own.
+void YamlWriter::AddElement(const Entry& entry, const Content& content, std::size_t indent)
+{
+  const std::size_t start = this->Text.rfind('\n') + 1;
+  const std::size_t used = this->Text.size() - start;
+  const std::string line =
+    MakeLine(content, entry.Rule, used < Width ? Width - used : 0);
+  if (!line.empty() || content.Entries.empty())
+  {
+    this->Text += " " + (line.empty() ? "{}" : line) + "\n";
+    this->AddComments(content.Comments, indent);
+    return;
+  }
+  if (++this->Depth > YamlDepth)
+  {
+    this->IsDeep = true;
+    return;
+  }
+  this->Text += "\n";
+  this->AddContent(content, entry.Rule, indent);
+  --this->Depth;
+}
+
+//------------------------------------------------------------------------------
+/// Adds an element as an item of a list, with or without its name. Comments that it begins with are
+/// above it.
+void YamlWriter::AddItem(const Entry& entry, const std::string& key, std::size_t indent)
+{
+  Content content = ListOf(entry);
+  this->AddComments(entry.Comments, indent);
+  if (!content.Entries.empty() && key.empty())
+  {
+    this->AddComments(content.Entries.front().Comments, indent);
+    content.Entries.front().Comments.clear();
+  }
+  const std::string blanks(indent, ' ');
+  if (!key.empty())
+  {
+    this->Text += blanks + "- " + key + ":";
+    this->AddElement(entry, content, indent + 4);
+    return;
+  }
+  const std::string line = MakeLine(content, entry.Rule, Width - std::min(Width, indent + 2));
+  if (!line.empty() || content.Entries.empty())
+  {
+    this->Text += blanks + "- " + (line.empty() ? "{}" : line) + "\n";
+    this->AddComments(content.Comments, indent);
+    return;
+  }
+  if (++this->Depth > YamlDepth)
+  {
+    this->IsDeep = true;
+    return;
+  }
+  const std::size_t start = this->Text.size();
+  this->AddContent(content, entry.Rule, indent + 2);
+  this->Text[start + indent] = '-';
+  --this->Depth;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Status MakeYaml(const pugi::xml_document& tree, std::string& text)
+{
+  YamlWriter writer;
+  text = writer.Write(tree);
+  if (writer.IsDeep)
+  {
+    return Status::Error("elements are nested more than " + std::to_string(YamlDepth) +
+      " times, which YAML files may not be; nest fewer");
+  }
+  yaml_event_t event;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
+  const bool isText = yaml_scalar_event_initialize(&event, nullptr, nullptr, bytes,
+    static_cast<int>(text.size()), 1, 1, YAML_ANY_SCALAR_STYLE) != 0;
+  isText ? yaml_event_delete(&event) : void();
+  return isText ? Status() : Status::Error("texts are not all UTF-8, as those of YAML; correct them");
+}
+
+} // namespace helios
