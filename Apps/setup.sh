@@ -11,7 +11,7 @@ helios_packages=(
   # to build
   git g++ cmake ninja-build ccache pkgconf
   # libraries
-  libvtk9-dev libembree-dev libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
+  libvtk9-dev libembree-dev libpugixml-dev libyaml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
   coinor-libcbc-dev liblzf-dev libpng-dev libjpeg-dev libtiff-dev libpcl-dev pybind11-dev libcli11-dev libx11-dev
   # Python

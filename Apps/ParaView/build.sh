@@ -25,7 +25,7 @@ packages=(
   libhdf5-dev libnetcdf-dev libcgns-dev libxml2-dev libexpat1-dev nlohmann-json3-dev libfmt-dev
   libgl2ps-dev libglew-dev libxt-dev libfreetype-dev libjpeg-dev libpng-dev libtiff-dev libogg-dev
   libtheora-dev libavcodec-dev libavformat-dev libavutil-dev libswscale-dev liblz4-dev liblzma-dev
-  libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev libgdal-dev
+  libpugixml-dev libyaml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev libgdal-dev
   libgeographiclib-dev libproj-dev liblzf-dev
   python3-dev python3-numpy python3-mpi4py xvfb xauth libgl1-mesa-dri
 )

@@ -40,15 +40,6 @@ namespace
 const char* const DefaultPlatform = "platforms.xml#tripod";
 const char* const DefaultScanner = "scanners.xml#vz400_class_tls";
 
-/// Returns a file's extension in lower case.
-std::string GetExtension(const fs::path& path)
-{
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
 /// Sets an XML file and its search folders.
 template <typename Reader>
 void SetInput(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
@@ -178,15 +169,14 @@ Status ShowInputs(Viewer& viewer)
   {
     return ShowPlan(viewer, inputs.front());
   }
-  const std::string extension = GetExtension(inputs.front());
-  const bool isXml = extension == ".xml";
-  const bool isScene = isXml || vtkHeliosDialect::IsMesh(inputs.front());
+  const bool isDocument = vtkHeliosDialect::IsDocument(inputs.front());
+  const bool isScene = isDocument || vtkHeliosDialect::IsMesh(inputs.front());
   if (isScene && inputs.size() > 1)
   {
     return Status::Error(
       inputs.front() + ": a survey or a scene is shown by itself; leave out " + inputs[1]);
   }
-  if (isXml && HasSurvey(inputs.front()))
+  if (isDocument && HasSurvey(inputs.front()))
   {
     return ShowSurveyFile(viewer, inputs.front());
   }

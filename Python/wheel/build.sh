@@ -23,7 +23,7 @@ for_python=$work/python-$tag # what is built for that Python alone
 # What the wheel is built with. Only the headers of GDAL: the wheel loads one, and brings none.
 helios_packages=(
   g++ cmake ninja-build ccache pkgconf dpkg-dev
-  libvtk9-dev python3-vtk9 libpugixml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
+  libvtk9-dev python3-vtk9 libpugixml-dev libyaml-dev libre2-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libeigen3-dev liblzf-dev libpng-dev libjpeg-dev libtiff-dev
   libsqlite3-dev sqlite3
   python3-dev python3-venv

@@ -21,6 +21,7 @@ LICENSES = {
     "onetbb": "Apache-2.0",
     "openssl": "Apache-2.0",
     "proj": "MIT",
+    "libyaml": "MIT",
     "pugixml": "MIT",
     "librandom123": "BSD-3-Clause",
     "re2": "BSD-3-Clause",

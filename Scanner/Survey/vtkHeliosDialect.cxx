@@ -14,6 +14,7 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -83,6 +84,13 @@ std::string vtkHeliosDialect::GetMeshEndings()
 std::string vtkHeliosDialect::GetDocumentEndings()
 {
   return ".xml, .yaml, .yml";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosDialect::IsDocument(const std::string& fileName)
+{
+  const std::string ending = std::filesystem::path(fileName).extension().string();
+  return helios::ToLower(ending) == ".xml" || helios::IsYaml(fileName);
 }
 
 //------------------------------------------------------------------------------

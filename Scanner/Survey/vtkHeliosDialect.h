@@ -50,10 +50,13 @@ public:
   static std::string FindLoader(const std::string& fileName);
   static std::string GetMeshEndings();
 
+  ///@{
   /**
-   * Returns the extensions of documents: ".xml, .yaml, .yml".
+   * Returns the extensions of documents: ".xml, .yaml, .yml"; whether a file has one of them.
    */
   static std::string GetDocumentEndings();
+  static bool IsDocument(const std::string& fileName);
+  ///@}
 
   ///@{
   /**

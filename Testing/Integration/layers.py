@@ -32,6 +32,7 @@ LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 HOMES = {
     r"embree[34]/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
+    r"yaml\.h": "ScannerSurvey",
     r"json/": "FiltersIO ScannerRun",
     r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",

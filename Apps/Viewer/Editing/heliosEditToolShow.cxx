@@ -10,6 +10,7 @@
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosViewer.h"
+#include "vtkHeliosDialect.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkMath.h>
@@ -91,7 +92,7 @@ bool EditTool::Begin()
   std::vector<std::string> files;
   for (const std::string& file : this->GetDocuments())
   {
-    fs::path(file).extension() == ".xml" ? files.push_back(file) : void();
+    vtkHeliosDialect::IsDocument(file) ? files.push_back(file) : void();
   }
   this->Choice = ReadCatalogue(this->Owner.GetOptions().Assets, files);
   this->Scene = SceneEdit();
@@ -165,7 +166,7 @@ bool EditTool::BeginWithScene()
   {
     return false;
   }
-  this->Edit.Scene += input.extension() == ".xml" ? "#" + this->Scene.GetId() : "";
+  this->Edit.Scene += vtkHeliosDialect::IsDocument(input.string()) ? "#" + this->Scene.GetId() : "";
   return true;
 }
 

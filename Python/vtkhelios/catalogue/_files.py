@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The XML files of folders."""
+"""The documents of folders, XML and YAML."""
 
 import pathlib
 import xml.etree.ElementTree as ElementTree
 
 from ..core.folders import data_directory
+from ..core.reading import is_document, read_xml
 
 
 class CatalogueError(ValueError):
@@ -18,14 +19,14 @@ def shipped_assets():
 
 
 def read_folders(read_file, folders, warn=None):
-    """Joins the results of read_file(path, name) for the XML files of folders and of their subfolders.
+    """Joins the results of read_file(path, name) for the documents of folders and of their subfolders.
 
     name is the path in its folder. warn is called with the message of each file that cannot be read;
     without it, CatalogueError is raised.
     """
     found = []
     for folder in dict.fromkeys(map(pathlib.Path, folders)):
-        for path in [*sorted(folder.glob("*.xml")), *sorted(folder.glob("*/*.xml"))]:
+        for path in filter(is_document, [*sorted(folder.glob("*")), *sorted(folder.glob("*/*"))]):
             try:
                 found += read_file(path, path.relative_to(folder).as_posix())
             except CatalogueError as error:
@@ -36,11 +37,13 @@ def read_folders(read_file, folders, warn=None):
 
 
 def read_root(path):
-    """Returns the root element of an XML file. Raises CatalogueError."""
+    """Returns the root element of a document. Raises CatalogueError."""
     try:
-        return ElementTree.parse(path).getroot()
-    except (ElementTree.ParseError, OSError, ValueError) as error:
+        return ElementTree.fromstring(read_xml(path))
+    except (ElementTree.ParseError, OSError, LookupError) as error:
         raise CatalogueError(f"{path}: is not readable XML: {error}; correct it") from None
+    except ValueError as error:
+        raise CatalogueError(str(error)) from None
 
 
 def has_words(words, text):

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contents of a file of points, and whether it agrees with itself."""
 
+import pathlib
+
 import numpy as np
 
 from .. import formats
@@ -278,7 +280,7 @@ def inspect_document(path, root, assets, messages):
         return None
     return {
         "file": str(path),
-        "format": "document (HELIOS XML)",
+        "format": f"document ({_name_form(path)})",
         "scenes": [
             {
                 "id": scene.get("id", ""),
@@ -292,6 +294,10 @@ def inspect_document(path, root, assets, messages):
         "scanners": [each.get("id", "") for each in root.findall("scanner")],
         "plans": [each.get("name", "") for each in root.findall("surveyPlanner")],
     }
+
+
+def _name_form(path):
+    return "HELIOS XML" if pathlib.Path(path).suffix.lower() == ".xml" else "YAML"
 
 
 def _inspect_part(part):
@@ -324,7 +330,7 @@ def inspect_survey(path, assets, messages):
         })  # fmt: skip
     return {
         "file": str(path),
-        "format": "survey (HELIOS XML)",
+        "format": f"survey ({_name_form(path)})",
         "name": text_from_vtk(survey.GetName()),
         "scanner": text_from_vtk(survey.GetScannerName()),
         "platform": text_from_vtk(survey.GetPlatformName()),

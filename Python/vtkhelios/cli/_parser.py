@@ -7,6 +7,8 @@ import difflib
 import re
 import sys
 
+from ..core.reading import is_document
+
 OPTION = re.compile(r"-[^\d.]")  # -1 and -.5 are numbers
 
 
@@ -83,7 +85,7 @@ class Parser(argparse.ArgumentParser):
     def _check_value(self, action, value):
         if action.choices is None or value in action.choices:
             return
-        if str(value).lower().endswith(".xml"):
+        if is_document(value):
             raise argparse.ArgumentError(None, f"a command is missing: {self.prog} run {value}")
         best = nearest(str(value), list(action.choices))
         known = ", ".join(action.choices)

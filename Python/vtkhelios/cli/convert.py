@@ -7,6 +7,7 @@ import pathlib
 import time
 
 from .. import formats
+from ..core.reading import convert, is_document
 from ..core.words import counted
 from ..formats._run import RunReader, is_run
 from ..points.conversion import Conversion
@@ -20,7 +21,10 @@ from ._stopping import set_outcome
 from ._task import Task
 from ._units import add_height_unit_argument
 
-SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ"
+SUMMARY = (
+    "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ; surveys "
+    "to YAML and back"
+)
 
 EPILOG = """\
 formats, by the end of a name, in and out:
@@ -43,6 +47,9 @@ converted in chunks: memory does not grow with the files, except for .vtp, for i
 Meshes (.ply .stl .gltf .glb .json: CityJSON, .tif) become OBJ, if the output ends in .obj: triangles,
 and materials in an .mtl beside it.
 
+Surveys, scenes, scanners and platforms in XML (.xml) become the same in YAML (.yaml, .yml), and back, with
+their comments. Names of files in them are changed if OUTPUT is in another folder.
+
 The output is named .part until it is complete; Ctrl-C and errors remove it. See Docs/files.md.
 
 examples:
@@ -53,6 +60,7 @@ examples:
   vtkhelios convert a.las ground.ply --class 2 --returns last
   vtkhelios convert a.las internal.las --waveforms internal
   vtkhelios convert delft.city.json delft.obj
+  vtkhelios convert survey.xml survey.yaml
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
 """
@@ -131,6 +139,8 @@ def add_arguments(parser):
 def run(arguments):
     with Messages(quiet=arguments.quiet) as messages:
         try:
+            if is_document(arguments.inputs[0]) and is_document(arguments.output):
+                return convert_document(arguments, messages)
             if arguments.output.lower().endswith(".obj"):
                 return _meshes.convert(arguments, messages)
             conversions = plan(arguments)
@@ -146,6 +156,25 @@ def run(arguments):
         except MemoryError:
             messages.error("not enough memory; give --every, or fewer inputs")
         return 1
+
+
+def convert_document(arguments, messages):
+    """Converts a survey or another document; returns an exit code."""
+    source, target = arguments.inputs[0], pathlib.Path(arguments.output)
+    if len(arguments.inputs) > 1:
+        raise formats.FormatError(f"{target}: is one file for several documents; convert one by one")
+    if not pathlib.Path(source).exists():
+        raise formats.FormatError(f"{source}: no such file or folder; check its name")
+    if target.exists() and target.samefile(source):
+        raise formats.FormatError(f"{target}: is also an input; give another name")
+    if target.exists() and not arguments.overwrite:
+        raise formats.FormatError(f"{target}: already exists; give --overwrite to replace it")
+    try:
+        convert(source, target)
+    except ValueError as error:
+        raise formats.FormatError(str(error)) from None
+    messages.info(f"written  {target}")
+    return 0
 
 
 def plan(arguments):

@@ -6,7 +6,7 @@ import json
 import pathlib
 
 from .. import formats
-from ..formats._endings import DOCUMENTS
+from ..core.reading import is_document
 from . import _meshes
 from ._inspect import Inspection, inspect_xml
 from ._meshes import describe_crs
@@ -28,8 +28,8 @@ the header, return numbers, decreasing times, points that are not finite. Proble
 Meshes (.obj, .tif, .vrt, .stl, .gltf, .glb, .json and .jsonl: CityJSON, .ply with faces): triangles,
 bounds, area, coordinate system, materials.
 
-Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors. Other documents
-(.xml): their scenes with the parts, platforms, scanners and plans.
+Surveys (.xml, .yaml): legs, scanner, platform, scene; vtkhelios validate lists their errors. Other
+documents: their scenes with the parts, platforms, scanners and plans.
 
 --scanners WORDS is vtkhelios list scanners WORDS.
 
@@ -51,7 +51,7 @@ def add_arguments(parser):
         "path",
         metavar="FILE|RUN|SURVEY",
         nargs="?",
-        help="points, a run, a mesh, or a survey or other document (.xml)",
+        help="points, a run, a mesh, or a survey or other document (.xml, .yaml)",
     )
     parser.add_argument(
         "--scanners",
@@ -77,7 +77,7 @@ def run(arguments):
         if not pathlib.Path(arguments.path).exists():
             messages.error(f"{arguments.path}: no such file or folder; check its name")
             return 1
-        if arguments.path.lower().endswith(DOCUMENTS):
+        if is_document(arguments.path):
             facts = inspect_xml(arguments.path, arguments.assets, messages)
             return print_facts(facts, [], arguments, messages) if facts else 1
         if _meshes.is_mesh(arguments.path):

@@ -37,7 +37,7 @@ def detectors():
 def add_arguments(parser):
     parser.epilog = EPILOG
     player = vtkHeliosSurveyPlayer()
-    parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
+    parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML, or YAML)")
     add_assets_argument(parser)
     parser.add_argument(
         "--output",

@@ -12,8 +12,9 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
-from ..core.files import cannot_be_written, write_files, write_whole
+from ..core.files import cannot_be_written, write_files
 from ..core.pipeline import PipelineError
+from ..core.reading import write_xml
 from ..core.words import duration
 from ..plans.document import PLATFORM, SCANNER
 from ..plans.settings import SettingError
@@ -353,7 +354,7 @@ def apply(row, found, arguments, messages):
     target = pathlib.Path(arguments.apply)
     try:
         data = with_settings(found.read_bytes(target.parent), row.options)
-        write_whole(target, data)
+        write_xml(target, data)
     except OSError as error:
         messages.error(cannot_be_written(error, target, "--apply"))
         return 1

@@ -4,11 +4,10 @@
 
 import dataclasses
 import json
-import pathlib
 import re
 
 from ..core.pipeline import SimilarMessages, observe_messages, remove_observers
-from ..core.reading import make_reader, missing_folder
+from ..core.reading import make_reader, missing_folder, read_xml
 from ..core.streams import visible
 from ..core.words import counted
 from ..surveys.text import has_survey
@@ -17,7 +16,7 @@ from ._messages import Messages, say_error
 from ._optics import describe_optics
 from ._reading import add_assets_argument
 
-SUMMARY = "list all errors in surveys, scenes, scanners or platforms (XML)"
+SUMMARY = "list all errors in surveys, scenes, scanners or platforms (XML, YAML)"
 
 EPILOG = """\
 what it checks: every element and attribute, its type, unit and range; misspelt names; that all
@@ -67,7 +66,7 @@ class Finding:
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    parser.add_argument("files", metavar="FILE", nargs="+", help="a file in HELIOS XML")
+    parser.add_argument("files", metavar="FILE", nargs="+", help="a document, .xml or .yaml")
     add_assets_argument(parser)
     parser.add_argument(
         "--deep", action="store_true", help="also load the scene of a survey, with all its files"
@@ -134,7 +133,7 @@ def check(path, assets, deep=False):
 
 def load_scene(reader, messages):
     """Loads the scene of a survey; other documents have none to load."""
-    if not has_survey(pathlib.Path(reader.GetFileName()).read_bytes()) or not reader.Read():
+    if not has_survey(read_xml(reader.GetFileName())) or not reader.Read():
         return
     source = vtkHeliosSurveySource()
     source.SetSurvey(reader.GetSurvey())

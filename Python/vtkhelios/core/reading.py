@@ -1,12 +1,53 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Readers of XML files, and where they look up what these name."""
+"""Readers of documents, XML and YAML, and where they look up what these name."""
 
 import pathlib
 
-from ..vtkHeliosScannerSurvey import vtkHeliosSurveyReader
+from ..vtkHeliosScannerSurvey import vtkHeliosDialect, vtkHeliosSurveyReader
+from .files import write_whole
 from .folders import data_directory
 from .paths import to_vtk
+from .pipeline import MessageLog
+
+YAML = (".yaml", ".yml")
+
+
+def is_document(path):
+    """Returns whether the ending of a name belongs to a document."""
+    return vtkHeliosDialect.IsDocument(to_vtk(path))
+
+
+def read_xml(path):
+    """Returns the bytes of a document; one in YAML as XML. Raises ValueError if this cannot be read,
+    and OSError."""
+    path = pathlib.Path(path)
+    if path.suffix.lower() in YAML:
+        return _use_dialect("ReadXml", to_vtk(path)).encode()
+    return path.read_bytes()
+
+
+def write_xml(path, data):
+    """Writes the bytes of an XML file as they are, or as YAML by the ending of the path. Raises
+    ValueError, and OSError."""
+    if pathlib.Path(path).suffix.lower() not in YAML:
+        return write_whole(path, data)
+    _use_dialect("WriteXml", to_vtk(path), data)
+
+
+def convert(source, target):
+    """Converts a document into another one, by their endings. Raises ValueError."""
+    _use_dialect("Convert", to_vtk(source), to_vtk(target))
+
+
+def _use_dialect(method, *arguments):
+    dialect = vtkHeliosDialect()
+    with MessageLog() as log:
+        log.watch(dialect)
+        result = getattr(dialect, method)(*arguments)
+    if log.errors:
+        raise ValueError("\n".join(log.root_errors()))
+    return result
 
 
 def missing_folder(assets):

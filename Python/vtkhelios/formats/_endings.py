@@ -3,11 +3,13 @@
 """Commands by the ending of files: the list in errors and Docs/files.md.
 
 FORMATS lists the endings of points, where an ending is added; the dialect's loaders
-(heliosXmlFilter.cxx) list the meshes; heliosCloudReader.cxx lists the viewer's own.
+(heliosXmlFilter.cxx) list the meshes, and vtkHeliosDialect the documents; heliosCloudReader.cxx lists
+the viewer's own.
 """
 
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
+from ..core.reading import is_document
 
 # By the end of a name, the longest first: module, reader, writer (None: it is read only).
 FORMATS = {
@@ -26,8 +28,6 @@ FORMATS = {
     ".pcd": ("_pcd", "PcdReader", "PcdWriter"),
     ".e57": ("_e57", "E57Reader", "E57Writer"),
 }
-
-DOCUMENTS = (".xml",)
 
 # Points that the viewer reads itself; it gets the others as LAS.
 IN_VIEWER = (
@@ -61,6 +61,11 @@ def is_mesh_ending(path):
     return bool(_dialect().FindLoader(to_vtk(path)))
 
 
+def documents():
+    """Returns the endings of documents."""
+    return tuple(_dialect().GetDocumentEndings().split(", "))
+
+
 def converted_for_view():
     """The endings of points that the viewer does not read itself."""
     return tuple(each for each in points() if each not in IN_VIEWER)
@@ -69,13 +74,13 @@ def converted_for_view():
 def known():
     """Returns all endings as text, for errors."""
     return (
-        f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(DOCUMENTS)}"
+        f"{', '.join(points())}; meshes: {', '.join(meshes())}; documents: {', '.join(documents())}"
     )
 
 
 def explain_no_points(path):
     """Why a file is not read as points, and the remedy."""
-    if str(path).lower().endswith(DOCUMENTS):
+    if is_document(path):
         return (
             f"{path}: is a document, not points; vtkhelios info, validate and view read it, and "
             "vtkhelios run makes points of a survey"
@@ -106,14 +111,15 @@ def describe(ending):
         uses["scene"] = f"`{loader}`"
     elif ending in VOXELS:
         uses["scene"] = f"`{VOXELS[ending]}`"
-    if ending in DOCUMENTS:
+    if ending in documents():
         uses |= {"info": "contents", "plan": "scene", "view": "survey, scene", "scene": "`<scene>`"}
+        uses |= {"convert from": "documents", "convert to": "documents"}
     return tuple(uses.values())
 
 
 def list_endings():
     """Returns all endings, each once: points, meshes, then the others."""
-    return tuple(dict.fromkeys((*points(), *meshes(), *IN_VIEWER, *VOXELS, *DOCUMENTS)))
+    return tuple(dict.fromkeys((*points(), *meshes(), *IN_VIEWER, *VOXELS, *documents())))
 
 
 def list_endings_of(command):

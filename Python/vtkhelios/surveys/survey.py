@@ -110,7 +110,7 @@ class Survey:
         return Parts(self.vtk)
 
     def write(self, path):
-        """Writes the survey to an XML file, however it was made.
+        """Writes the survey to an XML file, or to YAML by its ending, however it was made.
 
         It reads back as the same survey with the same asset directories. What it refers to in other
         files stays there, unless it was changed. A scene or trajectory in memory is not written:

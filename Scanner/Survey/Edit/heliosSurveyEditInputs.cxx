@@ -7,6 +7,7 @@
 #include "heliosSurveyEdit.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
+#include "vtkHeliosDialect.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,7 +27,7 @@ void FindXmlFiles(const fs::path& folder, std::vector<std::string>& files)
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
   {
-    if (entry->path().extension() == ".xml")
+    if (vtkHeliosDialect::IsDocument(entry->path().string()))
     {
       found.push_back(entry->path().string());
     }

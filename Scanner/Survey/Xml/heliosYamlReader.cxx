@@ -356,7 +356,7 @@ void YamlReader::ReadEntry(
     this->Pass(value);
     this->Error(key.start_mark.line,
       name + " of <" + owner + "> " +
-        (IsNull(value) ? "has no value; give one, or remove the line"
+        (IsNull(value) ? "has no value; give one, in quotes if it begins with #, or remove the line"
                        : "is one value; give it instead of keys below it"));
   }
   else
@@ -498,8 +498,13 @@ void YamlReader::AddComments(pugi::xml_node parent, std::size_t end, std::size_t
   std::string text;
   const auto add = [&]()
   {
-    text.empty() ? false : parent.append_child(pugi::node_comment).set_value((text + " ").c_str());
-    text.clear();
+    if (!text.empty())
+    {
+      const bool isLine = text.find('\n', 1) == std::string::npos;
+      text = isLine ? text.substr(1) + " " : text + "\n";
+      parent.append_child(pugi::node_comment).set_value(text.c_str());
+      text.clear();
+    }
   };
   for (; this->NextLine < std::min(end, this->Lines.size()); ++this->NextLine)
   {
@@ -516,7 +521,7 @@ void YamlReader::AddComments(pugi::xml_node parent, std::size_t end, std::size_t
       continue;
     }
     const std::size_t from = start + (line.compare(start, 2, "# ") == 0 ? 2 : 1);
-    text += (text.empty() ? " " : "\n") + line.substr(from);
+    text += "\n " + line.substr(from);
   }
   add();
 }

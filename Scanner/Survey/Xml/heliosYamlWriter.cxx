@@ -99,7 +99,8 @@ std::string Quote(const std::string& text)
   return "\"" + Escape(text, "\"\\") + "\"";
 }
 
-/// Returns the lines of a comment without blanks that only lay it out.
+/// Returns the lines of a comment without the blanks that all have. The first line may be beside the mark
+/// of the comment, and has blanks of its own.
 std::vector<std::string> SplitComment(const std::string& text)
 {
   std::vector<std::string> lines;
@@ -113,10 +114,22 @@ std::vector<std::string> SplitComment(const std::string& text)
   {
     lines.pop_back();
   }
-  if (!lines.empty() && lines.front().front() == ' ')
+  const auto dedent = [&lines](std::size_t from, std::size_t to)
   {
-    lines.front().erase(0, 1);
-  }
+    std::size_t indent = std::string::npos;
+    for (std::size_t i = from; i < to; ++i)
+    {
+      indent = lines[i].empty() ? indent : std::min(indent, lines[i].find_first_not_of(" \t"));
+    }
+    for (std::size_t i = from; i < to; ++i)
+    {
+      lines[i].erase(0, indent);
+    }
+  };
+  const bool isBeside = text.find_first_not_of(" \t\r") != text.find('\n');
+  const std::size_t first = isBeside ? std::min<std::size_t>(1, lines.size()) : 0;
+  dedent(0, first);
+  dedent(first, lines.size());
   return lines;
 }
 
@@ -189,10 +202,10 @@ private:
   static std::string MakeKey(const std::string& key);
   void AddContent(const Content& content, const XmlElementRule* rule, std::size_t indent);
   void AddElement(const Entry& entry, const Content& content, std::size_t indent);
-  void AddItem(const Entry& entry, const std::string& key, std::size_t indent);
+  void AddItem(Entry entry, const std::string& key, std::size_t indent);
   void AddComments(const std::vector<std::string>& comments, std::size_t indent);
   static std::string MakeLine(const Content& content, const XmlElementRule* rule, std::size_t room);
-  static Content ListOf(const Entry& entry);
+  static Content ListOf(Entry& entry);
 
   std::string Text;
   int Depth = 0;
@@ -272,10 +285,18 @@ void YamlWriter::ListChild(
 }
 
 //------------------------------------------------------------------------------
-Content YamlWriter::ListOf(const Entry& entry)
+/// Lists what the element of an entry has. Comments inside of an empty one are before it.
+Content YamlWriter::ListOf(Entry& entry)
 {
   const bool isParameter = entry.Rule == FindXmlRule("param") && entry.Key != "param";
-  return List(entry.Element, entry.Rule, isParameter);
+  Content content = List(entry.Element, entry.Rule, isParameter);
+  if (content.Entries.empty())
+  {
+    entry.Comments.insert(
+      entry.Comments.end(), content.Comments.begin(), content.Comments.end());
+    content.Comments.clear();
+  }
+  return content;
 }
 
 //------------------------------------------------------------------------------
@@ -361,7 +382,7 @@ void YamlWriter::AddContent(
   bool isOpen = false; // the list of all elements
   for (std::size_t i = 0; i < content.Entries.size(); ++i)
   {
-    const Entry& entry = content.Entries[i];
+    Entry entry = content.Entries[i];
     if (isOrdered && entry.Element)
     {
       this->Text += isOpen ? "" : blanks + YamlChildren + ":\n";
@@ -374,22 +395,23 @@ void YamlWriter::AddContent(
       return other < content.Entries.size() && content.Entries[other].Element &&
         content.Entries[other].Key == entry.Key;
     };
+    const bool isList = entry.Element && isSame(i + 1);
+    const Content inner = entry.Element && !isList ? ListOf(entry) : Content();
     this->AddComments(entry.Comments, indent);
     this->Text += blanks + MakeKey(entry.Key) + ":";
     if (!entry.Element)
     {
       this->Text += " " + MakeText(entry, rule) + "\n";
     }
-    else if (!isSame(i + 1))
+    else if (!isList)
     {
-      this->AddElement(entry, ListOf(entry), indent + 2);
+      this->AddElement(entry, inner, indent + 2);
     }
     else
     {
       this->Text += "\n";
-      Entry first = entry;
-      first.Comments.clear();
-      this->AddItem(first, "", indent + 2);
+      entry.Comments.clear();
+      this->AddItem(entry, "", indent + 2);
       for (; isSame(i + 1); ++i)
       {
         this->AddItem(content.Entries[i + 1], "", indent + 2);
@@ -410,7 +432,6 @@ void YamlWriter::AddElement(const Entry& entry, const Content& content, std::siz
   if (!line.empty() || content.Entries.empty())
   {
     this->Text += " " + (line.empty() ? "{}" : line) + "\n";
-    this->AddComments(content.Comments, indent);
     return;
   }
   if (++this->Depth > YamlDepth)
@@ -426,7 +447,7 @@ void YamlWriter::AddElement(const Entry& entry, const Content& content, std::siz
 //------------------------------------------------------------------------------
 /// Adds an element as an item of a list, with or without its name. Comments that it begins with are
 /// above it.
-void YamlWriter::AddItem(const Entry& entry, const std::string& key, std::size_t indent)
+void YamlWriter::AddItem(Entry entry, const std::string& key, std::size_t indent)
 {
   Content content = ListOf(entry);
   this->AddComments(entry.Comments, indent);
@@ -446,7 +467,6 @@ void YamlWriter::AddItem(const Entry& entry, const std::string& key, std::size_t
   if (!line.empty() || content.Entries.empty())
   {
     this->Text += blanks + "- " + (line.empty() ? "{}" : line) + "\n";
-    this->AddComments(content.Comments, indent);
     return;
   }
   if (++this->Depth > YamlDepth)

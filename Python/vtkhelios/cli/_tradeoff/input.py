@@ -7,6 +7,7 @@ import pathlib
 import vtkhelios
 
 from ...core.paths import from_vtk, text_from_vtk, to_vtk
+from ...core.reading import read_xml
 from ...core.run_files import PART
 from ...plans.files import survey_file
 from ...plans.plan import Plan, PlanTask
@@ -35,7 +36,7 @@ class SurveyInput:
 
     def read_bytes(self, _folder):
         """Returns the survey as XML, to be written into a folder."""
-        return pathlib.Path(self._path).read_bytes()
+        return read_xml(self._path)
 
 
 class PlannedInput:
@@ -101,4 +102,7 @@ def _is_survey(path):
     """Returns whether a file has, or may have, a <survey>: the reader reports what is wrong with
     it."""
     is_mesh = bool(vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path)))
-    return not is_mesh and has_survey(path.read_bytes())
+    try:
+        return not is_mesh and has_survey(read_xml(path))
+    except ValueError:
+        return True

@@ -9,6 +9,7 @@ from ... import formats
 from ...core.files import cannot_be_written, write_whole
 from ...core.pipeline import PipelineError
 from ...core.plugins import load_plugin
+from ...core.reading import is_document
 from ...core.words import counted
 from ...reports.run import readable
 from ...surveys.survey import read_survey
@@ -30,7 +31,7 @@ values and waveform of a picked point, distances. See Docs/viewer.md.
 
 EPILOG = f"""\
 the cloud: a file (.xyz .csv .txt .asc .pts .ptx .las .laz .copc.laz .vtp .pvtp .ply .pcd .e57), the
-folder of a run, or a survey (.xml), which is run in memory. Of more than --points points a sample is taken.
+folder of a run, or a survey (.xml, .yaml), which is run in memory. Of more than --points points a sample is taken.
 
 examples:
   vtkhelios view output/village --html village.html
@@ -44,7 +45,7 @@ examples:
 def make_parser():
     parser = Parser(prog="vtkhelios view", description=DESCRIPTION, epilog=EPILOG)
     parser.add_argument(
-        "input", metavar="CLOUD", help="a file of points, a run, or a survey (.xml)"
+        "input", metavar="CLOUD", help="a file of points, a run, or a survey (.xml, .yaml)"
     )
     parser.add_argument("--html", metavar="FILE", required=True, help="the page")
     parser.add_argument(
@@ -103,7 +104,7 @@ def write_page(contents, page, colour_by=None):
 def _read(arguments, messages):
     """Returns the Contents of the input."""
     names = arguments.arrays.split(",") if arguments.arrays else None
-    if pathlib.Path(arguments.input).suffix.lower() == ".xml":
+    if is_document(arguments.input):
         contents = _run_survey(arguments, names)
     else:
         contents = _read_points(arguments, names, messages)
