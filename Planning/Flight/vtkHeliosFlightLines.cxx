@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosFlightLines.h"
 
+#include "heliosConstants.h"
 #include "heliosFlightPattern.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosFlightArrayNames.h"
@@ -11,6 +12,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -61,6 +63,12 @@ void Store(const helios::FlightPattern& pattern, double altitude, double speed, 
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+double vtkHeliosFlightLines::ComputeTurnRadius(double speed, double bank)
+{
+  return speed * speed / (helios::StandardGravity * std::tan(vtkMath::RadiansFromDegrees(bank)));
+}
 
 //------------------------------------------------------------------------------
 int vtkHeliosFlightLines::RequestData(

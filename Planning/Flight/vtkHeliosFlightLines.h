@@ -115,6 +115,11 @@ public:
   vtkGetMacro(TurnTime, double);
   ///@}
 
+  /**
+   * Returns the radius [m] of a level turn with a bank angle [deg] at a speed [m/s].
+   */
+  static double ComputeTurnRadius(double speed, double bank);
+
   ///@{
   /**
    * Get, for the last update: the heading of the first line [deg]; the number of lines; the length of

@@ -237,7 +237,7 @@ def test_a_fit_is_flown_again(flown, tmp_path):
     for kind in ("rotating", "oscillating", "conic"):
         fit = vtkhelios.fit(flown[kind])
         names = [path.name for path in fit.write(tmp_path / kind)]
-        assert names == ["scanner.xml", "survey.xml", "strip001.csv", "scene.xml", "ground.obj"]
+        assert names == ["survey.xml", "scanner.xml", "strip001.csv", "ground.obj"]
         survey = vtkhelios.read_survey(tmp_path / kind / "survey.xml", scene=make_scene())
         again = vtkhelios.fit(survey.run(seed=2, scan_flags=True))
         assert again["mirror"].text == kind

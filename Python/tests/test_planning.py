@@ -307,6 +307,9 @@ def test_a_scene_in_memory_is_written(rooms, tmp_path):
     assert (tmp_path / "flat/scene.obj").is_file()
     written = vtkhelios.read_survey(paths[0])
     survey = plan.survey()
+    survey.write(tmp_path / "again.xml")
+    again = vtkhelios.read_survey(tmp_path / "again.xml", scene=rooms)
+    assert [leg.position for leg in again.legs] == [leg.position for leg in written.legs]
     assert [leg.position for leg in survey.legs] == [leg.position for leg in written.legs]
     assert survey.name == written.name == "flat"
     clouds = survey.run(legs=0, noise=False), written.run(legs=0, noise=False)
@@ -316,6 +319,10 @@ def test_a_scene_in_memory_is_written(rooms, tmp_path):
 def test_the_survey_of_a_document(write_document):
     plan = vtkhelios.plan(write_document('gridSizePSP_m="2"'), resolution=1)
     survey = plan.survey()
+    survey.write("again.xml")
+    again = vtkhelios.read_survey("again.xml")
+    assert [leg.position for leg in again.legs] == [leg.position for leg in survey.legs]
+    assert len(again.parts) == len(survey.parts) == 1
     feet = [leg.position for leg in survey.legs]
     assert np.array(feet) == pytest.approx(plan.positions - [0, 0, 1.7])
     cloud = survey.run(legs=0, noise=False)

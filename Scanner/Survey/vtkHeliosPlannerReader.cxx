@@ -212,101 +212,29 @@ helios::ScanData GetScan(const helios::PlannerData& data)
 
 } // namespace
 
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetKind() const
-{
-  return this->GetData().Kind;
-}
+// Values of what was read.
+#define HELIOS_VALUE(Type, Name, Value)                                                            \
+  Type vtkHeliosPlannerReader::Get##Name() const                                                   \
+  {                                                                                                \
+    return Value;                                                                                  \
+  }
 
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetPlanName() const
-{
-  return this->GetData().Survey.Name;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetSceneReference() const
-{
-  return this->GetData().SceneReference;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetPlatformReference() const
-{
-  return this->GetData().PlatformReference;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetScannerReference() const
-{
-  return this->GetData().ScannerReference;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetMethod() const
-{
-  return this->GetSettings().Method;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetRemoveOrder() const
-{
-  return this->GetSettings().RemoveOrder;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetScannerLimits() const
-{
-  return this->GetSettings().HasScannerLimits;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegPulseFrequency() const
-{
-  return GetScan(this->GetData()).PulseFrequency;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegScanFrequency() const
-{
-  return GetScan(this->GetData()).ScanFrequency;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegScanAngle() const
-{
-  return GetScan(this->GetData()).ScanAngle;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegVerticalAngleMin() const
-{
-  return GetScan(this->GetData()).VerticalAngleMin;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegVerticalAngleMax() const
-{
-  return GetScan(this->GetData()).VerticalAngleMax;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegHeadRotateStart() const
-{
-  return GetScan(this->GetData()).HeadRotateStart;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegHeadRotateStop() const
-{
-  return GetScan(this->GetData()).HeadRotateStop;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetLegHeadRotatePerSecond() const
-{
-  return GetScan(this->GetData()).HeadRotateSpeed;
-}
+HELIOS_VALUE(std::string, Kind, this->GetData().Kind)
+HELIOS_VALUE(std::string, PlanName, this->GetData().Survey.Name)
+HELIOS_VALUE(std::string, SceneReference, this->GetData().SceneReference)
+HELIOS_VALUE(std::string, PlatformReference, this->GetData().PlatformReference)
+HELIOS_VALUE(std::string, ScannerReference, this->GetData().ScannerReference)
+HELIOS_VALUE(std::string, Method, this->GetSettings().Method)
+HELIOS_VALUE(std::string, RemoveOrder, this->GetSettings().RemoveOrder)
+HELIOS_VALUE(bool, ScannerLimits, this->GetSettings().HasScannerLimits)
+HELIOS_VALUE(double, LegPulseFrequency, GetScan(this->GetData()).PulseFrequency)
+HELIOS_VALUE(double, LegScanFrequency, GetScan(this->GetData()).ScanFrequency)
+HELIOS_VALUE(double, LegScanAngle, GetScan(this->GetData()).ScanAngle)
+HELIOS_VALUE(double, LegVerticalAngleMin, GetScan(this->GetData()).VerticalAngleMin)
+HELIOS_VALUE(double, LegVerticalAngleMax, GetScan(this->GetData()).VerticalAngleMax)
+HELIOS_VALUE(double, LegHeadRotateStart, GetScan(this->GetData()).HeadRotateStart)
+HELIOS_VALUE(double, LegHeadRotateStop, GetScan(this->GetData()).HeadRotateStop)
+HELIOS_VALUE(double, LegHeadRotatePerSecond, GetScan(this->GetData()).HeadRotateSpeed)
 
 //------------------------------------------------------------------------------
 bool vtkHeliosPlannerReader::HasRotatingMirror() const

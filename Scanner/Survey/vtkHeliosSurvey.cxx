@@ -168,64 +168,66 @@ void vtkHeliosSurvey::SetName(const std::string& name)
   this->SetSurveyAttribute("name", name);
 }
 
+// The same methods of several items.
+#define HELIOS_ATTRIBUTES(Name)                                                                    \
+  bool vtkHeliosSurvey::Set##Name##Attribute(                                                      \
+    int index, const std::string& name, const std::string& value)                                  \
+  {                                                                                                \
+    return this->Inside->Change(this->Inside->Document->Set({ Item::Name, index }, name, value));  \
+  }                                                                                                \
+  std::string vtkHeliosSurvey::Get##Name##Attribute(int index, const std::string& name)            \
+  {                                                                                                \
+    return this->Inside->Document->Get({ Item::Name, index }, name);                               \
+  }
+
+#define HELIOS_OWN_ATTRIBUTES(Name)                                                                \
+  bool vtkHeliosSurvey::Set##Name##Attribute(const std::string& name, const std::string& value)    \
+  {                                                                                                \
+    return this->Inside->Change(this->Inside->Document->Set({ Item::Name }, name, value));         \
+  }                                                                                                \
+  std::string vtkHeliosSurvey::Get##Name##Attribute(const std::string& name)                       \
+  {                                                                                                \
+    return this->Inside->Document->Get({ Item::Name }, name);                                      \
+  }
+
+#define HELIOS_INSTRUMENTS(Name)                                                                   \
+  int vtkHeliosSurvey::Add##Name(const std::string& id)                                            \
+  {                                                                                                \
+    return this->Inside->Change(this->Inside->Document->Add##Name(id));                            \
+  }                                                                                                \
+  int vtkHeliosSurvey::Add##Name##FromFile(const std::string& reference)                           \
+  {                                                                                                \
+    return this->Inside->Change(this->Inside->Document->AddFromFile(Item::Name, reference));       \
+  }                                                                                                \
+  int vtkHeliosSurvey::GetNumberOf##Name##s() const                                                \
+  {                                                                                                \
+    return this->Inside->Document->GetNumberOf(Item::Name);                                        \
+  }
+
+HELIOS_OWN_ATTRIBUTES(Survey)
+HELIOS_OWN_ATTRIBUTES(Scene)
+HELIOS_ATTRIBUTES(Platform)
+HELIOS_ATTRIBUTES(Leg)
+HELIOS_ATTRIBUTES(Part)
+HELIOS_ATTRIBUTES(PartTable)
+HELIOS_INSTRUMENTS(Scanner)
+HELIOS_INSTRUMENTS(Platform)
+
 //------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetSurveyAttribute(const std::string& name, const std::string& value)
+void vtkHeliosSurvey::SetSources(
+  const std::string& scene, const std::string& platform, const std::string& scanner)
 {
-  return this->Inside->Change(this->Inside->Document->Set({ Item::Survey }, name, value));
+  this->Inside->Document->SetSources(scene, platform, scanner);
+  this->Inside->Change(true);
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetSurveyAttribute(const std::string& name)
+std::string vtkHeliosSurvey::MakeFileText(
+  const std::string& kind, int index, const std::string& comment, const std::string& fileName)
 {
-  return this->Inside->Document->Get({ Item::Survey }, name);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetSceneAttribute(const std::string& name, const std::string& value)
-{
-  return this->Inside->Change(this->Inside->Document->Set({ Item::Scene }, name, value));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetSceneAttribute(const std::string& name)
-{
-  return this->Inside->Document->Get({ Item::Scene }, name);
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::AddScanner(const std::string& id)
-{
-  return this->Inside->Change(this->Inside->Document->AddScanner(id));
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::AddScannerFromFile(const std::string& reference)
-{
-  return this->Inside->Change(this->Inside->Document->AddFromFile(Item::Scanner, reference));
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::GetNumberOfScanners() const
-{
-  return this->Inside->Document->GetNumberOf(Item::Scanner);
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::AddPlatform(const std::string& id)
-{
-  return this->Inside->Change(this->Inside->Document->AddPlatform(id));
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::AddPlatformFromFile(const std::string& reference)
-{
-  return this->Inside->Change(this->Inside->Document->AddFromFile(Item::Platform, reference));
-}
-
-//------------------------------------------------------------------------------
-int vtkHeliosSurvey::GetNumberOfPlatforms() const
-{
-  return this->Inside->Document->GetNumberOf(Item::Platform);
+  const helios::SurveyItem* item = FindItem(kind);
+  return item ? this->Inside->Document->MakeFileText({ *item, index }, comment, fileName)
+              : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -265,44 +267,6 @@ bool vtkHeliosSurvey::SetChannelAttribute(
 std::string vtkHeliosSurvey::GetChannelAttribute(int scanner, int channel, const std::string& name)
 {
   return this->Inside->Document->Get({ Item::Scanner, scanner, channel }, name);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetPlatformAttribute(
-  int platform, const std::string& name, const std::string& value)
-{
-  return this->Inside->Change(
-    this->Inside->Document->Set({ Item::Platform, platform }, name, value));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetPlatformAttribute(int platform, const std::string& name)
-{
-  return this->Inside->Document->Get({ Item::Platform, platform }, name);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetLegAttribute(int leg, const std::string& name, const std::string& value)
-{
-  return this->Inside->Change(this->Inside->Document->Set({ Item::Leg, leg }, name, value));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetLegAttribute(int leg, const std::string& name)
-{
-  return this->Inside->Document->Get({ Item::Leg, leg }, name);
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetPartAttribute(int part, const std::string& name, const std::string& value)
-{
-  return this->Inside->Change(this->Inside->Document->Set({ Item::Part, part }, name, value));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetPartAttribute(int part, const std::string& name)
-{
-  return this->Inside->Document->Get({ Item::Part, part }, name);
 }
 
 //------------------------------------------------------------------------------
@@ -362,19 +326,6 @@ bool vtkHeliosSurvey::RemovePart(int part)
 int vtkHeliosSurvey::AddPartTable(const std::string& file)
 {
   return this->Inside->Change(this->Inside->Document->AddPartTable(file));
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurvey::SetPartTableAttribute(
-  int table, const std::string& name, const std::string& value)
-{
-  return this->Inside->Change(this->Inside->Document->Set({ Item::PartTable, table }, name, value));
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosSurvey::GetPartTableAttribute(int table, const std::string& name)
-{
-  return this->Inside->Document->Get({ Item::PartTable, table }, name);
 }
 
 //------------------------------------------------------------------------------

@@ -94,6 +94,13 @@ public:
   int AddPlatformFromFile(const std::string& reference);
   ///@}
 
+  /**
+   * Names what the survey consists of as it is given, file.xml#id or, of the scene, a mesh; empty: not
+   * changed. They may not exist yet: Check() finds them.
+   */
+  void SetSources(
+    const std::string& scene, const std::string& platform, const std::string& scanner);
+
   ///@{
   /**
    * Get the number of scanners and of platforms.
@@ -241,6 +248,13 @@ public:
    * are named from the new folder. An existing file is replaced. Returns false after an error.
    */
   bool WriteFile(const std::string& fileName);
+
+  /**
+   * Returns the text of a file with the scene, a scanner or a platform (kind) of this survey alone, after
+   * a comment; files are named from its folder. Empty after an error, or if the kind is unknown.
+   */
+  std::string MakeFileText(
+    const std::string& kind, int index, const std::string& comment, const std::string& fileName);
 
   /**
    * Checks the survey: reports all errors and warnings, of scanners and of legs with their

@@ -99,11 +99,12 @@ bool vtkHeliosSurveyWriter::Internals::Write(vtkHeliosSurvey* survey)
   {
     return false;
   }
-  this->Crs = this->Crs == data.Scene.Crs ? "" : this->Crs;
+  const bool isOfScene = Text(this->Writer->Scene).empty() || this->Crs == data.Scene.Crs;
+  this->Crs = isOfScene ? "" : this->Crs;
   document = this->Make(helios::FindInstrument(data.Platforms.front(), data.Scanners.front()));
   if (survey)
   {
-    return survey->ReadDocument(std::move(document), this->Writer);
+    return survey->ReadDocument(std::move(document), nullptr); // messages are known;
   }
   const helios::Status status = document->Write(this->Writer->FileName);
   return status.IsOk() || this->Fail(status.Message() + "; give another FileName");

@@ -103,7 +103,7 @@ def test_survey_is_flown(cloud, tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    "name", ["scanner.xml", "scene.xml", "ground.obj", "strip002.csv", "fit.json"]
+    "name", ["scanner.xml", "survey.xml", "ground.obj", "strip002.csv", "fit.json"]
 )
 def test_no_file_is_replaced_unasked(cloud, tmp_path, capsys, name):
     (tmp_path / name).write_text("of the user")

@@ -42,7 +42,7 @@ output: a table; --output FOLDER writes
   scanner.xml          a <scanner> with what is known; all else is the default of vtkHelios
   survey.xml           a leg for each strip, along its trajectory
   strip001.csv ...     the trajectories: time, roll, pitch, yaw, x, y, z
-  scene.xml, ground.obj   a level plane at the height of the ground, without --scene
+  ground.obj           a level plane at the height of the ground, without --scene
   fit.json             what --json prints
 
 examples:

@@ -66,8 +66,8 @@ def look_up(reader, path, assets):
     """Returns a reader, or writer, that searches the user's folders, the file's own, then the
     shipped data."""
     shipped = data_directory()
-    beside = str(pathlib.Path(path).parent)
-    reader.SetFileName(to_vtk(path))
-    for folder in dict.fromkeys([*assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]):
+    beside = [str(pathlib.Path(path).parent)] if path else []
+    reader.SetFileName(to_vtk(path) if path else None)
+    for folder in dict.fromkeys([*assets, *beside, ".", f"{shipped}", f"{shipped}/Assets"]):
         reader.AddAssetDirectory(to_vtk(folder))
     return reader

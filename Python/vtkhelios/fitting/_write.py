@@ -3,32 +3,48 @@
 """A fit as a scanner, a survey and trajectories that ``vtkhelios run`` flies."""
 
 import pathlib
-import xml.sax.saxutils
 
 import numpy as np
 
 from ..core.files import write_files
+from ..core.paths import to_vtk
+from ..surveys.instruments import scanner_text
+from ..surveys.scanning import make_survey
 from ._mirror import OSCILLATING, ROTATING
 
 MARGIN = 0.5  # margin of the ground over its half width
-HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n<!-- Written by vtkhelios fit. -->\n'
-PLATFORM = "Assets/platforms.xml#airplane_linearpath"
+PLATFORM = "platforms.xml#airplane_linearpath"
 
 
 #: Patterns of the names of all files that may be written.
-FILES = ("survey.xml", "scanner.xml", "scene.xml", "ground.obj", "strip[0-9][0-9][0-9]*.csv")
+FILES = ("survey.xml", "scanner.xml", "ground.obj", "strip[0-9][0-9][0-9]*.csv")
 
 
 def write_fit(fit, folder, scene, **more):
     """Writes all files, and more texts by name, into a folder, which is created; returns their paths."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    texts = {"scanner.xml": scanner_text(fit), "survey.xml": survey_text(fit, scene)}
+    texts = {
+        "scanner.xml": scanner_text("fitted", scanner_values(fit), " Written by vtkhelios fit. ")
+    }
     for strip in fit.strips:
         texts[trajectory_name(strip)] = trajectory_text(strip)
     if scene is None:
-        texts["scene.xml"], texts["ground.obj"] = SCENE, ground_text(fit)
-    return write_files(folder, texts | {name: text + "\n" for name, text in more.items()})
+        texts["ground.obj"] = ground_text(fit)
+    paths = write_files(folder, texts | {name: text + "\n" for name, text in more.items()})
+    return [write_survey(fit, folder, scene or folder / "ground.obj"), *paths]
+
+
+def write_survey(fit, folder, scene):
+    """Writes the survey that flies the trajectories in a folder; returns its path."""
+    first = folder / trajectory_name(fit.strips[0])
+    legs = [leg_values(fit, strip, folder) for strip in fit.strips]
+    survey = make_survey(
+        None, legs, "scanner.xml#fitted", PLATFORM, "fitted", [folder], trajectory=first
+    )
+    survey.vtk.SetSources(to_vtk(scene), "", "")
+    survey.write(folder / "survey.xml")
+    return folder / "survey.xml"
 
 
 def _known(fit, name):
@@ -38,18 +54,15 @@ def _known(fit, name):
     )
 
 
-def _escape(text):
-    return xml.sax.saxutils.quoteattr(text)
-
-
 def kind_of(fit):
     return fit["mirror"].text
 
 
-def scanner_attributes(fit):
-    """Returns the attributes of the scanner, as far as they are known."""
+def scanner_values(fit):
+    """Returns the attributes of the scanner, as far as they are known, and their sources."""
     kind = kind_of(fit)
-    attributes = {"optics": kind, "pulseFreqs_Hz": f"{_known(fit, 'pulse frequency'):.10g}"}
+    attributes = {"name": f"Fitted to {fit.name}", "use": "airborne", "optics": kind}
+    attributes["pulseFreqs_Hz"] = f"{_known(fit, 'pulse frequency'):.10g}"
     rate = f"{_known(fit, 'line frequency'):.10g}"
     attributes |= {"scanFreqMin_Hz": rate, "scanFreqMax_Hz": rate}
     if kind == ROTATING:
@@ -73,51 +86,29 @@ def scanner_attributes(fit):
     ):
         if value:
             attributes[name] = format(value, form)
-    return attributes
+    sources = [
+        {"kind": "derived", "note": f"{each.name}: {each.how}"}
+        for each in fit.values
+        if each.strip is None
+    ]
+    return {**attributes, "sources": {"source": sources}}
 
 
-def scanner_text(fit):
-    lines = "".join(
-        f"\n    {name}={_escape(value)}" for name, value in scanner_attributes(fit).items()
-    )
-    sources = "".join(
-        f'      <source kind="derived" note={_escape(f"{each.name}: {each.how}")}/>\n'
-        for each in fit.values if each.strip is None
-    )  # fmt: skip
-    return (
-        f'{HEAD}<document>\n  <scanner id="fitted" name={_escape(f"Fitted to {fit.name}")} '
-        f'use="airborne"{lines}>\n    <sources>\n{sources}    </sources>\n  </scanner>\n</document>\n'
-    )
-
-
-def leg_text(fit, strip):
-    """Returns a leg that flies the trajectory of a strip."""
-    settings = (
-        f'pulseFreq_hz="{_known(fit, "pulse frequency"):.10g}" '
-        f'scanFreq_hz="{_known(fit, "line frequency"):.10g}"'
-    )
+def leg_values(fit, strip, folder):
+    """Returns the settings of a leg that flies the trajectory of a strip."""
+    values = {
+        "trajectory": folder / trajectory_name(strip),
+        "syncGPSTime": True,
+        "teleportToStart": True,
+        "tStart": f"{strip.times[0]:.9f}",
+        "tEnd": f"{strip.times[-1]:.9f}",
+        "pulse_frequency": f"{_known(fit, 'pulse frequency'):.10g}",
+        "scan_frequency": f"{_known(fit, 'line frequency'):.10g}",
+    }
     if kind_of(fit) == ROTATING:
-        settings += (
-            f' verticalAngleMin_deg="{_known(fit, "smallest angle"):.6g}"'
-            f' verticalAngleMax_deg="{_known(fit, "largest angle"):.6g}"'
-        )
-    else:
-        settings += f' scanAngle_deg="{_known(fit, "scan angle"):.6g}"'
-    name = trajectory_name(strip)
-    return (
-        f"    <!-- strip {strip.number}: {strip.points} points, {strip.pulses} pulses -->\n"
-        f'    <leg>\n      <platformSettings trajectory="{name}" syncGPSTime="true" '
-        f'teleportToStart="true"\n          tStart="{strip.times[0]:.9f}" tEnd="{strip.times[-1]:.9f}"/>\n      <scannerSettings {settings}/>\n    </leg>\n'
-    )
-
-
-def survey_text(fit, scene):
-    legs = "".join(leg_text(fit, strip) for strip in fit.strips)
-    scene = _escape(str(scene or "scene.xml#ground"))
-    return (
-        f'{HEAD}<document>\n  <survey name="fitted" scene={scene} scanner="scanner.xml#fitted"\n'
-        f'      platform="interpolated" basePlatform="{PLATFORM}">\n{legs}  </survey>\n</document>\n'
-    )
+        ends = ("smallest angle", "largest angle")
+        return {**values, "vertical": [f"{_known(fit, name):.6g}" for name in ends]}
+    return {**values, "scan_angle": f"{_known(fit, 'scan angle'):.6g}"}
 
 
 def trajectory_name(strip):
@@ -132,13 +123,6 @@ def trajectory_text(strip):
         for row in rows
     )
     return f'#HEADER: "t", "roll", "pitch", "yaw", "x", "y", "z"\n{lines}\n'
-
-
-SCENE = (
-    f'{HEAD}<document>\n  <scene id="ground" name="A level plane">\n    <part id="1">\n'
-    '      <filter type="objloader"><param type="string" key="filepath" value="ground.obj"/></filter>\n'
-    "    </part>\n  </scene>\n</document>\n"
-)
 
 
 def ground_text(fit):

@@ -12,7 +12,7 @@ import typing
 from ..core.classes import vtk_class
 from ..core.pipeline import update
 from ..plans.kinds import SettingError
-from ._settings import BANK, GRAVITY, SPEEDS, WIDEST
+from ._settings import BANK, SPEEDS, WIDEST
 
 HEIGHTS = 24  # tried between the limits
 EDGE = 0.999  # share of the half swath: its outermost pulses are not counted on
@@ -284,5 +284,5 @@ class Designer:
     def _find_turn_radius(self, speed):
         if self.settings["turn_radius"] is not None:
             return self.settings["turn_radius"]
-        bank = math.radians(BANK.get(self.instrument.use, BANK["airborne"]))
-        return speed**2 / (GRAVITY * math.tan(bank))
+        bank = BANK.get(self.instrument.use, BANK["airborne"])
+        return vtk_class("vtkHeliosFlightLines").ComputeTurnRadius(speed, bank)

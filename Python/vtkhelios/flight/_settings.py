@@ -13,7 +13,6 @@ PLATFORMS = {"unmanned": "platforms.xml#copter_linearpath"}  # by the use of the
 PLATFORM = "platforms.xml#airplane_linearpath"  # platform of all others
 WIDEST = 45.0  # half angle that is used of a wider scanner [deg]
 DENSITY = 4.0  # 1/m2, if neither density nor spacing is given
-GRAVITY = 9.80665  # m/s2
 
 
 class Range(typing.NamedTuple):

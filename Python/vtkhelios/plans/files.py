@@ -19,10 +19,11 @@ from ..core.pipeline import PipelineError, perform
 from ..core.reading import look_up
 from ..core.write import write_points
 from ..scenes.scene import Scene
+from ..surveys.survey import Survey
 
 __all__ = [
-    "LEG_SETTINGS", "data_files", "has_plan", "leg_settings", "new_plan", "picture_file", "survey_file",
-    "summary_file", "write_survey",
+    "build_survey", "data_files", "has_plan", "new_plan", "picture_file", "plan_survey", "summary_file",
+    "survey_file", "write_survey",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
@@ -68,22 +69,22 @@ def data_files(plan, folder):
     return files
 
 
-# Settings of the legs: properties of the document (GetLeg...) and of the writer, and attributes.
-LEG_SETTINGS = {
-    "PulseFrequency": "pulseFreq_hz",
-    "ScanFrequency": "scanFreq_hz",
-    "HeadRotateStart": "headRotateStart_deg",
-    "HeadRotateStop": "headRotateStop_deg",
-    "HeadRotatePerSecond": "headRotatePerSec_deg",
-    "VerticalAngleMin": "verticalAngleMin_deg",
-    "VerticalAngleMax": "verticalAngleMax_deg",
-    "ScanAngle": "scanAngle_deg",
-}
+# Settings of the legs: properties of the document (GetLeg...) and of the writer.
+_LEG_SETTINGS = (
+    "PulseFrequency",
+    "ScanFrequency",
+    "HeadRotateStart",
+    "HeadRotateStop",
+    "HeadRotatePerSecond",
+    "VerticalAngleMin",
+    "VerticalAngleMax",
+    "ScanAngle",
+)
 
 
-def leg_settings(document):
-    """The settings of the legs of a plan, by their names in LEG_SETTINGS."""
-    values = {name: getattr(document, f"GetLeg{name}")() for name in LEG_SETTINGS}
+def _leg_settings(document):
+    """The settings of the legs of a plan, by the names of properties."""
+    values = {name: getattr(document, f"GetLeg{name}")() for name in _LEG_SETTINGS}
     unused = (
         ["ScanAngle"] if document.HasRotatingMirror() else ["VerticalAngleMin", "VerticalAngleMax"]
     )
@@ -94,34 +95,54 @@ def leg_settings(document):
 
 def survey_file(plan, folder, name=SURVEY):
     """Writes the survey; returns its path."""
+    scene = from_vtk(plan.task.document.GetSceneReference()) or _scene_file(plan, folder)
+    return write_survey(folder / name, scene, *_content(plan))
+
+
+def plan_survey(plan):
+    """Returns the Survey that survey_file() writes; a scene in memory stays there."""
+    task, in_memory = plan.task, plan.task.has_scene_in_memory()
+    scene = from_vtk(task.document.GetSceneReference()) or ("" if in_memory else task.source)
+    return build_survey(plan.scene if in_memory else None, scene, *_content(plan))
+
+
+def _content(plan):
+    """Returns the arguments of write_survey() after the scene."""
     document = plan.task.document
-    scene = from_vtk(document.GetSceneReference()) or _scene_file(plan, folder)
     instrument = map(from_vtk, (document.GetPlatformReference(), document.GetScannerReference()))
-    settings = leg_settings(document)
-    return write_survey(
-        folder / name, plan.outputs[2], plan.name, (scene, *instrument), plan.task.assets, settings
-    )
+    return plan.outputs[2], plan.name, instrument, plan.task.assets, _leg_settings(document)
 
 
-def write_survey(path, legs, name, references, assets, settings):
-    """Writes a survey of positions or waypoints (vtkPolyData); returns the path.
-
-    references are those of the scene, the platform and the scanner; settings are by the names in
-    LEG_SETTINGS.
-    """
-    writer = vtk_class("vtkHeliosSurveyWriter")()
-    look_up(writer, str(path), assets)
-    writer.SetInputDataObject(legs)
-    writer.SetSurveyName(to_vtk(name))
-    for kind, reference in zip(("Scene", "Platform", "Scanner"), references):
-        exists = pathlib.Path(reference.partition("#")[0]).exists()
-        getattr(writer, f"Set{kind}")(
-            to_vtk(refer(reference, path.parent) if exists else reference)
-        )
-    for setting, value in settings.items():
-        getattr(writer, f"Set{setting}")(value)
+def write_survey(path, *content):
+    """Writes a survey, see _make_writer(); returns the path."""
+    writer = _make_writer(path, *content)
     perform(writer, writer.Write, f"{path}: cannot be written")
     return path
+
+
+def build_survey(in_memory, *content):
+    """Returns the Survey that write_survey() writes, of the scene in memory if there is one."""
+    writer, survey = _make_writer(None, *content), vtk_class("vtkHeliosSurvey")()
+    perform(writer, lambda: writer.BuildSurvey(survey), "the survey cannot be made")
+    return Survey(survey, scene=in_memory)
+
+
+def _make_writer(path, scene, legs, name, instrument, assets, settings):
+    """Returns the writer of a survey of positions or waypoints (vtkPolyData).
+
+    scene is a reference or a mesh, instrument are the references of platform and scanner; settings
+    are properties of the writer.
+    """
+    writer = vtk_class("vtkHeliosSurveyWriter")()
+    look_up(writer, path and str(path), assets)
+    writer.SetInputDataObject(legs)
+    writer.SetSurveyName(to_vtk(name))
+    for kind, reference in zip(("Scene", "Platform", "Scanner"), (scene, *instrument)):
+        exists = reference and pathlib.Path(reference.partition("#")[0]).exists()
+        getattr(writer, f"Set{kind}")(to_vtk(_refer(reference, path) if exists else reference))
+    for setting, value in settings.items():
+        getattr(writer, f"Set{setting}")(value)
+    return writer
 
 
 def _scene_file(plan, folder):
@@ -133,13 +154,14 @@ def _scene_file(plan, folder):
     return str(path)
 
 
-def refer(reference, folder):
-    """Returns a reference as written to a file of a folder: shipped files by name."""
+def _refer(reference, file):
+    """Returns a reference as written to a file: shipped files by name. Without a file, a whole path."""
     path, mark, name = reference.partition("#")
     absolute = pathlib.Path(path).resolve()
     if absolute.is_relative_to(data_directory().resolve() / "Assets"):
         return f"{absolute.name}{mark}{name}"
-    return f"{os.path.relpath(absolute, folder.resolve())}{mark}{name}"
+    way = os.path.relpath(absolute, file.parent.resolve()) if file else absolute
+    return f"{way}{mark}{name}"
 
 
 def picture_file(plan, folder):

@@ -9,7 +9,6 @@
 
 import html
 import pathlib
-import tempfile
 import time
 import typing
 import warnings
@@ -23,8 +22,6 @@ from ..core.pipeline import perform, update
 from ..core.watching import Progress
 from ..core.words import counted
 from ..scenes.scene import has_instances
-from ..surveys.scanning import make_survey
-from ..surveys.survey import read_survey
 from . import files as plan_files
 from .document import check_assets, make_document
 from .settings import check_settings, fill_document, fill_filters
@@ -253,30 +250,7 @@ class Plan:
 
     def survey(self):
         """Returns the Survey that scans from the positions, one leg each."""
-        if self.task.has_scene_in_memory():
-            return self._make_survey()
-        with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
-            path = plan_files.survey_file(self, pathlib.Path(folder))
-            survey = read_survey(path, self.task.assets)
-        survey.path = None
-        return survey
-
-    def _make_survey(self):
-        """Returns the survey of a scene in memory."""
-        document = self.task.document
-        instrument = [0.0, 0.0, 0.0]
-        document.GetInstrument(instrument)
-        values = plan_files.leg_settings(document)
-        settings = {plan_files.LEG_SETTINGS[name]: value for name, value in values.items()}
-        return make_survey(
-            self.scene,
-            [tuple(position) for position in (self.positions - instrument).tolist()],
-            from_vtk(document.GetScannerReference()),
-            from_vtk(document.GetPlatformReference()),
-            self.name,
-            self.task.assets,
-            **settings,
-        )
+        return plan_files.plan_survey(self)
 
     def write(self, folder="output", overwrite=False, picture=False):
         """Writes the files of ``vtkhelios plan`` and returns their paths.

@@ -8,9 +8,12 @@
 
 import math
 import re
-from xml.sax.saxutils import quoteattr
 
+from ..core.classes import vtk_class
 from ..core.json_files import JsonError, parse_json
+from ..core.paths import text_from_vtk
+from ..core.pipeline import PipelineError
+from .items import change, paths_of, text_of
 
 __all__ = ["InstrumentError", "read_ouster"]
 
@@ -52,41 +55,43 @@ def read_ouster(path, id=None):
     start, place = facts.mount()
     product = str(facts.find("prod_line", "Ouster"))
     default = re.sub(r"\W+", "_", product.lower()).replace("os_", "os") + f"_{columns}x{turns}"
-    beams = "\n".join(
-        f'      <beam elevation_deg="{altitude!r}" azimuth_deg="{-azimuth!r}" '
-        f'originOffset_m="{offset!r}" originHeight_m="{height!r}" firingTime_s="0"/>'
-        for altitude, azimuth in zip(altitudes, azimuths)
-    )
-    return _DOCUMENT.format(
-        id=quoteattr(id or default),
-        name=quoteattr(f"Ouster {product} {facts.find('prod_sn', '')}".strip()),
-        mode=f"{columns}x{turns}",
-        pulses=columns * turns * len(altitudes),
-        turns=turns,
-        start=repr(start),
-        x=repr(place[0]),
-        y=repr(place[1]),
-        z=repr(place[2]),
-        beams=beams,
-    )
+    beam = {"originOffset_m": offset, "originHeight_m": height, "firingTime_s": 0}
+    values = {
+        "name": f"Ouster {product} {facts.find('prod_sn', '')}".strip(),
+        "optics": "spinning",
+        "spin": "clockwise",
+        "spinStart_deg": start,
+        "pulseFreqs_Hz": columns * turns * len(altitudes),
+        "scanFreqMin_Hz": turns,
+        "scanFreqMax_Hz": turns,
+        "beamOrigin": dict(zip("xyz", place)),
+        "beams": {
+            "beam": [
+                {"elevation_deg": altitude, "azimuth_deg": -azimuth, **beam}
+                for altitude, azimuth in zip(altitudes, azimuths)
+            ]
+        },
+    }
+    try:
+        return scanner_text(id or default, values, _COMMENT.format(mode=f"{columns}x{turns}"))
+    except PipelineError as error:
+        facts.fail(error)
 
 
-_DOCUMENT = """\
-<?xml version="1.0" encoding="UTF-8"?>
-<!--
+def scanner_text(id, values, comment):
+    """Returns the text of a file with one scanner; values are those of Docs/dialect.md, see
+    Parts.append()."""
+    survey = vtk_class("vtkHeliosSurvey")()
+    scanner = change(survey, "AddScanner", id)
+    for path, value in paths_of(values):
+        change(survey, "SetScannerAttribute", scanner, path, text_of(value))
+    return text_from_vtk(survey.MakeFileText("scanner", scanner, comment, ""))
+
+
+_COMMENT = """
   From the metadata of the sensor: beams, their origins, rates. Not in the metadata, and to be added
   from the data sheet: wavelength_nm, beamDivergence_rad, pulseLength_ns, accuracy_m, rangeMin_m,
   rangeMax_m, maxNOR. Mode {mode}.
--->
-<document>
-  <scanner id={id} name={name} optics="spinning" spin="clockwise" spinStart_deg="{start}"
-           pulseFreqs_Hz="{pulses}" scanFreqMin_Hz="{turns}" scanFreqMax_Hz="{turns}">
-    <beamOrigin x="{x}" y="{y}" z="{z}"/>
-    <beams>
-{beams}
-    </beams>
-  </scanner>
-</document>
 """
 
 

@@ -302,7 +302,7 @@ std::string DescribeRange(const XmlElementRule& rule, const XmlValueRule& value)
 
 const char* NameUse(XmlUse use)
 {
-  return use == XmlUse::Used ? "yes" : use == XmlUse::Ignored ? "no" : "no, warns";
+  return use == XmlUse::Used ? "yes" : use == XmlUse::NotModelled ? "no, warns" : "no";
 }
 
 /// Returns "`a`, `b`".

@@ -51,11 +51,11 @@ void VisitFiles(pugi::xml_node node,
 
 fs::path GetFolder(const std::string& file)
 {
-  return fs::absolute(file).lexically_normal().parent_path();
+  return fs::absolute(fs::path(file).parent_path() / ".").lexically_normal();
 }
 
 /// Returns a document as an XML file has it.
-std::string MakeText(pugi::xml_document& document)
+std::string MakeXmlText(pugi::xml_document& document)
 {
   for (pugi::xml_node node = document.first_child(); node;)
   {
@@ -68,6 +68,15 @@ std::string MakeText(pugi::xml_document& document)
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
   return ToXmlText(document);
+}
+
+/// Makes the text of a document as a file of this name has it.
+Status MakeText(pugi::xml_document& document, const std::string& fileName, std::string& text)
+{
+  const bool isYaml = IsYaml(fileName);
+  const Status status = isYaml ? MakeYaml(document, text) : Status();
+  text = isYaml ? text : MakeXmlText(document);
+  return status.IsOk() ? status : Status::Error(fileName + ": not written: " + status.Message());
 }
 
 /// The file part of a value, and what follows it: #id, or a pattern.
@@ -216,11 +225,8 @@ pugi::xml_node SurveyDocument::CopyHere(const XmlElement& element)
 Status WriteTree(pugi::xml_document& document, const std::string& fileName)
 {
   std::string text;
-  if (const Status status = IsYaml(fileName) ? MakeYaml(document, text) : Status(); !status.IsOk())
-  {
-    return Status::Error(fileName + ": not written: " + status.Message());
-  }
-  return WriteWhole(fileName, IsYaml(fileName) ? text : MakeText(document));
+  const Status status = MakeText(document, fileName, text);
+  return status.IsOk() ? WriteWhole(fileName, text) : status;
 }
 
 //------------------------------------------------------------------------------
@@ -251,13 +257,22 @@ Status SurveyDocument::Write(const std::string& fileName)
 }
 
 //------------------------------------------------------------------------------
-Status SurveyDocument::WriteScene(const std::string& fileName, const std::string& comment) const
+std::string SurveyDocument::MakeFileText(
+  const SurveyPlace& place, const std::string& comment, const std::string& fileName)
 {
+  this->Log.Restart(this->Owner);
+  const Found found = this->Find(place);
   pugi::xml_document document;
   document.append_child(pugi::node_comment).set_value(comment.c_str());
-  document.append_child("document").append_copy(this->Elements.Scene.GetNode());
+  document.append_child("document").append_copy(found.Element.GetNode());
   ReferToFiles(document, GetFolder(fileName).string(), this->Files);
-  return WriteTree(document, fileName);
+  std::string text;
+  const Status status = found ? MakeText(document, fileName, text) : Status();
+  if (!status.IsOk())
+  {
+    this->Log.Error(status.Message());
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------

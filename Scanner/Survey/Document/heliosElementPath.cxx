@@ -45,6 +45,11 @@ void SetText(pugi::xml_node node, const char* name, const std::string& text)
   attribute.set_value(text.c_str());
 }
 
+bool IsSettable(const XmlValueRule* value)
+{
+  return value && (value->Use == XmlUse::Used || value->Use == XmlUse::Listed);
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -175,7 +180,7 @@ std::vector<ElementPath::Step> ElementPath::Split(const std::string& path)
 bool ElementPath::Knows(const XmlElementRule& rule, const std::string& name)
 {
   const XmlValueRule* value = rule.FindValue(name);
-  return (value && value->Use == XmlUse::Used) || FindXmlKin(rule, name).Rule;
+  return IsSettable(value) || FindXmlKin(rule, name).Rule;
 }
 
 //------------------------------------------------------------------------------
@@ -198,8 +203,8 @@ bool ElementPath::Follow(bool adds, Messages& log)
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const XmlValueRule* value = this->Rule->FindValue(steps[i].Name);
-    const bool isLast = i + 1 == steps.size() && value && value->Use == XmlUse::Used &&
-      !FindXmlKin(*this->Rule, steps[i].Name).Rule;
+    const bool isLast =
+      i + 1 == steps.size() && IsSettable(value) && !FindXmlKin(*this->Rule, steps[i].Name).Rule;
     this->Last = isLast ? value : nullptr;
     if (!this->Last && !this->Enter(steps[i], adds, log))
     {

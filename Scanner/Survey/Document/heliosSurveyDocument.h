@@ -137,12 +137,16 @@ public:
 
   ///@{
   /// Copies a scene into the document, file.xml#id or the first one of a file. Get or set its element as
-  /// text, with whole paths of files; empty: none. Write it to a file of its own.
+  /// text, with whole paths of files; empty: none.
   bool UseScene(const std::string& reference);
   std::string GetSceneText() const;
   void SetSceneText(const std::string& text);
-  Status WriteScene(const std::string& fileName, const std::string& comment) const;
   ///@}
+
+  /// Returns the text of a file with the scene, a scanner or a platform alone, and a comment; files are
+  /// named from its folder. Empty after an error.
+  std::string MakeFileText(
+    const SurveyPlace& place, const std::string& comment, const std::string& fileName);
 
   /// The names of all attributes of an item that have one value.
   static std::vector<std::string> ListAttributes(SurveyItem item);

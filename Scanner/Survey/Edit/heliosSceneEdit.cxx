@@ -3,6 +3,7 @@
 #include "heliosSceneEdit.h"
 
 #include "heliosMessages.h"
+#include "heliosPartFile.h"
 #include "heliosSceneBuilder.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyDocument.h"
@@ -226,8 +227,9 @@ void SceneEdit::SetText(const std::string& text)
 //------------------------------------------------------------------------------
 Status SceneEdit::Save(const std::string& fileName) const
 {
-  return this->Inside->Document.WriteScene(
-    fileName, " A scene changed by hand, written by vtkHelios. ");
+  const char* comment = " A scene changed by hand, written by vtkHelios. ";
+  return WriteWhole(
+    fileName, this->Inside->Document.MakeFileText({ SurveyItem::Scene }, comment, fileName));
 }
 
 } // namespace helios

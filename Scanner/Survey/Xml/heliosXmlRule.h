@@ -43,6 +43,7 @@ enum class XmlFile
 enum class XmlUse
 {
   Used,
+  Listed,     // for lists of instruments only
   Ignored,    // irrelevant for a simulation: a title, a colour
   NotModelled // part of the dialect, causes one warning
 };
@@ -96,6 +97,7 @@ struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
   XmlValueRule In(const char* unit, const XmlRange& range) const;
   XmlValueRule Default(const char* text) const;
   XmlValueRule Required() const;
+  XmlValueRule Listed() const;
   XmlValueRule Ignored() const;
   XmlValueRule Later() const; ///< not modelled yet
   XmlValueRule Meaning(const int* values) const;

@@ -101,6 +101,12 @@ XmlValueRule XmlValueRule::Required() const
 }
 
 //------------------------------------------------------------------------------
+XmlValueRule XmlValueRule::Listed() const
+{
+  return Change(*this, &XmlValueRule::Use, XmlUse::Listed);
+}
+
+//------------------------------------------------------------------------------
 XmlValueRule XmlValueRule::Ignored() const
 {
   return Change(*this, &XmlValueRule::Use, XmlUse::Ignored);

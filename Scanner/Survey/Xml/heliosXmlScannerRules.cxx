@@ -99,9 +99,9 @@ std::vector<XmlValueRule> MakeScannerValues()
 std::vector<XmlValueRule> MakeInstrumentValues()
 {
   std::vector<XmlValueRule> values = MakeScannerValues();
-  values.push_back(Text("maker", "for the list of vtkhelios info --scanners").Ignored());
+  values.push_back(Text("maker", "for the list of vtkhelios info --scanners").Listed());
   values.push_back(
-    Text("use", "terrestrial, mobile, unmanned or airborne, for the same list").Ignored());
+    Text("use", "terrestrial, mobile, unmanned or airborne, for the same list").Listed());
   return values;
 }
 
@@ -148,9 +148,9 @@ std::vector<XmlElementRule> MakeScannerRules()
 
   { "source", "the source of some numbers",
     {
-      Text("kind", "checked: read in the public copy that is named; sheet: on the data sheet; derived: by the sum that is given; assumed").Ignored(),
-      Text("of", "the attributes and elements with these numbers, with blanks between them; without it all").Ignored(),
-      Text("note", "the document and its year, the sum, or the reason").Ignored(),
+      Text("kind", "checked: read in the public copy that is named; sheet: on the data sheet; derived: by the sum that is given; assumed").Listed(),
+      Text("of", "the attributes and elements with these numbers, with blanks between them; without it all").Listed(),
+      Text("note", "the document and its year, the sum, or the reason").Listed(),
     },
     {} },
 

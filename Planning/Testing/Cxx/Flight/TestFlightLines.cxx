@@ -157,6 +157,12 @@ TEST_CASE("FlightLines: the heading is the fastest", "[FlightLines]")
   CHECK(best.Filter->GetFlightTime() <= least * 1.001);
 }
 
+TEST_CASE("FlightLines: the radius of a level turn", "[FlightLines]")
+{
+  CHECK(vtkHeliosFlightLines::ComputeTurnRadius(60.0, 45.0) == Approx(3600.0 / 9.80665));
+  CHECK(vtkHeliosFlightLines::ComputeTurnRadius(30.0, 20.0) == Approx(252.148).margin(1e-3));
+}
+
 TEST_CASE("FlightLines: errors", "[FlightLines]")
 {
   Flight flight(MakeRectangle(100, 100));

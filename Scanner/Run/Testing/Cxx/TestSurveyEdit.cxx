@@ -6,6 +6,7 @@
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosSurveyDocument.h"
+#include "heliosSurveyEquality.h"
 #include "heliosSurveyFiles.h"
 #include "heliosSurveyXml.h"
 #include "heliosXmlValue.h"
@@ -19,6 +20,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -249,6 +251,92 @@ TEST_CASE("SurveyEdit: an unchanged survey is written unchanged", "[SurveyEdit]"
   CHECK(second.Data().Seed == 9);
   CHECK(before->GetNumberOfPoints() > 1000);
   CHECK(IsSame(before, Run(second.Reader->GetSurvey())));
+}
+
+TEST_CASE("SurveyEdit: what is not edited of a survey is saved with it", "[SurveyEdit]")
+{
+  const Files files;
+  const Reading first(files, std::string(Tripod) + " rayCaster=\"embree\"",
+    std::string(OneLeg) + R"(<FWFSettings binSize_ns="0.1"/>)");
+  REQUIRE(first.Good);
+  Hand hand(files);
+  CHECK(EditSurvey(first.Data(), hand.Edit).empty());
+  MoveLeg(hand.Edit, 0, { 3.0, 4.0, 0.0 }, false);
+  const Files other;
+  REQUIRE(SaveSurvey(hand.Edit, other / "survey.xml", {}, hand.Log).IsOk());
+  const Reading second(other);
+  REQUIRE(second.Good);
+  CHECK(second.Data().RayCaster == "embree");
+  CHECK(second.Data().Scanners[0].Receiver.BinSize == 0.1);
+  CHECK(second.Data().Legs[0].Position == Vec3(3.0, 4.0, 0.0));
+}
+
+namespace
+{
+
+/// Saves a survey that was not edited; returns what differs then.
+std::string FindSaved(
+  const SurveyData& survey, const SurveyEdit& edit, const std::vector<std::string>& assets)
+{
+  const Files other;
+  vtkNew<vtkHeliosSurvey> owner;
+  Messages log(owner);
+  const std::string file = other / "saved.xml";
+  const Status status = SaveSurvey(edit, file, assets, log);
+  INFO(status.Message());
+  REQUIRE(status.IsOk());
+  SurveyDocument document(nullptr);
+  document.SetAssetDirectories(assets);
+  document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
+  REQUIRE(document.Load(file));
+  std::istringstream all(FindDifferences(survey, document.Resolve(nullptr)));
+  std::string differences;
+  for (std::string line; std::getline(all, line);) // settings are resolved, as legs are
+  {
+    differences += line.compare(0, 15, "survey.Settings") == 0 ? "" : line + "\n";
+  }
+  return differences;
+}
+
+} // namespace
+
+TEST_CASE(
+  "SurveyEdit: surveys of the tree and of HELIOS_SURVEYS are saved as they are", "[SurveyEdit]")
+{
+  const std::string root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
+  const Files files;
+  files.Replace("scene.xml", "id=\"s\"", "id=\"village\"");
+  std::filesystem::rename(files / "scene.xml", files / "village_scene.xml");
+  std::vector<std::string> assets = { files / "", root + "/Data/Assets", root + "/Data" };
+  std::vector<std::string> folders = { root + "/Data/Surveys" };
+  if (const char* more = std::getenv("HELIOS_SURVEYS"))
+  {
+    assets.emplace_back(more);
+    folders.emplace_back(more);
+  }
+  int count = 0;
+  for (const std::string& folder : folders)
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+      SurveyDocument document(nullptr);
+      document.SetAssetDirectories(assets);
+      document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
+      if (entry.path().extension() != ".xml" || !document.Load(entry.path().string()))
+      {
+        continue;
+      }
+      const SurveyData survey = document.Resolve(nullptr);
+      SurveyEdit edit;
+      if (!document.HasError() && EditSurvey(survey, edit).empty())
+      {
+        INFO(entry.path());
+        CHECK(FindSaved(survey, edit, assets) == "");
+        ++count;
+      }
+    }
+  }
+  CHECK(count >= 3);
 }
 
 TEST_CASE("SurveyEdit: an invalid survey is not written, with the reason", "[SurveyEdit]")

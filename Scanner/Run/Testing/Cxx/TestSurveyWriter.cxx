@@ -4,6 +4,7 @@
 #include "vtkHeliosSurveyWriter.h"
 
 #include "heliosSceneCrs.h"
+#include "heliosSurveyEquality.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosFlightArrayNames.h"
@@ -284,6 +285,39 @@ TEST_CASE("SurveyWriter: coordinate systems", "[SurveyWriter]")
     CHECK(Reading(files).Data().Scene.Crs == "EPSG:32632");
     CHECK(Reading(files).Data().Legs[0].Crs.empty());
   }
+}
+
+TEST_CASE("SurveyWriter: a survey is made as it is written, without a file", "[SurveyWriter]")
+{
+  const Files files;
+  const bool isMoving = GENERATE(false, true);
+  Writing writing(files, Two);
+  if (isMoving)
+  {
+    writing.Writer->SetPlatform("assets.xml#plane");
+    writing.Writer->SetInputData(MakeWaypoints(60.0));
+  }
+  REQUIRE(writing.Writer->Write());
+  const Reading written(files);
+  REQUIRE(written.Good);
+  writing.Writer->SetFileName(nullptr);
+  writing.Writer->SetScene((files / "scene.xml#s").c_str());
+  writing.Writer->SetSurveyName("survey");
+  writing.Writer->AddAssetDirectory((files / "").c_str());
+  vtkNew<vtkHeliosSurvey> made;
+  REQUIRE(writing.Writer->BuildSurvey(made));
+  CHECK(FindDifferences(written.Data(), made->GetData()) == "");
+  CHECK(made->Check());
+  writing.Writer->SetScene(nullptr); // an input of the run
+  REQUIRE(writing.Writer->BuildSurvey(made));
+  CHECK(made->GetNumberOfParts() == 0);
+  CHECK(made->GetNumberOfLegs() == (isMoving ? 4 : 2));
+  writing.Writer->SetScanner("assets.xml#none");
+  CHECK_FALSE(writing.Writer->BuildSurvey(made));
+  CHECK(writing.Log->HasError("survey: not written: the survey could not be run"));
+  writing.Writer->SetScanner(nullptr);
+  CHECK_FALSE(writing.Writer->BuildSurvey(made));
+  CHECK(writing.Log->HasError("Scanner is not set; give the scanner"));
 }
 
 TEST_CASE("SurveyWriter: a file is replaced only after success", "[SurveyWriter]")

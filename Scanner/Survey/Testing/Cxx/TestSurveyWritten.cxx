@@ -195,6 +195,81 @@ TEST_CASE("SurveyWritten: surveys made by methods", "[SurveyWritten]")
   CHECK(log->HasError("plane.obj"));
 }
 
+TEST_CASE("SurveyWritten: a scanner and a scene are files of their own", "[SurveyWritten]")
+{
+  const Files files;
+  vtkNew<vtkHeliosSurvey> survey;
+  const auto log = Observe(survey);
+  survey->AddAssetDirectory(files / "");
+  CHECK(survey->AddScanner("own") == 0);
+  CHECK(survey->SetScannerAttribute(0, "name", "a & b"));
+  CHECK(survey->SetScannerAttribute(0, "use", "airborne"));
+  CHECK(survey->SetScannerAttribute(0, "sources/source[0]/kind", "derived"));
+  CHECK(survey->SetScannerAttribute(0, "sources/source[1]/note", "by hand"));
+  CHECK(survey->SetScannerAttribute(0, "beams/beam[0]/elevation_deg", "3"));
+  CHECK(survey->GetScannerAttribute(0, "sources/source[1]/note") == "by hand");
+  CHECK(survey->MakeFileText("scanner", 0, " mine ", "") ==
+    R"(<?xml version="1.0" encoding="UTF-8"?>
+<!-- mine -->
+<document>
+  <scanner id="own" optics="rotating" name="a &amp; b" use="airborne">
+    <sources>
+      <source kind="derived" />
+      <source note="by hand" />
+    </sources>
+    <beams>
+      <beam elevation_deg="3" />
+    </beams>
+  </scanner>
+</document>
+)");
+  CHECK(survey->AddPart("objloader", "plane.obj") == 0);
+  CHECK_THAT(survey->MakeFileText("scene", 0, "", files / "new.xml"),
+    Catch::Contains(R"(value="plane.obj")"));
+  CHECK(survey->MakeFileText("scanner", 1, "", "").empty());
+  CHECK(log->HasError("scanner 1 does not exist; there are 1, counted from 0"));
+  CHECK(survey->MakeFileText("detector", 0, "", "").empty());
+}
+
+TEST_CASE("SurveyWritten: what is named need not exist yet", "[SurveyWritten]")
+{
+  const Files files;
+  vtkNew<vtkHeliosSurvey> survey;
+  survey->AddAssetDirectory(files / "");
+  survey->SetSources("later.xml#s", "assets.xml#tripod", "assets.xml#tls");
+  REQUIRE(survey->WriteFile(files / "new.xml"));
+  CHECK_THAT(ReadText(files / "new.xml"), Catch::Contains(R"(scene="later.xml#s")"));
+  CHECK_FALSE(survey->Check());
+  survey->SetSources(files / "plane.obj", "", "");
+  CHECK(survey->GetNumberOfParts() == 1);
+  CHECK(survey->GetNumberOfScanners() == 1);
+  CHECK(survey->AddLeg() == 0);
+  CHECK(survey->SetLegAttribute(0, "scanFreq_hz", "50"));
+  CHECK(survey->SetLegAttribute(0, "headRotatePerSec_deg", "10"));
+  CHECK(survey->SetLegAttribute(0, "headRotateStop_deg", "10"));
+  CHECK(survey->Check());
+  REQUIRE(survey->WriteFile(files / "new.xml"));
+  CHECK_THAT(ReadText(files / "new.xml"),
+    Catch::Contains(R"(value="plane.obj")") && Catch::Contains(R"(scene="scene")"));
+}
+
+TEST_CASE("SurveyWritten: names are as given in the same folder", "[SurveyWritten]")
+{
+  const Files files;
+  files.Write("below/survey.xml",
+    std::string(
+      "<document><survey name=\"n\" scene=\"../scene.xml#s\" platform=\"../assets.xml#tripod\" "
+      "scanner=\"../assets.xml#tls\">") +
+      OneLeg + "</survey></document>");
+  vtkNew<vtkHeliosSurveyReader> reader;
+  reader->SetFileName((files / "below/survey.xml").c_str());
+  REQUIRE(reader->Read());
+  REQUIRE(reader->GetSurvey()->WriteFile(files / "below/new.xml"));
+  CHECK_THAT(ReadText(files / "below/new.xml"), Catch::Contains(R"(scene="../scene.xml#s")"));
+  REQUIRE(reader->GetSurvey()->WriteFile(files / "new.xml"));
+  CHECK_THAT(ReadText(files / "new.xml"), Catch::Contains(R"(scene="scene.xml#s")"));
+}
+
 TEST_CASE("SurveyWritten: surveys of the tree and of HELIOS_SURVEYS", "[SurveyWritten]")
 {
   const std::vector<std::string> assets = { Root + "/Data/Assets", Root + "/Data" };
