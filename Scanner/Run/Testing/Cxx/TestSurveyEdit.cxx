@@ -274,6 +274,20 @@ TEST_CASE("SurveyEdit: what is not edited of a survey is saved with it", "[Surve
 namespace
 {
 
+/// Reads a survey; null after an error.
+vtkSmartPointer<vtkHeliosSurvey> Read(
+  const std::string& file, const std::vector<std::string>& assets)
+{
+  vtkNew<vtkHeliosSurveyReader> reader;
+  const auto log = Observe(reader);
+  reader->SetFileName(file.c_str());
+  for (const std::string& folder : assets)
+  {
+    reader->AddAssetDirectory(folder.c_str());
+  }
+  return reader->Read() ? reader->GetSurvey() : nullptr;
+}
+
 /// Saves a survey that was not edited; returns what differs then.
 std::string FindSaved(
   const SurveyData& survey, const SurveyEdit& edit, const std::vector<std::string>& assets)
@@ -281,15 +295,12 @@ std::string FindSaved(
   const Files other;
   vtkNew<vtkHeliosSurvey> owner;
   Messages log(owner);
-  const std::string file = other / "saved.xml";
-  const Status status = SaveSurvey(edit, file, assets, log);
+  const Status status = SaveSurvey(edit, other / "saved.xml", assets, log);
   INFO(status.Message());
   REQUIRE(status.IsOk());
-  SurveyDocument document(nullptr);
-  document.SetAssetDirectories(assets);
-  document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
-  REQUIRE(document.Load(file));
-  std::istringstream all(FindDifferences(survey, document.Resolve(nullptr)));
+  const auto saved = Read(other / "saved.xml", assets);
+  REQUIRE(saved);
+  std::istringstream all(FindDifferences(survey, saved->GetData()));
   std::string differences;
   for (std::string line; std::getline(all, line);) // settings are resolved, as legs are
   {
@@ -319,19 +330,13 @@ TEST_CASE(
   {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
     {
-      SurveyDocument document(nullptr);
-      document.SetAssetDirectories(assets);
-      document.SetNeeds(AssetNeed::Required, AssetNeed::Required);
-      if (entry.path().extension() != ".xml" || !document.Load(entry.path().string()))
-      {
-        continue;
-      }
-      const SurveyData survey = document.Resolve(nullptr);
+      const bool isXml = entry.path().extension() == ".xml";
+      const auto survey = isXml ? Read(entry.path().string(), assets) : nullptr;
       SurveyEdit edit;
-      if (!document.HasError() && EditSurvey(survey, edit).empty())
+      if (survey && EditSurvey(survey->GetData(), edit).empty())
       {
         INFO(entry.path());
-        CHECK(FindSaved(survey, edit, assets) == "");
+        CHECK(FindSaved(survey->GetData(), edit, assets) == "");
         ++count;
       }
     }
