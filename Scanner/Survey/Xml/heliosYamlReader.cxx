@@ -339,9 +339,13 @@ void YamlReader::ReadEntry(
   const XmlElementRule* rule = element.Rule;
   const XmlKin kin = rule ? FindXmlKin(*rule, name) : XmlKin();
   const XmlValueRule* own = rule && !kin.Rule ? rule->FindValue(name) : nullptr;
-  if (value.type == YAML_SEQUENCE_NODE)
+  if (name == YamlChildren)
   {
-    name == YamlChildren ? this->ReadChildren(element, value) : this->ReadList(element, key, value);
+    this->ReadChildren(element, value);
+  }
+  else if (value.type == YAML_SEQUENCE_NODE)
+  {
+    this->ReadList(element, key, value);
   }
   else if (value.type == YAML_SCALAR_NODE && !IsNull(value))
   {
@@ -414,6 +418,12 @@ void YamlReader::ReadList(const Element& element, const yaml_node_t& key, const 
 /// Reads elements of several names, in their order.
 void YamlReader::ReadChildren(const Element& element, const yaml_node_t& list)
 {
+  if (list.type != YAML_SEQUENCE_NODE)
+  {
+    this->Error(list.start_mark.line, std::string(YamlChildren) + " of <" + element.Node.name() +
+      "> is not a list; give elements in their order, as in - leg: {...}");
+    return;
+  }
   const auto& items = list.data.sequence.items;
   for (const yaml_node_item_t* item = items.start; item != items.top && !this->IsRefused; ++item)
   {

@@ -178,7 +178,7 @@ Entry MakeEntry(pugi::xml_node node, const XmlElementRule* parent)
   if (filter && IsUsualFilter(node))
   {
     entry.Rule = filter;
-    entry.Key = GetFilterType(type);
+    entry.Key = type;
   }
   else if (parent && IsFilterRule(*parent))
   {
@@ -260,8 +260,7 @@ void YamlWriter::ListChild(
   const bool isElement = child.type() == pugi::node_element;
   if (!isElement)
   {
-    const bool isText = child.type() != pugi::node_pi && !SplitComment(child.value()).empty();
-    isText ? content.Comments.push_back(child.value()) : void();
+    child.type() == pugi::node_pi ? void() : content.Comments.push_back(child.value());
     return;
   }
   Entry entry = MakeEntry(child, rule);
@@ -365,8 +364,10 @@ void YamlWriter::AddComments(const std::vector<std::string>& comments, std::size
 {
   for (std::size_t i = 0; i < comments.size(); ++i)
   {
+    const std::vector<std::string> lines = SplitComment(comments[i]);
     this->Text += i > 0 ? "\n" : "";
-    for (const std::string& line : SplitComment(comments[i]))
+    this->Text += lines.empty() ? std::string(indent, ' ') + "#\n" : std::string();
+    for (const std::string& line : lines)
     {
       this->Text += std::string(indent, ' ') + (line.empty() ? "#" : "# ") + Escape(line, "") + "\n";
     }

@@ -3,6 +3,7 @@
 """XML of surveys, scenes, assets and planners, and the texts in their attributes."""
 
 import contextlib
+import re
 import time
 import xml.sax.saxutils
 
@@ -12,7 +13,7 @@ import vtkhelios
 
 from . import small_files
 from .outcomes import check, check_finite, check_polydata
-from .target import Seed, Target, command_line, pick
+from .target import Refused, Seed, Target, command_line, pick
 from .targets_points import parse_strict
 
 LONGEST_RUN = 1.0  # [s]: a survey may take hours, so it is interrupted like by a user
@@ -102,6 +103,45 @@ class Survey(Target):
 
     def run(self, path, data):
         run_in_memory(self.survey_of(path, data))
+
+
+class Yaml(Survey):
+    """Surveys and scenes in YAML; accepted ones are written as YAML, read again, and run."""
+
+    name = "survey-yaml"
+    kind = "json"
+
+    def make_seeds(self, folder):
+        seeds = []
+        for seed in xml_seeds([*small_files.SURVEYS, "scene.xml", "assets.xml"]):
+            (folder / seed.name).write_bytes(seed.data)
+            path = (folder / seed.name).with_suffix(".yaml")
+            vtkhelios.core.reading.convert(folder / seed.name, path)
+            data = path.read_bytes().replace(b"scene.xml#", b"scene.yaml#")
+            data = data.replace(b"assets.xml#", b"assets.yaml#")
+            seeds.append(Seed(path.name, data, seed.beside))
+        for seed in seeds:
+            seed.beside.update({other.name: other.data for other in seeds if other is not seed})
+        return seeds
+
+    def survey_of(self, path, data):
+        surveys = [name.replace(".xml", ".yaml") for name in small_files.SURVEYS]
+        return path if path.name in surveys else path.with_name(pick(data, surveys))
+
+    def run(self, path, data):
+        try:
+            text = vtkhelios.core.reading.read_xml(path)
+        except ValueError as error:
+            raise Refused(str(error)) from error
+        again = path.with_name("again.yaml")
+        vtkhelios.core.reading.write_xml(again, text)
+        check(_without_form(vtkhelios.core.reading.read_xml(again)) == _without_form(text), "another survey")
+        run_in_memory(self.survey_of(path, data))
+
+
+def _without_form(xml):
+    """XML without comments, line ends, and the types of parameters, which follow from their keys."""
+    return re.sub(rb'(?s)<!--.*?-->|\n *|(?<=<param) type="[a-z0-9]*"', b"", xml)
 
 
 class RunFiles(Survey):
@@ -249,5 +289,5 @@ class Patterns(AttributeText):
 
 def make_targets():
     return [
-        Validate(), Survey(), RunFiles(), DryRun(), Planner(), Expressions(), Patterns(),
+        Validate(), Survey(), Yaml(), RunFiles(), DryRun(), Planner(), Expressions(), Patterns(),
     ]  # fmt: skip

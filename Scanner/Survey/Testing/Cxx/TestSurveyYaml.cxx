@@ -294,6 +294,7 @@ TEST_CASE("SurveyYaml: errors name the line and the cure", "[SurveyYaml]")
     { "survey:\n  children:\n  - leg: {}\n    scan: {}\n",
       ":3: children of <survey> are elements; give the name of each and its keys, as in - leg" },
     { deep, ":1: elements are nested more than 64 times" },
+    { "survey:\n  children: 5\n", ":2: children of <survey> is not a list; give elements in their" },
     { "a: &a {b: *a}", ":1: elements are nested more than 64 times, or an alias is inside of what" },
     { bomb, ": aliases repeat more than " },
     { Head + "\n  nmae: b" + Legs, ":6: attribute nmae of <survey> is unknown; did you mean name?" },
