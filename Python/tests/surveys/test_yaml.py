@@ -77,24 +77,19 @@ def plain(values):
 
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
 def test_another_parser_reads_the_same(path, tmp_path):
-    convert(path, tmp_path / "a.yaml")
+    write_xml(tmp_path / "a.yaml", path.read_bytes())
     text = (tmp_path / "a.yaml").read_text(encoding="utf-8")
     found = yaml.load(text, yaml.BaseLoader)  # all values as they are written
     wanted = ElementTree.parse(path).getroot()
-    for survey in wanted.findall("survey")[:1]:
-        survey.attrib.setdefault("name", path.stem)
     for element in wanted.iter("filter"):
         for param in element.iter("param"):
             param.attrib.pop("type", None)
-    if "pulse.yaml" not in path.name:
-        assert plain(list_yaml(found)) == plain(list_xml(wanted))
+    assert plain(list_yaml(found)) == plain(list_xml(wanted))
     # Words and numbers of texts are texts for a parser that guesses types, too.
     typed = yaml.safe_load(text)
     assert str(typed.get("survey", {}).get("name", "")) == found.get("survey", {}).get("name", "")
-    (tmp_path / "more").mkdir()
-    write_xml(tmp_path / "more/a.xml", read_xml(tmp_path / "a.yaml"))
-    convert(tmp_path / "more/a.xml", tmp_path / "more/a.yaml")
-    assert (tmp_path / "more/a.yaml").read_text(encoding="utf-8") == text
+    write_xml(tmp_path / "b.yaml", read_xml(tmp_path / "a.yaml"))
+    assert (tmp_path / "b.yaml").read_text(encoding="utf-8") == text
 
 
 def digests(folder):
@@ -106,7 +101,7 @@ def digests(folder):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_examples_are_the_same_surveys(kind, tmp_path):
-    write_example(tmp_path / "a", kind)
+    write_example(kind, tmp_path / "a")
     shutil.copytree(tmp_path / "a", tmp_path / "b")
     for path in (tmp_path / "b").glob("*.xml"):
         text = path.read_text(encoding="utf-8")
@@ -227,8 +222,9 @@ def test_names_of_files_are_found_from_another_folder(make_survey):
 
 
 def test_python_writes_yaml(make_survey):
-    survey = vtkhelios.read_survey(make_survey())
+    path = make_survey()
+    survey = vtkhelios.read_survey(path)
     survey.legs[0].scan_frequency = 50
-    path = pathlib.Path(survey.vtk.GetFileName()).with_name("changed.yaml")
+    path = path.with_name("changed.yaml")
     survey.write(path)
     assert vtkhelios.read_survey(path).legs[0].scan_frequency == 50

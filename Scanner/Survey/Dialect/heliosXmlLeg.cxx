@@ -50,7 +50,8 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
   {
     trajectory.Where = element.Where();
     trajectory.File = this->Files.Trajectories != AssetNeed::Replaced
-      ? this->Files.FindFile({ "trajectory", file, element.Where("trajectory") }, element.GetDocument())
+      ? this->Files.FindFile(
+          { "trajectory", file, element.Where("trajectory") }, element.GetDocument())
       : this->Files.FindPath(file, element.GetDocument());
   }
 }
@@ -77,8 +78,8 @@ XmlElement LegReader::FindTemplate(const XmlElement& element, int depth)
   {
     return this->Files.FindElement(element.GetTag().c_str(), element, "template");
   }
-  element.GetMessages().Error(element.Where("template") + ": template=\"" + element.GetText("template") +
-    "\" refers back to itself; remove the template of the last one");
+  element.GetMessages().Error(element.Where("template") + ": template=\"" +
+    element.GetText("template") + "\" refers back to itself; remove the template of the last one");
   return {};
 }
 

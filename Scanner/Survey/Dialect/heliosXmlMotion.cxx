@@ -54,8 +54,9 @@ const KindRow* FindKind(const XmlElement& element)
     names.emplace_back(row.Name);
   }
   const std::string nearest = FindNearestName(given, names);
-  element.GetMessages().Error(element.Where("type") + ": <motion> type=\"" + given + "\" is unknown; " +
-    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " + JoinChoices(names));
+  element.GetMessages().Error(element.Where("type") + ": <motion> type=\"" + given +
+    "\" is unknown; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " +
+    JoinChoices(names));
   return nullptr;
 }
 

@@ -30,9 +30,8 @@ void VisitFiles(pugi::xml_node node,
   const std::function<void(const XmlValueRule& rule, pugi::xml_attribute attribute)>& visit)
 {
   const bool isParameter = std::strcmp(node.name(), "param") == 0;
-  const XmlElementRule* rule = isParameter
-    ? FindFilterRule(node.parent().attribute("type").value())
-    : FindXmlRule(node.name());
+  const XmlElementRule* rule = isParameter ? FindFilterRule(node.parent().attribute("type").value())
+                                           : FindXmlRule(node.name());
   for (const pugi::xml_attribute attribute : node.attributes())
   {
     const bool isValue = isParameter && std::strcmp(attribute.name(), "value") == 0;

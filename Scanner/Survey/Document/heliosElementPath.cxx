@@ -251,8 +251,9 @@ std::string ElementPath::Get() const
   {
     return {};
   }
-  return !this->Last        ? "true"
-    : IsFilterRule(*this->Rule) ? FindParameter(this->Node, this->Last->Name).attribute("value").value()
+  return !this->Last ? "true"
+    : IsFilterRule(*this->Rule)
+    ? FindParameter(this->Node, this->Last->Name).attribute("value").value()
     : this->Node.attribute(this->Last->Name) ? this->Node.attribute(this->Last->Name).value()
                                              : this->Node.child_value(this->Last->Name);
 }

@@ -268,7 +268,8 @@ void XmlElement::WarnOfValue(const XmlElementRule& rule, const std::string& name
     return;
   }
   const std::string key = this->Document->GetPath() + " <" + rule.Name + " " + name + ">";
-  std::string text = this->Where(name.c_str()) + ": attribute " + name + " of <" + rule.Name + "> is ";
+  std::string text =
+    this->Where(name.c_str()) + ": attribute " + name + " of <" + rule.Name + "> is ";
   if (value)
   {
     text += "not used: this version does not model it";

@@ -82,8 +82,9 @@ private:
   std::vector<std::ptrdiff_t> LineEnds;
   std::vector<std::ptrdiff_t> Repeated; // elements after others with their name in a line, in order
   std::unordered_map<const void*, std::string> Places; // by their elements
-  std::unordered_map<const void*, std::pair<std::size_t, std::size_t>> Lines; // and columns, of YAML
-  bool IsMade = false;                                 // not from a file
+  std::unordered_map<const void*, std::pair<std::size_t, std::size_t>>
+    Lines;             // and columns, of YAML
+  bool IsMade = false; // not from a file
 };
 
 /// Returns whether a name is that of a file in YAML, by its ending.

@@ -26,17 +26,23 @@ namespace
 constexpr std::size_t AliasFactor = 10;
 constexpr std::size_t AliasFree = 100000;
 
+// What the library takes time for: it looks at all open brackets and all anchors again and again.
+constexpr int MaximumLevels = 4 * YamlDepth;
+constexpr int MaximumAnchors = 1000;
+
 /// The parser of the library, and the document that it has loaded.
 class YamlFile
 {
 public:
-  YamlFile()
+  explicit YamlFile(const std::string& text)
   {
     if (!yaml_parser_initialize(&this->Parser))
     {
       throw std::bad_alloc();
     }
     yaml_parser_set_encoding(&this->Parser, YAML_UTF8_ENCODING);
+    yaml_parser_set_input_string(
+      &this->Parser, reinterpret_cast<const unsigned char*>(text.data()), text.size());
   }
   ~YamlFile()
   {
@@ -53,8 +59,43 @@ public:
     return yaml_parser_load(&this->Parser, &this->Document) != 0;
   }
 
+  /// Parses what Load() does not; false after an error, or if it has too many levels or anchors.
+  bool ParseAll()
+  {
+    for (bool isEnd = false; !isEnd;)
+    {
+      yaml_event_t event;
+      if (!yaml_parser_parse(&this->Parser, &event))
+      {
+        return false;
+      }
+      const bool isMapping = event.type == YAML_MAPPING_START_EVENT;
+      const bool isList = event.type == YAML_SEQUENCE_START_EVENT;
+      const bool isText = event.type == YAML_SCALAR_EVENT;
+      const auto* anchor = isMapping ? event.data.mapping_start.anchor
+        : isList                     ? event.data.sequence_start.anchor
+        : isText                     ? event.data.scalar.anchor
+                                     : nullptr;
+      const bool isClosed =
+        event.type == YAML_MAPPING_END_EVENT || event.type == YAML_SEQUENCE_END_EVENT;
+      this->Levels += isMapping || isList ? 1 : isClosed ? -1 : 0;
+      this->Anchors += anchor ? 1 : 0;
+      this->Line = event.start_mark.line;
+      isEnd = event.type == YAML_STREAM_END_EVENT;
+      yaml_event_delete(&event);
+      if (this->Levels > MaximumLevels || this->Anchors > MaximumAnchors)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   yaml_parser_t Parser{};
   yaml_document_t Document{};
+  int Levels = 0;
+  int Anchors = 0;
+  std::size_t Line = 0; ///< of the last event
 };
 
 std::string GetText(const yaml_node_t& node)
@@ -125,7 +166,8 @@ private:
     const XmlElementRule* Rule; // null: unknown
   };
 
-  bool ReadFault();
+  bool CheckAll();
+  bool ReadFault(const yaml_parser_t& parser);
   void ReadMapping(const Element& element, const yaml_node_t& mapping);
   void ReadEntry(const Element& element, const yaml_node_t& key, const yaml_node_t& value);
   void ReadChildren(const Element& element, const yaml_node_t& list);
@@ -139,17 +181,14 @@ private:
   void Pass(const yaml_node_t& scalar);
   void SetLine(const void* object, const std::string& name, const yaml_mark_t& mark);
   void Error(std::size_t line, const std::string& text);
-  const yaml_node_t& Get(int index)
-  {
-    return *yaml_document_get_node(&this->File.Document, index);
-  }
+  const yaml_node_t& Get(int index) { return *yaml_document_get_node(&this->File.Document, index); }
 
   const std::string& Text;
   XmlDocument& Result;
   YamlFile File;
   std::vector<std::string> Lines;
-  std::size_t NextLine = 0; // the first one that was not read, for comments
-  std::vector<bool> Seen; // values, by their numbers
+  std::size_t NextLine = 0;    // the first one that was not read, for comments
+  std::vector<bool> Seen;      // values, by their numbers
   std::set<std::string> Names; // of elements in the last line
   std::size_t LastLine = 0;
   std::size_t Repeated = 0; // values that aliases repeat
@@ -162,6 +201,7 @@ private:
 YamlReader::YamlReader(const std::string& text, XmlDocument& document)
   : Text(text)
   , Result(document)
+  , File(text)
 {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);)
@@ -169,16 +209,43 @@ YamlReader::YamlReader(const std::string& text, XmlDocument& document)
     line.erase(line.find_last_not_of(" \t\r") + 1);
     this->Lines.push_back(line);
   }
-  yaml_parser_set_input_string(&this->File.Parser,
-    reinterpret_cast<const unsigned char*>(text.data()), text.size());
+}
+
+//------------------------------------------------------------------------------
+/// Checks the whole text, before a document is made of it.
+bool YamlReader::CheckAll()
+{
+  YamlFile all(this->Text);
+  if (all.ParseAll())
+  {
+    return true;
+  }
+  if (all.Levels > MaximumLevels)
+  {
+    this->Error(all.Line,
+      "elements are nested more than " + std::to_string(YamlDepth) + " times; nest fewer");
+    return false;
+  }
+  if (all.Anchors > MaximumAnchors)
+  {
+    this->Error(all.Line,
+      "there are more than " + std::to_string(MaximumAnchors) +
+        " anchors; give elements a template instead");
+    return false;
+  }
+  return this->ReadFault(all.Parser);
 }
 
 //------------------------------------------------------------------------------
 bool YamlReader::Read()
 {
+  if (!this->CheckAll())
+  {
+    return false;
+  }
   if (!this->File.Load())
   {
-    return this->ReadFault();
+    return this->ReadFault(this->File.Parser);
   }
   const yaml_node_t* root = yaml_document_get_root_node(&this->File.Document);
   if (!root || root->type != YAML_MAPPING_NODE || HasOwnTag(*root))
@@ -207,7 +274,7 @@ bool YamlReader::Read()
   }
   if (!this->File.Load())
   {
-    return this->ReadFault();
+    return this->ReadFault(this->File.Parser);
   }
   if (const yaml_node_t* second = yaml_document_get_root_node(&this->File.Document))
   {
@@ -218,9 +285,8 @@ bool YamlReader::Read()
 
 //------------------------------------------------------------------------------
 /// Reports what the parser did not understand. Always false.
-bool YamlReader::ReadFault()
+bool YamlReader::ReadFault(const yaml_parser_t& parser)
 {
-  const yaml_parser_t& parser = this->File.Parser;
   if (parser.error == YAML_MEMORY_ERROR)
   {
     throw std::bad_alloc();
@@ -228,8 +294,8 @@ bool YamlReader::ReadFault()
   const std::string problem = parser.problem ? parser.problem : "it is not valid";
   if (parser.error == YAML_READER_ERROR)
   {
-    const auto end =
-      this->Text.begin() + static_cast<std::ptrdiff_t>(std::min(parser.problem_offset, this->Text.size()));
+    const auto end = this->Text.begin() +
+      static_cast<std::ptrdiff_t>(std::min(parser.problem_offset, this->Text.size()));
     this->Error(static_cast<std::size_t>(std::count(this->Text.begin(), end, '\n')),
       "the text is not valid: " + problem + "; save the file as UTF-8");
     return false;
@@ -305,20 +371,22 @@ bool YamlReader::Enter(const yaml_node_t& node)
   this->Seen[number] = true;
   if (this->Depth >= YamlDepth)
   {
-    this->Error(line, "elements are nested more than " + std::to_string(YamlDepth) +
-      " times, or an alias is inside of what it repeats; nest fewer");
+    this->Error(line,
+      "elements are nested more than " + std::to_string(YamlDepth) +
+        " times, or an alias is inside of what it repeats; nest fewer");
     this->IsRefused = true;
   }
   else if (this->Repeated > this->Largest)
   {
-    this->Error(line, "aliases repeat more than " + std::to_string(this->Largest) +
-      " values; write fewer of them");
+    this->Error(line,
+      "aliases repeat more than " + std::to_string(this->Largest) + " values; write fewer of them");
     this->IsRefused = true;
   }
   else if (HasOwnTag(node))
   {
-    this->Error(line, "the tag " + Shorten(reinterpret_cast<const char*>(node.tag)) +
-      " is not read; remove it, kinds of values follow from their names");
+    this->Error(line,
+      "the tag " + Shorten(reinterpret_cast<const char*>(node.tag)) +
+        " is not read; remove it, kinds of values follow from their names");
     return false;
   }
   else if (node.type == YAML_SCALAR_NODE && HasControls(GetText(node)))
@@ -331,8 +399,7 @@ bool YamlReader::Enter(const yaml_node_t& node)
 }
 
 //------------------------------------------------------------------------------
-void YamlReader::ReadEntry(
-  const Element& element, const yaml_node_t& key, const yaml_node_t& value)
+void YamlReader::ReadEntry(const Element& element, const yaml_node_t& key, const yaml_node_t& value)
 {
   const std::string name = GetText(key);
   const std::string owner = element.Node.name();
@@ -390,14 +457,16 @@ void YamlReader::ReadList(const Element& element, const yaml_node_t& key, const 
     const bool isText = node.type == YAML_SCALAR_NODE && !IsNull(node);
     if (rule && !isVector && !isNumbers)
     {
-      this->Error(node.start_mark.line, what + "is one value, not a list; give it without -, [ and ]");
+      this->Error(
+        node.start_mark.line, what + "is one value, not a list; give it without -, [ and ]");
       return;
     }
     if (rule ? !isText : isText || node.type == YAML_SEQUENCE_NODE)
     {
       this->Error(node.start_mark.line,
-        what + (rule ? "is a list of numbers; give them as in [1, 2, 3]"
-                     : "is a list of elements; give the keys of each, as in - {x: 1}"));
+        what +
+          (rule ? "is a list of numbers; give them as in [1, 2, 3]"
+                : "is a list of elements; give the keys of each, as in - {x: 1}"));
       return;
     }
     if (rule)
@@ -420,8 +489,9 @@ void YamlReader::ReadChildren(const Element& element, const yaml_node_t& list)
 {
   if (list.type != YAML_SEQUENCE_NODE)
   {
-    this->Error(list.start_mark.line, std::string(YamlChildren) + " of <" + element.Node.name() +
-      "> is not a list; give elements in their order, as in - leg: {...}");
+    this->Error(list.start_mark.line,
+      std::string(YamlChildren) + " of <" + element.Node.name() +
+        "> is not a list; give elements in their order, as in - leg: {...}");
     return;
   }
   const auto& items = list.data.sequence.items;
@@ -431,8 +501,9 @@ void YamlReader::ReadChildren(const Element& element, const yaml_node_t& list)
     const auto& pairs = node.data.mapping.pairs;
     if (node.type != YAML_MAPPING_NODE || pairs.top - pairs.start != 1)
     {
-      this->Error(node.start_mark.line, std::string(YamlChildren) + " of <" + element.Node.name() +
-        "> are elements; give the name of each and its keys, as in - leg: {...}");
+      this->Error(node.start_mark.line,
+        std::string(YamlChildren) + " of <" + element.Node.name() +
+          "> are elements; give the name of each and its keys, as in - leg: {...}");
       continue;
     }
     const yaml_node_t& key = this->Get(pairs.start->key);
@@ -480,8 +551,7 @@ void YamlReader::AddElement(const Element& element, const yaml_node_t& key,
 
 //------------------------------------------------------------------------------
 /// Adds an attribute, or a parameter of a filter.
-void YamlReader::AddText(
-  const Element& element, const yaml_node_t& key, const std::string& text)
+void YamlReader::AddText(const Element& element, const yaml_node_t& key, const std::string& text)
 {
   pugi::xml_node node = element.Node;
   const std::string name = GetText(key);

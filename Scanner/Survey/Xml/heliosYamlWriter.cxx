@@ -81,7 +81,8 @@ std::string Escape(const std::string& text, const char* others)
       escaped += std::strchr(others, text[i]) ? std::string("\\") + text[i] : text.substr(i, 1);
       continue;
     }
-    unsigned code = static_cast<unsigned char>(text[i]) & (length == 1 ? 0x7F : 0x1F >> (length - 2));
+    unsigned code =
+      static_cast<unsigned char>(text[i]) & (length == 1 ? 0x7F : 0x1F >> (length - 2));
     for (std::size_t k = 1; k < length; ++k)
     {
       code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
@@ -144,8 +145,8 @@ bool IsUsualFilter(pugi::xml_node filter)
       continue;
     }
     const pugi::xml_attribute value = child.attribute("value");
-    const pugi::xml_node below = child.find_child(
-      [](pugi::xml_node node) { return node.type() != pugi::node_comment; });
+    const pugi::xml_node below =
+      child.find_child([](pugi::xml_node node) { return node.type() != pugi::node_comment; });
     for (const pugi::xml_attribute attribute : child.attributes())
     {
       const std::string name = attribute.name();
@@ -254,8 +255,7 @@ Content YamlWriter::List(pugi::xml_node node, const XmlElementRule* rule, bool i
 }
 
 //------------------------------------------------------------------------------
-void YamlWriter::ListChild(
-  pugi::xml_node child, const XmlElementRule* rule, Content& content)
+void YamlWriter::ListChild(pugi::xml_node child, const XmlElementRule* rule, Content& content)
 {
   const bool isElement = child.type() == pugi::node_element;
   if (!isElement)
@@ -291,8 +291,7 @@ Content YamlWriter::ListOf(Entry& entry)
   Content content = List(entry.Element, entry.Rule, isParameter);
   if (content.Entries.empty())
   {
-    entry.Comments.insert(
-      entry.Comments.end(), content.Comments.begin(), content.Comments.end());
+    entry.Comments.insert(entry.Comments.end(), content.Comments.begin(), content.Comments.end());
     content.Comments.clear();
   }
   return content;
@@ -328,7 +327,8 @@ std::string YamlWriter::MakeText(const Entry& entry, const XmlElementRule* rule)
   const XmlValueRule* value = rule ? rule->FindValue(entry.Key) : nullptr;
   const XmlKind kind = value ? value->Kind : XmlKind::Text;
   const char separator = kind == XmlKind::Vector ? ';' : kind == XmlKind::RealList ? ',' : '\0';
-  if (separator && entry.Text.find(separator) != std::string::npos && entry.Text.back() != separator)
+  if (separator && entry.Text.find(separator) != std::string::npos &&
+    entry.Text.back() != separator)
   {
     std::string list;
     std::istringstream stream(entry.Text);
@@ -339,8 +339,8 @@ std::string YamlWriter::MakeText(const Entry& entry, const XmlElementRule* rule)
     }
     return list + "]";
   }
-  const bool isNumber = separator || kind == XmlKind::Real || kind == XmlKind::Integer ||
-    kind == XmlKind::Boolean;
+  const bool isNumber =
+    separator || kind == XmlKind::Real || kind == XmlKind::Integer || kind == XmlKind::Boolean;
   return IsPlain(entry.Text, isNumber) ? entry.Text : Quote(entry.Text);
 }
 
@@ -354,7 +354,8 @@ std::string YamlWriter::MakeLine(
   for (const Entry& entry : content.Entries)
   {
     isLong = isLong || entry.Element || !entry.Comments.empty() || line.size() > room;
-    line += isLong ? "" : (line.empty() ? "" : ", ") + MakeKey(entry.Key) + ": " + MakeText(entry, rule);
+    line +=
+      isLong ? "" : (line.empty() ? "" : ", ") + MakeKey(entry.Key) + ": " + MakeText(entry, rule);
   }
   return isLong || line.size() + 2 > room ? std::string() : "{" + line + "}";
 }
@@ -369,14 +370,14 @@ void YamlWriter::AddComments(const std::vector<std::string>& comments, std::size
     this->Text += lines.empty() ? std::string(indent, ' ') + "#\n" : std::string();
     for (const std::string& line : lines)
     {
-      this->Text += std::string(indent, ' ') + (line.empty() ? "#" : "# ") + Escape(line, "") + "\n";
+      this->Text +=
+        std::string(indent, ' ') + (line.empty() ? "#" : "# ") + Escape(line, "") + "\n";
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void YamlWriter::AddContent(
-  const Content& content, const XmlElementRule* rule, std::size_t indent)
+void YamlWriter::AddContent(const Content& content, const XmlElementRule* rule, std::size_t indent)
 {
   const std::string blanks(indent, ' ');
   const bool isOrdered = NeedsOrder(content);
@@ -428,8 +429,7 @@ void YamlWriter::AddElement(const Entry& entry, const Content& content, std::siz
 {
   const std::size_t start = this->Text.rfind('\n') + 1;
   const std::size_t used = this->Text.size() - start;
-  const std::string line =
-    MakeLine(content, entry.Rule, used < Width ? Width - used : 0);
+  const std::string line = MakeLine(content, entry.Rule, used < Width ? Width - used : 0);
   if (!line.empty() || content.Entries.empty())
   {
     this->Text += " " + (line.empty() ? "{}" : line) + "\n";
@@ -496,9 +496,10 @@ Status MakeYaml(const pugi::xml_document& tree, std::string& text)
   yaml_event_t event;
   const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
   const bool isText = yaml_scalar_event_initialize(&event, nullptr, nullptr, bytes,
-    static_cast<int>(text.size()), 1, 1, YAML_ANY_SCALAR_STYLE) != 0;
+                        static_cast<int>(text.size()), 1, 1, YAML_ANY_SCALAR_STYLE) != 0;
   isText ? yaml_event_delete(&event) : void();
-  return isText ? Status() : Status::Error("texts are not all UTF-8, as those of YAML; correct them");
+  return isText ? Status()
+                : Status::Error("texts are not all UTF-8, as those of YAML; correct them");
 }
 
 } // namespace helios

@@ -147,8 +147,9 @@ TEST_CASE("SurveyYaml: elements, filters and lists", "[SurveyYaml]")
 )";
   CHECK(MakeXml(files, mixed) ==
     R"(<document><survey name="a"><leg x="1" /><origin x="5" /><leg /></survey></document>)");
-  CHECK(MakeYaml(files,
-          "<document><survey name='a'><leg x='1'/><origin x='5'/><leg/></survey></document>") == mixed);
+  CHECK(
+    MakeYaml(files,
+      "<document><survey name='a'><leg x='1'/><origin x='5'/><leg/></survey></document>") == mixed);
 }
 
 TEST_CASE("SurveyYaml: aliases repeat values", "[SurveyYaml]")
@@ -206,7 +207,8 @@ scene:
     - {id: "2"}
 # the end
 )";
-  CHECK(MakeXml(files, yaml) == R"(<!-- The file --><document><!--twolines--><scene id="s">)"
+  CHECK(MakeXml(files, yaml) ==
+    R"(<!-- The file --><document><!--twolines--><scene id="s">)"
     R"(<!-- a part --><part id="1"><!-- its loader --><filter type="objloader"><!-- not the next -->)"
     R"(<param type="string" key="filepath" value="a.obj" /></filter><!-- after it --></part>)"
     R"(<!-- another --><!-- and another --><part id="2" /></scene><!-- the end --></document>)");
@@ -263,11 +265,17 @@ TEST_CASE("SurveyYaml: errors name the line and the cure", "[SurveyYaml]")
     }
     bomb += "}\n";
   }
+  std::string anchors = "survey:\n";
+  for (int i = 0; i < 1001; ++i)
+  {
+    anchors += "  a" + std::to_string(i) + ": &a" + std::to_string(i) + " b\n";
+  }
   const Case cases[] = {
     { "survey: {name: a\n b: c}", ":2: this is not YAML: did not find expected ',' or '}' while" },
     { "survey:\n  name: a\n scene: b\n", ":3: this is not YAML: did not find expected key" },
     { "survey:\n\tname: a\n", ":2: this is not YAML: found character that cannot start any token" },
-    { "survey: [\xFF]", ":1: the text is not valid: invalid leading UTF-8 octet; save the file as" },
+    { "survey: [\xFF]",
+      ":1: the text is not valid: invalid leading UTF-8 octet; save the file as" },
     { "survey:\n  name: \x01\n", ":2: the text is not valid: control characters are not allowed" },
     { "survey:\n  name: \"\\x01\"\n", ":2: the text has a control character; remove it" },
     { "", ":1: the file is empty" },
@@ -294,14 +302,22 @@ TEST_CASE("SurveyYaml: errors name the line and the cure", "[SurveyYaml]")
     { "survey:\n  children:\n  - leg: {}\n    scan: {}\n",
       ":3: children of <survey> are elements; give the name of each and its keys, as in - leg" },
     { deep, ":1: elements are nested more than 64 times" },
-    { "survey:\n  children: 5\n", ":2: children of <survey> is not a list; give elements in their" },
-    { "a: &a {b: *a}", ":1: elements are nested more than 64 times, or an alias is inside of what" },
+    { "a: " + std::string(300, '[') + std::string(300, ']'),
+      ":1: elements are nested more than 64 times; nest fewer" },
+    { anchors, ":1002: there are more than 1000 anchors; give elements a template instead" },
+    { "survey:\n  children: 5\n",
+      ":2: children of <survey> is not a list; give elements in their" },
+    { "a: &a {b: *a}",
+      ":1: elements are nested more than 64 times, or an alias is inside of what" },
     { bomb, ": aliases repeat more than " },
-    { Head + "\n  nmae: b" + Legs, ":6: attribute nmae of <survey> is unknown; did you mean name?" },
-    { Head + "\n  lge: {x: 1}" + Legs, ":6: element <lge> in <survey> is unknown; did you mean <leg>" },
+    { Head + "\n  nmae: b" + Legs,
+      ":6: attribute nmae of <survey> is unknown; did you mean name?" },
+    { Head + "\n  lge: {x: 1}" + Legs,
+      ":6: element <lge> in <survey> is unknown; did you mean <leg>" },
     { Part("    objlaoder: {filepath: plane.obj}\n"),
       ":4: filter type=\"objlaoder\" is unknown; did you mean objloader?" },
-    { Part("    swpa: {force_null: true}\n"), ":4: element <swpa> in <part> is unknown; did you mean" },
+    { Part("    swpa: {force_null: true}\n"),
+      ":4: element <swpa> in <part> is unknown; did you mean" },
     { Part("    objloader:\n      filepath: plane.obj\n      filepaht: b\n"),
       ":6: parameter \"filepaht\" of filter objloader is unknown; did you mean filepath?" },
     { Part("    objloader: {filepath: plane.obj}\n    scale:\n      scale: yes\n"),
@@ -320,8 +336,8 @@ TEST_CASE("SurveyYaml: errors name the line and the cure", "[SurveyYaml]")
     const YamlReading reading(files, each.Text);
     const std::string all = reading.Log->Errors + reading.Log->Warnings;
     INFO(each.Text.substr(0, 300) << "\n" << each.Message << "\n" << all);
-    CHECK(all.find((each.Message[1] == ' ' ? "" : "survey.yaml") + each.Message) !=
-      std::string::npos);
+    CHECK(
+      all.find((each.Message[1] == ' ' ? "" : "survey.yaml") + each.Message) != std::string::npos);
   }
 }
 
