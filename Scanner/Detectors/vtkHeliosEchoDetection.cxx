@@ -63,62 +63,6 @@ helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// Checks the numbers of a row.
-helios::Status FindFault(const helios::WaveformTable& table, vtkIdType row)
-{
-  const auto tell = [row](const char* name, const char* cure)
-  { return std::string(name) + " of row " + std::to_string(row) + " is " + cure; };
-  if (!(table.BinSize.GetNumber(row) > 0.0) || !std::isfinite(table.BinSize.GetNumber(row)))
-  {
-    return helios::Status::Error(tell(names::BinSize, "not a positive number of ns"));
-  }
-  const std::pair<const char*, const helios::Column*> scalars[] = {
-    { names::StartTime, &table.StartTime }, { names::GpsTime, &table.GpsTime }
-  };
-  for (const auto& [name, column] : scalars)
-  {
-    if (!std::isfinite(column->GetNumber(row)))
-    {
-      return helios::Status::Error(tell(name, "not a finite number"));
-    }
-  }
-  const std::pair<const char*, const helios::Column*> vectors[] = {
-    { names::Origin, &table.Origin }, { names::Direction, &table.Direction }
-  };
-  for (const auto& [name, column] : vectors)
-  {
-    const helios::Vec3 v = GetVector(*column, row);
-    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
-    {
-      return helios::Status::Error(tell(name, "not a finite vector"));
-    }
-  }
-  const double length = GetVector(table.Direction, row).Norm();
-  if (!(std::abs(length - 1.0) < 1e-3))
-  {
-    return helios::Status::Error(tell(names::Direction, "not a unit vector"));
-  }
-  return {};
-}
-
-/// Returns the first row with a non-finite sample; -1: none.
-vtkIdType FindBadSamples(const helios::WaveformTable& table)
-{
-  for (vtkIdType row = 0; row < table.NumberOfRows; ++row)
-  {
-    const vtkIdType first = table.Offset.GetInteger(row);
-    const vtkIdType last = first + table.Count.GetInteger(row);
-    for (vtkIdType i = first; i < last; ++i)
-    {
-      if (!std::isfinite(table.Samples.GetNumber(i)))
-      {
-        return row;
-      }
-    }
-  }
-  return -1;
-}
-
 /// Adds an array of a type to the points' data.
 template <typename ArrayT>
 typename ArrayT::ValueType* AddColumn(vtkPolyData* output, const char* name, vtkIdType count)
@@ -415,17 +359,7 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   run.Selection = this->ReturnSelection;
   run.Maximum = this->MaximumNumberOfReturns;
   helios::Status status = run.Table.Set(table);
-  for (vtkIdType row = 0; status.IsOk() && row < run.Table.NumberOfRows; ++row)
-  {
-    status = FindFault(run.Table, row);
-    status = status.IsOk() ? status : helios::Status::Error("is not valid: " + status.Message());
-  }
-  const vtkIdType bad = status.IsOk() ? FindBadSamples(run.Table) : -1;
-  if (bad >= 0)
-  {
-    status = helios::Status::Error("is not valid: " + std::string(names::Samples) + " of row " +
-      std::to_string(bad) + " are not all finite");
-  }
+  status = status.IsOk() ? run.Table.CheckNumbers() : status;
   if (!status.IsOk())
   {
     vtkErrorMacro(<< "the input " << status.Message()

@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""An output, an option and a value of the instrument are known to few files: the table of CONTRIBUTING.md."""
+"""What CONTRIBUTING.md says about additions: the files that know an output, an option and a value of the
+instrument, which are few, and the examples, which are small and apply."""
 
 import pathlib
 import re
+import subprocess
 
 import pytest
 
@@ -62,3 +64,23 @@ def test_a_fact_is_known_to_the_files_of_the_table(words, row, users):
     known, named = find_files(words), find_named(row)
     assert named and users <= known
     assert known - users <= named, f"more files than CONTRIBUTING.md says: {known - users - named}"
+
+
+EXAMPLES = [
+    ("own_attribute.patch", "attribute of a survey", {"heliosReceiverSetup.cxx"}, 3),
+    ("own_output.patch", "output of a run that is on or off", {"vtkHeliosArrayNames.h"}, 32),
+]
+
+
+@pytest.mark.parametrize(("name", "row", "uses", "lines"), EXAMPLES)
+def test_an_example_applies_and_is_small(name, row, uses, lines):
+    path = ROOT / "Docs/examples" / name
+    check = ["git", "apply", "--check", path]
+    done = subprocess.run(check, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"make {name} again for the code as it is:\n{done.stderr}"
+    text = path.read_text()
+    files = {each.split("/")[-1] for each in re.findall(r"^\+\+\+ b/(\S+)$", text, flags=re.M)}
+    assert uses <= files
+    if row.startswith("output"):
+        assert files - uses <= find_named(row)
+    assert len(re.findall(r"^\+(?!\+\+)", text, flags=re.M)) <= lines

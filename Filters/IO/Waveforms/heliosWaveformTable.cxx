@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
@@ -128,6 +129,65 @@ Status WaveformTable::CheckSamples() const
   return {};
 }
 
+/// Checks the numbers of a row.
+Status WaveformTable::CheckNumbers(vtkIdType row) const
+{
+  const auto fail = [row](const char* name, const char* fault)
+  { return Status::Error(std::string(name) + " of row " + std::to_string(row) + fault); };
+  const double binSize = this->BinSize.GetNumber(row);
+  if (!(binSize > 0.0) || !std::isfinite(binSize))
+  {
+    return fail(names::BinSize, " is not a positive number of ns");
+  }
+  const std::pair<const char*, const Column*> scalars[] = { { names::StartTime, &this->StartTime },
+    { names::GpsTime, &this->GpsTime } };
+  for (const auto& [name, column] : scalars)
+  {
+    if (!std::isfinite(column->GetNumber(row)))
+    {
+      return fail(name, " is not a finite number");
+    }
+  }
+  const std::pair<const char*, const Column*> vectors[] = { { names::Origin, &this->Origin },
+    { names::Direction, &this->Direction } };
+  double length = 0.0;
+  for (const auto& [name, column] : vectors)
+  {
+    length =
+      std::hypot(column->GetNumber(row, 0), column->GetNumber(row, 1), column->GetNumber(row, 2));
+    if (!std::isfinite(length))
+    {
+      return fail(name, " is not a finite vector");
+    }
+  }
+  if (!(std::abs(length - 1.0) < 1e-3))
+  {
+    return fail(names::Direction, " is not a unit vector");
+  }
+  const vtkIdType first = this->Offset.GetInteger(row);
+  const vtkIdType last = first + this->Count.GetInteger(row);
+  for (vtkIdType i = first; i < last; ++i)
+  {
+    if (!std::isfinite(this->Samples.GetNumber(i)))
+    {
+      return fail(names::Samples, " are not all finite");
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+Status WaveformTable::CheckNumbers() const
+{
+  Status status;
+  for (vtkIdType row = 0; status.IsOk() && row < this->NumberOfRows; ++row)
+  {
+    status = this->CheckNumbers(row);
+  }
+  return status.IsOk() ? status : Status::Error("is not valid: " + status.Message());
+}
+
+//------------------------------------------------------------------------------
 /// Returns an error about the first bin size that is 0 or less.
 Status CheckBinSizes(vtkDataArray* sizes)
 {

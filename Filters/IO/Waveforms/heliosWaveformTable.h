@@ -29,7 +29,12 @@ struct VTKHELIOSFILTERSIO_EXPORT WaveformTable
   /// needs no columns.
   Status Set(vtkTable* table);
 
+  /// Returns an error about the first row with a number that is not valid: "is not valid: GpsTime of row
+  /// 3 is not a finite number".
+  Status CheckNumbers() const;
+
 private:
+  Status CheckNumbers(vtkIdType row) const;
   Status CheckSamples() const;
 };
 

@@ -18,7 +18,6 @@
 #define vtkHeliosEchoDetector_h
 
 #include "vtkHeliosInstrumentData.h"
-#include "vtkHeliosInstrumentRanges.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 

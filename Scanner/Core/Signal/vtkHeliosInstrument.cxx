@@ -7,7 +7,6 @@
 #include "heliosRadiometry.h"
 #include "heliosStatus.h"
 #include "heliosWeather.h"
-#include "vtkHeliosInstrumentRanges.h"
 
 #include <vtkDataArray.h>
 #include <vtkMath.h>

@@ -29,7 +29,6 @@
 
 #include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosInstrumentData.h"
-#include "vtkHeliosInstrumentRanges.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the samples of a pulse
 

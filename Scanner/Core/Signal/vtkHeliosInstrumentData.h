@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The data sheet of a laser scanner as plain values with their defaults: vtkHeliosInstrument, which
-// documents them, holds them, detectors read theirs, and attributes of surveys are stored in them.
+// The data sheet of a laser scanner as plain values with their defaults and valid ranges:
+// vtkHeliosInstrument, which documents them, holds them, detectors read theirs, and attributes of
+// surveys are stored in them. Scanner, detectors and attributes have these ranges, unless files are
+// stricter.
 
 #ifndef vtkHeliosInstrumentData_h
 #define vtkHeliosInstrumentData_h
@@ -62,5 +64,50 @@ struct vtkHeliosInstrumentData
   double DarkCountRate = 0.0;        ///< [Hz]
   double TimeJitter = 0.0;           ///< [ns]
 };
+
+struct vtkHeliosValueRange
+{
+  double Low;
+  double High;
+};
+
+namespace vtkHeliosInstrumentRanges
+{
+
+constexpr double AboveZero = 1e-300; // for a range open at zero
+
+constexpr vtkHeliosValueRange PulseLength = { 1e-3, 1e6 };
+constexpr vtkHeliosValueRange BinSize = { 1e-4, 1e3 };
+constexpr vtkHeliosValueRange MaximumWaveformLength = { 0.0, 1e12 };
+constexpr vtkHeliosValueRange NumberOfBins = { 0.0, 1e8 };
+constexpr vtkHeliosValueRange AveragePower = { 0.0, 1e12 };
+constexpr vtkHeliosValueRange Wavelength = { 200.0, 20000.0 };
+constexpr vtkHeliosValueRange OpticalEfficiency = { AboveZero, 1.0 };
+constexpr vtkHeliosValueRange ReceiverDiameter = { AboveZero, 100.0 };
+constexpr vtkHeliosValueRange AtmosphericVisibility = { 1e-3, 1e300 };
+constexpr vtkHeliosValueRange AtmosphericExtinction = { -1.0, 1e3 };
+constexpr vtkHeliosValueRange AtmosphericLidarRatio = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange DropletDiameter = { 0.0, 0.05 };
+constexpr vtkHeliosValueRange DetectorNoise = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange SaturationPower = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange SolarIrradiance = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange FilterBandwidth = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange FieldOfView = { 0.0, 1.0 };
+constexpr vtkHeliosValueRange RangeAccuracy = { 0.0, 1e3 };
+constexpr vtkHeliosValueRange RangeAccuracyPerMeter = { 0.0, 1.0 };
+constexpr vtkHeliosValueRange RangeAccuracyAtThreshold = { 0.0, 1e3 };
+constexpr vtkHeliosValueRange AngleAccuracy = { 0.0, 0.1 };
+constexpr vtkHeliosValueRange Range = { 0.0, VTK_DOUBLE_MAX }; // RangeMin and RangeMax
+
+// echoes and their detectors
+constexpr vtkHeliosValueRange DetectionThreshold = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange DeadTime = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange PeakWindow = { 0.0, 1e6 };
+constexpr vtkHeliosValueRange PhotonEfficiency = { 0.0, 1.0 };
+constexpr vtkHeliosValueRange DarkCountRate = { 0.0, 1e10 };
+constexpr vtkHeliosValueRange TimeJitter = { 0.0, 1e3 };
+constexpr int LargestNumberOfReturns = 255;
+
+} // namespace vtkHeliosInstrumentRanges
 
 #endif

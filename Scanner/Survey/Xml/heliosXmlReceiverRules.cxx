@@ -71,7 +71,7 @@ std::vector<XmlElementRule> MakeReceiverRules()
       Number("winSize", "winSize_ns, in bins").In("bins", { 0.0, 1e6 }).Default("0"),
       Number("apartureDiameter", "apertureDiameter_m in the spelling of the Java program").In("m", { 0.0, 100.0 }),
       Number("scannerEfficiency", "overrides opticalEfficiency of the scanner").In("", Share).Default("the scanner's").At<Receiver, &ReceiverData::OpticalEfficiency>(),
-      Number("atmosphericVisibility", "overrides atmosphericVisibility_km of the scanner").In("km", { 1e-3, 1e300 }).Default("the scanner's").At<Receiver, &ReceiverData::AtmosphericVisibility>(),
+      Number("atmosphericVisibility", "overrides atmosphericVisibility_km of the scanner").In("km", InUnits(instrument::AtmosphericVisibility)).Default("the scanner's").At<Receiver, &ReceiverData::AtmosphericVisibility>(),
       Text("weather", "overrides weather of the scanner").Default("the scanner's").Checked(FindFaultOfWeather).At<Receiver, &ReceiverData::Weather>(),
       Number("scannerWaveLength", "overrides wavelength_nm of the scanner").In("nm", InUnits(instrument::Wavelength)).Default("the scanner's").At<Receiver, &ReceiverData::Wavelength>(),
       Number("beamDivergence_rad", "overrides beamDivergence_rad of the scanner").In("rad", Fraction).Default("the scanner's").At<&ScannerData::BeamDivergence>(),

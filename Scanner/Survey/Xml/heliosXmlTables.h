@@ -9,7 +9,7 @@
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
 #include "heliosXmlRule.h"
-#include "vtkHeliosInstrumentRanges.h"
+#include "vtkHeliosInstrumentData.h"
 
 #include <string>
 #include <vector>
@@ -55,6 +55,8 @@ constexpr XmlRange PulseLength = { 1e-2, 1e3 };
 constexpr XmlRange NotNegative = { 0.0, 1e12 };
 constexpr XmlRange Fraction = { 0.0, 1.0 };
 constexpr XmlRange Share = { 1e-6, 1.0 };
+constexpr XmlRange Aperture = { 1e-6, instrument::ReceiverDiameter.High };
+constexpr XmlRange Extinction = { 0.0, instrument::AtmosphericExtinction.High };
 constexpr XmlRange TimeStep = { 1e-9, 1.0 };
 constexpr XmlRange RangeTolerance = { MinimumRangeTolerance, LargestTolerance };
 constexpr XmlRange EnergyTolerance = { MinimumEnergyTolerance, LargestTolerance };
@@ -74,6 +76,17 @@ constexpr XmlRange Steps = { 1.0, 1e9 };
 constexpr XmlRange GridStep = { 1e-3, 1e6 };
 constexpr XmlRange RightAngle = { 0.0, 90.0 };
 constexpr XmlRange Elevation = { -90.0, 90.0 };
+
+/// Returns whether files are stricter than the instrument.
+constexpr bool IsWithin(const XmlRange& range, const vtkHeliosValueRange& all)
+{
+  return range.Low >= all.Low && range.High <= all.High;
+}
+static_assert(IsWithin(PulseLength, instrument::PulseLength));
+static_assert(IsWithin(Share, instrument::OpticalEfficiency));
+static_assert(IsWithin(Aperture, instrument::ReceiverDiameter));
+static_assert(IsWithin(Extinction, instrument::AtmosphericExtinction));
+static_assert(IsWithin(NotNegative, instrument::Range));
 
 /// Returns a row of a kind: the name of an attribute, and its meaning or the reason why it is not
 /// read.
