@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian packages by CPack: Apps/Packages/Debian/build.sh. A package is a group of install components.
 
+set(vtkhelios_library_package "libvtkhelios${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 set(vtkhelios_debian_dir "${CMAKE_SOURCE_DIR}/Apps/Packages/Debian")
 
 # Files for the desktop and the shells; man pages and completions exist once the script made them.
@@ -16,7 +17,7 @@ string(STRIP "${license}" license)
 string(REPLACE "\n\n" "\n.\n" license "${license}")
 string(REPLACE "\n" "\n " license " ${license}")
 configure_file("${vtkhelios_debian_dir}/copyright.template" "${CMAKE_BINARY_DIR}/debian/copyright" @ONLY)
-foreach(package IN ITEMS vtkhelios python3-vtkhelios libvtkhelios0.2 libvtkhelios-dev)
+foreach(package IN ITEMS vtkhelios python3-vtkhelios ${vtkhelios_library_package} libvtkhelios-dev)
   install(FILES "${CMAKE_BINARY_DIR}/debian/copyright"
     DESTINATION share/doc/${package} COMPONENT copyright-${package} EXCLUDE_FROM_ALL)
   list(APPEND vtkhelios_copyrights copyright-${package})
@@ -53,17 +54,17 @@ macro(helios_debian_package group name section summary depends)
 endmacro()
 
 set(version "${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}")
-helios_debian_package(libraries libvtkhelios0.2 libs
+helios_debian_package(libraries ${vtkhelios_library_package} libs
   "Simulation of laser scanning (LiDAR): libraries\n Scenes, scanners, platforms and surveys as filters of VTK."
   "" runtime)
 helios_debian_package(package python3-vtkhelios python
   "Simulation of laser scanning (LiDAR): Python package\n Clouds as numpy arrays, surveys and scenes as objects, and\n all filters as classes."
-  "libvtkhelios0.2 (= ${version}), python3, python3-vtk9, python3-numpy, python3-rich, python3-jinja2, python3-matplotlib"
+  "${vtkhelios_library_package} (= ${version}), python3, python3-vtk9, python3-numpy, python3-rich, python3-jinja2, python3-matplotlib"
   python)
 helios_debian_package(programs vtkhelios science
   "Simulation of laser scanning (LiDAR): command line and viewer\n Runs surveys of HELIOS and HELIOS++, plans scan positions, shows,\n converts and compares clouds."
   "python3-vtkhelios (= ${version})" command viewer desktop)
 helios_debian_package(headers libvtkhelios-dev libdevel
   "Simulation of laser scanning (LiDAR): headers and CMake files\n For programs with filters, deflectors or detectors of their own."
-  "libvtkhelios0.2 (= ${version}), libvtk9-dev" development)
+  "${vtkhelios_library_package} (= ${version}), libvtk9-dev" development)
 include(CPack)

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds Debian packages of this checkout into build/debian: vtkhelios (command line and viewer),
-# python3-vtkhelios, libvtkhelios0.2, libvtkhelios-dev. They are for the Debian that builds them.
+# python3-vtkhelios, libvtkhelios0.3, libvtkhelios-dev. They are for the Debian that builds them.
 #
 #   Apps/Packages/Debian/build.sh
 #   apt install ./build/debian/*.deb
