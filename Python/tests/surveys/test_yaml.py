@@ -56,9 +56,7 @@ def list_yaml(mapping, path=()):
     """Yields the same for what PyYAML reads."""
     values = []
     for name, value in mapping.items():
-        if isinstance(value, list) and isinstance(value[0], str):
-            values.append((path + (name,), value))
-        elif isinstance(value, str):
+        if isinstance(value[0] if isinstance(value, list) else value, str):
             values.append((path + (name,), value))
         else:
             for i, each in enumerate(value if isinstance(value, list) else [value]):
@@ -70,7 +68,10 @@ def list_yaml(mapping, path=()):
 def plain(values):
     """Values in an order, lists of numbers without separators and blanks."""
     return sorted(
-        (str(path), re.sub(r"[;,\s]+", " ", " ".join(text) if isinstance(text, list) else text or ""))
+        (
+            str(path),
+            re.sub(r"[;,\s]+", " ", " ".join(text) if isinstance(text, list) else text or ""),
+        )
         for path, text in values
     )
 
@@ -92,6 +93,14 @@ def test_another_parser_reads_the_same(path, tmp_path):
     assert (tmp_path / "b.yaml").read_text(encoding="utf-8") == text
 
 
+def test_the_page_shows_one_document_twice(tmp_path):
+    page = (ROOT / "Docs/dialect.md").read_text(encoding="utf-8")
+    wanted = re.search(r"```yaml\n(.*?)```", page, re.S)[1]
+    xml = re.search(r"```xml\n(.*?)```", page.split("## YAML")[1], re.S)[1]
+    write_xml(tmp_path / "a.yaml", xml.encode())
+    assert (tmp_path / "a.yaml").read_text() == wanted
+
+
 def digests(folder):
     return {
         path.name: hashlib.sha256(path.read_bytes()).hexdigest()
@@ -108,7 +117,10 @@ def test_examples_are_the_same_surveys(kind, tmp_path):
         path.write_text(text.replace("scene.xml#", "scene.yaml#"), encoding="utf-8")
         convert(path, path.with_suffix(".yaml"))
         path.unlink()
-    surveys = [vtkhelios.read_survey(tmp_path / "a/a.xml"), vtkhelios.read_survey(tmp_path / "b/a.yaml")]
+    surveys = [
+        vtkhelios.read_survey(tmp_path / "a/a.xml"),
+        vtkhelios.read_survey(tmp_path / "b/a.yaml"),
+    ]
     for survey, name in zip(surveys, "ab"):
         survey.write(tmp_path / name / "written.yml")
     texts = [(tmp_path / name / "written.yml").read_text(encoding="utf-8") for name in "ab"]
@@ -144,7 +156,7 @@ def test_commands_take_yaml(make_survey, tmp_path, capsys):
     (found,) = json.loads(capsys.readouterr().out)
     line = survey.read_text().splitlines()[found["line"] - 1]
     assert found["file"] == str(survey) and "scanFreq_hz: fast" in line
-    assert "scanFreq_hz=\"fast\"" in found["message"]
+    assert 'scanFreq_hz="fast"' in found["message"]
     survey.write_text(survey.read_text().replace("scanFreq_hz: fast", "scanFreq_hz: 100"))
 
     assert cli.main(["info", str(survey), "--json"]) == 0
@@ -157,8 +169,20 @@ def test_commands_take_yaml(make_survey, tmp_path, capsys):
     assert cli.main(["list", "scenes", "--assets", str(folder), "--json"]) == 0
     assert "scene.yaml#plane" in capsys.readouterr().out
     assert cli.main(["run", str(survey), "--dry-run", "--output", str(tmp_path / "o")]) == 0
-    assert cli.main(["view", str(survey), "--html", str(tmp_path / "page.html"), "--points", "100"]) == 0
-    plan = ["plan", str(scene), "--output", str(tmp_path / "plan"), "--resolution", "40", "--grid", "100"]
+    assert (
+        cli.main(["view", str(survey), "--html", str(tmp_path / "page.html"), "--points", "100"])
+        == 0
+    )
+    plan = [
+        "plan",
+        str(scene),
+        "--output",
+        str(tmp_path / "plan"),
+        "--resolution",
+        "40",
+        "--grid",
+        "100",
+    ]
     assert cli.main(plan) == 0
     capsys.readouterr()
     with pytest.raises(SystemExit):

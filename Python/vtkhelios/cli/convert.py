@@ -162,7 +162,9 @@ def convert_document(arguments, messages):
     """Converts a survey or another document; returns an exit code."""
     source, target = arguments.inputs[0], pathlib.Path(arguments.output)
     if len(arguments.inputs) > 1:
-        raise formats.FormatError(f"{target}: is one file for several documents; convert one by one")
+        raise formats.FormatError(
+            f"{target}: is one file for several documents; convert one by one"
+        )
     if not pathlib.Path(source).exists():
         raise formats.FormatError(f"{source}: no such file or folder; check its name")
     if target.exists() and target.samefile(source):

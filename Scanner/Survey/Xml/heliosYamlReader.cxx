@@ -5,15 +5,13 @@
 #include "heliosMessages.h"
 #include "heliosXmlElement.h"
 #include "heliosXmlKin.h"
-
-#include <yaml.h>
+#include "heliosYamlComments.h"
+#include "heliosYamlFile.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <new>
 #include <set>
-#include <sstream>
 #include <vector>
 
 namespace helios
@@ -22,81 +20,9 @@ namespace helios
 namespace
 {
 
-/// What aliases may repeat: so many values for each of the file, besides the first ones.
+/// Values that aliases may repeat: so many for each of the file, besides the first ones.
 constexpr std::size_t AliasFactor = 10;
 constexpr std::size_t AliasFree = 100000;
-
-// What the library takes time for: it looks at all open brackets and all anchors again and again.
-constexpr int MaximumLevels = 4 * YamlDepth;
-constexpr int MaximumAnchors = 1000;
-
-/// The parser of the library, and the document that it has loaded.
-class YamlFile
-{
-public:
-  explicit YamlFile(const std::string& text)
-  {
-    if (!yaml_parser_initialize(&this->Parser))
-    {
-      throw std::bad_alloc();
-    }
-    yaml_parser_set_encoding(&this->Parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(
-      &this->Parser, reinterpret_cast<const unsigned char*>(text.data()), text.size());
-  }
-  ~YamlFile()
-  {
-    yaml_document_delete(&this->Document);
-    yaml_parser_delete(&this->Parser);
-  }
-  YamlFile(const YamlFile&) = delete;
-  void operator=(const YamlFile&) = delete;
-
-  /// Loads the next document, whose root is null after the last one.
-  bool Load()
-  {
-    yaml_document_delete(&this->Document);
-    return yaml_parser_load(&this->Parser, &this->Document) != 0;
-  }
-
-  /// Parses what Load() does not; false after an error, or if it has too many levels or anchors.
-  bool ParseAll()
-  {
-    for (bool isEnd = false; !isEnd;)
-    {
-      yaml_event_t event;
-      if (!yaml_parser_parse(&this->Parser, &event))
-      {
-        return false;
-      }
-      const bool isMapping = event.type == YAML_MAPPING_START_EVENT;
-      const bool isList = event.type == YAML_SEQUENCE_START_EVENT;
-      const bool isText = event.type == YAML_SCALAR_EVENT;
-      const auto* anchor = isMapping ? event.data.mapping_start.anchor
-        : isList                     ? event.data.sequence_start.anchor
-        : isText                     ? event.data.scalar.anchor
-                                     : nullptr;
-      const bool isClosed =
-        event.type == YAML_MAPPING_END_EVENT || event.type == YAML_SEQUENCE_END_EVENT;
-      this->Levels += isMapping || isList ? 1 : isClosed ? -1 : 0;
-      this->Anchors += anchor ? 1 : 0;
-      this->Line = event.start_mark.line;
-      isEnd = event.type == YAML_STREAM_END_EVENT;
-      yaml_event_delete(&event);
-      if (this->Levels > MaximumLevels || this->Anchors > MaximumAnchors)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  yaml_parser_t Parser{};
-  yaml_document_t Document{};
-  int Levels = 0;
-  int Anchors = 0;
-  std::size_t Line = 0; ///< of the last event
-};
 
 std::string GetText(const yaml_node_t& node)
 {
@@ -166,8 +92,7 @@ private:
     const XmlElementRule* Rule; // null: unknown
   };
 
-  bool CheckAll();
-  bool ReadFault(const yaml_parser_t& parser);
+  bool Check(const Status& status);
   void ReadMapping(const Element& element, const yaml_node_t& mapping);
   void ReadEntry(const Element& element, const yaml_node_t& key, const yaml_node_t& value);
   void ReadChildren(const Element& element, const yaml_node_t& list);
@@ -177,19 +102,14 @@ private:
   void AddText(const Element& element, const yaml_node_t& key, const std::string& text);
   bool CheckKey(const Element& element, const yaml_node_t& key);
   bool Enter(const yaml_node_t& node);
-  void AddComments(pugi::xml_node parent, std::size_t end, std::size_t column = 0);
-  void Pass(const yaml_node_t& scalar);
   void SetLine(const void* object, const std::string& name, const yaml_mark_t& mark);
   void Error(std::size_t line, const std::string& text);
-  const yaml_node_t& Get(int index) { return *yaml_document_get_node(&this->File.Document, index); }
-
   const std::string& Text;
   XmlDocument& Result;
   YamlFile File;
-  std::vector<std::string> Lines;
-  std::size_t NextLine = 0;    // the first one that was not read, for comments
+  YamlComments Comments;
   std::vector<bool> Seen;      // values, by their numbers
-  std::set<std::string> Names; // of elements in the last line
+  std::set<std::string> Names; // elements in the last line
   std::size_t LastLine = 0;
   std::size_t Repeated = 0; // values that aliases repeat
   std::size_t Largest = 0;
@@ -202,81 +122,50 @@ YamlReader::YamlReader(const std::string& text, XmlDocument& document)
   : Text(text)
   , Result(document)
   , File(text)
+  , Comments(text)
 {
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-  {
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    this->Lines.push_back(line);
-  }
 }
 
 //------------------------------------------------------------------------------
-/// Checks the whole text, before a document is made of it.
-bool YamlReader::CheckAll()
+/// Reports an error that begins with the line.
+bool YamlReader::Check(const Status& status)
 {
-  YamlFile all(this->Text);
-  if (all.ParseAll())
-  {
-    return true;
-  }
-  if (all.Levels > MaximumLevels)
-  {
-    this->Error(all.Line,
-      "elements are nested more than " + std::to_string(YamlDepth) + " times; nest fewer");
-    return false;
-  }
-  if (all.Anchors > MaximumAnchors)
-  {
-    this->Error(all.Line,
-      "there are more than " + std::to_string(MaximumAnchors) +
-        " anchors; give elements a template instead");
-    return false;
-  }
-  return this->ReadFault(all.Parser);
+  status.IsOk() ? void()
+                : this->Result.GetMessages().Error(this->Result.GetPath() + ":" + status.Message());
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------
 bool YamlReader::Read()
 {
-  if (!this->CheckAll())
+  if (!this->Check(YamlFile::Check(this->Text)) || !this->Check(this->File.Load()))
   {
     return false;
   }
-  if (!this->File.Load())
-  {
-    return this->ReadFault(this->File.Parser);
-  }
-  const yaml_node_t* root = yaml_document_get_root_node(&this->File.Document);
+  const yaml_node_t* root = this->File.GetRoot();
   if (!root || root->type != YAML_MAPPING_NODE || HasOwnTag(*root))
   {
     this->Error(root ? root->start_mark.line : 0,
       "the file is not a mapping; begin with the name of an element, as in survey: {name: yard}");
     return false;
   }
-  const auto& nodes = this->File.Document.nodes;
-  this->Seen.resize(static_cast<std::size_t>(nodes.top - nodes.start));
+  this->Seen.resize(this->File.GetSize());
   this->Largest = AliasFree + AliasFactor * this->Seen.size();
   pugi::xml_document& tree = this->Result.GetTree();
-  std::size_t head = root->start_mark.line; // comments above a blank line are those of the file
-  while (head > 0 && !this->Lines[head - 1].empty())
-  {
-    --head;
-  }
-  this->AddComments(tree, head);
+  this->Comments.AddHead(tree, root->start_mark.line);
   const Element document{ tree.append_child("document"), FindXmlRule("document") };
   this->SetLine(document.Node.internal_object(), "document", root->start_mark);
   this->ReadMapping(document, *root);
-  this->AddComments(document.Node, this->Lines.size());
+  this->Comments.AddRest(document.Node);
   if (this->IsRefused)
   {
     return false;
   }
-  if (!this->File.Load())
+  if (!this->Check(this->File.Load()))
   {
-    return this->ReadFault(this->File.Parser);
+    return false;
   }
-  if (const yaml_node_t* second = yaml_document_get_root_node(&this->File.Document))
+  if (const yaml_node_t* second = this->File.GetRoot())
   {
     this->Error(second->start_mark.line, "a second document; put everything into one");
   }
@@ -284,43 +173,19 @@ bool YamlReader::Read()
 }
 
 //------------------------------------------------------------------------------
-/// Reports what the parser did not understand. Always false.
-bool YamlReader::ReadFault(const yaml_parser_t& parser)
-{
-  if (parser.error == YAML_MEMORY_ERROR)
-  {
-    throw std::bad_alloc();
-  }
-  const std::string problem = parser.problem ? parser.problem : "it is not valid";
-  if (parser.error == YAML_READER_ERROR)
-  {
-    const auto end = this->Text.begin() +
-      static_cast<std::ptrdiff_t>(std::min(parser.problem_offset, this->Text.size()));
-    this->Error(static_cast<std::size_t>(std::count(this->Text.begin(), end, '\n')),
-      "the text is not valid: " + problem + "; save the file as UTF-8");
-    return false;
-  }
-  const std::string context = parser.context ? std::string(" ") + parser.context : std::string();
-  this->Error(parser.problem_mark.line,
-    "this is not YAML: " + problem + context +
-      "; indent by blanks, write key: value, and quote texts with other characters");
-  return false;
-}
-
-//------------------------------------------------------------------------------
 void YamlReader::ReadMapping(const Element& element, const yaml_node_t& mapping)
 {
-  std::map<std::string, std::size_t> lines; // of keys
+  std::map<std::string, std::size_t> lines; // first lines of keys
   const auto& pairs = mapping.data.mapping.pairs;
   for (const yaml_node_pair_t* pair = pairs.start; pair != pairs.top && !this->IsRefused; ++pair)
   {
-    const yaml_node_t& key = this->Get(pair->key);
+    const yaml_node_t& key = this->File.Get(pair->key);
     if (!this->CheckKey(element, key))
     {
       continue;
     }
-    this->AddComments(element.Node, key.start_mark.line);
-    this->Pass(key);
+    this->Comments.Add(element.Node, key.start_mark.line);
+    this->Comments.Pass(key);
     const auto [before, isNew] = lines.emplace(GetText(key), key.start_mark.line);
     if (!isNew)
     {
@@ -330,14 +195,14 @@ void YamlReader::ReadMapping(const Element& element, const yaml_node_t& mapping)
           "; leave one of them, or make a list of both");
       continue;
     }
-    const yaml_node_t& value = this->Get(pair->value);
+    const yaml_node_t& value = this->File.Get(pair->value);
     if (this->Enter(value))
     {
       this->ReadEntry(element, key, value);
       --this->Depth;
     }
   }
-  this->AddComments(element.Node, mapping.end_mark.line, mapping.start_mark.column);
+  this->Comments.Add(element.Node, mapping.end_mark.line, mapping.start_mark.column);
 }
 
 //------------------------------------------------------------------------------
@@ -366,7 +231,7 @@ bool YamlReader::CheckKey(const Element& element, const yaml_node_t& key)
 bool YamlReader::Enter(const yaml_node_t& node)
 {
   const std::size_t line = node.start_mark.line;
-  const auto number = static_cast<std::size_t>(&node - this->File.Document.nodes.start);
+  const std::size_t number = this->File.GetIndex(node);
   this->Repeated += this->Seen[number] ? 1 : 0;
   this->Seen[number] = true;
   if (this->Depth >= YamlDepth)
@@ -416,7 +281,7 @@ void YamlReader::ReadEntry(const Element& element, const yaml_node_t& key, const
   }
   else if (value.type == YAML_SCALAR_NODE && !IsNull(value))
   {
-    this->Pass(value);
+    this->Comments.Pass(value);
     kin.Rule ? this->Error(key.start_mark.line,
                  name + " of <" + owner + "> is an element, not a value; give its keys below it, " +
                    "or {} for none")
@@ -424,7 +289,7 @@ void YamlReader::ReadEntry(const Element& element, const yaml_node_t& key, const
   }
   else if (own)
   {
-    this->Pass(value);
+    this->Comments.Pass(value);
     this->Error(key.start_mark.line,
       name + " of <" + owner + "> " +
         (IsNull(value) ? "has no value; give one, in quotes if it begins with #, or remove the line"
@@ -448,7 +313,7 @@ void YamlReader::ReadList(const Element& element, const yaml_node_t& key, const 
   const auto& items = list.data.sequence.items;
   for (const yaml_node_item_t* item = items.start; item != items.top && !this->IsRefused; ++item)
   {
-    const yaml_node_t& node = this->Get(*item);
+    const yaml_node_t& node = this->File.Get(*item);
     if (!this->Enter(node))
     {
       continue;
@@ -471,12 +336,12 @@ void YamlReader::ReadList(const Element& element, const yaml_node_t& key, const 
     }
     if (rule)
     {
-      this->Pass(node);
+      this->Comments.Pass(node);
       text += (item == items.start ? "" : isVector ? ";" : ",") + GetText(node);
     }
     else
     {
-      this->AddComments(element.Node, node.start_mark.line);
+      this->Comments.Add(element.Node, node.start_mark.line);
       this->AddElement(element, key, node, node.start_mark);
     }
   }
@@ -497,7 +362,7 @@ void YamlReader::ReadChildren(const Element& element, const yaml_node_t& list)
   const auto& items = list.data.sequence.items;
   for (const yaml_node_item_t* item = items.start; item != items.top && !this->IsRefused; ++item)
   {
-    const yaml_node_t& node = this->Get(*item);
+    const yaml_node_t& node = this->File.Get(*item);
     const auto& pairs = node.data.mapping.pairs;
     if (node.type != YAML_MAPPING_NODE || pairs.top - pairs.start != 1)
     {
@@ -506,12 +371,12 @@ void YamlReader::ReadChildren(const Element& element, const yaml_node_t& list)
           "> are elements; give the name of each and its keys, as in - leg: {...}");
       continue;
     }
-    const yaml_node_t& key = this->Get(pairs.start->key);
-    const yaml_node_t& value = this->Get(pairs.start->value);
+    const yaml_node_t& key = this->File.Get(pairs.start->key);
+    const yaml_node_t& value = this->File.Get(pairs.start->value);
     if (this->CheckKey(element, key) && this->Enter(value))
     {
-      this->AddComments(element.Node, key.start_mark.line);
-      this->Pass(key);
+      this->Comments.Add(element.Node, key.start_mark.line);
+      this->Comments.Pass(key);
       this->ReadEntry(element, key, value);
       --this->Depth;
     }
@@ -546,7 +411,7 @@ void YamlReader::AddElement(const Element& element, const yaml_node_t& key,
     child.append_attribute(kin.Key.c_str()) = kin.Name.c_str();
   }
   content.type == YAML_MAPPING_NODE ? this->ReadMapping({ child, kin.Rule }, content)
-                                    : this->Pass(content);
+                                    : this->Comments.Pass(content);
 }
 
 //------------------------------------------------------------------------------
@@ -568,50 +433,6 @@ void YamlReader::AddText(const Element& element, const yaml_node_t& key, const s
   pugi::xml_attribute attribute = node.append_attribute(name.c_str());
   attribute = text.c_str();
   this->Result.SetLine(attribute.internal_object(), key.start_mark.line + 1);
-}
-
-//------------------------------------------------------------------------------
-/// Adds the comments before a line that begin in a column or right of it; those between blank lines
-/// are one.
-void YamlReader::AddComments(pugi::xml_node parent, std::size_t end, std::size_t column)
-{
-  std::string text;
-  const auto add = [&]()
-  {
-    if (!text.empty())
-    {
-      const bool isLine = text.find('\n', 1) == std::string::npos;
-      text = isLine ? text.substr(1) + " " : text + "\n";
-      parent.append_child(pugi::node_comment).set_value(text.c_str());
-      text.clear();
-    }
-  };
-  for (; this->NextLine < std::min(end, this->Lines.size()); ++this->NextLine)
-  {
-    const std::string& line = this->Lines[this->NextLine];
-    const std::size_t start = line.find_first_not_of(" \t");
-    const bool isComment = !line.empty() && line[start] == '#';
-    if (isComment && start < column)
-    {
-      break;
-    }
-    if (!isComment)
-    {
-      add();
-      continue;
-    }
-    const std::size_t from = start + (line.compare(start, 2, "# ") == 0 ? 2 : 1);
-    text += "\n " + line.substr(from);
-  }
-  add();
-}
-
-//------------------------------------------------------------------------------
-/// Passes the lines of a text, which has no comments.
-void YamlReader::Pass(const yaml_node_t& scalar)
-{
-  const yaml_mark_t& end = scalar.end_mark;
-  this->NextLine = std::max(this->NextLine, end.line + (end.column > 0 ? 1 : 0));
 }
 
 //------------------------------------------------------------------------------

@@ -15,9 +15,6 @@ class XmlDocument;
 /// The key of a list of elements whose order matters, each with its name: children: [{leg: ...}, ...].
 constexpr const char* YamlChildren = "children";
 
-/// The deepest nesting of elements.
-constexpr int YamlDepth = 64;
-
 /**
  * Reads a text into the tree of a document. The root is a mapping, the children of <document>; a
  * mapping is an element and a list of them several ones; a text is an attribute, as it is written.

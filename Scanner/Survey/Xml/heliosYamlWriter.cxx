@@ -5,13 +5,11 @@
 #include "heliosXmlKin.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlValue.h"
+#include "heliosYamlFile.h"
 #include "heliosYamlReader.h"
-
-#include <yaml.h>
+#include "heliosYamlText.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <cstring>
 #include <set>
 #include <sstream>
@@ -23,15 +21,15 @@ namespace helios
 namespace
 {
 
-constexpr std::size_t Width = 100; // of lines with whole elements
+constexpr std::size_t Width = 100; // columns of a line with a whole element
 
 /// A key with its value.
 struct Entry
 {
   std::string Key;
   std::vector<std::string> Comments; // before it
-  std::string Text;                  // of an attribute
-  pugi::xml_node Element;            // or an element, with its rule, null: unknown
+  std::string Text;                  // value of an attribute
+  pugi::xml_node Element;            // element instead, with its rule, null: unknown
   const XmlElementRule* Rule = nullptr;
 };
 
@@ -40,99 +38,6 @@ struct Content
   std::vector<Entry> Entries;
   std::vector<std::string> Comments; // after them
 };
-
-/// Returns whether a text without quotes is that text for every reader of YAML, not a number, date,
-/// word for true and false, or syntax.
-bool IsPlain(const std::string& text, bool isNumber)
-{
-  static const std::set<std::string> words = { "y", "n", "yes", "no", "on", "off", "true", "false",
-    "null" };
-  const auto isGood = [](unsigned char c)
-  { return std::isalnum(c) || std::strchr(" _-./+#:()=;@%^*", c); };
-  const auto first = static_cast<unsigned char>(text.empty() ? ' ' : text.front());
-  return (std::isalpha(first) || first == '/' ||
-           (isNumber && (std::isdigit(first) || (std::strchr("+-.", first) && text.size() > 1)))) &&
-    std::all_of(text.begin(), text.end(), isGood) && text.back() != ' ' && text.back() != ':' &&
-    text.find(" #") == std::string::npos && text.find(": ") == std::string::npos &&
-    (isNumber || !words.count(ToLower(text)));
-}
-
-/// Returns the length of a character that YAML does not show, or takes for the end of a line; 0: none.
-std::size_t FindHidden(const std::string& text, std::size_t at)
-{
-  const auto byte = [&](std::size_t i)
-  { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U; };
-  const bool isControl = byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) < 0xA0;
-  const bool isEnd = byte(0) == 0xE2 && byte(1) == 0x80 && (byte(2) == 0xA8 || byte(2) == 0xA9);
-  const bool isMark = byte(0) == 0xEF &&
-    ((byte(1) == 0xBB && byte(2) == 0xBF) || (byte(1) == 0xBF && byte(2) >= 0xBE));
-  return byte(0) < ' ' || byte(0) == 0x7F ? 1 : isControl ? 2 : isEnd || isMark ? 3 : 0;
-}
-
-/// Returns a text with characters escaped, those that YAML does not show and others.
-std::string Escape(const std::string& text, const char* others)
-{
-  std::string escaped;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const std::size_t length = FindHidden(text, i);
-    if (length == 0)
-    {
-      escaped += std::strchr(others, text[i]) ? std::string("\\") + text[i] : text.substr(i, 1);
-      continue;
-    }
-    unsigned code =
-      static_cast<unsigned char>(text[i]) & (length == 1 ? 0x7F : 0x1F >> (length - 2));
-    for (std::size_t k = 1; k < length; ++k)
-    {
-      code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
-    }
-    char shown[16];
-    std::snprintf(shown, sizeof(shown), "\\u%04X", code);
-    escaped += shown;
-    i += length - 1;
-  }
-  return escaped;
-}
-
-std::string Quote(const std::string& text)
-{
-  return "\"" + Escape(text, "\"\\") + "\"";
-}
-
-/// Returns the lines of a comment without the blanks that all have. The first line may be beside the mark
-/// of the comment, and has blanks of its own.
-std::vector<std::string> SplitComment(const std::string& text)
-{
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);)
-  {
-    line.erase(line.find_last_not_of(" \t\r") + 1);
-    !lines.empty() || !line.empty() ? lines.push_back(line) : void();
-  }
-  while (!lines.empty() && lines.back().empty())
-  {
-    lines.pop_back();
-  }
-  const auto dedent = [&lines](std::size_t from, std::size_t to)
-  {
-    std::size_t indent = std::string::npos;
-    for (std::size_t i = from; i < to; ++i)
-    {
-      indent = lines[i].empty() ? indent : std::min(indent, lines[i].find_first_not_of(" \t"));
-    }
-    for (std::size_t i = from; i < to; ++i)
-    {
-      lines[i].erase(0, indent);
-    }
-  };
-  const bool isBeside = text.find_first_not_of(" \t\r") != text.find('\n');
-  const std::size_t first = isBeside ? std::min<std::size_t>(1, lines.size()) : 0;
-  dedent(0, first);
-  dedent(first, lines.size());
-  return lines;
-}
 
 /// Returns whether a filter has only parameters, each once, with what follows from their keys.
 bool IsUsualFilter(pugi::xml_node filter)
@@ -318,7 +223,7 @@ bool YamlWriter::NeedsOrder(const Content& content)
 //------------------------------------------------------------------------------
 std::string YamlWriter::MakeKey(const std::string& key)
 {
-  return IsPlain(key, true) ? key : Quote(key);
+  return IsPlainYaml(key, true) ? key : QuoteYaml(key);
 }
 
 //------------------------------------------------------------------------------
@@ -335,13 +240,13 @@ std::string YamlWriter::MakeText(const Entry& entry, const XmlElementRule* rule)
     for (std::string item; std::getline(stream, item, separator);)
     {
       item = TrimBlanks(item);
-      list += (list.empty() ? "[" : ", ") + (IsPlain(item, true) ? item : Quote(item));
+      list += (list.empty() ? "[" : ", ") + (IsPlainYaml(item, true) ? item : QuoteYaml(item));
     }
     return list + "]";
   }
   const bool isNumber =
     separator || kind == XmlKind::Real || kind == XmlKind::Integer || kind == XmlKind::Boolean;
-  return IsPlain(entry.Text, isNumber) ? entry.Text : Quote(entry.Text);
+  return IsPlainYaml(entry.Text, isNumber) ? entry.Text : QuoteYaml(entry.Text);
 }
 
 //------------------------------------------------------------------------------
@@ -365,13 +270,13 @@ void YamlWriter::AddComments(const std::vector<std::string>& comments, std::size
 {
   for (std::size_t i = 0; i < comments.size(); ++i)
   {
-    const std::vector<std::string> lines = SplitComment(comments[i]);
+    const std::vector<std::string> lines = SplitYamlComment(comments[i]);
     this->Text += i > 0 ? "\n" : "";
     this->Text += lines.empty() ? std::string(indent, ' ') + "#\n" : std::string();
     for (const std::string& line : lines)
     {
       this->Text +=
-        std::string(indent, ' ') + (line.empty() ? "#" : "# ") + Escape(line, "") + "\n";
+        std::string(indent, ' ') + (line.empty() ? "#" : "# ") + EscapeYaml(line, "") + "\n";
     }
   }
 }

@@ -135,7 +135,10 @@ class Yaml(Survey):
             raise Refused(str(error)) from error
         again = path.with_name("again.yaml")
         vtkhelios.core.reading.write_xml(again, text)
-        check(_without_form(vtkhelios.core.reading.read_xml(again)) == _without_form(text), "another survey")
+        check(
+            _without_form(vtkhelios.core.reading.read_xml(again)) == _without_form(text),
+            "another survey",
+        )
         run_in_memory(self.survey_of(path, data))
 
 
