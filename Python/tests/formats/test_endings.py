@@ -43,7 +43,8 @@ def files(tmp_path_factory):
     made |= {".tif": folder / "a.tif", ".vrt": folder / "a.vrt"}
     part = '<part><filter type="objloader"><param key="filepath" value="a.obj"/></filter></part>'
     (folder / "a.xml").write_text(f'<document><scene id="s" name="yard">{part}</scene></document>')
-    return {**made, ".xml": folder / "a.xml"}
+    (folder / "a.yaml").write_text("scene: {id: s, part: {objloader: {filepath: a.obj}}}\n")
+    return {**made, ".xml": folder / "a.xml", ".yaml": folder / "a.yaml"}
 
 
 def test_the_page_has_the_table_of_today():
@@ -73,6 +74,7 @@ def test_commands_do_what_the_list_says(files, tmp_path, capsys):
         assert ("mesh" in kind) == (uses["info"] == "mesh"), (path, kind)
         output = tmp_path / f"from{ending}.obj"
         target = output if uses["convert from"].startswith("mesh") else tmp_path / f"{ending}.xyz"
+        target = tmp_path / f"{ending}.yml" if uses["convert from"] == "documents" else target
         done = cli.main(["convert", str(path), str(target), "--quiet"]) == 0
         assert done == bool(uses["convert from"]), path
         capsys.readouterr()
