@@ -58,7 +58,7 @@ def test_separate_project_with_its_own_deflector(project):
 def test_installed_command_line_with_a_plugin_in_cpp(prefix, project, tmp_path):
     program = prefix / "bin/vtkhelios"
     call(program, "new", tmp_path / "yard", "--kind", "tls")
-    (survey,) = (tmp_path / "yard").glob("*survey*.xml")
+    survey = tmp_path / "yard/yard.xml"
     plugin = ["--plugin", project / "libown_detector.so", "--detector", "firstSample"]
     call(program, "run", survey, *plugin, "--output", tmp_path / "out", "--no-accuracy-report")
     (summary,) = (tmp_path / "out").rglob("run_summary.json")
