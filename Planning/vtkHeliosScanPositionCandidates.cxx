@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace names = vtkHeliosArrayNames;
@@ -37,6 +38,12 @@ namespace
 // Rounding of slopes: a plane of 30 degrees must pass a limit of 30 degrees.
 constexpr double AngleRounding = 1e-9;
 
+// Distance to a surface below from which on a surface is a roof [m]: a person stands between them.
+constexpr double Headroom = 1.8;
+
+// How far a surface may be above the height of a place that is given [m].
+constexpr double HeightTolerance = 1.0;
+
 /// A position of the grid, and its status.
 struct Place
 {
@@ -47,6 +54,7 @@ struct Place
     NotGround,
     TooSteep,
     Excluded,
+    Roof,
     Enclosed
   };
   Fates Fate = NoSurface;
@@ -79,9 +87,10 @@ vtkStandardNewMacro(vtkHeliosScanPositionCandidates);
 class vtkHeliosScanPositionCandidates::Search
 {
 public:
-  Search(vtkHeliosScanPositionCandidates* self, vtkPolyData* exclusions)
+  Search(vtkHeliosScanPositionCandidates* self, vtkPolyData* exclusions, vtkPolyData* places)
     : Self(self)
     , Exclusions(exclusions)
+    , Given(places)
   {
   }
 
@@ -103,9 +112,15 @@ public:
     return this->IsBelowOthers() ? this->Scene.Set(this->Ground) : this->Scene.Set(scene);
   }
 
-  /// Builds the grid.
+  /// Builds the grid, unless places are given.
   helios::Status MakeGrid()
   {
+    if (this->Given)
+    {
+      this->Rows = this->Given->GetNumberOfPoints();
+      return this->Rows > 0 ? helios::Status()
+                            : helios::Status::Error("There is no place on port 2; give some");
+    }
     const double* region = this->Self->Region;
     double bounds[4];
     for (int side = 0; side < 4; ++side)
@@ -126,6 +141,7 @@ public:
       static_cast<double>(this->X.GetCount()) * static_cast<double>(this->Y.GetCount());
     const helios::Status status =
       helios::CheckMemoryLimit("places", count, sizeof(Place), this->Self->MemoryLimit);
+    this->Rows = this->Y.GetCount();
     return status.IsOk()
       ? status
       : helios::Status::Error(status.Message() + "; make the grid of candidates coarser");
@@ -134,8 +150,8 @@ public:
   /// Checks all positions; false on an abort request.
   bool Run()
   {
-    const vtkIdType rows = this->Y.GetCount();
-    this->Places.resize(static_cast<std::size_t>(rows * this->X.GetCount()));
+    const vtkIdType rows = this->Rows;
+    this->Places.resize(static_cast<std::size_t>(rows * this->GetLength()));
     constexpr vtkIdType RowsAtOnce = 64;
     for (vtkIdType row = 0; row < rows; row += RowsAtOnce)
     {
@@ -156,12 +172,27 @@ public:
     return true;
   }
 
-  /// Removes enclosed positions, unless all are.
+  /// Keeps positions on roofs if there are no others; returns their number.
+  vtkIdType KeepRoofs()
+  {
+    const vtkIdType roofs = this->GetCount(Place::Roof);
+    if (roofs == 0 || this->GetCount(Place::Kept) > 0)
+    {
+      return 0;
+    }
+    for (Place& place : this->Places)
+    {
+      place.Fate = place.Fate == Place::Roof ? Place::Kept : place.Fate;
+    }
+    return roofs;
+  }
+
+  /// Removes enclosed positions, unless all are, or they are given.
   helios::Status LeaveOutEnclosed(vtkPolyData* scene)
   {
-    if (!this->IsBelowOthers())
+    if (!this->IsBelowOthers() || this->Given)
     {
-      return {}; // nothing overhead
+      return {}; // nothing overhead, or as asked
     }
     helios::PlanScene whole;
     const helios::Status status = whole.Set(scene);
@@ -235,9 +266,25 @@ private:
   /// Returns the position of the instrument.
   Vec3 GetPosition(vtkIdType place) const
   {
-    return { this->X.GetPlace(place % this->X.GetCount()),
-      this->Y.GetPlace(place / this->X.GetCount()),
+    const Vec3 at = this->GetPlace(place);
+    return { at[0], at[1],
       this->Places[static_cast<std::size_t>(place)].Height + this->Self->ScannerHeight };
+  }
+
+  /// Returns the places of a row.
+  vtkIdType GetLength() const { return this->Given ? 1 : this->X.GetCount(); }
+
+  /// Returns x and y of a place, and its height if it has one, else NaN.
+  Vec3 GetPlace(vtkIdType place) const
+  {
+    if (this->Given)
+    {
+      double at[3];
+      this->Given->GetPoint(place, at);
+      return { at[0], at[1], at[2] };
+    }
+    return { this->X.GetPlace(place % this->X.GetCount()),
+      this->Y.GetPlace(place / this->X.GetCount()), NotGiven };
   }
 
   static bool SeesSky(
@@ -256,13 +303,15 @@ private:
 
   void CheckRow(vtkIdType row)
   {
-    const vtkIdType count = this->X.GetCount();
+    const vtkIdType count = this->GetLength();
     const double* bounds = this->Scene.GetBounds();
     const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
     std::vector<vtkHeliosRay> rays;
     for (vtkIdType i = 0; i < count; ++i)
     {
-      rays.push_back({ { this->X.GetPlace(i), this->Y.GetPlace(row), top }, { 0.0, 0.0, -1.0 } });
+      const Vec3 at = this->GetPlace(row * count + i);
+      const double begin = at[2] == at[2] ? std::min(top, at[2] + HeightTolerance) : top;
+      rays.push_back({ { at[0], at[1], begin }, { 0.0, 0.0, -1.0 } });
     }
     std::vector<vtkHeliosHit> hits(rays.size());
     this->Scene.GetCaster().Intersect(rays.data(), hits.data(), count);
@@ -270,9 +319,25 @@ private:
     {
       Place& place = this->Places[static_cast<std::size_t>(row * count + i)];
       place.Cell = hits[i].CellId;
-      place.Height = top - hits[i].Range;
+      place.Height = rays[i].Origin[2] - hits[i].Range;
       this->Classify(rays[i].Origin, place);
+      if (place.Fate == Place::Kept && this->IsWithoutRoofs() && rays[i].Origin[2] == top)
+      {
+        place.Fate = this->IsRoof(rays[i].Origin, place.Height) ? Place::Roof : Place::Kept;
+      }
     }
+  }
+
+  /// Returns whether places on roofs are left out: the scene does not say what is ground.
+  bool IsWithoutRoofs() const { return this->Self->Surface == AUTOMATIC && this->Ground.IsEmpty(); }
+
+  /// Returns whether a surface at a height is above another one.
+  bool IsRoof(const double* place, double height) const
+  {
+    const vtkHeliosRay ray{ { place[0], place[1], height - Headroom }, { 0.0, 0.0, -1.0 } };
+    unsigned char isAbove;
+    this->Scene.GetCaster().Occluded(&ray, &isAbove, 1);
+    return isAbove != 0;
   }
 
   bool IsOnGround(vtkIdType cell) const
@@ -309,6 +374,8 @@ private:
   helios::Areas Exclusions;
   helios::PlanScene Scene;
   helios::PlanGround Ground; ///< empty: all surfaces are
+  vtkPolyData* Given;        ///< null: the grid
+  vtkIdType Rows = 0;
   helios::GridLine X{ 0.0, 0.0, 1.0 };
   helios::GridLine Y{ 0.0, 0.0, 1.0 };
   std::vector<Place> Places; ///< in rows of x
@@ -317,7 +384,7 @@ private:
 //------------------------------------------------------------------------------
 vtkHeliosScanPositionCandidates::vtkHeliosScanPositionCandidates()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -331,7 +398,7 @@ void vtkHeliosScanPositionCandidates::SetStep(double step)
 int vtkHeliosScanPositionCandidates::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
   return 1;
 }
 
@@ -340,7 +407,7 @@ int vtkHeliosScanPositionCandidates::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
-  Search search(this, vtkPolyData::GetData(inputs[1]));
+  Search search(this, vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]));
   helios::Status status = search.Prepare(scene);
   status = status.IsOk() ? search.MakeGrid() : status;
   if (!status.IsOk())
@@ -353,6 +420,12 @@ int vtkHeliosScanPositionCandidates::RequestData(
     vtkErrorMacro(<< "Aborted; update again for all candidates.");
     return 0;
   }
+  if (const vtkIdType roofs = search.KeepRoofs())
+  {
+    vtkWarningMacro(<< "All of " << roofs << " places are " << Headroom
+                    << " m or more above another surface, as on a roof, and are used; give "
+                       "helios_isGround true to the materials of the ground in the .mtl file.");
+  }
   status = this->SkipEnclosed ? search.LeaveOutEnclosed(scene) : helios::Status();
   if (!status.IsOk())
   {
@@ -360,6 +433,7 @@ int vtkHeliosScanPositionCandidates::RequestData(
     return 0;
   }
   this->NumberOfEnclosed = search.GetCount(Place::Enclosed);
+  this->NumberOnRoofs = search.GetCount(Place::Roof);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   search.Fill(output);
   helios::SetCRS(output, helios::GetCRS(scene));
@@ -382,11 +456,14 @@ bool vtkHeliosScanPositionCandidates::Report(const Search& search)
        << " have no surface below, at " << others << " the highest surface is not ground, " << steep
        << " are steeper than the maximum slope (" << this->MaximumSlope << " deg), " << excluded
        << " lie in excluded areas; ";
+  const bool isGiven = this->GetNumberOfInputConnections(2) > 0;
+  const std::string finer = isGiven ? "give other places" : "make the grid finer";
+  const std::string what = isGiven ? "places" : "region";
   const vtkIdType maximum = std::max(std::max(misses, others), std::max(steep, excluded));
-  text << (maximum == steep ? "allow a larger slope, or make the grid finer"
-      : maximum == misses   ? "move the region onto the scene, or make the grid finer"
-      : maximum == excluded ? "exclude less"
-                            : "use ground below other surfaces, too");
+  text << (maximum == steep ? "allow a larger slope, or " + finer
+      : maximum == misses   ? "move the " + what + " onto the scene, or " + finer
+      : maximum == excluded ? std::string("exclude less")
+                            : std::string("use ground below other surfaces, too"));
   vtkErrorMacro(<< text.str() << ".");
   return false;
 }
@@ -404,6 +481,7 @@ void vtkHeliosScanPositionCandidates::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Surface: " << surfaces[this->Surface] << "\n"
      << indent << "SkipEnclosed: " << this->SkipEnclosed << "\n"
      << indent << "NumberOfEnclosed: " << this->NumberOfEnclosed << "\n"
+     << indent << "NumberOnRoofs: " << this->NumberOnRoofs << "\n"
      << indent << "ScannerHeight: " << this->ScannerHeight << " m\n"
      << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
 }

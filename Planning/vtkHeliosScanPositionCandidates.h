@@ -5,7 +5,9 @@
  * @brief   candidate scan positions on the surfaces of a scene
  *
  * Port 0: the scene (triangles). Port 1, optional: areas to exclude, polygons or closed lines of
- * which only x and y count; their border belongs to them.
+ * which only x and y count; their border belongs to them. Port 2, optional: places to use instead of
+ * a grid; with a height (z) the highest surface that is not more than 1 m above it, with NaN that of
+ * a grid.
  *
  * Output: one point per candidate, the instrument position, ScannerHeight above the surface, in
  * rows of x from the smallest y on; point arrays Slope [deg], CellIds (of the scene) and Normal (of
@@ -13,12 +15,15 @@
  *
  * Vertical rays are cast downwards on a grid that starts half a step inside the scene. They find
  * the highest surface (Bechtold and Hoefle 2016, section 10), or the highest with a ground
- * material. Surfaces steeper than MaximumSlope are excluded. A position from which none of 128
+ * material. Without a ground material, AUTOMATIC leaves out surfaces that are 1.8 m or more above
+ * another one, as roofs are, unless there are no others, which is a warning.
+ * Surfaces steeper than MaximumSlope are excluded. A position from which none of 128
  * lines, spread evenly over the sky, leaves the scene is enclosed, e.g. in a closed house; such
- * positions are used only if there are no others, as in a hall, or without SkipEnclosed.
+ * positions are used only if there are no others, as in a hall, if they are given, or without
+ * SkipEnclosed.
  *
  * Errors: an empty scene or one that is not of finite triangles; GROUND without a ground material;
- * a grid beyond MemoryLimit; no candidate left, with the number removed by each limit; an abort
+ * a grid beyond MemoryLimit; no place on port 2; no candidate left, with the number removed by each limit; an abort
  * request.
  *
  * @sa
@@ -46,7 +51,7 @@ public:
     HIGHEST = 0,     ///< the highest surface, of any material
     GROUND = 1,      ///< the highest surface with a ground material, whatever is above it
     OPEN_GROUND = 2, ///< the highest surface, if it has a ground material
-    AUTOMATIC = 3    ///< GROUND if the scene has a ground material, else HIGHEST
+    AUTOMATIC = 3    ///< GROUND if the scene has a ground material, else HIGHEST without roofs
   };
 
   ///@{
@@ -105,6 +110,11 @@ public:
    */
   vtkGetMacro(NumberOfEnclosed, vtkIdType);
 
+  /**
+   * Get the number of places on roofs left out in the last update.
+   */
+  vtkGetMacro(NumberOnRoofs, vtkIdType);
+
   ///@{
   /**
    * Set/Get the height of the instrument above the surface [m]. Valid range: [1e-6, 1e4].
@@ -146,6 +156,7 @@ private:
   int Surface = AUTOMATIC;
   bool SkipEnclosed = true;
   vtkIdType NumberOfEnclosed = 0;
+  vtkIdType NumberOnRoofs = 0;
   double ScannerHeight = 1.5;
   double MemoryLimit = 2048.0;
 };

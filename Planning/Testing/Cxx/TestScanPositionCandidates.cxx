@@ -172,7 +172,7 @@ TEST_CASE(
                      "(15 deg), 0 lie in excluded areas; use ground below other surfaces, too."));
 
   Candidates unmarked(MakeCarport(false));
-  CHECK(CountAbove(unmarked.Update(), 2.0) == 4);
+  CHECK(CountAbove(unmarked.Update(), 2.0) == 0);
   unmarked.Filter->SetSurfaceToGround();
   CHECK(unmarked.Fails("Candidates are to be on the ground, but no material of the scene is ground "
                        "(Material.IsGround, "
@@ -219,6 +219,49 @@ TEST_CASE("ScanPositionCandidates: positions inside closed objects are dropped i
   candidates.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0); // a hall: no open position
   CHECK(candidates.Update()->GetNumberOfPoints() == 4);
   CHECK(candidates.Filter->GetNumberOfEnclosed() == 0);
+}
+
+TEST_CASE(
+  "ScanPositionCandidates: not on roofs where no material is ground, unless there are no others",
+  "[ScanPositionCandidates]")
+{
+  Candidates candidates(MakeCarport(false));
+  CHECK(candidates.Update()->GetNumberOfPoints() == 96);
+  CHECK(candidates.Filter->GetNumberOnRoofs() == 4);
+  candidates.Filter->SetSurfaceToHighest();
+  CHECK(CountAbove(candidates.Update(), 2.0) == 4);
+  CHECK(candidates.Filter->GetNumberOnRoofs() == 0);
+  candidates.Filter->SetSurfaceToAutomatic();
+  candidates.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0);
+  candidates.Update();
+  CHECK(candidates.Log->HasWarning(
+    "All of 4 places are 1.8 m or more above another surface, as on a roof, and "
+    "are used; give helios_isGround true to the materials of the ground in the "
+    ".mtl file."));
+  CHECK(candidates.Filter->GetOutput()->GetNumberOfPoints() == 4);
+  CHECK(candidates.Filter->GetNumberOnRoofs() == 0);
+}
+
+TEST_CASE("ScanPositionCandidates: given places replace the grid", "[ScanPositionCandidates]")
+{
+  Candidates candidates(MakeCarport(false));
+  // On the ground, on the roof, below it, on it by its height, and beside the scene.
+  candidates.Filter->SetInputData(2,
+    helios::MakePoints(
+      { { -3, 2, NAN }, { 0.5, 0.3, NAN }, { 0.5, 0.3, 0.0 }, { 0.5, 0.3, 5.5 }, { 70, 0, NAN } }));
+  vtkPolyData* output = candidates.Update();
+  REQUIRE(output->GetNumberOfPoints() == 3);
+  CHECK(candidates.Filter->GetNumberOnRoofs() == 1);
+  CHECK(output->GetPoint(0)[0] == -3.0);
+  CHECK(output->GetPoint(0)[1] == 2.0);
+  CHECK(output->GetPoint(0)[2] == 1.5);
+  CHECK(output->GetPoint(1)[2] == 1.5);
+  CHECK(output->GetPoint(2)[2] == 6.5);
+  candidates.Filter->SetInputData(2, helios::MakePoints({ { 70, 0, NAN } }));
+  CHECK(candidates.Fails("No candidate is left of 1 places: 1 have no surface below"));
+  CHECK(candidates.Fails("move the places onto the scene, or give other places."));
+  candidates.Filter->SetInputData(2, vtkNew<vtkPolyData>());
+  CHECK(candidates.Fails("There is no place on port 2; give some."));
 }
 
 TEST_CASE("ScanPositionCandidates: none in an excluded area", "[ScanPositionCandidates]")

@@ -3,7 +3,9 @@
 """The options of vtkhelios plan."""
 
 from ..plans.document import PLATFORM, SCANNER
-from ..plans.kinds import Areas, Choice, Flag, Number, Region
+from ..plans.geo import FORMATS
+from ..plans.kinds import Areas, Choice, Flag, Number, PlanText, Region, Setting
+from ..plans.places import Places
 from ..plans.settings import SETTINGS
 from ._parser import number
 from ._reading import add_assets_argument, add_threads_argument
@@ -16,6 +18,7 @@ WORDS = {
     "method": "NAME",
     "remove_order": "KEY",
     "ground": "WHERE",
+    "on": "WHERE",
 }  # for a choice; others have WHICH
 TEXTS = {  # help of each setting, by group
     "coverage": {
@@ -38,10 +41,15 @@ TEXTS = {  # help of each setting, by group
         "grid": "spacing of candidates along x and y",
         "grid_y": "spacing along y, if different",
         "region": "rectangle of the candidates (default: the scene's)",
+        "region_of": "what --region limits: candidates, or all, which is test points, too (default: "
+        "candidates)",
+        "candidates": "places to choose from instead of a grid: a .csv with columns x, y and, if wanted, z"
+        " of the ground, or a .geojson of points",
         "exclude": "excluded areas: polygons or closed lines",
         "max_slope": "exclude steeper places (default: 15)",
-        "ground": "positions on ground (helios_isGround of materials): true, false, open (with "
-        "nothing above), auto (true if any material is ground; default)",
+        "on": "where tripods stand: ground, not on roofs (default), or any surface",
+        "ground": "--on in detail: positions on ground (helios_isGround of materials): true, false, open (with "
+        "nothing above), auto (true if any material is ground, else not on roofs; default)",
         "enclosed": "include enclosed places, such as rooms (default: only if there are no "
         "others)",
         "height": "instrument height above the ground (default: that of the platform's mount)",
@@ -60,6 +68,11 @@ TEXTS = {  # help of each setting, by group
         "max_incidence": "maximum angle of incidence, from the surface normal (default: 90)",
         "min_density": "minimum point density on a surface from one position [points/m2] "
         "(default: 0)",
+    },
+    "field work": {
+        "setup_time": "for setting up a tripod (default: 300)",
+        "walking_speed": "between tripods (default: 1)",
+        "crs": "coordinate system of a scene that has none, such as EPSG:25832, for the geo files",
     },
     "scan settings": {
         "platform": f"file.xml#id (default: the file's, else {PLATFORM}; --als: an aeroplane, of "
@@ -102,7 +115,8 @@ def add_setting(group, name, text):
     elif isinstance(setting, Region):
         takes = {"metavar": ("X0", "X1", "Y0", "Y1"), "nargs": 4, "type": float}
     else:
-        takes = {"metavar": "FILE.vtp" if isinstance(setting, Areas) else "REF"}
+        kinds = ((Areas, "FILE.vtp"), (Places, "FILE"), (PlanText, "CRS"), (Setting, "REF"))
+        takes = {"metavar": next(word for kind, word in kinds if isinstance(setting, kind))}
     group.add_argument(option_of(name), help=text, **takes)
 
 
@@ -132,7 +146,15 @@ def add_plan_arguments(parser):
         action="store_true",
         help="simulate the survey, without noise, and compare predicted with simulated coverage",
     )
-    parser.add_argument("--no-picture", action="store_true", help="do not write plan.png")
+    parser.add_argument(
+        "--geo",
+        metavar="FORMATS",
+        help=f"files for maps and receivers: {','.join(FORMATS)}, or none (default: all that the "
+        "coordinate system of the scene permits)",
+    )
+    parser.add_argument(
+        "--no-picture", action="store_true", help="do not write plan.png and plan.html"
+    )
     add_setting(parser, "memory", "memory limit of grids and viewsheds (default: 2048 MiB)")
     add_threads_argument(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")

@@ -15,12 +15,17 @@ from ..core.files import cannot_be_written, find_unwritable
 from ..core.paths import from_vtk, require_utf8
 from ..core.pipeline import PipelineError
 from ..core.words import counted
-from ..plans.files import data_files, has_plan, new_plan, picture_file, summary_file, survey_file
+
+from ..plans.files import (
+    data_files, geo_files, has_plan, new_plan, page_file, picture_file, summary_file, survey_file,
+)  # fmt: skip
+from ..plans.geo import check_formats
 from ..plans.plan import Plan, PlanTask
 from ..plans.settings import SettingError
 from ..reports.plan import file_lines, print_table, result_lines
 from ._flight.options import add_flight_arguments, find_misplaced
 from ._flight.run import make_flight_plan
+from ._geo_files import write_geo_files
 from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import add_plan_arguments, given_settings, option_of
@@ -37,8 +42,9 @@ scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif, .ply,
 class scanner; see --platform and --scanner. Options override the file.
 
 how it plans:
-  1 candidates: places on a grid (--grid) where a tripod can be set up: not too steep (--max-slope),
-    on the ground (--ground), outside excluded areas (--exclude), in a --region
+  1 candidates: places on a grid (--grid) or of a file (--candidates) where a tripod can be set up: not
+    too steep (--max-slope), on the ground and not on roofs (--on), outside excluded areas
+    (--exclude), in a --region
   2 test points: where vertical and horizontal lines of a grid (--test-grid) meet a surface
   3 viewsheds: the test points that each candidate sees, unoccluded up to --tolerance before the
     point, and within the given limits (--scanner-limits, --range-max ...)
@@ -61,6 +67,12 @@ what it writes, below OUTPUT/<name>/:
                      from this one only), MeanIncidenceAngle [deg]
   candidates.vtp     all candidates, with the same arrays and Selected
   test_points.vtp    Coverable, NumberOfScans (that see it), BestIncidenceAngle [deg]
+  positions.csv      the tripods in the coordinates of the scene, with the name of the system
+  positions.dxf      the same as a drawing (R12)
+  positions.geojson, positions.kml, positions.gpx
+                     the same in degrees (WGS 84), for maps and receivers; they need the coordinate
+                     system of the scene, or --crs; --geo csv,kml writes some only, --geo none none
+  plan.html          for the field: map, tripods, times (with matplotlib and Jinja2)
   plan.png           the test points by number of scans and by best incidence (without an X
                      display it needs Xvfb)
   plan_summary.json  settings, bounds, positions, timings; --json prints it
@@ -73,6 +85,8 @@ examples:
   vtkhelios plan scene.xml --scanner-limits --overlap 20 --max-incidence 75
   vtkhelios plan scene.xml --check --resolution 0.05      also simulate the survey
   vtkhelios plan scene.xml --objects 80 --order walk      80 % of the area of each part
+  vtkhelios plan scene.xml --candidates stations.csv      the fewest of given places
+  vtkhelios plan yard.obj --crs EPSG:25832 --geo csv,gpx  tripods for a receiver
   vtkhelios run output/yard/survey.xml               run the planned survey
 
 airborne surveys, with --als: lines, speed, pulse and scan frequency with which a strip has the
@@ -80,8 +94,9 @@ density (--density) or spacing (--spacing) everywhere in the area (--area), and 
   vtkhelios plan scene.xml --als --flying-height 600 --density 8
   vtkhelios plan terrain.tif --als --area area.geojson --flying-height 90 --terrain-following \\
       --scanner copter_uls --check
-  It writes survey.xml, lines.vtp, lines.csv, lines.geojson, cells.vtp (predicted density), plan.png,
-  plan.html and plan_summary.json. See Docs/planning.md.
+  Of equally short flights it takes the one with the fewest pulses, and prints what the next lower and
+  higher pulse frequency would cost. It writes survey.xml, lines.vtp, lines.csv, .geojson, .kml, .dxf and
+  .gpx, cells.vtp (predicted density), plan.png, plan.html and plan_summary.json. See Docs/planning.md.
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
 130 interrupted (Ctrl-C: nothing is written before the plan is made).
@@ -126,6 +141,7 @@ def make_plan(arguments, messages):
         return 2
     if arguments.als:
         return make_flight_plan(arguments, messages)
+    formats = check_formats(arguments.geo or "all")
     task = PlanTask(arguments.input, arguments.assets, **given_settings(arguments))
     for name in ("SceneReference", "PlatformReference", "ScannerReference"):
         require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # same cure
@@ -139,7 +155,7 @@ def make_plan(arguments, messages):
     print_plan(plan, messages)
     try:
         with new_plan(folder):
-            return write_plan(arguments, plan, folder, messages)
+            return write_plan(arguments, formats, plan, folder, messages)
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return 1
@@ -172,6 +188,15 @@ def print_plan(plan, messages):
         f"from     {counted(report['candidates'], 'candidate')} and {counted(report['testPoints'], 'test point')}, "
         f"{report['coverable']:,} of them coverable"
     )
+    if left := report.get("places", report["candidates"]) - report["candidates"]:
+        messages.info(
+            f"         without {counted(left, 'place')} of --candidates: off the scene, too steep, excluded, "
+            "or on roofs"
+        )
+    elif report["onRoofs"]:
+        messages.info(
+            f"         without {counted(report['onRoofs'], 'place')} on roofs (--on any includes them)"
+        )
     if report["enclosed"]:
         messages.info(
             f"         without {counted(report['enclosed'], 'enclosed place')} (--enclosed "
@@ -183,15 +208,15 @@ def print_plan(plan, messages):
         messages.info(line)
 
 
-def write_plan(arguments, plan, folder, messages):
+def write_plan(arguments, formats, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
     set_outcome(f"the plan in {folder} was not written")
     files = data_files(plan, folder)
     survey = survey_file(plan, folder)
     files.insert(0, survey)
     set_outcome("the plan itself is written, other files are not")
-    picture = draw(arguments, plan, folder, messages)
-    files += [picture] if picture else []
+    files += write_geo_files(arguments, geo_files(plan, folder, formats), messages)
+    files += draw(arguments, plan, folder, messages)
     report = dict(plan.report)
     timings, code = report.pop("timings"), 0
     if arguments.check:
@@ -210,14 +235,16 @@ def write_plan(arguments, plan, folder, messages):
 
 
 def draw(arguments, plan, folder, messages):
-    """Returns the picture of a plan: its path, or None without one."""
-    if arguments.no_picture:
-        return None
-    try:
-        return picture_file(plan, folder)
-    except RuntimeError as error:
-        messages.warning(f"no plan.png: {error}, or give --no-picture")
-        return None
+    """Returns the picture and the page of a plan: their paths, without those that cannot be made."""
+    files = []
+    for name, make in (("plan.png", picture_file), ("plan.html", page_file)):
+        if arguments.no_picture:
+            break
+        try:
+            files.append(make(plan, folder))
+        except RuntimeError as error:
+            messages.warning(f"no {name}: {error}, or give --no-picture")
+    return files
 
 
 def check(arguments, plan, survey, folder, report, messages):

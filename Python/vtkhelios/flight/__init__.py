@@ -27,7 +27,8 @@ def plan_flight(scene, assets=(), name=None, **settings):
     area
         what is to be scanned, in the coordinates of the scene: a polygon in WKT; a file (.geojson,
         .json, .wkt, .txt or .csv with x y per line, .vtp); a vtkPolyData of polygons; or corners
-        (n x 2 [m]). Default: the box of the scene.
+        (n x 2 [m]). GeoJSON is in degrees if the scene has a coordinate system and no corner is in it.
+        Default: the box of the scene.
     density
         least pulse density of a strip [1/m2], (0, 1e6]. Default: 4.
     spacing
@@ -71,6 +72,9 @@ def plan_flight(scene, assets=(), name=None, **settings):
     cell
         of the predicted density [m], (0, 1e5]. Default: twice the nominal pulse spacing, at most
         250,000 cells.
+
+    crs
+        the coordinate system of a scene that has none, such as "EPSG:25832", for geo files.
 
     Raises ValueError and TypeError for a setting that is not valid or cannot be met, PipelineError
     with the messages of the file and the filters.

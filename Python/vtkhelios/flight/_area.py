@@ -19,6 +19,7 @@ from ..plans.kinds import SettingError
 FARTHEST = 1e9  # coordinate [m]
 NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?"
 WKT = re.compile(r"\s*(?:SRID=\d+;\s*)?(MULTI)?POLYGON\b", re.I)
+GEOJSON = (".geojson", ".json")
 KINDS = "a polygon in WKT, or a file of one: .geojson, .json, .wkt, .txt, .csv or .vtp"
 
 
@@ -41,6 +42,12 @@ def read_area(area):
     if corners.ndim != 2 or corners.shape[1] < 2:
         raise TypeError(f"area has the shape {corners.shape}; give its corners (n x 2)")
     return _check([[corners[:, :2]]], "area")
+
+
+def is_geojson(area):
+    """Returns whether an area is a file of GeoJSON, which may be in degrees."""
+    is_text = isinstance(area, (str, os.PathLike)) and not WKT.match(os.fspath(area))
+    return is_text and pathlib.Path(area).suffix.lower() in GEOJSON
 
 
 def box_area(low, high):
@@ -105,7 +112,7 @@ def _read_file(path):
             reason=reason,
             kinds=KINDS,
         ) from None
-    if kind in (".geojson", ".json"):
+    if kind in GEOJSON:
         return _check(_parse_geojson(text, path), path)
     return _check(_parse_wkt(text, path) if WKT.match(text) else _parse_rows(text, path), path)
 

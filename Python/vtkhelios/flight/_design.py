@@ -16,7 +16,7 @@ from ._settings import BANK, SPEEDS, WIDEST
 
 HEIGHTS = 24  # tried between the limits
 EDGE = 0.999  # share of the half swath: its outermost pulses are not counted on
-SAME_TIME = 1e-3  # share of the time: the plan with more pulses is taken
+SAME_TIME = 1e-3  # share of the time: the plan with fewer pulses is taken
 
 
 class Relief(typing.NamedTuple):
@@ -45,6 +45,7 @@ class Design(typing.NamedTuple):
     turn_radius: float
     turn_time: float
     time: float
+    pulses: float  # on the lines, of one channel
 
 
 class Designer:
@@ -71,11 +72,7 @@ class Designer:
 
     def choose(self, relief):
         """Returns the Design with the shortest flight; raises SettingError if there is none."""
-        found, refused = [], []
-        for height in self._find_heights(relief):
-            for frequency in self.frequencies:
-                candidate = self._try(frequency, height, relief)
-                (refused if isinstance(candidate, str) else found).append(candidate)
+        found, refused = self._try_all(self.frequencies, relief)
         if not found:
             raise SettingError(
                 "no flight meets the requirements: {reason}; give a smaller {0}, another {1}, or other "
@@ -86,9 +83,29 @@ class Designer:
                 "speed",
                 reason=refused[-1],
             )
-        least = min(each.time for each in found)
-        fast = [each for each in found if each.time <= (1 + SAME_TIME) * least]
-        return max(fast, key=lambda each: each.density)
+        return _find_best(found)
+
+    def find_steps(self, design, relief):
+        """Returns the best Design of the next lower pulse frequency, and of the next higher one at up
+        to the same speed, or why there is none."""
+        steps, at = {}, self.frequencies.index(design.pulse_frequency)
+        for name, index in (("lower", at - 1), ("higher", at + 1)):
+            if not 0 <= index < len(self.frequencies):
+                steps[name] = f"no {name} pulse frequency to choose"
+                continue
+            most = design.speed if name == "higher" else math.inf
+            found, refused = self._try_all([self.frequencies[index]], relief, most)
+            steps[name] = _find_best(found) if found else refused[-1]
+        return steps
+
+    def _try_all(self, frequencies, relief, fastest=math.inf):
+        """Returns the designs of all heights and of these frequencies, and the reasons of others."""
+        found, refused = [], []
+        for height in self._find_heights(relief):
+            for frequency in frequencies:
+                candidate = self._try(frequency, height, relief, fastest)
+                (refused if isinstance(candidate, str) else found).append(candidate)
+        return found, refused
 
     def make_lines(self, design, altitude=0.0):
         """Returns the updated vtkHeliosFlightLines of a design."""
@@ -107,7 +124,7 @@ class Designer:
         update(lines)
         return lines
 
-    def _try(self, frequency, height, relief):
+    def _try(self, frequency, height, relief, fastest):
         """Returns a Design, or the reason why there is none."""
         lowest, largest = height - relief.rise, height + relief.drop
         if reason := self._check_height(lowest, largest):
@@ -119,7 +136,7 @@ class Designer:
                 f"at {height:.4g} m and {frequency:g} Hz the speed would be {speed:.3g} m/s, below "
                 f"{least:g} m/s"
             )
-        speed = min(speed, most)
+        speed = min(speed, most, fastest)
         lines = self._find_scan_frequency(frequency, speed, largest)
         width = 2 * lowest * self.tangent
         design = Design(
@@ -136,8 +153,12 @@ class Designer:
             self._find_turn_radius(speed),
             self.settings["turn_time"],
             0.0,
+            0.0,
         )
-        return design._replace(time=self.make_lines(design).GetFlightTime())
+        made = self.make_lines(design)
+        return design._replace(
+            time=made.GetFlightTime(), pulses=frequency * made.GetLineLength() / speed
+        )
 
     def _find_frequencies(self):
         given, known = self.settings["pulse_frequency"], self.instrument.pulse_frequencies
@@ -286,3 +307,10 @@ class Designer:
             return self.settings["turn_radius"]
         bank = BANK.get(self.instrument.use, BANK["airborne"])
         return vtk_class("vtkHeliosFlightLines").ComputeTurnRadius(speed, bank)
+
+
+def _find_best(designs):
+    """Returns the design with the shortest flight, of equal ones that with the fewest pulses."""
+    least = min(each.time for each in designs)
+    fast = [each for each in designs if each.time <= (1 + SAME_TIME) * least]
+    return min(fast, key=lambda each: each.pulses)

@@ -2,21 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a flight plan."""
 
-import csv
-import io
 import json
+import warnings
+
+import numpy as np
 
 from ..core.files import write_whole
 from ..core.write import write_points
-from ..plans.files import SCENE, SUMMARY, SURVEY, new_plan
+from ..plans.files import PAGE, PICTURE, SCENE, SUMMARY, SURVEY, new_plan
+from ..plans.geo import Feature, check_formats, geo_names, write_geo
+from ..plans.positions import to_csv
+from ..reports.flight import heights
 from ..reports.flight_page import write_page
 from ..reports.flight_picture import make_picture
 from ._follow import line_waypoints
 from ._survey import scene_file, write_survey
 
-LINES, CELLS, TABLE = "lines.vtp", "cells.vtp", "lines.csv"
-GEOJSON, PICTURE, PAGE = "lines.geojson", "plan.png", "plan.html"
-FILES = (SURVEY, LINES, CELLS, TABLE, GEOJSON, PICTURE, PAGE, SUMMARY)
+LINES, CELLS = "lines.vtp", "cells.vtp"
+GEO = "lines"  # files for maps and receivers, without their endings
+FILES = (SURVEY, LINES, CELLS, *geo_names(GEO), PICTURE, PAGE, SUMMARY)
 COLUMNS = (  # columns of the table: title, value of a row, digits
     ("line", lambda row: row["line"], 0),
     ("x0 [m]", lambda row: row["begin"][0], 3),
@@ -36,8 +40,9 @@ def has_plan(folder, more=()):
     return any((folder / name).exists() for name in [*FILES, *more])
 
 
-def write_plan(plan, folder, overwrite=False, picture=False):
+def write_plan(plan, folder, overwrite=False, picture=False, geo=None):
     """Writes all files in a folder with the plan's name; returns their paths."""
+    formats = check_formats("all" if geo is None else geo)
     folder = folder / plan.name
     more = [SCENE] if plan.has_scene_in_memory() else []
     if not overwrite and has_plan(folder, more):
@@ -47,6 +52,10 @@ def write_plan(plan, folder, overwrite=False, picture=False):
         )
     with new_plan(folder, (*more, *FILES)):
         files = data_files(plan, folder)
+        written, problem = geo_files(plan, folder, formats)
+        if problem and geo is not None:
+            warnings.warn(problem, RuntimeWarning, stacklevel=3)
+        files += written
         files += [picture_file(plan, folder), page_file(plan, None, folder)] if picture else []
         report = {**plan.report, "files": [each.name for each in files]}
         return [*files, summary_file(report, folder)]
@@ -58,8 +67,6 @@ def data_files(plan, folder):
     files = [write_survey(plan, folder / SURVEY, mesh)] + ([mesh] if mesh else [])
     files.append(write_points(plan.flight, folder / LINES))
     files.append(write_points(plan.cells.data, folder / CELLS))
-    files.append(_write(folder / TABLE, make_table(plan.lines)))
-    files.append(_write(folder / GEOJSON, make_geojson(plan)))
     return files
 
 
@@ -77,34 +84,36 @@ def summary_file(report, folder):
     return _write(folder / SUMMARY, json.dumps(report, indent=2) + "\n")
 
 
-def make_table(lines):
-    """Returns the lines as CSV."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([title for title, *_ in COLUMNS])
-    for row in lines:
-        writer.writerow([f"{value(row):.{digits}f}" for _, value, digits in COLUMNS])
-    return text.getvalue()
+def geo_files(plan, folder, formats):
+    """Writes lines and area in some formats; returns their paths, and why some are missing, or
+    None."""
+    table = to_csv(plan.lines, COLUMNS, plan.geography.label)
+    return write_geo(folder, GEO, plan.name, make_features(plan), table, plan.geography, formats)
 
 
-def make_geojson(plan):
-    """Returns the lines and area as GeoJSON, in the coordinates of the scene."""
+def make_features(plan):
+    """Returns the lines and the area."""
     features = [
-        _feature("LineString", places.tolist(), line=row["line"], time_s=row["time_s"])
+        Feature("Line", f"line {row['line']}", "lines", places, _properties(row), _describe(row))
         for row, places in zip(plan.lines, line_waypoints(plan.flight), strict=True)
     ]
-    area = [[_closed(ring) for ring in rings] for rings in plan.polygons]
-    features.append(_feature("MultiPolygon", area, name="area"))
-    return json.dumps({"type": "FeatureCollection", "features": features}, indent=1) + "\n"
+    ground = float(plan.ground.min())
+    for rings in plan.polygons:
+        raised = [np.column_stack([ring, np.full(len(ring), ground)]) for ring in rings]
+        features.append(Feature("Area", "area", "area", raised, {"area_m2": round(plan.area, 3)}))
+    return features
 
 
-def _closed(ring):
-    return [*ring.tolist(), ring[0].tolist()]
+def _properties(row):
+    names = ("line", "lowest_m", "highest_m", "heading_deg", "length_m", "time_s")
+    return {name: round(row[name], 4) for name in names}
 
 
-def _feature(kind, coordinates, **properties):
-    geometry = {"type": kind, "coordinates": coordinates}
-    return {"type": "Feature", "properties": properties, "geometry": geometry}
+def _describe(row):
+    return (
+        f"heading {row['heading_deg']:.1f} deg, {row['length_m']:.0f} m, {row['time_s']:.0f} s, at "
+        f"{heights(row)} m"
+    )
 
 
 def _write(path, content):

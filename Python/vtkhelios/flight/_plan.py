@@ -15,9 +15,10 @@ from ..core.pipeline import update
 from ..plans.document import PLATFORM as TRIPOD
 from ..plans.document import SCANNER as TRIPOD_SCANNER
 from ..plans.document import check_assets, make_document
+from ..plans.geo import Geography
 from ..plans.kinds import SettingError
 from ..scenes.scene import Scene
-from ._area import box_area, contains, measure, read_area, to_polydata
+from ._area import box_area, contains, is_geojson, measure, read_area, to_polydata
 from ._design import Designer, Relief
 from ._files import write_plan
 from ._follow import follow_terrain, line_lengths, line_waypoints
@@ -48,6 +49,8 @@ class FlightPlan:
         the Grid of the cells; inside: which of its cells are in the area and on the ground.
     design
         heights, speed, frequencies: a Design.
+    steps
+        the next "lower" and "higher" pulse frequency: a Design each, or why there is none.
     report
         a dictionary with the content of plan_summary.json.
     """
@@ -61,6 +64,7 @@ class FlightPlan:
             self.settings["scanner"], self.settings["platform"], self.assets
         )
         self.scene = update(self.document)
+        self.geography = Geography(self.scene, self.settings["crs"])
         self.terrain = Terrain(self.scene)
         self.polygons = self._find_area()
         self.area = measure(self.polygons)
@@ -83,13 +87,14 @@ class FlightPlan:
         """Returns the Survey of the flight, to run in memory; of a scene in memory or in a file."""
         return make_survey(self)
 
-    def write(self, folder="output", overwrite=False, picture=False):
+    def write(self, folder="output", overwrite=False, picture=False, geo=None):
         """Writes the files of ``vtkhelios plan --als`` and returns their paths.
 
         They are in a folder with the plan's name below the given one. overwrite replaces an earlier
-        plan, else it is a FileExistsError. picture adds plan.png.
+        plan, else it is a FileExistsError. picture adds plan.png and plan.html. geo are the files of
+        lines: "csv,geojson", "none" ...; None: all that the scene permits, without a warning of others.
         """
-        return write_plan(self, pathlib.Path(folder), overwrite, picture)
+        return write_plan(self, pathlib.Path(folder), overwrite, picture, geo)
 
     def line_waypoints(self):
         """Yields the waypoints of each line, n x 3 [m]."""
@@ -99,10 +104,14 @@ class FlightPlan:
         return self.document.GetNumberOfInputConnections(0) > 0
 
     def _find_area(self):
-        if self.settings["area"] is not None:
-            return read_area(self.settings["area"])
-        low, high = _box(self.scene)
-        return box_area(low, high)
+        low, high = box = _box(self.scene)
+        if self.settings["area"] is None:
+            return box_area(low, high)
+        polygons = read_area(self.settings["area"])
+        corners = np.concatenate([ring for rings in polygons for ring in rings])
+        if not is_geojson(self.settings["area"]) or not self.geography.is_in_degrees(corners, box):
+            return polygons
+        return [[self.geography.from_degrees(ring) for ring in rings] for rings in polygons]
 
     def _make_grid(self):
         corners = np.concatenate([rings[0] for rings in self.polygons])
@@ -138,11 +147,13 @@ class FlightPlan:
                 if attempt == 0:
                     raise
                 break  # the last plan stays, and its report says what it lacks
+            planned = relief
             self._fly(designer)
             better = self._correct(relief)
             if better == relief:
                 break
             relief = better
+        self.steps = designer.find_steps(self.design, planned)
 
     def _fly(self, designer):
         """The lines of the design at their heights, and the density that they give."""

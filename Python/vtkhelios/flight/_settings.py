@@ -68,7 +68,7 @@ PAIRS = {
     "spacing": ("m", "largest distance of pulses along and across the path, in a strip"),
 }
 FLAGS = {"terrain_following": "follow the ground below, instead of a constant altitude"}
-TEXTS = {"area": None, "scanner": SCANNER, "platform": None}
+TEXTS = {"area": None, "scanner": SCANNER, "platform": None, "crs": None}
 ALL = (*TEXTS, *NUMBERS, *PAIRS, *FLAGS)
 
 # By the use of the scanner in the catalogue: speeds [m/s] that aircraft of that kind fly.

@@ -45,8 +45,25 @@ def make_report(plan):
             "turnTime_s": design.turn_time,
             **plan.pattern,
         },
+        "steps": {name: _step(each, plan) for name, each in plan.steps.items()},
+        "crs": plan.geography.label or None,
         "predicted": _predicted(plan),
         "lines": list(_lines(plan)),
+    }
+
+
+def _step(step, plan):
+    """The cost of another pulse frequency, of the lines on level ground."""
+    if isinstance(step, str):
+        return {"reason": step}
+    return {
+        "pulseFrequency_Hz": step.pulse_frequency,
+        "flyingHeight_m": step.flying_height,
+        "speed_m_s": step.speed,
+        "strip_1_m2": step.density,
+        "time_s": step.time,
+        "timeFactor": step.time / plan.design.time,
+        "pulsesFactor": step.pulses / plan.design.pulses,
     }
 
 

@@ -18,19 +18,24 @@ from ..core.paths import from_vtk, to_vtk
 from ..core.pipeline import PipelineError, perform
 from ..core.reading import look_up
 from ..core.write import write_points
+from ..reports.plan_page import write_page
 from ..scenes.scene import Scene
 from ..surveys.survey import Survey
+from .geo import geo_names, write_geo
+from .positions import make_features, make_table
 
 __all__ = [
-    "build_survey", "data_files", "has_plan", "new_plan", "picture_file", "plan_survey", "summary_file",
-    "survey_file", "write_survey",
+    "build_survey", "data_files", "geo_files", "has_plan", "new_plan", "page_file", "picture_file",
+    "plan_survey", "summary_file", "survey_file", "write_survey",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
 SCENE = "scene.obj"  # name of a scene that has no file
 POINTS = {"positions.vtp": 2, "candidates.vtp": 0, "test_points.vtp": 1}  # and ports of the planner
 SURVEY = "survey.xml"
-FILES = (SURVEY, *POINTS, "plan.png", SUMMARY)
+PICTURE, PAGE = "plan.png", "plan.html"
+GEO = "positions"  # files of positions for maps and receivers, without their endings
+FILES = (SURVEY, *POINTS, *geo_names(GEO), PICTURE, PAGE, SUMMARY)
 
 
 def has_plan(folder, more=()):
@@ -174,9 +179,22 @@ def picture_file(plan, folder):
             "or plan with an installation on Debian"
         ) from error
 
-    path = folder / "plan.png"
+    path = folder / PICTURE
     save_picture(plan.scene, plan.outputs[1], plan.outputs[2], path, title=plan.name)
     return path
+
+
+def page_file(plan, folder):
+    """Writes the page; returns its path. Raises RuntimeError without matplotlib or Jinja2."""
+    path = folder / PAGE
+    write_whole(path, write_page(plan))
+    return path
+
+
+def geo_files(plan, folder, formats):
+    """Writes the positions in some formats; returns their paths, and why some are missing, or None."""
+    features, table = make_features(plan), make_table(plan)
+    return write_geo(folder, GEO, plan.name, features, table, plan.geography, formats)
 
 
 def summary_file(report, folder):

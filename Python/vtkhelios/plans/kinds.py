@@ -22,7 +22,9 @@ __all__ = [
     "Choice",
     "Flag",
     "Number",
+    "PlanNumber",
     "PlanOption",
+    "PlanText",
     "Reference",
     "Region",
     "SettingError",
@@ -158,6 +160,38 @@ class PlanOption(Choice):
 
     def set(self, objects, value):
         pass
+
+
+class PlanNumber(Number):
+    """A number that neither the document nor a filter has."""
+
+    def __init__(self, reported, *, unit, low, high, default):
+        super().__init__(reported, unit=unit, low=low)
+        self.high, self.default = high, default
+
+    def read(self, objects):
+        return self.default
+
+    def set(self, objects, value):
+        pass
+
+    def limits(self):
+        return self.low, self.high
+
+
+class PlanText(Setting):
+    """A text that neither the document nor a filter has."""
+
+    def read(self, objects):
+        return None
+
+    def set(self, objects, value):
+        pass
+
+    def check(self, name, value):
+        if not isinstance(value, str):
+            raise TypeError(f"{name} is {value!r}; give a text")
+        return value
 
 
 class Flag(Setting):

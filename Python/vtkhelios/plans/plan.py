@@ -21,11 +21,13 @@ from ..core.paths import from_vtk
 from ..core.pipeline import perform, update
 from ..core.watching import Progress
 from ..core.words import counted
-from ..scenes.scene import has_instances
+from ..scenes.scene import Scene, has_instances
 from . import files as plan_files
 from .document import check_assets, make_document
+from .geo import Geography, check_formats
+from .places import to_places
 from .settings import check_settings, fill_document, fill_filters
-from .summary import make_report, order_positions, warn_of_roofs
+from .summary import make_report, order_positions
 
 __all__ = ["Plan", "PlanTask", "plan"]
 
@@ -76,15 +78,22 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
     grid, grid_y
         spacing of candidates along x and y [m], (0, 1e6]. Default: a twentieth of the scene's
         diagonal, and the grid's.
-    region
-        rectangle of the candidates: x0, x1, y0, y1 [m]. Default: the scene's.
+    region, region_of
+        rectangle: x0, x1, y0, y1 [m], and what it limits: "candidates" (default), or "all", test points,
+        too. Default: the scene's.
+    candidates
+        the places to choose from instead of a grid: a .csv with names of columns (x, y, or z of the
+        ground, too), a .geojson of points, or an array (n x 2, or n x 3). GeoJSON and columns lon, lat
+        are in degrees if they are not in the scene. Default: a grid.
     exclude
         excluded areas: polygons or closed lines (vtkPolyData), or a .vtp file of them.
     max_slope
         largest slope of the surface [deg], [0, 90]. Default: 15.
+    on
+        "ground" (default): not on roofs; "any": on any surface.
     ground
-        whether positions are on ground materials: "true", "false", "open" (with nothing above), or
-        "auto" (default), true if any material is ground.
+        the same in detail: whether positions are on ground materials: "true", "false", "open" (with nothing above), or
+        "auto" (default), true if any material is ground, else surfaces without another one below.
     enclosed
         True: also enclosed places, such as rooms. Default: False, only if there are no others.
     height
@@ -122,6 +131,13 @@ def plan(scene, assets=(), name=None, progress=None, **settings):
         allows. Default: 0.1.
     pulse_frequency
         [Hz], (0, 1e9]. Default: the scanner's first.
+
+    The field work:
+
+    setup_time, walking_speed
+        for a tripod [s], [0, 1e5], and between tripods [m/s], [0.01, 100]. Default: 300 and 1.
+    crs
+        the coordinate system of a scene that has none, such as "EPSG:25832", for geo files.
 
     memory
         limit of each of grids and viewsheds [MiB], [1, 1e9]. Default: 2048.
@@ -176,6 +192,7 @@ class PlanTask:
         """Yields the steps, each to be run before the next one is taken."""
         candidates, test_points = self.filters.GetCandidates(), self.filters.GetTestPoints()
         yield Step("loading the scene", self.document, 0.0, 0.1)
+        self._use_scene()
         yield Step("finding candidates", candidates, 0.1, 0.15)
         yield Step("finding test points", test_points, 0.15, 0.2)
         positions = candidates.GetOutput().GetNumberOfPoints()
@@ -186,6 +203,14 @@ class PlanTask:
         limit = f", search limited to {self.settings['time_limit']:g} s" if is_limited else ""
         planner = self.filters.GetPlanner()
         yield Step(f"selecting positions{limit}", planner, 0.8, 1.0, is_even=False)
+
+    def _use_scene(self):
+        """Sets what depends on the coordinate system of the scene."""
+        scene = self.document.GetOutput()
+        self.geography = Geography(scene, self.settings["crs"])
+        if (given := self.settings["candidates"]) is not None:
+            places = to_places(given, self.geography, Scene(scene).bounds)
+            self.filters.GetCandidates().SetInputDataObject(2, places)
 
     def has_scene_in_memory(self):
         """Returns whether the scene has no file."""
@@ -227,13 +252,11 @@ class Plan:
         self.task, self.seconds = task, seconds
         planner = task.filters.GetPlanner()
         self.name = task.name
-        self.scene = _copy(task.document.GetOutput())
+        self.scene, self.geography = _copy(task.document.GetOutput()), task.geography
         self.outputs = [_copy(planner.GetOutputDataObject(port)) for port in range(3)]
         self.outputs[2], walk = order_positions(self.outputs[2], task.settings["order"])
         self.candidates, self.test_points, self.scans = map(Cloud, self.outputs)
         self.report = {**make_report(task, self.outputs[2], walk), "timings": dict(seconds)}
-        if roofs := warn_of_roofs(self):
-            warnings.warn(roofs, RuntimeWarning, stacklevel=3)
 
     @property
     def positions(self):
@@ -252,13 +275,16 @@ class Plan:
         """Returns the Survey that scans from the positions, one leg each."""
         return plan_files.plan_survey(self)
 
-    def write(self, folder="output", overwrite=False, picture=False):
+    def write(self, folder="output", overwrite=False, picture=False, geo=None):
         """Writes the files of ``vtkhelios plan`` and returns their paths.
 
         They are in a folder with the plan's name below the given one. A scene in memory is written,
         too: scene.obj. overwrite replaces an earlier plan, else it is a FileExistsError. picture
-        adds plan.png; it needs an X display, or Xvfb.
+        adds plan.png, which needs an X display, or Xvfb, and plan.html, which needs matplotlib and
+        Jinja2. geo are the files of positions: "csv,geojson", "none" ...; None: all that the scene
+        permits, without a warning of others.
         """
+        formats = check_formats("all" if geo is None else geo)
         folder = pathlib.Path(folder) / self.name
         more = [plan_files.SCENE] if self.task.has_scene_in_memory() else []
         if not overwrite and plan_files.has_plan(folder, more):
@@ -268,7 +294,12 @@ class Plan:
             )
         with plan_files.new_plan(folder, (*more, *plan_files.FILES)):
             files = [plan_files.survey_file(self, folder), *plan_files.data_files(self, folder)]
-            files += [plan_files.picture_file(self, folder)] if picture else []
+            written, problem = plan_files.geo_files(self, folder, formats)
+            if problem and geo is not None:
+                warnings.warn(problem, RuntimeWarning, stacklevel=2)
+            files += written
+            if picture:
+                files += [plan_files.picture_file(self, folder), plan_files.page_file(self, folder)]
             report = {**self.report, "files": [path.name for path in files]}
             return [*files, plan_files.summary_file(report, folder)]
 

@@ -6,10 +6,13 @@ A setting has the same name as the option of the command line: ``max_slope``, ``
 """
 
 import difflib
+import math
 
 from .kinds import (
-    Areas, Choice, DocumentChoice, Flag, Number, PlanOption, Reference, Region, SettingError, objects_of,
+    Areas, Choice, DocumentChoice, Flag, Number, PlanNumber, PlanOption, PlanText, Reference, Region,
+    SettingError, objects_of,
 )  # fmt: skip
+from .places import Places
 
 __all__ = ["SETTINGS", "SettingError", "check_settings", "fill_document", "fill_filters"]
 
@@ -30,6 +33,8 @@ GROUND = {
 }
 COVERAGE_OF = {"coverable": ("coverable",), "all": ("all",)}
 ORDERS = {"gain": (), "walk": (), "round": ()}
+ON = {"ground": "auto", "any": "false"}  # and words of ground
+REGION_OF = {"candidates": (), "all": ()}
 REMOVE_FIRST = {"smallest": ("ascending",), "largest": ("descending",)}
 
 # In the order of reports. The last ones are not in their list of settings.
@@ -49,7 +54,10 @@ SETTINGS = {
         "testLines", "test_points.vertical", "test_points.horizontal", words=LINES
     ),
     "region": Region("region_m", "candidates.region"),
+    "region_of": PlanOption("regionOf", words=REGION_OF),
+    "candidates": Places("candidates"),
     "exclude": Areas("exclude"),
+    "on": PlanOption(None, words=ON),
     "max_slope": Number("maxSlope_deg", "candidates.maximum_slope", unit="deg"),
     "ground": Choice("ground", "candidates.surface", words=GROUND),
     "enclosed": Flag("enclosed", "candidates.skip_enclosed", inverted=True),
@@ -71,6 +79,9 @@ SETTINGS = {
     "remove_order": DocumentChoice("removeOrder", "document.remove_order", words=REMOVE_ORDERS),
     "remove_first": Choice("removeFirst", "planner.removal_order", words=REMOVE_FIRST),
     "order": PlanOption("order", words=ORDERS),
+    "setup_time": PlanNumber("setupTime_s", unit="s", low=0.0, high=1e5, default=300.0),
+    "walking_speed": PlanNumber("walkingSpeed_m_s", unit="m/s", low=0.01, high=100.0, default=1.0),
+    "crs": PlanText("crs"),
     "time_limit": Number("timeLimit_s", "planner.time_limit", unit="s"),
     "memory": Number(
         None,
@@ -96,11 +107,23 @@ def check_settings(given):
             near = difflib.get_close_matches(name, SETTINGS, 1, 0.6)
             hint = f"did you mean {near[0]}?" if near else f"settings are: {', '.join(SETTINGS)}"
             raise TypeError(f"{name} is not a setting of a plan; {hint}")
-    return {
+    given = {
         name: SETTINGS[name].check(name, value)
         for name, value in given.items()
         if value is not None
     }
+    _check_together(given)
+    if "on" in given:
+        given["ground"] = ON[given["on"]]
+    return given
+
+
+def _check_together(given):
+    for first, second in (("on", "ground"), ("candidates", "grid_y")):
+        if first in given and second in given:
+            raise SettingError("{0} and {1} are both given; give one of them", first, second)
+    if given.get("region_of") == "all" and "region" not in given:
+        raise SettingError("{0} is all, and {1} is not given; give it", "region_of", "region")
 
 
 def fill_document(document, given):
@@ -122,6 +145,8 @@ def fill_filters(plan, given):
         if not SETTINGS[name].is_of_document():
             SETTINGS[name].set(objects, value)
             values[name] = value
+    if values["region_of"] == "all":
+        plan.GetTestPoints().SetRegion(*given["region"], math.nan, math.nan)
     if values["objects"] and "coverage" not in given:
         # the objects' shares are enough
         objects["planner"].minimum_coverage = values["coverage"] = 0.0

@@ -1,28 +1,23 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The result of a plan as plain data, as in plan_summary.json, and its positions on roofs."""
+"""The result of a plan as plain data, as in plan_summary.json."""
 
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..array_names import (
-    AREA, COVERABLE, EXCLUSIVITY, MATERIAL_IS_GROUND, MEAN_INCIDENCE_ANGLE, NEWLY_COVERED,
-    NUMBER_OF_SCANS, PART_IDS, PART_NAME, VIEWSHED_SIZE,
+    AREA, COVERABLE, EXCLUSIVITY, MEAN_INCIDENCE_ANGLE, NEWLY_COVERED, NUMBER_OF_SCANS,
+    PART_IDS, PART_NAME, VIEWSHED_SIZE,
 )  # fmt: skip
 from ..core.arrays import arrays
 from ..core.classes import version, vtk_class
 from ..core.paths import from_vtk
 from ..core.pipeline import update
-from ..core.words import counted
-from ..scenes.scene import has_instances
 from .settings import report_settings
 
-__all__ = ["make_report", "order_positions", "warn_of_roofs"]
-
-HEADROOM = 1.8  # the least distance to a surface below that makes a roof of one [m]
+__all__ = ["make_report", "order_positions"]
 
 
 def order_positions(positions, order):
@@ -67,6 +62,10 @@ def make_report(task, positions, walk=None):
         },
         "candidates": candidates.GetOutput().GetNumberOfPoints(),
         "enclosed": candidates.GetNumberOfEnclosed(),
+        **(
+            {"places": _count_places(candidates)} if task.settings["candidates"] is not None else {}
+        ),
+        "onRoofs": candidates.GetNumberOnRoofs(),
         "testPoints": test_points.GetOutput().GetNumberOfPoints(),
         "coverable": planner.GetNumberCoverable(),
         "rays": plan.GetViewsheds().GetNumberOfRays(),
@@ -82,10 +81,31 @@ def make_report(task, positions, walk=None):
             "worstIncidence_deg": _number_or_none(planner.GetWorstIncidenceAngle()),
             "meanBestIncidence_deg": _number_or_none(planner.GetMeanBestIncidenceAngle()),
         },
+        "crs": task.geography.label or None,
+        "times": _times(task, positions),
         **({"walk": walk} if walk else {}),
         **_objects(task, planner.GetOutputDataObject(1)),
         "positions": list(_position_rows(positions)),
     }
+
+
+def _count_places(candidates):
+    """Returns the number of places that were given."""
+    return candidates.GetInputDataObject(2, 0).GetNumberOfPoints()
+
+
+def _times(task, positions):
+    """The duration of the field work [s]; ways are straight lines in the order of the positions."""
+    document, points = task.document, arrays(positions)["points"]
+    turn = abs(document.GetLegHeadRotateStop() - document.GetLegHeadRotateStart())
+    ends = [*points, *points[:1]] if task.settings["order"] == "round" else points
+    way = float(np.linalg.norm(np.diff(ends, axis=0), axis=1).sum())
+    times = {
+        "setup_s": len(points) * task.settings["setup_time"],
+        "scan_s": len(points) * turn / document.GetLegHeadRotatePerSecond(),
+        "travel_s": way / task.settings["walking_speed"],
+    }
+    return {"way_m": way, **times, "total_s": sum(times.values())}
 
 
 def _objects(task, test_points):
@@ -141,64 +161,3 @@ def _position_rows(positions):
 def _number_or_none(value):
     """JSON has no NaN."""
     return None if math.isnan(value) else float(value)
-
-
-def find_raised(scene, positions, height):
-    """Returns the positions above another surface: (index, distance to the highest one below [m])
-    each."""
-    points = vtk_to_numpy(scene.GetPoints().GetData())
-    corners = vtk_to_numpy(scene.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    low, high = (
-        find([points[corners[:, i], :2] for i in range(3)], axis=0) for find in (np.min, np.max)
-    )
-    raised = []
-    for index, (x, y, z) in enumerate(np.asarray(positions)):
-        foot = z - height
-        near = ((low <= (x, y)) & (high >= (x, y))).all(axis=1)
-        depths = foot - _heights_at(x, y, points[corners[near]])
-        depths = depths[depths >= HEADROOM]
-        if len(depths):
-            raised.append((index, depths.min()))
-    return raised
-
-
-def _heights_at(x, y, triangles):
-    """Returns the heights at which triangles (n x 3 x 3) cross a vertical line."""
-    a, u, v = triangles[:, 0], *(triangles[:, k] - triangles[:, 0] for k in (1, 2))
-    area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    dx, dy = x - a[:, 0], y - a[:, 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        s, t = (dx * v[:, 1] - dy * v[:, 0]) / area, (dy * u[:, 0] - dx * u[:, 1]) / area
-    inside = (area != 0) & (s >= 0) & (t >= 0) & (s + t <= 1)
-    return (a[:, 2] + s * u[:, 2] + t * v[:, 2])[inside]
-
-
-def has_ground(scene):
-    """Returns whether any material of a scene is ground."""
-    column = scene.GetFieldData().GetArray(MATERIAL_IS_GROUND)
-    return column is not None and any(
-        column.GetTuple1(i) for i in range(column.GetNumberOfTuples())
-    )
-
-
-def warn_of_roofs(plan):
-    """Returns a warning of positions on roofs, or None. Scenes with ground materials have none
-    there."""
-    if (
-        plan.task.settings["ground"] != "auto"
-        or has_instances(plan.scene)
-        or has_ground(plan.scene)
-    ):
-        return None
-    raised = find_raised(plan.scene, plan.positions, plan.task.settings["height"])
-    if not raised:
-        return None
-    index, distance = raised[0]
-    x, y, z = plan.positions[index]
-    count = f"{len(raised)} of {counted(len(plan.positions), 'position')}"
-    return (
-        f"{count} {'stand' if len(raised) > 1 else 'stands'} above another surface, as on a roof: "
-        f"position {index + 1} at ({x:.2f}, {y:.2f}, {z:.2f}), {distance:.2f} m above it. No material "
-        "of the scene is ground: give helios_isGround true to those of the ground in the .mtl file, or "
-        "leave the roof out with --exclude (exclude=)"
-    )

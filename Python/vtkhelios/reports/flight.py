@@ -59,6 +59,34 @@ def flight_lines(report):
         f"{flight['turnLength_m'] / 1000:.4g} km ({turns})"
     )
     yield from predicted_lines(predicted)
+    yield from step_lines(report)
+
+
+def step_lines(report):
+    """Yields what the next lower and higher pulse frequency would cost."""
+    for name, step in report["steps"].items():
+        yield f"{name:8} {describe_step(step)}"
+
+
+def describe_step(step):
+    """Returns the cost of another pulse frequency, or why there is none."""
+    if "reason" in step:
+        return step["reason"]
+    return (
+        f"{step['pulseFrequency_Hz'] / 1000:g} kHz: {time_span(step['time_s'])} ({_change(step['timeFactor'], 'time')}), "
+        f"{digits(step['speed_m_s'], 3)} m/s, {digits(step['flyingHeight_m'], 3)} m above ground, a strip of at least "
+        f"{digits(step['strip_1_m2'], 3)} pulses/m² ({_change(step['pulsesFactor'], 'pulses', 'fewer')})"
+    )
+
+
+def _change(factor, what, less="less"):
+    """Returns how much a factor changes something: 12 % more time."""
+    percent = round(100 * (factor - 1))
+    return (
+        f"{abs(percent)} % {'more' if percent > 0 else less} {what}"
+        if percent
+        else f"the same {what}"
+    )
 
 
 def predicted_lines(predicted):

@@ -5,10 +5,12 @@
 
 from ..array_names import NUMBER_OF_STRIPS, PULSE_DENSITY
 from ..core.classes import version
-from ..core.words import between, counted, describe_settings, noun, time_span
+from ..core.words import between, counted, describe_settings, digits, noun, time_span
 from . import page
 from .flight_picture import draw_density, draw_lines, draw_strips, load_charts
+from .flight import describe_step
 from .page import make_figure
+from .plan_page import describe_system
 from .template import MACROS, STYLE
 
 HEADS = (
@@ -39,6 +41,9 @@ def write_page(plan, counts=None):
         maps=_maps(plan, counts),
         heads=HEADS,
         lines=_rows(plan),
+        system=describe_system(plan.geography),
+        times=_times(plan),
+        steps=_steps(plan),
         settings=_settings(plan),
     )
 
@@ -94,7 +99,6 @@ def _map(plan, title, note, draw):
     draw(figure, axes)
     draw_lines(axes, plan)
     axes.set_title("")
-    axes.set_ylabel("y [m]")
     return make_figure(title, note, charts.to_png(figure), f"map: {title.lower()}")
 
 
@@ -113,6 +117,30 @@ def _rows(plan):
     ]
 
 
+def _times(plan):
+    flight = plan.report["flight"]
+    lines = flight["lineLength_m"] / flight["speed_m_s"]
+    turns = (
+        f"{counted(max(len(plan) - 1, 0), 'turn')}, {digits(flight['turnLength_m'] / 1000, 3)} km"
+    )
+    return [
+        (
+            "on lines",
+            time_span(lines),
+            f"{digits(flight['lineLength_m'] / 1000, 3)} km, {flight['speed_m_s']:.1f} m/s",
+        ),
+        ("in turns", time_span(max(flight["time_s"] - lines, 0.0)), turns),
+        ("all", time_span(flight["time_s"]), "without the way to the area and back"),
+    ]
+
+
+def _steps(plan):
+    return [
+        (f"next {name} pulse frequency", describe_step(step))
+        for name, step in plan.report["steps"].items()
+    ]
+
+
 def _settings(plan):
     return describe_settings({**plan.report["settings"], **plan.report["scan"]})
 
@@ -123,12 +151,14 @@ PAGE = """\
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{{ name }}: flight plan</title><style>{{ style | safe }}</style></head><body>
 <h1>{{ name }}</h1>
-<p class="lead">Flight plan, made by vtkHelios {{ version }}. Heights are in the scene's coordinates;
-densities are per square metre of the horizontal plane; there is no wind.</p>
+<p class="lead">Flight plan, made by vtkHelios {{ version }}. {{ system }} Densities are per square metre of the horizontal plane; there is no wind.</p>
 <div class="tiles">{% for value, text in tiles -%}
 <div class="tile"><b>{{ value }}</b><span>{{ text }}</span></div>{% endfor %}</div>
 <h2>Maps</h2>{{ charts(maps) }}
+<p class="note">N is grid north, the y axis of the coordinates. Black: the area; orange: flight lines, numbered at their begin.</p>
 <h2>Flight lines</h2>{{ table(heads, lines) }}
+<h2>Time</h2>{{ table(("", "time", ""), times, (0, 2)) }}
+<h2>Other densities</h2>{{ table(("", "cost"), steps, (0, 1)) }}
 <h2>Settings</h2>{{ table(("setting", "value"), settings, (0, 1)) }}
 </body></html>
 """

@@ -7,6 +7,7 @@ import numpy as np
 from ..array_names import NUMBER_OF_STRIPS, PULSE_DENSITY
 from ..core.words import counted, time_span
 from . import charts
+from .map_marks import box_of, finish_map, number_place
 
 SIZE = (12.5, 6.2)  # inches
 LINE, EDGE = "#d55e00", "#111111"
@@ -22,7 +23,7 @@ def make_picture(plan):
     draw_strips(figure, axes[1], plan)
     for each in axes:
         draw_lines(each, plan)
-    axes[0].set_ylabel("y [m]")
+    axes[1].set_ylabel("")
     figure.suptitle(describe(plan), fontsize=10)
     return load_charts().to_png(figure)
 
@@ -50,7 +51,7 @@ def draw_density(figure, axes, plan, values, title):
         to_map(plan, values), origin="lower", extent=plan.grid.box, cmap="viridis",
         interpolation="nearest", vmin=0.0, vmax=max(float(np.quantile(values, 0.995)), 1e-9),
     )  # fmt: skip
-    _finish(axes, title)
+    axes.set_title(title, pad=26)
     bar = figure.colorbar(image, ax=axes, shrink=0.8, extend="max")
     bar.set_label("pulses/m²")
     bar.outline.set_visible(False)
@@ -67,7 +68,7 @@ def draw_strips(figure, axes, plan):
         cmap=ListedColormap(STRIPS[: most + 1]), interpolation="nearest",
         norm=BoundaryNorm(np.arange(-0.5, most + 1), most + 1),
     )  # fmt: skip
-    _finish(axes, "strips per cell")
+    axes.set_title("strips per cell", pad=26)
     bar = figure.colorbar(image, ax=axes, shrink=0.8, ticks=range(most + 1))
     bar.ax.set_yticklabels([*map(str, range(most)), f"{most}{' or more' * (strips.max() > most)}"])
     bar.outline.set_visible(False)
@@ -84,15 +85,10 @@ def draw_lines(axes, plan):
             arrowprops={"arrowstyle": "-|>", "color": LINE, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0},
         )  # fmt: skip
         if number < MAXIMUM_NUMBERS:
-            axes.text(*places[0, :2], str(number), color="white", fontsize=7, ha="center",
-                      va="center", bbox={"boxstyle": "round,pad=0.2", "fc": LINE, "ec": "none"})  # fmt: skip
-    ends = np.concatenate([places[:, :2] for places in plan.line_waypoints()])
+            number_place(axes, places[0], str(number), LINE)
     west, east, south, north = plan.grid.box
-    low = np.minimum(ends.min(axis=0), (west, south))
-    high = np.maximum(ends.max(axis=0), (east, north))
-    pad = 0.03 * (high - low).max()
-    axes.set_xlim(low[0] - pad, high[0] + pad)
-    axes.set_ylim(low[1] - pad, high[1] + pad)
+    corners = np.array([(west, south), (east, north)])
+    finish_map(axes, box_of(corners, *plan.line_waypoints()))
 
 
 def to_map(plan, values):
@@ -100,15 +96,3 @@ def to_map(plan, values):
     shown = np.full(plan.grid.shape, np.nan)
     shown[plan.inside] = values
     return shown
-
-
-def _finish(axes, title):
-    from matplotlib.ticker import MaxNLocator
-
-    axes.grid(False)
-    axes.set_title(title)
-    axes.set_xlabel("x [m]")
-    axes.set_aspect("equal")
-    axes.ticklabel_format(style="plain", useOffset=False)
-    axes.xaxis.set_major_locator(MaxNLocator(5))
-    axes.yaxis.set_major_locator(MaxNLocator(5))

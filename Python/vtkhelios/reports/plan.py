@@ -5,7 +5,7 @@
 import sys
 
 from ..core.streams import unfiltered
-from ..core.words import counted
+from ..core.words import counted, time_span
 from .run import readable
 
 try:
@@ -77,6 +77,11 @@ def result_lines(report):
             f"deg, {result['meanBestIncidence_deg']:.1f} deg on average"
         )
     yield f"scans    {describe_proof(result, report['settings'].get('timeLimit_s'))}"
+    times = report["times"]
+    yield (
+        f"time     {time_span(times['total_s'])}: setting up {time_span(times['setup_s'])}, scanning "
+        f"{time_span(times['scan_s'])}, walking {time_span(times['travel_s'])}"
+    )
     if "objects" in report:
         yield describe_objects(report["objects"])
     if "walk" in report:

@@ -7,7 +7,7 @@ from ...plans.settings import SETTINGS as TRIPOD_SETTINGS
 from .._parser import number
 from .._plan_options import METAVARS, option_of
 
-SHARED = ("scanner", "platform", "pulse_frequency")  # with plans of scan positions
+SHARED = ("scanner", "platform", "pulse_frequency", "crs")  # with plans of scan positions
 OWN = tuple(name for name in ALL if name not in SHARED)
 TEXTS = {
     "density": "least pulse density of a strip [points/m2] (default: 4)",
@@ -39,8 +39,9 @@ def add_flight_arguments(parser):
     group.add_argument(
         "--area",
         metavar="AREA",
-        help="what to scan, in the coordinates of the scene: POLYGON ((x y, ...)), or a file (.geojson, "
-        ".json, .wkt, .vtp, .txt or .csv with x y per line; default: the box of the scene)",
+        help="what to scan, in the coordinates of the scene: POLYGON ((x y, ...)), or a file (.geojson "
+        "and .json, also in degrees, .wkt, .vtp, .txt or .csv with x y per line; default: the box of the "
+        "scene)",
     )
     group.add_argument(
         "--spacing",

@@ -10,10 +10,15 @@ from ...core.files import cannot_be_written, find_unwritable
 from ...core.paths import require_utf8
 from ...flight import FlightPlan
 from ...flight._check import Counts
-from ...flight._files import FILES, data_files, has_plan, page_file, picture_file, summary_file
+
+from ...flight._files import (
+    FILES, data_files, geo_files, has_plan, page_file, picture_file, summary_file,
+)  # fmt: skip
 from ...plans.files import new_plan
+from ...plans.geo import check_formats
 from ...reports.flight import check_lines, flight_lines, lacks, print_lines
 from ...reports.plan import file_lines
+from .._geo_files import write_geo_files
 from .._plan_check import read_strips, simulate
 from .._stopping import set_outcome
 from .options import given_flight_settings
@@ -21,6 +26,7 @@ from .options import given_flight_settings
 
 def make_flight_plan(arguments, messages):
     """Makes, prints and writes the plan; returns an exit code."""
+    formats = check_formats(arguments.geo or "all")
     plan = FlightPlan(arguments.input, arguments.assets, **given_flight_settings(arguments))
     require_utf8(plan.name)
     folder = pathlib.Path(arguments.output) / plan.name
@@ -36,7 +42,7 @@ def make_flight_plan(arguments, messages):
         messages.warning(problem)
     try:
         with new_plan(folder, FILES):
-            return write(arguments, plan, folder, messages)
+            return write(arguments, formats, plan, folder, messages)
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return 1
@@ -52,10 +58,11 @@ def find_unusable(folder, overwrite):
     return find_unwritable(folder, "--output")
 
 
-def write(arguments, plan, folder, messages):
+def write(arguments, formats, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
     set_outcome(f"the plan in {folder} was not written")
     files = data_files(plan, folder)
+    files += write_geo_files(arguments, geo_files(plan, folder, formats), messages)
     set_outcome("the plan itself is written, other files are not")
     report, code, counts = dict(plan.report), 0, None
     if arguments.check:
