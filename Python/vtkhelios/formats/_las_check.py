@@ -13,7 +13,6 @@ import numpy as np
 from ._base import memory_limit
 
 HEADER_BYTES = 393  # header of LAS 1.5, the longest
-LASZIP = (b"laszip encoded", 22204)
 TABLE_AT_END = -1  # the last 8 bytes of the file hold the chunk table offset
 VARIABLE = 2**32 - 1  # the chunk size of variable chunks
 POINTWISE, LAYERED = 1, 3  # compressors
