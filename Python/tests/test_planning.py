@@ -90,6 +90,8 @@ GIVEN = {
     "test_grid": (1, 0.5),
     "test_lines": ("vertical", "all"),
     "region": (None, [0, 8, 0, 4]),
+    "region_of": ("candidates", "all"),
+    "candidates": (None, None),
     "exclude": (None, None),
     "max_slope": (20, 10),
     "ground": ("false", "auto"),
@@ -112,6 +114,9 @@ GIVEN = {
     "order": ("gain", "walk"),
     "remove_order": ("viewshedSize", "meanIncidenceAngle"),
     "remove_first": ("smallest", "largest"),
+    "setup_time": (300, 60),
+    "walking_speed": (1, 2),
+    "crs": (None, "EPSG:25832"),
     "time_limit": (20, 30),
 }
 DOCUMENT = """\
@@ -381,6 +386,46 @@ def test_a_picture_needs_a_display(rooms, tmp_path, monkeypatch):
             ValueError,
             "range_min is 5 and range_max is 5, so nothing is visible; give a smaller range_min or a",
         ),
+        ({"on": "roof"}, ValueError, "on is 'roof'; expected one of: ground, any"),
+        ({"on": "any", "ground": "open"}, ValueError, "on and ground are both given; give one"),
+        ({"region_of": "all"}, ValueError, "region_of is all, and region is not given; give it"),
+        ({"setup_time": -1}, ValueError, "setup_time is -1; its valid range is [0, 100000] s"),
+        (
+            {"walking_speed": 0},
+            ValueError,
+            "walking_speed is 0; its valid range is [0.01, 100] m/s",
+        ),
+        ({"crs": 25832}, TypeError, "crs is 25832; give a text"),
+        (
+            {"crs": "EPSG:4326"},
+            ValueError,
+            "crs EPSG:4326: has units of degrees; a scene has metres",
+        ),
+        ({"crs": "EPSG:2263"}, ValueError, "crs EPSG:2263: has units of US survey foot; a scene"),
+        ({"crs": "UTM"}, ValueError, "crs "),
+        ({"candidates": "spots.kml"}, ValueError, "candidates spots.kml: is not CSV or GeoJSON"),
+        (
+            {"candidates": 7},
+            TypeError,
+            "candidates has the shape (); give places (n x 2, or n x 3)",
+        ),
+        ({"candidates": "a.csv"}, ValueError, "candidates a.csv: cannot be read: No such file"),
+        ({"candidates": [["a", 1]]}, TypeError, "give a file, or places (n x 2)"),
+        (
+            {"candidates": [[np.nan, 1]]},
+            ValueError,
+            "candidates has a coordinate that is not finite",
+        ),
+        (
+            {"candidates": [[1, 1]], "grid_y": 2},
+            ValueError,
+            "candidates and grid_y are both given; give one of them",
+        ),
+        (
+            {"candidates": [[1, 1]], "region": (5, 6, 0, 1)},
+            ValueError,
+            "region has none of the 1 places of candidates; give a larger one",
+        ),
         ({"progress": 3}, TypeError, "progress is 3; give True, False or a function"),
     ],
 )
@@ -495,19 +540,14 @@ def make_hall(tmp_path, ground=False):
     return tmp_path / "hall.obj"
 
 
-def test_positions_on_a_roof_are_a_warning(tmp_path):
-    with pytest.warns(
-        RuntimeWarning, match="above another surface, as on a roof: position"
-    ) as record:
-        plan = vtkhelios.plan(make_hall(tmp_path), grid=2)
-    raised = plan.positions[plan.positions[:, 2] > 4]
-    assert len(raised) >= 1
-    text = str(record[0].message)
-    assert f"{len(raised)} of {len(plan)} positions" in text
-    assert (
-        ", 4.00 m above it. No material of the scene is ground: give helios_isGround true" in text
-    )
-    assert "or leave the roof out with --exclude" in text
+def test_no_position_is_on_a_roof_unless_asked(tmp_path):
+    plan = vtkhelios.plan(make_hall(tmp_path), grid=2)
+    assert plan.positions[:, 2].max() < 4 and plan.report["onRoofs"] == 16
+    anywhere = vtkhelios.plan(make_hall(tmp_path), grid=2, on="any")
+    assert anywhere.positions[:, 2].max() > 4 and anywhere.report["onRoofs"] == 0
+    with pytest.warns(RuntimeWarning, match="All of 16 places are 1.8 m or more above another"):
+        only_roof = vtkhelios.plan(make_hall(tmp_path), grid=2, region=(-4, 4, -4, 4))
+    assert only_roof.positions[:, 2].min() > 4
 
 
 def test_no_position_is_on_a_roof_with_ground_materials(tmp_path, recwarn):

@@ -102,7 +102,15 @@ def test_a_mesh(plan, tmp_path):
     assert code == 0, said
     folder = tmp_path / "output/room"
     assert sorted(path.name for path in folder.iterdir()) == sorted(
-        ["survey.xml", "positions.vtp", "candidates.vtp", "test_points.vtp", "plan_summary.json"]
+        [
+            "survey.xml",
+            "positions.vtp",
+            "candidates.vtp",
+            "test_points.vtp",
+            "plan_summary.json",
+            "positions.csv",
+            "positions.dxf",
+        ]
     )
     assert json.loads((folder / "plan_summary.json").read_text()) == summary
     candidates = read_vtp(folder / "candidates.vtp")

@@ -38,7 +38,7 @@ def test_files_check_and_page(plan, tmp_path):
     report, folder = json.loads(out), tmp_path / "output/ground_als"
     assert json.loads((folder / "plan_summary.json").read_text()) == report
     assert sorted(report["files"]) == [
-        "cells.vtp", "lines.csv", "lines.geojson", "lines.vtp", "plan.html", "plan.png", "survey.xml"
+        "cells.vtp", "lines.csv", "lines.dxf", "lines.vtp", "plan.html", "plan.png", "survey.xml"
     ]  # fmt: skip
     assert report["kind"] == "flight" and report["settings"]["density_1_m2"] == 6
     assert report["settings"]["sideOverlap_percent"] == 20
@@ -49,15 +49,20 @@ def test_files_check_and_page(plan, tmp_path):
         folder / f"check/ground_als/strip{i:03}_points.pvtp" for i in range(len(report["lines"]))
     ]
     assert all(path.exists() for path in strips)
-    geojson = json.loads((folder / "lines.geojson").read_text())
-    kinds = [feature["geometry"]["type"] for feature in geojson["features"]]
-    assert kinds == ["LineString"] * len(report["lines"]) + ["MultiPolygon"]
     page = (folder / "plan.html").read_text()
     assert page.count("data:image/png;base64,") == 3 and "simulated mean density" in page
     settings = page.partition("<h2>Settings</h2>")[2]
     assert re.search(r">Half swath</td>\s*<td[^>]*>[\d.]{2,5} deg</td>", settings), settings
     assert re.search(r">Terrain following</td>\s*<td[^>]*>no</td>", settings)
     assert not re.search(r"\d\.\d{5}|_(deg|m|Hz)\b", re.sub("<[^>]*>", " ", settings))
+    for words in (
+        "on lines",
+        "in turns",
+        "next lower pulse frequency",
+        "N is grid north",
+        "which states no",
+    ):
+        assert words in page, words
     assert f"<b>{len(report['lines'])}</b><span>flight line" in page
     assert (folder / "plan.png").read_bytes().startswith(b"\x89PNG")
     survey = vtkhelios.read_survey(folder / "survey.xml")

@@ -108,6 +108,34 @@ def test_the_fastest_of_heights_and_frequencies(flat):
             assert best.pattern["time_s"] <= other.pattern["time_s"] * 1.002
 
 
+def test_of_equal_times_the_fewest_pulses(flat):
+    settings = dict(area=AREA, density=8, flying_height=150, scanner="rotating_als")
+    plan = vtkhelios.plan_flight(flat, max_speed=40, **settings)
+    assert plan.design.pulse_frequency == 150e3 and plan.design.speed == 40
+    least = plan.report["predicted"]["strip_1_m2"]["minimum"]
+    assert 8 <= least <= 16
+    assert plan.steps["lower"] == "no lower pulse frequency to choose"
+    higher = plan.report["steps"]["higher"]
+    assert higher["pulseFrequency_Hz"] == 250e3 and higher["speed_m_s"] == 40
+    assert higher["timeFactor"] == pytest.approx(1)
+    assert higher["pulsesFactor"] == pytest.approx(250 / 150)
+    other = vtkhelios.plan_flight(flat, max_speed=40, pulse_frequency=250e3, **settings)
+    assert other.pattern["time_s"] == pytest.approx(plan.pattern["time_s"], rel=1e-3)
+    assert other.design.density == pytest.approx(higher["strip_1_m2"], rel=0.01)
+    assert other.steps == {name: f"no {name} pulse frequency to choose" for name in plan.steps}
+
+
+def test_the_cost_of_fewer_pulses(flat):
+    settings = dict(area=AREA, flying_height=150, scanner="rotating_als", max_speed=40)
+    plan = vtkhelios.plan_flight(flat, density=20, turn_time=10, min_speed=10, **settings)
+    lower = plan.steps["lower"]
+    assert lower.pulse_frequency < plan.design.pulse_frequency
+    assert lower.density == pytest.approx(20) and lower.speed < 40
+    assert lower.time > plan.design.time and lower.pulses < plan.design.pulses
+    plan = vtkhelios.plan_flight(flat, density=20, min_speed=39.9, **settings)
+    assert "the speed would be" in plan.report["steps"]["lower"]["reason"]
+
+
 def test_limits_of_the_instrument(flat):
     plan = vtkhelios.plan_flight(
         flat, area=AREA, density=3, scanner="livox_mid70", platform="copter_linearpath"
@@ -242,12 +270,12 @@ def test_files_are_read_back(flat, tmp_path):
     )
     files = {path.name: path for path in plan.write(tmp_path)}
     assert set(files) == {
-        "survey.xml", "scene.obj", "lines.vtp", "cells.vtp", "lines.csv", "lines.geojson",
+        "survey.xml", "scene.obj", "lines.vtp", "cells.vtp", "lines.csv", "lines.dxf",
         "plan_summary.json",
     }  # fmt: skip
     survey = vtkhelios.read_survey(files["survey.xml"])
     assert [leg.active for leg in survey.legs] == [True, False] * len(plan)
-    rows = np.loadtxt(files["lines.csv"], delimiter=",", skiprows=1, ndmin=2)
+    rows = np.loadtxt(files["lines.csv"], delimiter=",", skiprows=1, ndmin=2, usecols=range(10))
     assert len(rows) == len(plan)
     assert rows[:, 8] == pytest.approx([row["length_m"] for row in plan.lines], abs=0.06)
     assert repr(plan).startswith("FlightPlan('flat': ")

@@ -63,15 +63,28 @@ def _with_heights(places):
     return np.column_stack([places, np.full(len(places), math.nan)])
 
 
-def to_places(value, geography, box):
+def to_places(value, geography, box, region=None):
     """Returns the places of a checked setting (vtkPolyData): x, y, z [m], z NaN if it is not given.
 
     box
         low and high corner of the scene: degrees in a file are known by being outside.
+    region
+        x0, x1, y0, y1: others are left out.
     """
     points = read_places("candidates", value) if isinstance(value, str) else value
     if isinstance(value, str) and geography.is_in_degrees(points[:, :2], box):
         points = np.column_stack([geography.from_degrees(points[:, :2]), points[:, 2]])
+    if region is not None:
+        x0, x1, y0, y1 = region
+        (x, y), every = points[:, :2].T, len(points)
+        points = points[(x >= x0) & (x <= x1) & (y >= y0) & (y <= y1)]
+        if not len(points):
+            raise SettingError(
+                "{0} has none of the {every} places of {1}; give a larger one",
+                "region",
+                "candidates",
+                every=every,
+            )
     data, coordinates = vtkPolyData(), vtkPoints()
     coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
     data.SetPoints(coordinates)
@@ -152,7 +165,7 @@ def _parse_geojson(name, path, text):
 
 
 def _find_points(item):
-    """Yields x, y and the height of all points in a GeoJSON object; ValueError for others."""
+    """Yields x, y and the height of all points in a GeoJSON object; raises for what is no number."""
     items = [(item, math.nan)]
     for each, height in items:
         if not isinstance(each, dict):
@@ -164,10 +177,10 @@ def _find_points(item):
             kind, []
         )
         for place in places:
-            x, y = (float(value) for value in place[:2])
-            if not (math.isfinite(x) and math.isfinite(y)):
-                raise ValueError
-            yield [x, y, height]
+            x, y = place[:2]
+            if not all(isinstance(each, (int, float)) and math.isfinite(each) for each in (x, y)):
+                raise TypeError
+            yield [float(x), float(y), height]
         inner = [
             *(each.get("features") or []),
             *(each.get("geometries") or []),

@@ -209,7 +209,8 @@ class PlanTask:
         scene = self.document.GetOutput()
         self.geography = Geography(scene, self.settings["crs"])
         if (given := self.settings["candidates"]) is not None:
-            places = to_places(given, self.geography, Scene(scene).bounds)
+            box, region = Scene(scene).bounds, self.settings["region"]
+            places = to_places(given, self.geography, box, region)
             self.filters.GetCandidates().SetInputDataObject(2, places)
 
     def has_scene_in_memory(self):
