@@ -172,8 +172,8 @@ public:
     return true;
   }
 
-  /// Keeps positions on roofs if there are no others; returns their number.
-  vtkIdType KeepRoofs()
+  /// Restores positions on roofs if there are no others; returns their number.
+  vtkIdType RestoreRoofs()
   {
     const vtkIdType roofs = this->GetCount(Place::Roof);
     if (roofs == 0 || this->GetCount(Place::Kept) > 0)
@@ -420,7 +420,7 @@ int vtkHeliosScanPositionCandidates::RequestData(
     vtkErrorMacro(<< "Aborted; update again for all candidates.");
     return 0;
   }
-  if (const vtkIdType roofs = search.KeepRoofs())
+  if (const vtkIdType roofs = search.RestoreRoofs())
   {
     vtkWarningMacro(<< "All of " << roofs << " places are " << Headroom
                     << " m or more above another surface, as on a roof, and are used; give "

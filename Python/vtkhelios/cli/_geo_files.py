@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the commands say of the files for maps and receivers."""
+"""Messages of the commands about files for maps and receivers."""
 
 
 def write_geo_files(arguments, written, messages):

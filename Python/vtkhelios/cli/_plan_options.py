@@ -4,7 +4,7 @@
 
 from ..plans.document import PLATFORM, SCANNER
 from ..plans.geo import FORMATS
-from ..plans.kinds import Areas, Choice, Flag, Number, PlanText, Region, Setting
+from ..plans.kinds import Areas, Choice, Flag, Number, PlanString, Region, Setting
 from ..plans.places import Places
 from ..plans.settings import SETTINGS
 from ._parser import number
@@ -115,7 +115,7 @@ def add_setting(group, name, text):
     elif isinstance(setting, Region):
         takes = {"metavar": ("X0", "X1", "Y0", "Y1"), "nargs": 4, "type": float}
     else:
-        kinds = ((Areas, "FILE.vtp"), (Places, "FILE"), (PlanText, "CRS"), (Setting, "REF"))
+        kinds = ((Areas, "FILE.vtp"), (Places, "FILE"), (PlanString, "CRS"), (Setting, "REF"))
         takes = {"metavar": next(word for kind, word in kinds if isinstance(setting, kind))}
     group.add_argument(option_of(name), help=text, **takes)
 

@@ -163,7 +163,7 @@ def write_dxf(name, features, degrees, system):
         for ring in (each.points if each.kind == "Area" else [each.points])
     ]
     low, high = (find(np.concatenate(places), axis=0) for find in (np.min, np.max))
-    height = max(0.5, 0.01 * float(np.hypot(*(high - low)[:2])))  # of texts
+    height = max(0.5, 0.01 * float(np.hypot(*(high - low)[:2])))  # height of texts [m]
     system = f"coordinates: {system or 'of the scene, no coordinate system'} [m]"
     pairs = [
         (999, f"vtkHelios plan {name}"),

@@ -24,7 +24,7 @@ __all__ = [
     "Number",
     "PlanNumber",
     "PlanOption",
-    "PlanText",
+    "PlanString",
     "Reference",
     "Region",
     "SettingError",
@@ -179,7 +179,7 @@ class PlanNumber(Number):
         return self.low, self.high
 
 
-class PlanText(Setting):
+class PlanString(Setting):
     """A text that neither the document nor a filter has."""
 
     def read(self, objects):

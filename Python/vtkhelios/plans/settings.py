@@ -9,7 +9,7 @@ import difflib
 import math
 
 from .kinds import (
-    Areas, Choice, DocumentChoice, Flag, Number, PlanNumber, PlanOption, PlanText, Reference, Region,
+    Areas, Choice, DocumentChoice, Flag, Number, PlanNumber, PlanOption, PlanString, Reference, Region,
     SettingError, objects_of,
 )  # fmt: skip
 from .places import Places
@@ -81,7 +81,7 @@ SETTINGS = {
     "order": PlanOption("order", words=ORDERS),
     "setup_time": PlanNumber("setupTime_s", unit="s", low=0.0, high=1e5, default=300.0),
     "walking_speed": PlanNumber("walkingSpeed_m_s", unit="m/s", low=0.01, high=100.0, default=1.0),
-    "crs": PlanText("crs"),
+    "crs": PlanString("crs"),
     "time_limit": Number("timeLimit_s", "planner.time_limit", unit="s"),
     "memory": Number(
         None,

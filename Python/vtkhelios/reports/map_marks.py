@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a map of a plan needs beside its content: north, a scale bar, axes in metres."""
+"""Furniture of the map of a plan: north, a scale bar, axes in metres."""
 
 import math
 

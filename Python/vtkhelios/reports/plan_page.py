@@ -21,9 +21,9 @@ HEADS = (
 )  # fmt: skip
 WIDTH, BAR = 6.4, 1.5  # inches of a map, and of its legend
 MARK = charts.ORANGE
-MAXIMUM_POINTS = 200_000  # of a map
+MAXIMUM_POINTS = 200_000  # limit of a map
 ANGLES = (0, 90)
-SETTINGS = {  # of the report: name, unit, and the value that does not limit
+SETTINGS = {  # settings of the report: name, unit, and the value that does not limit
     "grid_m": ("Candidates every", "m", None),
     "candidates": ("Candidates of", "", None),
     "testGrid_m": ("Points to be seen every", "m", None),
