@@ -165,6 +165,12 @@ std::string vtkHeliosSurveyPlayer::GetReport() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosSurveyPlayer::GetForecastReport() const
+{
+  return this->State->Forecast;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosSurveyPlayer::GetSampling() const
 {
   return this->State->Sampling;
@@ -231,7 +237,7 @@ bool vtkHeliosSurveyPlayer::Attempt(bool (helios::SurveyRun::*work)())
     log.Listen(this->Source);
     const helios::RunRequest request{ TextOf(this->Format), this->Wanted, this->Overwrite,
       this->Resume, this->PulsesPerBlock, this->BytesToCheck, this->Part, this->NumberOfParts,
-      this->PartCommand, this->PartFolders, this->Ranks };
+      this->PartCommand, this->PartFolders, this->Ranks, this->Forecast };
     helios::SurveyRun run(owner, request, this->AbortRequested, *this->State, log);
     good = (run.*work)();
   }
@@ -295,6 +301,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PartCommand: " << this->PartCommand << "\n"
      << indent << "PartFolders: " << this->PartFolders.size() << "\n"
      << indent << "Ranks: " << (this->Ranks ? this->Ranks->GetNumberOfRanks() : 1) << "\n"
+     << indent << "Forecast: " << this->Forecast << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
      << indent << "BytesToCheck: " << this->BytesToCheck << "\n"
      << indent << "Progress: " << this->State->Progress << "\n"

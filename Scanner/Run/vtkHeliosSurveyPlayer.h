@@ -225,6 +225,24 @@ public:
   vtkHeliosRanks* GetRanks() const;
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether a run first computes some hundred of its pulses in several ways: at tolerances of 1, 3 and 10
+   * mm, with 19 fixed sub-rays, and by a reference; in at most 2 % of its time, and one second. GetForecastReport() has
+   * time and errors. Runs of less than some 3 s, parts, and runs of several ranks have none. Changes no echo.
+   * Default: off.
+   */
+  vtkSetMacro(Forecast, bool);
+  vtkGetMacro(Forecast, bool);
+  vtkBooleanMacro(Forecast, bool);
+  ///@}
+
+  /**
+   * Returns the forecast of the current or last Run(), as JSON: "ways", each with run_s and its errors, or the "reason"
+   * why there is none. Empty before, and without it.
+   */
+  std::string GetForecastReport() const;
+
   /**
    * Computes blocks for the runs of rank 0 until it dismisses its ranks. Returns false after an error
    * and after Abort(). Errors of the survey are reported by rank 0.
@@ -306,6 +324,7 @@ private:
   int NumberOfParts = 0;
   std::string PartCommand;
   std::vector<std::string> PartFolders;
+  bool Forecast = false;
   vtkIdType PulsesPerBlock = 262144;
   vtkIdType BytesToCheck = 1073741824;
 

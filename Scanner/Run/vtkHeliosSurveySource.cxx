@@ -422,7 +422,7 @@ void vtkHeliosSurveySource::SetUpComparison(vtkHeliosEchoComparison* comparison,
   if (comparison && plan)
   {
     const helios::EchoMatching matching =
-      helios::MakeMatching(this->GetLoader().GetSurvey().GetScanner(plan->Leg), 0.0);
+      helios::MakeMatching(this->GetLoader().GetSurvey().GetScanner(plan->Leg).Receiver, 0.0);
     comparison->SetMatchingDistance(matching.Distance);
     comparison->SetFullAmplitude(matching.FullAmplitude);
     comparison->SetExtinction(matching.Extinction);

@@ -113,6 +113,12 @@ class Messages:
         if not self.quiet and not is_stopping():
             self.write_error(visible(f"warning: {text}"))
 
+    def note(self, text):
+        """Prints a line among the progress, on standard error."""
+        self.flush()
+        if self.results and not is_stopping():
+            self.write_error(visible(text))
+
     def info(self, text):
         self.flush()
         if self.results:

@@ -13,7 +13,10 @@ from ..core.paths import from_vtk, text_from_vtk, to_vtk
 from ..core.reading import make_reader, missing_folder
 from ..core.run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
 from ..core.words import counted
-from ..reports.run import epochs_lines, estimate_lines, join_reports, summary_lines
+
+from ..reports.run import (
+    epochs_lines, estimate_lines, forecast_line, join_reports, summary_lines,
+)  # fmt: skip
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
 from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
@@ -253,6 +256,7 @@ def make_player(arguments, survey, messages):
     player.GetSource().SetInstances(not arguments.no_instances)
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
+    player.SetForecast(messages.results)
     set_outputs(player, arguments)
     if arguments.part:
         player.SetPart(arguments.part[0])
@@ -313,7 +317,7 @@ def run_epoch(arguments, player, epoch, messages, request, reports):
             f"epoch    {epoch} of {player.GetSurvey().GetNumberOfEpochs()}, counted from 0"
         )
     folder = pathlib.Path(from_vtk(player.GetRunFolder()))
-    observer = watch_outcome(arguments, player, folder)
+    observer = watch_run(arguments, player, folder, messages)
     with make_progress(player, messages, quiet=arguments.quiet):
         succeeded = run_player(player, ESTIMATE if arguments.dry_run else RUN)
     player.RemoveObserver(observer)
@@ -347,14 +351,22 @@ def run_epoch(arguments, player, epoch, messages, request, reports):
     return 0
 
 
-def watch_outcome(arguments, player, folder):
-    """Sets what is said if the process is ended before the player stops; returns an observer's tag."""
+def watch_run(arguments, player, folder, messages):
+    """Sets what is said if the process is ended before the player stops, and prints the forecast, with the
+    progress; returns an observer's tag."""
     kept = f" before its end: the points so far are kept in {folder}; --resume continues the run"
     set_outcome(kept if arguments.resume else " at 0 %: no points yet")
+
+    forecasts = []
 
     def update(*_):
         if player.GetCount("points"):
             set_outcome(kept)
+        forecast = player.GetForecastReport()
+        if forecast and not forecasts:
+            forecasts.append(json.loads(forecast))
+            if line := forecast_line(forecasts[0]):
+                messages.note(line)
 
     return player.AddObserver("ProgressEvent", update)
 

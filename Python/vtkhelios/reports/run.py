@@ -4,11 +4,20 @@
 
 from ..core.run_files import SUMMARY_NAME
 from ..core.words import counted, time_span
-from .accuracy import accuracy_line, accuracy_lines
+from .accuracy import MILLIMETRES, PERCENT, accuracy_line, accuracy_lines, number, short
 
 MAXIMUM_LEGS = 20
 MAXIMUM_FILES = 12
 
+FORECAST_SHARES = ("missed", "invented", "amplitudeRms")
+FORECAST_COLUMNS = (  # head, width
+    ("us/pulse", 10),
+    ("run", 14),
+    ("p95 mm", 26),
+    ("missed %", 10),
+    ("invented %", 12),
+    ("amplitude %", 13),
+)
 COLUMNS = (  # columns of a table of legs: title, width, text
     ("leg", 5, lambda leg: str(leg["leg"])),
     ("start [s]", 12, lambda leg: f"{leg['start_s']:.3f}"),
@@ -93,6 +102,55 @@ def estimate_lines(report, is_verbose=False):
         f"with {counted(report['threads'], 'thread')}"
     )
     yield f"         estimated from {100 * share:.0f} % of the pulses; nothing was written"
+    yield from forecast_table(report["forecast"])
+
+
+def forecast_line(forecast):
+    """Returns the price of tolerances, and what fixed sub-rays miss, as one line; None if it is not known."""
+    if "reason" in forecast:
+        return None
+    adaptive = [way for way in forecast["ways"] if "subRays" not in way]
+    fixed = next(way for way in forecast["ways"] if "subRays" in way)
+    prices = (f"{_tolerance(way)} {time_span(way['run_s'])}" for way in adaptive)
+    return (
+        f"price    about {', '.join(prices)}; {fixed['subRays']} fixed sub-rays {time_span(fixed['run_s'])}, with "
+        f"{short(fixed['missedAndInvented'][0], PERCENT)} of the echoes missed or invented and 95 % of the ranges "
+        f"within {short(fixed['rangeP95_m'][0], MILLIMETRES)}; from {counted(forecast['pulses'], 'pulse')}, without "
+        "writing; --range-tolerance and --sub-rays choose"
+    )
+
+
+def forecast_table(forecast):
+    """Yields time and errors of a run at several tolerances and numbers of sub-rays."""
+    if "reason" in forecast:
+        yield f"price    not known: {forecast['reason']}"
+        return
+    yield (
+        f"price    of other settings, without writing, from {counted(forecast['pulses'], 'pulse')}; p95 of the range "
+        "error with its 95 % confidence interval"
+    )
+    heads = "".join(f"{head:>{width}}" for head, width in FORECAST_COLUMNS)
+    yield f"         {'':20}{heads}"
+    for way in forecast["ways"]:
+        is_fixed = "subRays" in way
+        name = counted(way["subRays"], "sub-ray") if is_fixed else f"within {_tolerance(way)}"
+        errors = [_ends(way["rangeP95_m"]), *(_percent(way, key) for key in FORECAST_SHARES)]
+        cells = [f"{way['us_per_pulse']:.3g}", time_span(way["run_s"]), *errors]
+        widths = (width for _, width in FORECAST_COLUMNS)
+        yield f"         {name:20}" + "".join(f"{cell:>{w}}" for cell, w in zip(cells, widths))
+
+
+def _tolerance(way):
+    return short(way["rangeTolerance_m"], MILLIMETRES)
+
+
+def _ends(estimate):
+    value, lower, upper = (number(each, MILLIMETRES, "") for each in estimate)
+    return f"{value} ({lower}, {upper})"
+
+
+def _percent(way, key):
+    return number(way[key][0], PERCENT, "")
 
 
 def join_reports(epochs, reports):

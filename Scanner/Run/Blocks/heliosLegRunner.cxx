@@ -5,6 +5,7 @@
 #include "heliosLegWriting.h"
 #include "heliosMessages.h"
 #include "heliosPulseCount.h"
+#include "heliosReceiverSetup.h"
 #include "heliosRunJournal.h"
 #include "heliosStatus.h"
 #include "vtkHeliosPlatform.h"
@@ -83,6 +84,7 @@ bool LegRunner::Plan()
     }
     shots += plan.NumberOfPulses / static_cast<vtkIdType>(this->Scanner.GetNumberOfChannels());
   }
+  this->WarnWithoutNoise();
   DivideIntoBlocks(this->Plans, this->Settings.PulsesPerBlock);
   this->NumberOfPulsesToRun = this->NumberOfPulses;
   if (this->Settings.Part.IsSet())
@@ -90,6 +92,28 @@ bool LegRunner::Plan()
     this->SelectPart();
   }
   return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+/// Warns of scanners that have no noise that their tolerances could follow.
+void LegRunner::WarnWithoutNoise()
+{
+  if (this->Settings.Options.Accuracy.empty() || this->Settings.Options.RangeTolerance > 0.0)
+  {
+    return;
+  }
+  for (const ScannerData& scanner : this->Survey.Scanners)
+  {
+    if (!HasRangeNoise(scanner.Receiver))
+    {
+      MessageBuilder text;
+      text << "Accuracy is \"" << this->Settings.Options.Accuracy << "\", but scanner "
+           << scanner.Name << " has no range noise: its beams are sampled within "
+           << ChooseSampling(scanner.Receiver, this->Settings.Options).RangeTolerance
+           << " m; give it accuracy_m, or RangeTolerance (--range-tolerance)";
+      this->Log.Warning(text.str());
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

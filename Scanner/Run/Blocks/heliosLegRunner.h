@@ -133,6 +133,7 @@ private:
     LegProgress Progress;
   };
 
+  void WarnWithoutNoise();
   void SelectPart();
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);

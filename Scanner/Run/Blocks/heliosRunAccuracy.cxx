@@ -36,6 +36,9 @@ constexpr double BinsPerPulse = 50.0;
 constexpr vtkIdType MaximumChecked = 32; // pulses that hit something, about
 constexpr int SubRaysOfCheck = 32768;
 
+} // namespace
+
+//------------------------------------------------------------------------------
 Json::Value DescribeErrors(const EchoErrors& errors)
 {
   Json::Value described;
@@ -51,8 +54,6 @@ Json::Value DescribeErrors(const EchoErrors& errors)
   return described;
 }
 
-} // namespace
-
 //------------------------------------------------------------------------------
 RunAccuracy::RunAccuracy(LegRunner& runner, const RunSettings& settings, Messages& log)
   : Runner(runner)
@@ -67,11 +68,10 @@ RunAccuracy::RunAccuracy(LegRunner& runner, const RunSettings& settings, Message
 }
 
 //------------------------------------------------------------------------------
-/// Returns the bins of the reference [ns]: for the shortest pulse, and no wider than the survey's.
-double RunAccuracy::GetFinestBin() const
+double FindFinestBin(const SurveyData& survey)
 {
   double finest = VTK_DOUBLE_MAX;
-  for (const ScannerData& scanner : this->Runner.GetSurvey().Scanners)
+  for (const ScannerData& scanner : survey.Scanners)
   {
     for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
     {
@@ -84,14 +84,21 @@ double RunAccuracy::GetFinestBin() const
 }
 
 //------------------------------------------------------------------------------
-bool RunAccuracy::CountsPhotons() const
+std::string ExplainRandomness(const LegRunner& runner, const RunSettings& settings)
 {
-  const std::string& name = this->Settings.Options.EchoDetector;
-  const auto& scanners = this->Runner.GetSurvey().Scanners;
-  return name.empty() ? std::any_of(scanners.begin(), scanners.end(),
-                          [](const ScannerData& scanner)
-                          { return scanner.GetChannel(0).Receiver.EchoDetector == PhotonCounting; })
-                      : name == PhotonCounting;
+  vtkPolyData* scene = runner.GetScene();
+  if (scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(scene))
+  {
+    return "the scene has only turbid voxels, which are random";
+  }
+  const std::string& name = settings.Options.EchoDetector;
+  const auto& scanners = runner.GetSurvey().Scanners;
+  const bool countsPhotons = name.empty()
+    ? std::any_of(scanners.begin(), scanners.end(),
+        [](const ScannerData& scanner)
+        { return scanner.GetChannel(0).Receiver.EchoDetector == PhotonCounting; })
+    : name == PhotonCounting;
+  return countsPhotons ? "photons are counted, which is random" : "";
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +150,7 @@ std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
     options.PulseStep = i >= CheckedReference ? this->CheckStep : this->Step;
     if (i != Run)
     {
-      options.BinSize = this->GetFinestBin();
+      options.BinSize = FindFinestBin(this->Runner.GetSurvey());
     }
   }
   this->SetReference(Finer, MaximumSubRays, ways[Reference].Options);
@@ -177,15 +184,9 @@ vtkIdType RunAccuracy::CountSamples(const LegPlan& plan, vtkIdType step) const
 //------------------------------------------------------------------------------
 void RunAccuracy::Measure(const StepWatcher& onStep)
 {
-  vtkPolyData* scene = this->Runner.GetScene();
-  if (scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(scene))
+  this->Reason = ExplainRandomness(this->Runner, this->Settings);
+  if (!this->Reason.empty())
   {
-    this->Reason = "the scene has only turbid voxels, which are random";
-    return;
-  }
-  if (this->CountsPhotons())
-  {
-    this->Reason = "photons are counted, which is random";
     return;
   }
   this->Log.Mute(true); // the run has reported its warnings
@@ -280,7 +281,7 @@ void RunAccuracy::Compare(const LegPlan& plan, const std::vector<Way>& ways)
       const ScannerData& channel = scanner.GetChannel(i % channels);
       const BeamSampling sampling = ChooseSampling(channel.Receiver, this->Settings.Options);
       const EchoMatching matching =
-        MakeMatching(channel, sampling.IsAdaptive ? sampling.EnergyTolerance : 0.0);
+        MakeMatching(channel.Receiver, sampling.IsAdaptive ? sampling.EnergyTolerance : 0.0);
       this->Reason = (this->*add)(ways, i, matching).Message();
     }
   };

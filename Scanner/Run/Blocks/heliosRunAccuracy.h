@@ -22,6 +22,16 @@ class vtkPolyData;
 namespace helios
 {
 
+/// Describes errors as value and ends of each measure.
+Json::Value DescribeErrors(const EchoErrors& errors);
+
+/// Returns the bins of a reference [ns]: for the shortest pulse, and no wider than the survey's.
+double FindFinestBin(const SurveyData& survey);
+
+/// Returns why the echoes of a run are random, so that two ways to compute them cannot be compared; empty: they are
+/// not.
+std::string ExplainRandomness(const LegRunner& runner, const RunSettings& settings);
+
 /**
  * Some 200 to 1000 pulses of all legs that hit something, chosen by pulse id alone, are computed again: as in the run,
  * and by the reference, adaptive sampling at a tenth of the tolerances (of a run with fixed sub-rays, of the default
@@ -65,8 +75,6 @@ private:
   std::vector<Way> MakeWays() const;
   void SetReference(double factor, int maximumSubRays, RunOptions& options) const;
   Tolerances GetTolerances() const;
-  double GetFinestBin() const;
-  bool CountsPhotons() const;
   void Fire(const LegPlan& plan, const StepWatcher& onStep, Way& way);
   void Compare(const LegPlan& plan, const std::vector<Way>& ways);
   Status AddErrors(const std::vector<Way>& ways, std::size_t echoes, const EchoMatching& matching);

@@ -6,6 +6,7 @@
 #include "heliosEchoComparison.h"
 #include "heliosRadiometry.h"
 #include "heliosSurveyData.h"
+#include "heliosTolerances.h"
 #include "heliosWeather.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
@@ -32,6 +33,8 @@ constexpr double LeastShare = 0.02;
 constexpr double MinimumThresholds = 2.0;
 constexpr double Separation = 0.6; // separation of equal echoes, in c sigma
 constexpr double FullReflectance = 0.5;
+
+constexpr double ShareOfNoise = 0.1; // tolerances of Accuracy "instrument"
 
 /// The instrument of a run: what the options override, and without noise nothing that is random
 /// apart from the light.
@@ -60,6 +63,26 @@ vtkHeliosInstrumentData MakeInstrument(const ReceiverData& receiver, const RunOp
     made.AngleAccuracy = made.DetectorNoise = made.DarkCountRate = made.TimeJitter = 0.0;
   }
   return made;
+}
+
+/// Returns the standard deviation of ranges at the shortest range: no range has less noise [m].
+double GetRangeNoise(const ReceiverData& receiver)
+{
+  return std::hypot(receiver.RangeAccuracy, receiver.RangeAccuracyPerMeter * receiver.RangeMin);
+}
+
+/// Returns the tolerances that are a share of the noise, of an instrument with range noise.
+Tolerances FindInstrumentTolerances(const ReceiverData& receiver)
+{
+  Tolerances tolerances;
+  tolerances.Range =
+    std::clamp(ShareOfNoise * GetRangeNoise(receiver), MinimumRangeTolerance, LargestTolerance);
+  const double full = receiver.RangeMin > 0.0
+    ? MakeMatching(receiver, 0.0).GetFullAmplitude(receiver.RangeMin)
+    : VTK_DOUBLE_MAX;
+  tolerances.Energy = std::clamp(
+    ShareOfNoise * receiver.DetectorNoise / full, DefaultEnergyTolerance, LargestTolerance);
+  return tolerances;
 }
 
 void SetFixedSubRays(const RunOptions& options, vtkHeliosBeamSampler* sampler)
@@ -155,12 +178,15 @@ void SetUpErrors(
 //------------------------------------------------------------------------------
 BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& options)
 {
-  const bool hasTolerance = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0;
-  const bool isFixed =
-    options.NumberOfSubRays > 0 || (receiver.NumberOfCircles > 0 && !hasTolerance);
-  return { !isFixed,
-    options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance,
-    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance };
+  const bool followsNoise = options.Accuracy == InstrumentAccuracy;
+  const bool isAdaptive = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0 ||
+    followsNoise || receiver.NumberOfCircles == 0;
+  const Tolerances own = followsNoise && HasRangeNoise(receiver)
+    ? FindInstrumentTolerances(receiver)
+    : Tolerances{ receiver.RangeTolerance, receiver.EnergyTolerance };
+  return { options.NumberOfSubRays == 0 && isAdaptive,
+    options.RangeTolerance > 0.0 ? options.RangeTolerance : own.Range,
+    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : own.Energy };
 }
 
 //------------------------------------------------------------------------------
@@ -170,9 +196,14 @@ const std::string& ChooseDetector(const ReceiverData& receiver, const RunOptions
 }
 
 //------------------------------------------------------------------------------
-EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance)
+bool HasRangeNoise(const ReceiverData& receiver)
 {
-  const ReceiverData& receiver = channel.Receiver;
+  return GetRangeNoise(receiver) > 0.0;
+}
+
+//------------------------------------------------------------------------------
+EchoMatching MakeMatching(const ReceiverData& receiver, double energyTolerance)
+{
   EchoMatching matching;
   Air air;
   const bool hasWeather =

@@ -31,14 +31,17 @@ BeamSampling ChooseSampling(const ReceiverData& receiver, const RunOptions& opti
 /// Returns the name of the echo detector of a scanner, or of the options.
 const std::string& ChooseDetector(const ReceiverData& receiver, const RunOptions& options);
 
+/// Whether ranges have noise at every range, which Accuracy "instrument" of the options needs.
+bool HasRangeNoise(const ReceiverData& receiver);
+
 /// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; options override
 /// the data.
 VTKHELIOSSCANNERRUN_EXPORT void SetUpReceiver(
   const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner);
 
-/// Which echoes of a channel are compared: of 2 % of a full footprint (of reflectance 0.5) and the
+/// Which echoes of a receiver are compared: of 2 % of a full footprint (of reflectance 0.5) and the
 /// energy tolerance, and of twice the detection threshold.
-EchoMatching MakeMatching(const ScannerData& channel, double energyTolerance);
+EchoMatching MakeMatching(const ReceiverData& receiver, double energyTolerance);
 
 } // namespace helios
 

@@ -73,6 +73,11 @@ std::vector<std::string> GetModelPartNames()
     "attitude" };
 }
 
+std::vector<std::string> GetAccuracyNames()
+{
+  return { InstrumentAccuracy };
+}
+
 std::vector<std::string> GetSubRayPatternNames()
 {
   std::vector<std::string> names;
@@ -141,6 +146,11 @@ const std::vector<OptionRow>& GetOptionRows()
     "energy tolerance", "{} %", "100", "--energy-tolerance", "F",
     "adaptive beam sampling: RMS of the amplitude error, relative to a full footprint, and missed and invented "
     "echoes (default: the survey's, else 0.01)" },
+  { &RunOptions::Accuracy, "Accuracy", "accuracy", "accuracy", Listing::IfGiven,
+    "accuracy asked for", "{}", "1", "--accuracy", "NAME",
+    "adaptive beam sampling: instrument, range errors within a tenth of the range noise of each scanner, "
+    "amplitudes within a tenth of its detector noise, at least 1 %%; a tolerance above overrides it; without range "
+    "noise the survey's tolerance holds (default: the survey's tolerances)", GetAccuracyNames },
   { &RunOptions::MaximumSubRays, "MaximumSubRays", "max_sub_rays", "maximumSubRays", Listing::Always,
     "maximum of sub-rays per pulse", "{}", "1", "--max-sub-rays", "N",
     "adaptive beam sampling: the most sub-rays of a beam with too many surfaces for visible areas; the end of "
@@ -233,6 +243,7 @@ int RunOptions::GetPattern() const
 Status RunOptions::FindFault() const
 {
   Status status = this->CheckSampling();
+  status = status.IsOk() ? this->CheckAccuracy() : status;
   status = status.IsOk() ? this->CheckPattern() : status;
   status = status.IsOk() ? this->CheckParts() : status;
   status = status.IsOk() ? this->CheckWeather() : status;
@@ -272,6 +283,17 @@ Status RunOptions::CheckSampling() const
       ", or 0 for " + std::to_string(DefaultSubRayLimit));
   }
   return status;
+}
+
+//------------------------------------------------------------------------------
+Status RunOptions::CheckAccuracy() const
+{
+  if (!this->Accuracy.empty() && this->NumberOfSubRays > 0)
+  {
+    return Status::Error("NumberOfSubRays is " + std::to_string(this->NumberOfSubRays) +
+      ", but Accuracy selects adaptive sampling; leave one of them out");
+  }
+  return CheckName("Accuracy", this->Accuracy, GetAccuracyNames());
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,9 @@ namespace helios
 
 class Status;
 
+/// The value of Accuracy.
+constexpr const char* InstrumentAccuracy = "instrument";
+
 /// Properties of vtkHeliosRunOptions, which documents them. 0 and empty: as in the survey.
 struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
 {
@@ -38,6 +41,7 @@ struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
   bool Noise = true;
   double RangeTolerance = 0.0;  ///< [m]
   double EnergyTolerance = 0.0; ///< relative
+  std::string Accuracy;         ///< "instrument": tolerances from its noise
   int NumberOfSubRays = 0;      ///< fixed
   /// largest number for a beam in adaptive sampling; 0: the default of the scanner
   int MaximumSubRays = 0;
@@ -68,6 +72,7 @@ struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
 
 private:
   Status CheckSampling() const;
+  Status CheckAccuracy() const;
   Status CheckPattern() const;
   Status CheckParts() const;
   Status CheckWeather() const;
@@ -129,6 +134,17 @@ public:
   vtkGetMacro(EnergyTolerance, double);
   double GetEnergyToleranceMinValue() const;
   double GetEnergyToleranceMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what the tolerances follow that are not set: "instrument", adaptive beam sampling within a tenth of
+   * the noise of each scanner, of its ranges (RangeAccuracy and RangeAccuracyPerMeter at RangeMin, in [1e-6, 1]
+   * m) and of the amplitude of a full footprint (DetectorNoise there; at least 1 %). A scanner without range
+   * noise has the tolerances of the survey, and a warning. Default: empty, the survey.
+   */
+  vtkSetMacro(Accuracy, const std::string&);
+  vtkGetMacro(Accuracy, std::string);
   ///@}
 
   ///@{

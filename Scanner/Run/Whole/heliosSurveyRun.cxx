@@ -9,6 +9,7 @@
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
+#include "heliosRunForecast.h"
 #include "heliosRunFormat.h"
 #include "heliosRunInputs.h"
 #include "heliosRunSummary.h"
@@ -59,9 +60,25 @@ bool SurveyRun::Estimate()
   {
     return this->Fail();
   }
-  this->State.Report = isWhole ? ToText(estimate.Describe()) : "";
-  this->State.Message = isWhole ? "Estimated; nothing was written." : "Stopped.";
-  return isWhole;
+  Json::Value report = isWhole ? estimate.Describe() : Json::Value();
+  if (isWhole)
+  {
+    report["forecast"] = this->ForecastRun(true);
+  }
+  const bool isGood = isWhole && !this->Abort;
+  this->State.Report = isGood ? ToText(report) : "";
+  this->State.Message = isGood ? "Estimated; nothing was written." : "Stopped.";
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// Describes time and errors at several tolerances.
+Json::Value SurveyRun::ForecastRun(bool isFull)
+{
+  RunForecast forecast(*this->Runner, this->Settings, this->Log);
+  const auto onStep = [this](double) { return this->ReportStep("comparing tolerances"); };
+  forecast.Measure(RunForecast::MakeEffort(isFull), onStep);
+  return forecast.Describe();
 }
 
 //------------------------------------------------------------------------------
@@ -290,6 +307,11 @@ bool SurveyRun::Begin()
 //------------------------------------------------------------------------------
 bool SurveyRun::RunLegs()
 {
+  const bool isShared = this->Settings.Part.IsSet() || this->Parts || this->RankSource;
+  if (this->Request.Forecast && !this->Resumes && !isShared)
+  {
+    this->State.Forecast = ToText(this->ForecastRun(false));
+  }
   const auto onBlock = [this](const ScanCounts& counts) { return this->Count(counts); };
   for (const LegPlan& plan : this->Runner->GetPlans())
   {

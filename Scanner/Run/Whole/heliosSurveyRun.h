@@ -47,6 +47,7 @@ struct RunRequest
   std::string PartCommand;
   std::vector<std::string> PartFolders; ///< to join
   vtkHeliosRanks* Ranks = nullptr;
+  bool Forecast = false; ///< before the first pulse
 };
 
 /// The progress and the result of a run.
@@ -59,7 +60,8 @@ struct RunState
   ScanCounts Counts;
   std::string Sampling;
   std::string Message;
-  std::string Report; ///< JSON
+  std::string Report;   ///< JSON
+  std::string Forecast; ///< JSON; empty: none
 };
 
 /// Has the survey that is run, and hears of its progress.
@@ -117,6 +119,7 @@ private:
   bool HashScene();
   bool Plan();
   bool Begin();
+  Json::Value ForecastRun(bool isFull);
   bool RunLegs();
   void MeasureAccuracy();
   bool Conclude();

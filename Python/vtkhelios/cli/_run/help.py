@@ -44,15 +44,17 @@ several computers:
 
 run time, points and bytes beforehand:
   --dry-run loads the scene, runs at most a tenth of the pulses, sampled over every leg, and
-  estimates the whole run. It writes nothing. --json prints the estimate as JSON.
+  estimates the whole run, and the price of other tolerances and numbers of sub-rays. It writes nothing.
+  --json prints the estimate as JSON. A run of some seconds prints the price in one line before its
+  first pulse, on standard error, from at most 2 % of its pulses and time, and one second.
 
 beam sampling:
   A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
   adaptive, to the tolerances (1 mm for 95 % of the ranges, 1 % of the amplitudes and echoes): a
   closed form for planar footprints, the visible areas of all surfaces in other beams, and samples
   in beams of more than 512 surfaces, until successive answers agree or there are --max-sub-rays of
-  them. --range-tolerance and --energy-tolerance, or --sub-rays, override the survey. --verbose prints
-  the statistics. See Docs/instrument.md.
+  them. --range-tolerance and --energy-tolerance, --accuracy instrument (a tenth of the scanner's
+  noise), or --sub-rays, override the survey. --verbose prints the statistics. See Docs/instrument.md.
 
 accuracy:
   At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again at a tenth of
@@ -72,6 +74,7 @@ examples:
   vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
   vtkhelios run survey.xml --format las                  for LAS tools
   vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
+  vtkhelios run survey.xml --accuracy instrument         within a tenth of the scanner's noise
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
   vtkhelios run survey.xml --dry-run                     estimate time, points and bytes
   vtkhelios run survey.xml --resume                      continue an interrupted run

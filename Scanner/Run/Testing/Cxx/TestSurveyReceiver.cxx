@@ -171,6 +171,39 @@ TEST_CASE("SurveyReceiver: options of a run have precedence over the survey", "[
   CHECK(scanner->GetBeamSampler()->GetNumberOfSubRays() == got);
 }
 
+TEST_CASE(
+  "SurveyReceiver: the accuracy of the instrument is a tenth of its noise", "[SurveyReceiver]")
+{
+  helios::RunOptions choice;
+  choice.Accuracy = helios::InstrumentAccuracy;
+  auto scanner = Bench("beamSampleQuality=\"3\"").SetUp(choice); // accuracy_m is 0.005
+  CHECK(scanner->GetSampling() == vtkHeliosScanner::TOLERANCE);
+  CHECK(scanner->GetRangeTolerance() == Approx(0.0005));
+  CHECK(scanner->GetEnergyTolerance() == 0.01);
+
+  helios::ScannerData data = Bench("rangeTolerance_m=\"0.003\"").Scanner();
+  const auto setUp = [&data, &choice]
+  {
+    auto made = vtkSmartPointer<vtkHeliosScanner>::New();
+    helios::SetUpReceiver(data, choice, made);
+    return made;
+  };
+  data.Receiver.RangeAccuracyPerMeter = 0.002; // noise grows from the shortest range on
+  data.Receiver.RangeMin = 6.0;
+  CHECK(setUp()->GetRangeTolerance() == Approx(0.1 * std::hypot(0.005, 0.012)));
+  CHECK(setUp()->GetEnergyTolerance() == 0.01);
+  data.Receiver.DetectorNoise = 1e-3; // a tenth of the amplitude of a full footprint, or more
+  CHECK(setUp()->GetEnergyTolerance() > 0.01);
+  choice.RangeTolerance = 0.002; // overrides it
+  choice.EnergyTolerance = 0.03;
+  CHECK(setUp()->GetRangeTolerance() == 0.002);
+  CHECK(setUp()->GetEnergyTolerance() == 0.03);
+  choice.RangeTolerance = choice.EnergyTolerance = 0.0;
+  data.Receiver.RangeAccuracy = data.Receiver.RangeAccuracyPerMeter = 0.0;
+  CHECK(setUp()->GetRangeTolerance() == 0.003);
+  CHECK(setUp()->GetEnergyTolerance() == 0.01);
+}
+
 TEST_CASE("SurveyReceiver: the pattern of fixed sub-rays", "[SurveyReceiver]")
 {
   const Bench bench;
@@ -552,6 +585,14 @@ TEST_CASE("SurveyReceiver: invalid options of a run are errors", "[SurveyReceive
   playing.Player->GetOptions()->SetNumberOfSubRays(19);
   CHECK(playing.FailsWith("NumberOfSubRays is 19, but a tolerance"));
   playing.Player->GetOptions()->SetEnergyTolerance(0.0);
+  playing.Player->GetOptions()->SetAccuracy("instrument");
+  CHECK(playing.FailsWith(
+    "NumberOfSubRays is 19, but Accuracy selects adaptive sampling; leave one of them out"));
+  playing.Player->GetOptions()->SetNumberOfSubRays(0);
+  playing.Player->GetOptions()->SetAccuracy("best");
+  CHECK(playing.FailsWith("Accuracy is \"best\"; give instrument"));
+  playing.Player->GetOptions()->SetAccuracy("");
+  playing.Player->GetOptions()->SetNumberOfSubRays(19);
   playing.Player->GetOptions()->SetEchoDetector("none");
   CHECK(playing.FailsWith(
     "EchoDetector is \"none\"; give peak, gaussian, cfd, leadingEdge and photonCounting"));
