@@ -90,6 +90,17 @@ pugi::xml_node NextNode(pugi::xml_node node)
   return node.next_sibling();
 }
 
+/// Finds the first node that is nested too deeply.
+struct DepthCheck : pugi::xml_tree_walker
+{
+  bool for_each(pugi::xml_node& node) override
+  {
+    this->Node = node;
+    return this->depth() <= DocumentDepth;
+  }
+  pugi::xml_node Node;
+};
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -133,7 +144,7 @@ std::unique_ptr<XmlDocument> XmlDocument::Make(
   {
     return ReadYaml(text, *document) ? std::move(document) : nullptr;
   }
-  if (!document->Parse(std::move(text)) || !document->CheckRoot())
+  if (!document->Parse(std::move(text)) || !document->CheckDepth() || !document->CheckRoot())
   {
     return nullptr;
   }
@@ -190,6 +201,19 @@ bool XmlDocument::Parse(std::string text)
       "; close every element, and quote every value");
   }
   return result || isEmpty;
+}
+
+//------------------------------------------------------------------------------
+bool XmlDocument::CheckDepth()
+{
+  DepthCheck check;
+  if (!this->Tree.traverse(check))
+  {
+    this->Log->Error(this->WhereOffset(check.Node.offset_debug()) +
+      ": elements are nested more than " + std::to_string(DocumentDepth) + " times; nest fewer");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

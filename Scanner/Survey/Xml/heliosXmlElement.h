@@ -20,6 +20,9 @@
 namespace helios
 {
 
+/// The deepest nesting of elements in a document.
+constexpr int DocumentDepth = 64;
+
 class Messages;
 class XmlElement;
 
@@ -70,6 +73,7 @@ private:
     const std::string& path, std::string text, bool isYaml, Messages& messages);
   bool CheckText(std::string& text);
   bool Parse(std::string text);
+  bool CheckDepth();
   bool CheckRoot();
   std::string WhereOffset(std::ptrdiff_t offset) const;
   std::string MakePlace(const std::pair<std::size_t, std::size_t>& line) const;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosYamlFile.h"
 
+#include "heliosXmlElement.h"
+
 #include <algorithm>
 #include <new>
 
@@ -11,7 +13,7 @@ namespace helios
 namespace
 {
 
-constexpr int MaximumLevels = 4 * YamlDepth;
+constexpr int MaximumLevels = 4 * DocumentDepth;
 constexpr int MaximumAnchors = 1000;
 
 Status MakeError(std::size_t line, const std::string& text)
@@ -66,8 +68,8 @@ Status YamlFile::Check(const std::string& text)
     yaml_event_delete(&event);
     if (levels > MaximumLevels)
     {
-      return MakeError(
-        line, "elements are nested more than " + std::to_string(YamlDepth) + " times; nest fewer");
+      return MakeError(line,
+        "elements are nested more than " + std::to_string(DocumentDepth) + " times; nest fewer");
     }
     if (anchors > MaximumAnchors)
     {

@@ -14,9 +14,6 @@
 namespace helios
 {
 
-/// The deepest nesting of elements.
-constexpr int YamlDepth = 64;
-
 /// The parser, and the document that it has loaded.
 class YamlFile
 {

@@ -234,10 +234,10 @@ bool YamlReader::Enter(const yaml_node_t& node)
   const std::size_t number = this->File.GetIndex(node);
   this->Repeated += this->Seen[number] ? 1 : 0;
   this->Seen[number] = true;
-  if (this->Depth >= YamlDepth)
+  if (this->Depth >= DocumentDepth)
   {
     this->Error(line,
-      "elements are nested more than " + std::to_string(YamlDepth) +
+      "elements are nested more than " + std::to_string(DocumentDepth) +
         " times, or an alias is inside of what it repeats; nest fewer");
     this->IsRefused = true;
   }

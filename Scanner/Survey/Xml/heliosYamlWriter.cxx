@@ -98,7 +98,6 @@ class YamlWriter
 {
 public:
   std::string Write(const pugi::xml_document& tree);
-  bool IsDeep = false;
 
 private:
   static Content List(pugi::xml_node node, const XmlElementRule* rule, bool isParameter = false);
@@ -114,7 +113,6 @@ private:
   static Content ListOf(Entry& entry);
 
   std::string Text;
-  int Depth = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -340,14 +338,8 @@ void YamlWriter::AddElement(const Entry& entry, const Content& content, std::siz
     this->Text += " " + (line.empty() ? "{}" : line) + "\n";
     return;
   }
-  if (++this->Depth > YamlDepth)
-  {
-    this->IsDeep = true;
-    return;
-  }
   this->Text += "\n";
   this->AddContent(content, entry.Rule, indent);
-  --this->Depth;
 }
 
 //------------------------------------------------------------------------------
@@ -375,15 +367,9 @@ void YamlWriter::AddItem(Entry entry, const std::string& key, std::size_t indent
     this->Text += blanks + "- " + (line.empty() ? "{}" : line) + "\n";
     return;
   }
-  if (++this->Depth > YamlDepth)
-  {
-    this->IsDeep = true;
-    return;
-  }
   const std::size_t start = this->Text.size();
   this->AddContent(content, entry.Rule, indent + 2);
   this->Text[start + indent] = '-';
-  --this->Depth;
 }
 
 } // namespace
@@ -393,11 +379,6 @@ Status MakeYaml(const pugi::xml_document& tree, std::string& text)
 {
   YamlWriter writer;
   text = writer.Write(tree);
-  if (writer.IsDeep)
-  {
-    return Status::Error("elements are nested more than " + std::to_string(YamlDepth) +
-      " times, which YAML files may not be; nest fewer");
-  }
   yaml_event_t event;
   const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
   const bool isText = yaml_scalar_event_initialize(&event, nullptr, nullptr, bytes,

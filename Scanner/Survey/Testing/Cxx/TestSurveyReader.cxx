@@ -274,7 +274,17 @@ TEST_CASE("SurveyReader: input that is not XML, or of another kind", "[SurveyRea
     std::string Text;
     std::vector<std::string> Messages;
   };
+  std::string deep;
+  for (int i = 0; i < 200000; ++i)
+  {
+    deep += i < 3 ? "<a>\n" : "<a>";
+  }
+  for (int i = 0; i < 200000; ++i)
+  {
+    deep += "</a>";
+  }
   const std::vector<Document> documents = {
+    { "<document>" + deep + "</document>", { "survey.xml:4", "nested more than 64 times" } },
     { "", { "survey.xml:1", "empty" } },
     { " \n\n ", { "survey.xml:1", "empty" } },
     { "<document>\n<survey>\n</document>", { "survey.xml:3", "not XML", "tags mismatch" } },
