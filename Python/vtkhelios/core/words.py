@@ -34,7 +34,7 @@ UNITS = {
     "_1_m2": "/m²", "_m_s": "m/s", "_percent": "%", "_deg": "deg", "_MiB": "MiB", "_Hz": "Hz",
     "_m2": "m²", "_ns": "ns", "_m": "m", "_s": "s",
 }  # fmt: skip
-NAMES = {"nohd": "NOHD"}
+NAMES = {"nohd": "NOHD", "crs": "Coordinate system"}
 WORDS = {"max": "maximum", "min": "minimum"}
 VERBS = {"are": "is", "have": "has"}
 

@@ -146,7 +146,7 @@ def _maps(plan):
             drawn,
             angles,
             "How steeply surfaces are seen",
-            "best angle of incidence; 0 deg is perpendicular",
+            "best angle of incidence; 0 deg is perpendicular; white: not seen",
         ),
     ]
 
@@ -195,6 +195,7 @@ def _draw_positions(axes, plan):
     order = plan.task.settings["order"]
     if order != "gain":
         way = np.vstack([places, places[:1]]) if order == "round" else places
+        axes.plot(*way[:, :2].T, color="white", linewidth=2.6, zorder=4)
         axes.plot(*way[:, :2].T, color=INK, linewidth=1.2, linestyle="--", zorder=5)
     for number, place in enumerate(places):
         number_place(axes, place, str(number), MARK)
