@@ -117,7 +117,7 @@ void PlanView::AddPositions(vtkPolyData* positions, double size)
     tripod->GetProperty()->SetColor(1.0, 0.62, 0.15);
     this->AddActor(tripod);
     const Vec3 head = place + Vec3(0.0, 0.0, (1.1 * scale - 1.0) * bounds[5]);
-    this->AddLabel(std::to_string(i + 1), head);
+    this->AddLabel(std::to_string(i), head);
   }
 }
 
