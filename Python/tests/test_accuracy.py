@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 from vtkhelios.reports.accuracy import accuracy_line, accuracy_lines, accuracy_rows
 from vtkhelios.formats._summary import parse_summary
+from vtkhelios.reports.run import forecast_line, forecast_table
 
 MEASURES = ("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented")
 MEASURES += ("amplitudeRms", "widthRms_ns")
@@ -201,3 +202,57 @@ def test_it_is_left_out_on_request(command_line, make_survey, tmp_path):
     done = command_line(*arguments, "--json")
     assert done.returncode == 0, done.stderr
     assert "accuracy" not in json.loads(done.stdout)
+
+
+FORECAST = {
+    "pulses": 1234,
+    "ways": [
+        {"rangeTolerance_m": 0.001, "us_per_pulse": 3.0, "run_s": 12.0},
+        {"rangeTolerance_m": 0.01, "us_per_pulse": 2.0, "run_s": 80.0},
+        {"subRays": 19, "us_per_pulse": 1.0, "run_s": 5.0},
+    ],
+}
+
+
+def test_the_price_of_tolerances_is_one_line():
+    errors = {"rangeP95_m": [0.02, 0.01, 0.03], "missedAndInvented": [0.21, 0.2, 0.22]}
+    ways = [{**way, **errors} for way in FORECAST["ways"]]
+    line = forecast_line({**FORECAST, "ways": ways})
+    assert line.startswith(
+        "price    about 1 mm 12 s, 10 mm 1 min 20 s; 19 fixed sub-rays 5 s, with 21 % of the echoes "
+        "missed or invented and 95 % of the ranges within 20 mm; from 1,234 pulses"
+    )
+    assert forecast_line({"reason": "the run is short"}) is None
+    assert list(forecast_table({"reason": "photons"})) == ["price    not known: photons"]
+
+
+def test_a_dry_run_has_the_price_of_other_settings(fence, tmp_path):
+    player = vtkhelios.vtkHeliosSurveyPlayer(source=vtkhelios.read_survey(fence).source())
+    player.SetOutputDirectory(str(tmp_path / "none"))
+    assert player.Estimate()
+    ways = json.loads(player.GetReport())["forecast"]["ways"]
+    assert [way["subRays"] for way in ways if "subRays" in way] == [1, 7, 19, 62, 223]
+    assert [way["rangeTolerance_m"] for way in ways[:5]] == [0.001, 0.003, 0.01, 0.03, 0.1]
+    errors = {way.get("subRays", 0): way["amplitudeRms"][0] for way in ways}
+    assert errors[7] > errors[223] > ways[0]["amplitudeRms"][0]
+    lines = list(forecast_table(json.loads(player.GetReport())["forecast"]))
+    assert len(lines) == 12 and lines[7].split()[:2] == ["1", "sub-ray"]
+
+    def stop(*_):
+        if player.GetMessage() == "comparing tolerances":
+            player.Abort()
+
+    player.AddObserver("ProgressEvent", stop)
+    assert not player.Estimate()
+    assert player.GetReport() == "" and player.GetMessage() == "Stopped."
+
+
+def test_a_forecast_changes_no_file(fence, tmp_path):
+    for name in ("with", "without"):
+        player = vtkhelios.vtkHeliosSurveyPlayer(source=vtkhelios.read_survey(fence).source())
+        player.SetOutputDirectory(str(tmp_path / name))
+        player.SetForecast(name == "with")
+        assert player.Run()
+        assert bool(player.GetForecastReport()) == (name == "with")
+    one, two = (sorted((tmp_path / name).rglob("*.xyz")) for name in ("with", "without"))
+    assert [path.read_bytes() for path in one] == [path.read_bytes() for path in two]

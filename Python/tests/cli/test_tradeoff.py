@@ -45,7 +45,7 @@ def fence(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def result(fence):
-    return vtkhelios.read_survey(fence).tradeoff(pulses=400)
+    return vtkhelios.read_survey(fence).tradeoff(pulses=400, seconds=1e6)
 
 
 def row_of(rows, name):
@@ -60,7 +60,7 @@ def test_on_a_plane_no_way_has_an_error(make_survey, tmp_path):
         text = text.replace(f"verticalAngle{'Min' if '-' in old else 'Max'}{old}",
                             f"verticalAngle{'Min' if '-' in old else 'Max'}{new}")  # fmt: skip
     survey.write_text(text)
-    result = vtkhelios.read_survey(survey).tradeoff(pulses=50, parts=False)
+    result = vtkhelios.read_survey(survey).tradeoff(pulses=50, parts=False, seconds=1e6)
     assert result.parts == []
     for row in result.ways:
         if row.kind in ("survey", "sub-rays", "pattern", "tolerance", "bins"):
@@ -275,6 +275,46 @@ def test_times_too_short_to_measure(make_survey, monkeypatch):
     result = vtkhelios.read_survey(make_survey(stop=1)).tradeoff(pulses=10, parts=False)
     assert all(row.seconds > 0 for row in result.ways)
     assert make_picture(result).startswith(b"\x89PNG")
+
+
+def test_what_does_not_fit_into_the_time_is_named(fence):
+    """The settings are measured in any case, on fewer pulses."""
+    result = vtkhelios.read_survey(fence).tradeoff(pulses=400, seconds=1e-6)
+    assert {row.kind for row in result.ways} == {"survey", "sub-rays", "tolerance"}
+    assert [row.name for row in result.parts] == ["the whole model"]
+    assert 50 < result.pulses < 400
+    named = next(text for text in result.absent if "give more seconds (--seconds)" in text)
+    for name in ("20 sub-rays, Vogel", "detector gaussian", "ray caster bvh", "with noise"):
+        assert name in named
+
+
+def test_times_are_of_fired_pulses(make_survey, monkeypatch):
+    """A window that is narrower than a line fires few of its pulses."""
+    survey = vtkhelios.read_survey(make_survey())
+    for leg in survey.legs:
+        leg.vertical = (-5, -4)
+    sampler = Sampler(survey, 50, lambda *_: None, {})
+    assert sampler.share_fired < 0.1
+    lengths = []
+
+    def count(first, length, _options):
+        """Every pulse that is fired takes a millisecond."""
+        cloud = survey.run_window({"noise": False, "pulses": True}, (first, first + length))
+        lengths.append(length)
+        return 1e-3 * len(cloud.pulses)
+
+    monkeypatch.setattr(sampler, "_time_window", count)
+    assert sampler.time() == pytest.approx(1e-3)
+    assert max(lengths) > 1
+
+
+def test_a_tenth_of_the_noise_is_a_way(result, fence):
+    survey = vtkhelios.read_survey(fence)
+    noise = float(survey.vtk.GetScannerAttribute(0, "accuracy_m"))
+    row = row_of(result.ways, f"tolerance {100 * noise:g} mm, 1 %")
+    assert row.options == {"tolerance": pytest.approx(0.1 * noise), "energy_tolerance": 0.01}
+    small = survey.tradeoff(pulses=50, parts=False, seconds=0.0, accuracy="instrument")
+    assert row_of(small.ways, "7 sub-rays").errors["missed"].value >= 0
 
 
 @pytest.mark.parametrize("duration", [1e-5, 1e-4, 0.033])
@@ -548,7 +588,7 @@ def test_beams_hit_a_mesh_in_place_of_the_scene(flight):
 
 @pytest.fixture(scope="module")
 def flown(flight):
-    return vtkhelios.read_survey(flight).tradeoff(pulses=200)
+    return vtkhelios.read_survey(flight).tradeoff(pulses=200, seconds=1e6)
 
 
 def test_parts_of_the_model_of_a_flight(flown):
@@ -670,6 +710,21 @@ def test_parts_are_grouped_by_their_names():
     assert rest.GetNumberOfPolys() == mesh.GetNumberOfPolys() - trees
     assert {group.name for group in meshes.find_groups(rest)} == set(groups) - {"tree (2 parts)"}
     assert meshes.find_groups(vtkhelios.Scene(np.eye(3), [(0, 1, 2)]).polydata) == []
+
+
+def test_trees_of_a_table_are_grouped_by_kind(tmp_path):
+    """Parts without names that are instances of the same mesh."""
+    for name in ("oak", "fir"):
+        (tmp_path / f"{name}.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 0 9\nf 1 2 3\n")
+    parts = [{"file": str(tmp_path / f"{name}.obj"), "translate": {"offset": (x, 0, 0)}}
+             for x, name in enumerate(["oak", "fir", "oak", "oak", "fir"])]  # fmt: skip
+    survey = vtkhelios.make_survey(
+        parts, [(0, -20, 2)], head_speed=60, head=(0, 9), scan_frequency=9
+    )
+    groups = meshes.find_groups(survey.source_of({"instances": True}).GetScene())
+    assert [(group.name, group.ids) for group in groups] == [
+        ("part 0 (3 parts like it)", (0, 2, 3)), ("part 1 (2 parts like it)", (1, 4)),
+    ]  # fmt: skip
 
 
 def test_a_part_is_replaced_by_its_simplification():

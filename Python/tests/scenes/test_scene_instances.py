@@ -209,7 +209,7 @@ def test_a_tradeoff_of_instances(stand, monkeypatch):
     monkeypatch.setattr(_tradeoff_run, "MAXIMUM_COPIED", 100)
     monkeypatch.setattr(_tradeoff_run, "MAXIMUM_TRIANGLES", 100)
     plan = vtkhelios.plan(str(stand), grid=5, resolution=3)
-    result = plan.survey().tradeoff(pulses=10)
+    result = plan.survey().tradeoff(pulses=10, seconds=1e6)
     casters = [row.name for row in result.ways if row.kind == "ray caster"]
     assert casters == ["ray caster beam"]
     absent = " ".join(result.absent)

@@ -20,10 +20,11 @@ from ..plans.document import PLATFORM, SCANNER
 from ..plans.settings import SettingError
 from ..reports.tradeoff import megabytes, result_lines
 from ..reports.tradeoff_pictures import make_parts_picture, make_picture
+from ..surveys.options import OPTIONS
 from ..surveys.text import with_ray_caster, with_sampling
 from ..surveys.tradeoff_run import make_tradeoff
 from ._messages import Messages
-from ._parser import whole_number
+from ._parser import number, whole_number
 from ._plan_options import option_of, value_of
 from ._progress import make_progress
 from ._reading import add_assets_argument, add_memory_argument, add_threads_argument, limit_memory
@@ -43,7 +44,8 @@ what it does: draws pulses from all legs of the survey, computes them by adaptiv
 checked with 32,768 sub-rays), and then with
   fixed sub-rays       1, 7, 19 ... on circles (beamSampleQuality); other patterns: Vogel's spiral and
                        rings with the nodes of Gauss and Legendre
-  tolerances           30 mm to 0.3 mm, with 10 times as many per cent of amplitude and echoes
+  tolerances           30 mm to 0.3 mm, with 10 times as many per cent of amplitude and echoes, and
+                       a tenth of the range noise of the scanner
   bins, detectors, ray casters
   simplified meshes    within 10 and 50 mm, with CGAL, if that takes at most 10 s
 For each it prints the range error (median, 95th percentile with its 95 % confidence interval, RMS),
@@ -62,6 +64,9 @@ Then it leaves out each part of the model:
 and adds the noise; and it leaves out, and simplifies, each of the six largest parts of the scene. The
 differences from the survey as it is show what matters in this scene, and what it costs.
 Noise and turbid voxels are left out of all comparisons with the reference.
+
+time: three times that of the run, and at least 10 s of processor time; --seconds gives more. Settings are
+measured first, on fewer pulses if needed (their intervals are then wider); what does not fit is named.
 
 recommendation:
   --range 5mm --missed 1%   the fastest setting with this 95th percentile of the range error and this
@@ -84,6 +89,8 @@ examples:
   vtkhelios tradeoff survey.xml --range 5mm --missed 1%
   vtkhelios tradeoff survey.xml --minutes 10 --apply fast_survey.xml
   vtkhelios tradeoff survey.xml --pulses 500 --no-parts           quick
+  vtkhelios tradeoff survey.xml --seconds 300                     all ways, parts and ray casters
+  vtkhelios tradeoff survey.xml --accuracy instrument             of a run within a tenth of the noise
   vtkhelios tradeoff yard.obj --scanner scanners.xml#riegl_vz400
 
 exit codes: 0 done, 1 failed, or no setting is as asked (the reason is on standard error),
@@ -147,6 +154,14 @@ def add_arguments(parser):
         action="store_true",
         help="do not leave out parts of the model and of the scene",
     )
+    parser.add_argument(
+        "--seconds",
+        metavar="N",
+        type=number(0, 1e9),
+        help="processor time for all of it: what does not fit is not measured, and named (default: three times that "
+        "of the run, and at least 10)",
+    )
+    add_accuracy_argument(parser)
     add_plan_arguments(parser.add_argument_group("the survey of a scene or a mesh, as in plan"))
     parser.add_argument(
         "--range", metavar="LENGTH", type=length, help="recommend: 95 %% of the ranges within 5mm"
@@ -167,6 +182,14 @@ def add_arguments(parser):
     add_memory_argument(parser, "recommend: only settings whose run needs no more; ")
     parser.add_argument("--json", action="store_true", help="print all results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def add_accuracy_argument(parser):
+    """Adds the option of vtkhelios run."""
+    option = next(option for option in OPTIONS if option.name == "accuracy")
+    parser.add_argument(
+        option.argument, metavar=option.metavar, choices=option.choices.split(), help=option.help
+    )
 
 
 def add_plan_arguments(group):
@@ -251,7 +274,14 @@ def measure(found, arguments, messages):
     with make_progress(watch, messages, quiet=arguments.quiet):
         found.prepare(watch)
         messages.info(found.describe())
-        return make_tradeoff(found.survey, arguments.pulses, not arguments.no_parts, watch.on_step)
+        return make_tradeoff(
+            found.survey,
+            arguments.pulses,
+            not arguments.no_parts,
+            watch.on_step,
+            arguments.seconds,
+            accuracy=arguments.accuracy,
+        )
 
 
 def write(result, folder, messages):

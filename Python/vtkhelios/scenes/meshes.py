@@ -31,18 +31,24 @@ class Group(typing.NamedTuple):
 
 
 def find_groups(scene):
-    """The groups of parts of a scene that have triangles, the largest first."""
+    """The groups of parts of a scene that have triangles, the largest first: parts whose names differ in a number, and
+    parts without a name that are instances of the same meshes."""
     names = scene.GetFieldData().GetAbstractArray(PART_NAME)
-    members = {}
+    kinds, members = _find_kinds(scene), {}
     for index, count in sorted(_count_triangles(scene).items()):
         is_named = names is not None and index < names.GetNumberOfValues()
         name = names.GetValue(int(index)) if is_named else ""
-        name = f"part {name or index}" if name.isdigit() or not name else name
-        stem = name if name.startswith("part ") else re.sub(r"[ _.-]*[0-9]+$", "", name)
+        stem = re.sub(r"[ _.-]*[0-9]+$", "", name)
+        if name.isdigit() or not name:
+            name = f"part {name or index}"
+            stem = kinds.get(int(index), name)
         members.setdefault(stem, []).append((int(index), int(count), name or stem))
     groups = []
     for stem, parts in members.items():
-        name = parts[0][2] if len(parts) == 1 else f"{stem} ({counted(len(parts), 'part')})"
+        first = parts[0][2] if isinstance(stem, tuple) else stem
+        many = "like it" if isinstance(stem, tuple) else ""
+        count = counted(len(parts), "part")
+        name = parts[0][2] if len(parts) == 1 else f"{first} ({f'{count} {many}'.strip()})"
         indices, counts = tuple(part[0] for part in parts), sum(part[1] for part in parts)
         groups.append(Group(name, indices, counts))
     return sorted(groups, key=lambda group: -group.triangles)
@@ -61,6 +67,21 @@ def _count_triangles(scene):
         ):
             counts[int(part)] += sizes[int(prototype)]
     return counts
+
+
+def _find_kinds(scene):
+    """Returns the prototypes of each part that has no triangles of its own: a tree of a table has those of its
+    kind."""
+    kinds = collections.defaultdict(set)
+    if has_instances(scene):
+        for part, prototype in zip(
+            _instance_ids(scene, PART_IDS), _instance_ids(scene, PROTOTYPE_IDS)
+        ):
+            kinds[int(part)].add(int(prototype))
+        if scene.GetCellData().GetArray(PART_IDS) is not None:
+            for part in np.unique(_parts(scene)).tolist():
+                kinds.pop(part, None)
+    return {part: tuple(sorted(kind)) for part, kind in kinds.items()}
 
 
 def _size(scene, number):

@@ -14,14 +14,16 @@ from ..core.pipeline import PipelineError
 
 PULSES_PER_WINDOW = 256  # pulses of the sample, between signs of progress
 FEWER = 10  # the step of the sample, if nothing is hit
-WINDOWS, SHORTEST, GROWTH = 4, 32, 4  # windows, and pulses, that are timed
+WINDOWS, SHORTEST, GROWTH = 8, 4, 16  # windows, and pulses, that are timed; growth of them, at most
 REPEATS = 3  # rounds of the timing; the shortest counts: other work on the computer only adds
-ENOUGH_SECONDS, LONGEST_WINDOW = 0.1, 16384
+ENOUGH_SECONDS, LONGEST_WINDOW = 0.02, 16384
+LONG_SECONDS = 0.2  # a round of this time is the only one
 SHORTEST_SECONDS = 1e-4  # time that can be measured, of a survey of few pulses
 MEASURES = (
     *("rangeP50_m", "rangeP95_m", "rangeRms_m", "missed", "invented", "missedAndInvented"),
     *("amplitudeRms", "widthRms_ns"),
 )
+ADAPTIVE = ("tolerance", "energy_tolerance", "accuracy")
 POSITION = "positionP95_m"  # a measure of displacement()
 
 
@@ -43,6 +45,8 @@ class Sampler:
         self._survey, self._on_step, self._options = survey, on_step, options
         self.total = survey.source_of(options).GetNumberOfPulses()
         self.step = max(1, self.total // pulses)
+        self._fired_ids, self._fired_in = (), {}  # ids of the sample, counts of windows
+        self._length = SHORTEST  # length of the windows that were timed last
         cloud, fired = self.run()
         hits = _count_pulses(cloud)
         while hits == 0 and self.step > 1:  # few are fired, or few hit
@@ -58,15 +62,25 @@ class Sampler:
             )
         if hits < pulses and self.step > 1:  # others hit nothing, or are not fired
             self.step = max(1, self.step * hits // pulses)
-            _, fired = self.run()
-        self.fired = fired
-        self.share_fired = fired / max(1, self.total / self.step)
+            self.run()
+        self._set_fired()
+
+    def _set_fired(self):
+        """Sets the pulses of the sample, those of the latest run."""
+        self.fired = len(self._fired_ids)
+        self.share_fired = self.fired / max(1, self.total / self.step)
+
+    def thin(self, factor):
+        """Leaves about one of that many pulses in the sample."""
+        self.step = min(self.total, self.step * factor)
+        self.run()
+        self._set_fired()
 
     def run(self, every=1, **options):
         """Returns the echoes of the sample, or of about every n-th of its pulses; the number of
         pulses fired."""
         step = every * self.step
-        options = {"noise": False, **self._options, **options}
+        options = self._complete(options)
         options |= {"pulse_step": step, "pulses": True}
         count = max(1, self.total // step // PULSES_PER_WINDOW)
         ends = [i * self.total // count for i in range(count + 1)]
@@ -74,8 +88,10 @@ class Sampler:
             self._survey.run_window(options, window, self._on_step)
             for window in zip(ends, ends[1:])
         ]
-        fired = sum(len(cloud.pulses) for cloud in clouds)
-        return clouds[0] if count == 1 else join_clouds(clouds), fired
+        ids = np.concatenate([cloud.pulses[PULSE_IDS] for cloud in clouds])
+        if every == 1:
+            self._fired_ids = np.sort(ids)
+        return clouds[0] if count == 1 else join_clouds(clouds), len(ids)
 
     def compare(self, cloud, reference):
         """Returns the measures of a cloud against another: a dict of Estimates, and the counts."""
@@ -101,7 +117,14 @@ class Sampler:
 
     def memory(self, **options):
         """Returns the size of the scene and of the trees of its ray caster, after run() [bytes]."""
-        return self._survey.source_of({**self._options, **options}).GetSceneSize()
+        return self._survey.source_of(self._complete(options)).GetSceneSize()
+
+    def _complete(self, options):
+        """Returns options with those of the sampler: without its tolerances if they have a number of sub-rays."""
+        kept = self._options
+        if options.get("sub_rays"):
+            kept = {name: value for name, value in kept.items() if name not in ADAPTIVE}
+        return {"noise": False, **kept, **options}
 
     def make_comparison(self):
         """Returns a vtkHeliosEchoComparison for the survey's scanner."""
@@ -122,28 +145,45 @@ class Sampler:
         return source, next(leg for leg in legs if source.GetLegPulseLength(leg) > 0)
 
     def time_pair(self, first, second):
-        """Processor times per pulse index [s] with two sets of options, measured in turn."""
+        """Processor times per pulse [s] with two sets of options, measured in turn."""
         times = [(self.time(1, **first), self.time(1, **second)) for _ in range(REPEATS)]
         return tuple(min(each) for each in zip(*times))
 
     def time(self, repeats=REPEATS, **options):
-        """Processor time per pulse index [s]: of consecutive pulses, in windows of all the survey."""
-        options = {"noise": False, **self._options, **options}
-        places = [(2 * i + 1) * self.total // (2 * WINDOWS) for i in range(WINDOWS)]
-        idle = min(self._time_window(place, 1, options) for place in places)
-        length = SHORTEST
+        """Processor time per fired pulse [s]: of consecutive pulses, in windows all over the survey that begin with
+        a pulse that is fired. What a window of one pulse takes is left out."""
+        options = self._complete(options)
+        ranks = [(2 * i + 1) * len(self._fired_ids) // (2 * WINDOWS) for i in range(WINDOWS)]
+        places = sorted({int(self._fired_ids[rank]) for rank in ranks})
+        idle = [self._time_window(place, 1, options) for place in places]
 
         def measure():
-            busy = sum(self._time_window(place, length, options) for place in places)
-            return max(0.0, busy - WINDOWS * idle)
+            busy = [self._time_window(place, length, options) for place in places]
+            return max(0.0, sum(busy) - sum(idle))
 
+        length = max(SHORTEST, self._length // GROWTH)
+        most = max(2, min(LONGEST_WINDOW, self.total // len(places)))
         while True:
-            length = min(length, max(1, self.total // (2 * WINDOWS)))
+            length = min(length, most)
             seconds = measure()
-            if seconds > ENOUGH_SECONDS or length >= min(LONGEST_WINDOW, self.total // 8):
-                seconds = min([seconds, *(measure() for _ in range(repeats - 1))])
-                return max(SHORTEST_SECONDS, seconds) / (WINDOWS * length)
-            length *= GROWTH
+            if seconds > ENOUGH_SECONDS or length >= most:
+                break
+            wanted = length * 1.5 * ENOUGH_SECONDS / max(seconds, ENOUGH_SECONDS / GROWTH)
+            length = max(2 * length, int(wanted))
+        self._length = length
+        if seconds < LONG_SECONDS:
+            seconds = min([seconds, *(measure() for _ in range(repeats - 1))])
+        fired = sum(self._count_fired(place, length) - 1 for place in places)
+        return max(SHORTEST_SECONDS, seconds) / max(1, fired)
+
+    def _count_fired(self, first, length):
+        """Returns the pulses of a window that are fired: others cost next to nothing."""
+        key = first, length
+        if key not in self._fired_in:
+            options = self._complete({"sub_rays": 1, "pulses": True})
+            window = self._survey.run_window(options, (first, first + length), self._on_step)
+            self._fired_in[key] = len(window.pulses)
+        return self._fired_in[key]
 
     def _time_window(self, first, length, options):
         start = time.process_time()

@@ -187,6 +187,8 @@ class Survey:
             of adaptive beam sampling: 95th percentile of the range error [m], and
             RMS of the amplitude error (fraction of a full footprint), also the
             fraction of missed and invented echoes: the survey's, else 0.001 and 0.01.
+        accuracy
+            "instrument": tolerances that are not given are a tenth of the noise of each scanner.
         max_sub_rays
             the most sub-rays of a beam with too many surfaces for visible areas, 1024 to 2^24: a
             limit of its time. ``pulsesUnresolved`` counts the pulses that need more. Default: 65536.
@@ -287,22 +289,22 @@ class Survey:
         report = json.loads(from_vtk(player.GetReport()))
         return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
 
-    def tradeoff(self, pulses=2000, parts=True, progress=None, **options):
+    def tradeoff(self, pulses=2000, parts=True, progress=None, seconds=None, **options):
         """Measures the cost of accuracy on this survey, and which parts of the model it requires.
 
-        Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in
-        several patterns, tolerances, bins, detectors, ray casters and simplified meshes, and compares
-        the echoes with a reference, adaptive at a tenth of the tolerances, whose own error is known; with
-        parts, also without each part of the model and of the scene. Without noise and turbid
-        voxels. Options are those of run(). Returns a vtkhelios.tradeoff.Tradeoff; see
-        Docs/tradeoff.md.
+        Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in several patterns,
+        tolerances, bins, detectors, ray casters and simplified meshes, and compares the echoes with a reference,
+        adaptive at a tenth of the tolerances, whose own error is known; with parts, also without each part of the
+        model and of the scene. Without noise and turbid voxels. ``seconds`` is the processor time, by default three
+        times that of the run, at least 10: what does not fit is in ``absent``. Options are those of run(). Returns
+        a vtkhelios.tradeoff.Tradeoff; see Docs/tradeoff.md.
         """
         if not (isinstance(pulses, int) and pulses >= 10):
             raise ValueError(f"pulses is {pulses!r}; give a whole number of 10 or more")
         check_options(options)
         with Progress(progress) as watched:
             tell = watched.callback or (lambda *_: None)
-            return make_tradeoff(self, pulses, parts, tell, **options)
+            return make_tradeoff(self, pulses, parts, tell, seconds, **options)
 
     def add_parts(self, table, models=None, seed=0, yaw=(0, 0), scale=(1, 1)):
         """Adds a part per row of a table to the scene; see vtkhelios.scene.add_parts()."""

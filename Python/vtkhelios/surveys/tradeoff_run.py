@@ -3,8 +3,11 @@
 """Measures the ways to compute a survey, and the survey without parts of its model."""
 
 import contextlib
+import math
+import time
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from ..array_names import PART_IDS
 from ..core.classes import vtk_class, vtk_classes
@@ -30,23 +33,32 @@ BIN_CIRCLES = 5
 DISTANCES = (0.01, 0.05)  # distances of simplified meshes [m]
 PART_DISTANCE = 0.05  # distance of simplified parts: one of them
 MAXIMUM_TRIANGLES = 400_000  # triangles of a mesh that is simplified
-LONGEST = 10.0  # processor time of that [s]
+LONGEST, SHARE_OF_MESH = 10.0, 0.2  # processor time of that [s], and of what is left
 MAXIMUM_COPIED = 20_000_000  # triangles that ray casters without instances copy
+PHOTON_COUNTING = "photonCounting"
 MAXIMUM_GROUPS = 6  # largest groups of parts of the scene
 CLEAR = 3.0  # times the error of the reference
 # blocks of a run: vtkHeliosSurveyPlayer and its estimate
 PULSES_PER_BLOCK, COPIES_OF_BLOCK = 262144, 2
 MEBIBYTE = 1024**2
+# Processor time that a tradeoff may take: so many times that of the run, and at least so many seconds. Settings are
+# measured in any case, the other ways and parts while there is time.
+RUNS, MINIMUM_SECONDS = 3.0, 10.0
+REQUIRED = (kinds.SURVEY, kinds.SUB_RAYS, kinds.TOLERANCE)
+PILOT = 8  # one of that many pulses of the sample tells the time of all
+SHARE_OF_SETTINGS = 0.5  # share of that time for the samples of reference and settings
+MINIMUM_PULSES = 100  # pulses of a thinned sample
+SECONDS_PER_TRIANGLE = 6e-6  # time for the tree of another ray caster
 
 
-def make_tradeoff(survey, pulses=2000, parts=True, on_step=None, **options):
+def make_tradeoff(survey, pulses=2000, parts=True, on_step=None, seconds=None, **options):
     """See Survey.tradeoff(); on_step is called with a name and the fraction done."""
     options.setdefault("instances", True)
-    return _Run(survey, pulses, parts, on_step, options).make()
+    return _Run(survey, pulses, parts, on_step, options, seconds).make()
 
 
-def list_ways():
-    """Name, kind and options of each way that needs no other mesh."""
+def list_ways(noise=0.0):
+    """Name, kind and options of each way that needs no other mesh; one has a tenth of the noise of ranges [m]."""
     yield "the survey as it is", kinds.SURVEY, {}
     sampler = vtk_class("vtkHeliosBeamSampler")
 
@@ -66,10 +78,16 @@ def list_ways():
     for tolerance in TOLERANCES:
         choice = {"tolerance": tolerance, "energy_tolerance": min(1.0, 10 * tolerance)}
         yield f"tolerance {1e3 * tolerance:g} mm", kinds.TOLERANCE, choice
+    if noise > 0.0:  # the tolerance of accuracy="instrument"
+        tolerance = min(1.0, max(MINIMUM_TOLERANCES[0], 0.1 * noise))
+        choice = {"tolerance": tolerance, "energy_tolerance": 0.01}
+        yield f"tolerance {1e3 * tolerance:g} mm, 1 %", kinds.TOLERANCE, choice
     for bins in BINS:
         choice = {"sub_rays": count(sampler.CIRCLES, BIN_CIRCLES), "bin_size": bins}
         yield f"bins of {bins:g} pulses", kinds.BINS, choice
     for name in vtk_class("vtkHeliosRunOptions").GetEchoDetectorNames().split():
+        if name == PHOTON_COUNTING:
+            continue  # random: no two of its clouds can be compared
         yield f"detector {name}", kinds.DETECTOR, {"detector": name}
     factory = vtk_class("vtkHeliosRayCasterFactory")
     for index in range(factory.GetNumberOfBackends()):
@@ -80,20 +98,60 @@ def list_ways():
 class _Run:
     """The measurement of one tradeoff."""
 
-    def __init__(self, survey, pulses, parts, on_step, options):
+    def __init__(self, survey, pulses, parts, on_step, options, seconds=None):
         self._survey, self._has_parts = survey, parts
-        self._ways, self._absent = list(list_ways()), []
+        self._ways, self._absent = list(list_ways(_noise(survey))), []
+        self._start, self._seconds, self._skipped = time.process_time(), seconds, []
+        self._latest = 0.0  # processor time of the latest step [s]
         names = vtk_class("vtkHeliosRunOptions").GetModelPartNames().split() if parts else []
         self._model_parts = names
         self._step = _Steps(on_step, self._count_steps())
         self._step.begin("drawing pulses")
-        self._sampler = Sampler(survey, pulses, self._step.show, options)
         self._source = survey.source_of(options)
+        load_seconds = time.process_time() - self._start
+        self._sampler = Sampler(survey, pulses, self._step.show, options)
         self._scene = self._source.GetScene()
         self._other_memory = self._find_other_memory()
         self._bins = self._sampler.pulse_length()
         self._narrowest = min([*TOLERANCES, *_tolerances(survey, options)])
         self._fine = {"bin_size": self._bins / BINS_PER_PULSE, "without": "voxels"}
+        self._limit_time(load_seconds)
+
+    def _limit_time(self, load_seconds):
+        """Sets the processor time of all, and thins the sample if its settings alone would take much of that."""
+        sampler = self._sampler
+        per_pulse = sampler.time()
+        threads = vtkSMPTools.GetEstimatedNumberOfThreads()
+        run = load_seconds + per_pulse * sampler.share_fired * sampler.total / threads
+        if self._seconds is None:
+            self._seconds = max(MINIMUM_SECONDS, RUNS * run)
+        start = time.process_time()
+        self._make_reference(every=PILOT)
+        reference = PILOT * (time.process_time() - start)
+        settings = sum(kind in (kinds.SURVEY, kinds.TOLERANCE) for _, kind, _ in self._ways)
+        needed = 2 * reference + settings * per_pulse * sampler.fired
+        factor = math.ceil(needed / max(1e-6, SHARE_OF_SETTINGS * self._seconds))
+        factor = min(factor, sampler.fired // MINIMUM_PULSES)
+        if factor > 1:
+            sampler.thin(factor)
+
+    def _left(self):
+        """Returns the processor time that is left [s]."""
+        return self._seconds - (time.process_time() - self._start)
+
+    def _affords(self, name, seconds):
+        """Returns whether there is time for a step; else it is reported as not measured."""
+        has_time = self._left() >= max(0.0, seconds)
+        if not has_time:
+            self._skipped.append(name)
+        return has_time
+
+    def _timed(self, work, *arguments):
+        """Does a step, and sets its time as the latest one."""
+        start = time.process_time()
+        result = work(*arguments)
+        self._latest = time.process_time() - start
+        return result
 
     def make(self):
         sampler = self._sampler
@@ -104,11 +162,22 @@ class _Run:
         self._step.begin("check of the reference")
         self._own = _plain(confirm(own, *self._check_reference()))
         self._own[POSITION] = self._own["rangeP95_m"]
-        ways = [self._measure_way(way, reference) for way in self._ways]
-        ways = [way for way in ways if way is not None]
+        rows = self._measure_ways(reference, lambda kind: kind in REQUIRED)
+        whole, parts = self._leave_out_model() if self._has_parts else (None, [])
+        rows |= self._measure_ways(
+            reference, lambda kind: kind not in (*REQUIRED, kinds.RAY_CASTER)
+        )
         simplified = self._simplify()
-        ways += [self._measure_mesh(*each, reference) for each in simplified.items()]
-        parts = self._leave_out(simplified) if self._has_parts else []
+        simpler = [self._measure_mesh(*each, reference) for each in simplified.items()]
+        if self._has_parts:
+            parts += self._leave_out_scene(whole, simplified)
+        rows |= self._measure_ways(reference, lambda kind: kind == kinds.RAY_CASTER)
+        ways = [rows[name] for name, *_ in self._ways if rows.get(name)] + simpler
+        if self._skipped:
+            self._absent.append(
+                f"{', '.join(self._skipped)}: they do not fit into {self._seconds:.0f} s of processor time "
+                f"({RUNS:g} runs, or {MINIMUM_SECONDS:g} s); give more seconds (--seconds)"
+            )
         return Tradeoff(
             survey=self._survey.name,
             pulses=sampler.fired,
@@ -126,8 +195,8 @@ class _Run:
         parts = len(self._model_parts) + 2 * MAXIMUM_GROUPS + 2 if self._has_parts else 0
         return 3 + len(self._ways) + 2 * len(DISTANCES) + parts
 
-    def _make_reference(self, **choice):
-        return self._sampler.run(**choice, **self._finely(FINER, MAXIMUM_SUB_RAYS))[0]
+    def _make_reference(self, every=1, **choice):
+        return self._sampler.run(every, **choice, **self._finely(FINER, MAXIMUM_SUB_RAYS))[0]
 
     def _finely(self, factor, most):
         """Options of adaptive sampling at a fraction of the narrowest tolerance."""
@@ -144,10 +213,26 @@ class _Run:
         checked, _ = self._sampler.run(**self._finely(FINER, MAXIMUM_SUB_RAYS), every=few)
         return self._sampler.compare(checked, check), self._sampler.compare(half, check)
 
+    def _measure_ways(self, reference, is_meant):
+        """Returns the rows of the ways of some kinds, by their names."""
+        return {
+            name: self._measure_way((name, kind, choice), reference)
+            for name, kind, choice in self._ways
+            if is_meant(kind)
+        }
+
     def _measure_way(self, way, reference):
         """Returns the row of a way; None if it would copy too many instances."""
         name, kind, choice = way
         self._step.begin(name)
+        extra = (
+            SECONDS_PER_TRIANGLE * count_triangles(self._scene) if kind == kinds.RAY_CASTER else 0.0
+        )
+        if kind not in REQUIRED and not self._affords(name, self._latest + extra):
+            return None
+        return self._timed(self._measure_listed, name, kind, choice, reference)
+
+    def _measure_listed(self, name, kind, choice, reference):
         if kind == kinds.RAY_CASTER and choice["ray_caster"] != "beam" and self._is_huge():
             self._absent.append(
                 f"{name}: it copies instances, and the scene has "
@@ -176,7 +261,6 @@ class _Run:
         )
         if seconds is None:
             seconds = self._sampler.time(**options, **more)
-        seconds /= max(1e-9, self._sampler.share_fired)
         memory = self._sampler.memory(**options, **more)
         return Row(name, kind, options, errors, seconds, echoes, memory, unclear, detail)
 
@@ -196,14 +280,17 @@ class _Run:
             self._scene = flatten(self._scene)
             for distance in DISTANCES:
                 self._step.begin(f"simplifying the mesh within {1e3 * distance:g} mm")
-                mesh = meshes.simplify(self._scene, distance, LONGEST, self._step.show)
+                longest = min(LONGEST, SHARE_OF_MESH * self._left())
+                if not self._affords(f"mesh within {1e3 * distance:g} mm", self._latest + longest):
+                    continue
+                mesh = meshes.simplify(self._scene, distance, longest, self._step.show)
                 if mesh and mesh[0].GetNumberOfPolys() < count:
                     made[distance] = mesh
                 else:
                     self._absent.append(
                         f"mesh within {1e3 * distance:g} mm: it has as many triangles"
                         if mesh
-                        else f"mesh within {1e3 * distance:g} mm: it takes more than {LONGEST:g} s"
+                        else f"mesh within {1e3 * distance:g} mm: it takes more than {longest:.2g} s"
                     )
         return made
 
@@ -219,8 +306,9 @@ class _Run:
 
     # Parts of the model and of the scene.
 
-    def _leave_out(self, simplified):
-        """Returns the survey without each part, against the survey as it is; first itself."""
+    def _leave_out_model(self):
+        """Returns the echoes of the survey as it is, and the rows of the survey without each part of the model; first
+        itself."""
         self._step.begin("the whole model")
         whole, _ = self._sampler.run()
         rows = [self._compare_part("the whole model", kinds.PART, {}, whole, whole)]
@@ -228,16 +316,20 @@ class _Run:
             if reason := self._find_absence(part):
                 self._absent.append(f"without {part}: {reason}")
                 continue
-            rows.append(self._change_model(f"without {part}", {"without": part}, whole, rows[0]))
-        rows.append(self._change_model("with noise", {"noise": True}, whole, rows[0]))
-        return rows + self._leave_out_scene(whole, simplified)
+            self._add_change(rows, f"without {part}", {"without": part}, whole)
+        self._add_change(rows, "with noise", {"noise": True}, whole)
+        return whole, rows
+
+    def _add_change(self, rows, name, options, whole):
+        if self._affords(name, self._latest):
+            rows.append(self._timed(self._change_model, name, options, whole, rows[0]))
 
     def _change_model(self, name, options, whole, base):
         """Returns the model with an option, timed in turn with the whole model, the base."""
         self._step.begin(name)
         cloud, _ = self._sampler.run(**options)
         before, seconds = self._sampler.time_pair({}, options)
-        seconds *= base.seconds * self._sampler.share_fired / max(1e-12, before)
+        seconds *= base.seconds / max(1e-12, before)
         return self._compare_part(name, kinds.PART, options, cloud, whole, seconds=seconds)
 
     def _compare_part(self, name, kind, options, cloud, whole, detail="", **more):
@@ -278,10 +370,14 @@ class _Run:
             if len(others) == 0:
                 self._absent.append(f"without {group.name}: all echoes are on it")
                 continue
-            rows.append(self._leave_out_group(group, whole, others))
+            if not self._affords(f"without {group.name}", self._latest):
+                continue
+            rows.append(self._timed(self._leave_out_group, group, whole, others))
             if PART_DISTANCE in simplified:
-                self._step.begin(f"{group.name} simplified")
-                rows += self._simplify_group(group, whole, simplified[PART_DISTANCE][0])
+                name = f"{group.name} simplified"
+                self._step.begin(name)
+                if self._affords(name, self._latest):
+                    rows += self._simplify_group(group, whole, simplified[PART_DISTANCE][0])
         return rows
 
     def _leave_out_group(self, group, whole, others):
@@ -335,7 +431,9 @@ def tolerance_options(tolerance):
 
 
 def _tolerances(survey, options):
-    """Yields the tolerances of ranges that the survey itself asks for [m]."""
+    """Yields the tolerances of ranges that the survey itself asks for, and a tenth of its noise [m]."""
+    if noise := _noise(survey):
+        yield 0.1 * noise
     if given := options.get("tolerance"):
         yield given
     with contextlib.suppress(ValueError):

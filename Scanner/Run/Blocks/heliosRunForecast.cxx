@@ -24,12 +24,12 @@ const std::vector<double> RangeTolerances = { 0.001, 0.003, 0.01 }; // [m]
 const std::vector<double> AllRangeTolerances = { 0.001, 0.003, 0.01, 0.03, 0.1 };
 const std::vector<int> SubRays = { 19 };
 const std::vector<int> AllSubRays = { 1, 7, 19, 62, 223 };
-constexpr double EnergyPerMillimetre = 10.0; // relative, per metre: 1 % with 1 mm
+constexpr double EnergyPerRange = 10.0; // relative, per metre: 1 % with 1 mm
 constexpr double LargestEnergyTolerance = 0.5;
 constexpr double ReferenceTolerance = 1e-4;
 constexpr int NumberOfWindows = 16;
 constexpr int WindowStride = 11; // order of windows: any number of them is spread over the run
-constexpr vtkIdType WindowsPerHead = 4; // what a window costs is in its head, too
+constexpr vtkIdType WindowsPerHead = 4; // the head of a window has its fixed cost, too
 constexpr double MinimumPulses = 64.0;
 constexpr double MaximumPulses = 8192.0;
 // Trials in some windows, with more and more pulses, which tell the time of a pulse.
@@ -39,7 +39,7 @@ constexpr int TrialWindows = 8;
 constexpr double TrialSeconds = 0.02;
 constexpr double CostOfHeads = 1.5;     // in windows, at most
 constexpr double CostOfTrials = 2.0;    // in ways, at most
-constexpr double CostOfReference = 2.0; // of the ways, about
+constexpr double CostOfReference = 2.0; // about, in ways
 
 /// Returns the processor time of all threads [s]: other work on the computer takes none of it.
 double GetProcessorTime()
@@ -87,8 +87,7 @@ void RunForecast::AddWay(double rangeTolerance, int subRays)
   way.Options.SubRayPattern.clear();
   way.Options.NumberOfSubRays = subRays;
   way.Options.RangeTolerance = rangeTolerance;
-  way.Options.EnergyTolerance =
-    std::min(EnergyPerMillimetre * rangeTolerance, LargestEnergyTolerance);
+  way.Options.EnergyTolerance = std::min(EnergyPerRange * rangeTolerance, LargestEnergyTolerance);
   RunSettings settings = this->Settings;
   settings.Options = way.Options;
   settings.Wants = {};

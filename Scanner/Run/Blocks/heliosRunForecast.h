@@ -36,7 +36,7 @@ public:
   {
     bool IsFull = false;         ///< all ways, not only those of a line of text
     double Seconds = 1.0;        ///< the most, of processor time
-    double ShareOfPulses = 0.02; ///< of those of the run, and of its time, at most
+    double ShareOfPulses = 0.02; ///< largest share of the pulses of the run, and of its time
     double ShortestRun = 2.0;    ///< no forecast of shorter ones [s]
   };
   static Effort MakeEffort(bool isFull);
@@ -58,8 +58,8 @@ private:
     std::unique_ptr<LegScanner> Scanner;
     const LegPlan* Plan = nullptr; ///< leg that the scanner is set up for
     double Idle = 0.0;             ///< processor time of no pulse [s]
-    double Seconds = 0.0;          ///< that of its windows without their heads [s]
-    double Whole = 0.0;            ///< that of its windows [s]
+    double Seconds = 0.0;          ///< time of its windows without their heads [s]
+    double Whole = 0.0;            ///< time of its windows [s]
     EchoComparison Errors;
   };
   struct Window
@@ -84,7 +84,7 @@ private:
   Messages& Log;
   StepWatcher OnStep;
   std::vector<Way> Ways; // the last one is the reference
-  vtkIdType Pulses = 0;  // of all windows, computed or not
+  vtkIdType Pulses = 0;  // pulses of all windows, computed or not
   vtkIdType Step = 1;    // one of that many pulses is computed
   vtkIdType PulsesFired = 0;
   vtkIdType PulsesTimed = 0; // those without the heads of windows
