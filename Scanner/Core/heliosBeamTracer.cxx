@@ -114,8 +114,19 @@ bool BeamTracer::CollectSurfaces(const Pulse& pulse)
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::DivideSurfaces(const Pulse& pulse, ScanCounts& counts)
+bool BeamTracer::ComputeParts(const Pulse& pulse, ScanCounts& counts)
 {
+  const SamplingPlan& plan = this->Model.Plan;
+  const std::size_t faces = this->Surfaces.GetNumberOfFaces();
+  if (faces > plan.MaximumSurfaces)
+  {
+    return false;
+  }
+  if (plan.PrefersCells(faces, this->Surfaces.GetLayers()) && this->Surfaces.IsFlat() &&
+    !this->Surfaces.MeetsGate())
+  {
+    return this->SampleSurfaces(pulse, plan.CellsAcross, counts);
+  }
   if (!this->Surfaces.Divide(this->Parts))
   {
     return false;
@@ -126,21 +137,14 @@ bool BeamTracer::DivideSurfaces(const Pulse& pulse, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::SampleSurfaces(const Pulse& pulse, int level, ScanCounts& counts)
+bool BeamTracer::SampleSurfaces(const Pulse& pulse, int across, ScanCounts& counts)
 {
-  const SamplingPlan& plan = this->Model.Plan;
-  const int across = plan.GetCellsAcross(level);
-  if (across > plan.MaximumCellsAcross)
+  if (across > this->Model.Plan.MaximumCellsAcross)
   {
     return false;
   }
-  // The first level is every second cell of the next one.
-  if (level != 1)
-  {
-    this->Surfaces.Draw(level == 0 ? plan.GetCellsAcross(1) : across);
-  }
-  this->Surfaces.Sample(level == 0 ? 2 : 1, this->Parts);
-  counts.SubRays += static_cast<vtkIdType>(across) * across;
+  this->Surfaces.Sample(across, this->Parts);
+  counts.SubRays += static_cast<vtkIdType>(this->Parts.size());
   this->SelectParts(pulse.Origin);
   return true;
 }

@@ -57,13 +57,14 @@ public:
   /// Returns the number of surfaces collected last.
   std::size_t GetNumberOfSurfaces() const { return this->Surfaces.GetNumberOfFaces(); }
 
-  /// Divides the surfaces collected last into their visible parts, and accepts these as sub-rays of
-  /// the pulse; false if they are too many.
-  bool DivideSurfaces(const Pulse& pulse, ScanCounts& counts);
+  /// Computes the visible parts of the surfaces collected last, by division or by cells, whichever
+  /// the plan expects to be faster, and accepts them as sub-rays of the pulse; false if they are too
+  /// many.
+  bool ComputeParts(const Pulse& pulse, ScanCounts& counts);
 
-  /// Samples the surfaces collected last at a level of the plan, and accepts the parts that the
-  /// samples see as sub-rays of the pulse; false if there is no such level.
-  bool SampleSurfaces(const Pulse& pulse, int level, ScanCounts& counts);
+  /// Samples the surfaces collected last by cells, so many across the beam, and accepts the parts
+  /// that these see as sub-rays of the pulse; false if the plan allows fewer.
+  bool SampleSurfaces(const Pulse& pulse, int across, ScanCounts& counts);
 
   /// Casts the sub-rays of a level of the plan; false if there is no such level.
   bool CastLevel(const Pulse& pulse, int level, ScanCounts& counts);

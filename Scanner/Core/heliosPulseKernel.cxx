@@ -192,16 +192,18 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunOnOptics(pulse, false);
     return;
   }
-  if (this->Tracer.GetNumberOfSurfaces() <= this->Model.Plan.MaximumSurfaces &&
-    this->Tracer.DivideSurfaces(pulse, this->Counts))
+  if (this->Tracer.ComputeParts(pulse, this->Counts))
   {
     this->RunReturns(pulse);
     return;
   }
+  const SamplingPlan& plan = this->Model.Plan;
   const bool isFlat = this->Tracer.CanSampleSurfaces();
   this->Refine(pulse,
-    [&](int level) {
-      return isFlat ? this->Tracer.SampleSurfaces(pulse, level, this->Counts) : castLevel(level);
+    [&](int level)
+    {
+      return isFlat ? this->Tracer.SampleSurfaces(pulse, plan.GetCellsAcross(level), this->Counts)
+                    : castLevel(level);
     });
 }
 

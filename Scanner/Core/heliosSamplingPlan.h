@@ -36,9 +36,11 @@ struct SamplingPlan
   double LayerSpread = 0.0;   ///< spread of their ranges [m]
   /// largest number in a beam that is divided into its visible parts
   std::size_t MaximumSurfaces = 512;
-  /// cells across a beam with more; doubled once or more until answers agree
-  int MinimumCellsAcross = 64;
-  int MaximumCellsAcross = 256;
+  /// cells across a beam that is sampled, a multiple of 8; with more surfaces it is half of that at
+  /// first, and doubled once or more until answers agree
+  int CellsAcross = 560;
+  int MaximumCellsAcross = 1024;
+  bool HasCells = true; ///< whether so many cells are within the limit
   /// sub-rays of a beam with too many triangles to collect; times 4 until they agree
   int MinimumSubRays = 256;
   int MaximumSubRays = 65536;
@@ -53,7 +55,11 @@ struct SamplingPlan
   double RangeTolerance = DefaultRangeTolerance; ///< [m]
 
   /// Returns the cells across a beam at a level of refinement, from 0.
-  int GetCellsAcross(int level) const { return this->MinimumCellsAcross << level; }
+  int GetCellsAcross(int level) const { return (this->CellsAcross + 8) / 16 * 8 << level; }
+
+  /// Returns whether cells are expected to take less time than the division, for a number of surfaces
+  /// that cover the beam so often.
+  VTKHELIOSSCANNERCORE_EXPORT bool PrefersCells(std::size_t surfaces, double layers) const;
 
   /// Describes the plan, for a run's summary.
   std::string Describe() const;

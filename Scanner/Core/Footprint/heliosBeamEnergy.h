@@ -69,6 +69,9 @@ public:
   /// Returns the intensity at a point of the cross-section, relative to the axis.
   double GetIntensity(double x, double y) const;
 
+  /// Returns a of the intensity exp(-a r^2).
+  double GetExponent() const { return this->Exponent; }
+
   /// Returns whether the intensity at (x, y) is the product of those at (x, 0) and (0, y).
   bool IsProduct() const { return !this->IsWide; }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace helios
@@ -83,9 +84,26 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
     this->StretchFacets(minor);
   }
   this->Surfaces.Project(this->Facets, this->Projection);
-  this->AllStrips.clear();
   this->SetTiles();
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Footprint::MeetsGate() const
+{
+  return std::any_of(std::begin(this->Settings.Gate), std::end(this->Settings.Gate),
+    [this](double limit)
+    {
+      bool isBeyond = false;
+      bool isBefore = false;
+      for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
+      {
+        const VisibleSurfaces::Face& face = this->Surfaces.GetFace(i);
+        isBeyond = isBeyond || limit * face.Minimum < 1.0;
+        isBefore = isBefore || limit * face.Maximum > 1.0;
+      }
+      return isBeyond && isBefore;
+    });
 }
 
 //------------------------------------------------------------------------------

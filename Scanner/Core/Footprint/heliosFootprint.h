@@ -77,8 +77,14 @@ public:
   /// the surfaces. Otherwise these can only be divided.
   bool IsFlat() const { return this->TilesAcross == 1; }
 
+  /// Returns whether a limit of the range gate lies among the surfaces.
+  bool MeetsGate() const;
+
   /// Returns the number of surfaces: flat polygons.
   std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
+
+  /// Returns how often they cover the beam, roughly.
+  double GetLayers() const { return this->Surfaces.GetLayers(); }
 
   /// Returns whether a predicate holds for the cell of any surface.
   template <typename PredicateT>
@@ -95,11 +101,8 @@ public:
   /// Computes the exact visible parts. False if they are too many for this method.
   bool Divide(std::vector<FootprintPart>& parts);
 
-  /// Draws the surfaces onto a grid of so many cells across the beam, for Sample().
-  void Draw(int across) { this->Raster.Draw(this->Surfaces, across); }
-
-  /// Samples the parts that cells see: all cells, or one of step * step.
-  void Sample(int step, std::vector<FootprintPart>& parts);
+  /// Computes the visible parts by a grid of so many cells across the beam, a multiple of 8.
+  void Sample(int across, std::vector<FootprintPart>& parts);
 
   static constexpr std::size_t MaximumTriangles = 30000; ///< in a beam
 
@@ -134,9 +137,6 @@ private:
   void AddTiles(
     const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
   void SetStrips();
-  void SetProfile();
-  double GetIntensity(int column, int row) const;
-  double SampleRow(int row, int step);
   std::size_t FindStrip(std::size_t face, double x, double y) const;
   bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
   void AddVisible(
@@ -175,7 +175,6 @@ private:
   std::vector<EnergyMoments> StripMoments; ///< strips of a face
   int TilesAcross = 1; ///< tiles of a wide beam: within one, ranges at one depth are equal
   FootprintRaster Raster;
-  std::vector<double> Profile;        ///< profile of the beam, along a row of the raster
   std::vector<Strips> AllStrips;      ///< strips of the faces
   std::vector<double> AllCuts;        ///< [m]
   std::vector<EnergyMoments> Sampled; ///< sampled moments of the strips

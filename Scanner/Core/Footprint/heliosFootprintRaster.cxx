@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosFootprintRaster.h"
 
-#include "heliosVectorLoops.h"
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,135 +13,417 @@ namespace helios
 namespace
 {
 
-constexpr float Nothing = -1.0F; // before everything: scaled inverse depths are not negative
+constexpr vtkTypeUInt64 AllBits = ~vtkTypeUInt64(0);
+
+/// Columns of places, in the middle of which a column is whole.
+struct Columns
+{
+  EightFloats Left, Right;
+};
+
+/// Computes both at once, because one step of a polynomial waits for the last.
+HELIOS_INLINE Columns GetColumns(
+  const std::vector<float>& warp, float scale, const EightFloats& left, const EightFloats& right)
+{
+  const EightFloats leftSquare = left * left;
+  const EightFloats rightSquare = right * right;
+  Columns sum{ EightFloats() + warp.back(), EightFloats() + warp.back() };
+  for (std::size_t k = warp.size() - 1; k-- > 0;)
+  {
+    sum.Left = sum.Left * leftSquare + warp[k];
+    sum.Right = sum.Right * rightSquare + warp[k];
+  }
+  const float shift = scale - 0.5F;
+  return { scale * left * sum.Left + shift, scale * right * sum.Right + shift };
+}
+
+/// Rounds up numbers of at least -1.
+HELIOS_INLINE EightMasks RoundUp(const EightFloats& x)
+{
+  const EightMasks whole = __builtin_convertvector(x, EightMasks);
+  return whole - (x > __builtin_convertvector(whole, EightFloats));
+}
+
+HELIOS_INLINE EightMasks Clamp(const EightMasks& x, int low, int high)
+{
+  const EightMasks above = x < low ? EightMasks() + low : x;
+  return above > high ? EightMasks() + high : above;
+}
+
+HELIOS_INLINE int GetMinimum(const EightMasks& x)
+{
+  EightMasks y = __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+  EightMasks z = x < y ? x : y;
+  y = __builtin_shufflevector(z, z, 2, 3, 0, 1, 6, 7, 4, 5);
+  z = z < y ? z : y;
+  return std::min(z[0], z[1]);
+}
+
+HELIOS_INLINE int Count(vtkTypeUInt64 bits)
+{
+  return __builtin_popcountll(bits);
+}
 
 } // namespace
 
-//------------------------------------------------------------------------------
-void FootprintRaster::SetGrid(int across)
+/// The edges of a polygon on its left and right: x = X + Slope (y - Y).
+struct FootprintRaster::Lines
 {
-  const auto count = static_cast<std::size_t>(across);
-  if (this->Across != across)
+  struct Line
   {
-    this->Across = across;
-    this->Centres.resize(count);
-    this->Columns.resize(count);
-    this->Firsts.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+    float X, Y, Slope;
+  };
+  int Counts[2] = { 0, 0 };
+  Line Sides[2][Polygon::Capacity];
+  float Low, High; ///< limits of y
+
+  /// An edge has the same line in the face on its other side.
+  explicit Lines(const Polygon& p)
+  {
+    const auto [low, high] = std::minmax_element(p.Y, p.Y + p.Size);
+    this->Low = static_cast<float>(*low);
+    this->High = static_cast<float>(*high);
+    for (int edge = 0; edge < p.Size; ++edge)
     {
-      this->Centres[i] = (2.0 * static_cast<double>(i) + 1.0) / across - 1.0;
-      this->Columns[i] = static_cast<float>(this->Centres[i]);
-      const double y = this->Centres[i];
-      this->Firsts[i] = this->GetLine(-std::sqrt(1.0 - y * y));
+      const int next = p.GetNext(edge);
+      const bool isUp = p.Y[edge] < p.Y[next]; // counterclockwise: up on the right
+      const int from = isUp ? edge : next;
+      const int to = isUp ? next : edge;
+      const double height = p.Y[to] - p.Y[from];
+      if (height > 0.0)
+      {
+        const double slope = std::clamp((p.X[to] - p.X[from]) / height, -1e30, 1e30);
+        this->Sides[isUp][this->Counts[isUp]++] = { static_cast<float>(p.X[from]),
+          static_cast<float>(p.Y[from]), static_cast<float>(slope) };
+      }
     }
   }
-  this->Nearest.assign(count * count, Nothing);
-  this->Owners.assign(count * count, -1);
-}
+};
+
+/// The columns of a face in the rows of a tile: from First to before Last.
+struct FootprintRaster::Spans
+{
+  EightMasks First, Last;
+  int FirstOfAny, LastOfAny;
+  int FirstOfAll, LastOfAll;
+};
 
 //------------------------------------------------------------------------------
-/// Returns the first row or column whose centre is not below a place.
-int FootprintRaster::GetLine(double place) const
+void FootprintRaster::SetGrid(const BeamEnergy& beam, int across)
 {
-  const double line = std::clamp(0.5 * this->Across * (place + 1.0) - 0.5, 0.0, 1.0 * this->Across);
-  const int below = static_cast<int>(line);
-  return below + (below < line ? 1 : 0); // std::ceil() is a call without SSE 4.1
-}
-
-//------------------------------------------------------------------------------
-void FootprintRaster::Draw(const VisibleSurfaces& surfaces, int across)
-{
-  this->SetGrid(across);
-  this->Spans.resize(static_cast<std::size_t>(across));
-  const std::size_t count = surfaces.GetNumberOfFaces();
-  this->Minimum = HUGE_VAL;
-  double maximum = 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    this->Minimum = std::min(this->Minimum, surfaces.GetFace(i).Minimum);
-    maximum = std::max(maximum, surfaces.GetFace(i).Maximum);
-  }
-  this->Scale = maximum > this->Minimum ? 1.0 / (maximum - this->Minimum) : 0.0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    this->DrawFace(surfaces.GetFace(i), static_cast<int>(i));
-  }
-}
-
-//------------------------------------------------------------------------------
-void FootprintRaster::DrawFace(const VisibleSurfaces::Face& face, int index)
-{
-  const Polygon& outline = face.Outline;
-  const auto [low, high] = std::minmax_element(outline.Y, outline.Y + outline.Size);
-  const int first = this->GetLine(*low);
-  const int last = this->GetLine(*high);
-  if (first == last)
+  const bool isSame = this->Exponent == beam.GetExponent();
+  if (isSame && this->Across == across)
   {
     return;
   }
-  for (int edge = 0; edge < outline.Size; ++edge)
+  if (!isSame)
   {
-    this->AddEdge(outline, edge);
+    this->SetWarp(beam.GetExponent());
   }
-  for (int row = first; row < last; ++row)
+  this->Across = across;
+  this->Places.resize(static_cast<std::size_t>(across));
+  for (int i = 0; i < across; ++i)
   {
-    this->DrawRow(face, row, index);
+    this->Places[static_cast<std::size_t>(i)] = static_cast<float>(this->GetPlace(i));
+  }
+  this->SetTiles(beam);
+}
+
+//------------------------------------------------------------------------------
+/// Sets the polynomial, which is exact at Chebyshev's nodes of x^2, by Newton's form.
+void FootprintRaster::SetWarp(double exponent)
+{
+  constexpr double pi = 3.14159265358979323846;
+  this->Exponent = exponent;
+  const auto count = static_cast<std::size_t>(4.0 + std::ceil(0.5 * exponent));
+  const double root = std::sqrt(exponent);
+  std::vector<double> nodes, differences;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double node = 0.5 - 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / count);
+    nodes.push_back(node);
+    const double x = std::sqrt(node);
+    differences.push_back(std::erf(root * x) / (x * std::erf(root)));
+  }
+  for (std::size_t order = 1; order < count; ++order)
+  {
+    for (std::size_t i = count - 1; i >= order; --i)
+    {
+      differences[i] = (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - order]);
+    }
+  }
+  std::vector<double> powers(count, 0.0);
+  for (std::size_t i = count; i-- > 0;) // powers = powers * (t - node) + difference
+  {
+    for (std::size_t k = count - 1; k > 0; --k)
+    {
+      powers[k] = powers[k - 1] - nodes[i] * powers[k];
+    }
+    powers[0] = differences[i] - nodes[i] * powers[0];
+  }
+  this->Warp.assign(powers.begin(), powers.end());
+}
+
+//------------------------------------------------------------------------------
+/// Returns the place of a column or row.
+double FootprintRaster::GetPlace(double column) const
+{
+  const double target = (2.0 * column + 1.0) / this->Across - 1.0;
+  const double root = std::sqrt(this->Exponent);
+  double low = -1.0;
+  double high = 1.0;
+  for (int i = 0; i < 50; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (std::erf(root * middle) < target * std::erf(root) ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+//------------------------------------------------------------------------------
+/// Returns the row of tiles that a place is in, or one before it by steps of places.
+int FootprintRaster::GetTileRow(float place, int after) const
+{
+  const float step = 0.5F * static_cast<float>(this->TileRows.size() - 2) * (1.0F + place);
+  const int index =
+    static_cast<int>(std::clamp(step, 0.0F, static_cast<float>(this->TileRows.size() - 2)));
+  return this->TileRows[static_cast<std::size_t>(index + after)];
+}
+
+//------------------------------------------------------------------------------
+void FootprintRaster::SetTiles(const BeamEnergy& beam)
+{
+  const int across = this->Across / Side;
+  this->Sides.clear();
+  this->EmptyTiles.clear();
+  this->Weights.clear();
+  for (int t = 0; t < across; ++t)
+  {
+    const float* x = &this->Places[static_cast<std::size_t>(Side * t)];
+    double mean = 0.0, slope = 0.0, square = 0.0;
+    for (int i = 0; i < Side; ++i)
+    {
+      mean += x[i] / 8.0;
+      slope += x[i] * (i - 3.5) / 42.0; // the sum of (i - 3.5)^2
+      square += x[i] * x[i] / 8.0;
+    }
+    const double variance = std::max(0.0, square - mean * mean);
+    this->Sides.push_back(
+      { static_cast<float>(mean), static_cast<float>(slope), static_cast<float>(variance), 0.0F });
+  }
+  constexpr int steps = 128;
+  this->TileRows.clear();
+  for (int i = 0, row = 0; i <= steps + 1; ++i)
+  {
+    const float place = 2.0F * static_cast<float>(i) / steps - 1.0F;
+    while (row + 1 < across && this->Places[static_cast<std::size_t>(Side * row + 7)] < place)
+    {
+      ++row;
+    }
+    this->TileRows.push_back(row);
+  }
+  double total = 0.0;
+  for (int row = 0; row < across; ++row)
+  {
+    for (int column = 0; column < across; ++column)
+    {
+      vtkTypeUInt64 inside = 0;
+      for (int bit = 0; bit < Side * Side; ++bit)
+      {
+        const double x = this->Places[static_cast<std::size_t>(Side * column + bit % Side)];
+        const double y = this->Places[static_cast<std::size_t>(Side * row + bit / Side)];
+        inside |= vtkTypeUInt64(x * x + y * y < 1.0) << bit;
+      }
+      const double x = this->Sides[static_cast<std::size_t>(column)].Mean;
+      const double y = this->Sides[static_cast<std::size_t>(row)].Mean;
+      const double weight = beam.GetIntensity(x, y) / std::exp(-this->Exponent * (x * x + y * y));
+      this->EmptyTiles.push_back({ ~inside, HUGE_VAL, -1 });
+      this->Weights.push_back(weight);
+      total += weight * Count(inside);
+    }
+  }
+  for (double& weight : this->Weights)
+  {
+    weight /= total;
   }
 }
 
 //------------------------------------------------------------------------------
-/// Sets a limit of the rows that an edge crosses. It does not depend on the direction of the edge,
-/// so that the face on its other side has the same one.
-void FootprintRaster::AddEdge(const Polygon& outline, int edge)
+void FootprintRaster::Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across)
 {
-  const int next = outline.GetNext(edge);
-  const bool isUp = outline.Y[edge] < outline.Y[next];
-  const int low = isUp ? edge : next;
-  const int high = isUp ? next : edge;
-  const int first = this->GetLine(outline.Y[low]);
-  const int last = this->GetLine(outline.Y[high]);
-  if (first >= last)
-  {
-    return;
-  }
-  const double slope = (outline.X[high] - outline.X[low]) / (outline.Y[high] - outline.Y[low]);
-  for (int row = first; row < last; ++row)
-  {
-    const double x = outline.X[low] + slope * (this->GetCentre(row) - outline.Y[low]);
-    Span& span = this->Spans[static_cast<std::size_t>(row)];
-    (isUp ? span.Last : span.First) = this->GetLine(x); // counterclockwise: up on the right
-  }
+  this->SetGrid(beam, across);
+  this->Tiles = this->EmptyTiles;
+  this->Fragments.clear();
+  this->DrawFaces(surfaces);
+  this->AddSpots();
 }
 
 //------------------------------------------------------------------------------
-void FootprintRaster::DrawRow(const VisibleSurfaces::Face& face, int row, int index)
+HELIOS_INLINE void FootprintRaster::SetSpans(const Lines& lines, int row, Spans& spans) const
 {
-  Span span = this->Spans[static_cast<std::size_t>(row)];
-  span.First = std::max(span.First, this->GetFirst(row));
-  span.Last = std::min(span.Last, this->Across - this->GetFirst(row));
-  if (span.First < span.Last)
+  const EightFloats y = Load<EightFloats>(&this->Places[static_cast<std::size_t>(Side * row)]);
+  EightFloats left = EightFloats() - 1.0F;
+  EightFloats right = EightFloats() + 1.0F;
+  for (int i = 0; i < lines.Counts[0]; ++i)
   {
-    const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Across);
-    const auto scale = [this](double inverse) { return static_cast<float>(this->Scale * inverse); };
-    const Slope slope{ scale(face.Inverse(0.0, this->GetCentre(row)) - this->Minimum),
-      scale(face.Inverse.X), scale(face.Minimum - this->Minimum),
-      scale(face.Maximum - this->Minimum) };
-    DrawSpan(this->Columns.data(), &this->Nearest[start], &this->Owners[start], span, slope, index);
+    const Lines::Line& line = lines.Sides[0][i];
+    const EightFloats x = line.X + line.Slope * (y - line.Y);
+    left = x > left ? x : left;
   }
+  for (int i = 0; i < lines.Counts[1]; ++i)
+  {
+    const Lines::Line& line = lines.Sides[1][i];
+    const EightFloats x = line.X + line.Slope * (y - line.Y);
+    right = x < right ? x : right;
+  }
+  const EightMasks isIn = (y >= lines.Low) & (y < lines.High) & (left < right);
+  left = left < 1.0F ? left : EightFloats() + 1.0F;
+  right = right > -1.0F ? right : EightFloats() - 1.0F;
+  const Columns columns =
+    GetColumns(this->Warp, 0.5F * static_cast<float>(this->Across), left, right);
+  const EightMasks first = RoundUp(columns.Left);
+  const EightMasks last = RoundUp(columns.Right);
+  spans.First = isIn ? first : EightMasks() + this->Across;
+  spans.Last = isIn ? last : EightMasks();
+  spans.FirstOfAny = GetMinimum(spans.First);
+  spans.LastOfAny = -GetMinimum(-spans.Last);
+  spans.FirstOfAll = -GetMinimum(-spans.First);
+  spans.LastOfAll = GetMinimum(spans.Last);
 }
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-void FootprintRaster::DrawSpan(
-  const float* columns, float* depths, int* owners, const Span& span, const Slope& slope, int index)
+void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
 {
-  for (int i = span.First; i < span.Last; ++i)
+  const int across = this->Across / Side;
+  for (const std::size_t index : surfaces.GetNearestFirst())
   {
-    const float there = slope.Start + slope.Slope * columns[i];
-    const float depth = std::min(slope.Maximum, std::max(slope.Minimum, there));
-    const bool isNearer = depth > depths[i];
-    depths[i] = isNearer ? depth : depths[i];
-    owners[i] = isNearer ? index : owners[i];
+    const VisibleSurfaces::Face& face = surfaces.GetFace(index);
+    const Lines lines(face.Outline);
+    const int bottom = this->GetTileRow(lines.Low, 0);
+    const int top = this->GetTileRow(lines.High, 1);
+    for (int row = bottom; row <= top; ++row)
+    {
+      Spans spans;
+      this->SetSpans(lines, row, spans);
+      for (int column = spans.FirstOfAny / Side; Side * column < spans.LastOfAny; ++column)
+      {
+        const auto tile = static_cast<std::size_t>(row * across + column);
+        if (this->Tiles[tile].Covered == AllBits && !(face.Maximum > this->Tiles[tile].Minimum))
+        {
+          continue;
+        }
+        const int start = Side * column;
+        vtkTypeUInt64 bits = AllBits;
+        if (spans.FirstOfAll > start || spans.LastOfAll < start + Side)
+        {
+          const EightMasks full = EightMasks() + 255;
+          bits = GetBytes(full << Clamp(spans.First - start, 0, Side)) &
+            ~GetBytes(full << Clamp(spans.Last - start, 0, Side));
+        }
+        this->AddBits(surfaces, static_cast<int>(index), tile, bits);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+HELIOS_INLINE void FootprintRaster::AddBits(
+  const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits)
+{
+  const VisibleSurfaces::Face& f = surfaces.GetFace(static_cast<std::size_t>(face));
+  Tile& t = this->Tiles[tile];
+  vtkTypeUInt64 visible = bits & ~t.Covered;
+  if (visible != bits && f.Maximum > t.Minimum)
+  {
+    visible |= this->Uncover(surfaces, face, tile, bits & t.Covered);
+  }
+  if (visible != 0)
+  {
+    this->Fragments.push_back({ face, t.Last, visible });
+    t.Last = static_cast<int>(this->Fragments.size()) - 1;
+    t.Covered |= visible;
+    t.Minimum = std::min(t.Minimum, f.Minimum);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Removes those of some bits of a tile where a face is nearer than the face that has them; returns
+/// them.
+vtkTypeUInt64 FootprintRaster::Uncover(
+  const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits)
+{
+  const VisibleSurfaces::Face& f = surfaces.GetFace(static_cast<std::size_t>(face));
+  vtkTypeUInt64 all = 0;
+  for (int k = this->Tiles[tile].Last; k >= 0;
+       k = this->Fragments[static_cast<std::size_t>(k)].Before)
+  {
+    Fragment& fragment = this->Fragments[static_cast<std::size_t>(k)];
+    const VisibleSurfaces::Face& other = surfaces.GetFace(static_cast<std::size_t>(fragment.Face));
+    vtkTypeUInt64 nearer = bits & fragment.Bits;
+    if (nearer == 0 || !(f.Maximum > other.Minimum))
+    {
+      continue;
+    }
+    const InverseDepth difference = { f.Inverse.X - other.Inverse.X, f.Inverse.Y - other.Inverse.Y,
+      f.Inverse.One - other.Inverse.One };
+    const bool isSame = difference.X == 0.0 && difference.Y == 0.0 && difference.One == 0.0;
+    nearer &= isSame ? (f.Cell < other.Cell ? AllBits : 0) : this->GetNearer(difference, tile);
+    fragment.Bits &= ~nearer;
+    all |= nearer;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+/// Returns the cells of a tile where a difference of inverse depths is positive.
+HELIOS_CLONES
+vtkTypeUInt64 FootprintRaster::GetNearer(const InverseDepth& difference, std::size_t tile) const
+{
+  const std::size_t across = static_cast<std::size_t>(this->Across / Side);
+  const float* xs = &this->Places[Side * (tile % across)];
+  const EightFloats y = Load<EightFloats>(&this->Places[Side * (tile / across)]);
+  const EightFloats row = static_cast<float>(difference.One) + static_cast<float>(difference.Y) * y;
+  const auto slope = static_cast<float>(difference.X);
+  EightMasks bits = {};
+  for (int column = 0; column < Side; ++column)
+  {
+    const EightMasks isNearer = row + slope * xs[column] > 0.0F;
+    bits |= isNearer & (1 << column);
+  }
+  return GetBytes(bits);
+}
+
+//------------------------------------------------------------------------------
+HELIOS_CLONES
+void FootprintRaster::AddSpots()
+{
+  this->Spots.clear();
+  const std::size_t across = static_cast<std::size_t>(this->Across / Side);
+  for (std::size_t tile = 0; tile < this->Tiles.size(); ++tile)
+  {
+    const TileSide& h = this->Sides[tile % across];
+    const TileSide& v = this->Sides[tile / across];
+    for (int k = this->Tiles[tile].Last; k >= 0;)
+    {
+      const Fragment& fragment = this->Fragments[static_cast<std::size_t>(k)];
+      k = fragment.Before;
+      const vtkTypeUInt64 bits = fragment.Bits;
+      if (bits == 0)
+      {
+        continue;
+      }
+      // The mean indices of columns and rows in the tile, by the digits of these.
+      const int count = Count(bits);
+      const int columns = Count(bits & 0xaaaaaaaaaaaaaaaau) +
+        2 * Count(bits & 0xccccccccccccccccu) + 4 * Count(bits & 0xf0f0f0f0f0f0f0f0u);
+      const int rows = Count(bits & 0xff00ff00ff00ff00u) + 2 * Count(bits & 0xffff0000ffff0000u) +
+        4 * Count(bits & 0xffffffff00000000u);
+      const float each = 1.0F / static_cast<float>(count);
+      this->Spots.push_back({ fragment.Face, this->Weights[tile] * count,
+        h.Mean + h.Step * (static_cast<float>(columns) * each - 3.5F),
+        v.Mean + v.Step * (static_cast<float>(rows) * each - 3.5F), h.Variance, v.Variance });
+    }
   }
 }
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest face in each cell of a grid over the cross-section of a beam.
+// The visible parts of faces, in cells of equal energy over the cross-section of a beam.
 
 #ifndef heliosFootprintRaster_h
 #define heliosFootprintRaster_h
 
+#include "heliosBeamEnergy.h"
 #include "heliosVisibleSurfaces.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -15,61 +16,80 @@ namespace helios
 {
 
 /**
- * A beam as a small camera: faces are drawn onto a square grid whose inscribed circle is the rim of
- * the beam. A cell belongs to the face that is nearest at its centre, as if a sub-ray met it there.
- * Faces with a common edge leave no gap and share no cell. Of coincident faces the first one is
- * drawn. One per thread.
+ * A beam as a small camera. Faces are drawn, the nearest ones first, onto a square grid of cells; a
+ * cell belongs to the face that is nearest at its centre, as if a sub-ray met it there. Tiles of
+ * 8 x 8 cells are one word each, a bit per cell, and have a list of the faces that they see with
+ * their bits (Carpenter, "The A-buffer", 1984): most of what is hidden costs one test per tile.
+ *
+ * The centres are the quantiles of the intensity along x and along y, so that all cells have the
+ * same energy; those outside the circle are not used. In a wide beam tiles have weights. Along a
+ * row, the place x is column N (1 + W(x)) / 2, with W(x) = erf(sqrt(a) x) / erf(sqrt(a)) as a
+ * polynomial. Faces with a common edge leave no gap and share no cell. Of coincident faces the one
+ * with the lowest id is visible. One per thread.
  */
 class VTKHELIOSSCANNERCORE_EXPORT FootprintRaster
 {
 public:
-  /// Draws all faces onto a grid of so many cells across.
-  void Draw(const VisibleSurfaces& surfaces, int across);
-
-  int GetAcross() const { return this->Across; }
-
-  /// Returns the x or y of the centres of a column or row.
-  double GetCentre(int index) const { return this->Centres[static_cast<std::size_t>(index)]; }
-
-  /// Returns the first column of a row in the circle; the last is opposite to it.
-  int GetFirst(int row) const { return this->Firsts[static_cast<std::size_t>(row)]; }
-
-  /// Returns the faces of a row, by columns; -1: none.
-  const int* GetFaces(int row) const
+  /// The visible part of a face in a tile.
+  struct Spot
   {
-    return this->Owners.data() +
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Across);
-  }
+    int Face;
+    double Energy; ///< fraction of the beam
+    float X, Y;    ///< its centroid
+    float XX, YY;  ///< variances about that, of a whole tile
+  };
+
+  /// Draws all faces, which are sorted, onto a grid of so many cells across: a multiple of 8.
+  void Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across);
+
+  /// Returns the visible parts, tile by tile.
+  const std::vector<Spot>& GetSpots() const { return this->Spots; }
 
 private:
-  /// The part of a row: columns from First to before Last.
-  struct Span
+  static constexpr int Side = 8; ///< of a tile, in cells
+  struct Tile
   {
-    int First, Last;
+    vtkTypeUInt64 Covered; ///< cells that are covered, or outside the circle
+    double Minimum;        ///< inverse depth of its farthest corner
+    int Last;              ///< fragment drawn last, or -1
   };
-
-  void SetGrid(int across);
-  void DrawFace(const VisibleSurfaces::Face& face, int index);
-  void AddEdge(const Polygon& outline, int edge);
-  int GetLine(double place) const;
-  void DrawRow(const VisibleSurfaces::Face& face, int row, int index);
-  /// Scaled inverse depths along a row.
-  struct Slope
+  struct Fragment
   {
-    float Start, Slope, Minimum, Maximum;
+    int Face;
+    int Before; ///< in the tile; -1: none
+    vtkTypeUInt64 Bits;
   };
-  static void DrawSpan(const float* columns, float* depths, int* owners, const Span& span,
-    const Slope& slope, int index);
+  struct Lines;
+  struct Spans;
 
+  void SetGrid(const BeamEnergy& beam, int across);
+  void SetWarp(double exponent);
+  void SetTiles(const BeamEnergy& beam);
+  double GetPlace(double column) const;
+  int GetTileRow(float place, int after) const;
+  void DrawFaces(const VisibleSurfaces& surfaces);
+  void SetSpans(const Lines& lines, int row, Spans& spans) const;
+  void AddBits(const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits);
+  vtkTypeUInt64 Uncover(
+    const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits);
+  vtkTypeUInt64 GetNearer(const InverseDepth& difference, std::size_t tile) const;
+  void AddSpots();
+
+  double Exponent = 0.0;
   int Across = 0;
-  std::vector<double> Centres;
-  std::vector<float> Columns;
-  std::vector<int> Firsts;
-  std::vector<Span> Spans;    ///< spans of the face, by rows
-  double Minimum = 0.0;       ///< inverse depth of the farthest corner
-  double Scale = 1.0;         ///< scale of inverse depths, to [0, 1]
-  std::vector<float> Nearest; ///< scaled inverse depths of the cells
-  std::vector<int> Owners;
+  std::vector<float> Warp;   ///< W(x) / x by powers of x^2
+  std::vector<float> Places; ///< of columns and rows
+  struct TileSide
+  {
+    float Mean, Step, Variance, Rest; ///< place at the middle, its change per cell; variance
+  };
+  std::vector<int> TileRows;    ///< rows of tiles, by steps of places
+  std::vector<TileSide> Sides;  ///< tiles along a row
+  std::vector<Tile> EmptyTiles; ///< as they are before the first face
+  std::vector<double> Weights;  ///< energies of a cell, of the tiles
+  std::vector<Tile> Tiles;
+  std::vector<Fragment> Fragments;
+  std::vector<Spot> Spots;
 };
 
 } // namespace helios

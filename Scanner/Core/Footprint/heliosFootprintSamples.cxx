@@ -14,6 +14,7 @@ namespace helios
 void Footprint::SetStrips()
 {
   this->AllCuts.clear();
+  this->AllStrips.clear();
   std::size_t strips = 0;
   for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
   {
@@ -43,93 +44,32 @@ std::size_t Footprint::FindStrip(std::size_t face, double x, double y) const
 }
 
 //------------------------------------------------------------------------------
-/// Computes the intensity at the columns of a row through the axis.
-void Footprint::SetProfile()
-{
-  const auto across = static_cast<std::size_t>(this->Raster.GetAcross());
-  if (this->Profile.size() != across)
-  {
-    this->Profile.resize(across);
-    for (std::size_t i = 0; i < across; ++i)
-    {
-      this->Profile[i] = this->Beam.GetIntensity(this->Raster.GetCentre(static_cast<int>(i)), 0.0);
-    }
-  }
-}
-
-/// Returns the intensity in a cell, relative to the axis and, unless the beam is wide, relative to
-/// the row.
-double Footprint::GetIntensity(int column, int row) const
-{
-  return this->Beam.IsProduct()
-    ? this->Profile[static_cast<std::size_t>(column)]
-    : this->Beam.GetIntensity(this->Raster.GetCentre(column), this->Raster.GetCentre(row));
-}
-
-//------------------------------------------------------------------------------
-/// Adds the cells of a row to the strips; returns their energy.
-double Footprint::SampleRow(int row, int step)
-{
-  const int* faces = this->Raster.GetFaces(row);
-  const double y = this->Raster.GetCentre(row);
-  const double scale = this->Beam.IsProduct() ? this->Profile[static_cast<std::size_t>(row)] : 1.0;
-  const int first = this->Raster.GetFirst(row);
-  const int last = this->Raster.GetAcross() - first;
-  double total = 0.0;
-  int column = first + (step + step / 2 - first % step) % step;
-  while (column < last)
-  {
-    const int face = faces[column];
-    const bool hasCuts = face >= 0 && this->AllStrips[static_cast<std::size_t>(face)].Count > 0;
-    const double start = this->Raster.GetCentre(column);
-    double energy = 0.0, sumX = 0.0, sumXX = 0.0; // sums over cells of one strip
-    do
-    {
-      const double x = this->Raster.GetCentre(column);
-      const double intensity = this->GetIntensity(column, row);
-      energy += intensity;
-      sumX += intensity * x;
-      sumXX += intensity * x * x;
-      column += step;
-    } while (column < last && faces[column] == face && !hasCuts);
-    total += scale * energy;
-    if (face >= 0)
-    {
-      EnergyMoments& m = this->Sampled[this->FindStrip(static_cast<std::size_t>(face), start, y)];
-      m.Energy += scale * energy;
-      m.X += scale * sumX;
-      m.Y += scale * energy * y;
-      m.XX += scale * sumXX;
-      m.XY += scale * sumX * y;
-      m.YY += scale * energy * y * y;
-    }
-  }
-  return total;
-}
-
-//------------------------------------------------------------------------------
-void Footprint::Sample(int step, std::vector<FootprintPart>& parts)
+void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
 {
   parts.clear();
-  if (this->AllStrips.empty())
-  {
-    this->SetStrips();
-  }
+  this->Surfaces.Sort();
+  this->Raster.Draw(this->Surfaces, this->Beam, across);
+  this->SetStrips();
   std::fill(this->Sampled.begin(), this->Sampled.end(), EnergyMoments());
-  this->SetProfile();
-  double total = 0.0;
-  for (int row = step / 2; row < this->Raster.GetAcross(); row += step)
+  for (const FootprintRaster::Spot& spot : this->Raster.GetSpots())
   {
-    total += this->SampleRow(row, step);
+    const double x = spot.X;
+    const double y = spot.Y;
+    EnergyMoments& m = this->Sampled[this->FindStrip(static_cast<std::size_t>(spot.Face), x, y)];
+    const double energy = spot.Energy;
+    m.Energy += energy;
+    m.X += energy * x;
+    m.Y += energy * y;
+    m.XX += energy * (x * x + spot.XX);
+    m.XY += energy * x * y;
+    m.YY += energy * (y * y + spot.YY);
   }
   for (std::size_t i = 0; i < this->AllStrips.size(); ++i)
   {
     const Strips& strips = this->AllStrips[i];
     for (std::size_t k = 0; k <= strips.Count; ++k)
     {
-      EnergyMoments moments;
-      moments.AddTimes(1.0 / total, this->Sampled[strips.FirstStrip + k]);
-      this->AddPart(this->Surfaces.GetFace(i), moments, parts);
+      this->AddPart(this->Surfaces.GetFace(i), this->Sampled[strips.FirstStrip + k], parts);
     }
   }
 }

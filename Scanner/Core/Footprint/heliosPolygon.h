@@ -126,6 +126,14 @@ struct PolygonBounds
     return x * x + y * y < 1.0;
   }
 
+  /// Returns the area of an ellipse in the part of the bounds about the unit circle.
+  double GetEllipseInSquare() const
+  {
+    constexpr double share = 0.7853981633974483;
+    return share * std::max(0.0, std::min(1.0, this->High[0]) - std::max(-1.0, this->Low[0])) *
+      std::max(0.0, std::min(1.0, this->High[1]) - std::max(-1.0, this->Low[1]));
+  }
+
   bool Overlaps(const PolygonBounds& b) const
   {
     return (this->Low[0] < b.High[0]) & (b.Low[0] < this->High[0]) & (this->Low[1] < b.High[1]) &

@@ -16,6 +16,7 @@ namespace helios
 namespace
 {
 
+constexpr double Pi = 3.14159265358979323846;
 constexpr double MinimumArea = 1e-12;      // area of a part, in the cross-section
 constexpr std::size_t ManyHiding = 3;      // faces, from which complements are faster than parts
 constexpr std::size_t MaximumParts = 4096; // parts of a face
@@ -123,6 +124,7 @@ void VisibleSurfaces::Project(const std::vector<Facet>& facets, const BeamProjec
   this->EdgeSum = 0;
   this->HasFacetAtApex = false;
   this->LargestBend = 0.0;
+  this->Layers = 0.0;
   this->IsLayer = facets.size() <= MaximumOfLayer;
   for (std::size_t i = 0; i < facets.size(); ++i)
   {
@@ -253,7 +255,8 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
     face.Maximum = std::max(face.Maximum, inverse);
   }
   face.Outline.CloseCut();
-  if (!PolygonBounds(face.Outline).MayTouchUnitCircle())
+  const PolygonBounds bounds(face.Outline);
+  if (!bounds.MayTouchUnitCircle())
   {
     return;
   }
@@ -268,6 +271,7 @@ void VisibleSurfaces::ProjectFacet(const Facet& facet, std::size_t index)
     std::reverse(face.Outline.X, face.Outline.X + face.Outline.Size);
     std::reverse(face.Outline.Y, face.Outline.Y + face.Outline.Size);
   }
+  this->Layers += std::min(std::abs(area), bounds.GetEllipseInSquare()) / Pi;
   this->Faces.push_back(face);
 }
 

@@ -54,9 +54,15 @@ public:
   /// Sorts the faces by depth, for FindHiding().
   void Sort();
 
+  /// Returns the faces in that order, by their nearest corners.
+  const std::vector<std::size_t>& GetNearestFirst() const { return this->Nearest.Faces; }
+
   /// Returns whether the edges in the beam are straight lines in its cross-section: without a
   /// waist, and nearly so if their depths differ little, or are far beyond the Rayleigh range.
   bool AreEdgesStraight() const { return this->LargestBend <= MaximumBend; }
+
+  /// Returns how often the faces cover the beam, roughly.
+  double GetLayers() const { return this->Layers; }
 
   std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
   const Face& GetFace(std::size_t face) const { return this->Faces[face]; }
@@ -115,6 +121,7 @@ private:
   };
   static constexpr double MaximumBend = 1e-3; ///< relative change of the radius
   double LargestBend = 0.0;
+  double Layers = 0.0;
   BeamProjection Beam;
   std::vector<Face> Faces;
   vtkTypeUInt64 EdgeSum = 0; ///< sum of edges in the beam; opposite directions cancel

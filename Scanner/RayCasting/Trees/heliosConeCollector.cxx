@@ -134,6 +134,10 @@ void ConeCollector::DropHidden(ConeView& view) const
   }
   const auto isHidden = [this](const ConeTriangle& t)
   {
+    if (std::max({ t.Corners[0][2], t.Corners[1][2], t.Corners[2][2] }) <= this->Farthest)
+    {
+      return false;
+    }
     ConeCandidate c;
     std::copy_n(&t.Corners[0][0], 9, &c.Corners[0][0]);
     if (!this->Shape.Touches(c))

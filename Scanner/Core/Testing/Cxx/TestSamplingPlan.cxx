@@ -21,14 +21,33 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2 }, sigma);
   CHECK(plan.NumberOfSubRays == 336);
   CHECK(plan.LayerRings == 2);
-  CHECK(plan.GetCellsAcross(0) == 64);
-  CHECK(plan.GetCellsAcross(2) == plan.MaximumCellsAcross);
+  CHECK(plan.CellsAcross == 568);
+  CHECK(plan.HasCells);
+  CHECK(plan.GetCellsAcross(0) == 288);
+  CHECK(plan.GetCellsAcross(1) == 576);
   const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
+  CHECK_FALSE(fine.HasCells); // 1312, more than the limit
   CHECK(fine.LayerRings == 3);
   CHECK(PlanSampling({ 1e-4, 1e-4 }, sigma).LayerRings == 0);
   const helios::SamplingPlan coarse = PlanSampling({ 1.0, 1.0 }, sigma);
   CHECK(coarse.NumberOfSubRays == 64);
+}
+
+TEST_CASE(
+  "SamplingPlan: cells for many small surfaces, division for few or large ones", "[SamplingPlan]")
+{
+  const helios::SamplingPlan fine = PlanSampling({ 1e-3, 1e-2 }, 1.7);
+  const helios::SamplingPlan coarse = PlanSampling({ 3e-2, 3e-1 }, 1.7);
+  CHECK(coarse.CellsAcross == 56);
+  CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).CellsAcross == 16);
+  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).CellsAcross == 64);
+  CHECK(fine.PrefersCells(160, 6.0));
+  CHECK_FALSE(fine.PrefersCells(160, 60.0));
+  CHECK_FALSE(fine.PrefersCells(20, 2.0));
+  CHECK(coarse.PrefersCells(20, 2.0));
+  CHECK_FALSE(coarse.PrefersCells(2, 1.0));
+  CHECK_FALSE(PlanSampling({ 3e-4, 3e-3 }, 1.7).PrefersCells(400, 10.0));
 }
 
 TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[SamplingPlan]")
@@ -43,7 +62,7 @@ TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[Samplin
 TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces", "[SamplingPlan]")
 {
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2, 1 << 20 }, 1.7);
-  CHECK(plan.MaximumCellsAcross == 1024);
+  CHECK(plan.MaximumCellsAcross == 4096);
   CHECK(plan.MaximumSurfaces == 2048);
   CHECK(plan.MaximumSubRays == 1 << 20);
   const helios::SamplingPlan least = PlanSampling({ 1e-3, 1e-2, 1024 }, 1.7);

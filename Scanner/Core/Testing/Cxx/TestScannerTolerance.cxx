@@ -465,10 +465,15 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find(
-          "adaptive, visible areas of surfaces; beams of more than 512 surfaces in up to 256 x 256 "
-          "cells; none for planar footprints; waveform bin ") == 0);
+          "adaptive, visible areas of surfaces; beams full of leaves in 568 x 568 cells, of "
+          "more than 512 surfaces in up to 1024 x 1024 cells; none for planar footprints; waveform "
+          "bin ") == 0);
+  bench.Scanner->SetRangeTolerance(1e-4);
+  CHECK(bench.Scanner->DescribeSampling().find("adaptive, visible areas of surfaces; beams of more "
+                                               "than 512 surfaces in up to 1024 x 1024") == 0);
+  bench.Scanner->SetRangeTolerance(1e-3);
   bench.Scanner->SetMaximumNumberOfSubRays(1 << 20);
-  CHECK(bench.Scanner->DescribeSampling().find("more than 2048 surfaces in up to 1024 x 1024") !=
+  CHECK(bench.Scanner->DescribeSampling().find("more than 2048 surfaces in up to 4096 x 4096") !=
     std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 1 sub-rays per pulse");

@@ -401,12 +401,12 @@ TEST_CASE("Cells see the visible areas")
     CAPTURE(count, across);
     CHECK(sum == Approx(1.0).epsilon(1e-9));
     CHECK(worst < 0.6 / across); // half a cell along an edge through the axis has 0.75 / across
-    CHECK(worst < last);
+    CHECK(worst < last + 1e-5);  // the error of the division
     last = worst;
   }
 }
 
-TEST_CASE("Cells that are left out change little, and faces without gaps leave none")
+TEST_CASE("Faces without gaps leave no cell, and share none")
 {
   FootprintScene scene;
   for (int i = -40; i < 40; ++i) // a fan about the axis, with corners on no cell
@@ -417,9 +417,9 @@ TEST_CASE("Cells that are left out change little, and faces without gaps leave n
       { std::cos(next), 100, std::sin(next) } });
   }
   scene.Build();
-  for (const int step : { 1, 2, 3 })
+  for (const int across : { 24, 96, 520 })
   {
-    const Cells cells = scene.Sample(96, step);
+    const Cells cells = scene.Sample(across);
     double sum = 0.0;
     for (const auto& [id, cell] : cells)
     {

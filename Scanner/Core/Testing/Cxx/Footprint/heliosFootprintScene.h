@@ -104,14 +104,13 @@ public:
     return parts;
   }
 
-  /// Samples by cells; one of step * step.
-  Cells Sample(int across, int step = 1)
+  /// Samples by cells.
+  Cells Sample(int across)
   {
     std::vector<FootprintPart> parts;
     Footprint footprint(this->Settings, this->AreAlike);
     REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis, this->Minor));
-    footprint.Draw(across);
-    footprint.Sample(step, parts);
+    footprint.Sample(across, parts);
     return SummarizeParts(parts);
   }
 
