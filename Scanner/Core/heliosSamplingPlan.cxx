@@ -89,9 +89,9 @@ void SetSurfaceRules(const Tolerances& asked, double sigmaRange, SamplingPlan& p
 /// Cells across a beam full of leaves for an error of the range (95th percentile) and for an error of
 /// the number of echoes: these fall with the powers 1.4 of the cells across (measured: a stand of
 /// trees and BenchAccuracy, where other scenes need fewer).
-constexpr double CellsForRange = 112.0; // at 10 mm
-constexpr double CellsForEnergy = 63.0; // at 1 %
-constexpr double CellPower = 0.7;
+constexpr double CellsForRange = 126.0; // at 10 mm
+constexpr double CellsForEnergy = 75.0; // at 1 %
+constexpr double CellPower = 0.62;
 constexpr double CellsPerSubRay = 16.0; // that take as long
 // Times for n surfaces and N cells across (measured on a stand of trees, leaves, gravel and maize,
 // 2.3 GHz): of the division n^1.5 times; of cells for each surface, for each row of cells in it, whose
@@ -106,10 +106,10 @@ void SetCells(const Tolerances& tolerances, SamplingPlan& plan)
 {
   const double side = std::sqrt(1.0 * tolerances.MaximumSubRays);
   plan.MaximumSurfaces = static_cast<std::size_t>(SurfacesPerSide * side);
-  plan.MaximumCellsAcross = static_cast<int>(side * std::sqrt(CellsPerSubRay));
+  plan.MaximumCellsAcross = 8 * static_cast<int>(side * std::sqrt(CellsPerSubRay) / 8.0);
   const double cells = std::max({ CellsForRange * std::pow(0.01 / tolerances.Range, CellPower),
     CellsForEnergy * std::pow(0.01 / tolerances.Energy, CellPower), 16.0 });
-  const double limit = 8.0 * std::floor(plan.MaximumCellsAcross / 8);
+  const double limit = plan.MaximumCellsAcross;
   plan.CellsAcross = 8 * static_cast<int>(std::ceil(std::min(cells, limit) / 8.0));
   plan.HasCells = cells <= limit;
 }

@@ -54,8 +54,15 @@ struct SamplingPlan
   double EnergyTolerance = DefaultEnergyTolerance;
   double RangeTolerance = DefaultRangeTolerance; ///< [m]
 
-  /// Returns the cells across a beam at a level of refinement, from 0.
-  int GetCellsAcross(int level) const { return (this->CellsAcross + 8) / 16 * 8 << level; }
+  /// Returns the cells across a beam at a level of refinement, from 0; more than the limit beyond the
+  /// last level.
+  int GetCellsAcross(int level) const
+  {
+    const int first = (this->CellsAcross + 8) / 16 * 8;
+    const int size = first << level;
+    const bool isLast = size > this->MaximumCellsAcross && size / 2 < this->MaximumCellsAcross;
+    return isLast ? this->MaximumCellsAcross : size;
+  }
 
   /// Returns whether cells are expected to take less time than the division, for a number of surfaces
   /// that cover the beam so often.

@@ -123,7 +123,7 @@ private:
   const ScanModel& Model;
   const double Gain; // power of a white surface at 1 m, without extinction [W]
   CachedTransmission Transmission;
-  std::array<Surface, 64> Known;
+  std::array<Surface, 1024> Known; // the leaves of several beams, which overlap
   Columns Batch;
 };
 

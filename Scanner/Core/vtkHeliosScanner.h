@@ -37,8 +37,10 @@
  * - one continuous surface of a few triangles fills it: 16 to 64 sub-rays
  * - otherwise it is divided into the visible parts of the triangles in it; each is two returns,
  *   whose energy, mean range and its spread are exact
- * - with more surfaces than twice the square root of MaximumNumberOfSubRays, it is sampled on a
- *   grid that grows until two successive answers agree
+ * - full of leaves, it is drawn in as many cells of equal energy as the tolerances require, where
+ *   that is faster than the division
+ * - with more surfaces than twice the square root of MaximumNumberOfSubRays, the cells are more and
+ *   more until two successive answers agree
  * - returns within c sigma of each other have one maximum, found by Newton's method; others are
  *   binned as finely as needed
  *
@@ -181,8 +183,9 @@ public:
   ///@{
   /**
    * Set/Get the most sub-rays of a beam with so many surfaces that it must be sampled: with more than
-   * twice the square root of this number, 512 by default. Their number grows until successive
-   * answers agree within the tolerances; GetCount("pulsesUnresolved") counts the pulses for which
+   * twice the square root of this number, 512 by default. Their number, or that of cells, of which
+   * there are at most 16 times as many, grows until successive answers agree within the tolerances;
+   * GetCount("pulsesUnresolved") counts the pulses for which
    * this limit is too low. Valid range: [1024, 2^24]. Default: 65536.
    */
   vtkSetMacro(MaximumNumberOfSubRays, int);

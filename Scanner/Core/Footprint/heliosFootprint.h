@@ -177,6 +177,7 @@ private:
   FootprintRaster Raster;
   std::vector<Strips> AllStrips;      ///< strips of the faces
   std::vector<double> AllCuts;        ///< [m]
+  FootprintRaster::Targets Targets;   ///< strips of the faces that have one
   std::vector<EnergyMoments> Sampled; ///< sampled moments of the strips
 };
 

@@ -100,14 +100,6 @@ struct FootprintRaster::Lines
   }
 };
 
-/// The columns of a face in the rows of a tile: from First to before Last.
-struct FootprintRaster::Spans
-{
-  EightMasks First, Last;
-  int FirstOfAny, LastOfAny;
-  int FirstOfAll, LastOfAll;
-};
-
 //------------------------------------------------------------------------------
 void FootprintRaster::SetGrid(const BeamEnergy& beam, int across)
 {
@@ -121,6 +113,7 @@ void FootprintRaster::SetGrid(const BeamEnergy& beam, int across)
     this->SetWarp(beam.GetExponent());
   }
   this->Across = across;
+  this->AllSpans.resize(static_cast<std::size_t>(across / Side));
   this->Places.resize(static_cast<std::size_t>(across));
   for (int i = 0; i < across; ++i)
   {
@@ -209,7 +202,7 @@ void FootprintRaster::SetTiles(const BeamEnergy& beam)
     }
     const double variance = std::max(0.0, square - mean * mean);
     this->Sides.push_back(
-      { static_cast<float>(mean), static_cast<float>(slope), static_cast<float>(variance), 0.0F });
+      { static_cast<float>(mean), static_cast<float>(slope), static_cast<float>(variance) });
   }
   constexpr int steps = 128;
   this->TileRows.clear();
@@ -249,13 +242,14 @@ void FootprintRaster::SetTiles(const BeamEnergy& beam)
 }
 
 //------------------------------------------------------------------------------
-void FootprintRaster::Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across)
+void FootprintRaster::Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across,
+  const Targets& targets, std::vector<EnergyMoments>& sums)
 {
   this->SetGrid(beam, across);
   this->Tiles = this->EmptyTiles;
   this->Fragments.clear();
   this->DrawFaces(surfaces);
-  this->AddSpots();
+  this->AddSpots(targets, sums);
 }
 
 //------------------------------------------------------------------------------
@@ -283,12 +277,14 @@ HELIOS_INLINE void FootprintRaster::SetSpans(const Lines& lines, int row, Spans&
     GetColumns(this->Warp, 0.5F * static_cast<float>(this->Across), left, right);
   const EightMasks first = RoundUp(columns.Left);
   const EightMasks last = RoundUp(columns.Right);
-  spans.First = isIn ? first : EightMasks() + this->Across;
-  spans.Last = isIn ? last : EightMasks();
-  spans.FirstOfAny = GetMinimum(spans.First);
-  spans.LastOfAny = -GetMinimum(-spans.Last);
-  spans.FirstOfAll = -GetMinimum(-spans.First);
-  spans.LastOfAll = GetMinimum(spans.Last);
+  const EightMasks firstIn = isIn ? first : EightMasks() + this->Across;
+  const EightMasks lastIn = isIn ? last : EightMasks();
+  Store(spans.First, firstIn);
+  Store(spans.Last, lastIn);
+  spans.FirstOfAny = GetMinimum(firstIn);
+  spans.LastOfAny = -GetMinimum(-lastIn);
+  spans.FirstOfAll = -GetMinimum(-firstIn);
+  spans.LastOfAll = GetMinimum(lastIn);
 }
 
 //------------------------------------------------------------------------------
@@ -302,10 +298,13 @@ void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
     const Lines lines(face.Outline);
     const int bottom = this->GetTileRow(lines.Low, 0);
     const int top = this->GetTileRow(lines.High, 1);
+    for (int row = bottom; row <= top; ++row) // first all, because one waits for nothing of another
+    {
+      this->SetSpans(lines, row, this->AllSpans[static_cast<std::size_t>(row)]);
+    }
     for (int row = bottom; row <= top; ++row)
     {
-      Spans spans;
-      this->SetSpans(lines, row, spans);
+      const Spans& spans = this->AllSpans[static_cast<std::size_t>(row)];
       for (int column = spans.FirstOfAny / Side; Side * column < spans.LastOfAny; ++column)
       {
         const auto tile = static_cast<std::size_t>(row * across + column);
@@ -318,8 +317,9 @@ void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
         if (spans.FirstOfAll > start || spans.LastOfAll < start + Side)
         {
           const EightMasks full = EightMasks() + 255;
-          bits = GetBytes(full << Clamp(spans.First - start, 0, Side)) &
-            ~GetBytes(full << Clamp(spans.Last - start, 0, Side));
+          const EightMasks first = Load<EightMasks>(spans.First) - start;
+          const EightMasks last = Load<EightMasks>(spans.Last) - start;
+          bits = GetBytes(full << Clamp(first, 0, Side)) & ~GetBytes(full << Clamp(last, 0, Side));
         }
         this->AddBits(surfaces, static_cast<int>(index), tile, bits);
       }
@@ -396,7 +396,7 @@ vtkTypeUInt64 FootprintRaster::GetNearer(const InverseDepth& difference, std::si
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-void FootprintRaster::AddSpots()
+void FootprintRaster::AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums)
 {
   this->Spots.clear();
   const std::size_t across = static_cast<std::size_t>(this->Across / Side);
@@ -420,9 +420,18 @@ void FootprintRaster::AddSpots()
       const int rows = Count(bits & 0xff00ff00ff00ff00u) + 2 * Count(bits & 0xffff0000ffff0000u) +
         4 * Count(bits & 0xffffffff00000000u);
       const float each = 1.0F / static_cast<float>(count);
-      this->Spots.push_back({ fragment.Face, this->Weights[tile] * count,
+      const Spot spot{ fragment.Face, this->Weights[tile] * count,
         h.Mean + h.Step * (static_cast<float>(columns) * each - 3.5F),
-        v.Mean + v.Step * (static_cast<float>(rows) * each - 3.5F), h.Variance, v.Variance });
+        v.Mean + v.Step * (static_cast<float>(rows) * each - 3.5F), h.Variance, v.Variance };
+      const int target = targets[static_cast<std::size_t>(fragment.Face)];
+      if (target >= 0)
+      {
+        spot.AddTo(sums[static_cast<std::size_t>(target)]);
+      }
+      else
+      {
+        this->Spots.push_back(spot);
+      }
     }
   }
 }

@@ -37,16 +37,33 @@ public:
     double Energy; ///< fraction of the beam
     float X, Y;    ///< its centroid
     float XX, YY;  ///< variances about that, of a whole tile
+
+    void AddTo(EnergyMoments& m) const
+    {
+      const double x = this->X;
+      const double y = this->Y;
+      m.Energy += this->Energy;
+      m.X += this->Energy * x;
+      m.Y += this->Energy * y;
+      m.XX += this->Energy * (x * x + this->XX);
+      m.XY += this->Energy * x * y;
+      m.YY += this->Energy * (y * y + this->YY);
+    }
   };
 
-  /// Draws all faces, which are sorted, onto a grid of so many cells across: a multiple of 8.
-  void Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across);
+  /// Where the moments of a face are added: at a place of a list, or -1 for a spot per tile.
+  using Targets = std::vector<int>;
 
-  /// Returns the visible parts, tile by tile.
+  /// Draws all faces, which are sorted, onto a grid of so many cells across, a multiple of 8, and
+  /// adds the moments of their visible parts to sums.
+  void Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across,
+    const Targets& targets, std::vector<EnergyMoments>& sums);
+
+  /// Returns the visible parts of faces without a target, tile by tile.
   const std::vector<Spot>& GetSpots() const { return this->Spots; }
 
 private:
-  static constexpr int Side = 8; ///< of a tile, in cells
+  static constexpr int Side = 8; ///< side of a tile, in cells
   struct Tile
   {
     vtkTypeUInt64 Covered; ///< cells that are covered, or outside the circle
@@ -60,7 +77,13 @@ private:
     vtkTypeUInt64 Bits;
   };
   struct Lines;
-  struct Spans;
+  /// The columns of a face in the rows of a tile: from First to before Last.
+  struct Spans
+  {
+    int First[Side], Last[Side];
+    int FirstOfAny, LastOfAny;
+    int FirstOfAll, LastOfAll;
+  };
 
   void SetGrid(const BeamEnergy& beam, int across);
   void SetWarp(double exponent);
@@ -73,20 +96,21 @@ private:
   vtkTypeUInt64 Uncover(
     const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits);
   vtkTypeUInt64 GetNearer(const InverseDepth& difference, std::size_t tile) const;
-  void AddSpots();
+  void AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums);
 
   double Exponent = 0.0;
   int Across = 0;
   std::vector<float> Warp;   ///< W(x) / x by powers of x^2
-  std::vector<float> Places; ///< of columns and rows
+  std::vector<float> Places; ///< places of columns and rows
   struct TileSide
   {
-    float Mean, Step, Variance, Rest; ///< place at the middle, its change per cell; variance
+    float Mean, Step, Variance; ///< moments of the places; their change per cell
   };
   std::vector<int> TileRows;    ///< rows of tiles, by steps of places
   std::vector<TileSide> Sides;  ///< tiles along a row
-  std::vector<Tile> EmptyTiles; ///< as they are before the first face
-  std::vector<double> Weights;  ///< energies of a cell, of the tiles
+  std::vector<Tile> EmptyTiles; ///< tiles before the first face
+  std::vector<double> Weights;  ///< energies of a cell, by tiles
+  std::vector<Spans> AllSpans;  ///< spans of a face, by rows of tiles
   std::vector<Tile> Tiles;
   std::vector<Fragment> Fragments;
   std::vector<Spot> Spots;

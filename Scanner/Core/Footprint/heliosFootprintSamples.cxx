@@ -48,21 +48,17 @@ void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
 {
   parts.clear();
   this->Surfaces.Sort();
-  this->Raster.Draw(this->Surfaces, this->Beam, across);
   this->SetStrips();
   std::fill(this->Sampled.begin(), this->Sampled.end(), EnergyMoments());
+  this->Targets.clear();
+  for (const Strips& strips : this->AllStrips)
+  {
+    this->Targets.push_back(strips.Count == 0 ? static_cast<int>(strips.FirstStrip) : -1);
+  }
+  this->Raster.Draw(this->Surfaces, this->Beam, across, this->Targets, this->Sampled);
   for (const FootprintRaster::Spot& spot : this->Raster.GetSpots())
   {
-    const double x = spot.X;
-    const double y = spot.Y;
-    EnergyMoments& m = this->Sampled[this->FindStrip(static_cast<std::size_t>(spot.Face), x, y)];
-    const double energy = spot.Energy;
-    m.Energy += energy;
-    m.X += energy * x;
-    m.Y += energy * y;
-    m.XX += energy * (x * x + spot.XX);
-    m.XY += energy * x * y;
-    m.YY += energy * (y * y + spot.YY);
+    spot.AddTo(this->Sampled[this->FindStrip(static_cast<std::size_t>(spot.Face), spot.X, spot.Y)]);
   }
   for (std::size_t i = 0; i < this->AllStrips.size(); ++i)
   {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace helios
 {
@@ -165,15 +164,17 @@ void VisibleSurfaces::Sort()
 {
   const std::size_t count = this->Faces.size();
   Order& order = this->Nearest;
+  this->Keys.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->Keys[i] = { this->Faces[i].Maximum, this->Faces[i].Cell, i };
+  }
+  std::sort(this->Keys.begin(), this->Keys.end(),
+    [](const Key& a, const Key& b)
+    { return a.Maximum > b.Maximum || (a.Maximum == b.Maximum && a.Cell < b.Cell); });
   order.Faces.resize(count);
-  std::iota(order.Faces.begin(), order.Faces.end(), std::size_t(0));
-  std::sort(order.Faces.begin(), order.Faces.end(),
-    [this](std::size_t i, std::size_t k)
-    {
-      const Face& a = this->Faces[i];
-      const Face& b = this->Faces[k];
-      return a.Maximum > b.Maximum || (a.Maximum == b.Maximum && a.Cell < b.Cell);
-    });
+  std::transform(this->Keys.begin(), this->Keys.end(), order.Faces.begin(),
+    [](const Key& key) { return key.Face; });
   order.Maximum.resize(count);
   constexpr std::size_t word = sizeof(vtkTypeUInt64);
   order.Overlaps.assign((count + word - 1) / word * word, 0);

@@ -119,6 +119,13 @@ private:
     /// Finds those that overlap with bounds.
     void FindOverlapping(const PolygonBounds& bounds);
   };
+  /// A face to be sorted.
+  struct Key
+  {
+    double Maximum;
+    vtkIdType Cell;
+    std::size_t Face;
+  };
   static constexpr double MaximumBend = 1e-3; ///< relative change of the radius
   double LargestBend = 0.0;
   double Layers = 0.0;
@@ -127,6 +134,7 @@ private:
   vtkTypeUInt64 EdgeSum = 0; ///< sum of edges in the beam; opposite directions cancel
   bool HasFacetAtApex = false;
   bool IsLayer = false; ///< whether the facets may be one layer
+  std::vector<Key> Keys;
   Order Nearest;
   std::size_t Current = 0;
   std::vector<std::size_t> Hiding;

@@ -185,9 +185,25 @@ Status SceneSurfaces::AddInstances(vtkPolyData* scene)
 }
 
 //------------------------------------------------------------------------------
+bool SceneSurfaces::AreAlikeInInstances(vtkIdType a, vtkIdType b) const
+{
+  const SceneGeometry::Cell first = this->Geometry->Find(a);
+  const SceneGeometry::Cell second = this->Geometry->Find(b);
+  const auto getPart = [this](const SceneGeometry::Cell& at)
+  { return at.Instance ? at.Instance->Part : this->Mesh.GetPartId(at.Triangle); };
+  return this->GetMaterialIdAt(first) == this->GetMaterialIdAt(second) &&
+    getPart(first) == getPart(second);
+}
+
+//------------------------------------------------------------------------------
 int SceneSurfaces::FindMaterialId(vtkIdType cell) const
 {
-  const SceneGeometry::Cell at = this->Geometry->Find(cell);
+  return this->GetMaterialIdAt(this->Geometry->Find(cell));
+}
+
+//------------------------------------------------------------------------------
+int SceneSurfaces::GetMaterialIdAt(const SceneGeometry::Cell& at) const
+{
   if (!at.Instance)
   {
     return this->Mesh.GetMaterialId(at.Triangle);

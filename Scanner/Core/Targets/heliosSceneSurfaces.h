@@ -8,6 +8,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosPose.h"
 #include "heliosRadiometry.h"
+#include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
 
 #include <vtkFloatArray.h>
@@ -25,8 +26,6 @@ class vtkPolyData;
 
 namespace helios
 {
-
-class SceneGeometry;
 
 class SceneSurfaces
 {
@@ -65,8 +64,11 @@ public:
   /// Returns whether triangles of one plane have the same response and part.
   bool AreAlike(vtkIdType a, vtkIdType b) const
   {
-    return !this->HasNormals && this->GetMaterialId(a) == this->GetMaterialId(b) &&
-      this->GetPartId(a) == this->GetPartId(b);
+    return !this->HasNormals &&
+      (this->Geometry && !this->IsTurbid(a) && !this->IsTurbid(b)
+          ? this->AreAlikeInInstances(a, b)
+          : this->GetMaterialId(a) == this->GetMaterialId(b) &&
+            this->GetPartId(a) == this->GetPartId(b));
   }
 
   /// Passes the names of all parts and the coordinate system to the echoes, if set.
@@ -155,6 +157,8 @@ private:
   Status CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
   Status AddInstances(vtkPolyData* scene);
   int FindMaterialId(vtkIdType cell) const;
+  int GetMaterialIdAt(const SceneGeometry::Cell& at) const;
+  bool AreAlikeInInstances(vtkIdType a, vtkIdType b) const;
   int FindPartId(vtkIdType cell) const;
   Vec3 FindNormal(vtkIdType cell) const;
 

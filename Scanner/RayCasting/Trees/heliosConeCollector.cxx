@@ -44,7 +44,7 @@ private:
     vtkTypeInt32 Triangle;
   };
 
-  static constexpr std::size_t Step = 8;
+  static constexpr std::size_t Step = 16;
 
   Entry& At(std::size_t i) { return this->Entries[i % (2 * Step + 1)]; }
 
@@ -107,15 +107,20 @@ void ConeCollector::Add(
   ConeCandidate c;
   this->Shape.SetCorners(placed, triangle, c);
   const auto& p = c.Corners;
-  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c) ||
-    !this->Shape.Touches(c))
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c))
+  {
+    return;
+  }
+  // A triangle with a corner inside touches the cone, and cannot cover it.
+  const bool hasCornerInside = this->Shape.HasCornerInside(c);
+  if (!hasCornerInside && !this->Shape.Touches(c))
   {
     return;
   }
   view.Triangles.emplace_back();
   view.Triangles.back().Cell = c.Cell;
   std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
-  if (c.Covers && c.IsBefore)
+  if (!hasCornerInside && c.Covers && c.IsBefore)
   {
     this->Shape.SetPlane(c);
     this->Farthest =

@@ -51,10 +51,11 @@ run time, points and bytes beforehand:
 beam sampling:
   A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
   adaptive, to the tolerances (1 mm for 95 % of the ranges, 1 % of the amplitudes and echoes): a
-  closed form for planar footprints, the visible areas of all surfaces in other beams, and samples
-  in beams of more than 512 surfaces, until successive answers agree or there are --max-sub-rays of
-  them. --range-tolerance and --energy-tolerance, --accuracy instrument (a tenth of the scanner's
-  noise), or --sub-rays, override the survey. --verbose prints the statistics. See Docs/instrument.md.
+  closed form for planar footprints, the visible areas of all surfaces in other beams, a picture of
+  as many cells as the tolerances require in beams full of leaves, and in beams of more than 512
+  surfaces more and more cells until successive answers agree (--max-sub-rays).
+  --range-tolerance and --energy-tolerance, --accuracy instrument (a tenth of the scanner's noise),
+  or --sub-rays, override the survey. --verbose prints the statistics. See Docs/instrument.md.
 
 accuracy:
   At its end a run computes 200 to 1000 of its pulses with a hit, of all legs, again at a tenth of

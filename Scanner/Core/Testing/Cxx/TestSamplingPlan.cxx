@@ -21,13 +21,15 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2 }, sigma);
   CHECK(plan.NumberOfSubRays == 336);
   CHECK(plan.LayerRings == 2);
-  CHECK(plan.CellsAcross == 568);
+  CHECK(plan.CellsAcross == 528);
   CHECK(plan.HasCells);
-  CHECK(plan.GetCellsAcross(0) == 288);
-  CHECK(plan.GetCellsAcross(1) == 576);
+  CHECK(plan.GetCellsAcross(0) == 264);
+  CHECK(plan.GetCellsAcross(1) == 528);
+  CHECK(plan.GetCellsAcross(2) == plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAcross(3) > plan.MaximumCellsAcross);
   const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
-  CHECK_FALSE(fine.HasCells); // 1312, more than the limit
+  CHECK_FALSE(fine.HasCells); // 1112, more than the limit
   CHECK(fine.LayerRings == 3);
   CHECK(PlanSampling({ 1e-4, 1e-4 }, sigma).LayerRings == 0);
   const helios::SamplingPlan coarse = PlanSampling({ 1.0, 1.0 }, sigma);
@@ -39,9 +41,9 @@ TEST_CASE(
 {
   const helios::SamplingPlan fine = PlanSampling({ 1e-3, 1e-2 }, 1.7);
   const helios::SamplingPlan coarse = PlanSampling({ 3e-2, 3e-1 }, 1.7);
-  CHECK(coarse.CellsAcross == 56);
+  CHECK(coarse.CellsAcross == 64);
   CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).CellsAcross == 16);
-  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).CellsAcross == 64);
+  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).CellsAcross == 80);
   CHECK(fine.PrefersCells(160, 6.0));
   CHECK_FALSE(fine.PrefersCells(160, 60.0));
   CHECK_FALSE(fine.PrefersCells(20, 2.0));

@@ -465,7 +465,7 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find(
-          "adaptive, visible areas of surfaces; beams full of leaves in 568 x 568 cells, of "
+          "adaptive, visible areas of surfaces; beams full of leaves in 528 x 528 cells, of "
           "more than 512 surfaces in up to 1024 x 1024 cells; none for planar footprints; waveform "
           "bin ") == 0);
   bench.Scanner->SetRangeTolerance(1e-4);
