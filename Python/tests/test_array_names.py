@@ -17,6 +17,7 @@ NAMES = {value for name, value in vars(array_names).items() if name.isupper() an
 # Other meanings of the same words.
 OTHERS = {
     ("cli/convert.py", "CRS"),  # an option's metavar
+    ("cli/_plan_options.py", "CRS"),
     ("flight/_survey.py", "ScanAngle"),  # a property of a writer
     ("plans/files.py", "ScanAngle"),
 }

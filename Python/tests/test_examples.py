@@ -32,6 +32,13 @@ def test_survey_by_hand(capsys):
     assert columns["Range"].min() >= 0.5
 
 
+def test_own_detector():
+    """The plug-in adds its detector; test_plugin.py runs surveys with it."""
+    detection = vtkhelios.vtkHeliosEchoDetection
+    load("own_detector")
+    assert detection.RemoveDetector("largest")
+
+
 def test_plan_scans(capsys):
     predicted, simulated = load("plan_scans").main()
     said = capsys.readouterr().out

@@ -144,7 +144,7 @@ def compile_library(folder, name, code, *more):
 
 def test_errors_of_libraries(tmp_path):
     path = compile_library(tmp_path, "plain", "int answer(void) { return 42; }")
-    with pytest.raises(PluginError, match=r'is no plug-in; give it extern "C" bool vtkHeliosReg'):
+    with pytest.raises(PluginError, match=r'is no plug-in; give it extern "C" bool vtkhelios_reg'):
         load_plugin(path)
     code = "_Bool vtkhelios_register_plugin(void) { return %d; }"
     path = compile_library(tmp_path, "refused", code % 0)

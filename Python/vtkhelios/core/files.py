@@ -9,12 +9,9 @@ the process removes it.
 
 import contextlib
 import errno
-import io
 import os
 import pathlib
 import tempfile
-
-import numpy as np
 
 from .run_files import PART
 from .unfinished import set_unfinished
@@ -79,13 +76,6 @@ def write_files(folder, files):
             drop_part(path)
         raise
     return paths
-
-
-def write_table(path, rows, form):
-    """Writes rows of numbers as text, in a format of printf."""
-    text = io.BytesIO()
-    np.savetxt(text, rows, form)
-    write_whole(path, text.getvalue())
 
 
 @contextlib.contextmanager

@@ -100,7 +100,9 @@ def make_features(plan):
     ground = float(plan.ground.min())
     for rings in plan.polygons:
         raised = [np.column_stack([ring, np.full(len(ring), ground)]) for ring in rings]
-        features.append(Feature("Area", "area", "area", raised, {"area_m2": round(plan.area, 3)}))
+        features.append(
+            Feature("Polygon", "area", "area", raised, {"area_m2": round(plan.area, 3)})
+        )
     return features
 
 

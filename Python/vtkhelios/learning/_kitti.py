@@ -13,8 +13,9 @@ sequences/00/origin.txt            the pose of the first scan in the run, 4 x 4
 
 import numpy as np
 
-from ..core.files import write_table, write_whole
+from ..core.files import write_whole
 from ._labels import find_instances, find_intensities
+from ._tables import write_table
 
 # From the scanner (x forward, y left, z up) to the camera (x right, y down, z forward).
 TO_CAMERA = np.array([[0, -1, 0, 0], [0, 0, -1, 0], [1, 0, 0, 0], [0, 0, 0, 1]], float)

@@ -11,8 +11,8 @@ A room is a scan. Coordinates are relative to Area_1/origin.txt, whole metres.
 import numpy as np
 
 from ..array_names import CLASSIFICATION_IDS, PART_IDS, RGB
-from ..core.files import write_table
 from ._labels import find_intensities
+from ._tables import write_table
 
 NAMES = {
     2: "ground", 3: "lowvegetation", 4: "mediumvegetation", 5: "highvegetation", 6: "building",

@@ -32,13 +32,13 @@ class Feature:
     """A point, a line or an area of a plan.
 
     points
-        x, y, z [m] in the scene, n x 3: a Point has one; an Area is one ring, without its first point
+        x, y, z [m] in the scene, n x 3: a Point has one; a Polygon is one ring, without its first point
         at the end, or that ring and its holes, a list.
     properties
         for formats that have a table.
     """
 
-    kind: str  # Point, Line or Area
+    kind: str  # Point, Line or Polygon
     name: str
     layer: str
     points: object
@@ -187,9 +187,9 @@ class _Degrees:
     def of(self, feature):
         """Returns the rings of an area, or the points of others: longitude, latitude, z."""
         rings = self._parts[id(feature)]
-        return rings if feature.kind == "Area" else rings[0]
+        return rings if feature.kind == "Polygon" else rings[0]
 
 
 def _rings(feature):
-    rings = feature.points if feature.kind == "Area" else [feature.points]
+    rings = feature.points if feature.kind == "Polygon" else [feature.points]
     return [np.asarray(ring, dtype=float).reshape(-1, 3) for ring in rings]

@@ -30,7 +30,7 @@ def write_geojson(name, features, degrees, system):
     items = []
     for each in features:
         places = degrees.of(each)
-        if each.kind == "Area":
+        if each.kind == "Polygon":
             geometry = {"type": "Polygon", "coordinates": _wind(places)}
         elif each.kind == "Line":
             geometry = {"type": "LineString", "coordinates": places[:, :2].tolist()}
@@ -77,7 +77,7 @@ def write_kml(name, features, degrees, system):
 
 
 def _add_shape(mark, feature, places):
-    if feature.kind == "Area":
+    if feature.kind == "Polygon":
         polygon = _add(mark, "Polygon")
         for number, ring in enumerate(places):
             side = _add(polygon, "innerBoundaryIs" if number else "outerBoundaryIs")
@@ -160,7 +160,7 @@ def write_dxf(name, features, degrees, system):
     places = [
         ring
         for each in features
-        for ring in (each.points if each.kind == "Area" else [each.points])
+        for ring in (each.points if each.kind == "Polygon" else [each.points])
     ]
     low, high = (find(np.concatenate(places), axis=0) for find in (np.min, np.max))
     height = max(0.5, 0.01 * float(np.hypot(*(high - low)[:2])))  # height of texts [m]
@@ -197,14 +197,14 @@ def _entities(feature, height):
     layer = [(8, feature.layer)]
     if feature.kind == "Point":
         yield from [(0, "POINT"), *layer, *_at(feature.points[0])]
-    for ring in feature.points if feature.kind == "Area" else [feature.points]:
+    for ring in feature.points if feature.kind == "Polygon" else [feature.points]:
         if len(ring) > 1:
-            closed = 1 if feature.kind == "Area" else 0
+            closed = 1 if feature.kind == "Polygon" else 0
             yield from [(0, "POLYLINE"), *layer, (66, 1), (70, 8 + closed), *_at((0, 0, 0))]
             for corner in ring:
                 yield from [(0, "VERTEX"), *layer, (70, 32), *_at(corner)]
             yield from [(0, "SEQEND"), *layer]
-    if feature.kind != "Area" and feature.layer != "route":
+    if feature.kind != "Polygon" and feature.layer != "route":
         yield from [
             (0, "TEXT"),
             *layer,
