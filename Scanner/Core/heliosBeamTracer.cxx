@@ -118,16 +118,12 @@ bool BeamTracer::ComputeParts(const Pulse& pulse, ScanCounts& counts)
 {
   const SamplingPlan& plan = this->Model.Plan;
   const std::size_t faces = this->Surfaces.GetNumberOfFaces();
-  if (faces > plan.MaximumSurfaces)
-  {
-    return false;
-  }
   if (plan.PrefersCells(faces, this->Surfaces.GetLayers()) && this->Surfaces.IsFlat() &&
     !this->Surfaces.MeetsGate())
   {
-    return this->SampleSurfaces(pulse, plan.CellsAcross, counts);
+    return this->SampleSurfaces(pulse, plan.GetCellsAcross(faces), counts);
   }
-  if (!this->Surfaces.Divide(this->Parts))
+  if (faces > plan.MaximumSurfaces || !this->Surfaces.Divide(this->Parts))
   {
     return false;
   }

@@ -199,11 +199,13 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   const SamplingPlan& plan = this->Model.Plan;
   const bool isFlat = this->Tracer.CanSampleSurfaces();
+  const std::size_t surfaces = this->Tracer.GetNumberOfSurfaces();
   this->Refine(pulse,
     [&](int level)
     {
-      return isFlat ? this->Tracer.SampleSurfaces(pulse, plan.GetCellsAcross(level), this->Counts)
-                    : castLevel(level);
+      return isFlat
+        ? this->Tracer.SampleSurfaces(pulse, plan.GetCellsAtLevel(surfaces, level), this->Counts)
+        : castLevel(level);
     });
 }
 

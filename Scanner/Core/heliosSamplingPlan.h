@@ -36,11 +36,8 @@ struct SamplingPlan
   double LayerSpread = 0.0;   ///< spread of their ranges [m]
   /// largest number in a beam that is divided into its visible parts
   std::size_t MaximumSurfaces = 512;
-  /// cells across a beam that is sampled, a multiple of 8; with more surfaces it is half of that at
-  /// first, and doubled once or more until answers agree
-  int CellsAcross = 560;
-  int MaximumCellsAcross = 1024;
-  bool HasCells = true; ///< whether so many cells are within the limit
+  double CellsAcross = 526.0;    ///< cells across a beam that is sampled, of a typical tree
+  int MaximumCellsAcross = 1024; ///< limit, a multiple of 8
   /// sub-rays of a beam with too many triangles to collect; times 4 until they agree
   int MinimumSubRays = 256;
   int MaximumSubRays = 65536;
@@ -54,18 +51,16 @@ struct SamplingPlan
   double EnergyTolerance = DefaultEnergyTolerance;
   double RangeTolerance = DefaultRangeTolerance; ///< [m]
 
-  /// Returns the cells across a beam at a level of refinement, from 0; more than the limit beyond the
-  /// last level.
-  int GetCellsAcross(int level) const
-  {
-    const int first = (this->CellsAcross + 8) / 16 * 8;
-    const int size = first << level;
-    const bool isLast = size > this->MaximumCellsAcross && size / 2 < this->MaximumCellsAcross;
-    return isLast ? this->MaximumCellsAcross : size;
-  }
+  /// Returns the cells across a beam of a number of surfaces that keep the tolerances, a multiple of
+  /// 8; more than the limit if this is too low.
+  VTKHELIOSSCANNERCORE_EXPORT int GetCellsAcross(std::size_t surfaces) const;
 
-  /// Returns whether cells are expected to take less time than the division, for a number of surfaces
-  /// that cover the beam so often.
+  /// Returns those at a level of refinement, from 0: half of them, doubled at each level up to the
+  /// limit; more than the limit beyond the last level.
+  VTKHELIOSSCANNERCORE_EXPORT int GetCellsAtLevel(std::size_t surfaces, int level) const;
+
+  /// Returns whether cells keep the tolerances, and are expected to take less time than the division,
+  /// for a number of surfaces that cover the beam so often.
   VTKHELIOSSCANNERCORE_EXPORT bool PrefersCells(std::size_t surfaces, double layers) const;
 
   /// Describes the plan, for a run's summary.

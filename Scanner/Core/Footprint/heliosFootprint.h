@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace helios
@@ -174,11 +175,11 @@ private:
   std::vector<double> Cuts;                ///< depths between strips of a face [m]
   std::vector<EnergyMoments> StripMoments; ///< strips of a face
   int TilesAcross = 1; ///< tiles of a wide beam: within one, ranges at one depth are equal
-  FootprintRaster Raster;
-  std::vector<Strips> AllStrips;      ///< strips of the faces
-  std::vector<double> AllCuts;        ///< [m]
-  FootprintRaster::Targets Targets;   ///< strips of the faces that have one
-  std::vector<EnergyMoments> Sampled; ///< sampled moments of the strips
+  std::map<int, FootprintRaster> Rasters; ///< rasters by cells across
+  std::vector<Strips> AllStrips;          ///< strips of the faces
+  std::vector<double> AllCuts;            ///< [m]
+  FootprintRaster::Targets Targets;       ///< strips of the faces that have one
+  std::vector<EnergyMoments> Sampled;     ///< sampled moments of the strips
 };
 
 } // namespace helios

@@ -55,8 +55,9 @@ void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
   {
     this->Targets.push_back(strips.Count == 0 ? static_cast<int>(strips.FirstStrip) : -1);
   }
-  this->Raster.Draw(this->Surfaces, this->Beam, across, this->Targets, this->Sampled);
-  for (const FootprintRaster::Spot& spot : this->Raster.GetSpots())
+  FootprintRaster& raster = this->Rasters[across];
+  raster.Draw(this->Surfaces, this->Beam, across, this->Targets, this->Sampled);
+  for (const FootprintRaster::Spot& spot : raster.GetSpots())
   {
     spot.AddTo(this->Sampled[this->FindStrip(static_cast<std::size_t>(spot.Face), spot.X, spot.Y)]);
   }

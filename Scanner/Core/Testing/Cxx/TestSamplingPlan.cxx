@@ -21,15 +21,16 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2 }, sigma);
   CHECK(plan.NumberOfSubRays == 336);
   CHECK(plan.LayerRings == 2);
-  CHECK(plan.CellsAcross == 528);
-  CHECK(plan.HasCells);
-  CHECK(plan.GetCellsAcross(0) == 264);
-  CHECK(plan.GetCellsAcross(1) == 528);
-  CHECK(plan.GetCellsAcross(2) == plan.MaximumCellsAcross);
-  CHECK(plan.GetCellsAcross(3) > plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAcross(100) == 528);
+  CHECK(plan.GetCellsAcross(600) == 1056);
+  CHECK(plan.GetCellsAtLevel(100, 0) == 264);
+  CHECK(plan.GetCellsAtLevel(100, 1) == 528);
+  CHECK(plan.GetCellsAtLevel(100, 2) == plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAtLevel(100, 3) > plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAtLevel(2500, 1) == plan.MaximumCellsAcross);
   const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
-  CHECK_FALSE(fine.HasCells); // 1112, more than the limit
+  CHECK(fine.GetCellsAcross(1) == 1112); // more than the limit
   CHECK(fine.LayerRings == 3);
   CHECK(PlanSampling({ 1e-4, 1e-4 }, sigma).LayerRings == 0);
   const helios::SamplingPlan coarse = PlanSampling({ 1.0, 1.0 }, sigma);
@@ -41,9 +42,9 @@ TEST_CASE(
 {
   const helios::SamplingPlan fine = PlanSampling({ 1e-3, 1e-2 }, 1.7);
   const helios::SamplingPlan coarse = PlanSampling({ 3e-2, 3e-1 }, 1.7);
-  CHECK(coarse.CellsAcross == 64);
-  CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).CellsAcross == 16);
-  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).CellsAcross == 80);
+  CHECK(coarse.GetCellsAcross(1) == 64);
+  CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).GetCellsAcross(1) == 16);
+  CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).GetCellsAcross(1) == 80);
   CHECK(fine.PrefersCells(160, 6.0));
   CHECK_FALSE(fine.PrefersCells(160, 60.0));
   CHECK_FALSE(fine.PrefersCells(20, 2.0));
@@ -68,7 +69,7 @@ TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces",
   CHECK(plan.MaximumSurfaces == 2048);
   CHECK(plan.MaximumSubRays == 1 << 20);
   const helios::SamplingPlan least = PlanSampling({ 1e-3, 1e-2, 1024 }, 1.7);
-  CHECK(least.GetCellsAcross(1) <= least.MaximumCellsAcross);
+  CHECK(least.GetCellsAtLevel(1000, 1) <= least.MaximumCellsAcross);
 }
 
 TEST_CASE("SamplingPlan: the errors of rings are those of the layer rules", "[SamplingPlan]")

@@ -228,11 +228,9 @@ TEST_CASE(
     Value(echoes, names::Amplitude, 0) + 1.44 * Value(echoes, names::Amplitude, 1);
   CHECK(Value(echoes, names::Amplitude, 0) / full ==
     Approx(0.5 * std::erfc(std::sqrt(2.0) * 0.0001 / 0.0075)).margin(1e-2));
-  const vtkIdType subRays = slats.Scanner->GetCount("subRays");
-
   slats.Scanner->SetEnergyTolerance(2e-4);
   slats.Run();
-  CHECK(slats.Scanner->GetCount("subRays") > subRays);
+  CHECK(slats.Scanner->GetCount("pulsesSampled") == 50);
   slats.Scanner->SetMaximumNumberOfSubRays(1024);
   CHECK(slats.Run()->GetNumberOfPoints() == 100);
   CHECK(slats.Scanner->GetCount("pulsesUnresolved") == 50);
@@ -464,10 +462,11 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");
   bench.Scanner->SetSamplingToTolerance();
-  CHECK(bench.Scanner->DescribeSampling().find(
-          "adaptive, visible areas of surfaces; beams full of leaves in 528 x 528 cells, of "
-          "more than 512 surfaces in up to 1024 x 1024 cells; none for planar footprints; waveform "
-          "bin ") == 0);
+  CHECK(
+    bench.Scanner->DescribeSampling().find(
+      "adaptive, visible areas of surfaces; beams full of leaves in 528 x 528 cells or more, of "
+      "more than 512 surfaces in up to 1024 x 1024 cells; none for planar footprints; waveform "
+      "bin ") == 0);
   bench.Scanner->SetRangeTolerance(1e-4);
   CHECK(bench.Scanner->DescribeSampling().find("adaptive, visible areas of surfaces; beams of more "
                                                "than 512 surfaces in up to 1024 x 1024") == 0);
