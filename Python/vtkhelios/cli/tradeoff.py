@@ -188,7 +188,7 @@ def add_accuracy_argument(parser):
     """Adds the option of vtkhelios run."""
     option = next(option for option in OPTIONS if option.name == "accuracy")
     parser.add_argument(
-        option.argument, metavar=option.metavar, choices=option.choices.split(), help=option.help
+        option.argument, metavar=option.metavar, choices=option.get_choices(), help=option.help
     )
 
 
