@@ -6279,7 +6279,8 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     maximum_number_of_sub_rays: int
     """Set/Get the most sub-rays of a beam with so many surfaces that it
     must be sampled: with more than twice the square root of this
-    number, 512 by default. Their number grows until successive
+    number, 512 by default. Their number, or that of cells, of which
+    there are at most 16 times as many, grows until successive
     answers agree within the tolerances; GetCount("pulsesUnresolved")
     counts the pulses for which this limit is too low. Valid range:
     [1024, 2^24]. Default: 65536.
