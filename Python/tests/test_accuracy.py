@@ -222,6 +222,9 @@ def test_the_price_of_tolerances_is_one_line():
         "price    about 1 mm 12 s, 10 mm 1 min 20 s; 19 fixed sub-rays 5 s, with 21 % of the echoes "
         "missed or invented and 95 % of the ranges within 20 mm; from 1,234 pulses"
     )
+    ways[1]["run_s"] = 12.0
+    line = forecast_line({**FORECAST, "ways": ways})
+    assert line.startswith("price    about 1 mm to 10 mm 12 s; 19 fixed")
     assert forecast_line({"reason": "the run is short"}) is None
     assert list(forecast_table({"reason": "photons"})) == ["price    not known: photons"]
 

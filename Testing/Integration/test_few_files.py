@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What CONTRIBUTING.md says about additions: the files that know an output, an option and a value of the
-instrument, which are few, and the examples, which are small and apply."""
+"""CONTRIBUTING.md says about additions that few files know an output, an option and a value of the
+instrument, and that the examples are small and apply."""
 
 import pathlib
 import re

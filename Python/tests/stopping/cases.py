@@ -27,7 +27,7 @@ PATIENCE = 10.0  # s, of the tests: other programs may be running
 PACKAGE = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
 LAUNCHER = PACKAGE.parents[2] / "bin/vtkhelios"
 VIEWER = PACKAGE.parents[2] / "bin/vtkhelios-viewer"
-PROGRESS = re.compile(r" *\d+ % |warning: |Note: ")
+PROGRESS = re.compile(r" *\d+ % |warning: |Note: |price  ")
 
 
 @dataclasses.dataclass

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run, or its estimate, as text: from the report of the player."""
 
+import itertools
+
 from ..core.run_files import SUMMARY_NAME
 from ..core.words import counted, time_span
 from .accuracy import MILLIMETRES, PERCENT, accuracy_line, accuracy_lines, number, short
@@ -111,7 +113,10 @@ def forecast_line(forecast):
         return None
     adaptive = [way for way in forecast["ways"] if "subRays" not in way]
     fixed = next(way for way in forecast["ways"] if "subRays" in way)
-    prices = (f"{_tolerance(way)} {time_span(way['run_s'])}" for way in adaptive)
+    prices = []
+    for time, equal in itertools.groupby(adaptive, lambda way: time_span(way["run_s"])):
+        names = [_tolerance(way) for way in equal]
+        prices.append(f"{' to '.join(dict.fromkeys((names[0], names[-1])))} {time}")
     return (
         f"price    about {', '.join(prices)}; {fixed['subRays']} fixed sub-rays {time_span(fixed['run_s'])}, with "
         f"{short(fixed['missedAndInvented'][0], PERCENT)} of the echoes missed or invented and 95 % of the ranges "

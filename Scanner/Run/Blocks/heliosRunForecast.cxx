@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 namespace helios
 {
@@ -52,6 +53,30 @@ vtkIdType CountFired(const LegScanner& scanner)
   ScanCounts counts;
   scanner.Count(counts);
   return counts.PulsesFired;
+}
+
+/// Makes times fall with wider tolerances: neighbours in another order, which noise of the clock explains, get their
+/// mean (isotonic regression by pooling).
+void MakeFalling(std::vector<double>& times)
+{
+  std::vector<std::pair<double, int>> pools; // mean and size
+  for (const double time : times)
+  {
+    pools.emplace_back(time, 1);
+    while (pools.size() > 1 && pools.back().first > pools[pools.size() - 2].first)
+    {
+      const auto [mean, size] = pools.back();
+      pools.pop_back();
+      auto& [before, all] = pools.back();
+      before = (all * before + size * mean) / (all + size);
+      all += size;
+    }
+  }
+  times.clear();
+  for (const auto& [mean, size] : pools)
+  {
+    times.insert(times.end(), static_cast<std::size_t>(size), mean);
+  }
 }
 
 } // namespace
@@ -328,6 +353,25 @@ Status RunForecast::AddErrors(Way& way, const Window& window)
 }
 
 //------------------------------------------------------------------------------
+/// Returns the times of a fired pulse [s] of the ways with tolerances, or of those with fixed sub-rays.
+std::vector<double> RunForecast::FindTimes(bool isFixed) const
+{
+  const auto fired = static_cast<double>(this->PulsesFired);
+  const auto timed = static_cast<double>(std::max<vtkIdType>(1, this->PulsesTimed));
+  std::vector<double> times;
+  for (std::size_t i = 0; i + 1 < this->Ways.size(); ++i)
+  {
+    const Way& way = this->Ways[i];
+    if ((way.Options.NumberOfSubRays > 0) == isFixed)
+    {
+      const double most = way.Whole / fired;
+      times.push_back(std::clamp(way.Seconds / timed, most / 3.0, most));
+    }
+  }
+  return times;
+}
+
+//------------------------------------------------------------------------------
 Json::Value RunForecast::Describe() const
 {
   Json::Value described;
@@ -343,14 +387,15 @@ Json::Value RunForecast::Describe() const
   described["ways"] = Json::arrayValue;
   const double fired = static_cast<double>(this->PulsesFired) * static_cast<double>(this->Step) *
     static_cast<double>(this->Runner.GetNumberOfPulses()) / static_cast<double>(this->Pulses);
+  std::vector<double> times = this->FindTimes(false);
+  const std::vector<double> fixed = this->FindTimes(true);
+  MakeFalling(times);
+  times.insert(times.end(), fixed.begin(), fixed.end());
   for (std::size_t i = 0; i + 1 < this->Ways.size(); ++i)
   {
     const Way& way = this->Ways[i];
     Json::Value row = DescribeErrors(way.Errors.GetErrors());
-    const double most = way.Whole / static_cast<double>(this->PulsesFired);
-    const double seconds =
-      std::clamp(way.Seconds / static_cast<double>(std::max<vtkIdType>(1, this->PulsesTimed)),
-        most / 3.0, most);
+    const double seconds = times[i];
     row["us_per_pulse"] = 1e6 * seconds;
     row["run_s"] = seconds * fired / vtkSMPTools::GetEstimatedNumberOfThreads();
     if (way.Options.NumberOfSubRays > 0)

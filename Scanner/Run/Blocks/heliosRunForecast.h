@@ -48,7 +48,7 @@ public:
 
   /// Returns the sample's "pulses" and "pulsesComputed" in all ways, and "ways", each with its "options",
   /// "us_per_pulse", "run_s" and, as value and ends of its interval, the errors of EchoMeasures; the
-  /// "reference". Or the "reason" why there is none.
+  /// "reference". Or the "reason" why there is none. A wider tolerance does not cost more.
   Json::Value Describe() const;
 
 private:
@@ -76,6 +76,7 @@ private:
   bool ChoosePulses(const Effort& effort);
   double FireWindow(Way& way, const Window& window);
   bool AddWindow(const Window& window);
+  std::vector<double> FindTimes(bool isFixed) const;
   Status AddErrors(Way& way, const Window& window);
   bool IsLate() const;
 

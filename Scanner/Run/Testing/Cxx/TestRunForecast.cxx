@@ -76,6 +76,10 @@ TEST_CASE("RunForecast: computes at most 2 % of the pulses of a run", "[RunForec
     CHECK(way["rangeP95_m"][0].asDouble() < 1e-3); // on a plane
     CHECK(way["missedAndInvented"][0].asDouble() == 0.0);
   }
+  for (const int wider : { 1, 2 })
+  {
+    CHECK(found["ways"][wider]["run_s"].asDouble() <= found["ways"][wider - 1]["run_s"].asDouble());
+  }
   CHECK(found["ways"][0]["rangeTolerance_m"].asDouble() == 0.001);
   CHECK(found["ways"][2]["energyTolerance"].asDouble() == Approx(0.1));
   CHECK(found["ways"][3]["subRays"].asInt() == 19);
