@@ -97,7 +97,7 @@ def test_missing_files_are_found():
 
 
 def test_version():
-    """The version of CMakeLists.txt equals the newest release's and the citation's."""
+    """The version of CMakeLists.txt equals that of the newest release, the citation and the project that uses it."""
     version = re.search(
         r"project\(vtkHelios VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()
     )
@@ -106,3 +106,8 @@ def test_version():
     assert release.group(1) == version.group(1)
     assert f"\nversion: {release.group(1)}\n" in citation
     assert f"\ndate-released: {release.group(2)}\n" in citation
+    minor = version.group(1).rpartition(".")[0]
+    for file in ("Testing/Install/CMakeLists.txt", "Apps/Packages/README.md"):
+        assert (
+            f"vtkHelios {minor} " in (text := (ROOT / file).read_text()) or f"helios{minor}" in text
+        )
