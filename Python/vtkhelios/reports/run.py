@@ -15,7 +15,7 @@ FORECAST_SHARES = ("missed", "invented", "amplitudeRms")
 FORECAST_COLUMNS = (  # head, width
     ("us/pulse", 10),
     ("run", 14),
-    ("p95 mm", 26),
+    ("p95 mm", 32),
     ("missed %", 10),
     ("invented %", 12),
     ("amplitude %", 13),
