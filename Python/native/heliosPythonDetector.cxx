@@ -83,22 +83,25 @@ public:
   void Detect(const vtkHeliosWaveform& waveform, Echoes& echoes) const override
   {
     std::vector<Echoes> found(1);
-    if (this->DetectAll({ waveform }, found).empty())
+    if (std::string error; this->DetectAll({ waveform }, found, error))
     {
       echoes.insert(echoes.end(), found[0].begin(), found[0].end());
     }
   }
 
-  std::string DetectAll(const Waveforms& waveforms, std::vector<Echoes>& echoes) const override
+  bool DetectAll(
+    const Waveforms& waveforms, std::vector<Echoes>& echoes, std::string& error) const override
   {
     const vtkPythonScopeGilEnsurer lock(true);
-    std::string fault;
-    for (std::size_t first = 0, last = 0; first < waveforms.size() && fault.empty(); first = last)
+    for (std::size_t first = 0, last = 0; first < waveforms.size(); first = last)
     {
       last = FindEnd(waveforms, first);
-      fault = this->DetectBlock(waveforms, first, last, echoes);
+      if (!this->DetectBlock(waveforms, first, last, echoes, error))
+      {
+        return false;
+      }
     }
-    return fault;
+    return true;
   }
 
   std::shared_ptr<void> PrepareThreads() const override
@@ -133,17 +136,18 @@ private:
     return last;
   }
 
-  std::string DetectBlock(const Waveforms& waveforms, std::size_t first, std::size_t last,
-    std::vector<Echoes>& echoes) const
+  bool DetectBlock(const Waveforms& waveforms, std::size_t first, std::size_t last,
+    std::vector<Echoes>& echoes, std::string& error) const
   {
     PyObject* result = this->Call(&waveforms[first], last - first);
-    const std::string fault = result ? Read(result, last - first, &echoes[first]) : GetException();
+    const bool isRead = result && Read(result, last - first, &echoes[first]);
+    error = isRead ? error : GetError(result);
     Py_XDECREF(result);
-    for (std::size_t i = first; i < last && fault.empty(); ++i)
+    for (std::size_t i = first; i < last && isRead; ++i)
     {
       this->RemoveDead(echoes[i], 0);
     }
-    return fault;
+    return isRead;
   }
 
   PyObject* Call(const vtkHeliosWaveform* waves, std::size_t count) const
@@ -181,14 +185,13 @@ private:
     return result;
   }
 
-  /// Reads the echoes of some waveforms; returns an error, or an empty text.
-  static std::string Read(PyObject* result, std::size_t count, Echoes* echoes)
+  /// Reads the echoes of some waveforms; false if the result is the text of an error.
+  static bool Read(PyObject* result, std::size_t count, Echoes* echoes)
   {
     using Row = std::array<double, 4>;
     if (!PyBytes_Check(result))
     {
-      const char* text = PyUnicode_Check(result) ? PyUnicode_AsUTF8(result) : nullptr;
-      return text ? text : GetException();
+      return false;
     }
     const auto rows = static_cast<std::size_t>(PyBytes_GET_SIZE(result)) / sizeof(Row);
     for (std::size_t i = 0; i < rows; ++i)
@@ -201,7 +204,15 @@ private:
         echoes[index].push_back({ row[1], row[2], row[3] });
       }
     }
-    return {};
+    return true;
+  }
+
+  /// Returns the text of an error, or the exception of a call without a result.
+  static std::string GetError(PyObject* result)
+  {
+    const bool isText = result && PyUnicode_Check(result);
+    const char* text = isText ? PyUnicode_AsUTF8(result) : nullptr;
+    return text ? text : GetException();
   }
 
   /// Returns the exception as a text, and clears it; Ctrl-C is raised again where it is awaited.

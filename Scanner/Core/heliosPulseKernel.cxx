@@ -63,7 +63,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
       this->HasBlocks ? this->AddToBlock(slot, result) : this->StorePulse(slot, result);
     }
     this->StoreBlock(result);
-    if (!this->GetFault().empty())
+    if (!this->GetFault().IsOk())
     {
       watch.Stop();
     }

@@ -13,7 +13,6 @@
 #include "heliosSurfaceResponse.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace helios
@@ -32,8 +31,8 @@ public:
 
   const ScanCounts& GetCounts() const { return this->Counts; }
 
-  /// Returns the first error of the detector, which has stopped the watch; empty: none.
-  const std::string& GetFault() const { return this->Signal.GetFault(); }
+  /// Returns the first error of the detector, which has stopped the watch.
+  const Status& GetFault() const { return this->Signal.GetFault(); }
 
 private:
   /// The geometry of a beam on a plane.

@@ -4,6 +4,8 @@
 
 #include "heliosConstants.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -163,12 +165,11 @@ int SamplingPlan::GetCellsAtLevel(std::size_t surfaces, int level) const
 
 bool SamplingPlan::PrefersCells(std::size_t surfaces, double layers) const
 {
-  constexpr double pi = 3.14159265358979323846;
   const auto count = static_cast<double>(surfaces);
   const double cells = this->GetCellsAcross(surfaces);
   return cells <= this->MaximumCellsAcross &&
     TimeOfDivision * count * std::sqrt(count) > TimeOfSurface * count +
-      TimeOfRow * cells * std::sqrt(pi * layers * count) + TimeOfCell * cells * cells;
+      TimeOfRow * cells * std::sqrt(vtkMath::Pi() * layers * count) + TimeOfCell * cells * cells;
 }
 
 std::string SamplingPlan::Describe() const

@@ -125,7 +125,7 @@ Status RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSiz
   for (auto& kernel : functor.Kernels)
   {
     counts.Add(kernel->GetCounts());
-    status = kernel->GetFault().empty() ? status : Status::Error(kernel->GetFault());
+    status = kernel->GetFault().IsOk() ? status : kernel->GetFault();
   }
   return status;
 }

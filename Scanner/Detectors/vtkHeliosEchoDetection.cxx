@@ -138,10 +138,9 @@ helios::Status vtkHeliosEchoDetection::Run::DetectChunk(vtkIdType chunk)
     waveforms.push_back(this->GetWaveform(row));
   }
   std::vector<vtkHeliosEchoDetector::Echoes> echoes(waveforms.size());
-  const std::string fault = this->Detector->DetectAll(waveforms, echoes);
-  if (!fault.empty())
+  if (std::string error; !this->Detector->DetectAll(waveforms, echoes, error))
   {
-    return helios::Status::Error(fault);
+    return helios::Status::Error(error);
   }
   std::vector<std::size_t> kept;
   for (vtkIdType row = first; row < last; ++row)

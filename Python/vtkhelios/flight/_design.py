@@ -87,7 +87,7 @@ class Designer:
 
     def find_steps(self, design, relief):
         """Returns the best Design of the next lower pulse frequency, and of the next higher one at up
-        to the same speed, or why there is none."""
+        to the same speed, or the reason why none exists."""
         steps, at = {}, self.frequencies.index(design.pulse_frequency)
         for name, index in (("lower", at - 1), ("higher", at + 1)):
             if not 0 <= index < len(self.frequencies):
@@ -125,7 +125,7 @@ class Designer:
         return lines
 
     def _try(self, frequency, height, relief, fastest):
-        """Returns a Design, or the reason why there is none."""
+        """Returns a Design, or the reason why none exists."""
         lowest, largest = height - relief.rise, height + relief.drop
         if reason := self._check_height(lowest, largest):
             return reason

@@ -50,7 +50,7 @@ class FlightPlan:
     design
         heights, speed, frequencies: a Design.
     steps
-        the next "lower" and "higher" pulse frequency: a Design each, or why there is none.
+        the next "lower" and "higher" pulse frequency: a Design each, or the reason why none exists.
     report
         a dictionary with the content of plan_summary.json.
     """

@@ -69,7 +69,7 @@ def step_lines(report):
 
 
 def describe_step(step):
-    """Returns the cost of another pulse frequency, or why there is none."""
+    """Returns the cost of another pulse frequency, or the reason why none exists."""
     if "reason" in step:
         return step["reason"]
     return (

@@ -5,6 +5,8 @@
 
 #include "heliosRayVectors.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -126,14 +128,14 @@ void FootprintRaster::SetGrid(const BeamEnergy& beam, int across)
 /// Sets the polynomial, which is exact at Chebyshev's nodes of x^2, by Newton's form.
 void FootprintRaster::SetWarp(double exponent)
 {
-  constexpr double pi = 3.14159265358979323846;
   this->Exponent = exponent;
   const auto count = static_cast<std::size_t>(4.0 + std::ceil(0.5 * exponent));
   const double root = std::sqrt(exponent);
   std::vector<double> nodes, differences;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const double node = 0.5 - 0.5 * std::cos(pi * (static_cast<double>(i) + 0.5) / count);
+    const double node =
+      0.5 - 0.5 * std::cos(vtkMath::Pi() * (static_cast<double>(i) + 0.5) / count);
     nodes.push_back(node);
     const double x = std::sqrt(node);
     differences.push_back(std::erf(root * x) / (x * std::erf(root)));

@@ -54,7 +54,8 @@ Status ComputeDetectorOffset(
       { samples[k].data(), static_cast<vtkIdType>(samples[k].size()), binSize, shape.GetLength() });
   }
   std::vector<vtkHeliosEchoDetector::Echoes> echoes(Positions);
-  const std::string fault = detector.DetectAll(waveforms, echoes);
+  std::string error;
+  const bool isDone = detector.DetectAll(waveforms, echoes, error);
   double sum = 0.0;
   int found = 0;
   for (std::size_t k = 0; k < Positions; ++k)
@@ -68,7 +69,7 @@ Status ComputeDetectorOffset(
     }
   }
   offset = found > 0 ? sum / found : 0.0;
-  return fault.empty() ? Status() : Status::Error(fault);
+  return isDone ? Status() : Status::Error(error);
 }
 
 } // namespace helios

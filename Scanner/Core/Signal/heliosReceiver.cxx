@@ -91,9 +91,8 @@ Receiver::Receiver(const ReceiverSettings& settings)
   this->DetectionShape.SetBinSize(settings.DetectionBin);
   if (settings.Detector)
   {
-    this->SetFault(
-      ComputeDetectorOffset(*settings.Detector, settings.Shape, settings.BinSize, this->Offset)
-        .Message());
+    this->Fault =
+      ComputeDetectorOffset(*settings.Detector, settings.Shape, settings.BinSize, this->Offset);
   }
 }
 
@@ -603,7 +602,7 @@ void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<
   const vtkHeliosWaveform wave = this->Describe(this->Wave, this->PulseId, binSize);
   if (this->Settings.Detector->PrefersBlocks())
   {
-    this->SetFault(this->Settings.Detector->DetectAll({ wave }, this->Detected));
+    this->DetectWaveforms({ wave }, this->Detected);
   }
   else
   {
@@ -625,7 +624,7 @@ void Receiver::DetectAll(const std::vector<std::pair<const Waveform*, vtkIdType>
     described.push_back(this->Describe(*wave, pulseId, this->Settings.BinSize));
   }
   detected.assign(waveforms.size(), {});
-  this->SetFault(this->Settings.Detector->DetectAll(described, detected));
+  this->DetectWaveforms(described, detected);
 }
 
 //------------------------------------------------------------------------------
@@ -649,9 +648,13 @@ vtkHeliosWaveform Receiver::Describe(const Waveform& wave, vtkIdType pulseId, do
 }
 
 //------------------------------------------------------------------------------
-void Receiver::SetFault(const std::string& fault)
+/// Calls the detector, and keeps its first error.
+void Receiver::DetectWaveforms(const std::vector<vtkHeliosWaveform>& waveforms,
+  std::vector<std::vector<vtkHeliosDetectedEcho>>& detected)
 {
-  this->Fault = this->Fault.empty() ? fault : this->Fault;
+  std::string error;
+  const bool isDone = this->Settings.Detector->DetectAll(waveforms, detected, error);
+  this->Fault = isDone || !this->Fault.IsOk() ? this->Fault : Status::Error(error);
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "heliosPeaks.h"
 #include "heliosPulseShape.h"
 #include "heliosSingleMaximum.h"
+#include "heliosStatus.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosScannerCoreModule.h"
 
@@ -15,7 +16,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -138,8 +138,8 @@ public:
   void AddEchoes(const std::vector<vtkHeliosDetectedEcho>& detected,
     const std::vector<SubReturn>& returns, std::vector<Echo>& echoes) const;
 
-  /// Returns the first error of the detector; empty: none.
-  const std::string& GetFault() const { return this->Fault; }
+  /// Returns the first error of the detector.
+  const Status& GetFault() const { return this->Fault; }
 
 private:
   using Iterator = const SubReturn*;
@@ -185,7 +185,8 @@ private:
   void SetSamples(const BinRange& bins);
   void AddNoise(double background, vtkIdType pulseId);
   vtkHeliosWaveform Describe(const Waveform& wave, vtkIdType pulseId, double binSize) const;
-  void SetFault(const std::string& fault);
+  void DetectWaveforms(const std::vector<vtkHeliosWaveform>& waveforms,
+    std::vector<std::vector<vtkHeliosDetectedEcho>>& detected);
   void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
   void AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, Iterator end,
     std::vector<Echo>& echoes) const;
@@ -193,7 +194,7 @@ private:
   ReceiverSettings Settings;
   PulseShape DetectionShape;
   double Offset = 0.0; // how late the detector finds a plane [ns]
-  std::string Fault;
+  Status Fault;
   vtkIdType PulseId = 0;
   double Sigma;      // [ns]
   double SigmaRange; // [m]

@@ -26,14 +26,14 @@ double vtkHeliosEchoDetector::GetCalibrationAmplitude() const
 }
 
 //------------------------------------------------------------------------------
-std::string vtkHeliosEchoDetector::DetectAll(
-  const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes) const
+bool vtkHeliosEchoDetector::DetectAll(const std::vector<vtkHeliosWaveform>& waveforms,
+  std::vector<Echoes>& echoes, std::string& vtkNotUsed(error)) const
 {
   for (std::size_t i = 0; i < waveforms.size(); ++i)
   {
     this->Detect(waveforms[i], echoes[i]);
   }
-  return {};
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -134,11 +134,11 @@ public:
     return false;
   }
 
-  /// Appends the echoes of each of some waveforms to the echoes with its index. Returns an error, which
-  /// ends a scan, or an empty text. Thread-safe; the echoes of a waveform do not depend on others.
+  /// Appends the echoes of each of some waveforms to the echoes with its index. Returns false after an
+  /// error, whose message ends a scan. Thread-safe; the echoes of a waveform do not depend on others.
   /// Default: calls Detect().
-  virtual std::string DetectAll(
-    const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes) const;
+  virtual bool DetectAll(const std::vector<vtkHeliosWaveform>& waveforms,
+    std::vector<Echoes>& echoes, std::string& error) const;
 
   /// Returns what the thread that starts others, and waits for them, holds while these detect echoes.
   /// Default: null.

@@ -55,8 +55,9 @@ vtkIdType CountFired(const LegScanner& scanner)
   return counts.PulsesFired;
 }
 
-/// Makes times fall with wider tolerances: neighbours in another order, which noise of the clock explains, get their
-/// mean (isotonic regression by pooling).
+} // namespace
+
+//------------------------------------------------------------------------------
 void MakeFalling(std::vector<double>& times)
 {
   std::vector<std::pair<double, int>> pools; // mean and size
@@ -78,8 +79,6 @@ void MakeFalling(std::vector<double>& times)
     times.insert(times.end(), static_cast<std::size_t>(size), mean);
   }
 }
-
-} // namespace
 
 //------------------------------------------------------------------------------
 RunForecast::Effort RunForecast::MakeEffort(bool isFull)

@@ -20,6 +20,10 @@
 namespace helios
 {
 
+/// Makes times fall with wider tolerances: neighbours in another order, which noise of the clock
+/// explains, get their mean (isotonic regression by pooling).
+VTKHELIOSSCANNERRUN_EXPORT void MakeFalling(std::vector<double>& times);
+
 /**
  * Some pulses all over the run, one of each some hundred or thousand, are computed in several ways and by a reference,
  * adaptive sampling at 0.1 mm and 0.1 % in fine bins; noise and turbid voxels are left out. Their processor time gives

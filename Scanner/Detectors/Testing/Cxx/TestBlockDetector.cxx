@@ -37,12 +37,13 @@ public:
 
   bool FindsMaxima() const override { return false; }
   bool PrefersBlocks() const override { return this->UsesBlocks; }
-  std::string DetectAll(
-    const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes) const override
+  bool DetectAll(const std::vector<vtkHeliosWaveform>& waveforms, std::vector<Echoes>& echoes,
+    std::string& error) const override
   {
     ++this->Calls;
     this->Largest = std::max<std::size_t>(this->Largest, waveforms.size());
-    return this->Fault.empty() ? this->Superclass::DetectAll(waveforms, echoes) : this->Fault;
+    error = this->Fault;
+    return error.empty() && this->Superclass::DetectAll(waveforms, echoes, error);
   }
   std::shared_ptr<void> PrepareThreads() const override
   {

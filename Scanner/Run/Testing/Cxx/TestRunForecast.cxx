@@ -62,6 +62,20 @@ helios::RunForecast::Effort MakeEffort(bool isFull)
 
 } // namespace
 
+TEST_CASE("RunForecast: times fall with wider tolerances", "[RunForecast]")
+{
+  const auto falling = [](std::vector<double> times)
+  {
+    helios::MakeFalling(times);
+    return times;
+  };
+  CHECK(falling({ 4.0, 2.0, 1.0 }) == std::vector<double>{ 4.0, 2.0, 1.0 });
+  CHECK(falling({ 3.0, 1.0, 2.0 }) == std::vector<double>{ 3.0, 1.5, 1.5 });
+  CHECK(falling({ 1.0, 2.0, 6.0 }) == std::vector<double>{ 3.0, 3.0, 3.0 });
+  CHECK(falling({ 5.0, 1.0, 2.0, 6.0 }) == std::vector<double>{ 5.0, 3.0, 3.0, 3.0 });
+  CHECK(falling({}).empty());
+}
+
 TEST_CASE("RunForecast: computes at most 2 % of the pulses of a run", "[RunForecast]")
 {
   Bench bench;
