@@ -152,6 +152,15 @@ def test_ray_casters_differ_in_memory(result):
     assert result.most_accurate(memory=1e12).score == result.frontier[-1].score
 
 
+def test_memory_of_a_way_does_not_depend_on_the_run_before(fence):
+    sampler = Sampler(vtkhelios.read_survey(fence), 40, lambda *_: None, {})
+    way = {"ray_caster": "bvh"}
+    sampler.run(**way)
+    memory = sampler.memory(**way)
+    sampler.run(ray_caster="beam", sub_rays=1)
+    assert memory == sampler.memory(**way) > 1e5
+
+
 def test_a_ray_caster_is_a_setting_if_it_gains(result):
     base = result.ways[0]
 

@@ -116,8 +116,10 @@ class Sampler:
         return _quantile(np.sort(away), 0.95)
 
     def memory(self, **options):
-        """Returns the size of the scene and of the trees of its ray caster, after run() [bytes]."""
-        return self._survey.source_of(self._complete(options)).GetSceneSize()
+        """Returns the size of the scene and of the trees of its ray caster [bytes]."""
+        options, first = self._complete(options), int(self._fired_ids[0])
+        self._survey.run_window(options, (first, first + 1), self._on_step)  # builds the trees
+        return self._survey.source_of(options).GetSceneSize()
 
     def _complete(self, options):
         """Returns options with those of the sampler: without its tolerances if they have a number of sub-rays."""

@@ -259,9 +259,9 @@ class _Run:
         unclear = tuple(
             each for each in errors if errors[each].value <= CLEAR * self._own[each].value
         )
+        memory = self._sampler.memory(**options, **more)  # before others' runs drop the trees
         if seconds is None:
             seconds = self._sampler.time(**options, **more)
-        memory = self._sampler.memory(**options, **more)
         return Row(name, kind, options, errors, seconds, echoes, memory, unclear, detail)
 
     # Meshes.
