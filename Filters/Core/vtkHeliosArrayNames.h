@@ -72,6 +72,7 @@ inline constexpr const char* MaterialTexture = "Material.Texture"; // path of an
 /** Scene: field data. CRS is a WKT string or "EPSG:n". */
 inline constexpr const char* CRS = "CRS";
 inline constexpr const char* PartName = "Part.Name";
+inline constexpr const char* Notes = "Notes"; // sentences on triangles that readers cut
 ///@}
 
 ///@{

@@ -211,6 +211,7 @@ int vtkHeliosSceneComposer::RequestData(
     output->Initialize();
     return 0;
   }
+  AddNotes(output, parts);
   return 1;
 }
 
@@ -446,6 +447,27 @@ bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const ConnectionList& pa
   }
   helios::SetCRS(scene, crs);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds what the readers of the parts note.
+void vtkHeliosSceneComposer::AddNotes(vtkPolyData* scene, const ConnectionList& parts)
+{
+  vtkNew<vtkStringArray> column;
+  column->SetName(names::Notes);
+  for (const helios::Connection& part : parts)
+  {
+    auto* own = vtkStringArray::SafeDownCast(
+      part.Data ? part.Data->GetFieldData()->GetAbstractArray(names::Notes) : nullptr);
+    for (vtkIdType i = 0; own && i < own->GetNumberOfValues(); ++i)
+    {
+      column->InsertNextValue(own->GetValue(i));
+    }
+  }
+  if (column->GetNumberOfValues() > 0)
+  {
+    scene->GetFieldData()->AddArray(column);
+  }
 }
 
 //------------------------------------------------------------------------------

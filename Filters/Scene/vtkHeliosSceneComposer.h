@@ -125,6 +125,7 @@ private:
   void AddPartNames(
     vtkPolyData* scene, const helios::InstanceParts& split, vtkPolyData* instances) const;
   bool AddCRS(vtkPolyData* scene, const std::vector<helios::Connection>& parts);
+  static void AddNotes(vtkPolyData* scene, const std::vector<helios::Connection>& parts);
   bool AddMaterialIds(vtkPolyData* scene, const std::vector<helios::Connection>& connections);
   bool MapMaterials(const std::vector<helios::Connection>& parts,
     const std::vector<std::size_t>& order, vtkPolyData* scene,

@@ -53,6 +53,7 @@ MATERIAL_TEXTURE = "Material.Texture"  # path of an image
 # Scene: field data. CRS is a WKT string or "EPSG:n".
 CRS = "CRS"
 PART_NAME = "Part.Name"
+NOTES = "Notes"  # sentences on triangles that readers cut
 
 # Raster of heights: point data of an image, pixel by pixel, and its field data.
 HEIGHTS = "Heights"  # [m], NaN: none

@@ -5,6 +5,8 @@
 #ifndef heliosPlanarTriangulation_h
 #define heliosPlanarTriangulation_h
 
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -18,7 +20,7 @@ namespace helios
  * ComputeTurn(), so it ends for any points. A point is within the sides if a ray from it crosses an
  * odd number of them (even-odd rule).
  */
-class PlanarTriangulation
+class VTKHELIOSFILTERSCORE_EXPORT PlanarTriangulation
 {
 public:
   using Point = std::array<double, 2>;

@@ -61,6 +61,17 @@ vtkIdType FindFarthest(const double* points, vtkIdType count, int axis)
   return farthest;
 }
 
+vtkNew<vtkStringArray> MakeStrings(const char* name, const std::vector<std::string>& values)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  return array;
+}
+
 std::string FormatNumbers(const char* format, double a, double b, double c = 0.0)
 {
   char text[128];
@@ -236,18 +247,16 @@ void SceneMesh::MoveTo(vtkPolyData* scene)
     coordinates->SetName(vtkHeliosArrayNames::TextureCoordinates);
     scene->GetCellData()->AddArray(coordinates);
   }
+  if (!this->Notes.empty())
+  {
+    scene->GetFieldData()->AddArray(MakeStrings(vtkHeliosArrayNames::Notes, this->Notes));
+  }
   if (!this->PartNames.empty())
   {
     vtkIntArray* partIds = this->PartIds.Finish(1);
     partIds->SetName(vtkHeliosArrayNames::PartIds);
     scene->GetCellData()->AddArray(partIds);
-    vtkNew<vtkStringArray> partNames;
-    partNames->SetName(vtkHeliosArrayNames::PartName);
-    for (const std::string& name : this->PartNames)
-    {
-      partNames->InsertNextValue(name);
-    }
-    scene->GetFieldData()->AddArray(partNames);
+    scene->GetFieldData()->AddArray(MakeStrings(vtkHeliosArrayNames::PartName, this->PartNames));
   }
   SetMaterials(scene, this->Materials);
 }

@@ -46,6 +46,7 @@ public:
   GrowingArray<vtkFloatArray> TextureCoordinates;
   GrowingArray<vtkIntArray> PartIds; ///< index into PartNames per triangle; empty: no parts
   MaterialTable Materials;
+  std::vector<std::string> Notes; ///< sentences on triangles that were cut
 
   /// Triangles from here on are of a part with a name: of each, PartIds; call it before the first.
   void StartPart(const std::string& name) { this->PartNames.push_back(name); }

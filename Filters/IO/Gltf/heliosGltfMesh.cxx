@@ -10,7 +10,9 @@
 #include <json/json.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace helios
@@ -32,9 +34,11 @@ enum Mode : std::int64_t
 class PrimitiveReader
 {
 public:
-  PrimitiveReader(GltfDocument& document, const std::vector<double>& weights, GltfMesh& mesh)
+  PrimitiveReader(GltfDocument& document, const std::vector<double>& weights,
+    const std::vector<int>& textureSets, GltfMesh& mesh)
     : Document(document)
     , Weights(weights)
+    , TextureSets(textureSets)
     , Mesh(mesh)
   {
   }
@@ -52,6 +56,7 @@ public:
     }
     status = status.IsOk() ? this->ReadMaterial(primitive, path) : status;
     status = status.IsOk() ? this->ReadPoints(primitive, path) : status;
+    status = status.IsOk() ? this->ReadTextures(primitive, path) : status;
     status = status.IsOk() ? this->ReadIndices(primitive, path) : status;
     return status.IsOk() ? this->AddTriangles(mode, path) : status;
   }
@@ -98,6 +103,27 @@ private:
       ? Status()
       : this->Document.Fail(where,
           "the mesh has more than " + std::to_string(MaximumCorners) + " vertices; split it");
+  }
+
+  /// Reads the texture coordinates of vertices, if the material has a set of them.
+  Status ReadTextures(const Json::Value& primitive, const std::string& path)
+  {
+    this->Textures = GltfNumbers();
+    const int set =
+      this->Material < 0 ? -1 : this->TextureSets[static_cast<std::size_t>(this->Material)];
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    const Json::Value& value = GetMember(GetMember(primitive, "attributes"), name.c_str());
+    if (set < 0 || value.isNull())
+    {
+      return {};
+    }
+    const std::string where = path + ".attributes." + name;
+    const Status status = ReadAccessor(this->Document, value, where, "VEC2", this->Textures);
+    return !status.IsOk() || this->Textures.GetCount() == this->NumberOfPoints
+      ? status
+      : this->Document.Fail(where,
+          "has " + std::to_string(this->Textures.GetCount()) + " elements, and the primitive has " +
+            std::to_string(this->NumberOfPoints) + " vertices; write the file again");
   }
 
   /// Moves vertices by weight times displacement of each morph target.
@@ -194,22 +220,41 @@ private:
         this->FirstPoint + static_cast<std::int64_t>(this->Indices[corner])));
     }
     this->Mesh.Materials.push_back(this->Material);
+    this->AddTexture({ a, b, c });
+  }
+
+  /// Adds the texture coordinates of a triangle; all triangles have them once one has.
+  void AddTexture(const std::array<std::size_t, 3>& corners)
+  {
+    std::vector<float>& all = this->Mesh.Textures;
+    if (this->Textures.Values.empty() && all.empty())
+    {
+      return;
+    }
+    all.resize(6 * this->Mesh.Materials.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < 6 && !this->Textures.Values.empty(); ++i)
+    {
+      const auto vertex = static_cast<std::size_t>(this->Indices[corners[i / 2]]);
+      all[all.size() - 6 + i] = static_cast<float>(this->Textures.Values[2 * vertex + i % 2]);
+    }
   }
 
   GltfDocument& Document;
   const std::vector<double>& Weights;
+  const std::vector<int>& TextureSets; // by material
   GltfMesh& Mesh;
   int Material = -1; // material of the current primitive
   std::int64_t FirstPoint = 0;
   std::int64_t NumberOfPoints = 0;
   std::vector<double> Indices;
+  GltfNumbers Textures; // coordinates per vertex; empty: none
 };
 
 } // namespace
 
 //------------------------------------------------------------------------------
-Status ReadGltfMesh(
-  GltfDocument& document, std::int64_t index, const std::vector<double>& weights, GltfMesh& mesh)
+Status ReadGltfMesh(GltfDocument& document, std::int64_t index, const std::vector<double>& weights,
+  const std::vector<int>& textureSets, GltfMesh& mesh)
 {
   const Json::Value& primitives = GetMember(document.GetElement("meshes", index), "primitives");
   const std::string path = ElementPath("meshes", index) + ".primitives";
@@ -218,7 +263,7 @@ Status ReadGltfMesh(
     return document.Fail(
       path, "is " + Describe(primitives) + ", not a list of primitives; write the file again");
   }
-  PrimitiveReader reader(document, weights, mesh);
+  PrimitiveReader reader(document, weights, textureSets, mesh);
   for (Json::ArrayIndex i = 0; i < primitives.size(); ++i)
   {
     const std::string where = ElementPath(path.c_str(), i);

@@ -30,12 +30,15 @@ struct GltfMesh
   std::vector<vtkTypeInt32> Corners; // three vertices of each triangle
   // material of each triangle, by index of the document; -1: none
   std::vector<int> Materials;
+  // u v of the corners of each triangle, v downward; NaN: none. Empty: not read.
+  std::vector<float> Textures;
 };
 
 /// Reads the primitives of a mesh that are triangles, strips or fans; points and lines are skipped.
-/// Vertices are moved by the morph targets that have a weight; without weights, by none.
-Status ReadGltfMesh(
-  GltfDocument& document, std::int64_t index, const std::vector<double>& weights, GltfMesh& mesh);
+/// Texture coordinates of a
+/// set are read for materials that have one; by index, -1: none. Vertices are moved by the morph targets that have a weight; without weights, by none.
+Status ReadGltfMesh(GltfDocument& document, std::int64_t index, const std::vector<double>& weights,
+  const std::vector<int>& textureSets, GltfMesh& mesh);
 
 } // namespace helios
 

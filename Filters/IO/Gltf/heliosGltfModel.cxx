@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosGltfModel.h"
 
+#include "heliosGltfCutout.h"
 #include "heliosMemoryCheck.h"
 
 #include <json/json.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace helios
 {
@@ -45,7 +47,6 @@ Status GltfModel::ReadFile(const std::string& path)
   if (status.IsOk())
   {
     this->WarnOfMotion();
-    WarnOfCutouts(this->Mesh, this->Cutouts, this->Report);
   }
   return status;
 }
@@ -77,25 +78,14 @@ Status GltfModel::ReadMaterials()
       material.Reflectance = GetLuminance(factors);
     }
     this->Mesh.Materials.push_back(material);
-    this->FindCutout(i);
+    Cutout cutout;
+    this->TextureSets.push_back(FindGltfCutout(this->Document, i, material.Name, cutout));
+    if (!cutout.What.empty())
+    {
+      this->Cutouts.push_back(std::move(cutout));
+    }
   }
   return {};
-}
-
-//------------------------------------------------------------------------------
-/// Finds the texture that cuts out a material by its transparency.
-void GltfModel::FindCutout(std::int64_t material)
-{
-  const Json::Value& given = this->Document.GetElement("materials", material);
-  const std::string mode = GetText(given, "alphaMode");
-  const Json::Value& texture =
-    GetMember(GetMember(given, "pbrMetallicRoughness"), "baseColorTexture");
-  if ((mode == "MASK" || mode == "BLEND") && !texture.isNull())
-  {
-    this->Cutouts.push_back({ static_cast<int>(material), this->Document.GetPath() + ": ",
-      ElementPath("materials", material) + ".alphaMode: " + mode + " of material " +
-        Quote(this->Mesh.Materials.back().Name) });
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -104,9 +94,9 @@ Status GltfModel::ReadMeshes()
   for (const GltfPlacement& placement : this->Placements)
   {
     const auto [mesh, isNew] = this->Meshes.emplace(GetKey(placement), GltfMesh());
-    const Status status = isNew
-      ? ReadGltfMesh(this->Document, placement.Mesh, placement.Weights, mesh->second)
-      : Status();
+    const Status status = isNew ? ReadGltfMesh(this->Document, placement.Mesh, placement.Weights,
+                                    this->TextureSets, mesh->second)
+                                : Status();
     if (!status.IsOk())
     {
       return status;
@@ -181,7 +171,38 @@ Status GltfModel::AddMesh(const GltfPlacement& placement)
     this->Mesh.AddTriangle(first + corners[0], first + corners[isMirrored ? 2 : 1],
       first + corners[isMirrored ? 1 : 2], this->FindRow(mesh.Materials[i]));
   }
+  this->AddTextures(mesh, isMirrored);
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// Adds the texture coordinates of a placed mesh; all triangles have them once one has.
+void GltfModel::AddTextures(const GltfMesh& mesh, bool isMirrored)
+{
+  GrowingArray<vtkFloatArray>& all = this->Mesh.TextureCoordinates;
+  const vtkIdType missing = 6 * this->Mesh.GetNumberOfTriangles() - all.GetSize();
+  const auto own = static_cast<vtkIdType>(mesh.Textures.size());
+  if (own == 0 && all.GetSize() == 0)
+  {
+    return;
+  }
+  std::fill_n(all.Append(missing - own), missing - own, std::numeric_limits<float>::quiet_NaN());
+  float* to = all.Append(own);
+  for (std::size_t i = 0; i < mesh.Textures.size(); i += 6)
+  {
+    for (const std::size_t corner : { 0, isMirrored ? 2 : 1, isMirrored ? 1 : 2 })
+    {
+      to = std::copy_n(mesh.Textures.data() + i + 2 * corner, 2, to);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool GltfModel::ApplyCutouts()
+{
+  const bool isCut = helios::ApplyCutouts(this->Mesh, this->Cutouts, this->Report);
+  this->Mesh.TextureCoordinates.Truncate(0);
+  return isCut;
 }
 
 //------------------------------------------------------------------------------

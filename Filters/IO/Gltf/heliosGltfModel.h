@@ -39,6 +39,9 @@ public:
   /// Returns false after an error, which is in the report.
   bool Read(const std::string& path);
 
+  /// Replaces the triangles of materials that are cut or blended. False after an error.
+  bool ApplyCutouts();
+
 private:
   /// A mesh, and the weights of its morph targets.
   using MeshKey = std::pair<std::int64_t, std::vector<double>>;
@@ -47,13 +50,13 @@ private:
   {
     return { placement.Mesh, placement.Weights };
   }
-  void FindCutout(std::int64_t material);
   Status ReadFile(const std::string& path);
   Status ReadMaterials();
   Status ReadMeshes();
   Status CheckSize() const;
   Status AddMeshes();
   Status AddMesh(const GltfPlacement& placement);
+  void AddTextures(const GltfMesh& mesh, bool isMirrored);
   int FindRow(int material);
   void WarnOfMotion();
 
@@ -63,7 +66,8 @@ private:
   std::vector<GltfPlacement> Placements;
   std::map<MeshKey, GltfMesh> Meshes; // meshes that are placed
   std::vector<Cutout> Cutouts;
-  int DefaultRow = -1; // row of triangles without material; -1: none yet
+  std::vector<int> TextureSets; // sets of texture coordinates of materials; -1: none
+  int DefaultRow = -1;          // row of triangles without material; -1: none yet
 };
 
 } // namespace helios

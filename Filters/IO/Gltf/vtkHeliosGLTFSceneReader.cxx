@@ -30,7 +30,8 @@ bool vtkHeliosGLTFSceneReader::ReadScene(vtkPolyData* scene, helios::TextReport&
   model.OnBlock = [this](double progress) { return this->ReportBlock(progress); };
   const std::string materials = this->MaterialFileName ? this->MaterialFileName : "";
   if (!model.Read(this->GetFileName()) ||
-    (!materials.empty() && !helios::ReplaceMaterials(materials, mesh.Materials, report)))
+    (!materials.empty() && !helios::ReplaceMaterials(materials, mesh.Materials, report)) ||
+    !model.ApplyCutouts())
   {
     return false;
   }

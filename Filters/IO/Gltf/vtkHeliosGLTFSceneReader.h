@@ -13,6 +13,11 @@
  *   the reflectance, as luminance 0.2126 R + 0.7152 G + 0.0722 B: a colour of the visible, and so
  *   only a start for the wavelength of a laser. Others have the default reflectance.
  *
+ * The opacity of the base colour, times that of its factor, cuts triangles with the alphaMode MASK;
+ * of BLEND, each eighth of opacity becomes a leaf that transmits the rest. Textures are PNG, beside
+ * the document or in it. What is left are triangles, after all others, with outlines within a
+ * pixel of the texture's that have its area. Field data Notes (strings) say what was cut.
+ *
  * Positions may be integers (KHR_mesh_quantization), accessors sparse. Nodes that share a mesh are
  * copies. Nodes hidden by KHR_node_visibility are left out; morph targets have the default weights
  * of the node or mesh. Skins and animations are not applied.
@@ -21,7 +26,7 @@
  * may change the geometry (compression), an index out of range, bytes that do not fit into their
  * buffer, a vertex or node that is not finite, a node with two parents. Messages name the file and
  * the JSON path of the value: "a.glb: meshes[0].primitives[1].indices: ...". Warnings: skins,
- * materials whose textures are transparent (alphaMode), which are scanned as opaque.
+ * textures that should cut triangles and cannot, which are scanned as opaque.
  *
  * @sa
  * vtkHeliosSceneReader vtkHeliosMaterialReader

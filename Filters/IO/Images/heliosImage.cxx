@@ -82,11 +82,12 @@ bool HasRows(ImageOrientation orientation)
 class OpenImage
 {
 public:
-  Status Open(const std::string& path);
+  Status Open(const ImageSource& source, ImageContent content = ImageContent::Colors);
   Status Read(Image& image);
   const ImageHeader& GetHeader() const { return this->Header; }
 
 private:
+  Status OpenBytes(const ImageSource& source);
   Status CheckSize() const;
   void SetHeader();
   Status Fail(const std::string& fault) const;
@@ -106,23 +107,38 @@ Status OpenImage::Fail(const std::string& fault) const
     "; get it again, or save it with another program");
 }
 
-Status OpenImage::Open(const std::string& path)
+// Opens bytes in memory, or a file.
+Status OpenImage::OpenBytes(const ImageSource& source)
 {
-  this->Path = path;
+  const std::string& path = source.Path;
+  if (!source.Bytes.empty())
+  {
+    this->Size = static_cast<std::int64_t>(source.Bytes.size());
+    this->File.reset(fmemopen(const_cast<char*>(source.Bytes.data()), source.Bytes.size(), "rb"));
+    return this->File ? Status() : throw std::bad_alloc();
+  }
   std::error_code error;
   if (CheckInputFile(path).IsOk() && !std::filesystem::exists(path, error))
   {
     return Status::Error(path + " does not exist; give it");
   }
-  if (const Status status = OpenInput(path, this->File, this->Size); !status.IsOk())
+  return OpenInput(path, this->File, this->Size);
+}
+
+Status OpenImage::Open(const ImageSource& source, ImageContent content)
+{
+  this->Path = source.Path;
+  if (const Status status = this->OpenBytes(source); !status.IsOk())
   {
     return status;
   }
+  const bool isOpacity = content == ImageContent::Opacity;
   std::setvbuf(this->File.get(), nullptr, _IOFBF, BufferSize);
-  this->Decoder = MakeDecoder({ this->File.get(), this->Size });
+  this->Decoder = MakeDecoder({ this->File.get(), this->Size, isOpacity });
   if (!this->Decoder)
   {
-    return Status::Error(path + (this->Size == 0 ? " is empty" : " is no image that is read") +
+    return Status::Error(this->Path +
+      (this->Size == 0 ? " is empty" : " is no image that is read") +
       "; give PNG, JPEG, TIFF, BMP or PNM");
   }
   Status status = this->Decoder->ReadHeader(this->Stored);
@@ -131,6 +147,11 @@ Status OpenImage::Open(const std::string& path)
     status = this->CheckSize();
   }
   this->SetHeader();
+  if (status.IsOk() && isOpacity && !this->Decoder->ReadsOpacity())
+  {
+    return Status::Error(this->Path + ": the transparency of " + this->Header.Format +
+      " images is not read; save it as PNG");
+  }
   return status.IsOk() ? Status() : this->Fail(status.Message());
 }
 
@@ -233,27 +254,27 @@ void OpenImage::Turn(const unsigned char* stored, unsigned char* pixels) const
 } // namespace
 
 //------------------------------------------------------------------------------
-Status ReadImageHeader(const std::string& path, ImageHeader& header)
+Status ReadImageHeader(const ImageSource& source, ImageHeader& header)
 {
   OpenImage file;
-  const Status status = file.Open(path);
+  const Status status = file.Open(source);
   header = file.GetHeader();
   return status;
 }
 
 //------------------------------------------------------------------------------
-Status ReadImage(const std::string& path, Image& image)
+Status ReadImage(const ImageSource& source, Image& image, ImageContent content)
 {
   try
   {
     OpenImage file;
-    const Status status = file.Open(path);
+    const Status status = file.Open(source, content);
     return status.IsOk() ? file.Read(image) : status;
   }
   catch (const std::bad_alloc&)
   {
     image.Pixels.reset();
-    return Status::Error(path + ": not enough memory for its pixels; use a smaller image");
+    return Status::Error(source.Path + ": not enough memory for its pixels; use a smaller image");
   }
 }
 

@@ -46,7 +46,7 @@ struct StoredImage
   double ExtraBytesPerPixel = 0.0; ///< memory beside the 3 bytes of a pixel, while it is read
   double MinimumBytes = 0.0;       ///< fewest bytes of the pixels in any file
   int ExifOrientation = 1;         ///< which is not applied
-  bool HasAlpha = false;           ///< which is ignored
+  bool HasAlpha = false;
 
   double CountPixels() const
   {
@@ -67,6 +67,9 @@ public:
   /// Reads the header; runs once, first.
   virtual Status ReadHeader(StoredImage& stored) = 0;
 
+  /// Returns whether pixels can be those of the transparency.
+  virtual bool ReadsOpacity() const { return false; }
+
   /// Writes all pixels, or fails. Called once, after ReadHeader().
   virtual Status ReadPixels(const ImageRows& rows) = 0;
 
@@ -74,11 +77,12 @@ protected:
   ImageDecoder() = default;
 };
 
-/// The file of an image, open at its start, and its size [bytes].
+/// The file of an image, open at its start, its size [bytes], and whether pixels are opacities.
 struct ImageFile
 {
   std::FILE* File;
   std::int64_t Size;
+  bool IsOpacity;
 };
 
 std::unique_ptr<ImageDecoder> MakePngDecoder(const ImageFile& file);

@@ -20,12 +20,15 @@ namespace
 
 constexpr double LargestRatio = 1032.0; // largest ratio of deflate
 constexpr int AllButUsed = -1;          // chunks, for png_set_keep_unknown_chunks()
+constexpr int BitsOfSample = 8;         // written samples
+constexpr int ChannelsOfPixel = 3;
 
 class PngDecoder final : public ImageDecoder
 {
 public:
   explicit PngDecoder(const ImageFile& file)
     : File(file.File)
+    , IsOpacity(file.IsOpacity)
   {
   }
   ~PngDecoder() override { png_destroy_read_struct(&this->Png, &this->Info, nullptr); }
@@ -33,8 +36,10 @@ public:
   const char* GetFormat() const override { return "PNG"; }
   Status ReadHeader(StoredImage& stored) override;
   Status ReadPixels(const ImageRows& rows) override;
+  bool ReadsOpacity() const override { return true; }
 
 private:
+  static void SpreadAlpha(png_structp png, png_row_infop row, png_bytep bytes);
   static void Fail(png_structp png, png_const_charp message);
   static void Ignore(png_structp, png_const_charp) {}
   static void Read(png_structp png, png_bytep bytes, std::size_t count);
@@ -46,6 +51,7 @@ private:
   double CountMinimumBytes() const;
 
   std::FILE* File;
+  bool IsOpacity;
   png_structp Png = nullptr;
   png_infop Info = nullptr;
   std::vector<png_bytep> Rows;
@@ -125,6 +131,16 @@ Status PngDecoder::ReadHeader(StoredImage& stored)
   return {};
 }
 
+// Replaces red green blue alpha by three times alpha.
+void PngDecoder::SpreadAlpha(png_structp, png_row_infop row, png_bytep bytes)
+{
+  for (png_uint_32 i = 0; i < row->width; ++i)
+  {
+    std::memset(
+      bytes + std::size_t{ ChannelsOfPixel } * i, bytes[std::size_t{ 4 } * i + 3], ChannelsOfPixel);
+  }
+}
+
 bool PngDecoder::Decode()
 {
   if (setjmp(png_jmpbuf(this->Png)))
@@ -133,8 +149,16 @@ bool PngDecoder::Decode()
   }
   png_set_expand(this->Png);
   png_set_scale_16(this->Png);
-  png_set_strip_alpha(this->Png);
   png_set_gray_to_rgb(this->Png);
+  if (this->IsOpacity)
+  {
+    png_set_read_user_transform_fn(this->Png, PngDecoder::SpreadAlpha);
+    png_set_user_transform_info(this->Png, nullptr, BitsOfSample, ChannelsOfPixel);
+  }
+  else
+  {
+    png_set_strip_alpha(this->Png);
+  }
   png_set_interlace_handling(this->Png);
   png_read_update_info(this->Png, this->Info);
   png_read_image(this->Png, this->Rows.data());

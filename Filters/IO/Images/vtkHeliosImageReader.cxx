@@ -52,7 +52,7 @@ int vtkHeliosImageReader::RequestInformation(
   helios::Status status = CheckName(this->FileName);
   if (status.IsOk())
   {
-    status = helios::ReadImageHeader(this->FileName, header);
+    status = helios::ReadImageHeader({ this->FileName }, header);
   }
   if (!status.IsOk())
   {
@@ -71,7 +71,7 @@ int vtkHeliosImageReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   helios::Image image;
-  const helios::Status status = helios::ReadImage(this->FileName, image);
+  const helios::Status status = helios::ReadImage({ this->FileName }, image);
   if (!status.IsOk())
   {
     vtkErrorMacro(<< status.Message());

@@ -229,7 +229,7 @@ bool MtlFile::ReadTexture(TextFile& file, TextWords& words)
   const std::filesystem::path folder = std::filesystem::path(file.GetPath()).parent_path();
   this->CurrentColors.Texture = (folder / name).string();
   ImageHeader header;
-  const Status status = ReadImageHeader(this->CurrentColors.Texture, header);
+  const Status status = ReadImageHeader({ this->CurrentColors.Texture }, header);
   return status.IsOk() ||
     this->Report.Fail(file.GetPlace() + "map_Kd of material " + Quote(this->Current.Name) + ": " +
       MakeTextureError(status).Message());

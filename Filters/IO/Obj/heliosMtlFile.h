@@ -48,7 +48,7 @@ public:
    */
   int Find(std::string_view name) const;
 
-  /// Materials with map_d, or a map_Kd that has transparency.
+  /// Returns the materials with map_d, or a map_Kd that has transparency.
   const std::vector<Cutout>& GetCutouts() const { return this->Cutouts; }
 
 private:

@@ -87,7 +87,7 @@ bool ObjScene::ReadMaterials(bool withColors)
   GrowingArray<vtkIntArray>& ids = this->Parser.Mesh.MaterialIds;
   std::for_each(
     ids.GetValues(), ids.GetValues() + ids.GetSize(), [&rows](int& id) { id = rows[id]; });
-  WarnOfCutouts(this->Parser.Mesh, reader.GetCutouts(), this->Report);
+  this->Cutouts = reader.GetCutouts();
   return true;
 }
 

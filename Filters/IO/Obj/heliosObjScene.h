@@ -5,11 +5,13 @@
 #ifndef heliosObjScene_h
 #define heliosObjScene_h
 
+#include "heliosCutouts.h"
 #include "heliosObjParser.h"
 
 #include <vtkType.h>
 
 #include <string>
+#include <vector>
 
 namespace helios
 {
@@ -24,6 +26,15 @@ public:
   /// after an error.
   bool ReadMaterials(bool withColors);
 
+  /// Returns whether images cut triangles: ApplyCutouts() needs texture coordinates then.
+  bool HasCutouts() { return helios::HasCutouts(this->Parser.Mesh, this->Cutouts); }
+
+  /// Replaces the triangles that images cut. False after an error.
+  bool ApplyCutouts()
+  {
+    return helios::ApplyCutouts(this->Parser.Mesh, this->Cutouts, this->Report);
+  }
+
   /// Returns "path:line: " of a vertex.
   std::string FindVertexPlace(vtkIdType vertex) const;
 
@@ -32,6 +43,7 @@ private:
 
   ObjParser& Parser;
   TextReport& Report;
+  std::vector<Cutout> Cutouts;
 };
 
 } // namespace helios

@@ -15,18 +15,43 @@ vtkStandardNewMacro(vtkHeliosObjSceneReader);
 
 bool vtkHeliosObjSceneReader::ReadScene(vtkPolyData* scene, helios::TextReport& report)
 {
+  const auto onBlock = [this](double progress) { return this->ReportBlock(progress); };
+  report.Error = helios::CheckObjMemory(this->GetFileName(), onBlock).Message();
+  bool hasTextures = this->ReadColors;
+  bool isRead = report.Error.empty() && this->ReadOnce(scene, report, hasTextures);
+  if (!isRead && report.Error.empty() && hasTextures)
+  {
+    report = helios::TextReport();
+    isRead = this->ReadOnce(scene, report, hasTextures);
+  }
+  return isRead;
+}
+
+//------------------------------------------------------------------------------
+/// Reads the file, with texture coordinates or without. False without an error if images cut its
+/// triangles: they need texture coordinates.
+bool vtkHeliosObjSceneReader::ReadOnce(
+  vtkPolyData* scene, helios::TextReport& report, bool& hasTextures)
+{
   const std::string path = this->GetFileName();
   helios::ObjParser parser(report);
-  parser.SetReadsTextures(this->ReadColors);
+  parser.SetReadsTextures(hasTextures);
   helios::ObjScene names(parser, report);
   parser.File.OnBlock = [this](double progress) { return this->ReportBlock(progress); };
   bool isRead = false;
   try
   {
-    report.Error = helios::CheckObjMemory(path, parser.File.OnBlock).Message();
-    isRead = report.Error.empty() && parser.Read(path) && names.ReadMaterials(this->ReadColors);
+    isRead = parser.Read(path) && names.ReadMaterials(this->ReadColors);
+    if (isRead && !hasTextures && names.HasCutouts())
+    {
+      hasTextures = true;
+      return false;
+    }
+    isRead = isRead && names.ApplyCutouts();
     if (isRead)
     {
+      parser.Mesh.TextureCoordinates.Truncate(
+        this->ReadColors ? parser.Mesh.TextureCoordinates.GetSize() : 0);
       this->Finish(parser.Mesh, scene, report,
         [&names](vtkIdType vertex) { return names.FindVertexPlace(vertex); });
     }

@@ -19,11 +19,17 @@
  * specularity of a material is sum Ks / (sum Kd + sum Ks). Material names may contain blanks; a
  * name that is not found as a whole is searched by its first word.
  *
+ * Images cut triangles: map_d (its transparency, or its luminance if it has none; -imfchan m, l, r,
+ * g, b and -clamp on are read), else the transparency of map_Kd, of PNG images. Where the image is
+ * less than half opaque, nothing is left; what is left are triangles, after all others, whose outlines
+ * are within a pixel of the image's and have its area. The file is read twice then. Field data Notes
+ * (strings) say what was cut.
+ *
  * The file is checked line by line. Errors, without output: a malformed number, a coordinate that
  * is NaN or infinite, an index of a vertex out of range, a face with fewer than three corners, a
  * reflectance outside [0, 100]. Warnings: indices of texture coordinates or normals out of range,
- * which are not used, faces whose sides cross, images that cut shapes out of triangles (map_d, or
- * the transparency of map_Kd), which are scanned as opaque, degenerate triangles (dropped), vertices 1e7 m away from the others, unknown keywords, a reflectance above 1
+ * which are not used, faces whose sides cross, images that should cut triangles and cannot, which
+ * are scanned as opaque, degenerate triangles (dropped), vertices 1e7 m away from the others, unknown keywords, a reflectance above 1
  * (interpreted as percent), a missing material file and unknown materials (both get default
  * properties), a file without faces. Messages start with file:line.
  *
@@ -70,6 +76,8 @@ protected:
 private:
   vtkHeliosObjSceneReader(const vtkHeliosObjSceneReader&) = delete;
   void operator=(const vtkHeliosObjSceneReader&) = delete;
+
+  bool ReadOnce(vtkPolyData* scene, helios::TextReport& report, bool& hasTextures);
 
   bool ReadColors = false;
 };

@@ -11,7 +11,7 @@ import vtkhelios
 
 from ..array_names import (
     CRS, MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
-    MATERIAL_REFLECTANCE, MATERIAL_TEXTURE, PART_IDS, PART_NAME,
+    MATERIAL_REFLECTANCE, MATERIAL_TEXTURE, NOTES, PART_IDS, PART_NAME,
 )  # fmt: skip
 from ..core.paths import text_from_vtk, to_vtk
 from ..core.pipeline import MessageLog
@@ -109,7 +109,15 @@ def inspect(path, messages):
     facts["materials"] = list(describe_materials(mesh, areas))
     facts["parts"] = list(describe_parts(mesh, areas))
     facts["textures"] = list(describe_textures(mesh, messages))
+    facts["cutouts"] = list_notes(mesh)
     return facts
+
+
+def list_notes(mesh):
+    """Returns what readers cut out of the triangles of a mesh, or of a scene's parts, in words."""
+    column = mesh.GetFieldData().GetAbstractArray(NOTES)
+    rows = range(column.GetNumberOfValues()) if column else ()
+    return list(dict.fromkeys(column.GetValue(row) for row in rows))
 
 
 def find_crs(mesh):
@@ -219,6 +227,8 @@ def describe_lines(facts):
         yield f"           and {len(facts['parts']) - SHOWN_PARTS:,} more; --json lists all"
     for each in facts["textures"]:
         yield f"texture    {each['file']}: {each['width']} x {each['height']} pixels"
+    for text in facts["cutouts"]:
+        yield f"cut out    {text}"
 
 
 def _none_if_nan(value):

@@ -12,6 +12,7 @@ from ..core.streams import visible
 from ..core.words import counted
 from ..surveys.text import has_survey
 from ..vtkHeliosScannerRun import vtkHeliosSurveySource
+from ._meshes import list_notes
 from ._messages import Messages, say_error
 from ._optics import describe_optics
 from ._reading import add_assets_argument
@@ -27,7 +28,7 @@ survey uses it or not, and so is everything that a survey refers to.
 
 An error stops a run; a warning is about a difference between a run and what the file may mean, such
 as an attribute that is unknown, or not modelled. With --deep notes tell what materials do that reflect
-or transmit light.
+or transmit light, and what images cut out of triangles.
 
 what it prints: file:line: error: the problem, the value, and the remedy; one line each. With
 several elements of a name in a line, file:line:column for those after the first.
@@ -148,6 +149,8 @@ def load_scene(reader, messages):
     if not plain.errors:
         for text in describe_optics(source.GetScene()):
             messages.add("note", f"material {text}")
+        for text in list_notes(source.GetScene()):
+            messages.add("note", text)
 
 
 def load_into(source, path, colors):

@@ -67,7 +67,7 @@ Texture::~Texture() = default;
 Status Texture::Read(const std::string& path)
 {
   auto image = std::make_unique<Image>();
-  const Status status = ReadImage(path, *image);
+  const Status status = ReadImage({ path }, *image);
   if (!status.IsOk())
   {
     return MakeTextureError(status);
@@ -123,7 +123,7 @@ Status TextureStore::Load(
     {
       paths.push_back(path);
       headers.emplace_back();
-      if (const Status status = ReadImageHeader(path, headers.back()); !status.IsOk())
+      if (const Status status = ReadImageHeader({ path }, headers.back()); !status.IsOk())
       {
         return MakeTextureError(status);
       }

@@ -137,34 +137,3 @@ TEST_CASE("GLTFExtras: weights that do not fit are errors", "[GLTFExtras]")
   CheckMorphError(
     text, ": meshes[0].primitives[0].targets[0].POSITION: is 9, and accessors has 2 elements");
 }
-
-TEST_CASE("GLTFExtras: transparent textures are named with what is opaque", "[GLTFExtras]")
-{
-  Maker maker;
-  const int corners = maker.AddFloats(Corners);
-  const int faces = maker.AddIndices(Faces);
-  const auto make = [&](const std::string& mode, const std::string& texture)
-  {
-    return maker.MakeText(MakeMembers("{\"mesh\":0}",
-                            { MakePrimitive(corners, faces, ",\"material\":1") + "," +
-                              MakePrimitive(corners, faces) }) +
-      ",\"materials\":[{\"alphaMode\":\"MASK\",\"pbrMetallicRoughness\":{\"baseColorTexture\":"
-      "{\"index\":0}}},{\"name\":\"leaf\",\"alphaMode\":\"" +
-      mode + "\",\"pbrMetallicRoughness\":{" + texture + "}}]");
-  };
-  for (const char* mode : { "MASK", "BLEND" })
-  {
-    Reading cut("a.gltf", make(mode, "\"baseColorTexture\":{\"index\":0}"));
-    REQUIRE(cut.Read());
-    INFO(cut.Log->Warnings);
-    CHECK(cut.Log->HasWarning(cut.Path + ": materials[1].alphaMode: " + mode +
-      " of material \"leaf\" is not applied: 4 of 8 triangles, 2.37 m2, of 1 material are scanned "
-      "as opaque; give leaves their outline as triangles"));
-  }
-  Reading opaque("a.gltf", make("OPAQUE", "\"baseColorTexture\":{\"index\":0}"));
-  CHECK(opaque.Read());
-  CHECK(opaque.Log->Warnings.empty());
-  Reading plain("a.gltf", make("MASK", "\"baseColorFactor\":[1,1,1,1]"));
-  CHECK(plain.Read());
-  CHECK(plain.Log->Warnings.empty());
-}

@@ -60,7 +60,7 @@ inline std::string ReadBytesAsImage(const std::string& bytes)
   const std::string path = folder / "image";
   std::ofstream(path, std::ios::binary) << bytes;
   Image image;
-  const Status status = ReadImage(path, image);
+  const Status status = ReadImage({ path }, image);
   if (status.IsOk())
   {
     return Describe(image);
