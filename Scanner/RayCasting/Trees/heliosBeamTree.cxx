@@ -45,15 +45,14 @@ float Frustum::GetLimit(double distance) const
 //------------------------------------------------------------------------------
 std::size_t BeamTree::GetMemorySize() const
 {
-  return this->Nodes.capacity() * sizeof(Node) + this->Leaves.capacity() * sizeof(vtkTypeInt32) +
-    this->Outliers.GetMemorySize();
+  return this->Storage.GetMemorySize() + this->Outliers.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
 bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double high[3],
   const double slopeLow[2], const double slopeHigh[2], double error) const
 {
-  if (this->Scale == 0.0)
+  if (this->Frame.Scale == 0.0)
   {
     return false;
   }
@@ -62,21 +61,21 @@ bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double hi
   double reach = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    from[i] = low[i] - this->Centre[axes[i]];
-    to[i] = high[i] - this->Centre[axes[i]];
-    reach = Max(reach, Max(Max(from[i], -from[i]), Max(to[i], -to[i])) + this->Half[axes[i]]);
+    from[i] = low[i] - this->Frame.Centre[axes[i]];
+    to[i] = high[i] - this->Frame.Centre[axes[i]];
+    reach = Max(reach, Max(Max(from[i], -from[i]), Max(to[i], -to[i])) + this->Frame.Half[axes[i]]);
   }
-  const double half = this->Half[axes[2]];
+  const double half = this->Frame.Half[axes[2]];
   frustum.Slack = FrustumSlack * reach + error;
-  frustum.Scale = this->Scale;
+  frustum.Scale = this->Frame.Scale;
   frustum.Start = Max((frustum.IsForward ? -half - to[2] : from[2] - half) - frustum.Slack, 0.0);
   const double advance = frustum.IsForward ? frustum.Start : -frustum.Start;
   for (int i = 0; i < 3; ++i)
   {
     from[i] += i < 2 ? frustum.Start * slopeLow[i] : advance;
     to[i] += i < 2 ? frustum.Start * slopeHigh[i] : advance;
-    frustum.Low[i] = RoundDown((from[i] - frustum.Slack) * this->Scale);
-    frustum.High[i] = RoundUp((to[i] + frustum.Slack) * this->Scale);
+    frustum.Low[i] = RoundDown((from[i] - frustum.Slack) * this->Frame.Scale);
+    frustum.High[i] = RoundUp((to[i] + frustum.Slack) * this->Frame.Scale);
   }
   for (int i = 0; i < 2; ++i)
   {
@@ -105,25 +104,23 @@ BeamWalk::BeamWalk(const BeamTree& tree, const Frustum& frustum)
     slope = slope > -Smallest && slope < Smallest ? Smallest : slope;
     this->Upper[i] = { frustum.High[i], 1.0f / slope, slope > 0.0f };
   }
-  this->Stack[this->Size++] = { 0.0f, 0 };
+  this->Stack[this->Size++] = { 0.0f, tree.Storage.Root };
 }
 
 /// Prefetches a node or leaf.
 HELIOS_INLINE void BeamTree::Prefetch(vtkTypeUInt32 child) const
 {
   const char* from = child & LeafBit
-    ? reinterpret_cast<const char*>(&this->Leaves[child & ~LeafBit])
-    : reinterpret_cast<const char*>(&this->Nodes[child]);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    __builtin_prefetch(from + 64 * i);
-  }
+    ? reinterpret_cast<const char*>(&this->Storage.Leaves[child & ~LeafBit])
+    : reinterpret_cast<const char*>(&this->Storage.Nodes[child]);
+  __builtin_prefetch(from);
+  __builtin_prefetch(from + 64);
 }
 
 /// Pushes entered children on the stack, the nearest on top; bits has 8 for each child.
 template <bool IsOfHeights>
 HELIOS_INLINE void BeamWalk::Push(
-  const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears)
+  const vtkTypeUInt32* children, vtkTypeUInt64 bits, const float* nears)
 {
   const int bottom = this->Size;
   for (; bits != 0; bits &= bits - 1)
@@ -135,23 +132,26 @@ HELIOS_INLINE void BeamWalk::Push(
     {
       this->Stack[at] = this->Stack[at - 1];
     }
-    this->Stack[at] = { near, node.Children[child] };
+    this->Stack[at] = { near, children[child] };
     if (!IsOfHeights)
     {
-      this->Tree.Prefetch(node.Children[child]);
+      this->Tree.Prefetch(children[child]);
     }
   }
 }
 
 template <bool IsOfHeights>
-HELIOS_INLINE const BeamNode& BeamWalk::GetNode(vtkTypeUInt32 number)
+HELIOS_INLINE const auto& BeamWalk::GetNode(vtkTypeUInt32 number)
 {
-  if (!IsOfHeights)
+  if constexpr (IsOfHeights)
   {
-    return this->Tree.Nodes[number];
+    this->Heights->MakeNode(number, this->NodeOfHeights);
+    return this->NodeOfHeights;
   }
-  this->Heights->MakeNode(number, this->NodeOfHeights);
-  return this->NodeOfHeights;
+  else
+  {
+    return this->Tree.Storage.Nodes[number];
+  }
 }
 
 template <bool IsOfHeights>
@@ -159,12 +159,44 @@ HELIOS_INLINE BeamLeaf BeamWalk::GetLeaf(vtkTypeUInt32 number)
 {
   if (!IsOfHeights)
   {
-    const vtkTypeInt32* data = &this->Tree.Leaves[number];
-    return { *data, data + 1 };
+    return this->Tree.Storage.GetLeaf(number);
   }
   this->Heights->MakeLeaf(number, this->LeafOfHeights);
   return { this->LeafOfHeights.Count, this->LeafOfHeights.Words };
 }
+
+namespace
+{
+
+/// Gets the sides of the children along an axis.
+HELIOS_INLINE void GetSides(const BeamNode& node, int axis, Wide& low, Wide& high)
+{
+  low = Load<Wide>(node.Low[axis]);
+  high = Load<Wide>(node.High[axis]);
+}
+HELIOS_INLINE void GetSides(const PackedNode& node, int axis, Wide& low, Wide& high)
+{
+  const float origin = node.Frame.Origin[axis];
+  const float step = node.Frame.GetStep(axis);
+  const int shift = PackedFrame::Bits * axis;
+  constexpr int mask = PackedFrame::Largest;
+  low = origin +
+    step * __builtin_convertvector(Load<WideMasks>(node.Low) >> shift & mask, Wide);
+  high = origin +
+    step * __builtin_convertvector(Load<WideMasks>(node.High) >> shift & mask, Wide);
+}
+
+/// Returns the bits, as of GetBits(), of the children that exist.
+HELIOS_INLINE vtkTypeUInt64 GetChildBits(const BeamNode&)
+{
+  return ~vtkTypeUInt64(0); // others have empty boxes
+}
+HELIOS_INLINE vtkTypeUInt64 GetChildBits(const PackedNode& node)
+{
+  return ~vtkTypeUInt64(0) >> (64 - 8 * node.Frame.Count);
+}
+
+} // namespace
 
 template <bool IsOfHeights>
 HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
@@ -187,19 +219,20 @@ HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
       leaf = this->GetLeaf<IsOfHeights>(child & ~BeamTree::LeafBit);
       return true;
     }
-    const BeamNode& node = this->GetNode<IsOfHeights>(child);
-    const Wide lowZ = Load<Wide>(node.Low[this->Axes.Z]);
-    const Wide highZ = Load<Wide>(node.High[this->Axes.Z]);
-    Wide entry = this->IsForward ? lowZ - this->Near : this->Near - highZ;
-    Wide exit = this->IsForward ? highZ - this->Far : this->Far - lowZ;
+    const auto& node = this->GetNode<IsOfHeights>(child);
+    Wide low, high;
+    GetSides(node, this->Axes.Z, low, high);
+    Wide entry = this->IsForward ? low - this->Near : this->Near - high;
+    Wide exit = this->IsForward ? high - this->Far : this->Far - low;
     entry = Max(entry, Wide());
     for (int i = 0; i < 2; ++i)
     {
       const int axis = i == 0 ? this->Axes.X : this->Axes.Y;
       const Side& lower = this->Lower[i];
       const Side& upper = this->Upper[i];
-      const Wide s0 = (Load<Wide>(node.High[axis]) - lower.Origin) * lower.Inverse;
-      const Wide s1 = (Load<Wide>(node.Low[axis]) - upper.Origin) * upper.Inverse;
+      GetSides(node, axis, low, high);
+      const Wide s0 = (high - lower.Origin) * lower.Inverse;
+      const Wide s1 = (low - upper.Origin) * upper.Inverse;
       entry = lower.IsEntry ? Max(entry, s0) : entry;
       exit = lower.IsEntry ? exit : Min(exit, s0);
       entry = upper.IsEntry ? Max(entry, s1) : entry;
@@ -207,7 +240,7 @@ HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
     }
     entry = entry * (2.0f - Outwards);
     const WideMasks isEntered = (entry <= exit * Outwards) & (exit >= 0.0f) & (entry <= limit);
-    const vtkTypeUInt64 bits = GetBits(isEntered);
+    const vtkTypeUInt64 bits = GetBits(isEntered) & GetChildBits(node);
     isOnStack = (bits & (bits - 1)) != 0 || bits == 0;
     if (!isOnStack)
     {
@@ -216,7 +249,7 @@ HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
     }
     float nears[Width];
     Store(nears, entry);
-    this->Push<IsOfHeights>(node, bits, nears);
+    this->Push<IsOfHeights>(node.Children, bits, nears);
   }
   return false;
 }
@@ -233,7 +266,7 @@ double BeamTree::GetReach() const
   double reach = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    reach = Max(reach, std::abs(this->Centre[axis]) + this->Half[axis]);
+    reach = Max(reach, std::abs(this->Frame.Centre[axis]) + this->Frame.Half[axis]);
   }
   return reach;
 }

@@ -5,7 +5,7 @@
 #ifndef heliosBeamTree_h
 #define heliosBeamTree_h
 
-#include "heliosBeamNode.h"
+#include "heliosBeamStorage.h"
 #include "heliosBvh.h"
 #include "heliosTriangleMesh.h"
 
@@ -61,8 +61,9 @@ struct Frustum
 };
 
 /**
- * Boxes of eight children are float, in a frame local to the scene and rounded outwards; triangles
- * are tested in double. Triangles that reach far out of the scene are kept in a tree of doubles.
+ * Boxes of eight children and corners have ten bits an axis within their node or leaf, in a frame
+ * local to the scene; boxes are rounded outwards, and triangles are tested in double. Triangles that
+ * reach far out of the scene are kept in a tree of doubles.
  * Over a height field, nodes, leaves and corners are computed on demand; triangles are its slots.
  */
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
@@ -139,7 +140,7 @@ public:
   const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
 
   /// Returns whether no triangle is in the tree, except the outliers.
-  bool IsEmpty() const { return this->Scale == 0.0; }
+  bool IsEmpty() const { return this->Frame.Scale == 0.0; }
 
   /**
    * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
@@ -156,7 +157,7 @@ public:
   double GetReach() const;
 
   /// Returns a coordinate along an axis in the frame of the tree.
-  double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
+  double GetLocal(double x, int axis) const { return this->Frame.GetLocal(x, axis); }
 
   static constexpr int Width = BeamNode::Width;
   static constexpr int LeafSize = BeamLeaf::Size;
@@ -164,28 +165,18 @@ public:
 
 private:
   friend class BeamWalk;
-  struct Share;
-  class Collapse;
+  struct Block;
 
-  using Node = BeamNode;
   static constexpr vtkTypeUInt32 LeafBit = BeamNode::LeafBit;
 
-  void BuildOutliers(std::vector<vtkTypeInt32>& inside, const double core[6], StopCheck& check);
-  void BuildNodes(std::vector<vtkTypeInt32>& inside, StopCheck& check);
-  vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
-  vtkTypeUInt32 MakeNode(
-    const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
-  void SetFrame(const double low[3], const double high[3]);
+  void BuildNodes(const double box[6], StopCheck& check);
   void Prefetch(vtkTypeUInt32 child) const;
   void ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const;
   vtkIdType ComputeCell(vtkIdType triangle) const;
 
   const TriangleMesh* Mesh = nullptr;
-  double Centre[3] = { 0, 0, 0 };
-  double Half[3] = { 0, 0, 0 }; ///< half sides of the box
-  double Scale = 0.0;           ///< a power of two, into [-1, 1]; zero for an empty tree
-  std::vector<Node> Nodes;
-  std::vector<vtkTypeInt32> Leaves; ///< per leaf the count, the triangles and their corners
+  BeamFrame Frame;
+  BeamStorage Storage;
   bool OutliersExist = false;
   Bvh Outliers;
   std::shared_ptr<const HeightTree> Heights; ///< null: over a mesh
@@ -214,11 +205,11 @@ private:
     bool IsEntry;
   };
   template <bool IsOfHeights>
-  const BeamNode& GetNode(vtkTypeUInt32 number);
+  const auto& GetNode(vtkTypeUInt32 number);
   template <bool IsOfHeights>
   BeamLeaf GetLeaf(vtkTypeUInt32 number);
   template <bool IsOfHeights>
-  void Push(const BeamNode& node, vtkTypeUInt64 bits, const float* nears);
+  void Push(const vtkTypeUInt32* children, vtkTypeUInt64 bits, const float* nears);
   template <bool IsOfHeights>
   bool FindNext(float limit, BeamTree::Leaf& leaf);
 

@@ -52,8 +52,6 @@ public:
   const std::vector<vtkTypeInt32>& GetTriangles() const { return this->Order; }
 
 private:
-  friend class BeamTree; // converts these nodes to wide ones
-
   typedef double Pair __attribute__((vector_size(16)));
 
   /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or

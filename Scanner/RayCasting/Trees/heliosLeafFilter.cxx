@@ -32,6 +32,7 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
     const double place = middle + slope * hull.Start * hull.Scale;
     this->Spread[i] =
       static_cast<float>(std::max(slopeHigh[i] - slope, slope - slopeLow[i]) * (1 + 0x1p-20));
+    this->Tilt[i] = 0.5f * (std::abs(this->Slope[i]) + this->Spread[i]) * (1 + 0x1p-20f);
     this->Place[i] = static_cast<float>(place);
     this->Largest = std::max(this->Largest, std::abs(place));
   }
@@ -42,7 +43,7 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
 
 bool LeafFilter::SetError(double rest)
 {
-  // Float rounding of a corner's position relative to the axis: up to 5 + 6 Largest units of 2^-24.
+  // Float rounding of a corner's position relative to the axis: up to 5 + 7 Largest units of 2^-24.
   constexpr double placeError = 0x1p-21;
   this->Error =
     static_cast<float>(placeError * (1.0 + this->Largest) + 2 * (rest + 4 * this->Slack));
@@ -53,6 +54,7 @@ bool LeafFilter::SetError(double rest)
   std::fill_n(this->Place, 3, 0.0f);
   std::fill_n(this->Slope, 2, 0.0f);
   std::fill_n(this->Spread, 2, 0.0f);
+  std::fill_n(this->Tilt, 2, 0.0f);
   this->Base = 0.0f;
   this->Error = 1e6f;
   return false;

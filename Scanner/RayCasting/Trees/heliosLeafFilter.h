@@ -51,6 +51,11 @@ public:
   void FindAlive(const BeamTree::Leaf& leaf, float limit, int isAlive[BeamTree::LeafSize]) const;
 
 private:
+  HELIOS_INLINE void SetPlaces(
+    const BeamTree::Leaf& leaf, Floats x[3], Floats y[3], Floats s[3]) const;
+  HELIOS_INLINE void SetPackedPlaces(const BeamTree::Leaf& leaf, const float steps[3], Floats x[3],
+    Floats y[3], Floats s[3]) const;
+
   RayAxes Axes;
   bool IsForward = true;
   double Depth = 0.0;
@@ -59,35 +64,79 @@ private:
   float Place[3] = {};  ///< place of the axis at the frustum's start, along X, Y, Z
   float Slope[2] = {};  ///< slope of the axis, per unit along Z
   float Spread[2] = {}; ///< the largest slope of a ray relative to it
+  float Tilt[2] = {};   ///< half of the largest slope of a ray
   float Base = 0.0f;    ///< Depth
   float Error = 0.0f;   ///< error of the position of a ray
   float Length = 0.0f;  ///< length of the ray origins, along Z
 };
 
+HELIOS_INLINE void LeafFilter::SetPlaces(
+  const BeamTree::Leaf& leaf, Floats x[3], Floats y[3], Floats s[3]) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    x[k] = Load<Floats>(leaf.GetCorners(k, this->Axes.X)) - this->Place[0];
+    y[k] = Load<Floats>(leaf.GetCorners(k, this->Axes.Y)) - this->Place[1];
+    s[k] = Load<Floats>(leaf.GetCorners(k, this->Axes.Z)) - this->Place[2];
+  }
+}
+
+HELIOS_INLINE void LeafFilter::SetPackedPlaces(
+  const BeamTree::Leaf& leaf, const float steps[3], Floats x[3], Floats y[3], Floats s[3]) const
+{
+  const int axes[3] = { this->Axes.X, this->Axes.Y, this->Axes.Z };
+  Floats* places[3] = { x, y, s };
+  for (int i = 0; i < 3; ++i)
+  {
+    const float start = leaf.Frame->Origin[axes[i]] - this->Place[i];
+    const int shift = PackedFrame::Bits * axes[i];
+    constexpr int mask = PackedFrame::Largest;
+    for (int k = 0; k < 3; ++k)
+    {
+      const ShortMasks words = Load<ShortMasks>(leaf.GetWords(k));
+      places[i][k] = start + steps[i] * __builtin_convertvector(words >> shift & mask, Floats);
+    }
+  }
+}
+
 void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
 {
   Floats x[3], y[3], z[3];
-  Floats size = Floats(), far = Floats(), minimum = Floats() + 1e30f;
+  float error[3] = { this->Error, this->Error, this->Error }; // along X, Y, Z
+  if (leaf.Frame)
+  {
+    const float steps[3] = { leaf.Frame->GetStep(this->Axes.X), leaf.Frame->GetStep(this->Axes.Y),
+      leaf.Frame->GetStep(this->Axes.Z) };
+    this->SetPackedPlaces(leaf, steps, x, y, z);
+    error[0] += 0.5f * steps[0] + this->Tilt[0] * steps[2];
+    error[1] += 0.5f * steps[1] + this->Tilt[1] * steps[2];
+    error[2] += 0.5f * steps[2];
+  }
+  else
+  {
+    this->SetPlaces(leaf, x, y, z);
+  }
+  Floats sizeX = Floats(), sizeY = Floats(), far = Floats(), minimum = Floats() + 1e30f;
   for (int k = 0; k < 3; ++k)
   {
-    const Floats px = Load<Floats>(leaf.GetCorners(k, this->Axes.X));
-    const Floats py = Load<Floats>(leaf.GetCorners(k, this->Axes.Y));
-    const Floats pz = Load<Floats>(leaf.GetCorners(k, this->Axes.Z));
-    const Floats s = this->IsForward ? pz - this->Place[2] : this->Place[2] - pz;
-    x[k] = px - this->Place[0] - this->Slope[0] * s;
-    y[k] = py - this->Place[1] - this->Slope[1] * s;
+    const Floats s = this->IsForward ? z[k] : -z[k];
+    x[k] = x[k] - this->Slope[0] * s;
+    y[k] = y[k] - this->Slope[1] * s;
     z[k] = s + this->Base;
-    size = Max<Floats>(size, Max<Floats>(x[k], -x[k]) + Max<Floats>(y[k], -y[k]));
+    sizeX = Max<Floats>(sizeX, Max<Floats>(x[k], -x[k]));
+    sizeY = Max<Floats>(sizeY, Max<Floats>(y[k], -y[k]));
     far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
     minimum = Min(minimum, s);
   }
   // The edge function is a x b, a and b being the positions of two corners relative to the ray
   // where it passes them: with errors da and db, its error is da x b + a x db + da x db.
   constexpr float edgeError = 0x1p-19f; // float rounding of an edge function, relative to its terms
-  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // size of a and b
-  const Floats error =
-    reach * (2 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;
-  const float uncertain = this->Error + this->Length;
+  const Floats reachX = sizeX + far * this->Spread[0]; // largest coordinates of a and b
+  const Floats reachY = sizeY + far * this->Spread[1];
+  const Floats reach = reachX + reachY;
+  const Floats doubt = 2.0f * (error[0] * reachY + error[1] * reachX + error[0] * error[1]) +
+    edgeError * reach * reach;
+  const float uncertain = error[2] + this->Length;
   ShortMasks positive = (minimum - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
   ShortMasks negative = positive;
   for (int k = 0; k < 3; ++k)
@@ -98,14 +147,14 @@ void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges)
     const Floats b = z[i] * x[j] - x[i] * z[j];
     const Floats c = x[i] * y[j] - y[i] * x[j];
     const Floats spread =
-      Max<Floats>(a, -a) * this->Spread[0] + Max<Floats>(b, -b) * this->Spread[1] + error;
+      Max<Floats>(a, -a) * this->Spread[0] + Max<Floats>(b, -b) * this->Spread[1] + doubt;
     positive = positive & (c + spread >= 0.0f);
     negative = negative & (c - spread <= 0.0f);
     Store(edges.Terms[k][0], a);
     Store(edges.Terms[k][1], b);
     Store(edges.Terms[k][2], c);
   }
-  Store(edges.Error, error);
+  Store(edges.Error, doubt);
   Store(edges.IsAlive, positive | negative);
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace helios
 {
@@ -35,18 +36,57 @@ struct alignas(64) BeamNode
   vtkTypeUInt32 Children[Width];
 };
 
-/// Up to four triangles, and their corners in the frame of the tree, rounded.
+/**
+ * Numbers of ten bits along three axes, in a word: x, y, z from the lowest bit. A number is at
+ * Origin + number Step in the frame of the tree, in floats; a step is a power of two, given by its
+ * exponent as floats store it.
+ */
+struct PackedFrame
+{
+  static constexpr int Bits = 10;
+  static constexpr vtkTypeUInt32 Largest = (1u << Bits) - 1;
+
+  float Origin[3];
+  unsigned char Exponents[3];
+  unsigned char Count; ///< children or triangles
+
+  float GetStep(int axis) const
+  {
+    const vtkTypeUInt32 bits = static_cast<vtkTypeUInt32>(this->Exponents[axis]) << 23;
+    float step;
+    std::memcpy(&step, &bits, sizeof(step));
+    return step;
+  }
+};
+
+/// A stored node: child i covers the numbers Low[i] to High[i], rounded outwards.
+struct PackedNode
+{
+  PackedFrame Frame;
+  vtkTypeUInt32 Low[BeamNode::Width];
+  vtkTypeUInt32 High[BeamNode::Width];
+  vtkTypeUInt32 Children[BeamNode::Width];
+};
+
+/// Up to four triangles, and their corners in the frame of the tree: rounded to floats, or packed.
 struct BeamLeaf
 {
   static constexpr int Size = 4;
 
   int Count = 0;
   const vtkTypeInt32* Triangles = nullptr;
+  const PackedFrame* Frame = nullptr; ///< of packed corners; null: floats
 
   /// Returns where floats start: a coordinate of the triangles, and padding to ignore.
   const vtkTypeInt32* GetCorners(int corner, int axis) const
   {
     return this->Triangles + (1 + 3 * corner + axis) * this->Count;
+  }
+
+  /// Returns where the words of packed corners start, and padding to ignore.
+  const vtkTypeInt32* GetWords(int corner) const
+  {
+    return this->Triangles + (1 + corner) * this->Count;
   }
 };
 

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds the nodes and leaves of a BeamTree in parts, which take little memory while they are built.
+// For sources only, as heliosBoxSplit.h.
+
+#ifndef heliosBeamBuilder_h
+#define heliosBeamBuilder_h
+
+#include "heliosBeamPacking.h"
+#include "heliosBeamStorage.h"
+#include "heliosBoxSplit.h"
+#include "heliosStopCheck.h"
+
+#include <vtkType.h>
+
+#include <cstring>
+#include <vector>
+
+namespace helios
+{
+
+class BeamPart;
+class TriangleMesh;
+
+/**
+ * Triangles are divided by coarse boxes of 16 bytes each until parts are small enough; a part is
+ * built in floats by one thread, and appended, the last one first; then its coarse boxes are freed.
+ * The tree does not depend on the number of threads.
+ */
+class BeamBuilder
+{
+public:
+  /// The box of a triangle, in 65535 steps along each side of the box of the tree.
+  struct CoarseBox
+  {
+    vtkTypeUInt16 Values[8]; ///< low along the axes, high along the axes, the triangle
+
+    vtkTypeInt32 GetTriangle() const
+    {
+      vtkTypeInt32 triangle;
+      std::memcpy(&triangle, this->Values + 6, sizeof(triangle));
+      return triangle;
+    }
+
+    HELIOS_INLINE Floats GetLow() const { return Get(this->Values); }
+    HELIOS_INLINE Floats GetHigh() const { return Get(this->Values + 3); }
+
+  private:
+    static HELIOS_INLINE Floats Get(const vtkTypeUInt16* from)
+    {
+      typedef vtkTypeUInt16 Shorts __attribute__((vector_size(8)));
+      return __builtin_convertvector(
+        __builtin_convertvector(Load<Shorts>(from), ShortMasks), Floats);
+    }
+  };
+
+  /// The mesh and the frame must outlive this.
+  BeamBuilder(const TriangleMesh& mesh, const BeamFrame& frame, vtkIdType count);
+  ~BeamBuilder();
+
+  /// Sets a triangle, of the number given at first.
+  void SetTriangle(vtkIdType i, vtkTypeInt32 triangle);
+
+  /// Builds the tree over the triangles, which are gone then.
+  void Build(BeamStorage& tree, StopCheck& check);
+
+private:
+  /// Coarse boxes from the first to the last.
+  struct Part
+  {
+    vtkTypeInt32 First;
+    vtkTypeInt32 Last;
+    int Depth;
+    vtkTypeUInt32 Root;
+    PlainBox Bounds;
+  };
+
+  void Divide(vtkTypeInt32 size, StopCheck& check);
+  void BuildParts(BeamStorage& tree, StopCheck& check);
+  void Append(const BeamPart& from, Part& part, BeamStorage& tree) const;
+  void SetTopBoxes();
+  void MakeTop(BeamStorage& tree) const;
+
+  const TriangleMesh& Mesh;
+  const BeamFrame& Frame;
+  TreeArray<CoarseBox> Boxes;
+  std::vector<Part> Parts;    ///< in any order
+  std::vector<SplitNode> Top; ///< the binary tree above the parts; a leaf is the number of a part
+};
+
+} // namespace helios
+
+#endif
