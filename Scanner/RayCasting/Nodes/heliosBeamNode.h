@@ -36,19 +36,39 @@ struct alignas(64) BeamNode
   vtkTypeUInt32 Children[Width];
 };
 
-/**
- * Numbers of ten bits along three axes, in a word: x, y, z from the lowest bit. A number is at
- * Origin + number Step in the frame of the tree, in floats; a step is a power of two, given by its
- * exponent as floats store it.
- */
-struct PackedFrame
+/// Three numbers of ten bits in a word, for x, y, z from the lowest bit.
+struct PackedWord
 {
   static constexpr int Bits = 10;
-  static constexpr vtkTypeUInt32 Largest = (1u << Bits) - 1;
+  static constexpr int Largest = (1 << Bits) - 1;
+  static constexpr int Masks[3] = { Largest, Largest << Bits, Largest << 2 * Bits };
+  static constexpr float Units[3] = { 1.0f, 0x1p-10f, 0x1p-20f }; ///< 1 / (a number of one)
+};
+
+/**
+ * A stored node: child i covers the numbers Low[i] to High[i]. A number q of an axis is at Origin + q
+ * step, the step being a power of two; boxes are larger than needed by Margin steps, which covers
+ * the rounding of (Origin - o) r + q (step r) for an origin o of rays, a factor r.
+ */
+struct alignas(64) PackedNode
+{
+  static constexpr double Margin = 0x1p-9;
 
   float Origin[3];
-  unsigned char Exponents[3];
-  unsigned char Count; ///< children or triangles
+  vtkTypeInt32 Count; ///< children
+  float Factors[3];   ///< steps, of numbers that are not moved to the lowest bit
+  vtkTypeInt32 Unused;
+  vtkTypeInt32 Low[BeamNode::Width];
+  vtkTypeInt32 High[BeamNode::Width];
+  vtkTypeUInt32 Children[BeamNode::Width];
+};
+
+/// The frame of the words of a leaf: a number q of an axis is at Origin + q step, a power of two.
+struct PackedFrame
+{
+  float Origin[3];
+  unsigned char Exponents[3]; ///< of the steps, as floats store them
+  unsigned char Count;        ///< triangles
 
   float GetStep(int axis) const
   {
@@ -57,15 +77,6 @@ struct PackedFrame
     std::memcpy(&step, &bits, sizeof(step));
     return step;
   }
-};
-
-/// A stored node: child i covers the numbers Low[i] to High[i], rounded outwards.
-struct PackedNode
-{
-  PackedFrame Frame;
-  vtkTypeUInt32 Low[BeamNode::Width];
-  vtkTypeUInt32 High[BeamNode::Width];
-  vtkTypeUInt32 Children[BeamNode::Width];
 };
 
 /// Up to four triangles, and their corners in the frame of the tree: rounded to floats, or packed.

@@ -17,7 +17,7 @@ struct PlainBox
   float High[3];
 };
 
-/// Packs the boxes of children, rounded outwards.
+/// Packs the boxes of children, rounded outwards by the margin.
 void PackBoxes(const PlainBox* boxes, int count, PackedNode& node);
 
 /// Packs corners of triangles (triangle, corner, axis), each rounded to the nearest number: words

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
-#include <memory>
+#include <cstring>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace helios
 {
@@ -21,14 +23,26 @@ template <typename T>
 class TreeArray
 {
 public:
+  static constexpr std::size_t Line = 64; ///< bytes
+
   static_assert(std::is_trivially_copyable_v<T>, "values are moved as bytes");
-  static_assert(alignof(T) <= alignof(std::max_align_t), "values are aligned as by malloc()");
+  static_assert(alignof(T) <= Line, "values are aligned to cache lines");
+
+  TreeArray() = default;
+  TreeArray(TreeArray&& other) noexcept { this->Swap(other); }
+  TreeArray& operator=(TreeArray&& other) noexcept
+  {
+    TreeArray old(std::move(*this));
+    this->Swap(other);
+    return *this;
+  }
+  ~TreeArray() { std::free(this->Bytes); }
 
   std::size_t GetSize() const { return this->Size; }
   std::size_t GetMemorySize() const { return this->Capacity * sizeof(T); }
 
-  T& operator[](std::size_t i) { return this->Values.get()[i]; }
-  const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
+  T& operator[](std::size_t i) { return this->Values[i]; }
+  const T& operator[](std::size_t i) const { return this->Values[i]; }
 
   /// Changes the number of values; grows in steps.
   void Resize(std::size_t size)
@@ -50,31 +64,40 @@ public:
   }
 
 private:
-  struct Free
+  void Swap(TreeArray& other)
   {
-    void operator()(T* values) const { std::free(values); }
-  };
+    std::swap(this->Bytes, other.Bytes);
+    std::swap(this->Values, other.Values);
+    std::swap(this->Size, other.Size);
+    std::swap(this->Capacity, other.Capacity);
+  }
+
+  /// Returns the distance to the next cache line.
+  static std::size_t GetShift(const void* from)
+  {
+    return (Line - reinterpret_cast<std::uintptr_t>(from) % Line) % Line;
+  }
 
   void SetCapacity(std::size_t capacity)
   {
-    if (capacity == 0)
+    const std::size_t before = GetShift(this->Bytes);
+    void* moved = std::realloc(this->Bytes, capacity * sizeof(T) + Line);
+    if (!moved)
     {
-      this->Values.reset();
+      throw std::bad_alloc();
     }
-    else
+    this->Bytes = static_cast<char*>(moved);
+    char* values = this->Bytes + GetShift(moved);
+    if (GetShift(moved) != before)
     {
-      void* moved = std::realloc(this->Values.get(), capacity * sizeof(T));
-      if (!moved)
-      {
-        throw std::bad_alloc();
-      }
-      this->Values.release(); // realloc() took it
-      this->Values.reset(static_cast<T*>(moved));
+      std::memmove(values, this->Bytes + before, std::min(this->Size, capacity) * sizeof(T));
     }
+    this->Values = reinterpret_cast<T*>(values);
     this->Capacity = capacity;
   }
 
-  std::unique_ptr<T, Free> Values;
+  char* Bytes = nullptr;
+  T* Values = nullptr; ///< in the bytes, from a cache line on
   std::size_t Size = 0;
   std::size_t Capacity = 0;
 };

@@ -168,22 +168,19 @@ HELIOS_INLINE BeamLeaf BeamWalk::GetLeaf(vtkTypeUInt32 number)
 namespace
 {
 
-/// Gets the sides of the children along an axis.
-HELIOS_INLINE void GetSides(const BeamNode& node, int axis, Wide& low, Wide& high)
+/// Returns (the sides of the children along an axis - origin) factor.
+template <bool IsHigh>
+HELIOS_INLINE Wide GetSides(const BeamNode& node, int axis, float origin, float factor)
 {
-  low = Load<Wide>(node.Low[axis]);
-  high = Load<Wide>(node.High[axis]);
+  return (Load<Wide>(IsHigh ? node.High[axis] : node.Low[axis]) - origin) * factor;
 }
-HELIOS_INLINE void GetSides(const PackedNode& node, int axis, Wide& low, Wide& high)
+template <bool IsHigh>
+HELIOS_INLINE Wide GetSides(const PackedNode& node, int axis, float origin, float factor)
 {
-  const float origin = node.Frame.Origin[axis];
-  const float step = node.Frame.GetStep(axis);
-  const int shift = PackedFrame::Bits * axis;
-  constexpr int mask = PackedFrame::Largest;
-  low = origin +
-    step * __builtin_convertvector(Load<WideMasks>(node.Low) >> shift & mask, Wide);
-  high = origin +
-    step * __builtin_convertvector(Load<WideMasks>(node.High) >> shift & mask, Wide);
+  const WideMasks numbers =
+    Load<WideMasks>(IsHigh ? node.High : node.Low) & PackedWord::Masks[axis];
+  return __builtin_convertvector(numbers, Wide) * (node.Factors[axis] * factor) +
+    (node.Origin[axis] - origin) * factor;
 }
 
 /// Returns the bits, as of GetBits(), of the children that exist.
@@ -193,7 +190,7 @@ HELIOS_INLINE vtkTypeUInt64 GetChildBits(const BeamNode&)
 }
 HELIOS_INLINE vtkTypeUInt64 GetChildBits(const PackedNode& node)
 {
-  return ~vtkTypeUInt64(0) >> (64 - 8 * node.Frame.Count);
+  return ~vtkTypeUInt64(0) >> (64 - 8 * node.Count);
 }
 
 } // namespace
@@ -220,19 +217,19 @@ HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
       return true;
     }
     const auto& node = this->GetNode<IsOfHeights>(child);
-    Wide low, high;
-    GetSides(node, this->Axes.Z, low, high);
-    Wide entry = this->IsForward ? low - this->Near : this->Near - high;
-    Wide exit = this->IsForward ? high - this->Far : this->Far - low;
+    const int z = this->Axes.Z;
+    Wide entry = this->IsForward ? GetSides<false>(node, z, this->Near, 1.0f)
+                                 : GetSides<true>(node, z, this->Near, -1.0f);
+    Wide exit = this->IsForward ? GetSides<true>(node, z, this->Far, 1.0f)
+                                : GetSides<false>(node, z, this->Far, -1.0f);
     entry = Max(entry, Wide());
     for (int i = 0; i < 2; ++i)
     {
       const int axis = i == 0 ? this->Axes.X : this->Axes.Y;
       const Side& lower = this->Lower[i];
       const Side& upper = this->Upper[i];
-      GetSides(node, axis, low, high);
-      const Wide s0 = (high - lower.Origin) * lower.Inverse;
-      const Wide s1 = (low - upper.Origin) * upper.Inverse;
+      const Wide s0 = GetSides<true>(node, axis, lower.Origin, lower.Inverse);
+      const Wide s1 = GetSides<false>(node, axis, upper.Origin, upper.Inverse);
       entry = lower.IsEntry ? Max(entry, s0) : entry;
       exit = lower.IsEntry ? exit : Min(exit, s0);
       entry = upper.IsEntry ? Max(entry, s1) : entry;

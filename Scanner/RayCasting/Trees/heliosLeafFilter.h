@@ -89,12 +89,12 @@ HELIOS_INLINE void LeafFilter::SetPackedPlaces(
   for (int i = 0; i < 3; ++i)
   {
     const float start = leaf.Frame->Origin[axes[i]] - this->Place[i];
-    const int shift = PackedFrame::Bits * axes[i];
-    constexpr int mask = PackedFrame::Largest;
+    const int mask = PackedWord::Masks[axes[i]];
+    const float factor = steps[i] * PackedWord::Units[axes[i]];
     for (int k = 0; k < 3; ++k)
     {
-      const ShortMasks words = Load<ShortMasks>(leaf.GetWords(k));
-      places[i][k] = start + steps[i] * __builtin_convertvector(words >> shift & mask, Floats);
+      const ShortMasks numbers = Load<ShortMasks>(leaf.GetWords(k)) & mask;
+      places[i][k] = start + factor * __builtin_convertvector(numbers, Floats);
     }
   }
 }
