@@ -25,6 +25,7 @@ ARRAY_NAMES = ROOT / "Python/vtkhelios/array_names.py"
 NAME_HEADERS = (
     "Filters/Core/vtkHeliosArrayNames.h",
     "Filters/Core/vtkHeliosFlightArrayNames.h",
+    "Filters/Core/vtkHeliosFoliageArrayNames.h",
     "Filters/Core/Coordinates/vtkHeliosPointArrayNames.h",
     "Filters/PCL/vtkHeliosPCLArrayNames.h",
 )

@@ -24,6 +24,8 @@ compare()
     metrics of two clouds (Comparison).
 fit()
     the instrument and the flight of an airborne cloud (Fit).
+plant_area()
+    plant area density in voxels, from scans (PlantArea).
 Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
@@ -68,6 +70,7 @@ _HOMES = {
     "core.plugins": ("load_plugin",),
     "fitting": ("Fit", "fit"),
     "flight": ("plan_flight",),
+    "leafarea": ("PlantArea", "plant_area"),
     "plans.plan": ("Plan", "plan"),
     "scenes.scene": ("Scene",),
     "surveys.scanning": ("make_survey", "scan"),

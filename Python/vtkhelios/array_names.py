@@ -162,6 +162,24 @@ STRIP_DENSITY = "StripDensity"  # [1/m2], of the densest strip
 NUMBER_OF_STRIPS = "NumberOfStrips"  # strips that reach the cell
 FLYING_HEIGHT = "FlyingHeight"  # [m], of the nearest line above it
 
+# Cells of vtkHeliosPlantAreaDensity: cell data of an image.
+DENSITY_ERROR = "DensityError"  # [m2/m3], NaN: unknown
+CELL_STATE = "CellState"  # 0 no beam, 1 seen, 2 shadowed, 3 saturated
+NUMBER_OF_BEAMS = "NumberOfBeams"  # int64, that enter with some energy
+NUMBER_OF_SHADOWED_BEAMS = "NumberOfShadowedBeams"  # int64, without any
+GROUND_DISTANCE = "GroundDistance"  # [m], of the centre, NaN: unknown
+PATH_LENGTH = "PathLength"  # [m], free, of all energy
+
+# Sums over the beams of a cell, to which further scans are added; energies are in pulses, paths
+# times G.
+ENTERING_ENERGY = "EnteringEnergy"
+INTERCEPTED_ENERGY = "InterceptedEnergy"
+INTERCEPTED_SQUARE = "InterceptedSquare"  # of the energy of each beam
+FREE_PATH = "FreePath"  # [m]
+HIT_PATH = "HitPath"  # [m], of squared intercepted energy
+POTENTIAL_PATH = "PotentialPath"  # [m], without plants
+POTENTIAL_PATH_SQUARE = "PotentialPathSquare"  # [m2]
+
 # Field data: the steps of the three coordinates in the file, in their units, and, if the
 # coordinates are unchanged, the three offsets of the file.
 COORDINATE_SCALE = "CoordinateScale"
@@ -211,6 +229,13 @@ UNITS = {
     PLAN_WORST_INCIDENCE_ANGLE: "deg",
     PLAN_MEAN_BEST_INCIDENCE_ANGLE: "deg",
     FLYING_HEIGHT: "m",
+    DENSITY_ERROR: "m2/m3",
+    GROUND_DISTANCE: "m",
+    PATH_LENGTH: "m",
+    FREE_PATH: "m",
+    HIT_PATH: "m",
+    POTENTIAL_PATH: "m",
+    POTENTIAL_PATH_SQUARE: "m2",
     PLANE_CENTRE: "m",
     PLANE_DEVIATION: "m",
 }

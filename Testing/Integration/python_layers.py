@@ -16,7 +16,7 @@ LAYERS = [
     ["array_names"],
     ["core"],
     ["catalogue", "cluster", "example_surveys", "exchange", "formats"],
-    ["learning", "points", "scenes", "webcloud"],
+    ["leafarea", "learning", "points", "scenes", "webcloud"],
     ["clouds"],
     ["surveys"],
     ["comparison", "compat"],

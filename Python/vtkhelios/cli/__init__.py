@@ -57,6 +57,7 @@ examples:
   vtkhelios help run                                describe a command
   vtkhelios compare real.laz output/village         two clouds: noise, spacing, returns, shift, heights
   vtkhelios fit real.laz --output fitted            the instrument and the flight of a cloud, as a survey
+  vtkhelios leafarea output/stand                   plant area density in voxels, leaf area index
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
 """

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import (
 )  # fmt: skip
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from .. import webcloud
+from .. import leafarea, webcloud
 from ..array_names import UNITS
 from ..core import write
 from ..core.arrays import arrays
@@ -197,6 +197,38 @@ class Cloud(View):
         See Docs/files.md.
         """
         write.write(self, os.fspath(path))
+
+    def plant_area(self, **options):
+        """Estimates the plant area density in the voxels of a grid, and returns a PlantArea.
+
+        The cloud is best with its pulses, those that hit nothing too (``survey.run(pulses=True)``),
+        and for partial hits with sub-rays (``hits=True``).
+
+        voxel
+            edge [m]. Default: 0.5.
+        estimator
+            contact-frequency, beer-lambert, beer-lambert-corrected, maximum-likelihood or
+            maximum-likelihood-corrected, the default; formulas, sources and biases are in
+            vtkHeliosPlantAreaDensity.
+        leaf_angles
+            spherical (default), uniform, planophile, erectophile, plagiophile, extremophile,
+            ellipsoidal (of leaf_ratio, horizontal over vertical axis), horizontal, vertical; rows
+            x y z G; or incidence: the angles of incidence of a simulation of triangles.
+        leaf_size
+            area of one side of a leaf [m2], for the standard error and the effective path.
+        shares
+            energy, equal or first: the shares of the echoes of a pulse, without sub-rays.
+        classes, materials
+            what is counted, such as ``materials=["leaf"]``; all else ends beams. Default: all but
+            ground, water and noise.
+        bounds
+            of the grid, six numbers [m]. Default: of the counted echoes.
+        minimum_beams, maximum_range
+            beams that a voxel needs to be seen (1), and where beams end [m].
+
+        Raises ValueError for options outside their range, FormatError if nothing can be inverted.
+        """
+        return leafarea.estimate([leafarea.scan_of_cloud(self)], **options)
 
     def show(self, points=200_000, color_by=None, arrays=None, height=600, title="cloud"):
         """Returns the cloud as a page: in a notebook it is shown, ``.write("cloud.html")`` writes a

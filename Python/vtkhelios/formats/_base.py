@@ -182,6 +182,8 @@ class Scan:
     rotation: tuple = (1.0, 0.0, 0.0, 0.0)  # w x y z, body to world
     has_pose: bool = False
     pulses: object = None  # a function of an iterator over chunks of pulses; None: unknown
+    # a function of an iterator over directions (n x 3) of pulses without an echo; None: unknown
+    misses: object = None
 
 
 class _Closing:

@@ -56,6 +56,8 @@ class E57Reader(Reader):
             ScanPoints(self, header, scan, start - self.header.epoch if start else 0.0)
             for header, scan, start in zip(headers, self.scans, starts)
         ]
+        for scan, points in zip(self.scans, self._points):
+            scan.misses = points.misses if points.may_have_misses() else None
         self._note_rest(starts, headers)
         self._set_unit()
 
@@ -242,6 +244,22 @@ class ScanPoints:
         for data in self._owner.read_fields(self._header, self._fields, rows):
             yield self._to_chunk(data, counts)
 
+    def may_have_misses(self):
+        """Returns whether points may be marked as directions without an echo."""
+        return self._state_name() in self._fields
+
+    def misses(self):
+        """Yields the directions of pulses without an echo, in the world."""
+        turn = rotation_matrix(self._scan.rotation) if self._scan.has_pose else np.eye(3)
+        for data in self._owner.read_fields(self._header, self._fields, ROWS):
+            mark = data[self._state_name()] == DIRECTION_ONLY
+            xyz = self._find_local({name: values[mark] for name, values in data.items()})
+            lengths = np.linalg.norm(xyz, axis=1)
+            yield (xyz[lengths > 0] / lengths[lengths > 0, None]) @ turn.T
+
+    def _state_name(self):
+        return STATES[0] if self._fields.issuperset(XYZ) else STATES[1]
+
     def _to_chunk(self, data, counts):
         data = self._drop_invalid(data, counts)
         check_flags(data, counts)
@@ -260,8 +278,7 @@ class ScanPoints:
         return chunk
 
     def _drop_invalid(self, data, counts):
-        name = STATES[0] if self._fields.issuperset(XYZ) else STATES[1]
-        state = data.get(name)
+        state = data.get(self._state_name())
         if state is None:
             return data
         valid = state == 0
@@ -275,15 +292,18 @@ class ScanPoints:
         with np.errstate(invalid="ignore", over="ignore"):
             return self._move_to_world(data)
 
-    def _move_to_world(self, data):
+    def _find_local(self, data):
+        """Returns coordinates in the frame of the scanner."""
         if all(name in data for name in XYZ):
-            xyz = np.column_stack([data[name] for name in XYZ])
-        else:
-            r, azimuth, elevation = (data[name] for name in POLAR)
-            flat = r * np.cos(elevation)
-            xyz = np.column_stack(
-                [flat * np.cos(azimuth), flat * np.sin(azimuth), r * np.sin(elevation)]
-            )
+            return np.column_stack([data[name] for name in XYZ])
+        r, azimuth, elevation = (data[name] for name in POLAR)
+        flat = r * np.cos(elevation)
+        return np.column_stack(
+            [flat * np.cos(azimuth), flat * np.sin(azimuth), r * np.sin(elevation)]
+        )
+
+    def _move_to_world(self, data):
+        xyz = self._find_local(data)
         scan = self._scan
         if scan.has_pose:
             xyz = xyz @ rotation_matrix(scan.rotation).T + np.asarray(scan.translation)

@@ -4,6 +4,7 @@
 x y z, by vtkHeliosPointTextReader.
 """
 
+import functools
 import pathlib
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..core.paths import to_vtk
 from ..core.words import counted
 from ._base import Header, Reader, Scan, StreamWriter, call, check_file, from_cloud, rows_of
 from ._intensity import IntensityScale
+from ._ptx import read_misses
 
 COLUMNS = (11, 13, 15)  # the basic ones, with flags of scan lines, with decibels
 PLAIN, ECHOES, PTS, PTX = "x y z", "echoes", "PTS", "PTX"
@@ -65,7 +67,8 @@ class TextReader(Reader):
             return Scan(name)
         rotation = [0.0] * 4
         vtkMath.Matrix3x3ToQuaternion(turn.tolist(), rotation)
-        return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True)
+        misses = functools.partial(read_misses, self.path, index, turn)
+        return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True, misses=misses)
 
     def read_chunks(self, rows):
         begin, size, told, seen, dropped = 0, 1, 0, 0, 0
