@@ -57,7 +57,7 @@ from .core.pipeline import PipelineError as PipelineError, update as update
 from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
 from .surveys.scanning import make_survey as make_survey, scan as scan
-from .clouds.cloud import Cloud as Cloud, Records as Records
+from .clouds.cloud import Cloud as Cloud, Records as Records, read as read
 from .core.detectors import add_detector as add_detector
 from .core.plugins import load_plugin as load_plugin
 from .flight import plan_flight as plan_flight

@@ -3,6 +3,9 @@
 """arrays(): views of VTK data that share its memory."""
 
 import gc
+import pathlib
+import re
+import weakref
 
 import numpy as np
 import pytest
@@ -11,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import vtkhelios
+from vtkhelios.core.arrays import numpy_to_vtk
 
 
 def address(array):
@@ -104,3 +108,28 @@ def test_names_that_are_not_utf8():
     array.SetName(b"\xfdum")
     cloud.GetPointData().AddArray(array)
     assert list(vtkhelios.arrays(cloud)) == ["\\xfdum"]
+
+
+def test_memory_of_numpy_arrays_is_kept_and_released():
+    values = np.arange(1000.0)
+    alive = weakref.ref(values)
+    array = numpy_to_vtk(values)
+    del values
+    gc.collect()
+    assert alive() is not None and array.GetValue(999) == 999
+    cell = vtkPolyData()  # VTK keeps the array longer than Python
+    cell.GetPointData().AddArray(array)
+    del array
+    gc.collect()
+    assert alive() is not None
+    del cell
+    gc.collect()
+    assert alive() is None
+
+
+def test_the_package_gives_memory_to_vtk_in_one_way():
+    """See numpy_to_vtk() in core/arrays.py."""
+    root = pathlib.Path(__file__).resolve().parents[1] / "vtkhelios"
+    direct = re.compile(r"numpy_support import .*\bnumpy_to_vtk\b")
+    users = [path.name for path in root.rglob("*.py") if direct.search(path.read_text())]
+    assert users == [], "import numpy_to_vtk from core.arrays"

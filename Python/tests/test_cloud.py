@@ -7,15 +7,16 @@ import os
 import shutil
 import subprocess
 import sys
+import traceback
 
 import numpy as np
 import pytest
 from vtkmodules.vtkCommonCore import vtkFloatArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import vtkhelios
-from vtkhelios import Cloud
+from vtkhelios import Cloud, formats
 
 
 @pytest.fixture
@@ -124,8 +125,146 @@ def test_objects_that_are_not_clouds():
         ValueError, match=r"points has the shape \(3, 2\); give an array of \(n, 3\)"
     ):
         Cloud.from_arrays(np.zeros((3, 2)))
-    with pytest.raises(TypeError, match="use points, records or arrays by name"):
-        iter(Cloud())
+
+
+def test_a_cloud_is_a_sequence_of_points(cloud):
+    assert len(cloud) == 5 and cloud[3]["Range"] == 3 and cloud[-1]["x"] == 12
+    assert [point["PulseIds"] for point in cloud] == [0, 2, 4, 6, 8]
+    with pytest.raises(IndexError, match="index 5 is out of bounds .* size 5"):
+        cloud[5]
+    assert np.asarray(cloud) is not None and np.shares_memory(np.asarray(cloud), cloud.points)
+    assert np.asarray(cloud, np.float32).dtype == np.float32 and np.asarray(cloud).shape == (5, 3)
+    assert cloud.bounds == (0, 12, 1, 13, 2, 14) and np.isnan(Cloud().bounds).all()
+    cloud.z = 7
+    assert cloud.x.tolist() == [0, 3, 6, 9, 12] and set(cloud.z) == {7} and cloud.y[1] == 4
+
+
+def test_sums(cloud):
+    other = Cloud.from_arrays(np.full((2, 3), 50.0), Range=[1.0, 2.0], ReturnNumber=[1, 2])
+    joined = cloud + other
+    assert len(joined) == 7 and joined.points[5:].tolist() == [[50, 50, 50], [50, 50, 50]]
+    assert joined["Range"].tolist() == [0, 1, 2, 3, 4, 1, 2]
+    assert joined["PulseIds"].tolist() == [0, 2, 4, 6, 8, -1, -1]  # as vtkhelios convert --merge
+    assert joined["ReturnNumber"].tolist() == [1, 1, 1, 1, 1, 1, 2]
+    assert np.isnan(joined["Normal"][5:]).all() and len(sum([cloud, other, other])) == 9
+    with pytest.raises(TypeError, match="unsupported operand"):
+        cloud + 1
+    with pytest.raises(TypeError, match="unsupported operand"):
+        1 + cloud
+
+
+def with_fields(crs="", epoch=0.0, names=()):
+    header = formats.Header()
+    header.crs, header.epoch, header.part_names = crs, epoch, list(names)
+    cloud = Cloud.from_arrays(np.zeros((1, 3)), GpsTime=[5.0], PartIds=[0])
+    cloud.data.GetFieldData().ShallowCopy(header.fields)
+    return cloud
+
+
+def test_sums_have_one_system_one_epoch_and_one_table_of_names():
+    joined = with_fields("EPSG:25832", 100.0, ["oak"]) + with_fields("EPSG:25832", 130.0, ["fir"])
+    assert joined["GpsTime"].tolist() == [5, 35] and joined["PartIds"].tolist() == [0, 1]
+    header = formats.Header(joined.data.GetFieldData())
+    assert (header.crs, header.epoch) == ("EPSG:25832", 100.0)
+    assert header.part_names == ["oak", "fir"]
+    with pytest.raises(ValueError, match="the coordinate systems EPSG:25832 and EPSG:32632; move"):
+        with_fields("EPSG:25832") + with_fields("EPSG:32632")
+    with pytest.raises(ValueError, match="counts from a known epoch, and of the other not; set"):
+        with_fields(epoch=100.0) + with_fields()
+
+
+def test_names_of_laspy_and_pdal_are_known():
+    zeros = np.zeros((3, 3))
+    cloud = Cloud.from_arrays(zeros, ClassificationIds=[1, 2, 3], GpsTime=[0.0, 1, 2],
+                              Amplitude=[1.0, 2, 3], ScanAngle=[0.0, 1, 2], LegIds=[0, 0, 1])  # fmt: skip
+    with pytest.warns(UserWarning, match=r"gps_time is GpsTime here: cloud\['GpsTime'\]"):
+        assert cloud["gps_time"].tolist() == [0, 1, 2]
+    with pytest.warns(UserWarning, match="classification is ClassificationIds here"):
+        cloud.classification[0] = 9
+    with pytest.warns(UserWarning, match="Classification is ClassificationIds here"):
+        cloud["Classification"] = [6, 6, 6]
+    assert cloud["ClassificationIds"].tolist() == [6, 6, 6] and "Classification" not in cloud
+    with pytest.warns(UserWarning):
+        cloud.classification = [2, 2, 2]
+    assert cloud["ClassificationIds"].tolist() == [2, 2, 2]
+    cloud["X"] = [7, 8, 9]
+    assert cloud.points[:, 0].tolist() == cloud["x"].tolist() == [7, 8, 9]
+    assert np.shares_memory(cloud.xyz, cloud.points) and len(cloud.names) == 5
+
+
+@pytest.mark.parametrize(
+    "name, message",
+    [
+        ("intensity", r"it has Amplitude, the received power \[W\], which no writer has scaled"),
+        ("scan_angle", "it has ScanAngle, in degrees, not in steps of 0.006 degrees"),
+        (
+            "point_source_id",
+            "it has LegIds, the number of the leg, which is the point source less 1",
+        ),
+        ("red", "it has RGB, red, green and blue from 0 to 1"),
+        ("Amplitud", r"did you mean Amplitude\?"),
+    ],
+)
+def test_names_for_other_values_are_errors_with_one_hint(name, message):
+    cloud = Cloud.from_arrays(np.zeros((1, 3)), Amplitude=[1.0], ScanAngle=[1.0], LegIds=[0],
+                              RGB=np.zeros((1, 3)))  # fmt: skip
+    with pytest.raises(KeyError, match=f"the cloud has no array {name}; {message}"):
+        cloud[name]
+    with pytest.raises(AttributeError, match=message) as caught:
+        getattr(cloud, name)
+    shown = "".join(traceback.format_exception(caught.value))
+    assert shown.lower().count("did you mean") <= 1 and "Did you mean" not in shown
+
+
+ENDINGS = {".las": 1e-3, ".laz": 1e-3, ".copc.laz": 1e-3, ".xyz": 1e-3, ".csv": 0, ".vtp": 0, ".pvtp": 0,
+           ".ply": 0, ".pcd": 1e-5, ".e57": 0}  # fmt: skip
+NEEDS = {".laz": "lazrs", ".copc.laz": "copclib", ".e57": "pye57"}
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+def test_every_format_is_written_and_read(ending, tmp_path):
+    pytest.importorskip(NEEDS.get(ending, "numpy"))
+    points = np.arange(30.0).reshape(10, 3)
+    ones = np.ones(10, np.uint8)
+    cloud = Cloud.from_arrays(points, ReturnNumber=ones, NumberOfReturns=ones)
+    for _ in range(3):  # memory of one array under another one is released in order
+        (cloud + cloud).write(tmp_path / f"cloud{ending}")
+        read = vtkhelios.read(tmp_path / f"cloud{ending}")
+    order = np.argsort(read.x, kind="stable")
+    assert np.allclose(read.points[order], np.repeat(points, 2, axis=0), atol=ENDINGS[ending])
+    assert (read["ReturnNumber"] == 1).all()
+
+
+@pytest.mark.parametrize("format", ["las", "xyz", "vtp"])
+def test_runs_are_read_with_their_waveforms(format, make_survey, tmp_path):
+    survey = vtkhelios.read_survey(make_survey())
+    made = survey.run(waveforms=True)
+    folder = survey.run_to(tmp_path, format=format, waveforms=True)["folder"]
+    read = vtkhelios.read(folder, waveforms=True)
+    assert len(read) == len(made) and (read["LegIds"] == 0).all()
+    rows = made.waveforms.GetNumberOfRows()
+    assert rows > 10 and read.waveforms.GetNumberOfRows() == rows
+    assert vtkhelios.read(folder).waveforms is None
+    if format == "las":
+        made.write(tmp_path / "again.las")
+        assert vtkhelios.read(tmp_path / "again.las", True).waveforms.GetNumberOfRows() == rows
+        made.write(tmp_path / "without.vtp")
+        with pytest.raises(
+            ValueError, match="without.vtp: has no waveforms; read it without, or run"
+        ):
+            vtkhelios.read(tmp_path / "without.vtp", waveforms=True)
+
+
+def test_reading_errors_name_the_function_to_call(tmp_path):
+    for name, message in {
+        "a.obj": r"is a mesh, not points; give it to Scene.read\(\)",
+        "a.yaml": r"is a document, not points; give it to read_survey\(\)",
+        "a.las": "no such file; check its name",
+        "a.odd": "its ending is not of a known format; known: .copc.laz, .las",
+    }.items():
+        with pytest.raises(ValueError, match=f"{name}: {message}"):
+            vtkhelios.read(tmp_path / name)
 
 
 def test_repr(cloud):
@@ -178,10 +317,13 @@ def test_write_text(tmp_path):
 
 
 def test_write_errors(cloud, tmp_path):
-    with pytest.raises(ValueError, match="ends in '.e58'; give one of: .xyz, .las, .vtp"):
+    with pytest.raises(ValueError, match="not of a format that is written; written are: .copc.laz"):
         cloud.write(tmp_path / "cloud.e58")
-    with pytest.raises(vtkhelios.PipelineError, match="Amplitude"):
-        cloud.write(tmp_path / "cloud.xyz")
+    cloud.waveforms = vtkTable()
+    with pytest.warns(
+        RuntimeWarning, match=r"waveforms is dropped: Cloud.write\(\) writes them to"
+    ):
+        cloud.write(tmp_path / "cloud.ply")
     (tmp_path / "file").write_text("")
     with pytest.raises((vtkhelios.PipelineError, OSError), match="file"):
         cloud.write(tmp_path / "file" / "cloud.las")

@@ -51,6 +51,9 @@ def test_three_in_a_row():
     assert repr(pipeline) == (
         "Pipeline(vtkHeliosSyntheticScene >> vtkHeliosSceneTransform >> vtkHeliosSceneTransform)"
     )
+    shown = (pipeline >> vtkTriangleFilter())._repr_html_()
+    assert shown.startswith("<b>Pipeline</b><ol><li>vtkHeliosSyntheticScene(")
+    assert shown.count("<li>") == 4 and shown.endswith("<li>vtkTriangleFilter</li></ol>")
 
 
 def test_pipelines_join():

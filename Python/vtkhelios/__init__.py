@@ -16,6 +16,8 @@ Properties of all classes are attributes and keywords, and ``>>`` connects:
 >>> scanner = vtkhelios.vtkHeliosScanner(range_max=600)
 >>> cloud = vtkhelios.Cloud(((scene, trajectory) >> scanner)())
 
+read()
+    the points of a file as a Cloud.
 read_survey(), make_survey(), scan()
     surveys from files and of scenes in memory, which run in memory (Survey).
 plan()
@@ -59,7 +61,7 @@ check_vtk()  # before any binary module
 from . import vtkHeliosScannerRun as _  # noqa: F401
 
 _HOMES = {
-    "clouds.cloud": ("Cloud", "Records"),
+    "clouds.cloud": ("Cloud", "Records", "read"),
     "clouds.filter": ("filter",),
     "comparison": ("Comparison", "compare"),
     "core.arrays": ("arrays",),

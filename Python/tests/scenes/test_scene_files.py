@@ -143,6 +143,25 @@ def test_an_unknown_ending_is_refused(tmp_path):
         vtkhelios.Scene.read(tmp_path / "house.dxf")
 
 
+def test_a_name_is_a_scene(tmp_path):
+    path = tmp_path / "plane.obj"
+    corners = [(-9, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)]
+    vtkhelios.Scene(corners, [(0, 1, 2), (0, 2, 3)], reflectance=0.25).write(path)
+    scene = vtkhelios.Scene(path)
+    assert len(scene) == 2 and len(vtkhelios.Scene(str(path), reflectance=0.7)) == 2
+    shown = scene._repr_html_()
+    assert "Scene(2 triangles" in shown and "<td>material0</td><td>0.25</td>" in shown
+    lines = dict(scan_frequency=50, vertical=(-40, -30), head=(0, 360), head_speed=60)
+    cloud = vtkhelios.scan(path, position=(0, 0, 2), **lines)
+    assert len(cloud) > 1000 and abs(cloud.z).max() < 0.1
+    survey = vtkhelios.make_survey(path, [(0, 0, 2)], **lines)
+    survey.write(tmp_path / "survey.xml")
+    again = vtkhelios.read_survey(tmp_path / "survey.xml").run()
+    assert np.array_equal(again.points, survey.run().points)
+    with pytest.raises(ValueError, match="a.xml: is not a mesh of a known format; give its loader"):
+        vtkhelios.scan("a.xml", position=(0, 0, 2), **lines)
+
+
 def test_reader_properties_are_keywords(tmp_path):
     path = tmp_path / "tent.ply"
     path.write_text(

@@ -5,7 +5,7 @@
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
@@ -13,6 +13,7 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 import vtkhelios
 
 from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS, RETURN_NUMBER
+from ..core.arrays import numpy_to_vtk
 from ..core.reading import make_reader
 from ..core.run_files import POINTS, file_of_leg
 from ..core.words import counted

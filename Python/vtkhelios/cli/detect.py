@@ -8,13 +8,13 @@ import pathlib
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
 from .. import formats
 from ..array_names import CLASSIFICATION_IDS, PART_IDS
+from ..core.arrays import numpy_to_vtk
 from ..core.paths import to_vtk
 from ..core.run_files import PART
 from ..core.unfinished import set_unfinished

@@ -2,12 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds: a vtkPolyData of points, with its arrays as numpy arrays."""
 
-import difflib
 import html
-import os
+import itertools
+import math
+import numbers
+import typing
+import warnings
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from vtkmodules.vtkCommonCore import (
     VTK_DOUBLE, vtkPoints, vtkTypeInt32Array, vtkTypeInt64Array,
@@ -16,14 +19,16 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from .. import leafarea, webcloud
 from ..array_names import UNITS
-from ..core import write
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.views import View
-from ..core.words import counted
+from ..core.words import counted, no_attribute
 from ..exchange._clouds import to_open3d, to_pandas, to_pyvista
+from .files import read_chunks, read_tables, write_cloud
+from .join import add_clouds, join_tables
+from .names import COORDINATES, explain_missing, find_array
 from .transfer import pack, unpack
 
-__all__ = ["Cloud", "Records"]
+__all__ = ["Cloud", "Records", "read"]
 
 
 class Cloud(View):
@@ -81,28 +86,70 @@ class Cloud(View):
         return vtk_to_numpy(holder.GetData()) if holder else np.empty((0, 3))
 
     @property
+    def x(self):
+        """The first coordinate [m], a view of points; y and z are the others."""
+        return self.points[:, 0]
+
+    @property
+    def y(self):
+        return self.points[:, 1]
+
+    @property
+    def z(self):
+        return self.points[:, 2]
+
+    @property
     def names(self):
         """The names of the point arrays, except string arrays."""
         return [name for name in arrays(self.data) if name != "points"]
 
+    @property
+    def bounds(self):
+        """The box in VTK's order: lowest x, highest x, lowest y, highest y, lowest z, highest z [m].
+
+        NaN without points.
+        """
+        if not len(self):
+            return (math.nan,) * 6
+        ends = zip(self.points.min(axis=0).tolist(), self.points.max(axis=0).tolist())
+        return tuple(itertools.chain.from_iterable(ends))
+
     def __getitem__(self, key):
-        """Returns an array by its name, without a copy; by a mask, a slice or indices, a Cloud of
-        points."""
+        """Returns an array by its name, without a copy; by an index, a record of the point; by a
+        mask, a slice or indices, a Cloud of points.
+
+        Names that laspy or PDAL have for the same values are known, too, with a warning.
+        """
+        if isinstance(key, numbers.Integral):
+            return self.records[key]
         if not isinstance(key, str):
             return self.filter(key)
-        if key == "points":
+        if key == COORDINATES:
             return self.points
         array = self.data.GetPointData().GetArray(key)
-        if array is None:
-            near = difflib.get_close_matches(key, self.names, 1, 0.5)
-            hint = (
-                f"did you mean {near[0]}?" if near else f"it has: {', '.join(self.names) or 'none'}"
-            )
-            raise KeyError(f"the cloud has no array {key}; {hint}")
-        return vtk_to_numpy(array)
+        if array is not None:
+            return vtk_to_numpy(array)
+        name, component = self._find_alias(key)
+        if name is None:
+            raise KeyError(explain_missing(key, self.names))
+        return self[name] if component is None else self[name][:, component]
+
+    def _find_alias(self, name):
+        """Returns the array, and its component, that another program's name stands for; warns."""
+        found, component = find_array(name, self.names)
+        if found not in (None, COORDINATES):
+            hint = f"{name} is {found} here: cloud[{found!r}]"
+            warnings.warn(hint, UserWarning, stacklevel=3)
+        return found, component
 
     def __setitem__(self, name, values):
         """Adds or replaces an array; it has as many rows as there are points."""
+        if name not in self and (found := find_array(name, self.names))[0]:
+            name = self._find_alias(name)[0]
+            if name == COORDINATES:
+                self.points[:, slice(None) if found[1] is None else found[1]] = values
+                self.data.GetPoints().Modified()
+                return
         array = np.asarray(values)
         if len(array.shape) not in (1, 2) or len(array) != len(self):
             raise ValueError(f"{name} has the shape {array.shape}; give {len(self)} rows")
@@ -192,11 +239,13 @@ class Cloud(View):
         return to_open3d(self)
 
     def write(self, path):
-        """Writes a file; its ending selects the format: .xyz (text), .las, .vtp (ParaView).
+        """Writes a file; its ending selects the format: .las, .laz, .copc.laz, .xyz, .csv (text), .vtp,
+        .pvtp (ParaView), .ply, .pcd or .e57, see Docs/files.md.
 
-        See Docs/files.md.
+        What the format cannot hold is a warning. Raises FormatError (a ValueError), PipelineError
+        and OSError.
         """
-        write.write(self, os.fspath(path))
+        write_cloud(self, path)
 
     def plant_area(self, **options):
         """Estimates the plant area density in the voxels of a grid, and returns a PlantArea.
@@ -262,9 +311,47 @@ class Cloud(View):
         )
 
     def __iter__(self):
-        raise TypeError(
-            "a cloud is not a sequence of points; use points, records or arrays by name"
-        )
+        """Yields the record of every point."""
+        return iter(self.records)
+
+    def __array__(self, dtype=None, copy=None):
+        """Returns the coordinates, n x 3: np.asarray(cloud) is cloud.points."""
+        return self.points if dtype is None else self.points.astype(dtype, copy=False)
+
+    def __add__(self, other):
+        """Returns the points of both clouds, with all arrays of either: missing values are those of
+        vtkhelios convert. A copy, without waveforms, pulses and sub-rays, whose ids may be the same.
+
+        Raises ValueError for clouds with different coordinate systems.
+        """
+        if not isinstance(other, Cloud):
+            return NotImplemented
+        chunk, header = add_clouds([self, other])
+        joined = Cloud.from_arrays(chunk.pop(COORDINATES), **chunk)
+        joined.data.GetFieldData().ShallowCopy(header.fields)
+        return joined
+
+    def __radd__(self, other):
+        """Returns the cloud itself, for sum()."""
+        return self if isinstance(other, int) and other == 0 else NotImplemented
+
+    if not typing.TYPE_CHECKING:  # else a type checker accepts any attribute
+
+        def __getattr__(self, name):
+            """Returns arrays by the names that laspy has for them."""
+            if name.startswith("_") or "data" not in vars(self):
+                raise no_attribute(self, name)
+            found, component = self._find_alias(name)
+            if found is None:
+                raise no_attribute(self, name, explain_missing(name, self.names, dir(self)))
+            return self[found] if component is None else self[found][:, component]
+
+    def __setattr__(self, name, value):
+        is_own = name in _ATTRIBUTES or hasattr(type(self), name)
+        if name in ("x", "y", "z") or (not is_own and find_array(name, self.names)[0]):
+            self[name] = value
+        else:
+            object.__setattr__(self, name, value)
 
     def __repr__(self):
         if not len(self):
@@ -282,6 +369,30 @@ class Cloud(View):
         ]
         head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"
         return f"<b>Cloud</b>, {counted(len(self), 'point')}<table>{head}{''.join(rows)}</table>"
+
+
+def read(path, waveforms=False):
+    """Reads points as a Cloud: .las, .laz, .copc.laz, .xyz, .csv, .txt, .asc, .pts, .ptx, .vtp, .pvtp,
+    .ply, .pcd, .e57, or the folder of a run, whose points have LegIds.
+
+    waveforms
+        True: also those in the file or beside it, as ``cloud.waveforms``.
+
+    Surveys are read by read_survey(), meshes by Scene.read(). Raises FormatError (a ValueError) with
+    the reason and the remedy.
+
+    >>> cloud = vtkhelios.read("village.laz")
+    """
+    chunk, header = read_chunks(path)
+    cloud = Cloud.from_arrays(chunk.pop(COORDINATES), **chunk)
+    cloud.data.GetFieldData().ShallowCopy(header.fields)
+    if waveforms:
+        tables = read_tables(path)
+        cloud.waveforms = tables[0] if len(tables) == 1 else join_tables(tables)
+    return cloud
+
+
+_ATTRIBUTES = ("data", "waveforms", "pulses", "sub_rays")
 
 
 def _unpack(data, waveforms, pulses, sub_rays):

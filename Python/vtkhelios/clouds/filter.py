@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from ..core.compose import METHODS, compose
 from ..core.views import data_of
+from ..core.words import no_attribute
 from .cloud import Cloud
 
 __all__ = ["FunctionAlgorithm", "filter"]
@@ -115,8 +116,10 @@ class FunctionAlgorithm(VTKPythonAlgorithmBase):
             self.Modified()
         else:
             has = ", ".join(self._values) or "none"
-            raise AttributeError(
-                f"{self._maker.function.__name__}() has no property {name}; it has: {has}"
+            raise no_attribute(
+                self,
+                name,
+                f"{self._maker.function.__name__}() has no property {name}; it has: {has}",
             )
 
     def __rshift__(self, right):

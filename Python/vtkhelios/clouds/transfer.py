@@ -3,9 +3,11 @@
 """Polygonal data and tables as numpy arrays and texts, which can be pickled."""
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray, vtkTypeInt64Array
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
+
+from ..core.arrays import numpy_to_vtk
 
 _CELLS = ("Verts", "Lines", "Polys", "Strips")
 

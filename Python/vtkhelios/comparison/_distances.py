@@ -6,10 +6,12 @@ They are of a random sample of points, against all points.
 """
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
+
+from ..core.arrays import numpy_to_vtk
 
 STEP = 1000  # points between signs of progress
 

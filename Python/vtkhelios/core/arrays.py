@@ -2,7 +2,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK data as numpy arrays without a copy."""
 
+from vtkmodules.util import numpy_support
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkCommand
+
+
+def numpy_to_vtk(values, deep=0, array_type=None):
+    """Returns VTK's numpy_to_vtk(), whose array keeps the memory of the values by an observer.
+
+    VTK keeps it by an attribute of the array in Python, which VTK 9.1 releases while it iterates over such
+    attributes: memory of another array of VTK is then freed in between, and its list is damaged.
+    """
+    array = numpy_support.numpy_to_vtk(values, deep, array_type)
+    kept = vars(array).pop("_numpy_reference", None)
+    if kept is not None:
+        array.AddObserver(vtkCommand.DeleteEvent, lambda *_, kept=kept: None)
+    return array
 
 
 def arrays(data):

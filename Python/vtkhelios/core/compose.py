@@ -6,6 +6,8 @@
 >>> cloud = ((scene, trajectory) >> scanner)()
 """
 
+import html
+
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
@@ -53,6 +55,11 @@ class Pipeline:
         names = [member.GetClassName() for member in reversed(upstream(self.last))]
         return f"Pipeline({' >> '.join(names)})"
 
+    def _repr_html_(self):
+        """The algorithms in the order of the data, each with the properties that are set."""
+        members = [html.escape(_describe(each)) for each in reversed(upstream(self.last))]
+        return f"<b>Pipeline</b><ol>{''.join(f'<li>{each}</li>' for each in members)}</ol>"
+
 
 class _Ports:
     """An algorithm with selected ports; see select_ports()."""
@@ -65,6 +72,12 @@ class _Ports:
 
     def __rrshift__(self, left):
         return compose(left, self)
+
+
+def _describe(algorithm):
+    """Returns the line of an algorithm; of VTK's own, whose text is long, the name of its class."""
+    text = repr(algorithm)
+    return algorithm.GetClassName() if "\n" in text or text.startswith("<") else text
 
 
 def select_ports(*arguments):

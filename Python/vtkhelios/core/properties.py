@@ -13,6 +13,7 @@ import re
 
 from .pipeline import MessageLog
 from .views import data_of
+from .words import no_attribute
 
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 
@@ -300,4 +301,6 @@ def refuse(vtk_object, name):
     settable = [key for key, value in properties(cls).items() if value.setter_name]
     near = difflib.get_close_matches(snake_case(name), settable, 1, 0.6)
     hint = f"; did you mean {near[0]}?" if near else f"; it has: {', '.join(settable)}"
-    raise AttributeError(f"{vtk_object.GetClassName()} has no property {name}{hint}")
+    raise no_attribute(
+        vtk_object, name, f"{vtk_object.GetClassName()} has no property {name}{hint}"
+    )

@@ -102,3 +102,10 @@ def _describe(value):
 def describe_settings(settings):
     """Returns the settings of a summary that are set, as rows of a page."""
     return [describe_setting(key, value) for key, value in settings.items() if value is not None]
+
+
+def no_attribute(owner, name, reason=None):
+    """Returns the AttributeError of a name, without the suggestion that Python adds to its own."""
+    error = AttributeError(reason or f"{type(owner).__name__} has no attribute {name}")
+    error.name, error.obj = "", None  # else it suggests another name beside ours
+    return error

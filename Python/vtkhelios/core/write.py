@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes a cloud to a file; its ending selects the format."""
+"""Writes a cloud to a file of our own formats, also without points, and with waveforms."""
 
 import errno
 import os
@@ -16,20 +16,17 @@ from .pipeline import MessageLog, conclude
 
 
 def write(cloud, path):
-    """Writes a Cloud to .xyz, .las or .vtp; raises PipelineError, ValueError and OSError."""
-    ending = os.path.splitext(path)[1].lower()
-    writers = {".xyz": _write_text, ".las": _write_las, ".vtp": _write_vtp}
-    if ending not in writers:
-        raise ValueError(f"{path} ends in {ending!r}; give one of: {', '.join(writers)}")
+    """Writes a Cloud to a file with one of ENDINGS; raises PipelineError and OSError."""
     with MessageLog() as log:
-        succeeded = writers[ending](cloud, path, log)
+        succeeded = _WRITERS[os.path.splitext(path)[1].lower()](cloud, path, log)
     conclude(log)
     if not succeeded:
         raise OSError(f"{path} cannot be written; is its folder there?")
 
 
 def _write_text(cloud, path, log):
-    return _write_block(vtk_class("vtkHeliosPointTextWriter")(), cloud, path, log)
+    writer = vtk_class("vtkHeliosPointTextWriter")(fill_missing=True)
+    return _write_block(writer, cloud, path, log)
 
 
 def _write_las(cloud, path, log):
@@ -52,6 +49,10 @@ def _write_block(writer, cloud, path, log):
 def _write_vtp(cloud, path, _log):
     write_points(cloud.with_vertices().data, path)
     return True
+
+
+_WRITERS = {".xyz": _write_text, ".las": _write_las, ".vtp": _write_vtp}
+ENDINGS = tuple(_WRITERS)
 
 
 def write_points(data, path):

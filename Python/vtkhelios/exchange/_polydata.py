@@ -4,12 +4,13 @@
 
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_ID_TYPE, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
+from ..core.arrays import numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.pipeline import update
 from ._meshes import Mesh, read_parts

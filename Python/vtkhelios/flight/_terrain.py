@@ -4,12 +4,12 @@
 
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ..array_names import NORMAL, ON_GROUND
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.pipeline import update
 

@@ -18,7 +18,7 @@ To add a format: a module with a Reader and a Writer (see _base.py; None: not wr
 FORMATS (_endings.py), of which errors, vtkhelios view and Docs/files.md (Python/make_endings.py) know.
 """
 
-from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, guarded
+from ._base import ROWS, Chunk, FormatError, Header, Reader, Scan, Writer, guarded
 from ._endings import FORMATS
 from ._las import check_waveforms
 from ._open import TABLES, WRITTEN, ending, open_file, open_writer
@@ -26,7 +26,7 @@ from ._pulsewaves import PulseWaves, read_pulsewaves
 from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
-__all__ += ["FORMATS", "TABLES", "WRITTEN", "ending", "open_reader", "open_writer"]
+__all__ += ["FORMATS", "ROWS", "TABLES", "WRITTEN", "ending", "open_reader", "open_writer"]
 __all__ += ["PulseWaves", "check_waveforms", "read_pulsewaves"]
 
 

@@ -10,7 +10,6 @@ import pathlib
 import re
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
 
@@ -22,7 +21,7 @@ from ..array_names import (
     INTENSITY, LEG_IDS, MATERIAL_IDS, NEAR_INFRARED, NUMBER_OF_RETURNS, PART_IDS, PART_NAME,
     PULSE_IDS, RANGE, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG, USER_DATA, WAVEFORM_IDS,
 )  # fmt: skip
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.files import drop_part, keep_part, open_part, part_of
 from ..core.pipeline import MessageLog
 from ..core.systems import find_system

@@ -12,8 +12,9 @@ import pathlib
 import struct
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+
+from ..core.arrays import numpy_to_vtk
 
 from ..array_names import (
     BIN_SIZE, CHANNEL_IDS, COUNT, DIRECTION, EDGE_OF_FLIGHT_LINE, GPS_TIME, OFFSET, ORIGIN,

@@ -4,6 +4,7 @@
 
 import pathlib
 
+from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from ..core.arrays import arrays
@@ -81,3 +82,12 @@ def waveform_tables(owner, path):
     for piece in range(pieces):
         call(owner, reader, lambda piece=piece: reader.UpdatePiece(piece, pieces, 0))
         yield arrays(reader.GetOutputDataObject(port))
+
+
+def read_waveforms(owner, path):
+    """Returns the waveforms of a file, a vtkTable; warnings become notes of the owner."""
+    reader = make_waveform_reader(path)
+    call(owner, reader, reader.Update)
+    table = vtkTable()
+    table.ShallowCopy(reader.GetOutputDataObject(reader.GetNumberOfOutputPorts() - 1))
+    return table

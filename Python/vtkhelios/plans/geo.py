@@ -6,11 +6,12 @@ in degrees."""
 import dataclasses
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..array_names import CRS
+from ..core.arrays import numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.files import write_files
 from ..core.paths import text_from_vtk, to_vtk

@@ -9,10 +9,10 @@ import pathlib
 import re
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from ..core.arrays import numpy_to_vtk
 from ..core.json_files import JsonError, parse_json
 from .kinds import Setting, SettingError
 

@@ -13,13 +13,13 @@ Both are input for vtkHeliosPointVoxelizer, as any VTK data set with points is:
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 
 from ..array_names import CRS, NORMALS, RGB
+from ..core.arrays import numpy_to_vtk
 from ..core.pipeline import report_error
 from ..formats import open_reader
 from ..formats._records import FormatError, RecordReader

@@ -15,13 +15,13 @@ import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws at all
 from vtkmodules import vtkRenderingCore as rendering
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ..array_names import AMPLITUDE, CLASSIFICATION_IDS
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.display import has_display, start_display
 from ..core.files import cannot_be_written, write_whole
 from ..core.run_files import TRAJECTORY, beside

@@ -8,13 +8,13 @@ X display a virtual one is started, see vtkhelios.picture.
 
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
 
 from ..array_names import BEST_INCIDENCE_ANGLE, COVERABLE, NORMAL, NUMBER_OF_SCANS
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.pipeline import perform
 from ..scenes.scene import Scene, has_instances

@@ -8,7 +8,7 @@ import time
 import typing
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_INT, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -16,6 +16,7 @@ from ..array_names import (
     FIRST_CELL_IDS, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, NORMALS, PART_IDS, PART_NAME,
     PROTOTYPE_IDS,
 )  # fmt: skip
+from ..core.arrays import numpy_to_vtk
 from ..core.classes import vtk_classes
 from ..core.pipeline import PipelineError, update
 from ..core.words import counted

@@ -6,11 +6,12 @@
 """
 
 import csv
+import html
 import io
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
@@ -21,6 +22,7 @@ from ..array_names import (
     MATERIAL_RETROREFLECTION, MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY,
     MATERIAL_THICKNESS, MATERIAL_TRANSMITTANCE,
 )  # fmt: skip
+from ..core.arrays import numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
 from ..core.pipeline import MessageLog, conclude, update
@@ -59,8 +61,8 @@ class Scene:
     """Triangles to scan: ``scene.polydata`` is a vtkPolyData with materials, ready for a pipeline.
 
     points
-        the vertices [m], n x 3; or a vtkPolyData of triangles, used unchanged, or an algorithm that
-        makes one. A vtkHeliosScene keeps its instances: they have no points and triangles of their
+        the vertices [m], n x 3; or the name of a file, see read(); or a vtkPolyData of triangles, used
+        unchanged, or an algorithm that makes one. A vtkHeliosScene keeps its instances: they have no points and triangles of their
         own, but count and have a box.
         Or a mesh of another library: pyvista.PolyData or MultiBlock, trimesh.Trimesh or Scene,
         a TriangleMesh of Open3D, meshio.Mesh, a vtkPolyData of another VTK, or any object with
@@ -181,6 +183,30 @@ class Scene:
         box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
         return f"Scene({counted(len(self), 'triangle')}, {box} m)"
 
+    def _repr_html_(self):
+        fields = self.polydata.GetFieldData()
+        names, values = map(
+            fields.GetAbstractArray, (MATERIAL_NAME, MATERIAL_REFLECTANCE)
+        )  # None: no materials
+        count = names.GetNumberOfValues() if names else 0
+        rows = [
+            f"<tr><td>{html.escape(names.GetValue(i))}</td>"
+            f"<td>{'' if values is None else _fraction(values.GetValue(i))}</td></tr>"
+            for i in range(min(count, SHOWN))
+        ]
+        more = f"<tr><td>and {counted(count - SHOWN, 'more')}</td></tr>" if count > SHOWN else ""
+        table = (
+            f"<table><tr><th>material</th><th>reflectance</th></tr>{''.join(rows)}{more}</table>"
+        )
+        return html.escape(repr(self)) + (table if count else "")
+
+
+SHOWN = 20  # materials in a notebook
+
+
+def _fraction(value):
+    return "of its spectrum" if value != value else f"{value:g}"
+
 
 def has_instances(polydata):
     """Returns whether a vtkPolyData is a vtkHeliosScene with instances."""
@@ -227,7 +253,7 @@ def make_reader(path, **properties):
 def _read_mesh(source):
     """Returns a source as (vtkPolyData of triangles, polygon of each triangle or None: they are the
     same)."""
-    data = data_of(source)
+    data = make_reader(source) if isinstance(source, (str, os.PathLike)) else data_of(source)
     if hasattr(data, "GetOutputPort"):
         data = update(data)
     if isinstance(data, vtkPolyData):

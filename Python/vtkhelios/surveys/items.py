@@ -14,6 +14,7 @@ import os
 from ..core.classes import vtk_class
 from ..core.paths import text_from_vtk, to_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
+from ..core.words import no_attribute
 
 __all__ = ["SETTINGS", "Leg", "Legs", "Part", "Parts", "leg_values"]
 
@@ -96,7 +97,7 @@ def refuse(name, known, what):
     """Raises AttributeError for an unknown name, with the nearest one."""
     near = difflib.get_close_matches(name, known, 1, 0.6)
     hint = f"did you mean {near[0]}?" if near else f"known: {', '.join(known)}"
-    raise AttributeError(f"{name} is not an attribute of {what}; {hint}")
+    raise no_attribute(None, name, f"{name} is not an attribute of {what}; {hint}")
 
 
 def leg_values(settings, flies=False):

@@ -33,7 +33,7 @@ def make_survey(
 
     scene
         a Scene, a VTK data set with a surface, or an algorithm that makes one: the
-        survey follows its pipeline. Or a list of parts, a file name each, or a dictionary with the
+        survey follows its pipeline. Or the name of a mesh, or a list of parts, a file name each, or a dictionary with the
         file and what Parts.append() takes: ``["ground.obj", {"file": "car.obj", "scale": 2}]``.
     legs
         a dictionary each, or only a position. ``position``: x, y on the ground below, or
@@ -78,6 +78,8 @@ def make_survey(
     conclude(log)
     if not succeeded:
         raise PipelineError(["the survey is not valid, for a reason that was not reported"])
+    if isinstance(scene, (str, os.PathLike)):
+        scene = [scene]
     if not isinstance(scene, (list, tuple)):
         return Survey(survey, scene=scene, trajectory=trajectory)
     made = Survey(survey, trajectory=trajectory)

@@ -39,9 +39,11 @@ _DEFAULT = (
 
 def not_covered(owner, name):
     """The error of a name that the owner does not have."""
-    return NotCoveredError(
+    error = NotCoveredError(
         f"{owner}.{name} is not covered by vtkhelios.compat.pyhelios: {INSTEAD.get(name, _DEFAULT)}"
     )
+    error.name = ""  # else Python suggests another name
+    return error
 
 
 class Closed:
