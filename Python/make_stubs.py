@@ -7,6 +7,7 @@
 vtkhelios/__init__.pyi: types of the wrapped classes for editors and type checkers. Methods come
 from the signatures of VTK's wrapper, properties and their texts, with units and ranges, from the
 C++ documentation.
+vtkhelios/surveys/keywords.pyi: the keywords of runs, legs and plans, for the signatures of functions.
 vtkhelios/array_names.py: the constants of the headers of array names; VTK wraps no constant texts.
 
 A test fails when a file is out of date.
@@ -21,6 +22,7 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 STUB = ROOT / "Python/vtkhelios/__init__.pyi"
+KEYWORDS = ROOT / "Python/vtkhelios/surveys/keywords.pyi"
 ARRAY_NAMES = ROOT / "Python/vtkhelios/array_names.py"
 NAME_HEADERS = (
     "Filters/Core/vtkHeliosArrayNames.h",
@@ -216,6 +218,62 @@ def make_blocks(package):
     return HEAD + types.imports() + THIN_LAYER, blocks
 
 
+KEYWORDS_HEAD = """\
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by Python/make_stubs.py; do not edit.
+from typing import Any, Literal, Optional, Sequence, Tuple, TypedDict, Union
+
+"""
+PAIR, FLAG, NUMBER = "Tuple[float, float]", "bool", "float"
+LEG_FLAGS = ("stop_and_turn", "smooth_turn", "active")
+
+
+def make_keywords(package):
+    """The text of keywords.pyi: dictionaries of the keywords of functions, and the attributes of a leg."""
+    from vtkhelios.plans.settings import SETTINGS as plan
+    from vtkhelios.surveys import options, outputs
+    from vtkhelios.surveys.items import SETTINGS, attributes
+    from vtkhelios.surveys.survey import _FILES
+
+    types = Types(package)
+    rows = sys.modules["vtkhelios.core.properties"].properties(package.vtkHeliosRunOptions)
+    run = {name: _keyword(rows[key], types) for name, key in options.in_python().items()}
+    run |= dict.fromkeys(outputs.in_memory(), FLAG) | {"instances": FLAG, "mesh": "Any"}
+    files = dict.fromkeys(name for name in outputs.in_files() if name not in run) | dict.fromkeys(
+        _FILES
+    )
+    leg = {name: PAIR if isinstance(target, tuple) else FLAG if name in LEG_FLAGS else NUMBER
+           for name, target in SETTINGS.items()}  # fmt: skip
+    more = {name: "Any" for name in attributes("leg") if name not in leg}
+    own = {key: kind for key, kind in {**leg, **more}.items() if key != "trajectory"}  # a parameter
+    place = {"position": "Sequence[float]", "on_ground": FLAG}
+    tables = {
+        "RunOptions": run,
+        "FileOptions(RunOptions)": {name: kind or "Any" for name, kind in files.items()},
+        "LegSettings": {name: f"Optional[{kind}]" for name, kind in own.items()},
+        "ScanOptions(RunOptions, LegSettings)": {"progress": "Any"},
+        "PlanSettings": dict.fromkeys(plan, "Any"),
+    }
+    blocks = [_dictionary(name, rows) for name, rows in tables.items()]
+    lines = [f"    {name}: {kind}" for name, kind in {**place, **leg, **more}.items()]
+    return KEYWORDS_HEAD + "\n".join([*blocks, "class LegAttributes:\n" + "\n".join(lines) + "\n"])
+
+
+def _keyword(value, types):
+    """Returns the type of a keyword; None is the default. Numbers have more than the words of today."""
+    kind = _annotation(value, types)
+    kind = "str" if kind.startswith("Union[Literal") or "str" in kind else kind
+    return f"Optional[{kind}]" if kind in PLAIN else "Any"
+
+
+def _dictionary(name, rows):
+    name, _, bases = name.partition("(")
+    base = bases.rstrip(")") or "TypedDict"
+    lines = [f"    {key}: {kind}" for key, kind in rows.items()]
+    return f"class {name}({base}, total=False):\n" + "\n".join(lines) + "\n"
+
+
 # The comment of a group, a comment of the next name, or a name with its text and comment.
 ENTRY = re.compile(
     r"/\*\*(?P<group>.*?)\*/|^// (?P<above>[^\n]*)"
@@ -250,6 +308,7 @@ def main():
     import vtkhelios
 
     head, blocks = make_blocks(vtkhelios)
+    KEYWORDS.write_text(make_keywords(vtkhelios))
     STUB.write_text(head + "".join(f"\n{block}" for block in blocks.values()))
     print(f"{STUB.relative_to(ROOT)}: {len(blocks)} classes")
 

@@ -144,7 +144,15 @@ def test_sums(cloud):
     joined = cloud + other
     assert len(joined) == 7 and joined.points[5:].tolist() == [[50, 50, 50], [50, 50, 50]]
     assert joined["Range"].tolist() == [0, 1, 2, 3, 4, 1, 2]
-    assert joined["PulseIds"].tolist() == [0, 2, 4, 6, 8, -1, -1]  # as vtkhelios convert --merge
+    assert joined["PulseIds"].tolist() == [
+        0,
+        2,
+        4,
+        6,
+        8,
+        -1,
+        -1,
+    ]  # vtkhelios convert --merge gives -1, too
     assert joined["ReturnNumber"].tolist() == [1, 1, 1, 1, 1, 1, 2]
     assert np.isnan(joined["Normal"][5:]).all() and len(sum([cloud, other, other])) == 9
     with pytest.raises(TypeError, match="unsupported operand"):
@@ -202,7 +210,7 @@ def test_names_of_laspy_and_pdal_are_known():
             "it has LegIds, the number of the leg, which is the point source less 1",
         ),
         ("red", "it has RGB, red, green and blue from 0 to 1"),
-        ("Amplitud", r"did you mean Amplitude\?"),
+        ("Amplituda", r"did you mean Amplitude\?"),
     ],
 )
 def test_names_for_other_values_are_errors_with_one_hint(name, message):

@@ -4,7 +4,10 @@
 
 import ast
 import importlib.util
+import os
 import pathlib
+import subprocess
+import sys
 
 import pytest
 
@@ -45,6 +48,53 @@ def test_stub_is_current(stubs):
         made = own_members(ast.parse(block).body[0], cls)
         assert made == own_members(trees[name], cls), f"{name} has changed: {CURE}"
     assert stubs.THIN_LAYER in text, CURE
+
+
+def test_keywords_are_current(stubs):
+    assert stubs.make_keywords(vtkhelios) == stubs.KEYWORDS.read_text(), CURE
+
+
+USER = """\
+import numpy as np
+import vtkhelios
+
+survey = vtkhelios.read_survey("survey.xml")
+cloud = survey.run(tolerance=0.001, waveforms=True)
+near: vtkhelios.Cloud = cloud[cloud["Range"] < 50] + vtkhelios.read("a.laz")
+first: np.void = cloud[0]
+survey.legs[0].scan_frequency = 50
+survey.legs.append((10, 0), head=(0, 360))
+scene = vtkhelios.Scene(np.zeros((3, 3)), np.zeros((1, 3), int))
+made: vtkhelios.Survey = vtkhelios.make_survey(scene, [(0, 0)], scan_frequency=100)
+lowest: float = vtkhelios.scan(scene, position=(0, 0), vertical=(-40, 60), seed=3).bounds[4]
+sites = vtkhelios.plan(scene, grid=2).positions.shape
+"""
+WRONG = {
+    "survey.run(tolerancy=1)": 'Unexpected keyword argument "tolerancy"',
+    "survey.legs[0].scan_frequenz = 5": '"LegAttributes" has no attribute "scan_frequenz"',
+    "cloud.pints": '"Cloud" has no attribute "pints"',
+    "vtkhelios.scan(scene, position=(0, 0), seeds=3)": 'Unexpected keyword argument "seeds"',
+    "bad: int = vtkhelios.read('a.las')": 'has type "Cloud", variable has type "int"',
+}
+
+
+def test_a_type_checker_finds_what_is_misspelt(tmp_path):
+    pytest.importorskip("mypy")
+    (tmp_path / "user.py").write_text(USER + "\n".join(WRONG) + "\n")
+    options = ["--follow-imports=silent", "--ignore-missing-imports", f"--cache-dir={tmp_path}"]
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", *options, "user.py"],
+        cwd=tmp_path,
+        env={**os.environ, "MYPYPATH": str(pathlib.Path(vtkhelios.__file__).parents[1])},
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    first = USER.count("\n") + 1
+    lines = [line for line in done.stdout.splitlines() if ": error:" in line]
+    assert len(lines) == len(WRONG), done.stdout + done.stderr
+    for number, (line, message) in enumerate(zip(lines, WRONG.values()), first):
+        assert line.startswith(f"user.py:{number}: error:") and message in line
 
 
 def test_stub_is_python_and_types_are_known(stubs):

@@ -45,6 +45,10 @@ class Cloud(View):
     >>> cloud.points[cloud["ReturnNumber"] == 1]
     """
 
+    waveforms: typing.Any
+    pulses: "Cloud | None"
+    sub_rays: "Cloud | None"
+
     def __init__(self, polydata=None, waveforms=None, pulses=None, sub_rays=None):
         self.data = vtkPolyData() if polydata is None else polydata
         if not hasattr(self.data, "IsA") or not self.data.IsA("vtkPolyData"):
@@ -55,7 +59,7 @@ class Cloud(View):
         self.waveforms, self.pulses, self.sub_rays = waveforms, pulses, sub_rays
 
     @classmethod
-    def from_arrays(cls, points, **columns):
+    def from_arrays(cls, points, **columns) -> "Cloud":
         """Returns a cloud of points (n x 3) and arrays of n rows, shared if possible.
 
         float64 points and contiguous arrays of numbers are not copied. Boolean arrays become uint8.
@@ -73,38 +77,38 @@ class Cloud(View):
         return cloud
 
     @property
-    def polydata(self):
+    def polydata(self) -> typing.Any:
         """The vtkPolyData, with a vertex per point if it has no cells."""
         if self.data.GetNumberOfCells() == 0 and len(self):
             self.data.SetVerts(_make_vertices(len(self)))
         return self.data
 
     @property
-    def points(self):
+    def points(self) -> np.ndarray:
         """The coordinates [m], n x 3."""
         holder = self.data.GetPoints()
         return vtk_to_numpy(holder.GetData()) if holder else np.empty((0, 3))
 
     @property
-    def x(self):
+    def x(self) -> np.ndarray:
         """The first coordinate [m], a view of points; y and z are the others."""
         return self.points[:, 0]
 
     @property
-    def y(self):
+    def y(self) -> np.ndarray:
         return self.points[:, 1]
 
     @property
-    def z(self):
+    def z(self) -> np.ndarray:
         return self.points[:, 2]
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         """The names of the point arrays, except string arrays."""
         return [name for name in arrays(self.data) if name != "points"]
 
     @property
-    def bounds(self):
+    def bounds(self) -> tuple[float, float, float, float, float, float]:
         """The box in VTK's order: lowest x, highest x, lowest y, highest y, lowest z, highest z [m].
 
         NaN without points.
@@ -113,6 +117,18 @@ class Cloud(View):
             return (math.nan,) * 6
         ends = zip(self.points.min(axis=0).tolist(), self.points.max(axis=0).tolist())
         return tuple(itertools.chain.from_iterable(ends))
+
+    @typing.overload
+    def __getitem__(self, key: str) -> np.ndarray:
+        ...
+
+    @typing.overload
+    def __getitem__(self, key: int) -> np.void:
+        ...
+
+    @typing.overload
+    def __getitem__(self, key: "slice | list | np.ndarray") -> "Cloud":
+        ...
 
     def __getitem__(self, key):
         """Returns an array by its name, without a copy; by an index, a record of the point; by a
@@ -142,7 +158,7 @@ class Cloud(View):
             warnings.warn(hint, UserWarning, stacklevel=3)
         return found, component
 
-    def __setitem__(self, name, values):
+    def __setitem__(self, name: str, values) -> None:
         """Adds or replaces an array; it has as many rows as there are points."""
         if name not in self and (found := find_array(name, self.names))[0]:
             name = self._find_alias(name)[0]
@@ -160,23 +176,23 @@ class Cloud(View):
         column.SetName(name)
         self.data.GetPointData().AddArray(column)
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self.names
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self.data.GetNumberOfPoints()
 
     def __bool__(self):
         return True
 
     @property
-    def records(self):
+    def records(self) -> "Records":
         """All arrays as the fields of one table, without a copy: see Records."""
         columns = arrays(self.data)
         columns.setdefault("points", self.points)
         return Records(columns)
 
-    def to_structured(self, names=None):
+    def to_structured(self, names=None) -> np.ndarray:
         """Returns a structured array of all, or some, arrays; x, y and z are the first fields.
 
         This is a copy: its rows are contiguous in memory, while VTK's arrays are contiguous by
@@ -184,7 +200,7 @@ class Cloud(View):
         """
         return self.records.to_structured(names)
 
-    def filter(self, keep):
+    def filter(self, keep) -> "Cloud":
         """Returns a new cloud of the points selected by a mask or by indices."""
         keep = keep if isinstance(keep, slice) else np.asarray(keep)
         if isinstance(keep, np.ndarray):
@@ -203,7 +219,7 @@ class Cloud(View):
         kept.waveforms, kept.pulses, kept.sub_rays = self.waveforms, self.pulses, self.sub_rays
         return kept
 
-    def with_vertices(self):
+    def with_vertices(self) -> "Cloud":
         """Returns the same points and arrays with a vertex per point, and no other cells."""
         shown = vtkPolyData()
         shown.ShallowCopy(self.data)
@@ -238,7 +254,7 @@ class Cloud(View):
         """
         return to_open3d(self)
 
-    def write(self, path):
+    def write(self, path) -> None:
         """Writes a file; its ending selects the format: .las, .laz, .copc.laz, .xyz, .csv (text), .vtp,
         .pvtp (ParaView), .ply, .pcd or .e57, see Docs/files.md.
 
@@ -310,15 +326,15 @@ class Cloud(View):
             cloud.__sizeof__() for cloud in clouds
         )
 
-    def __iter__(self):
+    def __iter__(self) -> typing.Iterator[np.void]:
         """Yields the record of every point."""
         return iter(self.records)
 
-    def __array__(self, dtype=None, copy=None):
+    def __array__(self, dtype=None, copy=None) -> np.ndarray:
         """Returns the coordinates, n x 3: np.asarray(cloud) is cloud.points."""
         return self.points if dtype is None else self.points.astype(dtype, copy=False)
 
-    def __add__(self, other):
+    def __add__(self, other: "Cloud") -> "Cloud":
         """Returns the points of both clouds, with all arrays of either: missing values are those of
         vtkhelios convert. A copy, without waveforms, pulses and sub-rays, whose ids may be the same.
 
@@ -331,7 +347,7 @@ class Cloud(View):
         joined.data.GetFieldData().ShallowCopy(header.fields)
         return joined
 
-    def __radd__(self, other):
+    def __radd__(self, other: int) -> "Cloud":
         """Returns the cloud itself, for sum()."""
         return self if isinstance(other, int) and other == 0 else NotImplemented
 
@@ -371,7 +387,7 @@ class Cloud(View):
         return f"<b>Cloud</b>, {counted(len(self), 'point')}<table>{head}{''.join(rows)}</table>"
 
 
-def read(path, waveforms=False):
+def read(path, waveforms: bool = False) -> Cloud:
     """Reads points as a Cloud: .las, .laz, .copc.laz, .xyz, .csv, .txt, .asc, .pts, .ptx, .vtp, .pvtp,
     .ply, .pcd, .e57, or the folder of a run, whose points have LegIds.
 

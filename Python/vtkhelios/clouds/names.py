@@ -7,7 +7,7 @@ import difflib
 from ..array_names import AMPLITUDE, CHANNEL_IDS, INTENSITY, LEG_IDS, RGB, SCAN_ANGLE
 from ..core.classes import vtk_class
 
-XYZ = "xyz"  # of laspy: all coordinates
+XYZ = "xyz"  # laspy calls all coordinates so
 COORDINATES = "points"
 
 # Arrays whose values are others than those of the name that is given, and how they differ.

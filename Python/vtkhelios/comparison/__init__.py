@@ -27,7 +27,7 @@ def compare(
     seed=0,
     progress=None,
     height_unit=None,
-):
+) -> Comparison:
     """Measures two clouds and returns a Comparison.
 
     a, b

@@ -17,7 +17,7 @@ __all__ = ["Fit", "Strip", "Value", "fit"]
 POINTS = 20_000_000  # default
 
 
-def fit(*clouds, unit=None, points=POINTS, progress=None):
+def fit(*clouds, unit=None, points=POINTS, progress=None) -> Fit:
     """Finds what a cloud shows of its instrument, and returns a Fit.
 
     clouds

@@ -13,6 +13,7 @@ import time
 import typing
 import warnings
 
+import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ..clouds.cloud import Cloud
@@ -22,6 +23,7 @@ from ..core.pipeline import perform, update
 from ..core.watching import Progress
 from ..core.words import counted
 from ..scenes.scene import Scene, has_instances
+from ..surveys.survey import Survey
 from . import files as plan_files
 from .document import check_assets, make_document
 from .geo import Geography, check_formats
@@ -29,10 +31,15 @@ from .places import to_places
 from .settings import check_settings, fill_document, fill_filters
 from .summary import make_report, order_positions
 
+if typing.TYPE_CHECKING:  # keywords, made by Python/make_stubs.py
+    from ..surveys.keywords import PlanSettings
+
 __all__ = ["Plan", "PlanTask", "plan"]
 
 
-def plan(scene, assets=(), name=None, progress=None, **settings):
+def plan(
+    scene, assets=(), name=None, progress=None, **settings: "typing.Unpack[PlanSettings]"
+) -> "Plan":
     """Finds the fewest positions to scan a scene from; returns a Plan.
 
     scene
@@ -260,23 +267,23 @@ class Plan:
         self.report = {**make_report(task, self.outputs[2], walk), "timings": dict(seconds)}
 
     @property
-    def positions(self):
+    def positions(self) -> np.ndarray:
         return self.scans.points
 
     @property
-    def coverage(self):
+    def coverage(self) -> float:
         return self.report["result"]["coverableCoverage_percent"]
 
     @property
-    def is_proved_optimal(self):
+    def is_proved_optimal(self) -> bool:
         """Whether there is no plan with fewer scans of these candidates."""
         return self.report["result"]["isProvedOptimal"]
 
-    def survey(self):
+    def survey(self) -> Survey:
         """Returns the Survey that scans from the positions, one leg each."""
         return plan_files.plan_survey(self)
 
-    def write(self, folder="output", overwrite=False, picture=False, geo=None):
+    def write(self, folder="output", overwrite=False, picture=False, geo=None) -> list:
         """Writes the files of ``vtkhelios plan`` and returns their paths.
 
         They are in a folder with the plan's name below the given one. A scene in memory is written,
@@ -304,7 +311,7 @@ class Plan:
             report = {**self.report, "files": [path.name for path in files]}
             return [*files, plan_files.summary_file(report, folder)]
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.positions)
 
     def __repr__(self):

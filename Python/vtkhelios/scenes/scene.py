@@ -102,19 +102,19 @@ class Scene:
             _add_optics(self.polydata, optics)
 
     @property
-    def points(self):
+    def points(self) -> np.ndarray:
         """The vertices [m], n x 3, without a copy; call modified() after changes in place."""
         _check_no_instances(self.polydata, "points")
         return vtk_to_numpy(self.polydata.GetPoints().GetData())
 
     @property
-    def triangles(self):
+    def triangles(self) -> np.ndarray:
         """The indices of vertices, m x 3, without a copy."""
         _check_no_instances(self.polydata, "triangles")
         return vtk_to_numpy(self.polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
     @property
-    def bounds(self):
+    def bounds(self) -> tuple[np.ndarray, np.ndarray]:
         """The box: (lowest x, y, z), (highest x, y, z) [m]."""
         if not has_instances(self.polydata):
             return self.points.min(axis=0), self.points.max(axis=0)
@@ -125,10 +125,10 @@ class Scene:
         conclude(log)
         return np.array(box[::2]), np.array(box[1::2])
 
-    def __len__(self):
+    def __len__(self) -> int:
         return count_triangles(self.polydata)
 
-    def __add__(self, other):
+    def __add__(self, other) -> "Scene":
         """Merges both scenes."""
         composer = vtk_class("vtkHeliosSceneComposer")()
         composer.AddInputDataObject(0, self.polydata)
@@ -137,7 +137,7 @@ class Scene:
         joined.ShallowCopy(update(composer))
         return Scene(joined)
 
-    def write(self, path):
+    def write(self, path) -> None:
         """Writes an OBJ file and its materials, which read back as the same scene.
 
         Instances are written as copies.
@@ -161,7 +161,7 @@ class Scene:
         return scene_to_pyvista(flatten(self.polydata))
 
     @classmethod
-    def read(cls, path, **properties):
+    def read(cls, path, **properties) -> "Scene":
         """Reads a mesh: .obj, .tif, .ply, .stl, .gltf, .glb, .json or .jsonl (CityJSON).
 
         Properties belong to the reader of the file, such as vtkHeliosCityJSONReader:
@@ -172,7 +172,7 @@ class Scene:
         mesh.ShallowCopy(update(make_reader(path, **properties)))
         return cls(mesh)
 
-    def modified(self):
+    def modified(self) -> None:
         """Tells pipelines that vertices were changed in place."""
         self.polydata.GetPoints().Modified()
 

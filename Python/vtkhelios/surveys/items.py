@@ -10,11 +10,15 @@ import collections.abc
 import difflib
 import functools
 import os
+import typing
 
 from ..core.classes import vtk_class
 from ..core.paths import text_from_vtk, to_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
 from ..core.words import no_attribute
+
+if typing.TYPE_CHECKING:  # dictionaries of keywords, made by Python/make_stubs.py
+    from .keywords import LegAttributes, LegSettings
 
 __all__ = ["SETTINGS", "Leg", "Legs", "Part", "Parts", "leg_values"]
 
@@ -286,6 +290,18 @@ class Legs(_Items):
     """The legs of a survey, including inactive ones: a list whose items can be changed."""
 
     _item = Leg
+    if typing.TYPE_CHECKING:
+
+        @typing.overload
+        def __getitem__(self, index: int) -> "LegAttributes":
+            ...
+
+        @typing.overload
+        def __getitem__(self, index: slice) -> list["LegAttributes"]:
+            ...
+
+        def __iter__(self) -> typing.Iterator["LegAttributes"]:
+            ...
 
     def __len__(self):
         return self._vtk.GetNumberOfLegs()
@@ -293,7 +309,9 @@ class Legs(_Items):
     def _remove(self, index):
         change(self._vtk, "RemoveLeg", index)
 
-    def append(self, position=None, scanner=0, platform=0, **settings):
+    def append(
+        self, position=None, scanner=0, platform=0, **settings: "typing.Unpack[LegSettings]"
+    ) -> Leg:
         """Adds a leg at a position with the settings of make_survey(), and returns it.
 
         position may be a dictionary of all settings, as in make_survey(). scanner and platform are
@@ -313,7 +331,7 @@ class Legs(_Items):
             raise
         return leg
 
-    def move(self, index, to):
+    def move(self, index: int, to: int) -> None:
         """Moves a leg to another place in the list."""
         change(self._vtk, "MoveLeg", range(len(self))[index], range(len(self))[to])
 
@@ -322,6 +340,18 @@ class Parts(_Items):
     """The parts of the scene of a survey that are not of tables: a list whose items can be changed."""
 
     _item = Part
+    if typing.TYPE_CHECKING:
+
+        @typing.overload
+        def __getitem__(self, index: int) -> Part:
+            ...
+
+        @typing.overload
+        def __getitem__(self, index: slice) -> list[Part]:
+            ...
+
+        def __iter__(self) -> typing.Iterator[Part]:
+            ...
 
     def __len__(self):
         return self._vtk.GetNumberOfSingleParts()
@@ -329,7 +359,7 @@ class Parts(_Items):
     def _remove(self, index):
         change(self._vtk, "RemovePart", index)
 
-    def append(self, file, loader=None, **values):
+    def append(self, file, loader=None, **values) -> Part:
         """Adds a part from a file, and returns it.
 
         loader is objloader, xyzloader ...; None: by the ending of the file. Other values are attributes

@@ -7,6 +7,7 @@
 """
 
 import os
+import typing
 
 from ..catalogue import find_file
 from ..core.classes import vtk_class
@@ -14,7 +15,12 @@ from ..core.folders import data_directory
 from ..core.paths import to_vtk
 from ..core.pipeline import MessageLog, PipelineError, conclude
 from .items import SETTINGS, attributes, leg_values, text_of
-from .survey import Survey, check_options, trajectory_data
+from ..clouds.cloud import Cloud
+from .inputs import trajectory_data
+from .survey import Survey, check_options
+
+if typing.TYPE_CHECKING:  # dictionaries of keywords, made by Python/make_stubs.py
+    from .keywords import LegSettings, ScanOptions
 
 __all__ = ["make_survey", "scan"]
 
@@ -27,8 +33,8 @@ def make_survey(
     name="survey",
     assets=(),
     trajectory=None,
-    **settings,
-):
+    **settings: "typing.Unpack[LegSettings]",
+) -> Survey:
     """Returns a survey (a Survey) of a scene in memory.
 
     scene
@@ -96,8 +102,8 @@ def scan(
     platform=None,
     assets=(),
     trajectory=None,
-    **more,
-):
+    **more: "typing.Unpack[ScanOptions]",
+) -> Cloud:
     """Places a scanner in a scene and returns its echoes as a Cloud.
 
     It is at a position (on a tripod), moves along a path of positions (on "copter_linearpath"), or

@@ -11,8 +11,9 @@ import json
 import os
 import pathlib
 import threading
+import typing
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .. import _native
@@ -28,11 +29,15 @@ from ..core.reading import make_reader, missing_folder
 from ..core.views import data_of
 from ..core.watching import Progress
 from ..core.words import counted
-from ..scenes.scene import Scene, add_parts
+from ..scenes.scene import add_parts
+from .inputs import scene_data, trajectory_data
 from .items import Leg, Legs, Parts, change
 from .options import in_python
 from .outputs import in_files, in_memory
 from .tradeoff_run import make_tradeoff
+
+if typing.TYPE_CHECKING:  # dictionaries of keywords, made by Python/make_stubs.py
+    from .keywords import FileOptions, RunOptions
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
@@ -41,7 +46,7 @@ _OPTIONS = in_python()
 _OUTPUTS = {"instances": "instances", **in_memory()}
 
 
-def read_survey(path, assets=(), scene=None, trajectory=None):
+def read_survey(path, assets=(), scene=None, trajectory=None) -> "Survey":
     """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
 
     scene replaces the survey's: a Scene, a VTK data set with a surface, or an algorithm that
@@ -79,7 +84,7 @@ class Survey:
 
     def __init__(self, vtk_survey, path=None, scene=None, trajectory=None):
         self.vtk, self.path = vtk_survey, path
-        self._input = _scene_data(scene)  # in place of the survey's scene
+        self._input = scene_data(scene)  # in place of the survey's scene
         self._flight = trajectory_data(trajectory)  # in place of files
         self._source = None
         self._lock = threading.RLock()
@@ -87,11 +92,11 @@ class Survey:
         self.warn = None  # in place of warnings.warn
 
     @property
-    def name(self):
+    def name(self) -> str:
         return text_from_vtk(self.vtk.GetName())
 
     @property
-    def legs(self):
+    def legs(self) -> Legs:
         """All legs, including inactive ones: a list that can be changed.
 
         >>> survey.legs[0].scan_frequency = 50
@@ -101,7 +106,7 @@ class Survey:
         return Legs(self.vtk)
 
     @property
-    def parts(self):
+    def parts(self) -> Parts:
         """The parts of the scene that are not of tables: a list that can be changed.
 
         >>> motion = {"loop": 0, "motion": {"type": "translation", "vec": (0.1, 0, 0)}}
@@ -109,7 +114,7 @@ class Survey:
         """
         return Parts(self.vtk)
 
-    def write(self, path):
+    def write(self, path) -> None:
         """Writes the survey to an XML file, or to YAML by its ending, however it was made.
 
         It reads back as the same survey with the same asset directories. What it refers to in other
@@ -124,18 +129,18 @@ class Survey:
         return self._load().GetScene()
 
     @property
-    def number_of_pulses(self):
+    def number_of_pulses(self) -> int:
         """The pulses of all legs; loads the scene."""
         return self._load().GetNumberOfPulses()
 
-    def leg_pulses(self, leg):
+    def leg_pulses(self, leg: int) -> tuple:
         """Returns the pulse ids (first, last + 1) of a leg; loads the scene."""
         self._check_leg(leg)
         ids = [0, 0]
         self._load().GetLegPulses(leg, ids)
         return tuple(ids)
 
-    def trajectory(self, leg, interval=0.1):
+    def trajectory(self, leg: int, interval: float = 0.1) -> Cloud:
         """Returns the trajectory of a leg, a sample every interval [s] and at both ends; loads the
         scene.
 
@@ -149,7 +154,7 @@ class Survey:
             raise ValueError(f"leg {leg} fires no pulses and has no trajectory of its own")
         return Cloud(_native.trajectory(self._load(), leg, interval))
 
-    def source(self, **options):
+    def source(self, **options: "typing.Unpack[RunOptions]"):
         """Returns the survey as a source of a pipeline (vtkHeliosSurveySource), with the options of
         run()."""
         source = vtk_class("vtkHeliosSurveySource")(survey=self.vtk)
@@ -164,7 +169,7 @@ class Survey:
     def __rshift__(self, right):
         return self.source() >> right
 
-    def run(self, progress=None, legs=None, **options):
+    def run(self, progress=None, legs=None, **options: "typing.Unpack[RunOptions]") -> Cloud:
         """Runs the survey in memory and returns its echoes as a Cloud.
 
         progress
@@ -234,7 +239,14 @@ class Survey:
                 clouds.append(self._run_window(options, window, watched))
         return clouds[0] if len(clouds) == 1 else _join(clouds)
 
-    def blocks(self, pulses=1_000_000, progress=None, legs=None, client=None, **options):
+    def blocks(
+        self,
+        pulses: int = 1_000_000,
+        progress=None,
+        legs=None,
+        client=None,
+        **options: "typing.Unpack[RunOptions]",
+    ) -> typing.Iterator[Cloud]:
         """The echoes as Clouds of this many pulses each, one after the other: memory holds one.
 
         Options: see run(); the blocks in order are what it returns. With a client
@@ -251,12 +263,16 @@ class Survey:
                 watched.begin, watched.end = begin / total, end / total
                 yield self._run_window(options, (begin, end), watched)
 
-    def to_delayed(self, pulses=1_000_000, legs=None, **options):
+    def to_delayed(
+        self, pulses: int = 1_000_000, legs=None, **options: "typing.Unpack[RunOptions]"
+    ) -> list:
         """Returns the blocks of blocks() as a list of dask.delayed Clouds: see Docs/cluster.md."""
         check_options(options)
         return make_delayed(self, pulses, legs, options)
 
-    def run_to(self, folder, format="xyz", progress=None, **options):
+    def run_to(
+        self, folder, format="xyz", progress=None, **options: "typing.Unpack[FileOptions]"
+    ) -> dict:
         """Runs the survey and writes a folder with the survey's name below that folder; returns a
         report.
 
@@ -289,7 +305,14 @@ class Survey:
         report = json.loads(from_vtk(player.GetReport()))
         return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
 
-    def tradeoff(self, pulses=2000, parts=True, progress=None, seconds=None, **options):
+    def tradeoff(
+        self,
+        pulses=2000,
+        parts=True,
+        progress=None,
+        seconds=None,
+        **options: "typing.Unpack[RunOptions]",
+    ):
         """Measures the cost of accuracy on this survey, and which parts of the model it requires.
 
         Runs a sample of its pulses (this many with an echo, of all legs) with fixed sub-rays in several patterns,
@@ -409,32 +432,6 @@ class Survey:
             for leg in self.legs
         ]
         return f"{html.escape(repr(self))}<table>{head}{''.join(rows)}</table>"
-
-
-def _scene_data(scene):
-    """Returns the data of a Scene, or a data object or algorithm as it is; for other meshes their
-    Scene; None: none."""
-    data = getattr(scene, "polydata", scene)
-    if data is None or isinstance(data, (vtkDataObject, vtkAlgorithm)):
-        return data
-    try:
-        return Scene(data).polydata
-    except TypeError:
-        raise TypeError(
-            f"scene is of {type(scene).__name__}; give a Scene, a VTK data set with a surface, an "
-            "algorithm that makes one, or a mesh with points and faces"
-        ) from None
-
-
-def trajectory_data(trajectory):
-    """Returns the vtkPolyData of a trajectory, or its algorithm as it is; None: none."""
-    data = data_of(trajectory)
-    if data is None or isinstance(data, (vtkPolyData, vtkAlgorithm)):
-        return data
-    raise TypeError(
-        f"trajectory is of {type(trajectory).__name__}; give a file name, a Cloud or vtkPolyData "
-        "with the arrays GpsTime and Orientation, or an algorithm that makes one"
-    )
 
 
 LOAD = -1  # for _native.run(): only load a survey
