@@ -210,6 +210,7 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
   const double w = 0.5 * sampler->GetBeamDivergence();
   model.Receiver.DetectionBin = model.Plan.DetectionBin;
+  model.Receiver.MaximumRefined = model.Plan.MaximumRefined;
   const double ratio = sampler->GetDivergenceRatio();
   model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma(),
     ratio };
@@ -218,7 +219,13 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.Footprints = { w, LeaveOutRim(sampler->GetTruncation(), model.Plan.RimEnergy),
     model.ApexOffset,
     model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
-    { model.Gate.Minimum, model.Gate.Maximum }, model.Plan.PartError, ratio };
+    { model.Gate.Minimum, model.Gate.Maximum }, model.Plan.PartError, ratio, {} };
+
+  if (!model.Surfaces.HasOptics())
+  {
+    model.Footprints.IsCrowd = [plan = model.Plan](std::size_t surfaces, double layers)
+    { return surfaces > plan.MaximumSurfaces || plan.PrefersCells(surfaces, layers); };
+  }
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);
   if (model.Plan.LayerRings > 0 && model.ApexOffset == 0.0)

@@ -9,6 +9,7 @@
 #include "vtkHeliosScannerCoreModule.h"
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace helios
@@ -41,7 +42,9 @@ struct SamplingPlan
   /// sub-rays of a beam with too many triangles to collect; times 4 until they agree
   int MinimumSubRays = 256;
   int MaximumSubRays = 65536;
-  double DetectionBin = 0.25;   ///< [ns]
+  double DetectionBin = 0.25; ///< [ns]
+  /// returns of a beam whose maxima are found beyond those of the bins
+  std::size_t MaximumRefined = std::numeric_limits<std::size_t>::max();
   double LargestDepth = 1.0;    ///< depth of a visible part that is two returns, in sigma_R
   double RimEnergy = 0.0;       ///< energy of the rim of a divided beam, left out; a fraction
   double PartError = 1e-6;      ///< error of the energy of a small part, as a fraction of the beam

@@ -42,6 +42,16 @@ public:
   /// Maps a point of the ellipse to the circle.
   void ToCircle(double point[2]) const { this->Stretch(1.0 / this->Ratio - 1.0, point); }
 
+  /// Maps points of the ellipse, of vectors of coordinates, to the circle.
+  template <typename LaneT>
+  void ToCircle(LaneT& x, LaneT& y) const
+  {
+    const LaneT along = x * this->Minor[0] + y * this->Minor[1];
+    const double factor = 1.0 / this->Ratio - 1.0;
+    x += factor * along * this->Minor[0];
+    y += factor * along * this->Minor[1];
+  }
+
   /// Maps a point of the circle to the ellipse.
   void FromCircle(double point[2]) const { this->Stretch(this->Ratio - 1.0, point); }
 

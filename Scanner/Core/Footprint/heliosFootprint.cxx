@@ -24,10 +24,9 @@ constexpr double MinimumRest = 1e-4;
 constexpr double RestPerError = 30.0;
 constexpr double Flatness = 1e-3; // flatness of a facet, in the depth
 constexpr double MaximumStrips = 4096.0;
-// ratio of the depths of a part: its powers vary with 1 / depth^2
-constexpr double LargestRatio = 0.1;
 constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
-constexpr double MaximumTiles = 128.0; // across the beam
+constexpr double MaximumTiles = 128.0;    // across the beam
+constexpr std::size_t SmallestCrowd = 12; // surfaces
 
 /// Returns whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
@@ -45,7 +44,7 @@ bool IsInside(const double p[3], const ConeTriangle& triangle)
 }
 
 /// Returns the part of a face before a depth.
-HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
+HalfPlane GetNearerSide(const FacePlane& face, double depth)
 {
   return { face.Inverse.X, face.Inverse.Y, face.Inverse.One - 1.0 / depth };
 }
@@ -74,6 +73,15 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
   {
     return false;
   }
+  if (!this->Ellipse.IsCircle())
+  {
+    this->Ellipse.Align(this->View.Frame, minor);
+  }
+  this->Crowded = Crowd();
+  if (!beyond && this->CollectCrowd())
+  {
+    return true;
+  }
   this->Maker.Make(this->View, this->Facets);
   if (beyond && !this->ClipFacets(*beyond, apex))
   {
@@ -81,7 +89,7 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
   }
   if (!this->Ellipse.IsCircle())
   {
-    this->StretchFacets(minor);
+    this->StretchFacets();
   }
   this->Surfaces.Project(this->Facets, this->Projection);
   this->SetTiles();
@@ -89,8 +97,45 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
 }
 
 //------------------------------------------------------------------------------
+/// Projects the triangles of a view as they are, if they are a crowd. What decides on that is the same
+/// whether or not the view has triangles that do not touch the beam.
+bool Footprint::CollectCrowd()
+{
+  if (!this->Settings.IsCrowd || this->Settings.ApexOffset > 0.0 ||
+    this->View.Triangles.size() < SmallestCrowd)
+  {
+    return false;
+  }
+  const double tangent = this->Projection.Tangent;
+  this->Faces.Clear();
+  const Crowd crowd = this->Faces.AddTriangles(this->View, this->Ellipse, tangent, this->Facets);
+  const double* gate = this->Settings.Gate;
+  const bool meetsGate = std::any_of(gate, gate + 2,
+    [&crowd](double limit) { return limit > crowd.Nearest && limit < crowd.Farthest; });
+  if (meetsGate || crowd.Surfaces < SmallestCrowd || this->GetNumberOfTiles(crowd.Farthest) > 1 ||
+    !this->Settings.IsCrowd(crowd.Surfaces, crowd.Layers))
+  {
+    return false;
+  }
+  this->Crowded = crowd;
+  this->TilesAcross = 1;
+  this->Surfaces.Project(this->Facets, this->Projection);
+  for (std::size_t i = 0; i < this->Surfaces.GetNumberOfFaces(); ++i)
+  {
+    VisibleSurfaces::Face face = this->Surfaces.GetFace(i);
+    face.Facet = FacePlane::None;
+    this->Faces.Add(face);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool Footprint::MeetsGate() const
 {
+  if (this->IsCrowd())
+  {
+    return false;
+  }
   return std::any_of(std::begin(this->Settings.Gate), std::end(this->Settings.Gate),
     [this](double limit)
     {
@@ -138,9 +183,8 @@ bool Footprint::ClipFacets(const BeyondPlane& beyond, const double apex[3])
 
 //------------------------------------------------------------------------------
 /// Moves the facets to where the beam is circular.
-void Footprint::StretchFacets(const double minor[3])
+void Footprint::StretchFacets()
 {
-  this->Ellipse.Align(this->View.Frame, minor);
   for (Facet& facet : this->Facets)
   {
     for (int corner = 0; corner < facet.Size; ++corner)
@@ -151,8 +195,19 @@ void Footprint::StretchFacets(const double minor[3])
 }
 
 //------------------------------------------------------------------------------
-/// Sets the size of tiles. The ranges at one depth spread over depth T^2 r^2 / 2: tiles are so
-/// small that they do so over a fraction of the depth of a part.
+/// Returns the number of tiles across the beam. The ranges at one depth spread over depth T^2 r^2 / 2:
+/// tiles are so small that they do so over a fraction of the depth of a part.
+int Footprint::GetNumberOfTiles(double farthest) const
+{
+  const double tangent = this->Projection.Tangent;
+  const double spread = 0.5 * tangent * tangent * farthest;
+  const double limit = Curvature * this->Settings.Depth;
+  // A tile at the rim is 2 / count of the radius, and twice as much of its square.
+  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MaximumTiles);
+  return spread > limit ? static_cast<int>(count) : 1;
+}
+
+//------------------------------------------------------------------------------
 void Footprint::SetTiles()
 {
   double minimum = HUGE_VAL; // inverse depth
@@ -160,18 +215,13 @@ void Footprint::SetTiles()
   {
     minimum = std::min(minimum, this->Surfaces.GetFace(i).Minimum);
   }
-  const double tangent = this->Projection.Tangent;
-  const double spread = 0.5 * tangent * tangent / minimum;
-  const double limit = Curvature * this->Settings.Depth;
-  // A tile at the rim is 2 / count of the radius, and twice as much of its square.
-  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MaximumTiles);
-  this->TilesAcross = spread > limit ? static_cast<int>(count) : 1;
+  this->TilesAcross = this->GetNumberOfTiles(1.0 / minimum);
 }
 
 //------------------------------------------------------------------------------
 /// Adds a polygon of a face of a wide beam, in tiles.
 void Footprint::AddTiles(
-  const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
+  const FacePlane& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
 {
   const double size = 2.0 / this->TilesAcross;
   Polygon restX = polygon;
@@ -232,7 +282,7 @@ bool Footprint::Divide(std::vector<FootprintPart>& parts)
 
 //------------------------------------------------------------------------------
 /// Returns the limits of depth in a beam, and of the corners themselves, whatever the rounding.
-Footprint::Interval Footprint::GetSpread(const VisibleSurfaces::Face& face) const
+Footprint::Interval Footprint::GetSpread(const FacePlane& face) const
 {
   const double across = std::hypot(face.Inverse.X, face.Inverse.Y);
   return { 1.0 / std::min(face.Maximum, face.Inverse.One + across),
@@ -241,8 +291,7 @@ Footprint::Interval Footprint::GetSpread(const VisibleSurfaces::Face& face) cons
 
 //------------------------------------------------------------------------------
 /// Returns the depths of the visible parts of a face.
-Footprint::Interval Footprint::GetSpread(
-  const VisibleSurfaces::Face& face, const Share& share) const
+Footprint::Interval Footprint::GetSpread(const FacePlane& face, const Share& share) const
 {
   Interval spread = this->GetSpread(face);
   if (!(spread.Far > spread.Near + std::min(this->Settings.Depth, LargestRatio * spread.Near)))
@@ -386,7 +435,7 @@ bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts
 //------------------------------------------------------------------------------
 /// Cuts the depths of a part of a face at steps that begin at its nearest point in the beam, whatever
 /// the part, and at the range gate.
-void Footprint::SetCuts(const VisibleSurfaces::Face& face, const Interval& part)
+void Footprint::SetCuts(const FacePlane& face, const Interval& part)
 {
   this->Cuts.clear();
   const double near = this->GetSpread(face).Near;
@@ -410,7 +459,7 @@ void Footprint::SetCuts(const VisibleSurfaces::Face& face, const Interval& part)
 //------------------------------------------------------------------------------
 /// Calls use(strip, polygon) for the strips of a polygon of a face.
 template <typename UseT>
-void Footprint::ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& polygon, UseT use)
+void Footprint::ForEachStrip(const FacePlane& face, const Polygon& polygon, UseT use)
 {
   Polygon rest = polygon;
   for (std::size_t i = 0; i < this->Cuts.size() && !rest.IsEmpty(); ++i)
@@ -425,7 +474,7 @@ void Footprint::ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& p
 //------------------------------------------------------------------------------
 /// Adds the visible polygons of a face of a wide beam, in strips and tiles.
 void Footprint::AddTiledStrips(
-  const VisibleSurfaces::Face& face, const Share& share, std::vector<FootprintPart>& parts)
+  const FacePlane& face, const Share& share, std::vector<FootprintPart>& parts)
 {
   for (std::size_t i = share.First; i < share.Last; ++i)
   {
@@ -437,8 +486,7 @@ void Footprint::AddTiledStrips(
 //------------------------------------------------------------------------------
 /// Returns the mean and the standard deviation of the depths of a part, to second order in its
 /// inverse depth.
-Footprint::Spread Footprint::GetDepths(
-  const VisibleSurfaces::Face& face, const EnergyMoments& moments) const
+Footprint::Spread Footprint::GetDepths(const FacePlane& face, const EnergyMoments& moments) const
 {
   const double x = moments.X / moments.Energy;
   const double y = moments.Y / moments.Energy;
@@ -455,8 +503,12 @@ Footprint::Spread Footprint::GetDepths(
 
 //------------------------------------------------------------------------------
 /// Returns the triangle of a facet at a point from the waist.
-vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double point[3]) const
+vtkIdType Footprint::FindCell(const FacePlane& face, const double point[3]) const
 {
+  if (face.Facet == FacePlane::None)
+  {
+    return face.Cell;
+  }
   const Facet& facet = this->Facets[face.Facet];
   const double p[3] = { point[0], point[1], point[2] + this->Projection.ApexOffset };
   for (std::size_t i = facet.First; i + 1 < facet.Last; ++i)
@@ -471,8 +523,8 @@ vtkIdType Footprint::FindCell(const VisibleSurfaces::Face& face, const double po
 }
 
 //------------------------------------------------------------------------------
-void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
-  std::vector<FootprintPart>& parts)
+void Footprint::AddPart(
+  const FacePlane& face, const EnergyMoments& moments, std::vector<FootprintPart>& parts)
 {
   if (!(moments.Energy > MinimumEnergy))
   {

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct FootprintSettings
   /// error of small parts, as a fraction of the beam
   double EnergyError = BeamEnergy::DefaultError;
   double Ratio = 1.0; ///< ratio of the minor axis to the major one
+  /// Whether so many surfaces, that cover the beam so often, are sampled; if set, these are not joined
+  /// to facets.
+  std::function<bool(std::size_t surfaces, double layers)> IsCrowd;
 };
 
 /// Half space beyond a plane: n . p > c, in the world.
@@ -78,21 +82,30 @@ public:
   /// the surfaces. Otherwise these can only be divided.
   bool IsFlat() const { return this->TilesAcross == 1; }
 
+  /// Returns whether the surfaces are a crowd, which can only be sampled.
+  bool IsCrowd() const { return this->Crowded.Surfaces > 0; }
+
   /// Returns whether a limit of the range gate lies among the surfaces.
   bool MeetsGate() const;
 
   /// Returns the number of surfaces: flat polygons.
-  std::size_t GetNumberOfFaces() const { return this->Surfaces.GetNumberOfFaces(); }
+  std::size_t GetNumberOfFaces() const
+  {
+    return this->IsCrowd() ? this->Crowded.Surfaces : this->Surfaces.GetNumberOfFaces();
+  }
 
   /// Returns how often they cover the beam, roughly.
-  double GetLayers() const { return this->Surfaces.GetLayers(); }
+  double GetLayers() const
+  {
+    return this->IsCrowd() ? this->Crowded.Layers : this->Surfaces.GetLayers();
+  }
 
-  /// Returns whether a predicate holds for the cell of any surface.
+  /// Returns whether a predicate holds for the cell of any surface; not of a crowd.
   template <typename PredicateT>
   bool AnyCell(PredicateT holds) const
   {
     bool any = false;
-    for (std::size_t i = 0; !any && i < this->GetNumberOfFaces(); ++i)
+    for (std::size_t i = 0; !any && i < this->Surfaces.GetNumberOfFaces(); ++i)
     {
       any = holds(this->Surfaces.GetFace(i).Cell);
     }
@@ -132,11 +145,15 @@ private:
   {
     std::size_t FirstCut = 0, FirstStrip = 0, Count = 0; ///< numbers of cuts
   };
+  bool CollectCrowd();
   bool ClipFacets(const BeyondPlane& beyond, const double apex[3]);
-  void StretchFacets(const double minor[3]);
+  void StretchFacets();
+  int GetNumberOfTiles(double farthest) const;
   void SetTiles();
-  void AddTiles(
-    const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
+  void AddTiles(const FacePlane& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
+  /// Ratio of the depths of a part: its powers vary with 1 / depth^2.
+  static constexpr double LargestRatio = 0.1;
+  bool HasNoCuts(const FacePlane& face) const;
   void SetStrips();
   std::size_t FindStrip(std::size_t face, double x, double y) const;
   bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
@@ -144,22 +161,21 @@ private:
     std::size_t face, const Polygon* visible, std::size_t count, std::vector<FootprintPart>& parts);
   bool AddBackdrop(std::size_t face, std::vector<FootprintPart>& parts);
   EnergyMoments GetHidden(const Polygon& polygon) const;
-  Interval GetSpread(const VisibleSurfaces::Face& face, const Share& share) const;
-  Interval GetSpread(const VisibleSurfaces::Face& face) const;
-  void SetCuts(const VisibleSurfaces::Face& face, const Interval& part);
+  Interval GetSpread(const FacePlane& face, const Share& share) const;
+  Interval GetSpread(const FacePlane& face) const;
+  void SetCuts(const FacePlane& face, const Interval& part);
   template <typename UseT>
-  void ForEachStrip(const VisibleSurfaces::Face& face, const Polygon& polygon, UseT use);
-  void AddTiledStrips(
-    const VisibleSurfaces::Face& face, const Share& share, std::vector<FootprintPart>& parts);
+  void ForEachStrip(const FacePlane& face, const Polygon& polygon, UseT use);
+  void AddTiledStrips(const FacePlane& face, const Share& share, std::vector<FootprintPart>& parts);
   /// Mean and deviation of depths [m].
   struct Spread
   {
     double Mean, Deviation;
   };
-  Spread GetDepths(const VisibleSurfaces::Face& face, const EnergyMoments& moments) const;
-  vtkIdType FindCell(const VisibleSurfaces::Face& face, const double direction[3]) const;
-  void AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
-    std::vector<FootprintPart>& parts);
+  Spread GetDepths(const FacePlane& face, const EnergyMoments& moments) const;
+  vtkIdType FindCell(const FacePlane& face, const double direction[3]) const;
+  void AddPart(
+    const FacePlane& face, const EnergyMoments& moments, std::vector<FootprintPart>& parts);
 
   FootprintSettings Settings;
   BeamEnergy Beam;
@@ -167,6 +183,8 @@ private:
   BeamProjection Projection;
   FacetMaker Maker;
   VisibleSurfaces Surfaces;
+  FootprintFaces Faces; ///< faces that are sampled
+  Crowd Crowded;        ///< without surfaces, if there is none
   ConeView View;
   std::vector<Facet> Facets;
   std::vector<Visible> AllVisible;

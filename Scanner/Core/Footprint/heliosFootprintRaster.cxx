@@ -68,40 +68,6 @@ HELIOS_INLINE int Count(vtkTypeUInt64 bits)
 
 } // namespace
 
-/// The edges of a polygon on its left and right: x = X + Slope (y - Y).
-struct FootprintRaster::Lines
-{
-  struct Line
-  {
-    float X, Y, Slope;
-  };
-  int Counts[2] = { 0, 0 };
-  Line Sides[2][Polygon::Capacity];
-  float Low, High; ///< limits of y
-
-  /// An edge has the same line in the face on its other side.
-  explicit Lines(const Polygon& p)
-  {
-    const auto [low, high] = std::minmax_element(p.Y, p.Y + p.Size);
-    this->Low = static_cast<float>(*low);
-    this->High = static_cast<float>(*high);
-    for (int edge = 0; edge < p.Size; ++edge)
-    {
-      const int next = p.GetNext(edge);
-      const bool isUp = p.Y[edge] < p.Y[next]; // counterclockwise: up on the right
-      const int from = isUp ? edge : next;
-      const int to = isUp ? next : edge;
-      const double height = p.Y[to] - p.Y[from];
-      if (height > 0.0)
-      {
-        const double slope = std::clamp((p.X[to] - p.X[from]) / height, -1e30, 1e30);
-        this->Sides[isUp][this->Counts[isUp]++] = { static_cast<float>(p.X[from]),
-          static_cast<float>(p.Y[from]), static_cast<float>(slope) };
-      }
-    }
-  }
-};
-
 //------------------------------------------------------------------------------
 void FootprintRaster::SetGrid(const BeamEnergy& beam, int across)
 {
@@ -244,35 +210,36 @@ void FootprintRaster::SetTiles(const BeamEnergy& beam)
 }
 
 //------------------------------------------------------------------------------
-void FootprintRaster::Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across,
+void FootprintRaster::Draw(const FootprintFaces& faces, const BeamEnergy& beam, int across,
   const Targets& targets, std::vector<EnergyMoments>& sums)
 {
   this->SetGrid(beam, across);
   this->Tiles = this->EmptyTiles;
   this->Fragments.clear();
-  this->DrawFaces(surfaces);
+  this->DrawFaces(faces);
   this->AddSpots(targets, sums);
 }
 
 //------------------------------------------------------------------------------
-HELIOS_INLINE void FootprintRaster::SetSpans(const Lines& lines, int row, Spans& spans) const
+HELIOS_INLINE void FootprintRaster::SetSpans(
+  const FootprintFaces::Face& face, const FootprintFaces::Line* lines, int row, Spans& spans) const
 {
   const EightFloats y = Load<EightFloats>(&this->Places[static_cast<std::size_t>(Side * row)]);
   EightFloats left = EightFloats() - 1.0F;
   EightFloats right = EightFloats() + 1.0F;
-  for (int i = 0; i < lines.Counts[0]; ++i)
+  for (const FootprintFaces::Line* end = lines + face.Left; lines != end; ++lines)
   {
-    const Lines::Line& line = lines.Sides[0][i];
+    const FootprintFaces::Line& line = *lines;
     const EightFloats x = line.X + line.Slope * (y - line.Y);
     left = x > left ? x : left;
   }
-  for (int i = 0; i < lines.Counts[1]; ++i)
+  for (const FootprintFaces::Line* end = lines + face.Right; lines != end; ++lines)
   {
-    const Lines::Line& line = lines.Sides[1][i];
+    const FootprintFaces::Line& line = *lines;
     const EightFloats x = line.X + line.Slope * (y - line.Y);
     right = x < right ? x : right;
   }
-  const EightMasks isIn = (y >= lines.Low) & (y < lines.High) & (left < right);
+  const EightMasks isIn = (y >= face.Low) & (y < face.High) & (left < right);
   left = left < 1.0F ? left : EightFloats() + 1.0F;
   right = right > -1.0F ? right : EightFloats() - 1.0F;
   const Columns columns =
@@ -291,18 +258,18 @@ HELIOS_INLINE void FootprintRaster::SetSpans(const Lines& lines, int row, Spans&
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
+void FootprintRaster::DrawFaces(const FootprintFaces& faces)
 {
   const int across = this->Across / Side;
-  for (const std::size_t index : surfaces.GetNearestFirst())
+  for (std::size_t index = 0; index < faces.GetNumberOfFaces(); ++index)
   {
-    const VisibleSurfaces::Face& face = surfaces.GetFace(index);
-    const Lines lines(face.Outline);
-    const int bottom = this->GetTileRow(lines.Low, 0);
-    const int top = this->GetTileRow(lines.High, 1);
+    const FootprintFaces::Face& face = faces.GetFace(index);
+    const FootprintFaces::Line* lines = faces.GetLines(face);
+    const int bottom = this->GetTileRow(face.Low, 0);
+    const int top = this->GetTileRow(face.High, 1);
     for (int row = bottom; row <= top; ++row) // first all, because one waits for nothing of another
     {
-      this->SetSpans(lines, row, this->AllSpans[static_cast<std::size_t>(row)]);
+      this->SetSpans(face, lines, row, this->AllSpans[static_cast<std::size_t>(row)]);
     }
     for (int row = bottom; row <= top; ++row)
     {
@@ -323,7 +290,7 @@ void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
           const EightMasks last = Load<EightMasks>(spans.Last) - start;
           bits = GetBytes(full << Clamp(first, 0, Side)) & ~GetBytes(full << Clamp(last, 0, Side));
         }
-        this->AddBits(surfaces, static_cast<int>(index), tile, bits);
+        this->AddBits(faces, static_cast<int>(index), tile, bits);
       }
     }
   }
@@ -331,14 +298,14 @@ void FootprintRaster::DrawFaces(const VisibleSurfaces& surfaces)
 
 //------------------------------------------------------------------------------
 HELIOS_INLINE void FootprintRaster::AddBits(
-  const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits)
+  const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits)
 {
-  const VisibleSurfaces::Face& f = surfaces.GetFace(static_cast<std::size_t>(face));
+  const FootprintFaces::Face& f = faces.GetFace(static_cast<std::size_t>(face));
   Tile& t = this->Tiles[tile];
   vtkTypeUInt64 visible = bits & ~t.Covered;
   if (visible != bits && f.Maximum > t.Minimum)
   {
-    visible |= this->Uncover(surfaces, face, tile, bits & t.Covered);
+    visible |= this->Uncover(faces, face, tile, bits & t.Covered);
   }
   if (visible != 0)
   {
@@ -353,15 +320,15 @@ HELIOS_INLINE void FootprintRaster::AddBits(
 /// Removes those of some bits of a tile where a face is nearer than the face that has them; returns
 /// them.
 vtkTypeUInt64 FootprintRaster::Uncover(
-  const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits)
+  const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits)
 {
-  const VisibleSurfaces::Face& f = surfaces.GetFace(static_cast<std::size_t>(face));
+  const FootprintFaces::Face& f = faces.GetFace(static_cast<std::size_t>(face));
   vtkTypeUInt64 all = 0;
   for (int k = this->Tiles[tile].Last; k >= 0;
        k = this->Fragments[static_cast<std::size_t>(k)].Before)
   {
     Fragment& fragment = this->Fragments[static_cast<std::size_t>(k)];
-    const VisibleSurfaces::Face& other = surfaces.GetFace(static_cast<std::size_t>(fragment.Face));
+    const FootprintFaces::Face& other = faces.GetFace(static_cast<std::size_t>(fragment.Face));
     vtkTypeUInt64 nearer = bits & fragment.Bits;
     if (nearer == 0 || !(f.Maximum > other.Minimum))
     {

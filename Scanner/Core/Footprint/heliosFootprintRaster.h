@@ -6,7 +6,7 @@
 #define heliosFootprintRaster_h
 
 #include "heliosBeamEnergy.h"
-#include "heliosVisibleSurfaces.h"
+#include "heliosFootprintFaces.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <cstddef>
@@ -56,8 +56,8 @@ public:
 
   /// Draws all faces, which are sorted, onto a grid of so many cells across, a multiple of 8, and
   /// adds the moments of their visible parts to sums.
-  void Draw(const VisibleSurfaces& surfaces, const BeamEnergy& beam, int across,
-    const Targets& targets, std::vector<EnergyMoments>& sums);
+  void Draw(const FootprintFaces& faces, const BeamEnergy& beam, int across, const Targets& targets,
+    std::vector<EnergyMoments>& sums);
 
   /// Returns the visible parts of faces without a target, tile by tile.
   const std::vector<Spot>& GetSpots() const { return this->Spots; }
@@ -76,7 +76,6 @@ private:
     int Before; ///< in the tile; -1: none
     vtkTypeUInt64 Bits;
   };
-  struct Lines;
   /// The columns of a face in the rows of a tile: from First to before Last.
   struct Spans
   {
@@ -90,11 +89,12 @@ private:
   void SetTiles(const BeamEnergy& beam);
   double GetPlace(double column) const;
   int GetTileRow(float place, int after) const;
-  void DrawFaces(const VisibleSurfaces& surfaces);
-  void SetSpans(const Lines& lines, int row, Spans& spans) const;
-  void AddBits(const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits);
+  void DrawFaces(const FootprintFaces& faces);
+  void SetSpans(const FootprintFaces::Face& face, const FootprintFaces::Line* lines, int row,
+    Spans& spans) const;
+  void AddBits(const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits);
   vtkTypeUInt64 Uncover(
-    const VisibleSurfaces& surfaces, int face, std::size_t tile, vtkTypeUInt64 bits);
+    const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits);
   vtkTypeUInt64 GetNearer(const InverseDepth& difference, std::size_t tile) const;
   void AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums);
 

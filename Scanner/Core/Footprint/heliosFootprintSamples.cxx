@@ -10,15 +10,31 @@
 namespace helios
 {
 
-/// Finds the cuts of all faces.
+/// Returns whether the corners of a face are within one step of depth, and not across the gate.
+bool Footprint::HasNoCuts(const FacePlane& face) const
+{
+  const double near = 1.0 / face.Maximum;
+  const double far = 1.0 / face.Minimum;
+  const double* gate = this->Settings.Gate;
+  return far - near < std::min(this->Settings.Depth, LargestRatio * near) &&
+    std::all_of(gate, gate + 2, [&](double limit) { return !(limit > near && limit < far); });
+}
+
+//------------------------------------------------------------------------------
+/// Finds the cuts of the faces that are sampled.
 void Footprint::SetStrips()
 {
   this->AllCuts.clear();
   this->AllStrips.clear();
   std::size_t strips = 0;
-  for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
+  for (std::size_t i = 0; i < this->Faces.GetNumberOfFaces(); ++i)
   {
-    const VisibleSurfaces::Face& face = this->Surfaces.GetFace(i);
+    const FacePlane& face = this->Faces.GetFace(i);
+    if (this->HasNoCuts(face))
+    {
+      this->AllStrips.push_back({ this->AllCuts.size(), strips++, 0 });
+      continue;
+    }
     this->SetCuts(face, this->GetSpread(face));
     this->AllStrips.push_back({ this->AllCuts.size(), strips, this->Cuts.size() });
     this->AllCuts.insert(this->AllCuts.end(), this->Cuts.begin(), this->Cuts.end());
@@ -36,7 +52,7 @@ std::size_t Footprint::FindStrip(std::size_t face, double x, double y) const
   {
     return strips.FirstStrip;
   }
-  const double depth = 1.0 / this->Surfaces.GetFace(face).Inverse(x, y);
+  const double depth = 1.0 / this->Faces.GetFace(face).Inverse(x, y);
   const auto first = this->AllCuts.begin() + static_cast<std::ptrdiff_t>(strips.FirstCut);
   const auto cut =
     std::upper_bound(first, first + static_cast<std::ptrdiff_t>(strips.Count), depth);
@@ -47,7 +63,15 @@ std::size_t Footprint::FindStrip(std::size_t face, double x, double y) const
 void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
 {
   parts.clear();
-  this->Surfaces.Sort();
+  if (!this->IsCrowd())
+  {
+    this->Faces.Clear();
+    for (std::size_t i = 0; i < this->Surfaces.GetNumberOfFaces(); ++i)
+    {
+      this->Faces.Add(this->Surfaces.GetFace(i));
+    }
+  }
+  this->Faces.Sort();
   this->SetStrips();
   std::fill(this->Sampled.begin(), this->Sampled.end(), EnergyMoments());
   this->Targets.clear();
@@ -56,7 +80,7 @@ void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
     this->Targets.push_back(strips.Count == 0 ? static_cast<int>(strips.FirstStrip) : -1);
   }
   FootprintRaster& raster = this->Rasters[across];
-  raster.Draw(this->Surfaces, this->Beam, across, this->Targets, this->Sampled);
+  raster.Draw(this->Faces, this->Beam, across, this->Targets, this->Sampled);
   for (const FootprintRaster::Spot& spot : raster.GetSpots())
   {
     spot.AddTo(this->Sampled[this->FindStrip(static_cast<std::size_t>(spot.Face), spot.X, spot.Y)]);
@@ -66,7 +90,7 @@ void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
     const Strips& strips = this->AllStrips[i];
     for (std::size_t k = 0; k <= strips.Count; ++k)
     {
-      this->AddPart(this->Surfaces.GetFace(i), this->Sampled[strips.FirstStrip + k], parts);
+      this->AddPart(this->Faces.GetFace(i), this->Sampled[strips.FirstStrip + k], parts);
     }
   }
 }

@@ -25,6 +25,17 @@ struct InverseDepth
   double operator()(double x, double y) const { return this->X * x + this->Y * y + this->One; }
 };
 
+/// The plane of a facet in a beam.
+struct FacePlane
+{
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  InverseDepth Inverse;
+  double Minimum, Maximum; ///< inverse depths of its corners
+  vtkIdType Cell;
+  std::size_t Facet = None; ///< None: a triangle of one cell
+};
+
 /**
  * Determines which part of each facet in a beam is visible: exactly in a cone, and in a beam with
  * a waist but for the curvature of its edges within the beam. The facets are projected onto the
@@ -39,13 +50,9 @@ class VTKHELIOSSCANNERCORE_EXPORT VisibleSurfaces
 {
 public:
   /// The projection of a facet.
-  struct Face
+  struct Face : FacePlane
   {
     Polygon Outline;
-    InverseDepth Inverse;
-    double Minimum, Maximum; ///< inverse depths of its corners
-    vtkIdType Cell;
-    std::size_t Facet;
   };
 
   /// Projects facets onto the cross-section of a beam.
@@ -53,9 +60,6 @@ public:
 
   /// Sorts the faces by depth, for FindHiding().
   void Sort();
-
-  /// Returns the faces in that order, by their nearest corners.
-  const std::vector<std::size_t>& GetNearestFirst() const { return this->Nearest.Faces; }
 
   /// Returns whether the edges in the beam are straight lines in its cross-section: without a
   /// waist, and nearly so if their depths differ little, or are far beyond the Rayleigh range.

@@ -286,7 +286,8 @@ bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator 
   {
     vtkHeliosDetectedEcho echo = FitPeak(wave, peak);
     const auto [first, last] = this->GetNear(begin, end, echo.Time);
-    if (search.KnowsSingles)
+    if (search.KnowsSingles &&
+      static_cast<std::size_t>(last - first) <= this->Settings.MaximumRefined)
     {
       this->Refine(first, last, search.BinSize, echo);
     }
@@ -503,7 +504,7 @@ PulseCluster& Receiver::GetCluster(vtkIdType slot)
 {
   constexpr std::size_t few = 32; // are found faster one by one
   const std::size_t count = this->Clusters.size();
-  for (std::size_t i = 0; i < std::min(count, few); ++i)
+  for (std::size_t i = std::min(count, few); i-- > 0;) // the last one is the likeliest
   {
     if (this->Clusters[i].Slot == slot)
     {

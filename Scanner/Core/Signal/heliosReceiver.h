@@ -67,6 +67,8 @@ struct ReceiverSettings
   PulseShape Shape;
   double BinSize = 0.25;      // bin of waveforms [ns]
   double DetectionBin = 0.25; // bin of groups of returns that FindMaxima() has to bin [ns]
+  /// Returns from which on the maxima of FindMaxima() are those of these bins.
+  std::size_t MaximumRefined = std::numeric_limits<std::size_t>::max();
   const vtkHeliosEchoDetector* Detector = nullptr;
   vtkIdType MaximumCount = VTK_ID_MAX; // largest number of samples of a waveform
   bool HasLimit = true; // whether returns beyond that have no echo, or only no sample

@@ -232,21 +232,6 @@ bool Cone::IsBeside(const ConeCandidate& c) const
 }
 
 //------------------------------------------------------------------------------
-bool Cone::HasCornerInside(const ConeCandidate& c) const
-{
-  constexpr double inside = 1 - 1e-6;
-  bool isInside = false;
-  bool isBefore = true;
-  for (const auto& p : c.Corners)
-  {
-    const double radius = this->Tangent * p[2] * inside;
-    isInside = isInside || p[0] * p[0] + p[1] * p[1] < radius * radius;
-    isBefore = isBefore && p[2] > 0.0;
-  }
-  return isInside && isBefore;
-}
-
-//------------------------------------------------------------------------------
 bool Cone::Touches(ConeCandidate& c) const
 {
   const auto& p = c.Corners;

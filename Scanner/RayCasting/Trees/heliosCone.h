@@ -84,9 +84,6 @@ public:
   /// Returns whether a triangle is beyond a side of the square about the cone.
   bool IsBeside(const ConeCandidate& c) const;
 
-  /// Returns whether a corner of a triangle before the apex is inside the cone, beyond doubt.
-  bool HasCornerInside(const ConeCandidate& c) const;
-
   /// Returns whether it may touch the cone; sets the candidate's terms from its corners.
   bool Touches(ConeCandidate& c) const;
 

@@ -93,6 +93,7 @@ bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t maxi
         return view.Triangles.size() <= transient * maximum;
       });
   queue.Finish(use);
+  this->AddBlock(nearest, view);
   view.Farthest = this->Farthest;
   view.Finish();
   this->DropHidden(view);
@@ -100,32 +101,106 @@ bool ConeCollector::Run(const SceneTree& scene, double nearest, std::size_t maxi
 }
 
 //------------------------------------------------------------------------------
-/// Adds a triangle that may touch the cone to a view; one that covers it hides what is farther.
+/// Adds a triangle that may touch the cone to those that are tested next.
 void ConeCollector::Add(
   const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view)
 {
-  ConeCandidate c;
-  this->Shape.SetCorners(placed, triangle, c);
-  const auto& p = c.Corners;
-  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->Shape.IsBeside(c))
+  Block& block = this->Waiting;
+  double buffer[3][3];
+  const double* points[3];
+  placed.GetPoints(triangle, buffer, points);
+  for (int corner = 0; corner < 3; ++corner)
   {
-    return;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      block.Corners[corner][axis][block.Size] = points[corner][axis];
+    }
   }
-  // A triangle with a corner inside touches the cone, and cannot cover it.
-  const bool hasCornerInside = this->Shape.HasCornerInside(c);
-  if (!hasCornerInside && !this->Shape.Touches(c))
+  block.Cells[block.Size++] = placed.GetCell(triangle);
+  if (block.Size == Block::Width)
   {
-    return;
+    this->AddBlock(nearest, view);
   }
-  view.Triangles.emplace_back();
-  view.Triangles.back().Cell = c.Cell;
-  std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
-  if (!hasCornerInside && c.Covers && c.IsBefore)
+}
+
+//------------------------------------------------------------------------------
+/// Moves the corners of a block to the frame of the cone, and tests them.
+HELIOS_CLONES
+void ConeCollector::Test(Block& block, double nearest) const
+{
+  const double* origin = this->Shape.GetOrigin();
+  const double tangent = this->Shape.GetTangent();
+  constexpr double inside = 1 - 1e-6; // beyond doubt
+  Masks isBeyond[4] = { Masks() - 1, Masks() - 1, Masks() - 1, Masks() - 1 };
+  Masks isBehind = Masks() - 1;
+  Masks isBefore = Masks() - 1;
+  Masks hasCorner = Masks();
+  for (auto& corner : block.Corners)
   {
-    this->Shape.SetPlane(c);
-    this->Farthest =
-      c.Surface.Nearest > nearest ? std::min(this->Farthest, c.Surface.Farthest) : this->Farthest;
+    Doubles p[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = Load<Doubles>(corner[axis]) - origin[axis];
+    }
+    Doubles q[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double* row = this->Shape.GetAxis(axis);
+      q[axis] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
+      Store(corner[axis], q[axis]);
+    }
+    const Doubles reach = tangent * q[2];
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      isBeyond[2 * axis] &= q[axis] > reach;
+      isBeyond[2 * axis + 1] &= -q[axis] > reach;
+    }
+    const Doubles radius = reach * inside;
+    isBehind &= q[2] <= nearest;
+    isBefore &= q[2] > 0.0;
+    hasCorner |= q[0] * q[0] + q[1] * q[1] < radius * radius;
   }
+  Store(block.IsBeside, isBeyond[0] | isBeyond[1] | isBeyond[2] | isBeyond[3] | isBehind);
+  Store(block.HasCornerInside, hasCorner & isBefore);
+}
+
+//------------------------------------------------------------------------------
+/// Adds those of a block that may touch the cone to a view; one that covers it hides what is farther.
+void ConeCollector::AddBlock(double nearest, ConeView& view)
+{
+  Block& block = this->Waiting;
+  this->Test(block, nearest);
+  for (int i = 0; i < block.Size; ++i)
+  {
+    // A triangle with a corner inside touches the cone, and cannot cover it.
+    if (block.IsBeside[i] != 0)
+    {
+      continue;
+    }
+    ConeCandidate c;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        c.Corners[corner][axis] = block.Corners[corner][axis][i];
+      }
+    }
+    const bool hasCornerInside = block.HasCornerInside[i] != 0;
+    if (!hasCornerInside && !this->Shape.Touches(c))
+    {
+      continue;
+    }
+    view.Triangles.emplace_back();
+    view.Triangles.back().Cell = block.Cells[i];
+    std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
+    if (!hasCornerInside && c.Covers && c.IsBefore)
+    {
+      this->Shape.SetPlane(c);
+      this->Farthest =
+        c.Surface.Nearest > nearest ? std::min(this->Farthest, c.Surface.Farthest) : this->Farthest;
+    }
+  }
+  block.Size = 0;
 }
 
 //------------------------------------------------------------------------------

@@ -25,12 +25,25 @@ public:
   bool Run(const SceneTree& scene, double nearest, std::size_t maximum, ConeView& view);
 
 private:
+  /// Triangles that are tested together.
+  struct Block
+  {
+    static constexpr int Width = 4;
+    int Size = 0;
+    vtkIdType Cells[Width];
+    double Corners[3][3][Width] = {}; ///< by corner and axis
+    long long IsBeside[Width];        ///< or too near
+    long long HasCornerInside[Width];
+  };
   void Add(const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view);
+  void AddBlock(double nearest, ConeView& view);
+  void Test(Block& block, double nearest) const;
   void DropHidden(ConeView& view) const;
 
   Cone Shape;
   TestRay Axis;
   bool IsValid;
+  Block Waiting;
   double Farthest = NoHit; ///< depth beyond which a triangle hides all others
 };
 
