@@ -3,11 +3,13 @@
 #include "heliosSamplingPlan.h"
 
 #include "heliosConstants.h"
+#include "heliosFootprintRaster.h"
 
 #include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace helios
@@ -91,13 +93,20 @@ void SetSurfaceRules(const Tolerances& asked, double sigmaRange, SamplingPlan& p
   SetLayerRule(tolerances, sigmaRange, plan);
 }
 
-/// Cells across a beam full of leaves for an error of the range (95th percentile) and for an error of
-/// the number of echoes: these fall with the powers 1.4 of the cells across (measured: a stand of
-/// trees and BenchAccuracy, where other scenes need fewer).
-constexpr double CellsForRange = 126.0; // at 10 mm
+/// Cells across a beam full of leaves, for an error of the range (95th percentile) from 10 mm on, from
+/// 1 mm on, and below (measured: a stand of trees and BenchAccuracy, where other scenes need fewer);
+/// and for an error of the number of echoes.
+struct CellLaw
+{
+  double Range; ///< [m]
+  double Cells, Power;
+};
+constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 1.05 }, { 1e-3, 400.0, 0.5 },
+  { 0.0, 400.0, 0.7 } };
 constexpr double CellsForEnergy = 75.0; // at 1 %
 constexpr double CellPower = 0.62;
-constexpr double FewCellPower = 1.05; // for errors of the range beyond 10 mm
+constexpr double FewestCells = 16.0;
+constexpr double FinestLaw = 1e-3; // [m], reference of the last law
 // From so many surfaces on, echoes are fluctuations of many: the cells grow with the root of their
 // number (measured on 500 leaves of 1 cm in a beam, leaf area index 4).
 constexpr double TypicalSurfaces = 150.0;
@@ -115,10 +124,13 @@ void SetCells(const Tolerances& tolerances, SamplingPlan& plan)
 {
   const double side = std::sqrt(1.0 * tolerances.MaximumSubRays);
   plan.MaximumSurfaces = static_cast<std::size_t>(SurfacesPerSide * side);
-  plan.MaximumCellsAcross = 8 * static_cast<int>(side * std::sqrt(CellsPerSubRay) / 8.0);
-  const double power = tolerances.Range > 0.01 ? FewCellPower : CellPower;
-  plan.CellsAcross = std::max({ CellsForRange * std::pow(0.01 / tolerances.Range, power),
-    CellsForEnergy * std::pow(0.01 / tolerances.Energy, CellPower), 16.0 });
+  plan.MaximumCellsAcross = std::min(
+    FootprintRaster::MaximumAcross, 8 * static_cast<int>(side * std::sqrt(CellsPerSubRay) / 8.0));
+  const CellLaw& law = *std::find_if(std::begin(CellsForRange), std::end(CellsForRange) - 1,
+    [&tolerances](const CellLaw& l) { return tolerances.Range >= l.Range; });
+  const double reference = std::max(law.Range, FinestLaw);
+  plan.CellsAcross = std::max({ law.Cells * std::pow(reference / tolerances.Range, law.Power),
+    CellsForEnergy * std::pow(0.01 / tolerances.Energy, CellPower), FewestCells });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosFootprintRaster.h"
 
+#include "heliosBeamNode.h" // For rounding to floats
 #include "heliosRayVectors.h"
 
 #include <vtkMath.h>
@@ -40,7 +41,7 @@ HELIOS_INLINE Columns GetColumns(
 }
 
 /// Rounds up numbers of at least -1.
-HELIOS_INLINE EightMasks RoundUp(const EightFloats& x)
+HELIOS_INLINE EightMasks CeilLanes(const EightFloats& x)
 {
   const EightMasks whole = __builtin_convertvector(x, EightMasks);
   return whole - (x > __builtin_convertvector(whole, EightFloats));
@@ -198,7 +199,7 @@ void FootprintRaster::SetTiles(const BeamEnergy& beam)
       const double x = this->Sides[static_cast<std::size_t>(column)].Mean;
       const double y = this->Sides[static_cast<std::size_t>(row)].Mean;
       const double weight = beam.GetIntensity(x, y) / std::exp(-this->Exponent * (x * x + y * y));
-      this->EmptyTiles.push_back({ ~inside, HUGE_VAL, -1 });
+      this->EmptyTiles.push_back({ ~inside, HUGE_VALF, -1 });
       this->Weights.push_back(weight);
       total += weight * Count(inside);
     }
@@ -215,7 +216,6 @@ void FootprintRaster::Draw(const FootprintFaces& faces, const BeamEnergy& beam, 
 {
   this->SetGrid(beam, across);
   this->Tiles = this->EmptyTiles;
-  this->Fragments.clear();
   this->DrawFaces(faces);
   this->AddSpots(targets, sums);
 }
@@ -244,8 +244,8 @@ HELIOS_INLINE void FootprintRaster::SetSpans(
   right = right > -1.0F ? right : EightFloats() - 1.0F;
   const Columns columns =
     GetColumns(this->Warp, 0.5F * static_cast<float>(this->Across), left, right);
-  const EightMasks first = RoundUp(columns.Left);
-  const EightMasks last = RoundUp(columns.Right);
+  const EightMasks first = CeilLanes(columns.Left);
+  const EightMasks last = CeilLanes(columns.Right);
   const EightMasks firstIn = isIn ? first : EightMasks() + this->Across;
   const EightMasks lastIn = isIn ? last : EightMasks();
   Store(spans.First, firstIn);
@@ -261,12 +261,17 @@ HELIOS_CLONES
 void FootprintRaster::DrawFaces(const FootprintFaces& faces)
 {
   const int across = this->Across / Side;
+  this->FirstFragments.clear();
+  std::size_t count = 0;
   for (std::size_t index = 0; index < faces.GetNumberOfFaces(); ++index)
   {
     const FootprintFaces::Face& face = faces.GetFace(index);
+    const float nearest = RoundUp(face.Maximum);
+    const float farthest = RoundDown(face.Minimum);
     const FootprintFaces::Line* lines = faces.GetLines(face);
     const int bottom = this->GetTileRow(face.Low, 0);
     const int top = this->GetTileRow(face.High, 1);
+    this->FirstFragments.push_back(count);
     for (int row = bottom; row <= top; ++row) // first all, because one waits for nothing of another
     {
       this->SetSpans(face, lines, row, this->AllSpans[static_cast<std::size_t>(row)]);
@@ -274,10 +279,17 @@ void FootprintRaster::DrawFaces(const FootprintFaces& faces)
     for (int row = bottom; row <= top; ++row)
     {
       const Spans& spans = this->AllSpans[static_cast<std::size_t>(row)];
+      const std::size_t most = count + static_cast<std::size_t>(across);
+      if (most > this->Fragments.size())
+      {
+        this->Fragments.resize(2 * most);
+      }
       for (int column = spans.FirstOfAny / Side; Side * column < spans.LastOfAny; ++column)
       {
-        const auto tile = static_cast<std::size_t>(row * across + column);
-        if (this->Tiles[tile].Covered == AllBits && !(face.Maximum > this->Tiles[tile].Minimum))
+        const auto place = static_cast<std::size_t>(row * across + column);
+        Tile& tile = this->Tiles[place];
+        const bool mayBeNearer = nearest > tile.Minimum;
+        if (tile.Covered == AllBits && !mayBeNearer)
         {
           continue;
         }
@@ -290,30 +302,23 @@ void FootprintRaster::DrawFaces(const FootprintFaces& faces)
           const EightMasks last = Load<EightMasks>(spans.Last) - start;
           bits = GetBytes(full << Clamp(first, 0, Side)) & ~GetBytes(full << Clamp(last, 0, Side));
         }
-        this->AddBits(faces, static_cast<int>(index), tile, bits);
+        vtkTypeUInt64 visible = bits & ~tile.Covered;
+        if (mayBeNearer && visible != bits)
+        {
+          visible |= this->Uncover(faces, static_cast<int>(index), place, bits & tile.Covered);
+        }
+        if (visible != 0)
+        {
+          this->Fragments[count] = { visible, tile.Last, static_cast<vtkTypeUInt16>(place),
+            static_cast<vtkTypeUInt16>(index) };
+          tile = { tile.Covered | visible, std::min(tile.Minimum, farthest),
+            static_cast<int>(count) };
+          ++count;
+        }
       }
     }
   }
-}
-
-//------------------------------------------------------------------------------
-HELIOS_INLINE void FootprintRaster::AddBits(
-  const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits)
-{
-  const FootprintFaces::Face& f = faces.GetFace(static_cast<std::size_t>(face));
-  Tile& t = this->Tiles[tile];
-  vtkTypeUInt64 visible = bits & ~t.Covered;
-  if (visible != bits && f.Maximum > t.Minimum)
-  {
-    visible |= this->Uncover(faces, face, tile, bits & t.Covered);
-  }
-  if (visible != 0)
-  {
-    this->Fragments.push_back({ face, t.Last, visible });
-    t.Last = static_cast<int>(this->Fragments.size()) - 1;
-    t.Covered |= visible;
-    t.Minimum = std::min(t.Minimum, f.Minimum);
-  }
+  this->FirstFragments.push_back(count);
 }
 
 //------------------------------------------------------------------------------
@@ -364,24 +369,26 @@ vtkTypeUInt64 FootprintRaster::GetNearer(const InverseDepth& difference, std::si
 }
 
 //------------------------------------------------------------------------------
-HELIOS_CLONES
-void FootprintRaster::AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums)
+/// Calls use(spot) for what is visible of a face in each tile.
+template <typename UseT>
+HELIOS_INLINE void FootprintRaster::ForEachSpot(std::size_t face, UseT use) const
 {
-  this->Spots.clear();
   const std::size_t across = static_cast<std::size_t>(this->Across / Side);
-  for (std::size_t tile = 0; tile < this->Tiles.size(); ++tile)
+  const std::size_t last = this->FirstFragments[face + 1];
+  for (std::size_t i = this->FirstFragments[face]; i < last; ++i)
   {
-    const TileSide& h = this->Sides[tile % across];
-    const TileSide& v = this->Sides[tile / across];
-    for (int k = this->Tiles[tile].Last; k >= 0;)
+    const Fragment& fragment = this->Fragments[i];
+    const vtkTypeUInt64 bits = fragment.Bits;
+    if (bits == 0)
     {
-      const Fragment& fragment = this->Fragments[static_cast<std::size_t>(k)];
-      k = fragment.Before;
-      const vtkTypeUInt64 bits = fragment.Bits;
-      if (bits == 0)
-      {
-        continue;
-      }
+      continue;
+    }
+    const TileSide& h = this->Sides[fragment.Tile % across];
+    const TileSide& v = this->Sides[fragment.Tile / across];
+    Spot spot{ static_cast<int>(face), this->Weights[fragment.Tile] * (Side * Side), h.Mean, v.Mean,
+      h.Variance, v.Variance };
+    if (bits != AllBits)
+    {
       // The mean indices of columns and rows in the tile, by the digits of these.
       const int count = Count(bits);
       const int columns = Count(bits & 0xaaaaaaaaaaaaaaaau) +
@@ -389,19 +396,29 @@ void FootprintRaster::AddSpots(const Targets& targets, std::vector<EnergyMoments
       const int rows = Count(bits & 0xff00ff00ff00ff00u) + 2 * Count(bits & 0xffff0000ffff0000u) +
         4 * Count(bits & 0xffffffff00000000u);
       const float each = 1.0F / static_cast<float>(count);
-      const Spot spot{ fragment.Face, this->Weights[tile] * count,
-        h.Mean + h.Step * (static_cast<float>(columns) * each - 3.5F),
-        v.Mean + v.Step * (static_cast<float>(rows) * each - 3.5F), h.Variance, v.Variance };
-      const int target = targets[static_cast<std::size_t>(fragment.Face)];
-      if (target >= 0)
-      {
-        spot.AddTo(sums[static_cast<std::size_t>(target)]);
-      }
-      else
-      {
-        this->Spots.push_back(spot);
-      }
+      spot.Energy = this->Weights[fragment.Tile] * count;
+      spot.X += h.Step * (static_cast<float>(columns) * each - 3.5F);
+      spot.Y += v.Step * (static_cast<float>(rows) * each - 3.5F);
     }
+    use(spot);
+  }
+}
+
+//------------------------------------------------------------------------------
+HELIOS_CLONES
+void FootprintRaster::AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums)
+{
+  this->Spots.clear();
+  for (std::size_t face = 0; face < targets.size(); ++face)
+  {
+    if (targets[face] < 0)
+    {
+      this->ForEachSpot(face, [this](const Spot& spot) { this->Spots.push_back(spot); });
+      continue;
+    }
+    EnergyMoments sum;
+    this->ForEachSpot(face, [&sum](const Spot& spot) { spot.AddTo(sum); });
+    sums[static_cast<std::size_t>(targets[face])] = sum;
   }
 }
 

@@ -51,11 +51,14 @@ public:
     }
   };
 
-  /// Where the moments of a face are added: at a place of a list, or -1 for a spot per tile.
+  /// Where the moments of a face are set: at a place of a list, or -1 for a spot per tile.
   using Targets = std::vector<int>;
 
+  static constexpr int MaximumAcross = 2048; ///< cells
+  static constexpr std::size_t MaximumFaces = 65535;
+
   /// Draws all faces, which are sorted, onto a grid of so many cells across, a multiple of 8, and
-  /// adds the moments of their visible parts to sums.
+  /// sets sums to the moments of their visible parts.
   void Draw(const FootprintFaces& faces, const BeamEnergy& beam, int across, const Targets& targets,
     std::vector<EnergyMoments>& sums);
 
@@ -67,14 +70,16 @@ private:
   struct Tile
   {
     vtkTypeUInt64 Covered; ///< cells that are covered, or outside the circle
-    double Minimum;        ///< inverse depth of its farthest corner
+    float Minimum;         ///< inverse depth of its farthest corner, or less
     int Last;              ///< fragment drawn last, or -1
   };
+  /// The cells of a face in a tile; those of one face follow each other.
   struct Fragment
   {
-    int Face;
-    int Before; ///< in the tile; -1: none
     vtkTypeUInt64 Bits;
+    int Before; ///< in the tile; -1: none
+    vtkTypeUInt16 Tile;
+    vtkTypeUInt16 Face;
   };
   /// The columns of a face in the rows of a tile: from First to before Last.
   struct Spans
@@ -92,10 +97,11 @@ private:
   void DrawFaces(const FootprintFaces& faces);
   void SetSpans(const FootprintFaces::Face& face, const FootprintFaces::Line* lines, int row,
     Spans& spans) const;
-  void AddBits(const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits);
   vtkTypeUInt64 Uncover(
     const FootprintFaces& faces, int face, std::size_t tile, vtkTypeUInt64 bits);
   vtkTypeUInt64 GetNearer(const InverseDepth& difference, std::size_t tile) const;
+  template <typename UseT>
+  void ForEachSpot(std::size_t face, UseT use) const;
   void AddSpots(const Targets& targets, std::vector<EnergyMoments>& sums);
 
   double Exponent = 0.0;
@@ -113,6 +119,7 @@ private:
   std::vector<Spans> AllSpans;  ///< spans of a face, by rows of tiles
   std::vector<Tile> Tiles;
   std::vector<Fragment> Fragments;
+  std::vector<std::size_t> FirstFragments; ///< by faces
   std::vector<Spot> Spots;
 };
 

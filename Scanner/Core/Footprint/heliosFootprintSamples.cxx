@@ -79,6 +79,7 @@ void Footprint::Sample(int across, std::vector<FootprintPart>& parts)
   {
     this->Targets.push_back(strips.Count == 0 ? static_cast<int>(strips.FirstStrip) : -1);
   }
+  static_assert(MaximumTriangles <= FootprintRaster::MaximumFaces, "a face has a number");
   FootprintRaster& raster = this->Rasters[across];
   raster.Draw(this->Faces, this->Beam, across, this->Targets, this->Sampled);
   for (const FootprintRaster::Spot& spot : raster.GetSpots())
