@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr vtkTypeUInt64 AllBits = ~vtkTypeUInt64(0);
+constexpr std::size_t Terms = 8; ///< of the polynomial, at least
 
 /// Columns of places, in the middle of which a column is whole.
 struct Columns
@@ -31,10 +32,17 @@ HELIOS_INLINE Columns GetColumns(
   const EightFloats leftSquare = left * left;
   const EightFloats rightSquare = right * right;
   Columns sum{ EightFloats() + warp.back(), EightFloats() + warp.back() };
-  for (std::size_t k = warp.size() - 1; k-- > 0;)
+  std::size_t k = warp.size() - 1;
+  for (; k > Terms - 1; --k)
   {
-    sum.Left = sum.Left * leftSquare + warp[k];
-    sum.Right = sum.Right * rightSquare + warp[k];
+    sum.Left = sum.Left * leftSquare + warp[k - 1];
+    sum.Right = sum.Right * rightSquare + warp[k - 1];
+  }
+#pragma GCC unroll 8
+  for (std::size_t term = Terms - 1; term > 0; --term)
+  {
+    sum.Left = sum.Left * leftSquare + warp[term - 1];
+    sum.Right = sum.Right * rightSquare + warp[term - 1];
   }
   const float shift = scale - 0.5F;
   return { scale * left * sum.Left + shift, scale * right * sum.Right + shift };
@@ -124,6 +132,7 @@ void FootprintRaster::SetWarp(double exponent)
     powers[0] = differences[i] - nodes[i] * powers[0];
   }
   this->Warp.assign(powers.begin(), powers.end());
+  this->Warp.resize(std::max(this->Warp.size(), Terms), 0.0F);
 }
 
 //------------------------------------------------------------------------------
@@ -284,10 +293,12 @@ void FootprintRaster::DrawFaces(const FootprintFaces& faces)
       {
         this->Fragments.resize(2 * most);
       }
+      Tile* tiles = this->Tiles.data();
+      Fragment* fragments = this->Fragments.data();
       for (int column = spans.FirstOfAny / Side; Side * column < spans.LastOfAny; ++column)
       {
         const auto place = static_cast<std::size_t>(row * across + column);
-        Tile& tile = this->Tiles[place];
+        Tile& tile = tiles[place];
         const bool mayBeNearer = nearest > tile.Minimum;
         if (tile.Covered == AllBits && !mayBeNearer)
         {
@@ -309,7 +320,7 @@ void FootprintRaster::DrawFaces(const FootprintFaces& faces)
         }
         if (visible != 0)
         {
-          this->Fragments[count] = { visible, tile.Last, static_cast<vtkTypeUInt16>(place),
+          fragments[count] = { visible, tile.Last, static_cast<vtkTypeUInt16>(place),
             static_cast<vtkTypeUInt16>(index) };
           tile = { tile.Covered | visible, std::min(tile.Minimum, farthest),
             static_cast<int>(count) };
