@@ -216,3 +216,25 @@ TEST_CASE("GLTFCutouts: what cannot be cut is opaque, and named", "[GLTFCutouts]
   check(
     card.MakeText(Mask), "images[0] is no image that is read; give PNG, JPEG, TIFF, BMP or PNM");
 }
+
+TEST_CASE("GLTFCutouts: a spectrum or optics of its own are cut, not blended", "[GLTFCutouts]")
+{
+  const MaskImage mask = MakeMask(64, 64, [](double x, double) { return x < 16 ? 0.25 : 1.0; });
+  const Card card{ helios::FormatPng(mask, 4), "" };
+  const std::string text = card.MakeText(
+    "\"alphaMode\":\"BLEND\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}");
+  const auto check = [&](const std::string& line, const std::string& has)
+  {
+    Reading reading("a.gltf", text);
+    reading.Reader->SetMaterialFileName(
+      reading.Write("a.mtl", "newmtl leaf\n" + line + "\n").c_str());
+    REQUIRE(reading.Read());
+    INFO(reading.Log->Warnings);
+    CHECK(reading.Log->HasWarning("materials[0].alphaMode: BLEND of material \"leaf\": its opacity "
+                                  "is cut at 0.5, as the material has " +
+      has + "; give it a reflectance to blend it"));
+    CHECK(ComputeAreas(reading.Scene())[0] == Approx(0.75).epsilon(5e-3));
+  };
+  check("helios_spectra grass", "a spectrum");
+  check("helios_optics mirror", "optics of its own");
+}

@@ -4,6 +4,7 @@
 #include "heliosImage.h"
 #include "heliosMaskMaking.h"
 #include "heliosObjTestFiles.h"
+#include "vtkHeliosMemoryLimit.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -231,4 +232,27 @@ TEST_CASE("ObjCutouts: opaque, unused and unreadable images are none", "[ObjCuto
   ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + Faces));
   REQUIRE(reading.Read());
   CHECK(reading.Log->Warnings.empty());
+}
+
+TEST_CASE(
+  "ObjCutouts: more triangles than memory are an error before they are made", "[ObjCutouts]")
+{
+  TestFolder folder;
+  helios::WritePng(MakeDisc(), 4, folder.GetPath("leaf.png"));
+  const std::string path = folder.Write("a.mtl", "newmtl leaf\nmap_Kd leaf.png\n");
+  std::string text = "mtllib a.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl leaf\n" + ObjSquare;
+  for (int i = 0; i < 6000; ++i)
+  {
+    text += "f 1/1 2/2 3/3\n";
+  }
+  ObjReading reading(folder.Write("a.obj", text));
+  vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() + 6.0);
+  const bool isRead = reading.Read();
+  vtkHeliosMemoryLimit::SetLimit(0.0);
+  CHECK_FALSE(isRead);
+  INFO(reading.Log->Errors);
+  CHECK(
+    reading.Log->HasError(path + ":2: the transparency of map_Kd leaf.png of material \"leaf\": "));
+  CHECK(reading.Log->HasError(" triangles cut by images need about "));
+  CHECK(reading.Log->HasError("; or place trees as instances, or simplify the image"));
 }
