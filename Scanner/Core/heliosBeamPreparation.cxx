@@ -14,6 +14,8 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace helios
 {
@@ -82,10 +84,20 @@ void SortInSpace(std::vector<SubRay>& subRays)
   {
     return;
   }
-  const auto getKey = [reach](const SubRay& ray)
-  { return 2 * SpreadBits(ray.Direction[0] / reach) + SpreadBits(ray.Direction[2] / reach); };
-  std::stable_sort(subRays.begin(), subRays.end(),
-    [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
+  std::vector<std::pair<unsigned, std::size_t>> keys(subRays.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const Vec3& d = subRays[i].Direction;
+    keys[i] = { 2 * SpreadBits(d[0] / reach) + SpreadBits(d[2] / reach), i };
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<SubRay> sorted;
+  sorted.reserve(subRays.size());
+  for (const auto& [key, index] : keys)
+  {
+    sorted.push_back(subRays[index]);
+  }
+  subRays.swap(sorted);
 }
 
 /// Makes Vogel's spiral of a size, for the few beams that need it.
@@ -116,6 +128,18 @@ void FinishBeam(ScanModel& model)
   {
     model.HasOffsets = model.HasOffsets || ray.Offset.Norm() > 0.0;
   }
+}
+
+/// Returns the tangent of the half angle of a cone about sub-rays.
+double GetTangent(const std::vector<SubRay>& subRays)
+{
+  double tangent = 0.0;
+  for (const SubRay& ray : subRays)
+  {
+    tangent = std::max(tangent, std::hypot(ray.Direction[0], ray.Direction[2]) / ray.Direction[1]);
+  }
+  constexpr double rounding = 1e-9; // of sub-rays, relative and absolute
+  return tangent * (1.0 + rounding) + 1e-3 * rounding;
 }
 
 /// Returns the truncation of a beam without a fraction of its energy, at the rim: 1 - exp(-2 K^2)
@@ -203,6 +227,7 @@ void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     ? GetSubRays(sampler)
     : std::vector<SubRay>{ { Vec3(0.0, 1.0, 0.0), 1.0, Vec3(0.0, 0.0, 0.0) } };
   FinishBeam(model);
+  model.ConeTangent = GetTangent(model.SubRays);
 }
 
 //------------------------------------------------------------------------------

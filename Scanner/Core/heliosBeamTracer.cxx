@@ -78,9 +78,7 @@ bool BeamTracer::SampleLayer(const Pulse& pulse, const ConeLayer& layer, ScanCou
   const std::vector<SubRay>& subRays = this->Model.LayerSubRays;
   const std::size_t count = subRays.size();
   RayBatch& batch = this->More;
-  batch.SubRays = &subRays;
-  batch.Rays.resize(std::max(batch.Rays.size(), count));
-  batch.Hits.resize(batch.Rays.size());
+  this->Resize(batch, subRays, 1);
   if (this->Model.Plane.Ratio != 1.0)
   {
     this->Layers.Align(layer.Frame, pulse.GetMajorAxis(), pulse.GetMinorAxis());
@@ -152,9 +150,7 @@ void BeamTracer::SelectParts(const Vec3& origin)
   const std::size_t count = this->Parts.size();
   this->PartRays.resize(count);
   RayBatch& batch = this->More;
-  batch.SubRays = &this->PartRays;
-  batch.Rays.resize(std::max(batch.Rays.size(), count));
-  batch.Hits.resize(batch.Rays.size());
+  this->Resize(batch, this->PartRays, 1);
   for (std::size_t i = 0; i < count; ++i)
   {
     const FootprintPart& part = this->Parts[i];
@@ -168,44 +164,89 @@ void BeamTracer::SelectParts(const Vec3& origin)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Cast(const std::vector<Pulse>& pulses, ScanCounts& counts)
-{
-  this->Cast(this->Model.SubRays, pulses.data(), pulses.size(), this->First, counts);
-}
-
-//------------------------------------------------------------------------------
-void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
-  RayBatch& batch, ScanCounts& counts)
+/// Makes room for the sub-rays of some pulses.
+void BeamTracer::Resize(
+  RayBatch& batch, const std::vector<SubRay>& subRays, std::size_t pulses) const
 {
   batch.SubRays = &subRays;
-  const std::size_t size = count * subRays.size();
-  batch.Rays.resize(std::max(batch.Rays.size(), size));
+  batch.Rays.resize(std::max(batch.Rays.size(), pulses * subRays.size()));
   batch.Hits.resize(batch.Rays.size());
-  vtkHeliosRay* ray = batch.Rays.data();
-  for (const Pulse* pulse = pulses; pulse != pulses + count; ++pulse)
-  {
-    ray = Aim(*pulse, subRays, this->Model.HasOffsets, ray);
-  }
-  this->Meet(pulses, count, batch);
-  counts.SubRays += static_cast<vtkIdType>(size);
 }
 
 //------------------------------------------------------------------------------
-/// Finds the hits of the sub-rays: surfaces, or leaves before them.
-void BeamTracer::Meet(const Pulse* pulses, std::size_t count, RayBatch& batch)
+void BeamTracer::Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, ScanCounts& counts)
 {
+  const std::size_t count = pulses.size();
+  RayBatch& batch = this->First;
+  this->Resize(batch, this->Model.SubRays, count);
+  this->Beams.resize(count);
+  std::size_t first = 0; // of the pulses that have to be traced
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const ConeGroup* group = groups.Get(i);
+    this->Beams[i] = group ? this->MeetGroup(pulses[i], *group, batch, i) : Unknown;
+    if (this->Beams[i] != Unknown)
+    {
+      this->Meet(pulses.data(), first, i, batch);
+      first = i + 1;
+    }
+  }
+  this->Meet(pulses.data(), first, count, batch);
+  counts.SubRays += static_cast<vtkIdType>(count * this->Model.SubRays.size());
+}
+
+//------------------------------------------------------------------------------
+/// Aims the sub-rays of a pulse, and finds their hits if one triangle, or none, fills its beam.
+BeamTracer::Contents BeamTracer::MeetGroup(
+  const Pulse& pulse, const ConeGroup& group, RayBatch& batch, std::size_t slot)
+{
+  const ScanModel& m = this->Model;
+  const Vec3 axis = pulse.GetDirection();
+  const ConeTriangles found = group.Select(pulse.Origin.GetData(), axis.GetData(), m.ConeTangent);
+  if (found.Touched == 0 && m.Air.IsEmpty() && !m.Wants.SubRays)
+  {
+    return Empty;
+  }
+  const bool isSingle =
+    found.Touched == found.Covering && (found.Touched & (found.Touched - 1)) == 0;
+  if (found.Touched == 0 || !isSingle)
+  {
+    return Unknown;
+  }
+  const std::size_t each = m.SubRays.size();
+  vtkHeliosRay* rays = batch.Rays.data() + slot * each;
+  Aim(pulse, m.SubRays, m.HasOffsets, rays);
+  group.Meet(found.Covering, rays, each, batch.Hits.data() + slot * each);
+  return Known;
+}
+
+//------------------------------------------------------------------------------
+/// Aims the sub-rays of the pulses [first, last), and finds their hits: surfaces, or leaves before them.
+void BeamTracer::Meet(const Pulse* pulses, std::size_t first, std::size_t last, RayBatch& batch)
+{
+  if (first == last)
+  {
+    return;
+  }
   const std::size_t each = batch.SubRays->size();
+  vtkHeliosRay* const rays = batch.Rays.data() + first * each;
+  vtkHeliosHit* const hits = batch.Hits.data() + first * each;
+  vtkHeliosRay* ray = rays;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    ray = Aim(pulses[i], *batch.SubRays, this->Model.HasOffsets, ray);
+  }
   if (this->Model.Caster)
   {
     this->Model.Caster->IntersectBeams(
-      batch.Rays.data(), batch.Hits.data(), static_cast<int>(each), static_cast<vtkIdType>(count));
+      rays, hits, static_cast<int>(each), static_cast<vtkIdType>(last - first));
   }
   else
   {
     const double endless = std::numeric_limits<double>::infinity();
-    std::fill(batch.Hits.begin(), batch.Hits.end(), vtkHeliosHit{ endless, -1 });
+    std::fill_n(hits, (last - first) * each, vtkHeliosHit{ endless, -1 });
   }
-  for (std::size_t i = 0; !this->Model.Medium.IsEmpty() && i < count; ++i)
+  for (std::size_t i = first; !this->Model.Medium.IsEmpty() && i < last; ++i)
   {
     this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, batch.Rays.data() + i * each, each,
       batch.Hits.data() + i * each);
@@ -233,7 +274,9 @@ void BeamTracer::Select(std::size_t slot)
 void BeamTracer::CastMore(
   const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts)
 {
-  this->Cast(subRays, &pulse, 1, this->More, counts);
+  this->Resize(this->More, subRays, 1);
+  this->Meet(&pulse, 0, 1, this->More);
+  counts.SubRays += static_cast<vtkIdType>(subRays.size());
   this->Select(this->More, 0);
 }
 

@@ -10,6 +10,7 @@
 #include "heliosLayerSampler.h"
 #include "heliosPathTracer.h"
 #include "heliosPulse.h"
+#include "heliosPulseGroups.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
 #include "heliosScanRecords.h"
@@ -34,7 +35,10 @@ public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
   /// Casts all sub-rays of each of some pulses.
-  void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
+  void Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, ScanCounts& counts);
+
+  /// Returns whether a pulse cast last meets nothing, and needs no more.
+  bool MeetsNothing(std::size_t slot) const { return this->Beams[slot] == Empty; }
 
   /// Samples the layer that fills the beam of a pulse, and accepts its sub-rays; false if its ranges
   /// spread too much, or reach a limit of the range gate.
@@ -97,9 +101,16 @@ private:
     std::vector<vtkHeliosRay> Rays;
     std::vector<vtkHeliosHit> Hits;
   };
-  void Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
-    RayBatch& batch, ScanCounts& counts);
-  void Meet(const Pulse* pulses, std::size_t count, RayBatch& batch);
+  /// What is known of a beam.
+  enum Contents
+  {
+    Unknown, ///< its rays have to be traced
+    Known,   ///< their hits are known
+    Empty    ///< nobody asks for its rays, which hit nothing
+  };
+  void Resize(RayBatch& batch, const std::vector<SubRay>& subRays, std::size_t pulses) const;
+  Contents MeetGroup(const Pulse& pulse, const ConeGroup& group, RayBatch& batch, std::size_t slot);
+  void Meet(const Pulse* pulses, std::size_t first, std::size_t last, RayBatch& batch);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Select(const RayBatch& batch, std::size_t slot);
   void SelectParts(const Vec3& origin);
@@ -119,8 +130,9 @@ private:
   std::vector<SubRay> PartRays;
   std::vector<PassedBeam> Passed;
   std::vector<Hidden> Hiding;
-  RayBatch First; // batch of all pulses
-  RayBatch More;  // batch of one pulse
+  RayBatch First;              // batch of all pulses
+  std::vector<Contents> Beams; // of its pulses
+  RayBatch More;               // batch of one pulse
 
   // Members of the current pulse.
   const std::vector<SubRay>* SubRays = nullptr;

@@ -28,6 +28,7 @@ constexpr double LeastShare = 0.02;
 PulseKernel::PulseKernel(const ScanModel& model)
   : Model(model)
   , Response(model)
+  , Groups(model)
   , Tracer(model, this->Response)
   , Signal(model.Receiver)
   , HasBlocks(model.Path.Echo == EchoPath::Waveform && model.Receiver.Detector->PrefersBlocks())
@@ -46,9 +47,10 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
   {
     const vtkIdType end = std::min(last, begin + size);
     this->AimPulses(begin, end);
+    this->Groups.Start(this->Pulses);
     if (!isAdaptive)
     {
-      this->Tracer.Cast(this->Pulses, this->Counts);
+      this->Tracer.Cast(this->Pulses, this->Groups, this->Counts);
     }
     for (std::size_t slot = 0; slot < this->Pulses.size() && !watch.IsStopped(); ++slot)
     {
@@ -109,18 +111,25 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 //------------------------------------------------------------------------------
 void PulseKernel::RunFixed(std::size_t slot)
 {
+  if (this->Tracer.MeetsNothing(slot))
+  {
+    this->Returns.clear();
+    this->SubRays.clear();
+    return;
+  }
   this->Tracer.Select(slot);
   this->RunReturns(this->Pulses[slot]);
 }
 
 //------------------------------------------------------------------------------
-PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
+PulseKernel::Cone PulseKernel::ProbeCone(std::size_t slot)
 {
+  const Pulse& pulse = this->Pulses[slot];
   Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MayHitTurbidVoxels(pulse),
     false, {} };
   if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MayHitTurbidVoxels)
   {
-    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer);
+    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer, this->Groups.Get(slot));
     cone.HasLayer = this->Layer.Size > 0;
     if (hit.Kind == vtkHeliosConeHit::PlanarFootprint)
     {
@@ -153,7 +162,7 @@ bool PulseKernel::HitsSpecularSurface(const Cone& cone) const
 void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const Cone cone = this->ProbeCone(pulse);
+  const Cone cone = this->ProbeCone(slot);
   if (this->HitsSpecularSurface(cone))
   {
     this->RunOnOptics(pulse, cone.HasLayer);

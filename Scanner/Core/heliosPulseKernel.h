@@ -7,6 +7,7 @@
 #define heliosPulseKernel_h
 
 #include "heliosBeamTracer.h"
+#include "heliosPulseGroups.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
 #include "heliosScanRecords.h"
@@ -66,7 +67,7 @@ private:
 
   void AimPulses(vtkIdType first, vtkIdType last);
   void CountFaults(const Pulse& pulse, vtkIdType index);
-  Cone ProbeCone(const Pulse& pulse);
+  Cone ProbeCone(std::size_t slot);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
   bool HitsSpecularSurface(const Cone& cone) const;
@@ -107,6 +108,7 @@ private:
 
   const ScanModel& Model;
   SurfaceResponse Response;
+  PulseGroups Groups;
   BeamTracer Tracer;
   Receiver Signal;
   PulseSource::Cursor Cursor;

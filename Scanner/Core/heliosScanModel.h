@@ -139,12 +139,19 @@ struct ScanModel
     return this->Power * this->Equation(range, 1.0, 1.0);
   }
 
+  /// Returns where the edges of a pulse's beam meet, behind its origin if it has a waist.
+  Vec3 GetApex(const Pulse& pulse) const
+  {
+    return pulse.Origin - this->ApexOffset * pulse.GetDirection();
+  }
+
   /// Probes all of a pulse's beam; the range is from the pulse's origin. Sets the layer that fills
   /// it, if there is one that can be sampled.
-  vtkHeliosConeHit ProbeCone(const Pulse& pulse, ConeLayer& layer) const
+  vtkHeliosConeHit ProbeCone(
+    const Pulse& pulse, ConeLayer& layer, const ConeGroup* group = nullptr) const
   {
     const Vec3 axis = pulse.GetDirection();
-    const Vec3 apex = pulse.Origin - this->ApexOffset * axis;
+    const Vec3 apex = this->GetApex(pulse);
     PlaneLimits limits(this->Plan.PlaneDistance);
     limits.OfPlane.Contrast = this->Plan.PlaneContrast;
     limits.Overlap = this->Plan.Overlap;
@@ -155,7 +162,7 @@ struct ScanModel
     }
     layer.Size = 0;
     vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,
-      limits, this->HasLayers() ? &layer : nullptr);
+      limits, this->HasLayers() ? &layer : nullptr, group);
     hit.Range -= this->ApexOffset;
     return hit;
   }

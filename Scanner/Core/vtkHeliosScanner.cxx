@@ -16,6 +16,7 @@
 #include "heliosWeather.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
@@ -527,6 +528,9 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   else
   {
     helios::PrepareFixedBeam(this->BeamSampler, m);
+    // Other casters have no trees to probe.
+    const bool hasTrees = m.Caster && vtkHeliosBeamRayCaster::SafeDownCast(this->RayCaster);
+    m.Cones = hasTrees ? this->RayCaster->GetConeProbe() : nullptr;
   }
   m.Path = helios::ChoosePath(traits);
 }

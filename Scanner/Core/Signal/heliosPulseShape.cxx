@@ -20,6 +20,8 @@ constexpr double HeliosLengthInTau = 3.3946806708465;
 constexpr double HeliosEndInTau = 27.0;
 // Samples before the peak of a pulse in closed form that is stored: one is the peak.
 constexpr int SamplesToPeak = 200;
+// Slots of clusters whose Gaussians are known.
+constexpr vtkIdType NumberOfSlots = 64;
 // Bins processed together, for vector instructions.
 constexpr vtkIdType Lanes = 8;
 
@@ -193,9 +195,10 @@ void PulseShape::GetSamples(std::vector<double>& times, std::vector<double>& pow
 }
 
 //------------------------------------------------------------------------------
-void PulseShape::SetBinSize(double binSize)
+void PulseShape::SetBinSize(double binSize, double slotStart)
 {
   this->BinSize = binSize;
+  this->SlotStart = slotStart;
   if (this->Kind != Gaussian)
   {
     return;
@@ -207,6 +210,11 @@ void PulseShape::SetBinSize(double binSize)
   {
     this->Shape[static_cast<std::size_t>(i)] =
       (*this)(static_cast<double>(i - this->Reach) * binSize);
+  }
+  this->Slots.clear();
+  for (vtkIdType slot = 0; slot < NumberOfSlots; ++slot)
+  {
+    this->Slots.push_back(this->Place(this->GetSlotTime(slot)));
   }
 }
 
@@ -228,7 +236,7 @@ void PulseShape::Deposit(double time, double power, double* sum, const BinRange&
   }
 }
 
-/// The window of a Gaussian: bin From + i gets Start Ratio^i Shape[i].
+/// The window of a Gaussian.
 struct PulseShape::Window
 {
   vtkIdType From, Skip, Count; // Skip: lanes before the filled bins
@@ -244,28 +252,38 @@ struct PulseShape::Window
 
 //------------------------------------------------------------------------------
 /**
- * Computes the window of a pulse. With the nearest bin m and delta = time - m b, bin m + q gets
+ * Places a pulse. With the nearest bin m and delta = time - m b, bin m + q gets
  * exp(-(q b - delta)^2 / (2 sigma^2)) = shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b
- * delta / sigma^2): no exponential per bin. False if no bin is reached.
+ * delta / sigma^2): no exponential per bin.
  */
-bool PulseShape::GetWindow(double time, const BinRange& bins, Window& window) const
+PulseShape::Placed PulseShape::Place(double time) const
 {
   const double position = std::round(time / this->BinSize);
-  if (position - static_cast<double>(this->Reach) >= static_cast<double>(bins.Last))
-  {
-    return false;
-  }
   const vtkIdType middle = static_cast<vtkIdType>(position);
   const double sigma = this->GetSigma();
   const double delta = time - position * this->BinSize;
   const double exponent = this->BinSize * delta / (sigma * sigma);
   const double u = delta / sigma;
-  window.From = std::max<vtkIdType>(0, middle - this->Reach);
+  const vtkIdType from = std::max<vtkIdType>(0, middle - this->Reach);
+  return { time, position, from, from - middle + this->Reach,
+    std::exp(-0.5 * u * u + exponent * static_cast<double>(from - middle)), std::exp(exponent) };
+}
+
+//------------------------------------------------------------------------------
+/// Computes the window of a pulse; false if no bin is reached.
+bool PulseShape::GetWindow(const Placed& placed, const BinRange& bins, Window& window) const
+{
+  if (placed.Position - static_cast<double>(this->Reach) >= static_cast<double>(bins.Last))
+  {
+    return false;
+  }
+  const vtkIdType middle = static_cast<vtkIdType>(placed.Position);
+  window.From = placed.From;
   window.Skip = std::max<vtkIdType>(0, (bins.First - window.From) / Lanes * Lanes);
   window.Count = std::min(bins.Last, middle + this->Reach + 1) - window.From;
-  window.Shape = this->Shape.data() + (window.From - middle + this->Reach);
-  window.Start = std::exp(-0.5 * u * u + exponent * static_cast<double>(window.From - middle));
-  window.Ratio = std::exp(exponent);
+  window.Shape = this->Shape.data() + placed.Shape;
+  window.Start = placed.Start;
+  window.Ratio = placed.Ratio;
   return true;
 }
 
@@ -273,7 +291,7 @@ bool PulseShape::GetWindow(double time, const BinRange& bins, Window& window) co
 void PulseShape::DepositGaussian(double time, double power, double* sum, const BinRange& bins) const
 {
   Window w;
-  if (this->GetWindow(time, bins, w))
+  if (this->GetWindow(this->Place(time), bins, w))
   {
     AddGeometric(w.GetRun(sum, power));
   }
@@ -283,7 +301,9 @@ void PulseShape::DepositGaussian(double time, double power, double* sum, const B
 void PulseShape::Deposit(const PulseCluster& cluster, double* sum, const BinRange& bins) const
 {
   Window w;
-  if (!this->GetWindow(cluster.Time, bins, w))
+  const auto slot = static_cast<std::size_t>(cluster.Slot);
+  const bool isKnown = slot < this->Slots.size() && this->Slots[slot].Time == cluster.Time;
+  if (!this->GetWindow(isKnown ? this->Slots[slot] : this->Place(cluster.Time), bins, w))
   {
     return;
   }

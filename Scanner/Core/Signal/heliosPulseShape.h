@@ -22,7 +22,7 @@ struct PulseCluster
   static constexpr double Reach = 0.15; ///< distance of a time from the middle, in sigma
 
   vtkIdType Slot; ///< index of the cluster among adjacent ones
-  double Time;    ///< the middle [ns]
+  double Time;    ///< the middle [ns], PulseShape::GetSlotTime()
   double Nearest; ///< the ranges in it [m]
   double Farthest;
   double Sums[Order] = {}; ///< with the times from the middle in sigma
@@ -66,8 +66,15 @@ public:
   /// many in steps.
   void GetSamples(std::vector<double>& times, std::vector<double>& powers) const;
 
-  /// Prepares for bins of a size [ns].
-  void SetBinSize(double binSize);
+  /// Prepares for bins of a size [ns], and for clusters whose slots begin at a time [ns] after bin 0.
+  void SetBinSize(double binSize, double slotStart = 0.0);
+
+  /// Returns the middle of a slot of clusters [ns].
+  double GetSlotTime(vtkIdType slot) const
+  {
+    return this->SlotStart +
+      (static_cast<double>(slot) + 0.5) * (2.0 * PulseCluster::Reach * this->GetSigma());
+  }
 
   /// Returns the bins within reach of a Gaussian to either side.
   vtkIdType GetReach() const { return this->Reach; }
@@ -85,8 +92,18 @@ public:
   void Deposit(const PulseCluster& cluster, double* sum, const BinRange& bins) const;
 
 private:
+  /// A Gaussian at a time: bin From + i gets Start Ratio^i Shape[i].
+  struct Placed
+  {
+    double Time;     // [ns]
+    double Position; // the nearest bin
+    vtkIdType From;
+    vtkIdType Shape; // its first one, in the member
+    double Start, Ratio;
+  };
+  Placed Place(double time) const;
   struct Window;
-  bool GetWindow(double time, const BinRange& bins, Window& window) const;
+  bool GetWindow(const Placed& placed, const BinRange& bins, Window& window) const;
 
   enum Kinds
   {
@@ -108,6 +125,8 @@ private:
   double BinSize = 0.25;
   std::vector<double> Shape; // values of a Gaussian at multiples of BinSize, from -Reach
   vtkIdType Reach = 0;       // bins
+  double SlotStart = 0.0;    // [ns]
+  std::vector<Placed> Slots; // Gaussians in the middle of the first slots
 };
 
 } // namespace helios

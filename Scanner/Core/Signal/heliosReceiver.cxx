@@ -87,8 +87,9 @@ Receiver::Receiver(const ReceiverSettings& settings)
   , Sigma(settings.Shape.GetSigma())
   , SigmaRange(0.5 * SpeedOfLight * settings.Shape.GetSigma())
 {
-  this->Settings.Shape.SetBinSize(settings.BinSize);
-  this->DetectionShape.SetBinSize(settings.DetectionBin);
+  const double margin = MarginInSigma * this->Sigma; // OpenWindow()
+  this->Settings.Shape.SetBinSize(settings.BinSize, margin);
+  this->DetectionShape.SetBinSize(settings.DetectionBin, margin);
   if (settings.Detector)
   {
     this->Fault =
@@ -519,9 +520,8 @@ PulseCluster& Receiver::GetCluster(vtkIdType slot)
       return this->Clusters[place->second];
     }
   }
-  const double width = 2.0 * PulseCluster::Reach * this->Sigma;
-  const double middle = this->Margin + (static_cast<double>(slot) + 0.5) * width;
-  this->Clusters.push_back({ slot, middle, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX });
+  this->Clusters.push_back(
+    { slot, this->DetectionShape.GetSlotTime(slot), VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX });
   return this->Clusters.back();
 }
 

@@ -109,8 +109,14 @@ void BeamBundle::TraceTree(const PlacedTree& placed)
   BeamWalk walk(placed.GetTree(), this->Hull);
   float limit = this->Hull.GetLimit(this->GetFarthest());
   BeamTree::Leaf leaf;
+  bool hasFilter = false;
   while (walk.GetNext(limit, leaf))
   {
+    if (!hasFilter)
+    {
+      this->SetFilter();
+      hasFilter = true;
+    }
     if (this->Test(leaf, limit))
     {
       limit = this->Hull.GetLimit(this->GetFarthest());
@@ -296,11 +302,14 @@ bool BeamBundle::MoveRays()
   return AreAll(areFine);
 }
 
-/// Sets the frustum and the filter for the current tree; false if it is empty.
+/// Sets the frustum for the current tree; false if it is empty.
 HELIOS_CLONES
 bool BeamBundle::SetFrame()
 {
-  double low[3], high[3], slopeLow[2], slopeHigh[2];
+  double* const low = this->Low;
+  double* const high = this->High;
+  double* const slopeLow = this->SlopeLow;
+  double* const slopeHigh = this->SlopeHigh;
   this->SetIntervals(low, high, slopeLow, slopeHigh);
   const BeamTree& tree = this->Placed.GetTree();
   const double error = this->Placed.IsMoved() ? this->Placed.GetError(this->Reach) : 0.0;
@@ -310,11 +319,20 @@ bool BeamBundle::SetFrame()
   {
     return false;
   }
+  return true;
+}
+
+/// Sets the filter for the current tree.
+HELIOS_CLONES
+void BeamBundle::SetFilter()
+{
+  const double* const low = this->Low;
+  const double* const high = this->High;
   this->HaveSamePlace = low[0] == high[0] && low[1] == high[1] && low[2] == high[2];
-  this->Filter.SetAxis(tree, this->Hull, low, high, slopeLow, slopeHigh);
+  this->Filter.SetAxis(
+    this->Placed.GetTree(), this->Hull, low, high, this->SlopeLow, this->SlopeHigh);
   this->SetSlopes(low, high);
   this->SetBlocks();
-  return true;
 }
 
 /// Returns the intervals of origins and slopes in the frame of the current tree; sets its axes.

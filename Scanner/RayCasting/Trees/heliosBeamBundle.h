@@ -46,6 +46,7 @@ private:
   void SetReach();
   bool MoveRays();
   bool SetFrame();
+  void SetFilter();
   void SetIntervals(double low[3], double high[3], double slopeLow[2], double slopeHigh[2]);
   void SetSlopes(const double low[3], const double high[3]);
   void SetBlocks();
@@ -83,6 +84,8 @@ private:
   bool IsForward = true;
   bool HaveSamePlace = false; ///< the origins
   Frustum Hull;
+  double Low[3], High[3]; ///< intervals of the rays: origins; slopes
+  double SlopeLow[2], SlopeHigh[2];
 
   LeafFilter Filter;
   alignas(64) float Slopes[2][MaximumRays]; ///< slopes of the rays relative to the filter's axis

@@ -4,6 +4,7 @@
 
 #include "heliosBeamTree.h"
 #include "heliosConeCollector.h"
+#include "heliosConeGroup.h"
 #include "heliosConeTest.h"
 #include "heliosSceneTree.h"
 #include "heliosTriangleMesh.h"
@@ -30,9 +31,15 @@ public:
   }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits, ConeLayer* layer) const override
+    const PlaneLimits& limits, ConeLayer* layer, const ConeGroup* group) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer);
+    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer, group);
+  }
+
+  bool FindGroup(
+    const ConeAxis* cones, std::size_t count, double tanHalfAngle, ConeGroup& group) const override
+  {
+    return group.Find(*this->Tree, cones, count, tanHalfAngle);
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,

@@ -3,6 +3,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosConeTest.h"
 
+#include "heliosConeGroup.h"
 #include "heliosConeWalk.h"
 
 #include <algorithm>
@@ -79,15 +80,22 @@ ConeTest::ConeTest(
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosConeHit ConeTest::Run(const SceneTree& scene, ConeLayer* layer)
+vtkHeliosConeHit ConeTest::Run(const SceneTree& scene, ConeLayer* layer, const ConeGroup* group)
 {
   if (layer)
   {
     layer->Size = 0;
   }
   this->Scene = &scene;
-  bool isKnown = this->IsValid &&
-    scene.GetMesh().GetTree().GetOutliers().size() <= MaximumOutliers && this->Walk();
+  if (!this->IsValid || scene.GetMesh().GetTree().GetOutliers().size() > MaximumOutliers)
+  {
+    return Unknown;
+  }
+  if (group && this->WalkGroup(*group))
+  {
+    return this->Classify(layer);
+  }
+  bool isKnown = this->Walk();
   if (isKnown && this->IsIncomplete)
   {
     this->Count = 0;
@@ -102,6 +110,26 @@ bool ConeTest::Walk()
   return WalkCone(this->Shape, this->Axis.Axes, *this->Scene, this->Farthest,
     [this](const PlacedTree& placed, vtkTypeInt32 triangle)
     { return this->Add(placed, triangle); });
+}
+
+/// Adds those of a group; false, and none is added, if one of them would make the cone mixed: only the trees know
+/// whether it is hidden.
+bool ConeTest::WalkGroup(const ConeGroup& group)
+{
+  const Cone& cone = this->Shape;
+  const bool isKnown =
+    group.Visit(group.Select(cone.GetOrigin(), cone.GetAxis(2), cone.GetTangent()).Touched,
+      [this](const PlacedTree& placed, vtkTypeInt32 triangle)
+      { return this->Add(placed, triangle); });
+  if (!isKnown)
+  {
+    this->Count = 0;
+    this->Hit = { NoHit, -1 };
+    this->Farthest = NoHit;
+    this->IsTraced = false;
+    this->IsIncomplete = false;
+  }
+  return isKnown;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 namespace helios
 {
 
+class ConeGroup;
 class SceneTree;
 
 /// Tests one cone: gathers the triangles that touch it, from front to back, and classifies them.
@@ -26,7 +27,7 @@ public:
     const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
   /// Tests a scene, see ConeProbe::Probe().
-  vtkHeliosConeHit Run(const SceneTree& scene, ConeLayer* layer);
+  vtkHeliosConeHit Run(const SceneTree& scene, ConeLayer* layer, const ConeGroup* group);
 
 private:
   /// A triangle that touches the cone.
@@ -37,6 +38,7 @@ private:
   struct Gap;
 
   bool Walk();
+  bool WalkGroup(const ConeGroup& group);
   bool Add(const PlacedTree& placed, vtkTypeInt32 triangle);
   void SetHit(const Member& c, double range);
   bool TraceAxis();

@@ -32,8 +32,8 @@ inline bool SetAxis(const double origin[3], const double axis[3], TestRay& test)
  * belong to the test of its axis. In the frame of the tree a length is scale times the length of
  * the depth; error: see BeamTree::SetFrustum().
  */
-template <typename AddT>
-bool WalkTree(const Cone& cone, const RayAxes& axes, const BeamTree& tree, double error,
+template <typename ConeT, typename AddT>
+bool WalkTree(const ConeT& cone, const RayAxes& axes, const BeamTree& tree, double error,
   double scale, const double& farthest, AddT add)
 {
   if (tree.IsEmpty())
@@ -82,9 +82,9 @@ bool WalkInstance(const Cone& cone, const PlacedTree& placed, const double& fart
 }
 
 /// Walks the instances of a scene whose boxes the cone enters.
-template <typename AddT>
+template <typename ConeT, typename AddT>
 bool WalkInstances(
-  const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+  const ConeT& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
 {
   const BeamTree& boxes = scene.GetBoxes();
   Frustum hull;
@@ -109,9 +109,9 @@ bool WalkInstances(
 }
 
 /// Walks all triangles of a scene; add() is given their tree, too.
-template <typename AddT>
+template <typename ConeT, typename AddT>
 bool WalkCone(
-  const Cone& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+  const ConeT& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
 {
   const PlacedTree& mesh = scene.GetMesh();
   const auto addOfMesh = [&](vtkTypeInt32 triangle) { return add(mesh, triangle); };

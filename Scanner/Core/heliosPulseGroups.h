@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the beams of consecutive pulses of a group (heliosScanRun.h) may meet, found for many of them at once.
+
+#ifndef heliosPulseGroups_h
+#define heliosPulseGroups_h
+
+#include "heliosConeGroup.h"
+#include "heliosPulse.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace helios
+{
+
+struct ScanModel;
+
+/// One per thread. How many pulses it groups depends on the pulses before; what it returns for a pulse has the
+/// same triangles that touch its beam, whatever their number.
+class PulseGroups
+{
+public:
+  explicit PulseGroups(const ScanModel& model);
+
+  /// Begins a group of pulses, which must outlive their use.
+  void Start(const std::vector<Pulse>& pulses);
+
+  /// Returns the triangles about a pulse; null if they are too many, or if pulses are not grouped. Pulses are
+  /// asked for in order.
+  const ConeGroup* Get(std::size_t slot);
+
+private:
+  bool Find(std::size_t first, std::size_t last);
+  void Extend(std::size_t slot);
+
+  const ScanModel& Model;
+  const bool IsOn;
+  const std::vector<Pulse>* Pulses = nullptr;
+  std::vector<ConeAxis> Cones;
+  ConeGroup Group;
+  std::size_t End = 0;      ///< of the pulses of the current answer
+  bool IsFound = false;     ///< whether it is the group
+  std::size_t Span;         ///< pulses asked for next
+  std::size_t Pause = 0;    ///< pulses that are skipped next
+  std::size_t Failures = 0; ///< in a row, with the smallest span
+};
+
+} // namespace helios
+
+#endif
