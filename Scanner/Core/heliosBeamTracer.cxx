@@ -203,13 +203,11 @@ BeamTracer::Contents BeamTracer::MeetGroup(
   const ScanModel& m = this->Model;
   const Vec3 axis = pulse.GetDirection();
   const ConeTriangles found = group.Select(pulse.Origin.GetData(), axis.GetData(), m.ConeTangent);
-  if (found.Touched == 0 && m.Air.IsEmpty() && !m.Wants.SubRays)
+  if (found.AreNone() && m.Air.IsEmpty() && !m.Wants.SubRays)
   {
     return Empty;
   }
-  const bool isSingle =
-    found.Touched == found.Covering && (found.Touched & (found.Touched - 1)) == 0;
-  if (found.Touched == 0 || !isSingle)
+  if (!found.IsOne())
   {
     return Unknown;
   }

@@ -17,6 +17,16 @@ constexpr std::size_t FirstPause =
   32; // pulses without a group after a failure with the smallest span
 constexpr std::size_t LongestPause = 256; // after several failures
 
+/// Returns the ray along the axis of the cone about a pulse's beam.
+vtkHeliosRay MakeAxis(const ScanModel& model, const Pulse& pulse)
+{
+  const Vec3 direction = pulse.GetDirection();
+  vtkHeliosRay axis;
+  std::copy_n(model.GetApex(pulse).GetData(), 3, axis.Origin);
+  std::copy_n(direction.GetData(), 3, axis.Direction);
+  return axis;
+}
+
 } // namespace
 
 PulseGroups::PulseGroups(const ScanModel& model)
@@ -46,6 +56,29 @@ const ConeGroup* PulseGroups::Get(std::size_t slot)
     this->Extend(slot);
   }
   return this->IsFound ? &this->Group : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosConeHit PulseGroups::FindOnly(std::size_t slot)
+{
+  const vtkHeliosConeHit unknown{ vtkHeliosConeHit::Unresolved, -1, 0.0 };
+  const ConeGroup* group = this->Get(slot);
+  if (!group)
+  {
+    return unknown;
+  }
+  const Pulse& pulse = (*this->Pulses)[slot];
+  const vtkHeliosRay axis = MakeAxis(this->Model, pulse);
+  const ConeTriangles found = group->Select(axis.Origin, axis.Direction, this->Model.ConeTangent);
+  vtkHeliosHit hit{ NoHit, -1 };
+  if (found.IsOne())
+  {
+    group->Meet(found.Covering, &axis, 1, &hit);
+  }
+  const double range = hit.Range - this->Model.ApexOffset;
+  return found.AreNone() ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, range }
+    : hit.CellId >= 0    ? vtkHeliosConeHit{ vtkHeliosConeHit::PlanarFootprint, hit.CellId, range }
+                         : unknown;
 }
 
 //------------------------------------------------------------------------------
@@ -82,11 +115,9 @@ bool PulseGroups::Find(std::size_t first, std::size_t last)
   this->Cones.resize(last - first);
   for (std::size_t i = first; i < last; ++i)
   {
-    const Pulse& pulse = (*this->Pulses)[i];
-    ConeAxis& cone = this->Cones[i - first];
-    const Vec3 axis = pulse.GetDirection();
-    std::copy_n(this->Model.GetApex(pulse).GetData(), 3, cone.Origin);
-    std::copy_n(axis.GetData(), 3, cone.Axis);
+    const vtkHeliosRay axis = MakeAxis(this->Model, (*this->Pulses)[i]);
+    std::copy_n(axis.Origin, 3, this->Cones[i - first].Origin);
+    std::copy_n(axis.Direction, 3, this->Cones[i - first].Axis);
   }
   return this->Model.Cones->FindGroup(
     this->Cones.data(), this->Cones.size(), this->Model.ConeTangent, this->Group);

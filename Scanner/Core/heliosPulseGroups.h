@@ -30,6 +30,10 @@ public:
   /// asked for in order.
   const ConeGroup* Get(std::size_t slot);
 
+  /// Returns what ScanModel::ProbeCone() does if the beam of a pulse meets nothing, or one triangle of the group that
+  /// covers it; else Unresolved.
+  vtkHeliosConeHit FindOnly(std::size_t slot);
+
 private:
   bool Find(std::size_t first, std::size_t last);
   void Extend(std::size_t slot);

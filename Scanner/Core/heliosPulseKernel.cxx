@@ -127,22 +127,31 @@ PulseKernel::Cone PulseKernel::ProbeCone(std::size_t slot)
   const Pulse& pulse = this->Pulses[slot];
   Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MayHitTurbidVoxels(pulse),
     false, {} };
-  if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MayHitTurbidVoxels)
+  if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MayHitTurbidVoxels &&
+    !this->Resolve(pulse, this->Groups.FindOnly(slot), cone))
   {
-    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse, this->Layer, this->Groups.Get(slot));
+    this->Resolve(pulse, this->Model.ProbeCone(pulse, this->Layer, this->Groups.Get(slot)), cone);
     cone.HasLayer = this->Layer.Size > 0;
-    if (hit.Kind == vtkHeliosConeHit::PlanarFootprint)
-    {
-      cone.Plane = this->GetIncidence(pulse, hit);
-    }
-    if (hit.Kind == vtkHeliosConeHit::Empty ||
-      (this->Model.Air.IsEmpty() && hit.Kind == vtkHeliosConeHit::PlanarFootprint &&
-        this->IsExact(cone.Plane, hit.Range)))
-    {
-      cone.Hit = hit;
-    }
   }
   return cone;
+}
+
+//------------------------------------------------------------------------------
+/// Sets the only surface in a cone, if its echo has a closed form; false otherwise.
+bool PulseKernel::Resolve(const Pulse& pulse, const vtkHeliosConeHit& hit, Cone& cone)
+{
+  const bool isPlanar = hit.Kind == vtkHeliosConeHit::PlanarFootprint;
+  if (isPlanar)
+  {
+    cone.Plane = this->GetIncidence(pulse, hit);
+  }
+  const bool isResolved = hit.Kind == vtkHeliosConeHit::Empty ||
+    (isPlanar && this->Model.Air.IsEmpty() && this->IsExact(cone.Plane, hit.Range));
+  if (isResolved)
+  {
+    cone.Hit = hit;
+  }
+  return isResolved;
 }
 
 //------------------------------------------------------------------------------

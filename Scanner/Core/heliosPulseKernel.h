@@ -68,6 +68,7 @@ private:
   void AimPulses(vtkIdType first, vtkIdType last);
   void CountFaults(const Pulse& pulse, vtkIdType index);
   Cone ProbeCone(std::size_t slot);
+  bool Resolve(const Pulse& pulse, const vtkHeliosConeHit& hit, Cone& cone);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
   bool HitsSpecularSurface(const Cone& cone) const;

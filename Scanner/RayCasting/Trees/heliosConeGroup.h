@@ -31,6 +31,15 @@ struct ConeTriangles
 {
   std::uint32_t Touched;
   std::uint32_t Covering;
+
+  bool AreNone() const { return this->Touched == 0; }
+
+  /// Returns whether one triangle covers the cone and no other one touches it.
+  bool IsOne() const
+  {
+    return !this->AreNone() && this->Touched == this->Covering &&
+      (this->Touched & (this->Touched - 1)) == 0;
+  }
 };
 
 class VTKHELIOSSCANNERRAYCASTING_EXPORT ConeGroup

@@ -106,14 +106,12 @@ void Compare(vtkHeliosBeamRayCaster* caster, const ConeGroup& group, const ConeA
   std::vector<vtkHeliosHit> hits(rays.size(), { -7.0, -7 }), all(rays.size());
   caster->IntersectBeams(rays.data(), all.data(), static_cast<int>(rays.size()), 1);
   const helios::ConeTriangles found = group.Select(cone.Origin, cone.Axis, tangent);
-  const bool isSingle =
-    found.Covering == found.Touched && (found.Touched & (found.Touched - 1)) == 0;
-  if (found.Touched == 0)
+  if (found.AreNone())
   {
     ++tally.Empty;
     std::fill(hits.begin(), hits.end(), vtkHeliosHit{ 0.0, -1 });
   }
-  else if (isSingle)
+  else if (found.IsOne())
   {
     ++tally.Single;
     group.Meet(found.Covering, rays.data(), rays.size(), hits.data());
@@ -122,6 +120,8 @@ void Compare(vtkHeliosBeamRayCaster* caster, const ConeGroup& group, const ConeA
   {
     return;
   }
+  CHECK((found.AreNone() ? truth.Kind == vtkHeliosConeHit::Empty
+                         : truth.Kind == vtkHeliosConeHit::PlanarFootprint));
   tally.WrongHits += std::equal(hits.begin(), hits.end(), all.begin(), IsEqual) ? 0 : 1;
 }
 
