@@ -69,7 +69,7 @@ ArrayT* AddColumn(vtkImageData* grid, const char* name)
 
 State GetState(const FoliageSums& sums, const FoliageSettings& settings, FoliageDensity& density)
 {
-  if (sums.Beams < settings.MinimumNumberOfBeams || std::isnan(sums.FreePath))
+  if (!(sums.PathLength >= settings.MinimumPath && sums.PathLength > 0.0))
   {
     density = { NaN, NaN };
     return sums.Beams + sums.ShadowedBeams > 0.0 ? Shadowed : NoBeam;

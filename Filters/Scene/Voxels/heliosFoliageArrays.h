@@ -24,7 +24,7 @@ struct FoliageSettings
   FoliageEstimator Estimator = FoliageEstimator::MaximumLikelihoodCorrected;
   double ElementArea = 0.0; // [m2]
   double CellVolume = 1.0;  // [m3]
-  int MinimumNumberOfBeams = 1;
+  double MinimumPath = 0.0; // free path that makes a cell seen [m]
 };
 
 /// Reads the sums of an image; zeros if it has none.

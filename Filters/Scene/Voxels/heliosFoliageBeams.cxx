@@ -293,6 +293,10 @@ void FoliageBeams::AddHits(const FoliageColumns& columns, const Groups& groups, 
     end = begin + 1;
     total = 1.0;
   }
+  if (columns.GetShares() == FoliageInput::Shares::Reflectance)
+  {
+    total = 1.0;
+  }
   if (columns.GetShares() == FoliageInput::Shares::Equal && end > begin)
   {
     total = std::max(total, columns.GetNumberOfReturns(groups.Rows[this->First[index]]));

@@ -42,8 +42,10 @@ struct FoliageInput
   {
     Equal,
     First,
-    Energy
+    Energy,
+    Reflectance
   } EchoShares = Shares::Energy;
+  double ElementReflectance = 0.5;
 
   std::vector<int> Classes;   // counted; empty: all but ground, water and noise
   std::vector<int> Materials; // counted; empty: all

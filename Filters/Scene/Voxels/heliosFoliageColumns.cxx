@@ -29,6 +29,9 @@ constexpr int NoPlants[] = { 2, 7, 9, 18 }; // ground, noise, water
 /// Smallest cosine of an incidence: below it a leaf weighs no more.
 constexpr double SmallestCosine = 0.02;
 
+/// Mean |cos| of the incidence on elements of random orientation that are hit.
+constexpr double MeanHitCosine = 2.0 / 3.0;
+
 constexpr double EpochTolerance = 1.0; // of times beyond the ends of a trajectory [s]
 
 template <typename ListT>
@@ -80,6 +83,14 @@ Status FoliageColumns::Set(const FoliageInput& input)
   const bool isEnergy = input.EchoShares == FoliageInput::Shares::Energy;
   this->Shares = isEnergy && !hasEnergy ? FoliageInput::Shares::Equal : input.EchoShares;
   const bool needsEchoes = input.Echoes->GetNumberOfPoints() > 0;
+  this->ElementReflectance = input.ElementReflectance;
+  this->Reflectances = data->GetArray(names::Reflectance);
+  if (needsEchoes && !input.Hits && this->Shares == FoliageInput::Shares::Reflectance &&
+    !this->Reflectances)
+  {
+    return Status::Error(std::string("the echoes have no array ") + names::Reflectance +
+      " [dB], which their shares are to be of; choose other EchoShares");
+  }
   if (needsEchoes && !input.Classes.empty() && !this->Classes)
   {
     return Status::Error(std::string("the echoes have no array ") + names::ClassificationIds +
@@ -151,6 +162,11 @@ double FoliageColumns::GetIncidenceWeight(vtkDataArray* incidences, vtkIdType ro
 //------------------------------------------------------------------------------
 double FoliageColumns::GetEnergy(vtkIdType echo, double range) const
 {
+  if (this->Shares == FoliageInput::Shares::Reflectance && this->IsCounted(echo))
+  {
+    const double apparent = std::pow(10.0, 0.1 * this->Reflectances->GetTuple1(echo));
+    return std::min(apparent / (MeanHitCosine * this->ElementReflectance), 1.0);
+  }
   if (this->Shares != FoliageInput::Shares::Energy)
   {
     return 1.0;

@@ -48,7 +48,7 @@ public:
 
   double GetHitEnergy(vtkIdType hit) const { return this->HitEnergies->GetValue(hit); }
 
-  /// Returns the energy of an echo, in any unit.
+  /// Returns the energy of an echo, in any unit; by reflectance in pulses.
   double GetEnergy(vtkIdType echo, double range) const;
 
   /// Returns the number of returns of the pulse of an echo; 0: unknown.
@@ -61,6 +61,7 @@ private:
   Status SetHits(const FoliageInput& input);
 
   FoliageInput::Shares Shares = FoliageInput::Shares::Equal;
+  double ElementReflectance = 0.5;
   std::vector<int> CountedClasses;
   std::vector<int> CountedMaterials;
   vtkSmartPointer<vtkDoubleArray> Points;
@@ -70,6 +71,7 @@ private:
   vtkDataArray* Materials = nullptr;
   vtkDataArray* Amplitudes = nullptr;
   vtkDataArray* Widths = nullptr;
+  vtkDataArray* Reflectances = nullptr;
   vtkDataArray* Returns = nullptr;
   vtkDataArray* Incidences = nullptr;
   vtkDataArray* HitIncidences = nullptr;

@@ -174,6 +174,7 @@ std::string vtkHeliosPlantAreaDensity::BuildBeams(
     std::all_of(this->BeamOrigin, this->BeamOrigin + 3, [](double x) { return std::isfinite(x); });
   input.Origin = hasOrigin ? this->BeamOrigin : nullptr;
   input.EchoShares = static_cast<helios::FoliageInput::Shares>(this->EchoShares);
+  input.ElementReflectance = this->ElementReflectance;
   input.Classes = this->Counted->Classes;
   input.Materials = this->Counted->Materials;
   input.UsesIncidence = this->LeafAngleDistribution == INCIDENCE_ANGLES;
@@ -278,7 +279,7 @@ std::string vtkHeliosPlantAreaDensity::AddBeams(const helios::FoliageBeams& beam
   settings.ElementArea = this->ElementArea;
   const double* size = grid->GetSpacing();
   settings.CellVolume = size[0] * size[1] * size[2];
-  settings.MinimumNumberOfBeams = this->MinimumNumberOfBeams;
+  settings.MinimumPath = this->MinimumNumberOfBeams * std::cbrt(settings.CellVolume);
   const double attenuation = this->ElementArea / settings.CellVolume;
   if (attenuation * cells.GetDiagonal() > 0.5)
   {
@@ -351,6 +352,7 @@ void vtkHeliosPlantAreaDensity::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LeafAngleDistribution: " << this->LeafAngleDistribution << '\n'
      << indent << "EllipsoidRatio: " << this->EllipsoidRatio << '\n'
      << indent << "EchoShares: " << this->EchoShares << '\n'
+     << indent << "ElementReflectance: " << this->ElementReflectance << '\n'
      << indent << "VoxelSize: " << this->VoxelSize << '\n'
      << indent << "ElementArea: " << this->ElementArea << '\n'
      << indent << "MaximumRange: " << this->MaximumRange << '\n'

@@ -20,8 +20,8 @@
  *
  * Output 0 is a vtkImageData with cell data
  * - PAD (double) [m2/m3], NaN where no beam enters, and DensityError;
- * - CellState: 0 no beam is aimed at the cell, 1 seen, 2 shadowed: all beams end before it, or all
- *   but MinimumNumberOfBeams, 3 saturated: no energy leaves it, which Beer and Lambert's law cannot
+ * - CellState: 0 no beam is aimed at the cell, 1 seen, 2 shadowed: all beams end before it, or
+ *   fewer than MinimumNumberOfBeams pass it, 3 saturated: no energy leaves it, which Beer and Lambert's law cannot
  *   invert;
  * - NumberOfBeams (int64), NumberOfShadowedBeams, PathLength [m], Transmittance, and the sums that
  *   input 4 continues (vtkHeliosFoliageArrayNames);
@@ -148,18 +148,31 @@ public:
 
   enum EchoSharesTypes
   {
-    EQUAL = 0, ///< the pulse in equal parts, by NumberOfReturns
-    FIRST = 1, ///< the first echo has all
-    ENERGY = 2 ///< by amplitude (or intensity), echo width and squared range
+    EQUAL = 0,      ///< the pulse in equal parts, by NumberOfReturns
+    FIRST = 1,      ///< the first echo has all
+    ENERGY = 2,     ///< by amplitude (or intensity), echo width and squared range
+    REFLECTANCE = 3 ///< by the array Reflectance [dB] over that of an element that fills the beam
   };
 
   ///@{
   /**
    * Set/Get the shares of the echoes of a pulse in its energy; without amplitudes ENERGY is EQUAL.
-   * Not used with input 2. Default: ENERGY.
+   * Of all but REFLECTANCE the shares of a pulse add up to 1: a partial hit before the sky counts as
+   * a whole one. Those of REFLECTANCE are the energy over that of a plant element that fills the
+   * beam at a random angle, and leave the rest of a pulse to what is behind; an echo that is not
+   * counted has the rest. Not used with input 2. Default: ENERGY.
    */
-  vtkSetClampMacro(EchoShares, int, EQUAL, ENERGY);
+  vtkSetClampMacro(EchoShares, int, EQUAL, REFLECTANCE);
   vtkGetMacro(EchoShares, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the reflectance of plant elements at normal incidence, of REFLECTANCE. Valid range:
+   * [0.001, 1]. Default: 0.5.
+   */
+  vtkSetClampMacro(ElementReflectance, double, 0.001, 1.0);
+  vtkGetMacro(ElementReflectance, double);
   ///@}
 
   ///@{
@@ -207,11 +220,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of beams that a cell needs to be seen. Valid range: [1, 1000000]. Default:
-   * 1.
+   * Set/Get the number of beams that a cell needs to be seen: the free path of all energy, over the
+   * edge of the cell. Valid range: [1e-6, 1e6]. Default: 1.
    */
-  vtkSetClampMacro(MinimumNumberOfBeams, int, 1, 1000000);
-  vtkGetMacro(MinimumNumberOfBeams, int);
+  vtkSetClampMacro(MinimumNumberOfBeams, double, 1e-6, 1e6);
+  vtkGetMacro(MinimumNumberOfBeams, double);
   ///@}
 
   ///@{
@@ -275,7 +288,8 @@ private:
   double BeamOrigin[3];
   double ElementArea = 0.0;
   double MaximumRange = 1e300;
-  int MinimumNumberOfBeams = 1;
+  double ElementReflectance = 0.5;
+  double MinimumNumberOfBeams = 1.0;
   vtkIdType MaximumNumberOfCells = 100000000;
   vtkIdType NumberOfBeams = 0;
 };

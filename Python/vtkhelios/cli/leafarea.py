@@ -95,6 +95,13 @@ def add_arguments(parser):
         help="shares of the returns of a pulse in its energy, without --hits (default: %(default)s)",
     )
     parser.add_argument(
+        "--leaf-reflectance",
+        metavar="R",
+        type=number(0.001, 1),
+        default=0.5,
+        help="of --shares reflectance: of a leaf at normal incidence (default: %(default)s)",
+    )
+    parser.add_argument(
         "--class",
         dest="classes",
         metavar="N",
@@ -121,9 +128,9 @@ def add_arguments(parser):
     parser.add_argument(
         "--min-beams",
         metavar="N",
-        type=whole_number(1_000_000, lowest=1),
-        default=1,
-        help="beams that a voxel needs to be seen (default: %(default)s)",
+        type=number(1e-6, 1e6),
+        default=1.0,
+        help="beams that a voxel needs to be seen: their path over its edge (default: %(default)s)",
     )
     parser.add_argument(
         "--max-range",
@@ -147,7 +154,10 @@ def add_arguments(parser):
         "pulses that hit nothing",
     )
     parser.add_argument(
-        "--trajectory", metavar="FILE", help="of files with times: text, or SBET (.sbet, .out)"
+        "--trajectory",
+        metavar="FILE",
+        action="append",
+        help="of files with times: text, or SBET (.sbet, .out); repeatable, one for each strip",
     )
     parser.add_argument(
         "-o",
@@ -190,6 +200,7 @@ def estimate(arguments, messages):
             leaf_ratio=arguments.leaf_ratio,
             leaf_size=arguments.leaf_size,
             shares=arguments.shares,
+            leaf_reflectance=arguments.leaf_reflectance,
             classes=arguments.classes,
             materials=arguments.materials,
             bounds=arguments.bounds,

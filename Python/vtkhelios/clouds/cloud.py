@@ -282,14 +282,15 @@ class Cloud(View):
         leaf_size
             area of one side of a leaf [m2], for the standard error and the effective path.
         shares
-            energy, equal or first: the shares of the echoes of a pulse, without sub-rays.
+            energy, equal or first: the shares of the echoes of a pulse, without sub-rays; or
+            reflectance: by the array Reflectance [dB] over that of a leaf of leaf_reflectance (0.5).
         classes, materials
             what is counted, such as ``materials=["leaf"]``; all else ends beams. Default: all but
             ground, water and noise.
         bounds
             of the grid, six numbers [m]. Default: of the counted echoes.
         minimum_beams, maximum_range
-            beams that a voxel needs to be seen (1), and where beams end [m].
+            beams that a voxel needs to be seen (1), by their path, and where beams end [m].
 
         Raises ValueError for options outside their range, FormatError if nothing can be inverted.
         """

@@ -43,12 +43,17 @@ def _mean_angles(ways, has):
 
 
 def _fill(angles, known, period):
-    """Returns angles in which unknown ones are between their neighbours."""
+    """Returns angles in which unknown ones are between their neighbours, or go on in equal steps."""
     places = np.arange(len(angles))
-    good = angles[known]
+    good, where = angles[known], places[known]
     if period:
         good = np.unwrap(good, period=period)
-    return np.interp(places, places[known], good)
+    filled = np.interp(places, where, good)
+    if len(where) > 1:
+        step = (good[-1] - good[0]) / (where[-1] - where[0])
+        filled[: where[0]] = good[0] + step * (places[: where[0]] - where[0])
+        filled[where[-1] :] = good[-1] + step * (places[where[-1] :] - where[-1])
+    return filled
 
 
 def _read_grid(path, index):

@@ -27,7 +27,8 @@ def plant_area(*clouds, trajectory=None, origin=None, spacing=None, on_step=None
         hit nothing), a Cloud, or a file of points, of one scan position or with scans that have
         positions (PTX, E57).
     trajectory
-        of points with GpsTime: a file of text or SBET, as ``vtkhelios fit`` writes it.
+        of points with GpsTime: a file of text or SBET, as ``vtkhelios fit`` writes it; or several,
+        each of the points of its times.
     origin
         x y z where all beams of a file begin [m].
     spacing

@@ -24,7 +24,7 @@ LEAF_ANGLES = (
     "spherical", "uniform", "planophile", "erectophile", "plagiophile", "extremophile",
     "ellipsoidal", "horizontal", "vertical", "table", "incidence",
 )  # fmt: skip
-SHARES = ("equal", "first", "energy")
+SHARES = ("equal", "first", "energy", "reflectance")
 GROUND = 2  # class of LAS
 
 
@@ -39,10 +39,11 @@ class Settings:
         leaf_ratio=1.0,
         leaf_size=0.0,
         shares="energy",
+        leaf_reflectance=0.5,
         classes=(),
         materials=(),
         bounds=None,
-        minimum_beams=1,
+        minimum_beams=1.0,
         maximum_range=None,
     ):
         self.voxel = _check_number("voxel", voxel, 0.001, 10000.0)
@@ -61,6 +62,7 @@ class Settings:
         self.leaf_ratio = _check_number("leaf_ratio", leaf_ratio, 0.01, 100.0)
         self.leaf_size = _check_number("leaf_size", leaf_size, 0.0, 100.0)
         self.shares = _check_name("shares", shares, SHARES)
+        self.leaf_reflectance = _check_number("leaf_reflectance", leaf_reflectance, 0.001, 1.0)
         self.classes, self.materials = list(classes), list(materials)
         self.bounds = None if bounds is None else [float(x) for x in bounds]
         if self.bounds is not None and (
@@ -70,7 +72,7 @@ class Settings:
             raise ValueError(
                 f"bounds is {bounds!r}; give six numbers: x, y and z from and to, each rising"
             )
-        self.minimum_beams = _check_number("minimum_beams", minimum_beams, 1, 1_000_000)
+        self.minimum_beams = _check_number("minimum_beams", minimum_beams, 1e-6, 1e6)
         self.maximum_range = maximum_range
         if maximum_range is not None:
             _check_number("maximum_range", maximum_range, 0.0, 1e300)
@@ -84,7 +86,8 @@ class Settings:
         found.SetEllipsoidRatio(self.leaf_ratio)
         found.SetElementArea(self.leaf_size)
         found.SetEchoShares(SHARES.index(self.shares))
-        found.SetMinimumNumberOfBeams(int(self.minimum_beams))
+        found.SetElementReflectance(self.leaf_reflectance)
+        found.SetMinimumNumberOfBeams(self.minimum_beams)
         if self.maximum_range is not None:
             found.SetMaximumRange(self.maximum_range)
         for each in self.classes:
@@ -103,7 +106,8 @@ class Settings:
             "shares": self.shares,
             "classes": self.classes,
             "materials": self.materials,
-            "minimumBeams": int(self.minimum_beams),
+            "leafReflectance": self.leaf_reflectance,
+            "minimumBeams": self.minimum_beams,
             "maximumRange_m": self.maximum_range,
         }
 
@@ -234,7 +238,9 @@ def _find_materials(scan, settings):
         found = [index for index, name in enumerate(names) if name == wanted]
         if not found:
             near = difflib.get_close_matches(wanted, names, 1, 0.5)
-            hint = f"did you mean {near[0]}?" if near else f"it has: {', '.join(names) or 'no names'}"
+            hint = (
+                f"did you mean {near[0]}?" if near else f"it has: {', '.join(names) or 'no names'}"
+            )
             raise FormatError(f"{scan.name}: has no material {wanted}; {hint}")
         ids += found
     return ids

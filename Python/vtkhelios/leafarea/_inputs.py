@@ -10,20 +10,24 @@ from .. import formats
 
 from ..array_names import (
     AMPLITUDE, CLASSIFICATION_IDS, DIRECTION, ECHO_WIDTH, GPS_TIME, INCIDENCE_ANGLE, INTENSITY,
-    MATERIAL_IDS, NUMBER_OF_RETURNS, ORIGIN, PULSE_IDS, RETURN_NUMBER, WEIGHT,
+    MATERIAL_IDS, NUMBER_OF_RETURNS, ORIGIN, PULSE_IDS, REFLECTANCE, RETURN_NUMBER, WEIGHT,
 )  # fmt: skip
+from ..core.arrays import arrays
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
+from ..core.systems import Metres
 from ..core.run_files import HITS, SUMMARY_NAME
+from ..core.words import counted
 from ..formats import FormatError
-from ..formats._base import Header, call, to_cloud
+from ..formats._base import Header, call, select, to_cloud
 from ..formats._run import RunReader
 from ..formats._vtp import PiecesReader
 from ._scans import Scan, add_pulses, find_misses
 
 KEPT = {
     "points", AMPLITUDE, CLASSIFICATION_IDS, DIRECTION, ECHO_WIDTH, GPS_TIME, INCIDENCE_ANGLE,
-    INTENSITY, MATERIAL_IDS, NUMBER_OF_RETURNS, ORIGIN, PULSE_IDS, RETURN_NUMBER, WEIGHT,
+    INTENSITY, MATERIAL_IDS, NUMBER_OF_RETURNS, ORIGIN, PULSE_IDS, REFLECTANCE,
+    RETURN_NUMBER, WEIGHT,
 }  # fmt: skip
 
 
@@ -46,7 +50,8 @@ def read_inputs(clouds, trajectory, origin, spacing, on_step):
         if isinstance(path, pathlib.Path) and not path.exists():
             raise FormatError(f"{path}: no such file or folder; check its name")
     notes = []
-    path_of_flight = _read_trajectory(trajectory) if trajectory else None
+    given = [trajectory] if isinstance(trajectory, (str, pathlib.Path)) else trajectory or ()
+    paths_of_flight = [_read_trajectory(each) for each in given]
 
     def make_scans():
         for path in paths:
@@ -57,7 +62,7 @@ def read_inputs(clouds, trajectory, origin, spacing, on_step):
             if path.is_dir():
                 yield from _scans_of_run(path, notes)
             else:
-                yield from _scans_of_file(path, path_of_flight, origin, spacing, notes)
+                yield from _scans_of_file(path, paths_of_flight, origin, spacing, notes)
 
     names = [str(path) if isinstance(path, pathlib.Path) else "cloud" for path in paths]
     name = names[0] if len(paths) == 1 else f"{names[0]} and {len(paths) - 1} more"
@@ -66,9 +71,7 @@ def read_inputs(clouds, trajectory, origin, spacing, on_step):
 
 def scan_of_cloud(cloud):
     """Returns the Scan of a Cloud, with its pulses and sub-rays if it has them."""
-    pulses, hits = (
-        None if each is None else each.data for each in (cloud.pulses, cloud.sub_rays)
-    )
+    pulses, hits = (None if each is None else each.data for each in (cloud.pulses, cloud.sub_rays))
     return Scan("cloud", cloud.data, pulses, hits, knows_misses=pulses is not None)
 
 
@@ -100,6 +103,7 @@ def _scans_of_run(folder, notes):
             _add_notes(notes, reader.notes)
             if not chunks:
                 continue
+            _check_unit(folder / name, reader.header.crs, chunks[0]["points"])
             scan = Scan(str(folder / name), to_cloud(_join(chunks), reader.header))
             pulses = reader.scans[0].pulses
             if pulses is None:
@@ -131,7 +135,7 @@ def _add_places(scan, reader, name):
         scan.trajectory = to_cloud({"points": places, GPS_TIME: times}, reader.header)
 
 
-def _scans_of_file(path, trajectory, origin, spacing, notes):
+def _scans_of_file(path, trajectories, origin, spacing, notes):
     with formats.open_reader(path) as reader:
         groups = {}
         for chunk in reader.chunks():
@@ -144,11 +148,11 @@ def _scans_of_file(path, trajectory, origin, spacing, notes):
             header = Header(reader.header.fields)
             scan = Scan(f"{path}, {found.name}" if len(groups) > 1 else str(path), None)
             chunk = _join(chunks)
-            if trajectory is not None:
-                _check_times(scan, chunk)
-                scan.echoes, scan.trajectory = to_cloud(chunk, header), trajectory
-                _add_notes(notes, [_explain_misses(scan)])
-            elif origin is not None or found.has_pose:
+            _check_unit(path, header.crs, chunk["points"])
+            if trajectories:
+                yield from _divide(scan, chunk, header, trajectories, notes)
+                continue
+            if origin is not None or found.has_pose:
                 scan.origin = tuple(origin if origin is not None else found.translation)
                 _add_pulses(scan, chunk, header, found, spacing, notes)
             elif ORIGIN in chunk:
@@ -161,6 +165,48 @@ def _scans_of_file(path, trajectory, origin, spacing, notes):
                     "flight (vtkhelios fit finds one), or a PTX or E57 file with poses"
                 )
             yield scan
+
+
+def _check_unit(path, crs, points):
+    """Refuses coordinates that are not metres, which positions and trajectories share."""
+    metres = Metres(crs)
+    if problem := metres.refuse_degrees(points[0]):
+        raise FormatError(f"{path}: {problem}")
+    if not metres.is_identity:
+        raise FormatError(
+            f"{path}: its coordinates have units of {metres.factors[0]:.9g} m, and heights of "
+            f"{metres.factors[2]:.9g} m; convert it to a system in metres first: vtkhelios convert "
+            "--crs"
+        )
+
+
+TIME_MARGIN = 1.0  # of points beyond the ends of a trajectory [s]
+
+
+def _divide(scan, chunk, header, trajectories, notes):
+    """Yields the points of each trajectory; others are left out, with a note."""
+    _check_times(scan, chunk)
+    times = chunk[GPS_TIME]
+    rest = np.ones(len(times), bool)
+    _add_notes(notes, [_explain_misses(scan)])
+    for index, trajectory in enumerate(trajectories):
+        on_path = arrays(trajectory)[GPS_TIME]
+        low, high = on_path.min() - TIME_MARGIN, on_path.max() + TIME_MARGIN
+        mask = rest & (times >= low) & (times <= high)
+        rest &= ~mask
+        if mask.any():
+            echoes = to_cloud(select(chunk, mask), header)
+            yield Scan(f"{scan.name}, trajectory {index + 1}", echoes, trajectory=trajectory)
+    if rest.all():
+        raise FormatError(
+            f"{scan.name}: its times, {times.min():.3f} to {times.max():.3f} s, are not on any "
+            "trajectory; give those of these points"
+        )
+    if rest.any():
+        _add_notes(notes, [
+            f"{scan.name}: {counted(int(rest.sum()), 'point')} of {len(rest):,} are left out: their "
+            "times are not on any trajectory"
+        ])  # fmt: skip
 
 
 def _check_times(scan, chunk):
@@ -187,7 +233,8 @@ def _add_pulses(scan, chunk, header, found, spacing, notes):
 def _explain_misses(scan):
     return (
         f"{scan.name}: the pulses that hit nothing are not known: densities are too high wherever "
-        "beams leave the plants for the sky (--spacing of a tripod's pattern tells them)"
+        "beams leave the plants for the sky (not over ground that returns all; --spacing of a "
+        "tripod's pattern tells them)"
     )
 
 

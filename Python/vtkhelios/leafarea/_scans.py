@@ -80,7 +80,9 @@ def find_misses(directions, spacing):
             f"the scan pattern would have {counts[0]} x {counts[1]} pulses; give a larger --spacing"
         )
     cells = -(-counts // CELLS)
-    place = np.minimum(((angles - low + 0.5 * np.asarray(spacing)) / spacing).astype(int), counts - 1)
+    place = np.minimum(
+        ((angles - low + 0.5 * np.asarray(spacing)) / spacing).astype(int), counts - 1
+    )
     full = np.zeros(counts, bool)
     full[tuple(place.T)] = True
     rows = place // CELLS

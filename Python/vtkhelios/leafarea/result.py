@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from ..array_names import (
-    CELL_STATE, GROUND_DISTANCE, NUMBER_OF_BEAMS, NUMBER_OF_SHADOWED_BEAMS, PAD, DENSITY_ERROR,
+    CELL_STATE, DENSITY_ERROR, FREE_PATH, GROUND_DISTANCE, INTERCEPTED_ENERGY, PAD,
 )  # fmt: skip
 from ..core.words import counted
 from ._write import write
@@ -69,13 +69,32 @@ class PlantArea:
 
     @property
     def area(self):
-        """The plant area in the voxels that are seen [m2]."""
-        return float(np.nansum(self.pad) * self.cell_volume)
+        """The plant area in the voxels that are seen, above the ground where it is known [m2]."""
+        return float(np.nansum(self.pad[self._find_used()]) * self.cell_volume)
 
     @property
     def area_error(self):
         """Its standard error [m2]: voxels add up in quadrature."""
-        return float(np.sqrt(np.nansum(self[DENSITY_ERROR] ** 2)) * self.cell_volume)
+        return float(np.sqrt(self._variances()[self._find_used()].sum()) * self.cell_volume)
+
+    def _find_used(self):
+        """Returns a mask of the voxels of columns with beams, whose centres are not below ground."""
+        used = np.broadcast_to(
+            (self[CELL_STATE] != NO_BEAM).any(axis=2)[:, :, None], self.shape
+        ).copy()
+        return used & (self[GROUND_DISTANCE] > 0) if self.has_ground else used
+
+    def _variances(self):
+        """Returns the variances of densities that are added; 0: not known. Voxels without a hit have
+        that of the mean density at their z: their own error is the one of a hit."""
+        pad = self.pad
+        known = np.isfinite(pad)
+        sums = np.where(known, pad, 0).sum(axis=(0, 1))
+        layers = sums / np.maximum(known.sum(axis=(0, 1)), 1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            expected = layers / self[FREE_PATH]
+        variances = np.where(self[INTERCEPTED_ENERGY] > 0, self[DENSITY_ERROR] ** 2, expected)
+        return np.where(known & np.isfinite(variances), variances, 0.0)
 
     @property
     def lai(self):
@@ -120,8 +139,7 @@ class PlantArea:
         Voxels whose centres are below the ground are left out.
         """
         heights, state, pad = self.heights(), self[CELL_STATE], self.pad
-        used = (state != NO_BEAM).any(axis=2)[:, :, None] & np.isfinite(heights)
-        used &= heights > 0 if self.has_ground else True
+        used = self._find_used()
         if not used.any():
             return []
         base = 0.0 if self.has_ground else self.corner[2]
@@ -131,8 +149,7 @@ class PlantArea:
         cells = np.bincount(layer, minlength=count)
         seen = np.bincount(layer, known, count)
         total = np.bincount(layer, np.where(known, pad[used], 0), count)
-        variance = np.where(known, self[DENSITY_ERROR][used], 0) ** 2
-        squares = np.bincount(layer, np.nan_to_num(variance), count)
+        squares = np.bincount(layer, self._variances()[used], count)
         shadowed = np.bincount(layer, state[used] == SHADOWED, count)
         rows = []
         for k in range(count):

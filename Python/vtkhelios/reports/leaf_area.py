@@ -14,7 +14,9 @@ BAR = 24  # characters of the densest layer
 def leaf_area_lines(found):
     """Returns the results as lines for the terminal."""
     state = found.as_dict()["voxels"]
-    known = "with those that hit nothing" if found.knows_misses else "those that hit nothing unknown"
+    known = (
+        "with those that hit nothing" if found.knows_misses else "those that hit nothing unknown"
+    )
     yield f"{found.name}: {counted(found.scans, 'scan')}, {counted(int(found.pulses), 'pulse')}, {known}"
     yield (
         f"{' x '.join(map(str, found.shape))} voxels of {found.voxel:g} m: {state['seen']:,} seen, "
@@ -42,7 +44,7 @@ def _profile_lines(found):
         value = f"{row['pad']:.3f} ± {row['pad_error']:.3f}"
         yield f"{row['height']:9.2f}  {value:16}  {100 * row['seen']:4.0f} %  {bar}".rstrip()
     if step > 1:
-        yield f"(every {step}th of {len(rows)} layers)"
+        yield f"(one of {step} layers; {len(rows)} in all)"
 
 
 def draw_profile(found):
