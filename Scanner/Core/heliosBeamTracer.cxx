@@ -116,8 +116,9 @@ bool BeamTracer::ComputeParts(const Pulse& pulse, ScanCounts& counts)
 {
   const SamplingPlan& plan = this->Model.Plan;
   const std::size_t faces = this->Surfaces.GetNumberOfFaces();
-  if (plan.PrefersCells(faces, this->Surfaces.GetLayers()) && this->Surfaces.IsFlat() &&
-    !this->Surfaces.MeetsGate())
+  if (this->Surfaces.IsCrowd() ||
+    (plan.PrefersCells(faces, this->Surfaces.GetLayers()) && this->Surfaces.IsFlat() &&
+      !this->Surfaces.MeetsGate()))
   {
     return this->SampleSurfaces(pulse, plan.GetCellsAcross(faces), counts);
   }

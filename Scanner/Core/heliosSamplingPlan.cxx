@@ -101,8 +101,8 @@ struct CellLaw
   double Range; ///< [m]
   double Cells, Power;
 };
-constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 1.05 }, { 1e-3, 400.0, 0.5 },
-  { 0.0, 400.0, 0.7 } };
+constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 1.05 }, { 1e-3, 440.0, 0.54 },
+  { 0.0, 440.0, 0.7 } };
 constexpr double CellsForEnergy = 75.0; // at 1 %
 constexpr double CellPower = 0.62;
 constexpr double FewestCells = 16.0;

@@ -27,6 +27,7 @@ constexpr double MaximumStrips = 4096.0;
 constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
 constexpr double MaximumTiles = 128.0;    // across the beam
 constexpr std::size_t SmallestCrowd = 12; // surfaces
+constexpr std::size_t LargestShare = 2; // triangles of a crowd, in its surfaces: others are joined
 
 /// Returns whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
@@ -112,7 +113,9 @@ bool Footprint::CollectCrowd()
   const double* gate = this->Settings.Gate;
   const bool meetsGate = std::any_of(gate, gate + 2,
     [&crowd](double limit) { return limit > crowd.Nearest && limit < crowd.Farthest; });
-  if (meetsGate || crowd.Surfaces < SmallestCrowd || this->GetNumberOfTiles(crowd.Farthest) > 1 ||
+  const bool isWorthJoining = crowd.Triangles > LargestShare * crowd.Surfaces;
+  if (meetsGate || isWorthJoining || crowd.Surfaces < SmallestCrowd ||
+    this->GetNumberOfTiles(crowd.Farthest) > 1 ||
     !this->Settings.IsCrowd(crowd.Surfaces, crowd.Layers))
   {
     return false;
@@ -132,16 +135,12 @@ bool Footprint::CollectCrowd()
 //------------------------------------------------------------------------------
 bool Footprint::MeetsGate() const
 {
-  if (this->IsCrowd())
-  {
-    return false;
-  }
   return std::any_of(std::begin(this->Settings.Gate), std::end(this->Settings.Gate),
     [this](double limit)
     {
       bool isBeyond = false;
       bool isBefore = false;
-      for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
+      for (std::size_t i = 0; i < this->Surfaces.GetNumberOfFaces(); ++i)
       {
         const VisibleSurfaces::Face& face = this->Surfaces.GetFace(i);
         isBeyond = isBeyond || limit * face.Minimum < 1.0;

@@ -85,7 +85,7 @@ public:
   /// Returns whether the surfaces are a crowd, which can only be sampled.
   bool IsCrowd() const { return this->Crowded.Surfaces > 0; }
 
-  /// Returns whether a limit of the range gate lies among the surfaces.
+  /// Returns whether a limit of the range gate lies among the surfaces; not of a crowd.
   bool MeetsGate() const;
 
   /// Returns the number of surfaces: flat polygons.
@@ -94,11 +94,8 @@ public:
     return this->IsCrowd() ? this->Crowded.Surfaces : this->Surfaces.GetNumberOfFaces();
   }
 
-  /// Returns how often they cover the beam, roughly.
-  double GetLayers() const
-  {
-    return this->IsCrowd() ? this->Crowded.Layers : this->Surfaces.GetLayers();
-  }
+  /// Returns how often they cover the beam, roughly; not of a crowd.
+  double GetLayers() const { return this->Surfaces.GetLayers(); }
 
   /// Returns whether a predicate holds for the cell of any surface; not of a crowd.
   template <typename PredicateT>

@@ -254,6 +254,7 @@ Crowd FootprintFaces::AddTriangles(
       if (isInside[i] != 0)
       {
         const double normal[3] = { lanes.Normal[0][i], lanes.Normal[1][i], lanes.Normal[2][i] };
+        ++crowd.Triangles;
         crowd.Surfaces += AreParallel(normal, last) && crowd.Surfaces > 0 ? 0 : 1;
         std::copy_n(normal, 3, last);
         crowd.Layers += std::min(0.5 * std::abs(lanes.Area[i]), lanes.Box[i]) / Pi;

@@ -21,8 +21,9 @@ namespace helios
 /// Triangles of a beam that have a corner in it: of a crowd, nearly all.
 struct Crowd
 {
-  std::size_t Surfaces = 0; ///< number, of which successive ones in one plane count once
-  double Layers = 0.0;      ///< how often they cover the beam, roughly
+  std::size_t Triangles = 0;
+  std::size_t Surfaces = 0;                  ///< successive triangles in one plane are one
+  double Layers = 0.0;                       ///< how often they cover the beam, roughly
   double Nearest = HUGE_VAL, Farthest = 0.0; ///< depths of those corners [m]
 };
 

@@ -21,16 +21,20 @@ TEST_CASE("SamplingPlan: sub-rays by the tolerances", "[SamplingPlan]")
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2 }, sigma);
   CHECK(plan.NumberOfSubRays == 336);
   CHECK(plan.LayerRings == 2);
-  CHECK(plan.GetCellsAcross(100) == 528);
-  CHECK(plan.GetCellsAcross(600) == 1056);
-  CHECK(plan.GetCellsAtLevel(100, 0) == 264);
-  CHECK(plan.GetCellsAtLevel(100, 1) == 528);
-  CHECK(plan.GetCellsAtLevel(100, 2) == plan.MaximumCellsAcross);
-  CHECK(plan.GetCellsAtLevel(100, 3) > plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAcross(100) == 440);
+  CHECK(plan.GetCellsAcross(600) == 880);
+  CHECK(plan.GetCellsAtLevel(100, 0) == 224);
+  CHECK(plan.GetCellsAtLevel(100, 1) == 448);
+  CHECK(plan.GetCellsAtLevel(100, 2) == 896);
+  CHECK(plan.GetCellsAtLevel(100, 3) == plan.MaximumCellsAcross);
+  CHECK(plan.GetCellsAtLevel(100, 4) > plan.MaximumCellsAcross);
+  CHECK(PlanSampling({ 3e-3, 3e-2 }, sigma).GetCellsAcross(1) == 248);
+  CHECK(PlanSampling({ 1e-2, 1e-1 }, sigma).GetCellsAcross(1) == 128);
   CHECK(plan.GetCellsAtLevel(2500, 1) == plan.MaximumCellsAcross);
   const helios::SamplingPlan fine = PlanSampling({ 3e-4, 3e-3 }, sigma);
   CHECK(fine.NumberOfSubRays == 1660);
-  CHECK(fine.GetCellsAcross(1) == 1112); // more than the limit
+  CHECK(fine.GetCellsAcross(1) == 1024);
+  CHECK(fine.GetCellsAcross(600) > fine.MaximumCellsAcross);
   CHECK(fine.LayerRings == 3);
   CHECK(PlanSampling({ 1e-4, 1e-4 }, sigma).LayerRings == 0);
   const helios::SamplingPlan coarse = PlanSampling({ 1.0, 1.0 }, sigma);
@@ -53,6 +57,14 @@ TEST_CASE(
   CHECK_FALSE(PlanSampling({ 3e-4, 3e-3 }, 1.7).PrefersCells(400, 10.0));
 }
 
+TEST_CASE("SamplingPlan: the maxima of bins will do for wide tolerances", "[SamplingPlan]")
+{
+  CHECK(PlanSampling({ 3e-3, 3e-2 }, 1.7).MaximumRefined > 1000000);
+  CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).MaximumRefined == 32);
+  CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).DetectionBin == Approx(0.15 * 1.7));
+  CHECK(PlanSampling({ 3e-2, 3e-1 }, 1.7).DetectionBin == Approx(0.25 * 1.7));
+}
+
 TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[SamplingPlan]")
 {
   CHECK(PlanSampling({ 1e-3, 1e-2 }, 1.7).RimEnergy == 0.0);
@@ -65,7 +77,7 @@ TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[Samplin
 TEST_CASE("SamplingPlan: the limit of sub-rays bounds cells, rays and surfaces", "[SamplingPlan]")
 {
   const helios::SamplingPlan plan = PlanSampling({ 1e-3, 1e-2, 1 << 20 }, 1.7);
-  CHECK(plan.MaximumCellsAcross == 4096);
+  CHECK(plan.MaximumCellsAcross == 2048);
   CHECK(plan.MaximumSurfaces == 2048);
   CHECK(plan.MaximumSubRays == 1 << 20);
   const helios::SamplingPlan least = PlanSampling({ 1e-3, 1e-2, 1024 }, 1.7);

@@ -464,7 +464,7 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   bench.Scanner->SetSamplingToTolerance();
   CHECK(
     bench.Scanner->DescribeSampling().find(
-      "adaptive, visible areas of surfaces; beams full of leaves in 528 x 528 cells or more, of "
+      "adaptive, visible areas of surfaces; beams full of leaves in 440 x 440 cells or more, of "
       "more than 512 surfaces in up to 1024 x 1024 cells; none for planar footprints; waveform "
       "bin ") == 0);
   bench.Scanner->SetRangeTolerance(1e-4);
@@ -472,7 +472,7 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
                                                "than 512 surfaces in up to 1024 x 1024") == 0);
   bench.Scanner->SetRangeTolerance(1e-3);
   bench.Scanner->SetMaximumNumberOfSubRays(1 << 20);
-  CHECK(bench.Scanner->DescribeSampling().find("more than 2048 surfaces in up to 4096 x 4096") !=
+  CHECK(bench.Scanner->DescribeSampling().find("more than 2048 surfaces in up to 2048 x 2048") !=
     std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 1 sub-rays per pulse");

@@ -114,6 +114,14 @@ public:
     return SummarizeParts(parts);
   }
 
+  /// Returns the surfaces of a crowd; 0 if there is none.
+  std::size_t CountCrowd()
+  {
+    Footprint footprint(this->Settings, this->AreAlike);
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis, this->Minor));
+    return footprint.IsCrowd() ? footprint.GetNumberOfFaces() : 0;
+  }
+
   bool Collect() const
   {
     return Footprint(this->Settings).Collect(*this->Caster->GetConeProbe(), Origin, Axis);
