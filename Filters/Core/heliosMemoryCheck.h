@@ -13,9 +13,12 @@
 namespace helios
 {
 
-/// Peak memory per triangle while loading a scene, including its share of the ray caster tree and
-/// of temporary copies [bytes]; measured: 162.
-constexpr double BytesPerTriangle = 165.0;
+/// Peak memory per triangle while loading a scene, including half a vertex, its share of the ray
+/// caster tree and of temporary copies [bytes]; measured: 58 to 72 (Docs/performance.md).
+constexpr double BytesPerTriangle = 75.0;
+
+/// Memory of a vertex [bytes].
+constexpr double BytesPerVertex = 24.0;
 
 /**
  * Returns an error if this many items of a size exceed vtkHeliosMemoryLimit: "10000000000 cells with

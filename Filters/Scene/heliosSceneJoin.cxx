@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneJoin.h"
 
+#include "heliosZeroIds.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -169,13 +170,12 @@ vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts)
 {
-  auto ids = vtkSmartPointer<vtkIntArray>::New();
-  ids->SetName(names::PartIds);
-  ids->SetNumberOfValues(CountTriangles(parts));
+  vtkSmartPointer<vtkIntArray> ids = MakeZeroIds(names::PartIds, CountTriangles(parts));
   int* to = ids->GetPointer(0);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    to = parts[i] ? std::fill_n(to, parts[i]->GetNumberOfPolys(), static_cast<int>(i)) : to;
+    const vtkIdType count = parts[i] ? parts[i]->GetNumberOfPolys() : 0;
+    to = i > 0 ? std::fill_n(to, count, static_cast<int>(i)) : to + count;
   }
   return ids;
 }

@@ -141,7 +141,7 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
     capsys.readouterr()
     assert cli.main([*run, "--no-instances"]) == 1
     err = capsys.readouterr().err
-    assert "899400 triangles of all parts need about 148 MB of memory, and" in err
+    assert "899400 triangles of all parts need about 67.5 MB of memory, and" in err
 
 
 def vtkhelios_memory():

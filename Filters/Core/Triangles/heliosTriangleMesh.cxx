@@ -11,14 +11,57 @@
 #include <vtkDoubleArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkTypeInt32Array.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
 namespace helios
 {
+
+namespace
+{
+
+/// The points that corners refer to.
+struct PointCheck
+{
+  const double* Points;
+  vtkIdType Count;
+
+  bool Exists(vtkTypeInt32 id) const { return id >= 0 && id < this->Count; }
+  bool IsFinite(vtkTypeInt32 id) const
+  {
+    const double* p = this->Points + 3 * static_cast<vtkIdType>(id);
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  }
+
+  /// Returns the first corner whose point does not exist or is not finite, or -1; on all threads.
+  vtkIdType FindBad(const vtkTypeInt32* corners, vtkIdType count) const
+  {
+    constexpr vtkIdType chunk = 1 << 18;
+    std::atomic<vtkIdType> first(count);
+    vtkSMPTools::For(0, (count + chunk - 1) / chunk, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        vtkIdType i = begin * chunk;
+        const vtkIdType last = std::min(count, end * chunk);
+        while (i < last && this->Exists(corners[i]) && this->IsFinite(corners[i]))
+        {
+          ++i;
+        }
+        for (vtkIdType known = first; i < last && i < known;)
+        {
+          first.compare_exchange_weak(known, i);
+        }
+      });
+    return first < count ? first.load() : -1;
+  }
+};
+
+} // namespace
 
 Status CheckNoInstances(vtkPolyData* scene)
 {
@@ -83,22 +126,18 @@ Status TriangleMesh::Set(vtkPolyData* scene)
     this->Corners = polys->GetConnectivityArray32()->GetPointer(0);
   }
 
-  for (vtkIdType i = 0; i < 3 * this->NumberOfTriangles; ++i)
-  {
-    if (this->Corners[i] < 0 || this->Corners[i] >= pointCount)
-    {
-      return Status::Error("cell " + std::to_string(i / 3) + " of the scene refers to point " +
-        std::to_string(this->Corners[i]) + ", but it has " + std::to_string(pointCount));
-    }
-    const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      return Status::Error("cell " + std::to_string(i / 3) +
-        " of the scene has a corner that is not finite (point " + std::to_string(this->Corners[i]) +
-        "); repair or remove it");
-    }
-  }
   this->NumberOfPoints = pointCount;
+  const PointCheck check{ this->Points, pointCount };
+  if (const vtkIdType bad = check.FindBad(this->Corners, 3 * this->NumberOfTriangles); bad >= 0)
+  {
+    const std::string cell = "cell " + std::to_string(bad / 3) + " of the scene ";
+    const vtkTypeInt32 point = this->Corners[bad];
+    return check.Exists(point)
+      ? Status::Error(cell + "has a corner that is not finite (point " + std::to_string(point) +
+          "); repair or remove it")
+      : Status::Error(cell + "refers to point " + std::to_string(point) + ", but it has " +
+          std::to_string(pointCount));
+  }
   this->Scene = scene;
   return {};
 }

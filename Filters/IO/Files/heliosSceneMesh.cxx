@@ -3,6 +3,7 @@
 #include "heliosSceneMesh.h"
 
 #include "heliosTriangleArea.h"
+#include "heliosZeroIds.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -69,6 +70,22 @@ vtkNew<vtkStringArray> MakeStrings(const char* name, const std::vector<std::stri
   {
     array->InsertNextValue(value);
   }
+  return array;
+}
+
+// Returns the ids; if all are zero, in an array that takes no memory.
+vtkSmartPointer<vtkIntArray> FinishIds(GrowingArray<vtkIntArray>& ids, const char* name)
+{
+  const vtkIdType count = ids.GetSize();
+  const int* values = ids.GetValues();
+  if (std::all_of(values, values + count, [](int id) { return id == 0; }))
+  {
+    ids.Truncate(0);
+    ids.Finish(1);
+    return MakeZeroIds(name, count);
+  }
+  vtkIntArray* array = ids.Finish(1);
+  array->SetName(name);
   return array;
 }
 
@@ -235,8 +252,8 @@ void SceneMesh::MoveTo(vtkPolyData* scene)
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, this->Corners.Finish(1));
 
-  vtkIntArray* materialIds = this->MaterialIds.Finish(1);
-  materialIds->SetName(vtkHeliosArrayNames::MaterialIds);
+  const vtkSmartPointer<vtkIntArray> materialIds =
+    FinishIds(this->MaterialIds, vtkHeliosArrayNames::MaterialIds);
 
   scene->SetPoints(points);
   scene->SetPolys(triangles);
@@ -253,9 +270,7 @@ void SceneMesh::MoveTo(vtkPolyData* scene)
   }
   if (!this->PartNames.empty())
   {
-    vtkIntArray* partIds = this->PartIds.Finish(1);
-    partIds->SetName(vtkHeliosArrayNames::PartIds);
-    scene->GetCellData()->AddArray(partIds);
+    scene->GetCellData()->AddArray(FinishIds(this->PartIds, vtkHeliosArrayNames::PartIds));
     scene->GetFieldData()->AddArray(MakeStrings(vtkHeliosArrayNames::PartName, this->PartNames));
   }
   SetMaterials(scene, this->Materials);

@@ -17,7 +17,6 @@ namespace
 {
 
 constexpr double ShortestCorner = 2.0; // [bytes], one triangle each: a blank and a digit
-constexpr double BytesPerVertex = 24.0;
 
 bool IsBlankAt(std::string_view line, std::size_t at)
 {

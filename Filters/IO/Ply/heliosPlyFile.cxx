@@ -56,7 +56,10 @@ bool PlyFile::CheckSize()
       " vertices or " + std::to_string(MaximumCorners / 3) +
       " triangles; split the file into several scene parts");
   }
-  const Status status = CheckMemory("faces", static_cast<double>(faces), BytesPerTriangle);
+  const auto count = static_cast<double>(faces);
+  const double further = static_cast<double>(vertices) / std::max(1.0, count) - 0.5;
+  const Status status =
+    CheckMemory("faces", count, BytesPerTriangle + BytesPerVertex * std::max(0.0, further));
   return status.IsOk() || this->Report.Fail(this->Path + ": " + status.Message());
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace helios
 {
@@ -91,19 +92,28 @@ BeamWalk::BeamWalk(const BeamTree& tree, const Frustum& frustum)
   , Heights(tree.Heights.get())
   , Axes(frustum.Axes)
   , IsForward(frustum.IsForward)
-  , Near(frustum.IsForward ? frustum.High[2] : frustum.Low[2])
-  , Far(frustum.IsForward ? frustum.Low[2] : frustum.High[2])
 {
+  const int axes[2] = { this->Axes.X, this->Axes.Y };
   for (int i = 0; i < 2; ++i)
   {
     // Low + s SlopeLow <= the child's high, and High + s SlopeHigh >= its low.
     float slope = frustum.SlopeLow[i];
     slope = slope > -Smallest && slope < Smallest ? -Smallest : slope;
-    this->Lower[i] = { frustum.Low[i], 1.0f / slope, slope < 0.0f };
+    this->Highs.Origin[axes[i]] = frustum.Low[i];
+    this->Highs.Factor[axes[i]] = 1.0f / slope;
+    this->Kinds[i].IsEntry[0] = slope < 0.0f;
     slope = frustum.SlopeHigh[i];
     slope = slope > -Smallest && slope < Smallest ? Smallest : slope;
-    this->Upper[i] = { frustum.High[i], 1.0f / slope, slope > 0.0f };
+    this->Lows.Origin[axes[i]] = frustum.High[i];
+    this->Lows.Factor[axes[i]] = 1.0f / slope;
+    this->Kinds[i].IsEntry[1] = slope > 0.0f;
   }
+  const int z = this->Axes.Z;
+  this->Highs.Origin[z] = frustum.Low[2];
+  this->Lows.Origin[z] = frustum.High[2];
+  this->Highs.Factor[z] = this->Lows.Factor[z] = this->IsForward ? 1.0f : -1.0f;
+  this->Highs.Origin[3] = this->Highs.Factor[3] = 0.0f;
+  this->Lows.Origin[3] = this->Lows.Factor[3] = 0.0f;
   this->Stack[this->Size++] = { 0.0f, tree.Storage.Root };
 }
 
@@ -168,20 +178,50 @@ HELIOS_INLINE BeamLeaf BeamWalk::GetLeaf(vtkTypeUInt32 number)
 namespace
 {
 
-/// Returns (the sides of the children along an axis - origin) factor.
-template <bool IsHigh>
-HELIOS_INLINE Wide GetSides(const BeamNode& node, int axis, float origin, float factor)
+/// The limits of the children of a node by their high or their low sides.
+template <typename NodeT>
+struct Limits;
+
+template <>
+struct Limits<BeamNode>
 {
-  return (Load<Wide>(IsHigh ? node.High[axis] : node.Low[axis]) - origin) * factor;
-}
-template <bool IsHigh>
-HELIOS_INLINE Wide GetSides(const PackedNode& node, int axis, float origin, float factor)
+  const float (*Places)[Width];
+  const float* Origin;
+  const float* Factor;
+
+  HELIOS_INLINE Limits(const BeamNode& node, bool areHigh, const float* origin, const float* factor)
+    : Places(areHigh ? node.High : node.Low)
+    , Origin(origin)
+    , Factor(factor)
+  {
+  }
+  HELIOS_INLINE Wide Get(int axis) const
+  {
+    return (Load<Wide>(this->Places[axis]) - this->Origin[axis]) * this->Factor[axis];
+  }
+};
+
+template <>
+struct Limits<PackedNode>
 {
-  const WideMasks numbers =
-    Load<WideMasks>(IsHigh ? node.High : node.Low) & PackedWord::Masks[axis];
-  return __builtin_convertvector(numbers, Wide) * (node.Factors[axis] * factor) +
-    (node.Origin[axis] - origin) * factor;
-}
+  WideMasks Words;
+  float Start[4];
+  float Steps[4];
+
+  HELIOS_INLINE Limits(
+    const PackedNode& node, bool areHigh, const float* origin, const float* factor)
+    : Words(Load<WideMasks>(areHigh ? node.High : node.Low))
+  {
+    const Floats factors = Load<Floats>(factor);
+    Store(this->Start, (Load<Floats>(node.Origin) - Load<Floats>(origin)) * factors);
+    Store(this->Steps, Load<Floats>(node.Factors) * factors);
+  }
+  HELIOS_INLINE Wide Get(int axis) const
+  {
+    const WideMasks numbers = this->Words & PackedWord::Masks[axis];
+    return __builtin_convertvector(numbers, Wide) * this->Steps[axis] + this->Start[axis];
+  }
+};
 
 /// Returns the bits, as of GetBits(), of the children that exist.
 HELIOS_INLINE vtkTypeUInt64 GetChildBits(const BeamNode&)
@@ -190,7 +230,7 @@ HELIOS_INLINE vtkTypeUInt64 GetChildBits(const BeamNode&)
 }
 HELIOS_INLINE vtkTypeUInt64 GetChildBits(const PackedNode& node)
 {
-  return ~vtkTypeUInt64(0) >> (64 - 8 * node.Count);
+  return ~vtkTypeUInt64(0) >> (64 - 8 * node.GetCount());
 }
 
 } // namespace
@@ -217,23 +257,22 @@ HELIOS_INLINE bool BeamWalk::FindNext(float limit, BeamTree::Leaf& leaf)
       return true;
     }
     const auto& node = this->GetNode<IsOfHeights>(child);
-    const int z = this->Axes.Z;
-    Wide entry = this->IsForward ? GetSides<false>(node, z, this->Near, 1.0f)
-                                 : GetSides<true>(node, z, this->Near, -1.0f);
-    Wide exit = this->IsForward ? GetSides<true>(node, z, this->Far, 1.0f)
-                                : GetSides<false>(node, z, this->Far, -1.0f);
+    using NodeLimits = Limits<std::decay_t<decltype(node)>>;
+    const NodeLimits highs(node, true, this->Highs.Origin, this->Highs.Factor);
+    const NodeLimits lows(node, false, this->Lows.Origin, this->Lows.Factor);
+    Wide entry = this->IsForward ? lows.Get(this->Axes.Z) : highs.Get(this->Axes.Z);
+    Wide exit = this->IsForward ? highs.Get(this->Axes.Z) : lows.Get(this->Axes.Z);
     entry = Max(entry, Wide());
     for (int i = 0; i < 2; ++i)
     {
       const int axis = i == 0 ? this->Axes.X : this->Axes.Y;
-      const Side& lower = this->Lower[i];
-      const Side& upper = this->Upper[i];
-      const Wide s0 = GetSides<true>(node, axis, lower.Origin, lower.Inverse);
-      const Wide s1 = GetSides<false>(node, axis, upper.Origin, upper.Inverse);
-      entry = lower.IsEntry ? Max(entry, s0) : entry;
-      exit = lower.IsEntry ? exit : Min(exit, s0);
-      entry = upper.IsEntry ? Max(entry, s1) : entry;
-      exit = upper.IsEntry ? exit : Min(exit, s1);
+      const bool* isEntry = this->Kinds[i].IsEntry;
+      const Wide s0 = highs.Get(axis);
+      const Wide s1 = lows.Get(axis);
+      entry = isEntry[0] ? Max(entry, s0) : entry;
+      exit = isEntry[0] ? exit : Min(exit, s0);
+      entry = isEntry[1] ? Max(entry, s1) : entry;
+      exit = isEntry[1] ? exit : Min(exit, s1);
     }
     entry = entry * (2.0f - Outwards);
     const WideMasks isEntered = (entry <= exit * Outwards) & (exit >= 0.0f) & (entry <= limit);

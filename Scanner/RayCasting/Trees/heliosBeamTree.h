@@ -197,12 +197,19 @@ private:
     float Near;
     vtkTypeUInt32 Child;
   };
-  /// A side of the frustum: a child is beyond it for s below or above (plane - origin) * inverse.
-  struct Side
+  /**
+   * Limits along an axis at (a side of a child - Origin) Factor: by its high sides s0, at which the
+   * frustum's lower side passes it, by its low sides s1; an entry or an exit. Along Z the near and the
+   * far end.
+   */
+  struct Sides
   {
-    float Origin;
-    float Inverse;
-    bool IsEntry;
+    float Origin[4]; ///< along x, y, z; the fourth is to be ignored
+    float Factor[4];
+  };
+  struct Kind
+  {
+    bool IsEntry[2]; ///< whether the limit by the high sides is an entry; by the low ones
   };
   template <bool IsOfHeights>
   const auto& GetNode(vtkTypeUInt32 number);
@@ -219,9 +226,9 @@ private:
   const HeightTree* Heights; ///< null: over a mesh
   RayAxes Axes;
   bool IsForward;
-  float Near, Far; ///< the origins along Z
-  Side Lower[2];   ///< against the children's High along X and Y
-  Side Upper[2];   ///< against their Low
+  Sides Highs; ///< of the high sides of children
+  Sides Lows;  ///< of their low sides
+  Kind Kinds[2]; ///< along X and Y
   int Size = 0;
   Entry Stack[StackSize];
   BeamNode NodeOfHeights; ///< computed last

@@ -78,3 +78,15 @@ TEST_CASE("TriangleMesh: bad input is an error", "[TriangleMesh]")
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 1 });
   CHECK(mesh.Set(quads).Message().find("vtkTriangleFilter") != std::string::npos);
 }
+
+TEST_CASE("TriangleMesh: of many bad corners the first is named", "[TriangleMesh]")
+{
+  const auto scene = MakeTriangle(VTK_DOUBLE, true);
+  for (int i = 1; i < 400000; ++i)
+  {
+    const bool isBad = i == 399000 || i == 250000 || i == 250001;
+    scene->GetPolys()->InsertNextCell({ 0, 1, isBad ? 3 + i % 10 : 2 });
+  }
+  helios::TriangleMesh mesh;
+  CHECK(mesh.Set(scene).Message().find("cell 250000 of the scene refers to point 3,") == 0);
+}

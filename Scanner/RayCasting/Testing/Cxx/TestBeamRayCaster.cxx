@@ -289,11 +289,24 @@ TEST_CASE("BeamRayCaster: other ray casters trace beams as single rays", "[BeamR
 
 TEST_CASE("BeamRayCaster: memory is small compared with the scene", "[BeamRayCaster]")
 {
-  vtkNew<vtkHeliosBeamRayCaster> caster;
-  const helios::Soup soup = helios::MakeTerrain(200, 1.0);
-  REQUIRE(caster->Build(soup.GetPolyData()));
-  const double perTriangle =
-    static_cast<double>(caster->GetAcceleratorSize()) / static_cast<double>(soup.Triangles.size());
-  CHECK(perTriangle > 10);
-  CHECK(perTriangle < 60);
+  const auto getBytes = [](const helios::Soup& soup)
+  {
+    vtkNew<vtkHeliosBeamRayCaster> caster;
+    REQUIRE(caster->Build(soup.GetPolyData()));
+    return static_cast<double>(caster->GetAcceleratorSize()) /
+      static_cast<double>(soup.Triangles.size());
+  };
+  const double terrain = getBytes(helios::MakeTerrain(200, 1.0));
+  CHECK(terrain > 16); // a triangle and three words
+  CHECK(terrain < 32); // 28 for a mesh with half a point a triangle: 60
+  CHECK(getBytes(MakeForest()) < 36);
+}
+
+TEST_CASE("BeamRayCaster: a mesh of several parts", "[BeamRayCaster]")
+{
+  const helios::Soup soup = helios::MakeTerrain(300, 1.0);
+  REQUIRE(soup.Triangles.size() > 4 * 4096); // BeamBuilder
+  const auto rays = MakeBeams({ 150, 150, 60 }, { 0, 0, -5 }, { 300, 300, 5 }, 1e-3);
+  CHECK(CountDifferences(soup, rays, 19) == 0);
+  CHECK(CountDifferences(soup, rays, 1) == 0);
 }

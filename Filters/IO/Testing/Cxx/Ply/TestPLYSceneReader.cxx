@@ -66,7 +66,7 @@ TEST_CASE("PLYSceneReader: memory is checked before it is needed", "[PLYSceneRea
   vtkHeliosMemoryLimit::SetLimit(0.0001);
   CHECK_FALSE(reading.Read());
   vtkHeliosMemoryLimit::SetLimit(0.0);
-  CHECK(reading.Log->HasError(reading.Path + ": 3 faces need about 0.000495 MB of memory"));
+  CHECK(reading.Log->HasError(reading.Path + ": 3 faces need about 0.000309 MB of memory"));
 }
 
 TEST_CASE("PLYSceneReader: reading can be aborted", "[PLYSceneReader]")

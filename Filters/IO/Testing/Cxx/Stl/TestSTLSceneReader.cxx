@@ -112,7 +112,7 @@ TEST_CASE("STLSceneReader: memory is checked before it is needed", "[STLSceneRea
   vtkHeliosMemoryLimit::SetLimit(0.001);
   CHECK_FALSE(reading.Read());
   vtkHeliosMemoryLimit::SetLimit(0.0);
-  CHECK(reading.Log->HasError(reading.Path + ": 100 triangles need about 0.0165 MB of memory"));
+  CHECK(reading.Log->HasError(reading.Path + ": 100 triangles need about 0.0075 MB of memory"));
 }
 
 TEST_CASE("STLSceneReader: reading can be aborted", "[STLSceneReader]")

@@ -52,8 +52,8 @@ void PackSides(const PlainBox* boxes, int count, int axis, PackedNode& node)
 
 void PackBoxes(const PlainBox* boxes, int count, PackedNode& node)
 {
-  node.Count = count;
-  node.Unused = 0;
+  node.Origin[3] = 0.0f;
+  node.Factors[3] = static_cast<float>(count);
   std::fill_n(node.Low, BeamNode::Width, 0);
   std::fill_n(node.High, BeamNode::Width, 0);
   for (int axis = 0; axis < 3; ++axis)

@@ -54,13 +54,13 @@ struct alignas(64) PackedNode
 {
   static constexpr double Margin = 0x1p-9;
 
-  float Origin[3];
-  vtkTypeInt32 Count; ///< children
-  float Factors[3];   ///< steps, of numbers that are not moved to the lowest bit
-  vtkTypeInt32 Unused;
+  float Origin[4];  ///< and zero, for vectors
+  float Factors[4]; ///< steps, of numbers that are not moved to the lowest bit; number of children
   vtkTypeInt32 Low[BeamNode::Width];
   vtkTypeInt32 High[BeamNode::Width];
   vtkTypeUInt32 Children[BeamNode::Width];
+
+  int GetCount() const { return static_cast<int>(this->Factors[3]); }
 };
 
 /// The frame of the words of a leaf: a number q of an axis is at Origin + q step, a power of two.

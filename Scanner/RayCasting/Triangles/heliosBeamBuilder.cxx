@@ -247,7 +247,7 @@ void BeamBuilder::Append(const BeamPart& from, Part& part, BeamStorage& tree) co
   {
     PackedNode& node = tree.Nodes[nodes + i];
     node = from.Nodes[i];
-    for (int child = 0; child < node.Count; ++child)
+    for (int child = 0; child < node.GetCount(); ++child)
     {
       const bool isLeaf = node.Children[child] & BeamNode::LeafBit;
       node.Children[child] += static_cast<vtkTypeUInt32>(isLeaf ? leaves : nodes);
@@ -297,7 +297,7 @@ void BeamBuilder::MakeTop(BeamStorage& tree) const
   tree.Nodes.Resize(offset + nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    for (int child = 0; child < nodes[i].Count; ++child)
+    for (int child = 0; child < nodes[i].GetCount(); ++child)
     {
       vtkTypeUInt32& number = nodes[i].Children[child];
       number = number & BeamNode::LeafBit ? number & ~BeamNode::LeafBit : number + offset;

@@ -6,6 +6,7 @@
 #define heliosBeamPacking_h
 
 #include "heliosBeamNode.h"
+#include "vtkHeliosScannerRayCastingModule.h" // For export macro
 
 namespace helios
 {
@@ -18,11 +19,12 @@ struct PlainBox
 };
 
 /// Packs the boxes of children, rounded outwards by the margin.
-void PackBoxes(const PlainBox* boxes, int count, PackedNode& node);
+VTKHELIOSSCANNERRAYCASTING_EXPORT void PackBoxes(
+  const PlainBox* boxes, int count, PackedNode& node);
 
 /// Packs corners of triangles (triangle, corner, axis), each rounded to the nearest number: words
 /// by corners, then triangles.
-void PackCorners(
+VTKHELIOSSCANNERRAYCASTING_EXPORT void PackCorners(
   const double (*corners)[3][3], int count, PackedFrame& frame, vtkTypeUInt32* words);
 
 } // namespace helios
