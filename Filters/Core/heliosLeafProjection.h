@@ -33,15 +33,14 @@ public:
     Erectophile,  // (2 - 2 cos 2a) / pi
     Plagiophile,  // (2 - 2 cos 4a) / pi
     Extremophile, // (2 + 2 cos 4a) / pi
-    Ellipsoidal,  // of Campbell, by the ratio of axes
+    Ellipsoidal,  // by the ratio of axes
     Horizontal,
     Vertical
   };
 
   /**
-   * Makes a table of a distribution with an entry for each degree. The formulas of C. de Wit (1965)
-   * as J. Goudriaan's (1988) and N. Goel and D. Strebel's (1984); of Ellipsoidal G. Campbell's
-   * (1986). ratio is that of the horizontal to the vertical axis of the ellipsoid.
+   * Makes a table of a distribution with an entry for each degree. The formulas are those of N.
+   * Goel and D. Strebel (1984), and of G. Campbell (1986) for Ellipsoidal. ratio is that of the horizontal to the vertical axis of the ellipsoid.
    */
   void Set(Distribution distribution, double ratio = 1.0);
 

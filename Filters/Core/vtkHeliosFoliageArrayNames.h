@@ -28,7 +28,7 @@ inline constexpr const char* PathLength = "PathLength";         // [m], free, of
  * times G. */
 inline constexpr const char* EnteringEnergy = "EnteringEnergy";
 inline constexpr const char* InterceptedEnergy = "InterceptedEnergy";
-inline constexpr const char* InterceptedSquare = "InterceptedSquare"; // of the energy of each beam
+inline constexpr const char* InterceptedSquare = "InterceptedSquare"; // sum of squares, a beam each
 inline constexpr const char* FreePath = "FreePath";                   // [m]
 inline constexpr const char* HitPath = "HitPath";             // [m], of squared intercepted energy
 inline constexpr const char* PotentialPath = "PotentialPath"; // [m], without plants

@@ -174,7 +174,7 @@ PATH_LENGTH = "PathLength"  # [m], free, of all energy
 # times G.
 ENTERING_ENERGY = "EnteringEnergy"
 INTERCEPTED_ENERGY = "InterceptedEnergy"
-INTERCEPTED_SQUARE = "InterceptedSquare"  # of the energy of each beam
+INTERCEPTED_SQUARE = "InterceptedSquare"  # sum of squares, a beam each
 FREE_PATH = "FreePath"  # [m]
 HIT_PATH = "HitPath"  # [m], of squared intercepted energy
 POTENTIAL_PATH = "PotentialPath"  # [m], without plants

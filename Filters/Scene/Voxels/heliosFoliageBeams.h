@@ -5,6 +5,7 @@
 #ifndef heliosFoliageBeams_h
 #define heliosFoliageBeams_h
 
+#include "heliosFoliageInput.h"
 #include "heliosPose.h"
 #include "heliosStatus.h"
 
@@ -16,8 +17,6 @@
 #include <cstdint>
 #include <vector>
 
-class vtkPolyData;
-
 namespace helios
 {
 
@@ -25,31 +24,8 @@ namespace helios
 struct FoliageHit
 {
   double Range;  // along the beam [m]
-  double Energy; // of the pulse, [0..1]
+  double Energy; // share of the pulse, [0..1]
   double Weight; // 0: no plant, it only ends the path; else 1, or 1 / |cos| of the incidence
-};
-
-/// What makes beams.
-struct FoliageInput
-{
-  vtkPolyData* Echoes = nullptr;
-  vtkPolyData* Pulses = nullptr;     // may be null
-  vtkPolyData* Hits = nullptr;       // may be null
-  vtkPolyData* Trajectory = nullptr; // may be null
-  const double* Origin = nullptr;    // of all beams; may be null
-
-  enum class Shares : char
-  {
-    Equal,
-    First,
-    Energy,
-    Reflectance
-  } EchoShares = Shares::Energy;
-  double ElementReflectance = 0.5;
-
-  std::vector<int> Classes;   // counted; empty: all but ground, water and noise
-  std::vector<int> Materials; // counted; empty: all
-  bool UsesIncidence = false;
 };
 
 class FoliageColumns;

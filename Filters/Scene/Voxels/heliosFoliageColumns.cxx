@@ -32,7 +32,7 @@ constexpr double SmallestCosine = 0.02;
 /// Mean |cos| of the incidence on elements of random orientation that are hit.
 constexpr double MeanHitCosine = 2.0 / 3.0;
 
-constexpr double EpochTolerance = 1.0; // of times beyond the ends of a trajectory [s]
+constexpr double EpochTolerance = 1.0; // beyond the ends of a trajectory [s]
 
 template <typename ListT>
 bool Has(const ListT& list, double value)

@@ -5,12 +5,15 @@
 #ifndef heliosFoliageColumns_h
 #define heliosFoliageColumns_h
 
-#include "heliosFoliageBeams.h"
+#include "heliosFoliageInput.h"
 #include "heliosPose.h"
 #include "heliosStatus.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -24,7 +27,7 @@ vtkSmartPointer<vtkDoubleArray> GetDoubles(vtkDataArray* array);
 /// Returns whether a class of LAS is counted if none are given: all but ground, water and noise.
 bool IsPlantClass(int id);
 
-/// What echoes and hits of sub-rays are, by row.
+/// Columns of echoes and of hits of sub-rays, by row.
 class FoliageColumns
 {
 public:
@@ -93,7 +96,7 @@ private:
   vtkDataArray* Array = nullptr;
   vtkPolyData* Trajectory = nullptr;
   vtkDataArray* EchoTimes = nullptr;
-  vtkSmartPointer<vtkDoubleArray> Times; // of the trajectory
+  vtkSmartPointer<vtkDoubleArray> Times; // along the trajectory
   double Shift = 0.0;                    // from the times of echoes to those of the trajectory [s]
 };
 

@@ -46,7 +46,7 @@ enum Ports
 };
 
 constexpr vtkIdType BeamsPerStep = 1 << 20; // between two checks of AbortExecute
-constexpr double BytesPerCell = 200.0;      // of sums and output arrays, besides those of threads
+constexpr double BytesPerCell = 200.0;      // sums and output arrays, besides those of threads
 
 /// Returns the data of an input port; null if nothing is connected.
 template <typename DataT>
@@ -76,7 +76,7 @@ vtkBoundingBox ComputeBounds(const helios::FoliageBeams& beams)
 
 } // namespace
 
-/// What is counted.
+/// Classes and materials that are counted.
 class vtkHeliosPlantAreaDensity::Internals
 {
 public:

@@ -43,7 +43,7 @@ def estimate(beams, voxel=1.0, **options):
     "estimator", ["beer-lambert-corrected", "maximum-likelihood", "maximum-likelihood-corrected"]
 )
 def test_errors_are_those_stated(estimator):
-    """Of 40 scans and 64 voxels: deviations over the standard errors have the mean 0 and deviation 1."""
+    """Deviations over the standard errors, of 40 scans of 64 voxels, have the mean 0 and deviation 1."""
     z = []
     for seed in range(40):
         found = estimate(draw_beams(3000, seed), estimator=estimator)

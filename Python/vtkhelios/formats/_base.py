@@ -183,6 +183,7 @@ class Scan:
     pulses: object = None  # a function of an iterator over chunks of pulses; None: unknown
     # a function of an iterator over directions (n x 3) of pulses without an echo; None: unknown
     misses: object = None
+    has_all: bool = False  # whether misses are all pulses without an echo, even if there are none
 
 
 class _Closing:

@@ -68,7 +68,7 @@ class TextReader(Reader):
         rotation = [0.0] * 4
         vtkMath.Matrix3x3ToQuaternion(turn.tolist(), rotation)
         misses = functools.partial(read_misses, self.path, index, turn)
-        return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True, misses=misses)
+        return Scan(name, tuple(matrix[:3, 3]), tuple(rotation), True, misses=misses, has_all=True)
 
     def read_chunks(self, rows):
         begin, size, told, seen, dropped = 0, 1, 0, 0, 0

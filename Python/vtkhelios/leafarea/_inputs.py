@@ -180,7 +180,7 @@ def _check_unit(path, crs, points):
         )
 
 
-TIME_MARGIN = 1.0  # of points beyond the ends of a trajectory [s]
+TIME_MARGIN = 1.0  # beyond the ends of a trajectory [s]
 
 
 def _divide(scan, chunk, header, trajectories, notes):
@@ -226,8 +226,11 @@ def _add_pulses(scan, chunk, header, found, spacing, notes):
         misses = np.concatenate([np.empty((0, 3)), *found.misses()])
     else:
         misses = np.empty((0, 3))
-        _add_notes(notes, [_explain_misses(scan)])
     add_pulses(scan, chunk, header, misses)
+    # A grid of PTX has all pulses; a file with flags of directions may have none.
+    scan.knows_misses = spacing is not None or found.has_all or len(misses) > 0
+    if not scan.knows_misses:
+        _add_notes(notes, [_explain_misses(scan)])
 
 
 def _explain_misses(scan):

@@ -48,7 +48,6 @@ def add_pulses(scan, chunk, header, misses):
         PULSE_IDS: np.arange(count),
     }
     scan.echoes, scan.pulses = to_cloud(chunk, header), to_cloud(pulses)
-    scan.knows_misses = len(misses) > 0
 
 
 def _number_pulses(chunk):

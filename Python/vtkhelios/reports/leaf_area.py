@@ -7,7 +7,7 @@ import numpy as np
 from ..core.words import counted
 from .charts import BLUE, ORANGE, load, to_png
 
-ROWS = 30  # of the printed profile
+ROWS = 30  # lines of the printed profile
 BAR = 24  # characters of the densest layer
 
 

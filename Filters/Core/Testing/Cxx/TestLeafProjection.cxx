@@ -58,7 +58,7 @@ TEST_CASE("LeafProjection: horizontal and vertical leaves", "[LeafProjection]")
   CHECK(GetAt(leaves, 90) == Approx(2.0 / vtkMath::Pi()));
 }
 
-TEST_CASE("LeafProjection: vertical projections of de Wit's distributions", "[LeafProjection]")
+TEST_CASE("LeafProjection: vertical projections of leaves of some angles", "[LeafProjection]")
 {
   // The mean cosine of the normals: integrals of the densities.
   LeafProjection leaves;

@@ -206,7 +206,7 @@ TEST_CASE("PlantAreaDensity: shares of the echoes of a pulse", "[PlantAreaDensit
       { names::Reflectance, { -10.0, -10.0 } } });
   CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(0.5)); // equal: P R^2
   row.Filter->SetEchoShares(vtkHeliosPlantAreaDensity::EQUAL);
-  CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(0.25)); // of four returns
+  CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(0.25)); // four returns
   row.Filter->SetEchoShares(vtkHeliosPlantAreaDensity::FIRST);
   CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(1.0));
   CHECK(row.Get(foliage::NumberOfBeams, 1) == 0);
@@ -256,7 +256,7 @@ TEST_CASE("PlantAreaDensity: elements of a size", "[PlantAreaDensity]")
   row.Filter->SetEstimatorToMaximumLikelihood();
   row.Set(2, { { 0, 0.5 } });
   row.Filter->SetElementArea(0.2);
-  const double attenuation = 0.2 * 0.5; // of one element
+  const double attenuation = 0.2 * 0.5; // by one element
   const double path = -(std::log(1 - attenuation * 0.5) + std::log(1 - attenuation)) / 0.2;
   CHECK(row.Get(names::PAD, 0) == Approx(1.0 / path));
   CHECK(row.Get(foliage::DensityError, 0) == Approx(std::sqrt(1.0 + 2.0 / 3.0 * 0.2 * 1.5) / path));
