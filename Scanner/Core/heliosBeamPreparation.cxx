@@ -221,6 +221,32 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 }
 
 //------------------------------------------------------------------------------
+bool FindsCrowds(const ScanModel& model, vtkIdType numberOfPulses)
+{
+  constexpr std::size_t many = 32; // triangles
+  constexpr int crowdShare = 2;    // pays from one of 2 on
+  const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
+  PulseSource::Cursor cursor;
+  Pulse pulse;
+  ConeLayer layer;
+  ConeView view;
+  int unresolved = 0;
+  int crowded = 0;
+  for (vtkIdType i = 0; model.Cones && i < samples; ++i)
+  {
+    if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse) &&
+      model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Unresolved && layer.Size == 0)
+    {
+      ++unresolved;
+      const bool isWhole = model.Cones->Collect(pulse.Origin.GetData(),
+        pulse.GetDirection().GetData(), model.ConeTangent, 0.0, Footprint::MaximumTriangles, view);
+      crowded += isWhole && view.Triangles.size() <= many ? 0 : 1;
+    }
+  }
+  return crowdShare * crowded > unresolved;
+}
+
+//------------------------------------------------------------------------------
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
   model.SubRays = sampler->GetBeamDivergence() > 0.0

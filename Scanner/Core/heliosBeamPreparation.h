@@ -33,6 +33,9 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses);
 
+/// Whether most beams that cone probes leave unresolved, of a sample, meet many triangles.
+bool FindsCrowds(const ScanModel& model, vtkIdType numberOfPulses);
+
 /// Returns the width of a beam, for its volume.
 BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler);
 

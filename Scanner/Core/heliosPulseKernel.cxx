@@ -192,7 +192,7 @@ void PulseKernel::RunAdaptive(std::size_t slot)
     this->RunReturns(pulse);
     return;
   }
-  if (cone.MayHitTurbidVoxels)
+  if (cone.MayHitTurbidVoxels || this->Model.UsesRays)
   {
     this->Tracer.CastAll(pulse, this->Counts);
     this->RunReturns(pulse);

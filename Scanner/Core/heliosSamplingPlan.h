@@ -27,6 +27,7 @@ namespace helios
 struct SamplingPlan
 {
   int NumberOfSubRays = 336;  ///< number for a beam among leaves
+  bool PrefersRays = false;   ///< whether they are cast in all beams, if most are among leaves
   double PlaneDistance = 0.0; ///< distance of triangles that count as one plane [m]
   double PlaneContrast = 0.0; ///< relative contrast of their responses
   double Overlap = 0.0;       ///< overlap of a sheet before the plane that fills a beam [m]

@@ -99,6 +99,7 @@ struct ScanModel
   std::vector<std::unique_ptr<LazySubRays>> RayLevels;
   std::vector<SubRay> CoarseSubRays; // before those levels: of beams on mirrors and glass
   FootprintSettings Footprints;      // settings of adaptive sampling
+  bool UsesRays = false;             // whether beams that no cone test resolves are sampled by rays
   PlaneModel Plane;
   // tangent of the half angle of all sub-rays together, along the major axis
   double ConeTangent = 0.0;

@@ -524,6 +524,8 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     m.Cones = m.Caster ? this->RayCaster->GetConeProbe() : nullptr;
     helios::PrepareAdaptiveBeam(this->BeamSampler, m);
     traits.FindsPlanes = helios::FindsPlanes(m, scan.NumberOfPulses);
+    m.UsesRays =
+      m.Plan.PrefersRays && !m.Surfaces.HasOptics() && helios::FindsCrowds(m, scan.NumberOfPulses);
   }
   else
   {

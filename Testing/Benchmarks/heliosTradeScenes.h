@@ -218,6 +218,48 @@ inline TradeScene MakeTerrainScene()
     { 300, 0, 0 }, { 0, 40, 0 }, 0.3e-3, {} };
 }
 
+/// Crowns of leaves of 5 to 11 cm, two triangles each, above hills from 400 m: footprints of 0.3 m.
+inline TradeScene MakeStandScene()
+{
+  BenchScene scene;
+  scene.AddHills(60, 30.0);
+  constexpr std::uint64_t leaves = 90000;
+  for (std::uint64_t i = 0; i < leaves; ++i)
+  {
+    const auto r = Uniform4(11, RandomStream::Scene, i, 0);
+    const auto s = Uniform4(11, RandomStream::Scene, i, 1);
+    const auto tree = static_cast<double>(i % 9);
+    const double turn = 2 * vtkMath::Pi() * r[0];
+    const double out = 3.0 * std::sqrt(r[1]);
+    const double x = 5 + 10 * std::fmod(tree, 3.0) + out * std::cos(turn);
+    const double y = 5 + 10 * std::floor(tree / 3.0) + out * std::sin(turn);
+    const double z = GetHillHeight(x, y) + 4 + 8 * r[2];
+    const double tilt = vtkMath::Pi() * (s[0] - 0.5);
+    const double around = 2 * vtkMath::Pi() * s[1];
+    const double half = 0.025 + 0.03 * s[2];
+    const Vec3 along(std::cos(around), std::sin(around), 0);
+    const Vec3 across(
+      -std::sin(around) * std::cos(tilt), std::cos(around) * std::cos(tilt), std::sin(tilt));
+    scene.AddQuad({ x, y, z }, half * along, half * across);
+  }
+  return { "stand", scene.Finish(), BenchOffset, { 40, 15, 400 }, { 2, 2, 5 }, { 26, 0, 0 },
+    { 0, 26, 0 }, 0.5e-3, {} };
+}
+
+/// Wires of 4 to 12 mm every 10 cm, 2 m before a wall, from 60 m.
+inline TradeScene MakeWiresScene()
+{
+  BenchScene scene;
+  scene.AddQuad({ 0, 62, 0 }, { 20, 0, 0 }, { 0, 0, 20 });
+  for (int i = -20; i <= 20; ++i)
+  {
+    const double half = 0.002 + 0.001 * std::abs(i % 5);
+    scene.AddQuad({ 0.1 * i, 60, 0 }, { half, 0, 0 }, { 0, 0, 2 });
+  }
+  return { "wires", scene.Finish(), BenchOffset, { 0.3, 0, 0.2 }, { -1.5, 60, -1.5 }, { 3, 0, 0 },
+    { 0, 0, 3 }, 0.5e-3, {} };
+}
+
 } // namespace helios::bench
 
 #endif

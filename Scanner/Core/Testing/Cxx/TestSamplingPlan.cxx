@@ -65,6 +65,16 @@ TEST_CASE("SamplingPlan: the maxima of bins will do for wide tolerances", "[Samp
   CHECK(PlanSampling({ 3e-2, 3e-1 }, 1.7).DetectionBin == Approx(0.25 * 1.7));
 }
 
+TEST_CASE("SamplingPlan: rays for the widest tolerances only", "[SamplingPlan]")
+{
+  const helios::SamplingPlan plan = PlanSampling({ 0.1, 0.5 }, 1.7);
+  CHECK(plan.PrefersRays);
+  CHECK(plan.NumberOfSubRays == 116);
+  CHECK_FALSE(PlanSampling({ 0.1, 0.1 }, 1.7).PrefersRays);
+  CHECK_FALSE(PlanSampling({ 0.07, 0.5 }, 1.7).PrefersRays);
+  CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).NumberOfSubRays == 64);
+}
+
 TEST_CASE("SamplingPlan: wide tolerances leave out the rim of a beam", "[SamplingPlan]")
 {
   CHECK(PlanSampling({ 1e-3, 1e-2 }, 1.7).RimEnergy == 0.0);

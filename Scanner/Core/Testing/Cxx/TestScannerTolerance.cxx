@@ -250,6 +250,23 @@ TEST_CASE("Tolerance: beams with too many triangles to collect are sampled by ra
   CHECK(slats.Scanner->GetCount("subRays") % (5 * 256) == 0);
 }
 
+TEST_CASE("Tolerance: the widest tolerances sample by rays if most beams are full", "[Tolerance]")
+{
+  const int count = GENERATE(10, 200);
+  Bench slats(MakeSlats(count));
+  slats.Scanner->SetSamplingToTolerance();
+  slats.Scanner->SetDuration(0.0005); // 50 pulses
+  slats.Scanner->SetRangeTolerance(0.1);
+  slats.Scanner->SetEnergyTolerance(0.5);
+  CHECK(slats.Run()->GetNumberOfPoints() == 100);
+  CHECK((slats.Scanner->GetCount("subRays") == 50 * 116) == (count > 100));
+  CHECK(slats.Scanner->DescribeSampling().find("116 sub-rays if most beams are full") !=
+    std::string::npos);
+  slats.Scanner->SetEnergyTolerance(0.1);
+  CHECK(slats.Run()->GetNumberOfPoints() == 100);
+  CHECK(slats.Scanner->GetCount("subRays") != 50 * 116);
+}
+
 TEST_CASE("Tolerance: the limit of sub-rays has a range", "[Tolerance]")
 {
   Bench bench(MakeScene({ Wall(60) }));
