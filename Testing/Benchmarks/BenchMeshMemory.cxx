@@ -118,8 +118,8 @@ vtkSmartPointer<vtkPolyData> MakeSoup(vtkIdType triangles)
     {
       const auto side = helios::Uniform4(
         1, helios::RandomStream::Scene, item, 1 + static_cast<std::uint64_t>(corner));
-      arrays.SetPoint(3 * i + corner,
-        middle + Vec3(side[0] - 0.5, side[1] - 0.5, side[2] - 0.5) * (2 * size));
+      arrays.SetPoint(
+        3 * i + corner, middle + Vec3(side[0] - 0.5, side[1] - 0.5, side[2] - 0.5) * (2 * size));
     }
     arrays.SetTriangle(i, 3 * i, 3 * i + 1, 3 * i + 2);
   }
@@ -193,8 +193,8 @@ int main(int argc, char** argv)
   const double built = helios::WallSeconds() - start;
   const auto tree = static_cast<double>(caster->GetMemorySize());
   const double peak = 1048576.0 * (helios::PeakMebibytes() - before);
-  std::printf("%.0f triangles: mesh %.1f, tree %.1f bytes each, peak %.1f; built in %.2f s\n", count,
-    mesh / count, tree / count, peak / count, built);
+  std::printf("%.0f triangles: mesh %.1f, tree %.1f bytes each, peak %.1f; built in %.2f s\n",
+    count, mesh / count, tree / count, peak / count, built);
   MeasurePulses(caster, pulses);
   return EXIT_SUCCESS;
 }

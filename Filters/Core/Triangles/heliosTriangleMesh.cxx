@@ -132,11 +132,10 @@ Status TriangleMesh::Set(vtkPolyData* scene)
   {
     const std::string cell = "cell " + std::to_string(bad / 3) + " of the scene ";
     const vtkTypeInt32 point = this->Corners[bad];
-    return check.Exists(point)
-      ? Status::Error(cell + "has a corner that is not finite (point " + std::to_string(point) +
-          "); repair or remove it")
-      : Status::Error(cell + "refers to point " + std::to_string(point) + ", but it has " +
-          std::to_string(pointCount));
+    return check.Exists(point) ? Status::Error(cell + "has a corner that is not finite (point " +
+                                   std::to_string(point) + "); repair or remove it")
+                               : Status::Error(cell + "refers to point " + std::to_string(point) +
+                                   ", but it has " + std::to_string(pointCount));
   }
   this->Scene = scene;
   return {};

@@ -53,8 +53,8 @@ public:
 private:
   HELIOS_INLINE void SetPlaces(
     const BeamTree::Leaf& leaf, Floats x[3], Floats y[3], Floats s[3]) const;
-  HELIOS_INLINE void SetPackedPlaces(const BeamTree::Leaf& leaf, const float steps[3], Floats x[3],
-    Floats y[3], Floats s[3]) const;
+  HELIOS_INLINE void SetPackedPlaces(
+    const BeamTree::Leaf& leaf, const float steps[3], Floats x[3], Floats y[3], Floats s[3]) const;
 
   RayAxes Axes;
   bool IsForward = true;

@@ -58,7 +58,8 @@ void AddAll(const Coarse* boxes, const CoarseRange& range, BoxBins& bins)
       for (vtkIdType i = begin; i < end; ++i)
       {
         const auto first = range.First + static_cast<vtkTypeInt32>(i) * Chunk;
-        AddBoxes(boxes, first, std::min(range.Last, first + Chunk), all[static_cast<std::size_t>(i)]);
+        AddBoxes(
+          boxes, first, std::min(range.Last, first + Chunk), all[static_cast<std::size_t>(i)]);
       }
     });
   for (const BoxBins& each : all)
@@ -68,8 +69,7 @@ void AddAll(const Coarse* boxes, const CoarseRange& range, BoxBins& bins)
 }
 
 HELIOS_CLONES
-vtkTypeInt32 DivideRange(
-  Coarse* boxes, const CoarseRange& range, BoxBins& bins, Extent centres[2])
+vtkTypeInt32 DivideRange(Coarse* boxes, const CoarseRange& range, BoxBins& bins, Extent centres[2])
 {
   return range.Depth < BoxBins::MaximumDepth && bins.FindSplit()
     ? Partition(boxes, range.First, range.Last, bins, centres)
@@ -126,8 +126,7 @@ void BeamBuilder::SetTriangle(vtkIdType i, vtkTypeInt32 triangle)
 void BeamBuilder::Build(BeamStorage& tree, StopCheck& check)
 {
   const auto count = static_cast<vtkTypeInt32>(this->Boxes.GetSize());
-  const vtkTypeInt32 size =
-    std::max(SmallestPart, std::min(LargestPart, count / PartsOfTree));
+  const vtkTypeInt32 size = std::max(SmallestPart, std::min(LargestPart, count / PartsOfTree));
   if (count <= size)
   {
     this->Parts.push_back({ 0, count, 0, 0, {} });
@@ -207,8 +206,8 @@ void BeamBuilder::BuildParts(BeamStorage& tree, StopCheck& check)
   {
     order[i] = i;
   }
-  std::sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b)
-    { return this->Parts[a].First > this->Parts[b].First; });
+  std::sort(order.begin(), order.end(),
+    [this](std::size_t a, std::size_t b) { return this->Parts[a].First > this->Parts[b].First; });
   const auto round =
     static_cast<std::size_t>(2 * std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
   for (std::size_t first = 0; first < order.size(); first += round)
@@ -222,8 +221,8 @@ void BeamBuilder::BuildParts(BeamStorage& tree, StopCheck& check)
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
         {
           const Part& part = this->Parts[order[first + i]];
-          built[i].Build(this->Mesh, this->Frame, &this->Boxes[static_cast<std::size_t>(part.First)],
-            part.Last - part.First, part.Depth);
+          built[i].Build(this->Mesh, this->Frame,
+            &this->Boxes[static_cast<std::size_t>(part.First)], part.Last - part.First, part.Depth);
         }
       });
     for (std::size_t i = 0; i < built.size(); ++i)

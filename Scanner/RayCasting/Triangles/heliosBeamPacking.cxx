@@ -40,8 +40,10 @@ void PackSides(const PlainBox* boxes, int count, int axis, PackedNode& node)
   node.Factors[axis] = static_cast<float>(step) * PackedWord::Units[axis];
   for (int i = 0; i < count; ++i)
   {
-    const double from = std::floor((boxes[i].Low[axis] - static_cast<double>(origin)) / step - margin);
-    const double to = std::ceil((boxes[i].High[axis] - static_cast<double>(origin)) / step + margin);
+    const double from =
+      std::floor((boxes[i].Low[axis] - static_cast<double>(origin)) / step - margin);
+    const double to =
+      std::ceil((boxes[i].High[axis] - static_cast<double>(origin)) / step + margin);
     node.Low[i] |= static_cast<int>(std::max(from, 0.0)) << (PackedWord::Bits * axis);
     node.High[i] |= static_cast<int>(std::min<double>(to, PackedWord::Largest))
       << (PackedWord::Bits * axis);

@@ -65,8 +65,7 @@ struct Range
 //------------------------------------------------------------------------------
 /// Makes the binary nodes of at least two boxes, which it sorts.
 HELIOS_CLONES
-void BeamPart::Split(
-  FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes)
+void BeamPart::Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes)
 {
   Range range{ 0, count, -1, 0, depth, {} };
   for (vtkTypeInt32 i = 0; i < count; ++i)

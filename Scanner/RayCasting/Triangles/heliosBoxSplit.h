@@ -151,8 +151,8 @@ private:
     {
       above.Add(this->Bounds[axis][i]);
       count += this->Counts[axis][i];
-      const float cost = count == 0 ? std::numeric_limits<float>::max()
-                                    : costs[i] + this->GetCost(above, count);
+      const float cost =
+        count == 0 ? std::numeric_limits<float>::max() : costs[i] + this->GetCost(above, count);
       if (cost < best)
       {
         best = cost;

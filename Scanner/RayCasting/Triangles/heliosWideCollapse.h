@@ -125,8 +125,7 @@ private:
       children[count++] = { node, side };
       return;
     }
-    this->Part(
-      inner, this->Shares[static_cast<std::size_t>(inner)].Left[k], k, children, count);
+    this->Part(inner, this->Shares[static_cast<std::size_t>(inner)].Left[k], k, children, count);
   }
 
   const std::vector<SplitNode>& Nodes;

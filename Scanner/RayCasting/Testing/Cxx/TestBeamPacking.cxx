@@ -43,8 +43,8 @@ void MakeBoxes(Dice& dice, double place, double size, PlainBox boxes[], int coun
 
 } // namespace
 
-TEST_CASE("BeamPacking: packed boxes hold the boxes with a margin, and are little larger",
-  "[BeamPacking]")
+TEST_CASE(
+  "BeamPacking: packed boxes hold the boxes with a margin, and are little larger", "[BeamPacking]")
 {
   Dice dice;
   for (const double place : { 0.0, 1e-30, 0.7, -1.0, 1e-3 })
@@ -70,7 +70,8 @@ TEST_CASE("BeamPacking: packed boxes hold the boxes with a margin, and are littl
         CHECK(high >= boxes[i].High[axis] + margin);
         CHECK(low >= boxes[i].Low[axis] - 1.01 * step);
         CHECK(high <= boxes[i].High[axis] + 1.01 * step);
-        CHECK(step <= 3 * (2 * size + std::abs(place) * 0x1p-20 + 0x1p-100) / PackedWord::Largest);
+        const double length = 2 * size + std::abs(place) * 0x1p-20;
+        CHECK(step <= std::max(0x1p-100, 3 * length / PackedWord::Largest));
       }
     }
   }
