@@ -104,7 +104,7 @@ vtkSmartPointer<vtkPolyData> MakeHills(vtkIdType triangles)
   return arrays.Finish();
 }
 
-/// Triangles of random places and directions above hills' ground, each with points of its own.
+/// Triangles of random places and directions up to 10 m high, each with points of its own.
 vtkSmartPointer<vtkPolyData> MakeSoup(vtkIdType triangles)
 {
   Arrays arrays(3 * triangles, triangles);
@@ -126,13 +126,11 @@ vtkSmartPointer<vtkPolyData> MakeSoup(vtkIdType triangles)
   return arrays.Finish();
 }
 
-/// Pulses of a divergence of 0.3 mrad from 2 m above the ground in the middle.
-std::vector<vtkHeliosRay> MakeRays(int pulses)
+/// Pulses of a divergence of 0.3 mrad from a height in the middle.
+std::vector<vtkHeliosRay> MakeRays(double height, int pulses)
 {
   std::vector<vtkHeliosRay> rays;
-  const double middle = 0.5 * Width;
-  const Vec3 from =
-    helios::BenchOffset + Vec3(middle, middle, helios::GetHillHeight(middle, middle) + 2);
+  const Vec3 from = helios::BenchOffset + Vec3(0.5 * Width, 0.5 * Width, height);
   for (int i = 0; i < pulses; ++i)
   {
     const double angle = 2 * vtkMath::Pi() * (i % 1000) / 1000;
@@ -149,9 +147,9 @@ std::vector<vtkHeliosRay> MakeRays(int pulses)
   return rays;
 }
 
-void MeasurePulses(const vtkHeliosRayCaster* caster, int pulses)
+void MeasurePulses(const vtkHeliosRayCaster* caster, double height, int pulses)
 {
-  const std::vector<vtkHeliosRay> rays = MakeRays(pulses);
+  const std::vector<vtkHeliosRay> rays = MakeRays(height, pulses);
   std::vector<vtkHeliosHit> hits(rays.size());
   std::vector<double> seconds;
   for (int i = 0; i < 5; ++i)
@@ -195,6 +193,7 @@ int main(int argc, char** argv)
   const double peak = 1048576.0 * (helios::PeakMebibytes() - before);
   std::printf("%.0f triangles: mesh %.1f, tree %.1f bytes each, peak %.1f; built in %.2f s\n",
     count, mesh / count, tree / count, peak / count, built);
-  MeasurePulses(caster, pulses);
+  const double ground = isSoup ? 6.0 : helios::GetHillHeight(0.5 * Width, 0.5 * Width);
+  MeasurePulses(caster, ground + 2, pulses);
   return EXIT_SUCCESS;
 }
