@@ -4377,10 +4377,10 @@ class vtkHeliosPlantAreaDensity(vtkImageAlgorithm):
     the bounds of the counted hits, in multiples of VoxelSize.
     """
     leaf_angle_distribution: int
-    """Set/Get the leaf angles: distributions of C. de Wit (1965), the
-    ellipsoidal one of G. Campbell (1986), a TABLE, which is the
-    field data LeafProjection of input 4, or INCIDENCE_ANGLES of the
-    hits. Default: SPHERICAL.
+    """Set/Get the leaf angles: distributions of N. Goel and D. Strebel
+    (1984), the ellipsoidal one of G. Campbell (1986), a TABLE, which
+    is the field data LeafProjection of input 4, or INCIDENCE_ANGLES
+    of the hits. Default: SPHERICAL.
     """
     @property
     def m_time(self) -> int:

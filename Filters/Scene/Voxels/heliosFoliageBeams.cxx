@@ -33,6 +33,19 @@ std::int64_t GetTimeKey(double time)
   return bits < 0 ? bits ^ std::numeric_limits<std::int64_t>::max() : bits;
 }
 
+/// Limits energies to the whole beam: an element that faces it counts as more than one.
+void SplitEnergies(FoliageHit* begin, FoliageHit* end)
+{
+  for (FoliageHit* hit = begin; hit != end; ++hit)
+  {
+    if (hit->Energy > 1.0)
+    {
+      hit->Weight *= hit->Energy;
+      hit->Energy = 1.0;
+    }
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -295,6 +308,7 @@ void FoliageBeams::AddHits(const FoliageColumns& columns, const Groups& groups, 
   }
   if (columns.GetShares() == FoliageInput::Shares::Reflectance)
   {
+    SplitEnergies(begin, end);
     total = 1.0;
   }
   if (columns.GetShares() == FoliageInput::Shares::Equal && end > begin)

@@ -165,7 +165,7 @@ double FoliageColumns::GetEnergy(vtkIdType echo, double range) const
   if (this->Shares == FoliageInput::Shares::Reflectance && this->IsCounted(echo))
   {
     const double apparent = std::pow(10.0, 0.1 * this->Reflectances->GetTuple1(echo));
-    return std::min(apparent / (MeanHitCosine * this->ElementReflectance), 1.0);
+    return apparent / (MeanHitCosine * this->ElementReflectance);
   }
   if (this->Shares != FoliageInput::Shares::Energy)
   {

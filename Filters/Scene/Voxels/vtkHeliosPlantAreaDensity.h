@@ -159,8 +159,8 @@ public:
    * Set/Get the shares of the echoes of a pulse in its energy; without amplitudes ENERGY is EQUAL.
    * Of all but REFLECTANCE the shares of a pulse add up to 1: a partial hit before the sky counts as
    * a whole one. Those of REFLECTANCE are the energy over that of a plant element that fills the
-   * beam at a random angle, and leave the rest of a pulse to what is behind; an echo that is not
-   * counted has the rest. Not used with input 2. Default: ENERGY.
+   * beam at a random angle, and leave the rest of a pulse to what is behind, also where an oblique
+   * element fills the beam: densities are too low. An echo that is not counted has the rest. Not used with input 2. Default: ENERGY.
    */
   vtkSetClampMacro(EchoShares, int, EQUAL, REFLECTANCE);
   vtkGetMacro(EchoShares, int);

@@ -214,6 +214,9 @@ TEST_CASE("PlantAreaDensity: shares of the echoes of a pulse", "[PlantAreaDensit
   row.Filter->SetElementReflectance(0.6);
   CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(0.1 / 0.4));
   CHECK(row.Get(foliage::EnteringEnergy, 1) == Approx(0.75));
+  row.Filter->SetElementReflectance(0.1); // a hit that faces the beam counts 1.5
+  CHECK(row.Get(foliage::InterceptedEnergy, 0) == Approx(1.5));
+  CHECK(row.Get(foliage::NumberOfBeams, 1) == 0);
 }
 
 TEST_CASE(
