@@ -58,6 +58,7 @@ from .clouds.filter import filter as filter
 from .core.pipeline import PipelineError as PipelineError, update as update
 from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
+from .leafarea import PlantArea as PlantArea, plant_area as plant_area
 from .surveys.scanning import make_survey as make_survey, scan as scan
 from .clouds.cloud import Cloud as Cloud, Records as Records, read as read
 from .core.detectors import add_detector as add_detector

@@ -15,6 +15,7 @@ from .clouds.filter import filter as filter
 from .core.pipeline import PipelineError as PipelineError, update as update
 from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
+from .leafarea import PlantArea as PlantArea, plant_area as plant_area
 from .surveys.scanning import make_survey as make_survey, scan as scan
 from .clouds.cloud import Cloud as Cloud, Records as Records, read as read
 from .core.detectors import add_detector as add_detector
@@ -4348,8 +4349,10 @@ class vtkHeliosPlantAreaDensity(vtkImageAlgorithm):
     shares of a pulse add up to 1: a partial hit before the sky
     counts as a whole one. Those of REFLECTANCE are the energy over
     that of a plant element that fills the beam at a random angle,
-    and leave the rest of a pulse to what is behind; an echo that is
-    not counted has the rest. Not used with input 2. Default: ENERGY.
+    and leave the rest of a pulse to what is behind, also where an
+    oblique element fills the beam: densities are too low. An echo
+    that is not counted has the rest. Not used with input 2. Default:
+    ENERGY.
     """
     element_area: float
     """Set/Get the area of one side of a leaf [m2], for standard errors
