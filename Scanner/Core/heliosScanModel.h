@@ -162,8 +162,12 @@ struct ScanModel
       limits.OfLayer = { this->Plan.LayerDistance, this->Plan.LayerContrast };
     }
     layer.Size = 0;
-    vtkHeliosConeHit hit = this->Cones->Probe(apex.GetData(), axis.GetData(), this->ConeTangent,
-      limits, this->HasLayers() ? &layer : nullptr, group);
+    ConeLayer* const wanted = this->HasLayers() ? &layer : nullptr;
+    const double* o = apex.GetData();
+    const double* d = axis.GetData();
+    vtkHeliosConeHit hit = group
+      ? this->Cones->ProbeGroup(o, d, this->ConeTangent, limits, wanted, *group)
+      : this->Cones->Probe(o, d, this->ConeTangent, limits, wanted);
     hit.Range -= this->ApexOffset;
     return hit;
   }

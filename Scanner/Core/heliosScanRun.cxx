@@ -19,7 +19,7 @@ namespace
 // Limits of a chunk.
 constexpr vtkIdType LargestChunk = 256;
 constexpr vtkIdType MinimumPulses = 32; // a group; fewer if they are slow
-constexpr vtkIdType MinimumChunks = 4;  // chunks of a thread, in a scan of few pulses
+constexpr vtkIdType MinimumChunks = 16; // chunks of a thread: the last ones wait for each other
 
 constexpr vtkIdType MaximumChunksPerThread =
   64; // per batch, so that their records stay in the cache
@@ -40,7 +40,7 @@ std::size_t CountBytes(const std::vector<ChunkResult>& results)
   return samples * sizeof(float);
 }
 
-/// Returns the pulses of a chunk: few enough that every thread has some, also of a small scan.
+/// Returns the pulses of a chunk: few enough that every thread has some of all pulses.
 vtkIdType ChooseChunkSize(vtkIdType pulses, vtkIdType threads, vtkIdType maximum)
 {
   return std::min(
@@ -103,10 +103,11 @@ Status RunScan(const ScanModel& model, vtkIdType first, vtkIdType last, BatchSiz
   batch.SetThreads(threads);
   while (functor.Last < last && watch.Report())
   {
-    const vtkIdType size = ChooseChunkSize(last - first, threads, batch.GetMaximumPulses());
-    functor.PulsesPerChunk = size;
+    const vtkIdType largest = ChooseChunkSize(last - first, threads, batch.GetMaximumPulses());
     functor.First = functor.Last;
-    functor.Last = std::min(last, functor.First + size * batch.GetChunks());
+    functor.Last = std::min(last, functor.First + largest * batch.GetChunks());
+    const vtkIdType size = ChooseChunkSize(functor.Last - functor.First, threads, largest);
+    functor.PulsesPerChunk = size;
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const vtkIdType chunks = (functor.Last - functor.First + size - 1) / size;

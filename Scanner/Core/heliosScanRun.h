@@ -12,7 +12,7 @@
 //
 // - A block is what a run that is killed may lose (--pulses-per-block).
 // - A piece is a part in VTK's sense (UPDATE_PIECE_NUMBER), computed by one update of the scanner and
-//   written while the next one is computed: 32768 pulses, or the whole block of VTK XML.
+//   written while the next one is computed: 32768 pulses, with 16 and more threads more, or the whole block of VTK XML.
 // - A batch is as many chunks as take 0.05 to 0.5 s (BatchSize); then its records are appended to
 //   the output, and progress is reported.
 // - A chunk is up to 256 pulses, fewer in a small piece or if pulses are slow: PulseKernel::Run(),

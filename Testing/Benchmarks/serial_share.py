@@ -14,6 +14,7 @@ With --synthetic the samples are of a process that computes alone for a quarter 
 
 import argparse
 import collections
+import os
 import pathlib
 import subprocess
 import sys
@@ -23,6 +24,24 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INTERVAL = 0.002  # s
 CORES = (1, 2, 8, 16, 64)
+# TBB starts no more threads than the machine has cores.
+MANY_CORES = """
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <sched.h>
+#include <unistd.h>
+long sysconf(int name)
+{
+  long (*next)(int) = dlsym(RTLD_NEXT, "sysconf");
+  return name == _SC_NPROCESSORS_ONLN || name == _SC_NPROCESSORS_CONF ? COUNT : next(name);
+}
+int sched_getaffinity(pid_t pid, size_t size, cpu_set_t* set)
+{
+  CPU_ZERO_S(size, set);
+  for (int i = 0; i < COUNT; ++i) { CPU_SET_S(i, size, set); }
+  return 0;
+}
+"""
 SYNTHETIC = """
 import hashlib, threading
 data = bytes(1 << 20)
@@ -33,6 +52,15 @@ threads = [threading.Thread(target=work, args=(300,)) for _ in range(3)]
 for thread in threads: thread.start()
 for thread in threads: thread.join()
 """
+
+
+def pretend_cores(folder, count):
+    """Returns the environment of a process that finds so many cores."""
+    source, library = folder / "cores.c", folder / "cores.so"
+    source.write_text(MANY_CORES)
+    command = ["cc", "-shared", "-fPIC", f"-DCOUNT={count}", source, "-o", library]
+    subprocess.run(command, check=True)
+    return {**os.environ, "LD_PRELOAD": str(library)}
 
 
 def read_threads(pid):
@@ -56,7 +84,9 @@ def sample(process, find_phase):
             threads = read_threads(process.pid)
         except OSError:
             break
-        used = sum(max(0, now - before.get(name, (0, False))[0]) for name, (now, _) in threads.items())
+        used = sum(
+            max(0, now - before.get(name, (0, False))[0]) for name, (now, _) in threads.items()
+        )
         spent[find_phase(), max(1, sum(works for _, works in threads.values()))] += 1e-9 * used
         before = threads
         time.sleep(INTERVAL)
@@ -68,7 +98,9 @@ def print_table(spent):
     for phase in dict.fromkeys(name for name, _ in spent):
         own = {count: s for (name, count), s in spent.items() if name == phase}
         alone = own.get(1, 0.0)
-        print(f"{phase:24} {sum(own.values()):8.2f} s, alone {alone:6.2f} s, {100 * alone / total:5.2f} % of all")
+        print(
+            f"{phase:24} {sum(own.values()):8.2f} s, alone {alone:6.2f} s, {100 * alone / total:5.2f} % of all"
+        )
     alone = sum(s for (_, count), s in spent.items() if count == 1)
     print(f"{'all':24} {total:8.2f} s, alone {alone:6.2f} s, {100 * alone / total:5.2f} %")
     for cores in CORES:
@@ -81,8 +113,9 @@ def main():
     parser.add_argument("survey", nargs="?")
     parser.add_argument("--threads", metavar="N", default="64")
     parser.add_argument("--synthetic", action="store_true", help="check the script")
-    parser.add_argument("options", nargs="*", help="of vtkhelios run, after --")
-    arguments = parser.parse_args()
+    own = sys.argv[1:]
+    options = own[own.index("--") + 1 :] if "--" in own else []
+    arguments = parser.parse_args(own[: own.index("--")] if "--" in own else own)
     if arguments.synthetic:
         with subprocess.Popen([sys.executable, "-c", SYNTHETIC]) as process:
             print_table(sample(process, lambda: "synthetic"))
@@ -90,7 +123,8 @@ def main():
     if not arguments.survey:
         parser.error("give a survey, or --synthetic")
     with tempfile.TemporaryDirectory(dir="/dev/shm") as folder:
-        output = pathlib.Path(folder)
+        output = pathlib.Path(folder, "out")
+        environment = pretend_cores(pathlib.Path(folder), arguments.threads)
         seen = []
 
         def find_phase():
@@ -99,9 +133,16 @@ def main():
                 return "legs"
             return "accuracy and end" if seen else "start and scene"
 
-        command = [ROOT / "build/bin/vtkhelios", "run", arguments.survey, "--output", output, "--quiet"]
-        command += ["--threads", arguments.threads, *arguments.options]
-        with subprocess.Popen(command) as process:
+        command = [
+            ROOT / "build/bin/vtkhelios",
+            "run",
+            arguments.survey,
+            "--output",
+            output,
+            "--quiet",
+        ]
+        command += ["--threads", arguments.threads, *options]
+        with subprocess.Popen(command, env=environment) as process:
             print_table(sample(process, find_phase))
     return process.returncode
 

@@ -31,9 +31,15 @@ public:
   }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits, ConeLayer* layer, const ConeGroup* group) const override
+    const PlaneLimits& limits, ConeLayer* layer) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer, group);
+    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer, nullptr);
+  }
+
+  vtkHeliosConeHit ProbeGroup(const double origin[3], const double axis[3], double tanHalfAngle,
+    const PlaneLimits& limits, ConeLayer* layer, const ConeGroup& group) const override
+  {
+    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer, &group);
   }
 
   bool FindGroup(

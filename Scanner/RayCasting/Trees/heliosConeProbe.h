@@ -36,15 +36,25 @@ public:
    * Probes a cone with its apex at origin about a unit axis. Empty and PlanarFootprint, within limits, are
    * exact for the whole cone; cell and range equal vtkHeliosRayCaster::Intersect() for the axis. A
    * layer, if given, is set to the surface that fills the cone, for PlanarFootprint and for Unresolved; to none
-   * if there is no such surface within the limits. The group that the cone is in, if given, saves a walk.
+   * if there is no such surface within the limits.
    */
   virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    const PlaneLimits& limits, ConeLayer* layer = nullptr,
-    const ConeGroup* group = nullptr) const = 0;
+    const PlaneLimits& limits, ConeLayer* layer = nullptr) const = 0;
 
   /// Finds the triangles of a group of cones, see ConeGroup::Find().
-  virtual bool FindGroup(
-    const ConeAxis* cones, std::size_t count, double tanHalfAngle, ConeGroup& group) const = 0;
+  virtual bool FindGroup(const ConeAxis* /*cones*/, std::size_t /*count*/, double /*tanHalfAngle*/,
+    ConeGroup& /*group*/) const
+  {
+    return false;
+  }
+
+  /// Probes a cone of a group that was found, without walking the trees.
+  virtual vtkHeliosConeHit ProbeGroup(const double origin[3], const double axis[3],
+    double tanHalfAngle, const PlaneLimits& limits, ConeLayer* layer,
+    const ConeGroup& /*group*/) const
+  {
+    return this->Probe(origin, axis, tanHalfAngle, limits, layer);
+  }
 
   /**
    * Collects the triangles that touch the cone beyond a depth along its axis, apart from some that

@@ -12,6 +12,7 @@
 #include "vtkHeliosRunFiles.h"
 
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <chrono>
@@ -30,6 +31,8 @@ constexpr vtkIdType SamplesPerBlock = 65536;
 /// Pieces of text and LAS files, which do not depend on them: small ones stay in the cache. A piece
 /// of VTK XML is a block, since its files, and the files of parts, depend on it.
 constexpr vtkIdType PulsesPerPiece = 32768;
+constexpr vtkIdType ThreadsPerPiece =
+  8; // with more, pieces are joined: every thread has enough pulses
 
 double Now()
 {
@@ -324,13 +327,29 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
+/// Returns how many pieces, from one on, are computed as one: for each so many threads, one.
+vtkIdType LegRunner::CountJoined(vtkIdType piece, const PieceRange& pieces)
+{
+  const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  vtkIdType joined = 1;
+  for (vtkIdType next = 2; ThreadsPerPiece * next <= threads && piece % next == 0 &&
+       pieces.Count % next == 0 && piece + next <= pieces.Last;
+       next *= 2)
+  {
+    joined = next;
+  }
+  return joined;
+}
+
+//------------------------------------------------------------------------------
 /// Computes pieces, up to the end of a block, and has them written.
 bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
 {
-  for (vtkIdType piece = pieces.First; piece < pieces.Last; ++piece)
+  for (vtkIdType piece = pieces.First, joined = 1; piece < pieces.Last; piece += joined)
   {
-    this->WatchPiece(run, piece, pieces.Count);
-    if (!this->Source->Compute(run.Plan, piece, pieces.Count))
+    joined = CountJoined(piece, pieces);
+    this->WatchPiece(run, piece / joined, pieces.Count / joined);
+    if (!this->Source->Compute(run.Plan, piece / joined, pieces.Count / joined))
     {
       if (!this->Log.HasError() && piece > pieces.First)
       {
@@ -340,10 +359,10 @@ bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
     }
     LegPiece data = this->Source->Collect(run.Files);
     this->Source->Count(this->Counts);
-    this->Counts.Pulses = this->CountPulsesBefore(run.Plan, piece + 1, pieces.Count);
-    const bool isLast = piece + 1 == pieces.Last;
+    this->Counts.Pulses = this->CountPulsesBefore(run.Plan, piece + joined, pieces.Count);
+    const bool isLast = piece + joined == pieces.Last;
     run.Progress.Blocks += isLast ? 1 : 0;
-    run.Progress.Pieces = isLast ? 0 : run.Progress.Pieces + 1;
+    run.Progress.Pieces = isLast ? 0 : run.Progress.Pieces + joined;
     run.Progress.Counts = this->Counts;
     run.Progress.Seconds = Now() - run.Start;
     if (!run.Writing.Write(

@@ -142,6 +142,7 @@ private:
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
+  static vtkIdType CountJoined(vtkIdType piece, const PieceRange& pieces);
   bool RunPieces(const PieceRange& pieces, LegRun& run);
   void WatchPiece(const LegRun& run, vtkIdType piece, vtkIdType count);
   vtkIdType CountPulsesBefore(const LegPlan& plan, vtkIdType piece, vtkIdType count) const;

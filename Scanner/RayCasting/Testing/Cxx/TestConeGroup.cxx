@@ -91,10 +91,10 @@ void Compare(vtkHeliosBeamRayCaster* caster, const ConeGroup& group, const ConeA
   helios::PlaneLimits limits(0.001);
   limits.OfLayer = { 0.1, 1.0 };
   helios::ConeLayer layer, own;
-  const auto probe = [&](helios::ConeLayer& to, const ConeGroup* in)
-  { return caster->GetConeProbe()->Probe(cone.Origin, cone.Axis, tangent, limits, &to, in); };
-  const vtkHeliosConeHit hit = probe(layer, &group);
-  const vtkHeliosConeHit truth = probe(own, nullptr);
+  const helios::ConeProbe* cones = caster->GetConeProbe();
+  const vtkHeliosConeHit hit =
+    cones->ProbeGroup(cone.Origin, cone.Axis, tangent, limits, &layer, group);
+  const vtkHeliosConeHit truth = cones->Probe(cone.Origin, cone.Axis, tangent, limits, &own);
   tally.WrongProbes += hit.Kind == truth.Kind && hit.CellId == truth.CellId &&
       (hit.Kind == vtkHeliosConeHit::Unresolved || hit.Range == truth.Range) &&
       layer.Size == own.Size
