@@ -5,11 +5,16 @@
 import gc
 import pathlib
 import re
-import weakref
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    vtkDoubleArray,
+    vtkIdTypeArray,
+    vtkPoints,
+    vtkStringArray,
+)
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -110,21 +115,29 @@ def test_names_that_are_not_utf8():
     assert list(vtkhelios.arrays(cloud)) == ["\\xfdum"]
 
 
-def test_memory_of_numpy_arrays_is_kept_and_released():
-    values = np.arange(1000.0)
-    alive = weakref.ref(values)
-    array = numpy_to_vtk(values)
-    del values
+@pytest.mark.parametrize("user", ["python", "vtk", "numpy"])
+def test_views_of_vtk_are_kept_as_long_as_they_are_used(user):
+    first = vtkDoubleArray()
+    first.SetNumberOfValues(1000)
+    vtk_to_numpy(first)[:] = np.arange(1000.0)
+    ended = []
+    first.AddObserver("DeleteEvent", lambda *_: ended.append(1))
+    array = numpy_to_vtk(vtk_to_numpy(first)[500:])
+    assert not hasattr(array, "_numpy_reference")
+    data = vtkPolyData()
+    data.GetPointData().AddArray(array)
+    used = {"python": array, "vtk": data, "numpy": vtk_to_numpy(array)}[user]
+    del first, array, data
     gc.collect()
-    assert alive() is not None and array.GetValue(999) == 999
-    cell = vtkPolyData()  # VTK keeps the array longer than Python
-    cell.GetPointData().AddArray(array)
-    del array
+    assert not ended
+    if user == "vtk":
+        values = vtk_to_numpy(used.GetPointData().GetArray(0))
+    else:
+        values = vtk_to_numpy(used) if user == "python" else used
+    assert values[0] == 500 and values[-1] == 999
+    del used, values
     gc.collect()
-    assert alive() is not None
-    del cell
-    gc.collect()
-    assert alive() is None
+    assert ended
 
 
 def test_the_package_gives_memory_to_vtk_in_one_way():

@@ -54,10 +54,8 @@ BY_NAME = {
     "vtkhelios.cli": "the modules of the commands",
     "vtkhelios.formats._open": "the module of a format",
     "vtkhelios.example_surveys": "the module of a kind",
-    "vtkhelios.exchange": "pandas, PyVista or Open3D",
     "vtkhelios.exchange._meshes": "another VTK's numpy_support",
-    "vtkhelios.cluster": "dask, distributed",
-    "vtkhelios.formats._base": "the library of a format",
+    "vtkhelios.core.packages": "optional packages",
     "vtkhelios.vtkmodules": "the VTK of a wheel",
 }
 

@@ -167,7 +167,9 @@ def test_a_sample_of_tiles_is_said(clouds, capsys):
 def test_without_matplotlib(clouds, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     code, _, err = call(capsys, *clouds, "--output", "page.html")
-    assert code == 1 and "--output needs matplotlib, which is not installed: apt-get" in err
+    assert (
+        code == 1 and "charts need the package matplotlib, which is not installed: apt-get" in err
+    )
     assert call(capsys, *clouds, "--quiet")[0] == 0
 
 

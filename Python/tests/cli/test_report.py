@@ -352,5 +352,8 @@ def test_without_a_package(tmp_path, monkeypatch, capsys, package):
     monkeypatch.setitem(sys.modules, package, None)
     assert cli.main(["report", str(run)]) == 1
     err = capsys.readouterr().err
-    assert f"need {package}, which is not installed: apt-get install python3-{package}" in err
+    assert (
+        f"need the package {package}, which is not installed: apt-get install python3-{package}"
+        in err
+    )
     assert not (run / "report.html").exists()

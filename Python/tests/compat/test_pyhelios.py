@@ -389,9 +389,7 @@ def test_a_fixed_start_is_told_to_be_relative(capsys):
     assert capsys.readouterr().err.count("GPS times count from the start of the survey") == 2
 
 
-@pytest.mark.parametrize(
-    "setter", ["setLas10", "setZipOutput", "setLegacyEnergyModel", "setFullwaveNoise"]
-)
+@pytest.mark.parametrize("setter", ["setZipOutput", "setLegacyEnergyModel", "setFullwaveNoise"])
 def test_options_that_are_not_covered(setter, builder):
     getattr(builder, setter)(True)
     with pytest.raises(

@@ -389,9 +389,11 @@ def test_settings_of_a_leg_by_their_names_in_surveys():
 def test_scene_of_another_type_is_an_error(make_survey):
     for call in (
         lambda: vtkhelios.scan(42, (0, 0), **TRIPOD),
-        lambda: vtkhelios.read_survey(make_survey(), scene="scene.obj"),
+        lambda: vtkhelios.read_survey(make_survey(), scene=4.2),
     ):
-        with pytest.raises(TypeError, match="scene is of (int|str); give a Scene, a VTK data set"):
+        with pytest.raises(
+            TypeError, match="scene is of (int|float); give a Scene, a VTK data set"
+        ):
             call()
     points = vtkhelios.Cloud.from_arrays(vtkhelios.Scene(*FLAT).points).polydata
     with pytest.raises(vtkhelios.PipelineError, match="the input scene, a vtkPolyData, has no pol"):
@@ -432,7 +434,12 @@ def test_limits_of_the_scanner_clip_with_a_warning():
             ValueError,
             "give one number, or 2 of them",
         ),
-        (lambda: vtkhelios.Scene("x"), TypeError, "made of points and triangles, .* not of str"),
+        (lambda: vtkhelios.Scene(1), TypeError, "made of points and triangles, .* not of int"),
+        (
+            lambda: vtkhelios.Scene("x"),
+            ValueError,
+            "x: is not a mesh of a known format; known: .obj",
+        ),
         (lambda: _scan(scan_freq=9), TypeError, "scan_freq is neither a setting of a leg"),
         (
             lambda: _scan(scan_frequency=-1),

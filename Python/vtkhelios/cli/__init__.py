@@ -54,6 +54,7 @@ examples:
   vtkhelios info village.laz                        contents of a file, a run or a survey
   vtkhelios report output/village                   a report page of a run: maps, histograms, timings
   vtkhelios list scanners riegl                     what a survey may name
+  vtkhelios doctor                                  what is installed, what is missing and for what
   vtkhelios help run                                describe a command
   vtkhelios compare real.laz output/village         two clouds: noise, spacing, returns, shift, heights
   vtkhelios fit real.laz --output fitted            the instrument and the flight of a cloud, as a survey

@@ -114,11 +114,7 @@ def run(arguments):
             with shown_warnings(messages):
                 return compare_files(arguments, messages)
         except ImportError as error:
-            package = (error.name or "matplotlib").split(".")[0]
-            messages.error(
-                f"--output needs {package}, which is not installed: apt-get install "
-                f"python3-{package}, or leave --output out"
-            )
+            messages.error(f"{error}; or leave --output out")
         except PipelineError as error:
             for text in error.messages:
                 messages.error(text)

@@ -24,7 +24,7 @@ layouts:
   --s3dis          Area_1/ROOM/ROOM.txt and Annotations/CLASS_NUMBER.txt; a room is a scan
   --mcap           scans.mcap: PointCloud2 with ring, time offset, intensity, range and return number; the
                    pulses without an echo, of runs with --pulses; the pose of the platform as /tf.
-                   Needs mcap and rosbags: pip install mcap rosbags
+                   Needs mcap and rosbags: pip install mcap rosbags 'numpy<2' (of Debian 12)
 
 A scan is a time window of a leg, in the frame of the platform at its middle: x forward, y left, z up
 (S3DIS: along the axes of the run).

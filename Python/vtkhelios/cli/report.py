@@ -76,11 +76,7 @@ def run(arguments):
         try:
             return make_report(arguments, messages)
         except ImportError as error:
-            package = (error.name or "matplotlib").split(".")[0]
-            messages.error(
-                f"reports need {package}, which is not installed: apt-get install "
-                f"python3-{package}, or pip install {package}"
-            )
+            messages.error(str(error))
         except formats.FormatError as error:
             messages.error(str(error))
         except OSError as error:

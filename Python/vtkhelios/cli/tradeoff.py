@@ -309,10 +309,8 @@ def draw(result, messages):
         pictures = {"tradeoff.png": make_picture(result)}
         if result.parts:
             pictures["tradeoff_parts.png"] = make_parts_picture(result)
-    except ImportError:
-        messages.warning(
-            "no tradeoff.png: matplotlib is missing; apt-get install python3-matplotlib"
-        )
+    except ImportError as error:
+        messages.warning(f"no tradeoff.png: {error}")
         return {}
     return pictures
 

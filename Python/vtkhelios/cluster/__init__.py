@@ -6,17 +6,11 @@ A task is a text with the file of the survey, its options and its digests, and t
 worker process reads the survey and loads the scene once. See Docs/cluster.md.
 """
 
-import importlib
+from ..core import packages
 
 __all__ = ["need"]
 
 
 def need(module):
     """Imports dask or distributed, or explains how to get them."""
-    try:
-        return importlib.import_module(module)
-    except ImportError as error:
-        raise ImportError(
-            f"surveys on a cluster need the packages dask and distributed ({error}): "
-            "pip install dask distributed"
-        ) from error
+    return packages.load(module, "surveys on a cluster need")

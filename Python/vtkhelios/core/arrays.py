@@ -2,22 +2,59 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """VTK data as numpy arrays without a copy."""
 
+import gc
+import sys
+import threading
+
+import numpy
 from vtkmodules.util import numpy_support
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkCommonCore import vtkObjectBase
+
+
+_kept = []  # pairs of an array of VTK and the values that it has the memory of
+_lock = threading.RLock()
 
 
 def numpy_to_vtk(values, deep=0, array_type=None):
-    """Returns VTK's numpy_to_vtk(), whose array keeps the memory of the values by an observer.
+    """Returns VTK's numpy_to_vtk() of values that may be views of arrays of VTK.
 
-    VTK keeps it by an attribute of the array in Python, which VTK 9.1 releases while it iterates over such
-    attributes: memory of another array of VTK is then freed in between, and its list is damaged.
+    VTK keeps the values by an attribute of its array in Python, which VTK 9.1 releases while it iterates
+    over all of them: if an array of VTK ends thereby, it releases others in between and damages its list.
+    Views are kept here instead, as long as VTK or Python uses the array.
     """
     array = numpy_support.numpy_to_vtk(values, deep, array_type)
-    kept = vars(array).pop("_numpy_reference", None)
-    if kept is not None:
-        array.AddObserver(vtkCommand.DeleteEvent, lambda *_, kept=kept: None)
+    if not deep and _is_view(values):
+        with _lock:
+            _release()
+            _kept.append((array, vars(array).pop("_numpy_reference")))
     return array
+
+
+def _is_view(values):
+    """Returns whether values have the memory of an array of VTK."""
+    while isinstance(values, numpy.ndarray):
+        values = values.base
+    return isinstance(getattr(values, "obj", values), vtkObjectBase)
+
+
+def _count(array):
+    return sys.getrefcount(array)
+
+
+_pair = (object(), None)
+_COUNT = _count(_pair[0])  # of one that only a pair has
+
+
+def _release(*_):
+    """Ends arrays that nothing uses."""
+    with _lock:
+        _kept[:] = [
+            pair for pair in _kept if pair[0].GetReferenceCount() > 1 or _count(pair[0]) > _COUNT
+        ]
+
+
+gc.callbacks.append(_release)
 
 
 def arrays(data):

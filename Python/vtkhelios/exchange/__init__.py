@@ -10,16 +10,11 @@ Scene(mesh)
 All pass numpy arrays, never pointers to VTK objects: the other library may have a VTK of its own.
 """
 
-import importlib
+from ..core import packages
 
 __all__ = ["load"]
 
 
-def load(name, packages=None):
-    """Imports an optional library; ImportError with the command that installs it."""
-    try:
-        return importlib.import_module(name)
-    except ImportError as error:
-        raise ImportError(
-            f"{name} cannot be imported: {error}; pip install {packages or name}", name=name
-        ) from error
+def load(name, what):
+    """Imports an optional library; ImportError says what needs it, and the command that installs it."""
+    return packages.load(name.split(".")[0], what, name)

@@ -14,7 +14,7 @@ _AXES = {3: "XYZ", 4: "XYZW"}
 
 def to_pandas(cloud):
     """Returns the table of Cloud.to_pandas()."""
-    pandas = load("pandas")
+    pandas = load("pandas", "to_pandas() needs")
     columns = {axis: cloud.points[:, index] for index, axis in enumerate("xyz")}
     units = dict.fromkeys("xyz", "m")
     for name in cloud.names:
@@ -47,7 +47,7 @@ def _plain(values):
 
 def to_pyvista(cloud):
     """Returns the mesh of Cloud.to_pyvista()."""
-    pyvista = load("pyvista")
+    pyvista = load("pyvista", "to_pyvista() needs")
     mesh = pyvista.PolyData(cloud.points) if len(cloud) else pyvista.PolyData()
     if len(cloud):
         for name in cloud.names:
@@ -66,7 +66,7 @@ def add_fields(mesh, data):
 
 def scene_to_pyvista(mesh):
     """Returns the mesh of Scene.to_pyvista()."""
-    pyvista, polys = load("pyvista"), mesh.GetPolys()
+    pyvista, polys = load("pyvista", "to_pyvista() needs"), mesh.GetPolys()
     if not mesh.GetNumberOfPolys():
         return pyvista.PolyData()
     corners = vtk_to_numpy(polys.GetConnectivityArray()).reshape(-1, 3)
@@ -83,7 +83,7 @@ def scene_to_pyvista(mesh):
 
 def to_open3d(cloud):
     """Returns the point cloud of Cloud.to_open3d()."""
-    open3d = load("open3d")
+    open3d = load("open3d", "to_open3d() needs")
     tensor = open3d.core.Tensor.from_numpy
     result = open3d.t.geometry.PointCloud()
     if not len(cloud):

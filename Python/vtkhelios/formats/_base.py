@@ -4,7 +4,6 @@
 
 import contextlib
 import dataclasses
-import importlib
 import os
 import pathlib
 import re
@@ -22,6 +21,7 @@ from ..array_names import (
     PULSE_IDS, RANGE, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION_FLAG, USER_DATA, WAVEFORM_IDS,
 )  # fmt: skip
 from ..core.arrays import arrays, numpy_to_vtk
+from ..core import packages
 from ..core.files import drop_part, keep_part, open_part, part_of
 from ..core.pipeline import MessageLog
 from ..core.systems import find_system
@@ -452,12 +452,7 @@ def call(owner, vtk_object, action):
 
 def need(module, what):
     """Imports an optional package, or explains how to get it."""
-    packages = {"laspy": "laspy lazrs", "lazrs": "laspy lazrs"}
-    packages |= {"copclib": "copclib laspy lazrs", "pye57": "pye57 pyquaternion"}
     try:
-        return importlib.import_module(module)
+        return packages.load(module, f"{what} need")
     except ImportError as error:
-        raise FormatError(
-            f"{what} need the package {module}, which is not installed: "
-            f"pip install --no-deps {packages[module]}"
-        ) from error
+        raise FormatError(str(error)) from error

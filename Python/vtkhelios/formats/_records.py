@@ -10,6 +10,7 @@ import struct
 
 import numpy as np
 
+from ..core import packages
 from ..core.run_files import PART
 from ._base import ROWS, FormatError, check_file, is_failure, need
 from ._las_check import HEADER_BYTES, Damage, Unsupported, check_header, check_points
@@ -303,7 +304,7 @@ class RecordWriter:
         if len(channels) > 1 or (len(channels) and self._channel not in (-1, channels[0])):
             raise FormatError(
                 f"{self._model.path}: has waveforms of several scanner channels, which lazrs "
-                "compresses with loss; pip install --no-deps laszip, which is lossless"
+                f"compresses with loss; {packages.advise('laszip')}, which is lossless"
             )
         self._channel = channels[0] if len(channels) else self._channel
 

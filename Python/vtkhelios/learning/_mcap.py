@@ -36,8 +36,8 @@ class McapWriter:
     """Writes scans.mcap to a folder (a Path); needs mcap and rosbags."""
 
     def __init__(self, folder, labels, fields):
-        self._mcap = load("mcap.writer", "mcap rosbags")
-        typesys = load("rosbags.typesys", "mcap rosbags")
+        self._mcap = load("mcap.writer", "MCAP files need")
+        typesys = load("rosbags.typesys", "MCAP files need")
         self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
         self.path = folder / "scans.mcap"
         self.channels, self.origin = {}, None

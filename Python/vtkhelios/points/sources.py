@@ -20,6 +20,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandD
 
 from ..array_names import CRS, NORMALS, RGB
 from ..core.arrays import numpy_to_vtk
+from ..core import packages
 from ..core.pipeline import report_error
 from ..formats import open_reader
 from ..formats._records import FormatError, RecordReader
@@ -93,13 +94,7 @@ def las_source(path, colors=False):
 
 
 def _laspy():
-    try:
-        import laspy
-    except ImportError as error:
-        raise ImportError(
-            "LAS and LAZ files need laspy, which is not installed: pip install laspy lazrs"
-        ) from error
-    return laspy
+    return packages.load("laspy", "LAS and LAZ files need")
 
 
 class _LasSource(VTKPythonAlgorithmBase):
@@ -138,7 +133,9 @@ class _LasSource(VTKPythonAlgorithmBase):
         try:
             return laspy.open(self._path)
         except laspy.errors.LaspyException as error:
-            hint = "" if laspy.LazBackend.detect_available() else " (LAZ: pip install lazrs)"
+            hint = (
+                "" if laspy.LazBackend.detect_available() else f" (LAZ: {packages.advise('lazrs')})"
+            )
             raise ValueError(f"{self._path} cannot be read: {error}{hint}") from error
 
     def RequestInformation(self, _request, _in_info, out_info):

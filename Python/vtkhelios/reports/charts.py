@@ -6,6 +6,8 @@ import io
 
 import numpy as np
 
+from ..core import packages
+
 BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#9aa3ab"  # colours of Okabe and Ito's palette
 WIDTH, HEIGHT = 5.6, 3.1  # size of a chart [inches]
 DOTS = 144  # per inch
@@ -13,12 +15,9 @@ COLOURS_OF_STRIPS = ["#b9d3e8", "#7fb2d9", "#3d8dc4", "#0b5a94", "#06335a"]
 
 
 def load():
-    """matplotlib, without a display; ImportError if it is missing."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as pyplot
-
+    """matplotlib, without a display; ImportError if it cannot be imported."""
+    packages.load("matplotlib", "charts need").use("Agg")
+    pyplot = packages.load("matplotlib", "charts need", "matplotlib.pyplot")
     pyplot.rcParams.update(
         {
             "font.family": "DejaVu Sans", "font.size": 9, "axes.spines.top": False,

@@ -30,8 +30,8 @@ def write_page(plan, counts=None):
     RuntimeError without Jinja2 or matplotlib."""
     try:
         template = page.load_template(MACROS + PAGE)
-    except ImportError:
-        raise RuntimeError("Jinja2 is missing: pip install jinja2") from None
+    except ImportError as error:
+        raise RuntimeError(str(error)) from None
     check = counts.compare() if counts else None
     return template.render(
         style=STYLE,

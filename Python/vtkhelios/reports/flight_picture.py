@@ -32,8 +32,8 @@ def load_charts():
     """Returns the module of charts; RuntimeError without matplotlib."""
     try:
         charts.load()
-    except ImportError:
-        raise RuntimeError("matplotlib is missing: pip install matplotlib") from None
+    except ImportError as error:
+        raise RuntimeError(str(error)) from None
     return charts
 
 

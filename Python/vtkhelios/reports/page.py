@@ -5,6 +5,7 @@
 import base64
 
 from ..array_names import AMPLITUDE, RANGE
+from ..core import packages
 from ..core.classes import version
 from ..core.words import counted, noun, time_span
 from ..formats._classes import CLASSES
@@ -34,8 +35,7 @@ HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
 
 def load_template(page=PAGE):
     """Returns the template of a page; ImportError without Jinja2."""
-    import jinja2
-
+    jinja2 = packages.load("jinja2", "pages need")
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
     return environment.from_string(page)
 

@@ -47,12 +47,12 @@ def write_page(plan):
     """Returns the text of the page of a Plan. Raises RuntimeError without Jinja2 or matplotlib."""
     try:
         template = page.load_template(MACROS + PAGE)
-    except ImportError:
-        raise RuntimeError("Jinja2 is missing: pip install jinja2") from None
+    except ImportError as error:
+        raise RuntimeError(str(error)) from None
     try:
         charts.load()
-    except ImportError:
-        raise RuntimeError("matplotlib is missing: pip install matplotlib") from None
+    except ImportError as error:
+        raise RuntimeError(str(error)) from None
     report = plan.report
     return template.render(
         style=STYLE,

@@ -32,12 +32,14 @@ _OPTIONS = {
     "setFinalOutput": ("finalOutput", bool),
     "setLegacyEnergyModel": ("legacyEnergyModel", bool),
     "setExportToFile": ("exportToFile", bool),
+    "setLasScale": ("lasScale", float),
 }
 # Setters of an argument of loadSurvey(), and its default.
 _LOADING = {
     "setLegNoiseDisabled": ("legNoiseDisabled", True),
     "setRebuildScene": ("rebuildScene", False),
     "setWriteWaveform": ("writeWaveform", False),
+    "setWritePulse": ("writePulse", False),
     "setCalcEchowidth": ("calcEchowidth", False),
     "setFullwaveNoise": ("fullWaveNoise", False),
     "setPlatformNoiseDisabled": ("platformNoiseDisabled", True),
@@ -57,7 +59,7 @@ class SimulationBuilder:
 
     Setters have the names of pyhelios: setNumThreads(0: all cores), setLasOutput, setZipOutput (LAZ),
     setSplitByChannel, setFinalOutput (whether join() returns measurements), setExportToFile (whether
-    files are written), setCallback, setCallbackFrequency (0: no calls), setWriteWaveform,
+    files are written), setCallback, setCallbackFrequency (0: no calls), setWriteWaveform, setWritePulse,
     setLegNoiseDisabled (default True), setPlatformNoiseDisabled (default True), setRebuildScene,
     setCalcEchowidth; options of KD trees and chunks have no effect.
     """
@@ -130,8 +132,11 @@ class SimulationBuilder:
 def _check(name, kind, value):
     """Returns the value of a setter; raises PyHeliosToolsException if it is not valid."""
     valid = isinstance(value, bool) == (kind is bool) and isinstance(value, (int, float))
+    if kind is float and valid and 0 < value < math.inf:
+        return float(value)
     if not valid or not (0 <= value < math.inf and value == int(value)):
-        expected = "True or False" if kind is bool else "a whole number, 0 or more"
+        expected = {bool: "True or False", float: "a number above 0"}
+        expected = expected.get(kind, "a whole number, 0 or more")
         raise PyHeliosToolsException(f"{name}({value!r}): expected {expected}")
     return kind(value)
 
@@ -141,6 +146,10 @@ class SimulationBuild:
 
     def __init__(self, sim):
         self.sim = sim
+
+    def copy(self):
+        """Returns another build that was not started, with the same survey as it is now."""
+        return SimulationBuild(self.sim.copy())
 
     def __getattr__(self, name):
         if name not in _CONTROLS:

@@ -13,20 +13,14 @@ class NotCoveredError(AttributeError):
 
 # By the name in pyhelios, in the spelling of version 1; of several classes.
 INSTEAD = {
-    "setLas10": "LAS files are of version 1.4; vtkhelios convert writes other formats",
     "setZipOutput": "text is not compressed; give setLasOutput(True) for LAZ",
     "setFullwaveNoise": "the noise of waveforms is detectorNoise_nW of the scanner (Docs/dialect.md)",
     "setLegacyEnergyModel": "there is one model, the lidar equation (Docs/compatibility.md)",
-    "numRays": "beams are sampled adaptively; give beamSampleQuality in FWFSettings for a fixed number",
     "dynSceneStep": "set dynStep of <scene> in the file of the scene",
     "newTriangle": "make the scene with vtkhelios.Scene(points, triangles)",
     "newDetailedVoxel": "name a .vox file in the file of the scene (detailedvoxels)",
     "getGroundPointAt": "set onGround of the platform settings",
     "getIntersection": "use vtkhelios.vtkHeliosBvhRayCaster",
-    "getBeamDeflector": "optics are attributes of the scanner: sim.getScanner()",
-    "getScannerHead": "the head is set by headRotateStart, headRotateStop and headRotatePerSec of a leg",
-    "getTemplate": "settings of a leg have the values of its template",
-    "copy": "build the simulation again",
     "setCallbackFunction": "use setCallback",
     "scene": "use vtkhelios.Scene and vtkhelios.make_survey",
     "survey": "use vtkhelios.read_survey and vtkhelios.make_survey",

@@ -13,7 +13,8 @@ from ...array_names import (
     MATERIAL_SPECTRUM, MATERIAL_SPECULAR_EXPONENT, MATERIAL_SPECULARITY, PART_IDS,
 )  # fmt: skip
 from ...core.paths import text_from_vtk
-from ._errors import Closed
+from ._errors import Closed, not_covered
+from ._materials import COLOURS, find_file, read_colours
 from ._output import Vector
 
 PERCENT = 100.0  # reflectances are fractions here
@@ -30,6 +31,10 @@ class Material(typing.NamedTuple):
     specularExponent: float
     classification: int
     spectra: str
+    matFilePath: str = ""  # of OBJ files, with the colours there
+    ka: tuple = (0.0, 0.0, 0.0)
+    kd: tuple = (0.0, 0.0, 0.0)
+    ks: tuple = (0.0, 0.0, 0.0)
 
     @property
     def is_ground(self):
@@ -38,6 +43,14 @@ class Material(typing.NamedTuple):
     @property
     def specular_exponent(self):
         return self.specularExponent
+
+    def __getattr__(self, name):
+        """Returns ka0 ... ks2, and mat_file_path."""
+        if name == "mat_file_path":
+            return self.matFilePath
+        if len(name) == 3 and name[:2] in COLOURS and name[2] in "012":
+            return getattr(self, name[:2])[int(name[2])]
+        raise not_covered("Material", name)
 
 
 class Vertex(typing.NamedTuple):
@@ -92,7 +105,8 @@ class Primitive(Closed):
         return Vector(*self._scene.corners[self._index].mean(axis=0).tolist())
 
     def getMaterial(self):
-        return self._scene.read_material(self._scene.cell_value(MATERIAL_IDS, self._index))
+        part = self._scene.cell_value(PART_IDS, self._index)
+        return self._scene.read_material(self._scene.cell_value(MATERIAL_IDS, self._index), part)
 
     def getScenePart(self):
         return self._scene.getScenePart(self._scene.cell_value(PART_IDS, self._index))
@@ -103,8 +117,9 @@ class SceneView(Closed):
 
     OWNER = "Scene"
 
-    def __init__(self, survey):
+    def __init__(self, survey, folders=()):
         self._survey = survey  # vtkhelios.Survey
+        self._folders = folders  # to search files in
 
     @functools.cached_property
     def mesh(self):
@@ -119,7 +134,7 @@ class SceneView(Closed):
     def cell_value(self, name, index):
         return int(self.mesh.GetCellData().GetArray(name).GetValue(index))
 
-    def read_material(self, index):
+    def read_material(self, index, part):
         fields = self.mesh.GetFieldData()
 
         def read(name):
@@ -128,6 +143,7 @@ class SceneView(Closed):
         reflectance, spectrum = read(MATERIAL_REFLECTANCE), read(MATERIAL_SPECTRUM)
         if np.isnan(reflectance) and not spectrum:
             reflectance = DEFAULT
+        path = find_file(self._survey, part, self._folders)
         return Material(
             read(MATERIAL_NAME),
             bool(read(MATERIAL_IS_GROUND)),
@@ -136,6 +152,8 @@ class SceneView(Closed):
             read(MATERIAL_SPECULAR_EXPONENT),
             read(MATERIAL_CLASSIFICATION),
             spectrum,
+            "" if path is None else str(path),
+            **read_colours(path, read(MATERIAL_NAME)),
         )
 
     def getShift(self):

@@ -12,7 +12,6 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from ...array_names import GPS_TIME
 from ...cluster._blocks import split_windows
-from ...surveys.survey import read_survey
 from ...surveys.items import change
 from ._changes import check_survey, find_part, move_part, remove_noise, rotate_part, scale_part
 from ._coordinates import find_rotations
@@ -20,7 +19,9 @@ from ._errors import not_covered
 from ._files import write_files
 from ._logging import say_step, say_warning
 from ._output import make_output
+from ._reading import copy, read
 from ._survey import Leg, Platform, Scanner, ScanningStrip
+from ._templates import Templates
 from ._worker import Worker
 
 BLOCK = 100_000  # pulses that are computed at a time, at least
@@ -138,12 +139,13 @@ class Simulation:
         calcEchowidth=False,
         fullWaveNoise=False,
         platformNoiseDisabled=False,
+        writePulse=False,
     ):
         """Reads the survey; rebuildScene and calcEchowidth have no effect: widths always are output."""
         self._check_options(fullWaveNoise)
-        path, assets, _ = self._paths
+        path, assets = self._paths[0], self._folders()
         with warnings.catch_warnings(record=True) as found:
-            survey = read_survey(path, [each for each in assets if pathlib.Path(each).is_dir()])
+            survey = read(path, assets)
         for each in found:
             say_warning(each.message)
         survey.warn = say_warning
@@ -158,13 +160,33 @@ class Simulation:
             remove_noise(survey.vtk)
         for apply, part, value in self._filters:
             apply(survey.vtk, find_part(survey.vtk, part), value)
-        self._state.load(survey, bool(writeWaveform))
+        outputs = {"waveforms": bool(writeWaveform), "pulses": bool(writePulse)}
+        self._load(survey, outputs, Templates(path))
 
     load_survey = loadSurvey
 
+    def _folders(self):
+        return [each for each in self._paths[1] if pathlib.Path(each).is_dir()]
+
+    def _load(self, survey, outputs, templates):
+        beside = pathlib.Path(self._paths[0]).resolve().parent
+        self._state.load(survey, outputs, templates, [*self._folders(), beside, pathlib.Path.cwd()])
+
+    def copy(self):
+        """Returns a simulation that was not started, with the same survey as it is now."""
+        self.getSurvey()  # raises unless it is loaded
+        state, made = self._state, Simulation(*self._paths)
+        made._options.update(self._options)
+        made._filters.extend(self._filters)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # they were printed when it was read
+            survey = copy(state.survey, self._folders())
+        made._load(survey, dict(state.outputs), state.templates)
+        made._state.callback = state.callback
+        return made
+
     def _check_options(self, waveform_noise):
         refused = {
-            "setLas10": self.las10,
             "setZipOutput": self.zipOutput and not self.lasOutput,
             "setLegacyEnergyModel": self.legacyEnergyModel,
             "setFullwaveNoise": waveform_noise,
@@ -193,7 +215,7 @@ class Simulation:
     def getLeg(self, index):
         if not 0 <= index < self.getNumLegs():
             raise IndexError(f"there is no leg {index}; there are {self.getNumLegs()}")
-        return Leg(self._state.vtk, index)
+        return Leg(self._state.vtk, index, self._state.templates)
 
     def newLeg(self, index):
         """Adds a leg at the end; index is the number of legs."""
@@ -201,11 +223,12 @@ class Simulation:
             raise IndexError(
                 f"newLeg({index}): legs are added at the end; give {self.getNumLegs()}"
             )
-        return Leg(self._state.vtk, change(self._state.vtk, "AddLeg"))
+        return Leg(self._state.vtk, change(self._state.vtk, "AddLeg"), self._state.templates)
 
     def removeLeg(self, index):
         self.getLeg(index)
         self._state.vtk.RemoveLeg(index)
+        self._state.templates.remove_leg(index)
 
     def newScanningStrip(self, stripId):
         return ScanningStrip(stripId)
@@ -288,8 +311,11 @@ class Simulation:
 
     def _write(self, state):
         kind = ("laz" if self.zipOutput else "las") if self.lasOutput else "xyz"
-        options = {"waveforms": state.waveforms, "split_by_channel": bool(self.splitByChannel)}
-        return write_files(state.survey, self._paths[2], kind, progress=state.check, **options)
+        options = {**state.outputs, "split_by_channel": bool(self.splitByChannel)}
+        version = "1.0" if self.las10 else "1.4"
+        return write_files(
+            state.survey, self._paths[2], kind, version, progress=state.check, **options
+        )
 
 
 def _compute_blocks(state, size):

@@ -7,9 +7,25 @@ import math
 
 from ...core.paths import text_from_vtk, to_vtk
 from ...surveys.items import change
-from ._errors import Closed, NotCoveredError
+from ._errors import Closed, NotCoveredError, PyHeliosToolsException
 from ._output import Vector
 from ._settings import DEGREES, Setting, Settings, name_all
+from ._templates import KINDS, make_template
+
+
+SCANNER, PLATFORM = KINDS
+
+
+def has_template(settings):
+    """Returns whether the settings of a leg have a template; the leg has its values."""
+    return settings._template is not None
+
+
+def get_template(settings):
+    """Returns the settings of the template; what is set there changes no leg."""
+    if settings._template is None:
+        raise PyHeliosToolsException("the settings have no template; see hasTemplate()")
+    return make_template(type(settings), settings._template)
 
 
 class PlatformSettings(Settings):
@@ -30,7 +46,7 @@ class PlatformSettings(Settings):
     )
 
     def __init__(self, leg):
-        self._read, self._write = leg._read, leg._write
+        self._read, self._write, self._template = leg._read, leg._write, leg.template(PLATFORM)
 
     @property
     def position(self):
@@ -40,10 +56,8 @@ class PlatformSettings(Settings):
         x, y, z = (x, y, z) if y is not None else x
         self.x, self.y, self.z = x, y, z
 
-    def hasTemplate(self):
-        return False  # values of templates are in the leg
-
-    has_template = hasTemplate
+    hasTemplate = has_template = has_template
+    getTemplate = get_template = get_template
 
 
 class ScannerSettings(Settings):
@@ -83,12 +97,10 @@ class ScannerSettings(Settings):
     )
 
     def __init__(self, leg):
-        self._read, self._write = leg._read, leg._write
+        self._read, self._write, self._template = leg._read, leg._write, leg.template(SCANNER)
 
-    def hasTemplate(self):
-        return False
-
-    has_template = hasTemplate
+    hasTemplate = has_template = has_template
+    getTemplate = get_template = get_template
 
 
 class ScanningStrip:
@@ -101,8 +113,12 @@ class ScanningStrip:
 class Leg(Closed):
     """A leg, by its index."""
 
-    def __init__(self, survey, index):
-        self._survey, self._index = survey, index
+    def __init__(self, survey, index, templates=None):
+        self._survey, self._index, self._templates = survey, index, templates
+
+    def template(self, kind):
+        """Returns the element of the template of a kind of settings, or None."""
+        return self._templates.find(self._index, kind) if self._templates else None
 
     def _read(self, attribute):
         if attribute == "pulseFreq_hz":
@@ -215,12 +231,44 @@ class FwfSettings(Settings):
         self._read, self._write = scanner._read, scanner._write
 
 
+class ScannerHead(Settings):
+    """The head, which rotates about its axis; speeds are in radians per second."""
+
+    SETTINGS = name_all(
+        [("rotatePerSecMax rotate_per_sec_max", Setting("headRotatePerSecMax_deg", 0.0, DEGREES))]
+    )
+
+    def __init__(self, scanner):
+        self._read, self._write = scanner._read, scanner._write
+
+
+class BeamDeflector(Settings):
+    """The optics; angles are in radians."""
+
+    SETTINGS = name_all(
+        [
+            ("optics_type", Setting("optics", "")),
+            ("scanFreqMin scan_freq_min", Setting("scanFreqMin_Hz", 0.0)),
+            ("scanFreqMax scan_freq_max", Setting("scanFreqMax_Hz", 0.0)),
+            ("scanAngleMax scan_angle_max", Setting("scanAngleMax_deg", 0.0, DEGREES)),
+        ]
+    )
+
+    def __init__(self, scanner):
+        self._read, self._write = scanner._read, scanner._write
+
+    def getOpticsType(self):
+        return self.optics_type.upper()
+
+
+QUALITY = 3  # beamSampleQuality of HELIOS++ if none is given
+
+
 class Scanner(Settings):
     """The first scanner of the survey; what is set holds for all channels."""
 
     SETTINGS = name_all(
         [
-            ("deviceId device_id", Setting("name", "")),
             ("averagePower average_power", Setting("averagePower_w", 4.0)),
             ("beamDivergence beam_divergence", Setting("beamDivergence_rad", 0.0003)),
             ("beamQuality beam_quality", Setting("beamQualityFactor", None)),
@@ -260,9 +308,44 @@ class Scanner(Settings):
 
     FWF_settings = fwfSettings
 
+    @property
+    def deviceId(self):
+        return self.getDeviceId(0)
+
+    device_id = deviceId
+
+    def getNumDevices(self):
+        return self._survey.GetNumberOfChannels(0)
+
+    num_devices = property(getNumDevices)
+
+    def getDeviceId(self, index):
+        """Returns the id of the scanner; of a channel of several, with its number."""
+        count = self.getNumDevices()
+        if not 0 <= index < count:
+            raise IndexError(f"there is no device {index}; there are {count}")
+        name = text_from_vtk(self._read("id") or self._survey.GetScannerName())
+        return name if count == 1 else f"{name}_{index}"
+
+    @property
+    def numRays(self):
+        """The sub-rays of beamSampleQuality, by default 3; without it beams are sampled adaptively."""
+        quality = self.fwfSettings.beamSampleQuality or QUALITY
+        return 1 + 3 * quality * (quality - 1)
+
+    num_rays = numRays
+
+    def getScannerHead(self, index=0):
+        return ScannerHead(self)
+
+    def getBeamDeflector(self, index=0):
+        return BeamDeflector(self)
+
+    scanner_head, beam_deflector = property(getScannerHead), property(getBeamDeflector)
+
     def toString(self):
         return (
-            f"Scanner: {text_from_vtk(self._survey.GetScannerName())}\n"
+            f"Scanner: {self.deviceId}\nDevice[0]: {self.deviceId}\n"
             f"\tAverage Power: {self.averagePower:g} W\n"
             f"\tBeam Divergence: {1e3 * self.beamDivergence:g} mrad\n"
             f"\tWavelength: {1e9 * self.wavelength:g} nm\n"

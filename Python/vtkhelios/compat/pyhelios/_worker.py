@@ -19,13 +19,15 @@ class Worker:
 
     def __init__(self):
         self.survey = self._view = self._scene = self.callback = None
-        self.waveforms = self.started = self.paused = self.stopped = self.finished = False
+        self.outputs, self.templates = {}, None
+        self.started = self.paused = self.stopped = self.finished = False
         self._goes = threading.Event()
         self._thread = self._result = self._error = None
 
-    def load(self, survey, waveforms):
-        self.survey, self.waveforms = survey, waveforms
-        self._view, self._scene = SurveyView(survey.vtk), SceneView(survey)
+    def load(self, survey, outputs, templates, folders):
+        """Sets the survey, the outputs of its files, the templates of legs, and where files are."""
+        self.survey, self.outputs, self.templates = survey, outputs, templates
+        self._view, self._scene = SurveyView(survey.vtk), SceneView(survey, folders)
 
     def _loaded(self, value):
         if self.survey is None:
