@@ -175,7 +175,7 @@ private:
   vtkIdType ComputeCell(vtkIdType triangle) const;
 
   const TriangleMesh* Mesh = nullptr;
-  BeamFrame Frame;
+  TreeFrame Frame;
   BeamStorage Storage;
   bool OutliersExist = false;
   Bvh Outliers;

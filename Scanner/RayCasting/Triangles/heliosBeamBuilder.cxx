@@ -79,7 +79,7 @@ vtkTypeInt32 DivideRange(Coarse* boxes, const CoarseRange& range, BoxBins& bins,
 } // namespace
 
 //------------------------------------------------------------------------------
-void BeamFrame::Set(const double low[3], const double high[3])
+void TreeFrame::Set(const double low[3], const double high[3])
 {
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -93,7 +93,7 @@ void BeamFrame::Set(const double low[3], const double high[3])
 }
 
 //------------------------------------------------------------------------------
-BeamBuilder::BeamBuilder(const TriangleMesh& mesh, const BeamFrame& frame, vtkIdType count)
+BeamBuilder::BeamBuilder(const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count)
   : Mesh(mesh)
   , Frame(frame)
 {

@@ -55,7 +55,7 @@ public:
   };
 
   /// The mesh and the frame must outlive this.
-  BeamBuilder(const TriangleMesh& mesh, const BeamFrame& frame, vtkIdType count);
+  BeamBuilder(const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count);
   ~BeamBuilder();
 
   /// Sets a triangle, of the number given at first.
@@ -82,7 +82,7 @@ private:
   void MakeTop(BeamStorage& tree) const;
 
   const TriangleMesh& Mesh;
-  const BeamFrame& Frame;
+  const TreeFrame& Frame;
   TreeArray<CoarseBox> Boxes;
   std::vector<Part> Parts;    ///< in any order
   std::vector<SplitNode> Top; ///< the binary tree above the parts; a leaf is the number of a part

@@ -17,7 +17,7 @@ struct BeamPart::FineBox
   float High[4];
 
   FineBox() = default;
-  FineBox(const TriangleMesh& mesh, const BeamFrame& frame, vtkTypeInt32 triangle)
+  FineBox(const TriangleMesh& mesh, const TreeFrame& frame, vtkTypeInt32 triangle)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -126,7 +126,7 @@ void BeamPart::Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<
 }
 
 //------------------------------------------------------------------------------
-void BeamPart::Build(const TriangleMesh& mesh, const BeamFrame& frame,
+void BeamPart::Build(const TriangleMesh& mesh, const TreeFrame& frame,
   const BeamBuilder::CoarseBox* boxes, vtkTypeInt32 count, int depth)
 {
   std::vector<FineBox> fine;
@@ -145,7 +145,7 @@ void BeamPart::Build(const TriangleMesh& mesh, const BeamFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void BeamPart::MakeNodes(const TriangleMesh& mesh, const BeamFrame& frame,
+void BeamPart::MakeNodes(const TriangleMesh& mesh, const TreeFrame& frame,
   const std::vector<FineBox>& boxes, const std::vector<SplitNode>& binary)
 {
   const auto addLeaf = [&](vtkTypeInt32 first, vtkTypeInt32 count)
@@ -173,7 +173,7 @@ void BeamPart::MakeNodes(const TriangleMesh& mesh, const BeamFrame& frame,
 
 //------------------------------------------------------------------------------
 vtkTypeUInt32 BeamPart::AddLeaf(
-  const TriangleMesh& mesh, const BeamFrame& frame, const FineBox* boxes, int count)
+  const TriangleMesh& mesh, const TreeFrame& frame, const FineBox* boxes, int count)
 {
   constexpr std::size_t head = sizeof(PackedFrame) / sizeof(vtkTypeUInt32);
   const auto triangles = static_cast<std::size_t>(count);

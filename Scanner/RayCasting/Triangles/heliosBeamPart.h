@@ -64,17 +64,17 @@ public:
   PlainBox Bounds;
 
   /// Builds over the triangles of coarse boxes; depth: of its root in the binary tree.
-  void Build(const TriangleMesh& mesh, const BeamFrame& frame, const BeamBuilder::CoarseBox* boxes,
+  void Build(const TriangleMesh& mesh, const TreeFrame& frame, const BeamBuilder::CoarseBox* boxes,
     vtkTypeInt32 count, int depth);
 
 private:
   struct FineBox;
 
   static void Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes);
-  void MakeNodes(const TriangleMesh& mesh, const BeamFrame& frame,
+  void MakeNodes(const TriangleMesh& mesh, const TreeFrame& frame,
     const std::vector<FineBox>& boxes, const std::vector<SplitNode>& binary);
   vtkTypeUInt32 AddLeaf(
-    const TriangleMesh& mesh, const BeamFrame& frame, const FineBox* boxes, int count);
+    const TriangleMesh& mesh, const TreeFrame& frame, const FineBox* boxes, int count);
 };
 
 } // namespace helios

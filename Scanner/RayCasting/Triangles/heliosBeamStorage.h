@@ -16,7 +16,7 @@ namespace helios
 {
 
 /// The frame of a tree: coordinates are (x - Centre) Scale.
-struct BeamFrame
+struct TreeFrame
 {
   double Centre[3] = { 0, 0, 0 };
   double Half[3] = { 0, 0, 0 }; ///< half sides of the box
