@@ -198,9 +198,11 @@ public:
    * reflections and refractions, and the least share of the energy of a sub-ray that is followed,
    * out and back. Valid range: [0, 64] and [0, 1]. Default: 8 and 1e-4.
    */
-  vtkSetClampMacro(MaximumSpecularEvents, int, 0, 64);
+  vtkSetClampMacro(MaximumSpecularEvents, int, vtkHeliosInstrumentRanges::MaximumSpecularEvents.Low,
+    vtkHeliosInstrumentRanges::MaximumSpecularEvents.High);
   vtkGetMacro(MaximumSpecularEvents, int);
-  vtkSetClampMacro(LeastSpecularShare, double, 0.0, 1.0);
+  vtkSetClampMacro(LeastSpecularShare, double, vtkHeliosInstrumentRanges::LeastSpecularShare.Low,
+    vtkHeliosInstrumentRanges::LeastSpecularShare.High);
   vtkGetMacro(LeastSpecularShare, double);
   ///@}
 
@@ -417,7 +419,8 @@ public:
    * target; RangeMin and RangeMax gate true ranges. Not together with GenerateWaveforms. Valid
    * range: [0, 1000]. Default: 0.
    */
-  vtkSetClampMacro(MTAZone, int, 0, 1000);
+  vtkSetClampMacro(
+    MTAZone, int, vtkHeliosInstrumentRanges::MTAZone.Low, vtkHeliosInstrumentRanges::MTAZone.High);
   vtkGetMacro(MTAZone, int);
   ///@}
 

@@ -88,6 +88,8 @@ constexpr vtkHeliosValueRange AtmosphericVisibility = { 1e-3, 1e300 };
 constexpr vtkHeliosValueRange AtmosphericExtinction = { -1.0, 1e3 };
 constexpr vtkHeliosValueRange AtmosphericLidarRatio = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange DropletDiameter = { 0.0, 0.05 };
+constexpr vtkHeliosValueRange MaximumSpecularEvents = { 0.0, 64.0 };
+constexpr vtkHeliosValueRange LeastSpecularShare = { 0.0, 1.0 };
 constexpr vtkHeliosValueRange DetectorNoise = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange SaturationPower = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange SolarIrradiance = { 0.0, 1e6 };
@@ -106,6 +108,7 @@ constexpr vtkHeliosValueRange PeakWindow = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange PhotonEfficiency = { 0.0, 1.0 };
 constexpr vtkHeliosValueRange DarkCountRate = { 0.0, 1e10 };
 constexpr vtkHeliosValueRange TimeJitter = { 0.0, 1e3 };
+constexpr vtkHeliosValueRange MTAZone = { 0.0, 1000.0 };
 constexpr int LargestNumberOfReturns = 255;
 
 } // namespace vtkHeliosInstrumentRanges
