@@ -14,7 +14,6 @@
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
-#include "heliosXmlFile.h"
 #include "vtkHeliosDialect.h"
 #include "vtkHeliosPlannerReader.h"
 #include "vtkHeliosScene.h"
@@ -176,7 +175,7 @@ Status ShowInputs(Viewer& viewer)
     return Status::Error(
       inputs.front() + ": a survey or a scene is shown by itself; leave out " + inputs[1]);
   }
-  if (isDocument && HasSurvey(inputs.front()))
+  if (isDocument && vtkHeliosDialect::MayHaveSurvey(inputs.front()))
   {
     return ShowSurveyFile(viewer, inputs.front());
   }

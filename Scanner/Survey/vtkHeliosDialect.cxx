@@ -6,6 +6,7 @@
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosSurveyDocument.h"
+#include "heliosXmlFile.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlSchema.h"
@@ -14,7 +15,6 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -89,8 +89,7 @@ std::string vtkHeliosDialect::GetDocumentEndings()
 //------------------------------------------------------------------------------
 bool vtkHeliosDialect::IsDocument(const std::string& fileName)
 {
-  const std::string ending = std::filesystem::path(fileName).extension().string();
-  return helios::ToLower(ending) == ".xml" || helios::IsYaml(fileName);
+  return helios::IsDocument(fileName);
 }
 
 //------------------------------------------------------------------------------
@@ -122,6 +121,12 @@ bool vtkHeliosDialect::Convert(const std::string& from, const std::string& to)
   helios::Messages silent(nullptr); // a file that does not exist keeps its name
   helios::Assets files(silent, {});
   return IsWritten(helios::WriteDocument(*document, files, to), log);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosDialect::MayHaveSurvey(const std::string& fileName)
+{
+  return helios::MayHaveSurvey(fileName);
 }
 
 //------------------------------------------------------------------------------

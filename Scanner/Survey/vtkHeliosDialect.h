@@ -70,6 +70,11 @@ public:
   ///@}
 
   /**
+   * Returns whether a document has a <survey>, or cannot be read: then its reader reports why.
+   */
+  static bool MayHaveSurvey(const std::string& fileName);
+
+  /**
    * Returns whether a file is a mesh by its extension; a .ply is one if its header has faces, and else
    * a cloud.
    */

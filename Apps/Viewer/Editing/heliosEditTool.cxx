@@ -3,12 +3,12 @@
 #include "heliosEditTool.h"
 
 #include "heliosEditArea.h"
+#include "heliosEditDocument.h"
 #include "heliosErrorText.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosStatus.h"
-#include "heliosSurveyXml.h"
 #include "heliosViewer.h"
 #include "vtkHeliosSurvey.h"
 

@@ -5,6 +5,7 @@
 #ifndef heliosEditTool_h
 #define heliosEditTool_h
 
+#include "heliosCatalogue.h"
 #include "heliosEditPanel.h"
 #include "heliosPlatformView.h"
 #include "heliosSceneEdit.h"

@@ -4,6 +4,7 @@
 #include "heliosEditTool.h"
 
 #include "heliosEditArea.h"
+#include "heliosEditDocument.h"
 #include "heliosErrorText.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"

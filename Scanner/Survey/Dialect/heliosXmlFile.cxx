@@ -6,7 +6,10 @@
 #include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
 #include "heliosXmlPlanner.h"
+#include "heliosXmlRules.h"
 #include "heliosXmlSurvey.h"
+
+#include <filesystem>
 
 namespace helios
 {
@@ -37,11 +40,18 @@ void CheckFile(
 }
 
 //------------------------------------------------------------------------------
-bool HasSurvey(const std::string& fileName)
+bool IsDocument(const std::string& fileName)
+{
+  const std::string ending = std::filesystem::path(fileName).extension().string();
+  return ToLower(ending) == ".xml" || IsYaml(fileName);
+}
+
+//------------------------------------------------------------------------------
+bool MayHaveSurvey(const std::string& fileName)
 {
   Messages silent(nullptr);
   const auto document = XmlDocument::Load(fileName, silent);
-  return document && document->GetRoot().GetChild("survey");
+  return !document || document->GetRoot().GetChild("survey");
 }
 
 } // namespace helios

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checks a whole XML file and its contents.
+// What a whole file is, and checks of its contents.
 
 #ifndef heliosXmlFile_h
 #define heliosXmlFile_h
-
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <string>
 #include <vector>
@@ -20,8 +18,11 @@ class Messages;
 void CheckFile(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
-/// Returns whether a file has a survey; false if it cannot be read.
-VTKHELIOSSCANNERSURVEY_EXPORT bool HasSurvey(const std::string& fileName);
+/// Returns whether the ending of a file belongs to a document, XML or YAML.
+bool IsDocument(const std::string& fileName);
+
+/// Returns whether a file has a survey, or cannot be read.
+bool MayHaveSurvey(const std::string& fileName);
 
 } // namespace helios
 

@@ -75,13 +75,13 @@ std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
 VTKHELIOSSCANNERSURVEY_EXPORT std::vector<std::string> GetLoaders();
 
 /// Returns the name of a loader: "objloader".
-const std::string& GetLoaderName(Loader type);
+VTKHELIOSSCANNERSURVEY_EXPORT const std::string& GetLoaderName(Loader type);
 
 /// Returns the loader of a mesh by the extension of its file; none: not a mesh.
-std::optional<Loader> FindLoader(const std::string& fileName);
+VTKHELIOSSCANNERSURVEY_EXPORT std::optional<Loader> FindLoader(const std::string& fileName);
 
 /// Returns the extensions of meshes: ".obj, .tif, ...".
-std::string GetMeshEndings();
+VTKHELIOSSCANNERSURVEY_EXPORT std::string GetMeshEndings();
 
 } // namespace helios
 

@@ -47,7 +47,7 @@ struct SurveyPlace
  * that of any file. Errors are reported for the owner. Indices count from 0; -1 is returned after an
  * error.
  */
-class SurveyDocument
+class VTKHELIOSSCANNERSURVEY_EXPORT SurveyDocument
 {
 public:
   /// Makes a survey without a file; names of files are also relative to the folder of a path.

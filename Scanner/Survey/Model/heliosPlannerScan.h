@@ -7,6 +7,7 @@
 
 #include "heliosLegSettings.h"
 #include "heliosPlannerData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 namespace helios
 {
@@ -20,7 +21,7 @@ class Messages;
 Vec3 FindInstrument(const PlatformData& platform, const ScannerData& scanner);
 
 /// Returns the settings that give the scan of a leg.
-LegSettings MakeSettings(const ScanData& scan);
+VTKHELIOSSCANNERSURVEY_EXPORT LegSettings MakeSettings(const ScanData& scan);
 
 /**
  * Resolves the leg of a plan: a full circle at the requested resolution, or the finest of the

@@ -6,6 +6,7 @@
 #define heliosSceneReaders_h
 
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -23,7 +24,7 @@ SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file)
 
 /// Returns the reader of a file of a part; its loader is one of meshes. Colours are read of OBJ
 /// files.
-vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
+VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
   const PartData& part, const std::string& file, bool withColors = false);
 
 /// Returns whether the file of a part has materials of its own, which the material file replaces by

@@ -6,6 +6,7 @@
 #define heliosXmlValue_h
 
 #include "heliosXmlRule.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <cmath>
 #include <string>
@@ -38,7 +39,7 @@ bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log
 bool ParseBoolean(const XmlValue& value, Messages& log, bool& target);
 bool ParseRealList(
   const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target);
-bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
+VTKHELIOSSCANNERSURVEY_EXPORT bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
 
 /// Parses a seed: an integer, a date with time, or AUTO, which is -1.
 bool ParseSeed(const XmlValue& value, Messages& log, vtkIdType& target);
@@ -59,7 +60,7 @@ std::string DescribeDefault(const XmlValueRule& rule);
 
 /// Returns the fewest digits that read back exactly, without an exponent: other programs read
 /// 100000 as an integer, but not 1e5.
-std::string ToXmlText(double value);
+VTKHELIOSSCANNERSURVEY_EXPORT std::string ToXmlText(double value);
 
 /// @{
 /// Returns a computed length [m] or angle [degrees] to its billionth, so that 0.1 + 0.2 is saved as

@@ -8,7 +8,7 @@
 #include "heliosSceneReaders.h"
 #include "heliosSurveyDocument.h"
 #include "heliosXmlFilter.h"
-#include "heliosXmlText.h"
+#include "heliosXmlValue.h"
 
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Edited surveys as documents, to be run or written.
+// Edited surveys of documents, and as documents to be run or written.
 
-#ifndef heliosSurveyXml_h
-#define heliosSurveyXml_h
+#ifndef heliosEditDocument_h
+#define heliosEditDocument_h
 
 #include "heliosStatus.h"
 #include "heliosSurveyEdit.h"
@@ -15,12 +15,16 @@ namespace helios
 
 class Messages;
 
+/// Converts a survey to one that can be edited. Returns as text what cannot be edited and is dropped;
+/// empty: nothing.
+std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit);
+
 /// Reads an edit as the survey of a file into a survey, which reports errors. False after an error.
-VTKHELIOSSCANNERSURVEY_EXPORT bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
+bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey);
 
 /// Writes a file that can be run; after an error nothing is written.
-VTKHELIOSSCANNERSURVEY_EXPORT Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
+Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
   const std::vector<std::string>& assetDirectories, Messages& log);
 
 } // namespace helios

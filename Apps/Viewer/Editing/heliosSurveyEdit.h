@@ -7,7 +7,6 @@
 #define heliosSurveyEdit_h
 
 #include "heliosLegSettings.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <string>
 #include <utility>
@@ -15,18 +14,6 @@
 
 namespace helios
 {
-
-/// The available items, each with its reference (/folder/file.xml#id).
-struct Catalogue
-{
-  std::vector<std::pair<std::string, PlatformData>> Platforms;
-  std::vector<std::pair<std::string, ScannerData>> Scanners;
-};
-
-/// Returns the platforms and scanners of the XML files in asset directories (and their folders
-/// Assets), and of more files. Items with errors are omitted.
-VTKHELIOSSCANNERSURVEY_EXPORT Catalogue ReadCatalogue(
-  const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files);
 
 /// A number that can be set, and its range.
 struct EditRange
@@ -75,41 +62,32 @@ struct SurveyEdit
 };
 
 /// Returns the settings of an instrument on a platform, and their limits.
-VTKHELIOSSCANNERSURVEY_EXPORT std::vector<EditRange> FindRanges(const SurveyEdit& edit);
+std::vector<EditRange> FindRanges(const SurveyEdit& edit);
 
 /// @{
 /// Returns or set a number of FindRanges() by its name; NaN, or false, if the name does not exist.
 /// The value is adapted to the instrument, for all legs: the text lists the changes; empty: none.
-VTKHELIOSSCANNERSURVEY_EXPORT double GetSetting(const SurveyEdit& edit, const std::string& name);
-VTKHELIOSSCANNERSURVEY_EXPORT std::string SetSetting(
-  SurveyEdit& edit, const std::string& name, double value);
+double GetSetting(const SurveyEdit& edit, const std::string& name);
+std::string SetSetting(SurveyEdit& edit, const std::string& name, double value);
 ///@}
 
 /// Adapts the settings of one leg to the instrument; returns the changes as text.
-VTKHELIOSSCANNERSURVEY_EXPORT std::string ClampSettings(
-  const SurveyEdit& edit, LegSettings& settings);
+std::string ClampSettings(const SurveyEdit& edit, LegSettings& settings);
 
 ///@{
 /// Selects another platform or instrument, with its default settings.
-VTKHELIOSSCANNERSURVEY_EXPORT void ChoosePlatform(
-  SurveyEdit& edit, const std::string& reference, const PlatformData& platform);
-VTKHELIOSSCANNERSURVEY_EXPORT void ChooseScanner(
-  SurveyEdit& edit, const std::string& reference, const ScannerData& scanner);
+void ChoosePlatform(SurveyEdit& edit, const std::string& reference, const PlatformData& platform);
+void ChooseScanner(SurveyEdit& edit, const std::string& reference, const ScannerData& scanner);
 ///@}
 
 ///@{
 /// Legs by their positions, or the points below them [m]; onGround: z follows the ground.
-VTKHELIOSSCANNERSURVEY_EXPORT void AddLeg(SurveyEdit& edit, const Vec3& place, bool onGround);
-VTKHELIOSSCANNERSURVEY_EXPORT void MoveLeg(
-  SurveyEdit& edit, std::size_t leg, const Vec3& place, bool onGround);
-VTKHELIOSSCANNERSURVEY_EXPORT void RemoveLeg(SurveyEdit& edit, std::size_t leg);
+void AddLeg(SurveyEdit& edit, const Vec3& place, bool onGround);
+void MoveLeg(SurveyEdit& edit, std::size_t leg, const Vec3& place, bool onGround);
+void RemoveLeg(SurveyEdit& edit, std::size_t leg);
 /// Replaces all legs by flight lines, which fire, and the turns between them.
-VTKHELIOSSCANNERSURVEY_EXPORT void SetLines(SurveyEdit& edit, const std::vector<FlightLine>& lines);
+void SetLines(SurveyEdit& edit, const std::vector<FlightLine>& lines);
 ///@}
-
-/// Converts a survey to one that can be edited. Returns as text what cannot be edited and is dropped;
-/// empty: nothing.
-VTKHELIOSSCANNERSURVEY_EXPORT std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit);
 
 } // namespace helios
 

@@ -3,10 +3,10 @@
 // Edited scenes: the saved files have the same mesh.
 #include "heliosSceneEdit.h"
 
+#include "heliosEditDocument.h"
 #include "heliosMessages.h"
 #include "heliosSurveyEdit.h"
 #include "heliosSurveyFiles.h"
-#include "heliosSurveyXml.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScene.h"
 #include "vtkHeliosSurveySource.h"

@@ -3,12 +3,13 @@
 // Edited surveys: leg positions, limits of instruments, and their saved files.
 #include "heliosSurveyEdit.h"
 
+#include "heliosCatalogue.h"
+#include "heliosEditDocument.h"
 #include "heliosMessages.h"
 #include "heliosStatus.h"
 #include "heliosSurveyDocument.h"
 #include "heliosSurveyEquality.h"
 #include "heliosSurveyFiles.h"
-#include "heliosSurveyXml.h"
 #include "heliosXmlValue.h"
 #include "vtkHeliosSurveySource.h"
 

@@ -7,7 +7,6 @@
 
 #include "heliosPose.h"
 #include "heliosStatus.h"
-#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -26,7 +25,7 @@ class Messages;
  * Edits the <scene> itself, so that everything else (materials, motions, swaps, systems) is
  * unchanged.
  */
-class VTKHELIOSSCANNERSURVEY_EXPORT SceneEdit
+class SceneEdit
 {
 public:
   SceneEdit();

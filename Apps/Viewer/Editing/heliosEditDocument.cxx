@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Inputs of survey editing: catalogues, and existing surveys.
-#include "heliosAssets.h"
+#include "heliosEditDocument.h"
+
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
-#include "heliosSurveyEdit.h"
-#include "heliosXmlPlatform.h"
-#include "heliosXmlScanner.h"
-#include "vtkHeliosDialect.h"
+#include "heliosStatus.h"
+#include "heliosSurveyDocument.h"
+#include "vtkHeliosSurvey.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <set>
+#include <memory>
 
 namespace fs = std::filesystem;
 
@@ -21,55 +19,15 @@ namespace helios
 namespace
 {
 
-void FindXmlFiles(const fs::path& folder, std::vector<std::string>& files)
-{
-  std::vector<std::string> found;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
-  {
-    if (vtkHeliosDialect::IsDocument(entry->path().string()))
-    {
-      found.push_back(entry->path().string());
-    }
-  }
-  std::sort(found.begin(), found.end());
-  files.insert(files.end(), found.begin(), found.end());
-}
-
 std::string MakeAbsolute(const std::string& path)
 {
   return fs::absolute(path).lexically_normal().string();
-}
-
-std::string MakeWhole(const std::string& path)
-{
-  std::error_code ignored;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(path), ignored);
-  return whole.empty() ? path : whole.string();
 }
 
 /// Returns the id of a scanner, without that of its channel.
 std::string GetScannerId(const ScannerData& scanner)
 {
   return scanner.Id.substr(0, scanner.Id.find(", channel "));
-}
-
-/// The items read without error, by reference.
-template <typename T, typename ReadT>
-void AddEntries(const XmlElement& root, const char* tag, const std::string& reference, ReadT read,
-  const Assets& assets, std::vector<std::pair<std::string, T>>& entries)
-{
-  Messages& log = root.GetMessages();
-  for (const XmlElement& element : root.GetChildren(tag))
-  {
-    const int before = log.GetNumberOfErrors();
-    T entry = read(element);
-    FindModel(element, assets, entry.Model);
-    if (log.GetNumberOfErrors() == before && element.Has("id"))
-    {
-      entries.emplace_back(reference + "#" + element.GetText("id"), entry);
-    }
-  }
 }
 
 /// Returns the settings that resolve to the scan of a leg.
@@ -99,41 +57,48 @@ LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
   return settings;
 }
 
-} // namespace
-
-//------------------------------------------------------------------------------
-Catalogue ReadCatalogue(
-  const std::vector<std::string>& assetDirectories, const std::vector<std::string>& files)
+/// Returns the settings of a leg on a static platform.
+LegSettings MakeStill(const LegSettings& settings)
 {
-  std::vector<std::string> all;
-  for (const std::string& folder : assetDirectories)
-  {
-    for (const char* below : { "", "Assets", "data", "data/Assets" })
-    {
-      FindXmlFiles(fs::path(folder) / below, all);
-    }
-  }
-  all.insert(all.end(), files.begin(), files.end());
-  Messages log(nullptr);
-  Assets assets(log, assetDirectories);
-  Catalogue catalogue;
-  std::set<std::string> seen;
-  for (const std::string& file : all)
-  {
-    std::error_code ignored;
-    const bool isNew = fs::is_regular_file(file, ignored) && seen.insert(MakeWhole(file)).second;
-    const XmlDocument* document = isNew ? assets.Load(file) : nullptr;
-    if (document)
-    {
-      const std::string name = MakeAbsolute(file);
-      AddEntries(document->GetRoot(), "platform", name, ReadPlatform, assets, catalogue.Platforms);
-      const auto readScanner = [&assets](const XmlElement& element)
-      { return ReadScanner(element, assets); };
-      AddEntries(document->GetRoot(), "scanner", name, readScanner, assets, catalogue.Scanners);
-    }
-  }
-  return catalogue;
+  LegSettings still = settings;
+  still.Leg = LegData();
+  still.Leg.Strip = settings.Leg.Strip;
+  still.Leg.Position = settings.Leg.Position;
+  still.Leg.Crs = settings.Leg.Crs;
+  still.Leg.OnGround = settings.Leg.OnGround;
+  still.Leg.Active = settings.Leg.Active;
+  still.Leg.TrajectoryTimeInterval = settings.Leg.TrajectoryTimeInterval;
+  still.Leg.MaximumDuration = settings.Leg.MaximumDuration;
+  return still;
 }
+
+/// Returns the document of an edited survey: that of its file, with other legs.
+std::unique_ptr<SurveyDocument> MakeDocument(vtkObject* owner, const SurveyEdit& edit,
+  const std::string& fileName, const std::vector<std::string>& assetDirectories)
+{
+  auto document = std::make_unique<SurveyDocument>(owner, fileName);
+  document->SetAssetDirectories(assetDirectories);
+  document->SetNeeds(AssetNeed::Required, AssetNeed::Required);
+  const SurveyPlace survey{ SurveyItem::Survey };
+  if (!edit.File.empty() && document->Load(edit.File))
+  {
+    document->Set(survey, "basePlatform", "");
+    document->RemoveAllLegs();
+  }
+  document->SetComment(" A survey made by hand, written by vtkHelios. ");
+  document->Set(survey, "name", edit.Name);
+  document->SetSceneText(edit.SceneText);
+  document->SetSources(
+    edit.SceneText.empty() ? edit.Scene : std::string(), edit.Platform, edit.Scanner);
+  edit.Seed < 0 ? false : document->Set(survey, "seed", std::to_string(edit.Seed));
+  for (const EditLeg& leg : edit.Legs)
+  {
+    document->AddLeg(edit.IsMoving() ? leg.Settings : MakeStill(leg.Settings), "");
+  }
+  return document;
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit)
@@ -176,6 +141,28 @@ std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit)
     edit.Settings.Leg.Crs.clear();
   }
   return left.str();
+}
+
+//------------------------------------------------------------------------------
+bool ReadEdit(const SurveyEdit& edit, const std::string& fileName,
+  const std::vector<std::string>& assetDirectories, vtkHeliosSurvey* survey)
+{
+  return survey->ReadDocument(MakeDocument(survey, edit, fileName, assetDirectories), survey);
+}
+
+//------------------------------------------------------------------------------
+Status SaveSurvey(const SurveyEdit& edit, const std::string& fileName,
+  const std::vector<std::string>& assetDirectories, Messages& log)
+{
+  const auto document = MakeDocument(nullptr, edit, fileName, assetDirectories);
+  document->Resolve(nullptr);
+  if (document->HasError())
+  {
+    log.Error(document->GetLastError());
+    return Status::Error(
+      fileName + ": not written: the survey could not be run: " + document->GetLastError());
+  }
+  return document->Write(fileName);
 }
 
 } // namespace helios
