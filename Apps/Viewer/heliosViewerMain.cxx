@@ -5,6 +5,7 @@
 #include "heliosStatus.h"
 #include "heliosViewer.h"
 #include "heliosViewerOptions.h"
+#include "vtkHeliosEchoDetection.h"
 
 #include <vtkObject.h>
 
@@ -12,6 +13,7 @@
 #include <exception>
 #include <iostream>
 #include <streambuf>
+#include <string>
 
 namespace
 {
@@ -66,9 +68,14 @@ int main(int argc, char** argv)
     return result == helios::viewer::OptionsResult::Done ? 0 : 2;
   }
   const helios::Status status = helios::viewer::CheckDisplay();
-  if (!status.IsOk())
+  std::string fault = status.Message();
+  for (const std::string& file : options.Plugins)
   {
-    std::cerr << "error: " << status.Message() << "\n";
+    fault = fault.empty() ? vtkHeliosEchoDetection::LoadPlugin(file) : fault;
+  }
+  if (!fault.empty())
+  {
+    std::cerr << "error: " << fault << "\n";
     return 1;
   }
   helios::viewer::ExplainLostDisplay();

@@ -3,6 +3,7 @@
 #include "vtkHeliosEchoDetection.h"
 
 #include "heliosDetectorOffset.h"
+#include "heliosDetectorPlugin.h"
 #include "heliosDetectorRegistry.h"
 #include "heliosPose.h"
 #include "heliosPulseShape.h"
@@ -276,6 +277,12 @@ bool vtkHeliosEchoDetection::AddDetector(const std::string& name, vtkHeliosEchoD
 bool vtkHeliosEchoDetection::RemoveDetector(const std::string& name)
 {
   return helios::RemoveDetectorKind(name);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosEchoDetection::LoadPlugin(const std::string& file)
+{
+  return helios::LoadDetectorPlugin(file).Message();
 }
 
 //------------------------------------------------------------------------------

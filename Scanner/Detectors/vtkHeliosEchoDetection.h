@@ -72,6 +72,13 @@ public:
   static bool RemoveDetector(const std::string& name);
   ///@}
 
+  /**
+   * Loads a plug-in that is a shared library: a file (.so) with
+   * `extern "C" bool vtkhelios_register_plugin()`, which returns whether AddDetector() did. Returns
+   * the error as text; empty: none. After an error none of its detectors is known.
+   */
+  static std::string LoadPlugin(const std::string& file);
+
   ///@{
   /**
    * Set/Get the file of the plug-in that has added an echo detector: an input of the runs that use

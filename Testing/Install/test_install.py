@@ -66,6 +66,12 @@ def test_installed_command_line_with_a_plugin_in_cpp(prefix, project, tmp_path):
     assert report["options"]["detector"] == "firstSample"
     assert report["totals"]["points"] > 1000
     assert str(project / "libown_detector.so") in [each["file"] for each in report["inputs"]]
+    if (BUILD / "bin/vtkhelios-viewer").exists():
+        text = survey.read_text().replace("<survey ", '<survey echoDetector="firstSample" ', 1)
+        survey.write_text(text)
+        still = tmp_path / "still.png"
+        call(program, "view", survey, *plugin[:2], "--offscreen", "--still", still)
+        assert still.stat().st_size > 1000
 
 
 def test_missing_component_is_reported(prefix, tmp_path):

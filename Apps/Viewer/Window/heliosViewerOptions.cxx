@@ -53,6 +53,11 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
       "a folder to look up scenes, scanners and platforms in; may be repeated")
     ->option_text("DIR")
     ->allow_extra_args(false);
+  app
+    .add_option("--plugin", options.Plugins,
+      "a shared library (.so) that registers echo detectors; may be repeated")
+    ->option_text("FILE")
+    ->allow_extra_args(false);
   app.add_option("--seed", options.Seed, "seed of the random numbers (default: the survey's)")
     ->check(CLI::Range(0LL, 4611686018427387904LL))
     ->option_text("N");

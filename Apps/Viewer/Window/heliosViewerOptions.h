@@ -15,7 +15,8 @@ struct ViewerOptions
 {
   std::vector<std::string> Inputs; ///< a survey, clouds, runs, scenes
   std::vector<std::string> Assets; ///< folders
-  int Width = 1280;                ///< [pixels]
+  std::vector<std::string> Plugins;
+  int Width = 1280; ///< [pixels]
   int Height = 800;
   bool Offscreen = false;
   bool HasSpeed = false; ///< one was set

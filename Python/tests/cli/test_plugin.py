@@ -142,6 +142,13 @@ def compile_library(folder, name, code, *more):
     return path
 
 
+def test_programs_without_python_load_libraries(tmp_path, plugin):
+    load = vtkhelios.vtkHeliosEchoDetection.LoadPlugin
+    assert load(str(tmp_path / "none.so")).endswith("none.so: no such file; give a plug-in")
+    wanted = "own.py: is no library (.so), the plug-ins of this program; vtkhelios run loads those in Python"
+    assert load(str(plugin)).endswith(wanted)
+
+
 def test_errors_of_libraries(tmp_path):
     path = compile_library(tmp_path, "plain", "int answer(void) { return 42; }")
     with pytest.raises(PluginError, match=r'is no plug-in; give it extern "C" bool vtkhelios_reg'):

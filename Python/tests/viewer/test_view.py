@@ -216,6 +216,8 @@ def test_pictures_offscreen(make_survey, tmp_path, read_pixels):
         (["SURVEY", "--seconds", "3"], 2, "give --record, too"),
         (["SURVEY", "--camera", "moon"], 2, "moon not in {free,fly"),
         (["SURVEY", "OTHER"], 1, "is shown by itself; leave out"),
+        (["SURVEY", "--plugin", "none.so"], 1, "none.so: no such file; give a plug-in"),
+        (["SURVEY", "--plugin", __file__], 1, "is no library (.so), the plug-ins of this program"),
         (["SURVEY", "--offscreen", "--still", "a.jpg"], 1, "stills are PNG"),
         (["SURVEY", "--offscreen", "--still", "no/a.png"], 1, "the folder no does not exist"),
         (["SURVEY", "--offscreen", "--record", "a.mp4"], 1, "give a name that ends in .ogv"),

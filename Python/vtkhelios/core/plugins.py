@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plug-ins: files in Python, or shared libraries, that register echo detectors."""
 
-import ctypes
 import importlib.machinery
 import importlib.util
 import os
@@ -14,8 +13,6 @@ from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ..vtkHeliosScannerDetectors import vtkHeliosEchoDetection
 from .paths import to_vtk
 from .pipeline import PipelineError
-
-REGISTER = "vtkhelios_register_plugin"
 
 _loaded = {}  # by file: the names of its detectors
 
@@ -99,20 +96,5 @@ def _load_module(path):
 
 
 def _load_library(path):
-    try:
-        library = ctypes.CDLL(path)
-    except OSError as error:
-        raise PluginError(
-            f"{path}: cannot be loaded: {error}; build it for vtkHelios "
-            f"{vtkHeliosVersion.GetVersion()}, the version of this program"
-        ) from None
-    try:
-        register = getattr(library, REGISTER)
-    except AttributeError:
-        raise PluginError(f'{path}: is no plug-in; give it extern "C" bool {REGISTER}()') from None
-    register.restype = ctypes.c_bool
-    if not register():
-        raise PluginError(
-            f"{path}: {REGISTER}() failed: the name of a detector is taken, or not valid; known are "
-            f"{', '.join(_known())}"
-        )
+    if fault := vtkHeliosEchoDetection.LoadPlugin(to_vtk(path)):
+        raise PluginError(os.fsdecode(fault))
