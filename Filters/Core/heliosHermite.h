@@ -57,6 +57,21 @@ public:
     return this->Start + s * (this->Way + r * (r * this->Bend0 - s * this->Bend1));
   }
 
+  /// Returns the derivative.
+  Vec3 GetSlope(double s) const
+  {
+    const double r = 1.0 - s;
+    return this->Bends
+      ? this->Way + r * (r - 2.0 * s) * this->Bend0 - s * (2.0 * r - s) * this->Bend1
+      : this->Way;
+  }
+
+  /// Returns a bound of the length of the derivative.
+  double GetSteepest() const
+  {
+    return this->Way.Norm() + (this->Bends ? this->Bend0.Norm() + this->Bend1.Norm() : 0.0);
+  }
+
 private:
   Vec3 Start{ 0.0, 0.0, 0.0 };
   Vec3 Way{ 0.0, 0.0, 0.0 };

@@ -32,6 +32,7 @@ inline constexpr const char* TextureCoordinates = "TextureCoordinates";
 inline constexpr const char* PrototypeIds = "PrototypeIds";
 inline constexpr const char* Scale = "Scale";
 inline constexpr const char* FirstCellIds = "FirstCellIds"; // int64, of the first triangle
+inline constexpr const char* MotionIds = "MotionIds";       // -1: at rest
 ///@}
 
 ///@{
@@ -137,6 +138,10 @@ inline constexpr const char* TruePoint = "TruePoint";           // [m], without 
 inline constexpr const char* WaterDepth = "WaterDepth"; // [m], by vtkHeliosRefractionCorrection
 inline constexpr const char* SpecularEvents = "SpecularEvents"; // mirrors and glass on the way
 inline constexpr const char* Normal = "Normal";
+inline constexpr const char* RadialVelocity = "RadialVelocity"; // [m/s], positive: moves away
+inline constexpr const char* PartPosition = "PartPosition"; // [m], shift of the part's centroid
+inline constexpr const char* PartOrientation = "PartOrientation"; // quaternion w x y z, since the start
+inline constexpr const char* PartVelocity = "PartVelocity"; // [m/s], of the true point
 inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray in the pulse
 ///@}
 

@@ -64,26 +64,14 @@ Status CheckMotions(const std::map<int, std::vector<MotionSequence>>& motions)
   return {};
 }
 
-/// Returns the area centroid of triangles; the mean of their corners if the area is zero.
 Vec3 FindCentroid(const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
 {
-  const Vec3 base(mesh.GetCorner(cells.front(), 0)); // keeps precision far from 0
-  Vec3 byArea(0.0, 0.0, 0.0);
-  Vec3 plain(0.0, 0.0, 0.0);
-  double areas = 0.0;
+  CentroidSum sum;
   for (const vtkIdType cell : cells)
   {
-    const Vec3 a = Vec3(mesh.GetCorner(cell, 0)) - base;
-    const Vec3 b = Vec3(mesh.GetCorner(cell, 1)) - base;
-    const Vec3 c = Vec3(mesh.GetCorner(cell, 2)) - base;
-    const Vec3 middle = (1.0 / 3.0) * (a + b + c);
-    const double area = (b - a).Cross(c - a).Norm();
-    byArea = byArea + area * middle;
-    plain = plain + middle;
-    areas += area;
+    sum.Add(mesh.GetCorner(cell, 0), mesh.GetCorner(cell, 1), mesh.GetCorner(cell, 2));
   }
-  return base +
-    (areas > 0.0 ? (1.0 / areas) * byArea : (1.0 / static_cast<double>(cells.size())) * plain);
+  return sum.Get();
 }
 
 /// Assigns points to parts; returns an error if a moving part shares one.
@@ -139,6 +127,27 @@ void TurnNormals(
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+void CentroidSum::Add(const double p[3], const double q[3], const double r[3])
+{
+  this->Base = this->Count++ == 0 ? Vec3(p) : this->Base;
+  const Vec3 a = Vec3(p) - this->Base;
+  const Vec3 b = Vec3(q) - this->Base;
+  const Vec3 c = Vec3(r) - this->Base;
+  const Vec3 middle = (1.0 / 3.0) * (a + b + c);
+  const double area = (b - a).Cross(c - a).Norm();
+  this->ByArea = this->ByArea + area * middle;
+  this->Plain = this->Plain + middle;
+  this->Areas += area;
+}
+
+Vec3 CentroidSum::Get() const
+{
+  return this->Base +
+    (this->Areas > 0.0 ? (1.0 / this->Areas) * this->ByArea
+                       : (1.0 / static_cast<double>(this->Count)) * this->Plain);
+}
 
 //------------------------------------------------------------------------------
 Status FindMovingParts(vtkPolyData* scene,

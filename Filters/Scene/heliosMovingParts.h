@@ -17,6 +17,21 @@ class vtkPolyData;
 namespace helios
 {
 
+/// The area centroid of triangles; the mean of their corners if the area is zero.
+class VTKHELIOSFILTERSSCENE_EXPORT CentroidSum
+{
+public:
+  void Add(const double p[3], const double q[3], const double r[3]);
+  Vec3 Get() const;
+
+private:
+  Vec3 Base{ 0.0, 0.0, 0.0 }; // keeps precision far from 0
+  Vec3 ByArea{ 0.0, 0.0, 0.0 };
+  Vec3 Plain{ 0.0, 0.0, 0.0 };
+  double Areas = 0.0;
+  vtkIdType Count = 0;
+};
+
 /// A part, its points and triangles, and its motion about its centroid.
 struct MovingPart
 {

@@ -49,6 +49,7 @@ void PartMotion::AddLinks(const std::vector<MotionSequence>& sequences)
     {
       link.Step = this->MakeStep(motion) * link.Step;
       link.Rests = link.Rests && motion.Kind == MotionKind::Identity;
+      link.Motions.push_back(motion);
     }
     link.Loop = sequence.Loop > 0 ? sequence.Loop : VTK_ID_MAX;
     places[next] = this->Chain.size();
@@ -84,7 +85,7 @@ PartMotion::Steps PartMotion::Walk(std::size_t link, vtkIdType& steps) const
 }
 
 //------------------------------------------------------------------------------
-MotionMap PartMotion::GetMap(vtkIdType step) const
+PartMotion::Steps PartMotion::GetSteps(vtkIdType step) const
 {
   Steps all;
   if (this->CycleLength > 0 && step > this->HeadLength)
@@ -98,6 +99,13 @@ MotionMap PartMotion::GetMap(vtkIdType step) const
   {
     all = this->Walk(0, step);
   }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+MotionMap PartMotion::GetMap(vtkIdType step) const
+{
+  const Steps all = this->GetSteps(step);
   MotionMap map;
   map.Center = this->Centroid;
   for (int i = 0; i < 3; ++i)

@@ -10,6 +10,7 @@
 
 #include <vtkType.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -65,6 +66,52 @@ struct MotionMap
   }
 };
 
+/**
+ * A run of equal steps, at any fraction of a step: a step is a screw, whose powers are the motion in
+ * between. The part rotates about the axis of Turn, and its centroid about the axis of Path while it
+ * glides along it.
+ */
+class VTKHELIOSFILTERSSCENE_EXPORT MotionSection
+{
+public:
+  vtkIdType GetBegin() const { return this->Begin; }
+  vtkIdType GetEnd() const { return this->End; } ///< VTK_ID_MAX: none
+
+  /// Returns the map after a number of steps since the start of the motion, in the section.
+  MotionMap GetMap(double steps) const;
+
+  /// Returns the rotation [rad] and the way of the centroid [m] in a step: along an arc, and
+  /// straight; and whether steps mirror the part, so that there are no fractions of steps.
+  double GetAngle() const { return std::abs(this->TurnAngle); }
+  double GetArc() const;
+  double GetChord() const { return this->Chord; }
+  bool IsMirror() const { return this->Mirrors; }
+
+  /// Computes the derivatives by steps: velocity of the centroid, and the rotation.
+  void GetRates(double steps, Vec3& velocity, Vec3& rotation) const;
+
+private:
+  friend class PartMotion;
+  using Real = long double;
+
+  Vec3 GetCentroid(Real since) const;
+
+  vtkIdType Begin = 0;
+  vtkIdType End = VTK_ID_MAX;
+  Vec3 Centroid{ 0.0, 0.0, 0.0 };      // at the start of the motion
+  Vec3 Shift{ 0.0, 0.0, 0.0 };         // of the centroid, at the begin
+  Rotation Turned;                     // at the begin
+  bool HasTurned = false;              // it is not the identity
+  bool Mirrors = false;
+  Vec3 TurnAxis{ 0.0, 0.0, 1.0 };
+  Real TurnAngle = 0;                  // [rad] a step
+  Vec3 PathAxis{ 0.0, 0.0, 1.0 };
+  Real PathAngle = 0;                  // [rad] a step; 0: the centroid moves straight on
+  Real Fixed[3] = { 0, 0, 0 };         // a point on that axis, from the centroid
+  Vec3 Glide{ 0.0, 0.0, 0.0 };         // [m] a step
+  double Chord = 0.0;
+};
+
 /// The motion of a part; it starts with the first sequence.
 class VTKHELIOSFILTERSSCENE_EXPORT PartMotion
 {
@@ -75,6 +122,9 @@ public:
   /// Returns the map after a number of steps: powers of whole sequences, so errors do not
   /// accumulate.
   MotionMap GetMap(vtkIdType step) const;
+
+  /// Returns the section of the steps that follow a step.
+  MotionSection GetSection(vtkIdType step) const;
 
   /// Returns the first step after this one that moves the part; VTK_ID_MAX: none.
   vtkIdType FindNextMove(vtkIdType step) const;
@@ -116,6 +166,7 @@ private:
     Steps Step;
     bool Rests = true;
     vtkIdType Loop = VTK_ID_MAX;
+    std::vector<Motion> Motions;
   };
 
   static Vector Apply(const Matrix& m, const Vector& v);
@@ -125,6 +176,8 @@ private:
   Steps MakeStep(const Motion& motion) const;
   void AddLinks(const std::vector<MotionSequence>& sequences);
   Steps Walk(std::size_t link, vtkIdType& steps) const;
+  Steps GetSteps(vtkIdType step) const;
+  void SetScrew(const Link& link, MotionSection& section) const;
   vtkIdType FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const;
   vtkIdType GetLength(std::size_t begin, std::size_t end) const;
 

@@ -19,6 +19,7 @@ TEXTURE_COORDINATES = "TextureCoordinates"
 PROTOTYPE_IDS = "PrototypeIds"
 SCALE = "Scale"
 FIRST_CELL_IDS = "FirstCellIds"  # int64, of the first triangle
+MOTION_IDS = "MotionIds"  # -1: at rest
 
 # Input clouds: point data (with Normals); scenes made from clouds: cell data. RGB of echoes:
 # vtkHeliosScanner, GenerateColors.
@@ -108,6 +109,10 @@ TRUE_POINT = "TruePoint"  # [m], without noise
 WATER_DEPTH = "WaterDepth"  # [m], by vtkHeliosRefractionCorrection
 SPECULAR_EVENTS = "SpecularEvents"  # mirrors and glass on the way
 NORMAL = "Normal"
+RADIAL_VELOCITY = "RadialVelocity"  # [m/s], positive: moves away
+PART_POSITION = "PartPosition"  # [m], shift of the part's centroid
+PART_ORIENTATION = "PartOrientation"  # quaternion w x y z, since the start
+PART_VELOCITY = "PartVelocity"  # [m/s], of the true point
 WEIGHT = "Weight"  # energy fraction of a sub-ray in the pulse
 
 # Clouds of LAS files: point data that echoes do not have.

@@ -3,6 +3,7 @@
 #include "heliosBeamPreparation.h"
 
 #include "heliosConstants.h"
+#include "heliosMovingModel.h"
 #include "heliosScanModel.h"
 #include "heliosStatus.h"
 #include "vtkHeliosBeamSampler.h"
@@ -202,6 +203,8 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
     return false;
   }
   const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
+  const std::unique_ptr<MovingModel> moving = MovingModel::Make(model);
+  const ScanModel& probe = moving ? moving->Get() : model;
   PulseSource::Cursor cursor;
   Pulse pulse;
   ConeLayer layer;
@@ -209,10 +212,12 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   int resolved = 0;
   for (vtkIdType i = 0; i < samples; ++i)
   {
-    if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
+    const vtkIdType index = numberOfPulses / samples * i;
+    if (model.Source.GetPulse(index, cursor, pulse))
     {
       ++probed;
-      const bool isMixed = model.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Unresolved;
+      moving ? moving->MoveTo(index, pulse) : void();
+      const bool isMixed = probe.ProbeCone(pulse, layer).Kind == vtkHeliosConeHit::Unresolved;
       resolved += isMixed && layer.Size == 0 ? 0 : 1;
     }
   }

@@ -164,6 +164,24 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   return true;
 }
 
+Vec3 PulseSource::GetVelocity(vtkIdType index, Cursor& cursor) const
+{
+  const double elapsed =
+    PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  const double time = this->GetPoseTime(elapsed);
+  const Head& head = this->GetHead(this->HeadStart + this->HeadSpeed * elapsed, cursor);
+  const Vec3 lever = this->GetLever(index, head);
+  Rotation platform;
+  this->Platform->GetPosition(time, cursor.Platform, platform);
+  const Trajectory::Rates rates =
+    this->PoseInterval > 0.0 ? Trajectory::Rates() : this->Platform->GetRates(time);
+  Vec3 axis = this->HeadAxis;
+  axis.Normalize();
+  const Vec3 turn = vtkMath::RadiansFromDegrees(this->HeadSpeed) * axis;
+  const Vec3 ofHead = Rotate(this->Mount.Orientation, turn).Cross(lever - this->Mount.Position);
+  return rates.Velocity + rates.Rotation.Cross(platform * lever) + platform * ofHead;
+}
+
 /// Returns the vector from the platform to where a pulse starts.
 Vec3 PulseSource::GetLever(vtkIdType index, const Head& head) const
 {

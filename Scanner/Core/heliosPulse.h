@@ -112,6 +112,9 @@ struct PulseSource
   /// Computes pulse number index; false if the deflector emits none.
   bool GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const;
 
+  /// Returns the velocity of the origin of a pulse [m/s], by trajectory and head, without noise.
+  Vec3 GetVelocity(vtkIdType index, Cursor& cursor) const;
+
 private:
   double GetPoseTime(double elapsed) const;
   Quaternion TurnHead(double angle) const;

@@ -31,7 +31,7 @@ vtkHeliosRay MakeAxis(const ScanModel& model, const Pulse& pulse)
 
 PulseGroups::PulseGroups(const ScanModel& model)
   : Model(model)
-  , IsOn(model.Cones && model.ConeTangent > 0.0 && model.Medium.IsEmpty() &&
+  , IsOn(model.Cones && model.ConeTangent > 0.0 && model.Medium.IsEmpty() && !model.Motions &&
       (model.Path.Beam == BeamPath::ConeFirst ||
         (model.Path.Beam == BeamPath::Fixed && !model.HasOffsets)))
   , Span(LargestSpan)

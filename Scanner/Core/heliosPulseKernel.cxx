@@ -26,10 +26,11 @@ constexpr double LeastShare = 0.02;
 } // namespace
 
 PulseKernel::PulseKernel(const ScanModel& model)
-  : Model(model)
-  , Response(model)
-  , Groups(model)
-  , Tracer(model, this->Response)
+  : Moving(MovingModel::Make(model))
+  , Model(this->Moving ? this->Moving->Get() : model)
+  , Response(this->Model)
+  , Groups(this->Model)
+  , Tracer(this->Model, this->Response)
   , Signal(model.Receiver)
   , HasBlocks(model.Path.Echo == EchoPath::Waveform && model.Receiver.Detector->PrefersBlocks())
 {
@@ -48,7 +49,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
     const vtkIdType end = std::min(last, begin + size);
     this->AimPulses(begin, end);
     this->Groups.Start(this->Pulses);
-    if (!isAdaptive)
+    if (!isAdaptive && !this->Moving)
     {
       this->Tracer.Cast(this->Pulses, this->Groups, this->Counts);
     }
@@ -59,6 +60,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
       this->HasWaveform = false;
       this->CanWait = this->HasBlocks;
       this->IsWaiting = false;
+      this->MoveTo(slot);
       this->Response.StartPulse();
       isAdaptive ? this->RunAdaptive(slot) : this->RunFixed(slot);
       this->DetectDarkCounts();
@@ -96,6 +98,17 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 }
 
 //------------------------------------------------------------------------------
+/// Moves the instances to where they are at a pulse.
+void PulseKernel::MoveTo(std::size_t slot)
+{
+  if (this->Moving)
+  {
+    this->Moving->MoveTo(this->Indices[slot], this->Pulses[slot]);
+    this->Response.ForgetMoving();
+  }
+}
+
+//------------------------------------------------------------------------------
 void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 {
   const double angle = this->Model.Source.Deflector->GetScanAngle(index);
@@ -111,13 +124,20 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 //------------------------------------------------------------------------------
 void PulseKernel::RunFixed(std::size_t slot)
 {
-  if (this->Tracer.MeetsNothing(slot))
+  if (this->Moving) // pulses that meet the scene at different times are not traced together
+  {
+    this->Tracer.CastAll(this->Pulses[slot], this->Counts);
+  }
+  else if (this->Tracer.MeetsNothing(slot))
   {
     this->Returns.clear();
     this->SubRays.clear();
     return;
   }
-  this->Tracer.Select(slot);
+  else
+  {
+    this->Tracer.Select(slot);
+  }
   this->RunReturns(this->Pulses[slot]);
 }
 

@@ -7,6 +7,7 @@
 #define heliosPulseKernel_h
 
 #include "heliosBeamTracer.h"
+#include "heliosMovingModel.h"
 #include "heliosPulseGroups.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
@@ -14,6 +15,7 @@
 #include "heliosSurfaceResponse.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace helios
@@ -66,6 +68,7 @@ private:
   };
 
   void AimPulses(vtkIdType first, vtkIdType last);
+  void MoveTo(std::size_t slot);
   void CountFaults(const Pulse& pulse, vtkIdType index);
   Cone ProbeCone(std::size_t slot);
   bool Resolve(const Pulse& pulse, const vtkHeliosConeHit& hit, Cone& cone);
@@ -103,17 +106,20 @@ private:
   void MoveToZones(vtkIdType index, std::size_t first, ChunkResult& result);
   void StoreWaveform(const Pulse& pulse, ChunkResult& result);
   void StoreSubRays(const Pulse& pulse, ChunkResult& result);
+  void StoreMotion(const Pulse& pulse, const Echo& echo, ChunkResult& result);
   PathEnd FindEnd(const Pulse& pulse, const Echo& echo) const;
   double GetMeasuredRange(const Echo& echo, double theta, std::size_t number);
   double UseTerm(int term, double value, double variable, double otherwise);
 
+  std::unique_ptr<MovingModel> Moving; ///< null: no instance moves
   const ScanModel& Model;
   SurfaceResponse Response;
   PulseGroups Groups;
   BeamTracer Tracer;
   Receiver Signal;
   PulseSource::Cursor Cursor;
-  PulseSource::Cursor ZoneCursor; ///< cursor of the pulse an ambiguous echo is assigned to
+  PulseSource::Cursor VelocityCursor; ///< cursor of the pulses whose velocity is stored
+  PulseSource::Cursor ZoneCursor;     ///< cursor of the pulse an ambiguous echo is assigned to
   ScanCounts Counts;
 
   std::vector<Pulse> Pulses;
@@ -123,6 +129,7 @@ private:
   vtkIdType PulseId = 0;
   unsigned char ScanDirection = 0; ///< flags, if requested
   unsigned char EdgeOfFlightLine = 0;
+  Vec3 Velocity{ 0.0, 0.0, 0.0 }; ///< of its origin, if requested
   ConeLayer Layer;
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;

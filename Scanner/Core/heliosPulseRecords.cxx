@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace helios
@@ -41,6 +42,10 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   {
     this->Counts.PulsesHit += this->HasSurface() ? 1 : 0;
     this->SetScanFlags(this->Indices[slot]);
+    if (this->Model.Wants.Velocities)
+    {
+      this->Velocity = this->Model.Source.GetVelocity(this->Indices[slot], this->VelocityCursor);
+    }
     this->StoreEchoes(pulse, scanAngle, result);
     if (this->Model.Zones.Zone > 0)
     {
@@ -119,6 +124,7 @@ void PulseKernel::StoreBlock(ChunkResult& result)
     this->SwapPulse(pulse);
     this->PulseId = pulse.Id;
     this->HasWaveform = pulse.HasWaveform;
+    this->MoveTo(pulse.Slot);
     if (!pulse.IsDetected)
     {
       this->Signal.AddEchoes(*echoes++, this->Returns, this->Echoes);
@@ -192,11 +198,35 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
     const PathEnd end = this->FindEnd(pulse, echo);
     result.Truths.push_back({ end.Point, normal, end.Events });
   }
+  if (this->Model.Wants.Velocities || this->Model.Wants.Motion)
+  {
+    this->StoreMotion(pulse, echo, result);
+  }
   if (this->Model.Wants.Colors)
   {
     result.Colors.push_back(isDark
         ? ColorRecord()
         : this->Model.Colors.Find(cell, material, this->FindEnd(pulse, echo).Point));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Stores how scanner and target of an echo move.
+void PulseKernel::StoreMotion(const Pulse& pulse, const Echo& echo, ChunkResult& result)
+{
+  const vtkIdType cell = echo.Nearest ? echo.Nearest->CellId : -1;
+  const PathEnd end = this->FindEnd(pulse, echo);
+  const bool moves = this->Moving && cell >= 0 && !this->Model.Surfaces.IsTurbid(cell);
+  const Vec3 velocity = moves ? this->Moving->GetVelocity(cell, end.Point) : Vec3(0.0, 0.0, 0.0);
+  if (this->Model.Wants.Velocities)
+  {
+    const bool isKnown = cell >= 0 && end.Events == 0;
+    result.Velocities.push_back(isKnown ? pulse.GetDirection().Dot(velocity - this->Velocity)
+                                        : std::numeric_limits<double>::quiet_NaN());
+  }
+  if (this->Model.Wants.Motion)
+  {
+    result.Motions.push_back({ moves ? this->Moving->GetPose(cell) : Pose(), velocity });
   }
 }
 
@@ -275,32 +305,28 @@ bool PulseKernel::MoveToZone(vtkIdType index, EchoRecord& echo)
 void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& result)
 {
   std::vector<EchoRecord>& echoes = result.Echoes;
-  std::size_t kept = first;
+  std::vector<std::size_t> rows; // those that are kept
   for (std::size_t i = first; i < echoes.size(); ++i)
   {
     if (this->MoveToZone(index, echoes[i]))
     {
-      if (this->Model.Wants.Truth)
-      {
-        result.Truths[kept] = result.Truths[i];
-      }
-      if (this->Model.Wants.Colors)
-      {
-        result.Colors[kept] = result.Colors[i];
-      }
-      echoes[kept++] = echoes[i];
+      rows.push_back(i);
     }
   }
-  this->Counts.Echoes -= static_cast<vtkIdType>(echoes.size() - kept);
-  echoes.resize(kept);
-  if (this->Model.Wants.Truth)
+  this->Counts.Echoes -= static_cast<vtkIdType>(echoes.size() - first - rows.size());
+  const auto keep = [first, &rows](auto& records)
   {
-    result.Truths.resize(kept);
-  }
-  if (this->Model.Wants.Colors)
-  {
-    result.Colors.resize(kept);
-  }
+    for (std::size_t k = 0; k < rows.size() && !records.empty(); ++k)
+    {
+      records[first + k] = records[rows[k]];
+    }
+    records.resize(std::min(records.size(), first + rows.size()));
+  };
+  keep(echoes);
+  keep(result.Truths);
+  keep(result.Velocities);
+  keep(result.Motions);
+  keep(result.Colors);
 }
 
 //------------------------------------------------------------------------------

@@ -79,8 +79,9 @@ struct PathLimits
 struct ScanModel
 {
   PulseSource Source;
-  PulseSubset Sample;                         // pulses that are fired
-  const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
+  PulseSubset Sample;                             // pulses that are fired
+  const vtkHeliosRayCaster* Caster = nullptr;     // null: no surfaces
+  std::shared_ptr<const InstanceMotions> Motions; // null: no instance moves
   // probe of the caster, for adaptive sampling; may be null
   const ConeProbe* Cones = nullptr;
   SceneSurfaces Surfaces;
@@ -96,7 +97,7 @@ struct ScanModel
   // adaptive sampling: sub-rays of beams that one surface fills
   std::vector<SubRay> LayerSubRays;
   // adaptive sampling: sub-rays of beams with too many surfaces, by level
-  std::vector<std::unique_ptr<LazySubRays>> RayLevels;
+  std::vector<std::shared_ptr<LazySubRays>> RayLevels;
   std::vector<SubRay> CoarseSubRays; // before those levels: of beams on mirrors and glass
   FootprintSettings Footprints;      // settings of adaptive sampling
   bool UsesRays = false;             // whether beams that no cone test resolves are sampled by rays

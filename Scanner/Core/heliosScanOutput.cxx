@@ -252,6 +252,31 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
+void FillVelocities(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Velocities, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  double* velocities = columns.Add<vtkDoubleArray>(names::RadialVelocity);
+  ForEachRecord(chunks, &ChunkResult::Velocities, offsets,
+    [=](double velocity, vtkIdType row) { velocities[row] = velocity; });
+}
+
+void FillMotions(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Motions, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  double* positions = columns.Add<vtkDoubleArray>(names::PartPosition, 3);
+  double* orientations = columns.Add<vtkDoubleArray>(names::PartOrientation, 4);
+  double* velocities = columns.Add<vtkDoubleArray>(names::PartVelocity, 3);
+  ForEachRecord(chunks, &ChunkResult::Motions, offsets,
+    [=](const MotionRecord& m, vtkIdType row)
+    {
+      Store(positions, row, m.Part.Position);
+      std::copy_n(m.Part.Orientation.GetData(), 4, orientations + 4 * row);
+      Store(velocities, row, m.Velocity);
+    });
+}
+
 /// Fills the number of mirrors and panes on the way.
 void FillSpecularEvents(
   const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
@@ -437,6 +462,14 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.Wants.Truth && this->Model.Surfaces.HasOptics())
   {
     FillSpecularEvents(chunks, echoes, this->Echoes);
+  }
+  if (this->Model.Wants.Velocities)
+  {
+    FillVelocities(chunks, echoes, this->Echoes);
+  }
+  if (this->Model.Wants.Motion)
+  {
+    FillMotions(chunks, echoes, this->Echoes);
   }
   if (this->Model.Wants.Colors)
   {

@@ -45,6 +45,13 @@ struct TruthRecord
   int SpecularEvents; ///< mirrors and glass before its path's end
 };
 
+/// Shift and rotation of the part, and velocity of the true point, of the echo with the same index.
+struct MotionRecord
+{
+  Pose Part;
+  Vec3 Velocity;
+};
+
 /// Red, green, blue, [0..1], of the echo with the same index.
 using ColorRecord = std::array<float, 3>;
 
@@ -85,6 +92,8 @@ struct ChunkResult
 {
   std::vector<EchoRecord> Echoes;
   std::vector<TruthRecord> Truths; // empty if not requested
+  std::vector<double> Velocities;  // likewise: radial ones [m/s]
+  std::vector<MotionRecord> Motions;
   std::vector<ColorRecord> Colors; // likewise
   std::vector<PulseRecord> Pulses;
   std::vector<SubRayRecord> SubRays;
@@ -96,6 +105,8 @@ struct ChunkResult
   {
     this->Echoes.clear();
     this->Truths.clear();
+    this->Velocities.clear();
+    this->Motions.clear();
     this->Colors.clear();
     this->Pulses.clear();
     this->SubRays.clear();

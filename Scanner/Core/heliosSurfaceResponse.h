@@ -63,6 +63,16 @@ public:
       std::sqrt(this->Transmission(range));
   }
 
+  /// Clears what is known of surfaces that move, which are elsewhere for the next pulse.
+  void ForgetMoving()
+  {
+    for (Surface* surface : this->Moving)
+    {
+      surface->Cell = -1;
+    }
+    this->Moving.clear();
+  }
+
   /// Clears the last range, so that a pulse does not depend on the one before it.
   void StartPulse() { this->Transmission = CachedTransmission(this->Model.Equation); }
 
@@ -100,6 +110,12 @@ private:
     return this->Gain * this->Transmission(range) / (range * range);
   }
 
+  bool IsMoving(vtkIdType cell) const
+  {
+    const SceneGeometry::Cell at = this->Model.Caster->GetGeometry().Find(cell);
+    return at.Instance && at.Instance->Motion >= 0;
+  }
+
   /// Returns cached data of a cell: beams hit the same few repeatedly.
   const Surface& Visit(vtkIdType cell)
   {
@@ -116,6 +132,10 @@ private:
       surface.Reflection =
         &this->Model.Surfaces.GetReflection(this->Model.Surfaces.GetMaterialId(cell));
       surface.Reflectance = surface.Reflection->Reflectance;
+      if (this->Model.Motions && !isTurbid && this->IsMoving(cell))
+      {
+        this->Moving.push_back(&surface);
+      }
     }
     return surface;
   }
@@ -124,6 +144,7 @@ private:
   const double Gain; // power of a white surface at 1 m, without extinction [W]
   CachedTransmission Transmission;
   std::array<Surface, 1024> Known; // the leaves of several beams, which overlap
+  std::vector<Surface*> Moving;    // those of instances that move
   Columns Batch;
 };
 

@@ -182,6 +182,48 @@ Pose Trajectory::GetPose(double time) const
                           : this->Orientations[i] };
 }
 
+Trajectory::Rates Trajectory::GetRatesAfter(std::size_t sample, double s) const
+{
+  const double step = this->Times[sample + 1] - this->Times[sample];
+  Rates rates{ (1.0 / step) * this->Segments[sample].GetSlope(s), { 0.0, 0.0, 0.0 } };
+  if (this->RotatesAfter(sample))
+  {
+    Quaternion turn = this->Orientations[sample + 1] * this->Orientations[sample].Conjugated();
+    const Vec3 axis(turn.GetX(), turn.GetY(), turn.GetZ());
+    const double sine = axis.Norm();
+    const double sign = turn.GetW() < 0.0 ? -1.0 : 1.0; // the shorter way
+    const double angle = 2.0 * std::atan2(sine, sign * turn.GetW());
+    rates.Rotation = sine > 0.0 ? sign * angle / (sine * step) * axis : rates.Rotation;
+  }
+  return rates;
+}
+
+Trajectory::Rates Trajectory::GetRates(double time) const
+{
+  const std::size_t i = this->FindSample(time, 0);
+  const bool isOutside = i + 1 == this->Times.size() || time < this->Times[i];
+  return isOutside ? Rates() : this->GetRatesAfter(i, this->GetFraction(i, time));
+}
+
+void Trajectory::GetBounds(double start, double end, double& speed, double& rotation) const
+{
+  speed = 0.0;
+  rotation = 0.0;
+  for (std::size_t i = this->FindSample(start, 0); i + 1 < this->Times.size(); ++i)
+  {
+    if (this->Times[i] > end)
+    {
+      break;
+    }
+    const double step = this->Times[i + 1] - this->Times[i];
+    if (step > 0.0)
+    {
+      speed = std::max(speed, this->Segments[i].GetSteepest() / step);
+      rotation = std::max(rotation, this->GetRatesAfter(i, 0.0).Rotation.Norm());
+    }
+  }
+}
+
 bool Trajectory::RotatesAfter(std::size_t sample) const
 {
   return this->Interpolates && this->Orientations[sample] != this->Orientations[sample + 1];

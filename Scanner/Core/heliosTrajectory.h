@@ -58,7 +58,21 @@ public:
   /// Returns position and attitude, for few times.
   Pose GetPose(double time) const;
 
+  /// How a body moves: the velocity of its origin [m/s], and its rotation [rad/s] in the world.
+  struct Rates
+  {
+    Vec3 Velocity{ 0.0, 0.0, 0.0 };
+    Vec3 Rotation{ 0.0, 0.0, 0.0 };
+  };
+
+  /// Returns how it moves at a time; at a sample, as after it.
+  Rates GetRates(double time) const;
+
+  /// Computes bounds of the lengths of the rates within a span.
+  void GetBounds(double start, double end, double& speed, double& rotation) const;
+
 private:
+  Rates GetRatesAfter(std::size_t sample, double s) const;
   Status Append(vtkPolyData* trajectory, vtkIdType sample);
   void Connect();
   std::size_t FindSample(double time, std::size_t hint) const;

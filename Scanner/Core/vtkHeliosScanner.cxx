@@ -384,8 +384,23 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
     vtkErrorMacro(<< status.Message());
   }
   scan.Model.Surfaces.SetWavelength(this->Wavelength);
+  const bool moves = status.IsOk() && this->Motions && scan.Model.Caster;
+  if (moves && !scan.Model.Caster->MakeMoving(this->Motions))
+  {
+    vtkErrorMacro(<< "the RayCaster \"" << this->RayCaster->GetName()
+                  << "\" does not support instances that move; set a vtkHeliosBeamRayCaster");
+    return false;
+  }
+  scan.Model.Motions = moves ? this->Motions : nullptr;
   return status.IsOk() &&
     (!this->Wanted.Colors || this->PrepareColors(vtkPolyData::GetData(inputs[0]), grids, scan));
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::SetMotions(std::shared_ptr<const helios::InstanceMotions> motions)
+{
+  this->Motions = std::move(motions);
+  this->Modified();
 }
 
 //------------------------------------------------------------------------------

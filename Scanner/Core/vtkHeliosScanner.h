@@ -85,6 +85,7 @@ class vtkImageData;
 namespace helios
 {
 class BatchSize;
+class InstanceMotions;
 class PulseShape;
 class TextureStore;
 struct SamplingPlan;
@@ -394,6 +395,10 @@ public:
   double GetLargestAmplitude() const;
 
 #ifndef __VTK_WRAP__
+  /// Sets the motions of the instances of the scene, by MotionIds; null: all are at rest. The ray
+  /// caster must be one that supports instances. Pulses are numbered, and timed, as by this scanner.
+  void SetMotions(std::shared_ptr<const helios::InstanceMotions> motions);
+
   /// Sets the textures that the scanners of a scene share; null: the scanner reads them itself.
   void SetTextures(std::shared_ptr<helios::TextureStore> textures);
 
@@ -489,6 +494,7 @@ private:
 
   std::unique_ptr<helios::ScanCounts> Counts;
   std::unique_ptr<helios::BatchSize> Batch; // batch size of the last scan
+  std::shared_ptr<const helios::InstanceMotions> Motions;
   std::shared_ptr<helios::TextureStore> SharedTextures;
   std::shared_ptr<helios::TextureStore> Textures; // textures of the scene
   vtkMTimeType ColorTime = 0;                     // the scene's, when its colours were prepared

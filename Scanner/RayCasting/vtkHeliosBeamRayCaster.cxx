@@ -66,6 +66,18 @@ bool vtkHeliosBeamRayCaster::BuildInstances(const helios::SceneGeometry& scene)
   return true;
 }
 
+bool vtkHeliosBeamRayCaster::ShareAccelerator(const vtkHeliosRayCaster& atRest)
+{
+  const auto& other = static_cast<const vtkHeliosBeamRayCaster&>(atRest);
+  this->Tree->Share(*other.Tree, this->GetGeometry());
+  return true;
+}
+
+void vtkHeliosBeamRayCaster::MoveTo(const helios::SceneMoment& moment)
+{
+  this->Tree->MoveTo(moment);
+}
+
 std::unique_ptr<helios::ConeProbe> vtkHeliosBeamRayCaster::MakeConeProbe()
 {
   return helios::MakeConeProbe(*this->Tree);

@@ -38,6 +38,9 @@ public:
   void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override;
   const char* GetName() const override { return "beam"; }
   std::size_t GetAcceleratorSize() const override;
+#ifndef __VTK_WRAP__
+  void MoveTo(const helios::SceneMoment& moment) override;
+#endif
 
 protected:
   vtkHeliosBeamRayCaster();
@@ -46,6 +49,7 @@ protected:
   bool BuildAccelerator(const helios::TriangleMesh& mesh) override;
   bool BuildInstances(const helios::SceneGeometry& scene) override;
 #ifndef __VTK_WRAP__
+  bool ShareAccelerator(const vtkHeliosRayCaster& atRest) override;
   std::unique_ptr<helios::ConeProbe> MakeConeProbe() override;
 #endif
 

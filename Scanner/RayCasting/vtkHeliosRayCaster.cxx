@@ -171,6 +171,22 @@ bool vtkHeliosRayCaster::BuildInstances(const helios::SceneGeometry& scene)
   return this->BuildAccelerator(this->Built->Flat);
 }
 
+vtkSmartPointer<vtkHeliosRayCaster> vtkHeliosRayCaster::MakeMoving(
+  const std::shared_ptr<const helios::InstanceMotions>& motions) const
+{
+  auto moving = vtk::TakeSmartPointer(this->NewInstance());
+  *moving->Geometry = this->Geometry->MakeMoving(motions);
+  moving->Built->Scene = this->Built->Scene;
+  return moving->ShareAccelerator(*this) ? moving : nullptr;
+}
+
+bool vtkHeliosRayCaster::ShareAccelerator(const vtkHeliosRayCaster&)
+{
+  return false;
+}
+
+void vtkHeliosRayCaster::MoveTo(const helios::SceneMoment&) {}
+
 void vtkHeliosRayCaster::SetShouldStop(const std::function<bool()>& shouldStop)
 {
   this->Built->Check = helios::StopCheck(shouldStop);

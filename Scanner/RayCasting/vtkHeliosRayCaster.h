@@ -19,6 +19,7 @@
 #include "vtkHeliosRay.h"                     // For rays and hits
 #include "vtkHeliosScannerRayCastingModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // For casters of moving scenes
 
 #include <functional> // For the abort check
 #include <memory>     // For private data
@@ -30,9 +31,11 @@ class vtkPolyData;
 namespace helios
 {
 class ConeProbe;
+class InstanceMotions;
 class SceneGeometry;
 class StopCheck;
 class TriangleMesh;
+struct SceneMoment;
 }
 
 class VTKHELIOSSCANNERRAYCASTING_EXPORT vtkHeliosRayCaster : public vtkObject
@@ -98,6 +101,14 @@ public:
   /// stop, Build() with an error.
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
+  /// Returns a caster of the built scene, which must outlive it, whose instances move; it shares
+  /// the trees. One per thread. Null unless this caster supports instances.
+  vtkSmartPointer<vtkHeliosRayCaster> MakeMoving(
+    const std::shared_ptr<const helios::InstanceMotions>& motions) const;
+
+  /// Moves the instances of a caster by MakeMoving() to where they are at a moment.
+  virtual void MoveTo(const helios::SceneMoment& moment);
+
   /// Returns the triangles of the built scene.
   const helios::SceneGeometry& GetGeometry() const
   {
@@ -116,6 +127,10 @@ protected:
   virtual bool BuildInstances(const helios::SceneGeometry& scene);
 
 #ifndef __VTK_WRAP__
+  /// Shares the accelerator of a caster of the same class, for the geometry of this one, in which
+  /// instances move; the default returns false: it cannot.
+  virtual bool ShareAccelerator(const vtkHeliosRayCaster& atRest);
+
   /// Makes the cone probe of the built scene; the default has a tree of its own.
   virtual std::unique_ptr<helios::ConeProbe> MakeConeProbe();
 

@@ -15,6 +15,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace names = vtkHeliosArrayNames;
 
@@ -108,6 +109,31 @@ void ClearBounds(double bounds[6])
 } // namespace
 
 //------------------------------------------------------------------------------
+MovedInstances::MovedInstances(
+  const std::vector<SceneInstance>& atRest, std::shared_ptr<const InstanceMotions> motions)
+  : Motions(std::move(motions))
+  , Slots(static_cast<std::size_t>(this->Motions->GetNumberOfTracks()))
+{
+  for (const SceneInstance& instance : atRest)
+  {
+    if (instance.Motion >= 0)
+    {
+      Slot& slot = this->Slots[static_cast<std::size_t>(instance.Motion)];
+      slot.Instance = instance;
+      slot.Track = this->Motions->MakeTrack(instance.Motion);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+SceneGeometry SceneGeometry::MakeMoving(const std::shared_ptr<const InstanceMotions>& motions) const
+{
+  SceneGeometry moving = *this;
+  moving.Moved = std::make_shared<MovedInstances>(this->GetInstances(), motions);
+  return moving;
+}
+
+//------------------------------------------------------------------------------
 Status SceneGeometry::Set(vtkPolyData* scene)
 {
   *this = SceneGeometry();
@@ -115,8 +141,8 @@ Status SceneGeometry::Set(vtkPolyData* scene)
   auto* whole = vtkHeliosScene::SafeDownCast(scene);
   if (!whole || whole->GetNumberOfInstances() == 0)
   {
-    const Status status = this->Mesh.Set(scene);
-    this->NumberOfTriangles = this->Mesh.GetNumberOfTriangles();
+    const Status status = this->Shared->Mesh.Set(scene);
+    this->Shared->NumberOfTriangles = this->Shared->Mesh.GetNumberOfTriangles();
     return status;
   }
   Status status;
@@ -124,7 +150,7 @@ Status SceneGeometry::Set(vtkPolyData* scene)
   {
     vtkNew<vtkPolyData> mesh; // without the instances
     mesh->ShallowCopy(scene);
-    status = this->Mesh.Set(mesh);
+    status = this->Shared->Mesh.Set(mesh);
   }
   status = status.IsOk() ? this->AddPrototypes(whole) : status;
   status = status.IsOk() ? this->AddInstances(whole->GetInstances()) : status;
@@ -136,8 +162,8 @@ Status SceneGeometry::AddPrototypes(vtkHeliosScene* scene)
 {
   for (int i = 0; i < scene->GetNumberOfPrototypes(); ++i)
   {
-    this->Prototypes.emplace_back();
-    const Status status = this->Prototypes.back().Set(scene->GetPrototype(i));
+    this->Shared->Prototypes.emplace_back();
+    const Status status = this->Shared->Prototypes.back().Set(scene->GetPrototype(i));
     if (!status.IsOk())
     {
       return Status::Error("prototype " + std::to_string(i) + ": " + status.Message());
@@ -155,26 +181,29 @@ Status SceneGeometry::AddInstances(vtkPolyData* instances)
   const InstanceColumn scales(instances, names::Scale, 1, status);
   const InstanceColumn parts(instances, names::PartIds, 1, status);
   const InstanceColumn materials(instances, names::MaterialIds, 1, status);
-  const auto count = static_cast<double>(this->Prototypes.size());
-  this->Instances.resize(static_cast<std::size_t>(instances->GetNumberOfPoints()));
+  const InstanceColumn motions(instances, names::MotionIds, 1, status);
+  const auto count = static_cast<double>(this->Shared->Prototypes.size());
+  this->Shared->Instances.resize(static_cast<std::size_t>(instances->GetNumberOfPoints()));
   for (vtkIdType i = 0; status.IsOk() && i < instances->GetNumberOfPoints(); ++i)
   {
     const double prototype = prototypes.Get(i, 0, 0.0);
     if (!(prototype >= 0.0 && prototype < count))
     {
       return Status::Error(Describe(i) + " has PrototypeIds " + ToText(prototype) +
-        ", but there are " + std::to_string(this->Prototypes.size()) + " prototypes, from 0");
+        ", but there are " + std::to_string(this->Shared->Prototypes.size()) +
+        " prototypes, from 0");
     }
     const double q[4] = { orientations.Get(i, 0, 1.0), orientations.Get(i, 1, 0.0),
       orientations.Get(i, 2, 0.0), orientations.Get(i, 3, 0.0) };
     const double scale = scales.Get(i, 0, 1.0);
     const double* t = instances->GetPoint(i);
     status = CheckPlace(i, q, scale, t);
-    SceneInstance& instance = this->Instances[static_cast<std::size_t>(i)];
+    SceneInstance& instance = this->Shared->Instances[static_cast<std::size_t>(i)];
     instance.Place = Similarity(q, scale, t);
     instance.PrototypeId = static_cast<int>(prototype);
     instance.Part = static_cast<int>(parts.Get(i, 0, 0.0));
     instance.Material = static_cast<int>(materials.Get(i, 0, -1.0));
+    instance.Motion = static_cast<int>(motions.Get(i, 0, -1.0));
   }
   return status;
 }
@@ -185,12 +214,12 @@ Status SceneGeometry::SetCells(vtkPolyData* instances)
 {
   Status status;
   const InstanceColumn first(instances, names::FirstCellIds, 1, status);
-  const vtkIdType own = this->Mesh.GetNumberOfTriangles();
+  const vtkIdType own = this->Shared->Mesh.GetNumberOfTriangles();
   vtkIdType ofInstances = 0; // triangles of the instances before
   vtkIdType before = 0;      // triangles of the mesh before
-  for (std::size_t i = 0; status.IsOk() && i < this->Instances.size(); ++i)
+  for (std::size_t i = 0; status.IsOk() && i < this->Shared->Instances.size(); ++i)
   {
-    SceneInstance& instance = this->Instances[i];
+    SceneInstance& instance = this->Shared->Instances[i];
     const auto id = static_cast<vtkIdType>(i);
     instance.FirstCell =
       first.Exists() ? static_cast<vtkIdType>(first.Get(id, 0, 0.0)) : own + ofInstances;
@@ -204,32 +233,34 @@ Status SceneGeometry::SetCells(vtkPolyData* instances)
     before = instance.CellsBefore;
     ofInstances += this->GetPrototype(instance).GetNumberOfTriangles();
   }
-  this->NumberOfTriangles = own + ofInstances;
+  this->Shared->NumberOfTriangles = own + ofInstances;
   return status;
 }
 
 //------------------------------------------------------------------------------
 SceneGeometry::Cell SceneGeometry::FindInstance(vtkIdType cell) const
 {
-  const auto after = std::upper_bound(this->Instances.begin(), this->Instances.end(), cell,
-    [](vtkIdType id, const SceneInstance& instance) { return id < instance.FirstCell; });
-  if (after == this->Instances.begin())
+  const auto after =
+    std::upper_bound(this->Shared->Instances.begin(), this->Shared->Instances.end(), cell,
+      [](vtkIdType id, const SceneInstance& instance) { return id < instance.FirstCell; });
+  if (after == this->Shared->Instances.begin())
   {
     return { nullptr, cell };
   }
   const SceneInstance& instance = *(after - 1);
   const vtkIdType triangle = cell - instance.FirstCell;
   const vtkIdType count = this->GetPrototype(instance).GetNumberOfTriangles();
-  return triangle < count ? Cell{ &instance, triangle }
+  return triangle < count ? Cell{ &this->Place(instance), triangle }
                           : Cell{ nullptr, instance.CellsBefore + triangle - count };
 }
 
 //------------------------------------------------------------------------------
 vtkIdType SceneGeometry::CountCells(vtkIdType triangle) const
 {
-  const auto after = std::upper_bound(this->Instances.begin(), this->Instances.end(), triangle,
-    [](vtkIdType id, const SceneInstance& instance) { return id < instance.CellsBefore; });
-  if (after == this->Instances.begin())
+  const auto after =
+    std::upper_bound(this->Shared->Instances.begin(), this->Shared->Instances.end(), triangle,
+      [](vtkIdType id, const SceneInstance& instance) { return id < instance.CellsBefore; });
+  if (after == this->Shared->Instances.begin())
   {
     return triangle;
   }
@@ -249,16 +280,16 @@ void SceneGeometry::GetCorners(vtkIdType cell, double corners[3][3]) const
   }
   for (int corner = 0; corner < 3; ++corner)
   {
-    std::copy_n(this->Mesh.GetCorner(at.Triangle, corner), 3, corners[corner]);
+    std::copy_n(this->Shared->Mesh.GetCorner(at.Triangle, corner), 3, corners[corner]);
   }
 }
 
 //------------------------------------------------------------------------------
 Vec3 SceneGeometry::GetNormal(vtkIdType cell) const
 {
-  if (this->Instances.empty())
+  if (this->Shared->Instances.empty())
   {
-    return this->Mesh.GetNormal(cell);
+    return this->Shared->Mesh.GetNormal(cell);
   }
   double p[3][3];
   this->GetCorners(cell, p);
@@ -269,11 +300,11 @@ Vec3 SceneGeometry::GetNormal(vtkIdType cell) const
 void SceneGeometry::GetBounds(double bounds[6]) const
 {
   ClearBounds(bounds);
-  if (this->Mesh.GetNumberOfTriangles() > 0)
+  if (this->Shared->Mesh.GetNumberOfTriangles() > 0)
   {
-    this->Mesh.GetBounds(bounds);
+    this->Shared->Mesh.GetBounds(bounds);
   }
-  for (const SceneInstance& instance : this->Instances)
+  for (const SceneInstance& instance : this->Shared->Instances)
   {
     double own[6];
     this->GetBounds(instance, own);
@@ -303,8 +334,8 @@ void SceneGeometry::GetBounds(const SceneInstance& instance, double bounds[6]) c
 std::size_t SceneGeometry::GetMemorySize() const
 {
   std::size_t size =
-    this->Mesh.GetMemorySize() + this->Instances.capacity() * sizeof(SceneInstance);
-  for (const Prototype& prototype : this->Prototypes)
+    this->Shared->Mesh.GetMemorySize() + this->Shared->Instances.capacity() * sizeof(SceneInstance);
+  for (const Prototype& prototype : this->Shared->Prototypes)
   {
     size += prototype.GetMemorySize();
   }

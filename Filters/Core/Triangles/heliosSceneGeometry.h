@@ -5,6 +5,7 @@
 #ifndef heliosSceneGeometry_h
 #define heliosSceneGeometry_h
 
+#include "heliosInstanceMotion.h"
 #include "heliosPose.h"
 #include "heliosPrototype.h"
 #include "heliosSimilarity.h"
@@ -16,6 +17,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <memory>
 #include <vector>
 
 class vtkHeliosScene;
@@ -30,6 +32,7 @@ struct SceneInstance
   int PrototypeId = 0;
   int Part = 0;
   int Material = -1;         ///< material of all triangles; -1: materials of the prototype
+  int Motion = -1;           ///< number of its motion; -1: at rest
   vtkIdType FirstCell = 0;   ///< the cell id of its first triangle
   vtkIdType CellsBefore = 0; ///< triangles of the mesh with lower cell ids
 
@@ -44,9 +47,58 @@ struct SceneInstance
   }
 };
 
+/// The instances that move, where they are at a moment: each is moved once it is used. One per
+/// thread.
+class VTKHELIOSFILTERSCORE_EXPORT MovedInstances
+{
+public:
+  MovedInstances(
+    const std::vector<SceneInstance>& atRest, std::shared_ptr<const InstanceMotions> motions);
+
+  void MoveTo(const SceneMoment& moment)
+  {
+    this->Moment = moment;
+    ++this->Move;
+  }
+  const SceneMoment& GetMoment() const { return this->Moment; }
+  const InstanceMotions& GetMotions() const { return *this->Motions; }
+
+  /// Returns a moving instance at the moment.
+  const SceneInstance& Get(const SceneInstance& atRest)
+  {
+    Slot& slot = this->Slots[static_cast<std::size_t>(atRest.Motion)];
+    if (slot.Move != this->Move)
+    {
+      slot.Move = this->Move;
+      slot.Track->Move(this->Moment, slot.Instance.Place);
+    }
+    return slot.Instance;
+  }
+
+  /// Returns the track of a moving instance.
+  InstanceTrack& GetTrack(const SceneInstance& instance)
+  {
+    return *this->Slots[static_cast<std::size_t>(instance.Motion)].Track;
+  }
+
+private:
+  struct Slot
+  {
+    SceneInstance Instance;
+    std::unique_ptr<InstanceTrack> Track;
+    vtkTypeUInt64 Move = 0; ///< move for which its place was set
+  };
+
+  std::shared_ptr<const InstanceMotions> Motions;
+  std::vector<Slot> Slots; ///< by number of motion
+  SceneMoment Moment;
+  vtkTypeUInt64 Move = 1;
+};
+
 /**
  * Cell ids count all triangles, 64-bit; the ids of an instance are consecutive. Corners of
- * instances equal the corners of a copy of the prototype moved by vtkHeliosSceneTransform.
+ * instances equal the corners of a copy of the prototype moved by vtkHeliosSceneTransform. Copies
+ * share the triangles.
  */
 class VTKHELIOSFILTERSCORE_EXPORT SceneGeometry
 {
@@ -59,16 +111,30 @@ public:
 
   vtkPolyData* GetScene() const { return this->Scene; }
 
+  /// Returns the same scene, whose instances move. One per thread.
+  SceneGeometry MakeMoving(const std::shared_ptr<const InstanceMotions>& motions) const;
+
+  /// Returns the moving instances; null: all are at rest.
+  MovedInstances* GetMoved() const { return this->Moved.get(); }
+
   /// Returns the triangles that are no instance's; may be empty.
-  const TriangleMesh& GetMesh() const { return this->Mesh; }
-  const std::vector<Prototype>& GetPrototypes() const { return this->Prototypes; }
-  const std::vector<SceneInstance>& GetInstances() const { return this->Instances; }
+  const TriangleMesh& GetMesh() const { return this->Shared->Mesh; }
+  const std::vector<Prototype>& GetPrototypes() const { return this->Shared->Prototypes; }
   const Prototype& GetPrototype(const SceneInstance& instance) const
   {
-    return this->Prototypes[static_cast<std::size_t>(instance.PrototypeId)];
+    return this->Shared->Prototypes[static_cast<std::size_t>(instance.PrototypeId)];
   }
 
-  vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+  /// Returns the instances, all at rest.
+  const std::vector<SceneInstance>& GetInstances() const { return this->Shared->Instances; }
+
+  /// Returns an instance, moved to where it is.
+  const SceneInstance& GetInstance(std::size_t number) const
+  {
+    return this->Place(this->Shared->Instances[number]);
+  }
+
+  vtkIdType GetNumberOfTriangles() const { return this->Shared->NumberOfTriangles; }
 
   /// Where the triangle of a cell is stored.
   struct Cell
@@ -78,13 +144,13 @@ public:
   };
   Cell Find(vtkIdType cell) const
   {
-    return this->Instances.empty() ? Cell{ nullptr, cell } : this->FindInstance(cell);
+    return this->GetInstances().empty() ? Cell{ nullptr, cell } : this->FindInstance(cell);
   }
 
   /// Returns the cell id of a triangle of the mesh.
   vtkIdType GetCell(vtkIdType triangle) const
   {
-    return this->Instances.empty() ? triangle : this->CountCells(triangle);
+    return this->GetInstances().empty() ? triangle : this->CountCells(triangle);
   }
 
   void GetCorners(vtkIdType cell, double corners[3][3]) const;
@@ -102,6 +168,19 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  /// The triangles and instances, which do not change.
+  struct Content
+  {
+    TriangleMesh Mesh;
+    std::vector<Prototype> Prototypes;
+    std::vector<SceneInstance> Instances;
+    vtkIdType NumberOfTriangles = 0;
+  };
+
+  const SceneInstance& Place(const SceneInstance& instance) const
+  {
+    return this->Moved && instance.Motion >= 0 ? this->Moved->Get(instance) : instance;
+  }
   Status AddPrototypes(vtkHeliosScene* scene);
   Status AddInstances(vtkPolyData* instances);
   Status SetCells(vtkPolyData* instances);
@@ -109,10 +188,8 @@ private:
   vtkIdType CountCells(vtkIdType triangle) const;
 
   vtkSmartPointer<vtkPolyData> Scene;
-  TriangleMesh Mesh;
-  std::vector<Prototype> Prototypes;
-  std::vector<SceneInstance> Instances;
-  vtkIdType NumberOfTriangles = 0;
+  std::shared_ptr<Content> Shared = std::make_shared<Content>();
+  std::shared_ptr<MovedInstances> Moved; ///< null: all are at rest
 };
 
 } // namespace helios

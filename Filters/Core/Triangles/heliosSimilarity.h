@@ -10,13 +10,16 @@
 namespace helios
 {
 
-/// Maps a point p to R p s + t. Identity components are skipped to keep precision.
+/// Maps a point p to R p s + t; with a pivot c to (c + R (p - c)) s + t. Identity components are
+/// skipped to keep precision.
 struct Similarity
 {
   bool HasRotation = false;
-  Rotation Turn;
+  bool HasPivot = false;
+  Rotation Turn; ///< or a reflection
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 };
+  Vec3 Pivot{ 0.0, 0.0, 0.0 };
 
   Similarity() = default;
   /// Sets a quaternion (w, x, y, z) of any length but 0, a scale and a translation.
@@ -38,7 +41,11 @@ struct Similarity
   void Apply(const double in[3], double out[3]) const
   {
     Vec3 p(in);
-    if (this->HasRotation)
+    if (this->HasPivot)
+    {
+      p = this->Pivot + this->Turn * (p - this->Pivot);
+    }
+    else if (this->HasRotation)
     {
       p = this->Turn * p;
     }
@@ -64,12 +71,17 @@ struct Similarity
     }
   }
 
-  /// Computes the point R^-1 (p - t) / s.
+  /// Computes the point R^-1 (p - t) / s, or with a pivot c + R^-1 (p / s - t / s - c).
   void ApplyInverseToPoint(const double p[3], double out[3]) const
   {
-    const double v[3] = { p[0] - this->Translation[0], p[1] - this->Translation[1],
-      p[2] - this->Translation[2] };
+    const Vec3 centre = this->HasPivot ? this->Scale * this->Pivot : Vec3(0.0, 0.0, 0.0);
+    const double v[3] = { p[0] - this->Translation[0] - centre[0],
+      p[1] - this->Translation[1] - centre[1], p[2] - this->Translation[2] - centre[2] };
     this->ApplyInverse(v, out);
+    for (int axis = 0; axis < 3 && this->HasPivot; ++axis)
+    {
+      out[axis] += this->Pivot[axis];
+    }
   }
 };
 

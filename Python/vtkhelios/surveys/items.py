@@ -259,11 +259,13 @@ _PART_ELEMENTS = (
     "dynTimeStep",
     "kdtDynStep",
     "kdtDynTimeStep",
+    "motion",
+    "mount",
     "crs",
     "repair",
     "simplify",
 )
-_PART_ELEMENTS += ("rotate", "scale", "translate", "dmotion", "swap")
+_PART_ELEMENTS += ("rotate", "scale", "translate", "dmotion", "trajectory", "swap")
 
 
 class _Items(collections.abc.Sequence):

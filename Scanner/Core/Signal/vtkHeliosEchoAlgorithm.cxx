@@ -57,6 +57,14 @@ const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
     "TruePoint Normal", "vtp", "points and normals without noise", "written",
     "with --format vtp: also write the true point and normal of every echo, without noise and navigation "
     "errors (TruePoint, Normal)" },
+  { &Outputs::Velocities, "velocities", "GenerateVelocities", "WriteVelocities", "velocities", false,
+    "RadialVelocity", "vtp", "radial velocities", "written",
+    "with --format vtp: also write the radial velocity of every echo, as FMCW instruments measure it: positive "
+    "if scanner and target move apart (RadialVelocity) [m/s]" },
+  { &Outputs::Motion, "motion", "GenerateMotion", "WriteMotion", "motion", false,
+    "PartPosition PartOrientation PartVelocity", "vtp", "motion of parts", "written",
+    "with --format vtp: also write shift and rotation of the part of every echo since the start, and the "
+    "velocity of the point hit (PartPosition, PartOrientation, PartVelocity)" },
   { &Outputs::Columns, "columns", "GenerateColumns", "WriteColumns", "columns", false,
     "ColumnIds", "vtp", "columns of spinning optics", "written",
     "with --format vtp: also write the column of every echo and pulse in the revolution of a spinning head "

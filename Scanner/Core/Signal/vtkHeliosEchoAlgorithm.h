@@ -52,6 +52,8 @@
   vtkHeliosOutputMacro(WritePulses, Pulses);                                                       \
   vtkHeliosOutputMacro(WriteHits, SubRays);                                                        \
   vtkHeliosOutputMacro(WriteTruth, Truth);                                                         \
+  vtkHeliosOutputMacro(WriteVelocities, Velocities);                                               \
+  vtkHeliosOutputMacro(WriteMotion, Motion);                                                       \
   vtkHeliosOutputMacro(WriteColumns, Columns);                                                     \
   vtkHeliosOutputMacro(SplitByChannel, SplitByChannel)
 
@@ -77,6 +79,26 @@ public:
    * SpecularEvents, how many of them were on the way. Default: off.
    */
   vtkHeliosOutputMacro(GenerateTruth, Truth);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the echoes have RadialVelocity [m/s], the rate of the distance between the
+   * origin of the pulse and the point hit, as instruments with frequency modulation measure it:
+   * positive if they move apart. Platform, head and parts of the scene move; noise does not count.
+   * NaN behind mirrors and glass, and without a surface. Default: off.
+   */
+  vtkHeliosOutputMacro(GenerateVelocities, Velocities);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the echoes have PartPosition [m] and PartOrientation, the shift of the centroid
+   * of their part and its rotation (quaternion w x y z) since the start of the survey, and
+   * PartVelocity [m/s], the velocity of the point hit; 0 and no rotation for parts at rest. Default:
+   * off.
+   */
+  vtkHeliosOutputMacro(GenerateMotion, Motion);
   ///@}
 
   ///@{
@@ -145,6 +167,8 @@ public:
 
     // arrays of the echoes
     bool Truth = false;
+    bool Velocities = false; ///< radial ones
+    bool Motion = false;     ///< of parts
     bool ScanFlags = false;
     bool Columns = false; ///< also of the pulses
     bool Decibels = false;

@@ -42,6 +42,12 @@ public:
    */
   Status AddGrid(vtkImageData* grid, vtkIdType& firstCell);
 
+  /// Replaces the geometry by one in which instances move.
+  void SetGeometry(const SceneGeometry& geometry)
+  {
+    this->Geometry = this->Geometry ? &geometry : nullptr;
+  }
+
   /// Sets the wavelength [nm] of the light, on which the attenuation of water depends.
   void SetWavelength(double wavelength);
 

@@ -42,6 +42,12 @@ public:
   void Set(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
     const SceneGeometry* geometry, const TextureStore& store);
 
+  /// Replaces the geometry by one in which instances move.
+  void SetGeometry(const SceneGeometry& geometry)
+  {
+    this->Geometry = this->Geometry ? &geometry : nullptr;
+  }
+
   /// Returns whether anything is coloured.
   bool IsEmpty() const { return !this->HasColors; }
 

@@ -88,7 +88,12 @@ void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
   this->TraceTree(this->Scene.GetMesh());
   if (this->Scene.HasInstances())
   {
-    this->TraceInstances();
+    this->Scene.VisitBoxes(
+      [this](const SceneTree::BoxTree& boxes)
+      {
+        this->TraceInstances(boxes);
+        return true;
+      });
   }
   this->GetHits(hits);
 }
@@ -150,25 +155,25 @@ void BeamBundle::TraceEach()
 }
 
 /// Keeps better hits with the instances whose boxes the rays enter.
-void BeamBundle::TraceInstances()
+void BeamBundle::TraceInstances(const SceneTree::BoxTree& boxes)
 {
-  this->Placed = PlacedTree(this->Scene.GetBoxes(), nullptr);
+  this->Placed = PlacedTree(boxes.Tree, nullptr);
   if (!this->SetFrame())
   {
     return;
   }
   this->SetReach();
   const Frustum hull = this->Hull; // the hulls of the instances replace it
-  BeamWalk walk(this->Scene.GetBoxes(), hull);
+  BeamWalk walk(boxes.Tree, hull);
   BeamTree::Leaf leaf;
   float limit = hull.GetLimit(this->GetFarthest());
   while (walk.GetNext(limit, leaf))
   {
     for (int i = 0; i < leaf.Count; ++i)
     {
-      this->TraceTree(this->Scene.GetInstance(leaf.Triangles[i]));
+      this->TraceTree(this->Scene.GetInstance(boxes.GetInstance(leaf.Triangles[i])));
     }
-    this->Placed = PlacedTree(this->Scene.GetBoxes(), nullptr);
+    this->Placed = PlacedTree(boxes.Tree, nullptr);
     limit = hull.GetLimit(this->GetFarthest());
   }
 }
@@ -277,18 +282,20 @@ bool BeamBundle::MoveRays()
   const Similarity& place = this->Placed.GetPlace();
   const double inverse = 1.0 / place.Scale;
   const auto& m = place.Turn.M;
+  const Vec3 shift = place.Translation + place.Scale * place.Pivot;
   Masks isX, isY, isFine;
   Masks areFine = Masks() - 1;
   for (int quad = 0; quad < this->Quads; ++quad)
   {
     const RayLanes& from = this->Lanes[quad];
     RayTerms<Doubles>& to = this->Moved[quad];
-    const Doubles o[3] = { from.Origin[0] - place.Translation[0],
-      from.Origin[1] - place.Translation[1], from.Origin[2] - place.Translation[2] };
+    const Doubles o[3] = { from.Origin[0] - shift[0], from.Origin[1] - shift[1],
+      from.Origin[2] - shift[2] };
     const Doubles* d = from.Direction;
     for (int axis = 0; axis < 3; ++axis)
     {
-      to.Origin[axis] = (m[0][axis] * o[0] + m[1][axis] * o[1] + m[2][axis] * o[2]) * inverse;
+      to.Origin[axis] =
+        (m[0][axis] * o[0] + m[1][axis] * o[1] + m[2][axis] * o[2]) * inverse + place.Pivot[axis];
       to.Direction[axis] = (m[0][axis] * d[0] + m[1][axis] * d[1] + m[2][axis] * d[2]) * inverse;
     }
     SetTerms<Doubles, Masks>(to, isFine, isX, isY);

@@ -86,26 +86,30 @@ template <typename ConeT, typename AddT>
 bool WalkInstances(
   const ConeT& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
 {
-  const BeamTree& boxes = scene.GetBoxes();
-  Frustum hull;
-  LeafFilter unused; // leaves have boxes
-  if (!cone.SetHull(boxes, axes, 0.0, hull, unused))
-  {
-    return false;
-  }
-  BeamWalk walk(boxes, hull);
-  BeamTree::Leaf leaf;
-  while (walk.GetNext(hull.GetLimit(farthest * cone.GetStretch(axes)), leaf))
-  {
-    for (int i = 0; i < leaf.Count; ++i)
+  return scene.VisitBoxes(
+    [&](const SceneTree::BoxTree& boxes)
     {
-      if (!WalkInstance(cone, scene.GetInstance(leaf.Triangles[i]), farthest, add))
+      Frustum hull;
+      LeafFilter unused; // leaves have boxes
+      if (!cone.SetHull(boxes.Tree, axes, 0.0, hull, unused))
       {
         return false;
       }
-    }
-  }
-  return true;
+      BeamWalk walk(boxes.Tree, hull);
+      BeamTree::Leaf leaf;
+      while (walk.GetNext(hull.GetLimit(farthest * cone.GetStretch(axes)), leaf))
+      {
+        for (int i = 0; i < leaf.Count; ++i)
+        {
+          const PlacedTree placed = scene.GetInstance(boxes.GetInstance(leaf.Triangles[i]));
+          if (!WalkInstance(cone, placed, farthest, add))
+          {
+            return false;
+          }
+        }
+      }
+      return true;
+    });
 }
 
 /// Walks all triangles of a scene; add() is given their tree, too.

@@ -86,7 +86,7 @@ public:
   {
     constexpr double rounding = 64 * 0x1p-53;
     const Similarity& place = this->GetPlace();
-    const Vec3& t = place.Translation;
+    const Vec3 t = place.Translation + place.Scale * place.Pivot;
     const double shift = std::max({ std::abs(t[0]), std::abs(t[1]), std::abs(t[2]) });
     return rounding * ((origin + shift) / place.Scale + this->Tree->GetReach());
   }

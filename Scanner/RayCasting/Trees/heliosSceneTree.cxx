@@ -21,19 +21,17 @@ namespace helios
 namespace
 {
 
-/// Returns a triangle for each instance of a scene, with the bounds of its box.
-vtkSmartPointer<vtkPolyData> MakeBoxes(const SceneGeometry& scene)
+/// Returns a triangle for each box, with its bounds.
+vtkSmartPointer<vtkPolyData> MakeTriangles(const std::vector<std::array<double, 6>>& boxes)
 {
   constexpr double rounding = 0x1p-48; // rounding of corners, beyond a box
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  auto boxes = vtkSmartPointer<vtkPolyData>::New();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkCellArray> polys;
   polys->Use32BitStorage();
-  for (const SceneInstance& instance : scene.GetInstances())
+  for (std::array<double, 6> b : boxes)
   {
-    double b[6];
-    scene.GetBounds(instance, b);
     for (int axis = 0; axis < 3; ++axis)
     {
       const double margin = rounding *
@@ -47,12 +45,33 @@ vtkSmartPointer<vtkPolyData> MakeBoxes(const SceneGeometry& scene)
     points->InsertNextPoint(b[0], b[3], b[5]);
     polys->InsertNextCell({ first, first + 1, first + 2 });
   }
-  boxes->SetPoints(points);
-  boxes->SetPolys(polys);
+  mesh->SetPoints(points);
+  mesh->SetPolys(polys);
+  return mesh;
+}
+
+/// Returns the boxes of the instances at rest, and sets the numbers of those that move.
+std::vector<std::array<double, 6>> FindBoxes(const SceneGeometry& scene, std::vector<int>& moving)
+{
+  std::vector<std::array<double, 6>> boxes;
+  for (const SceneInstance& instance : scene.GetInstances())
+  {
+    if (instance.Motion >= 0)
+    {
+      moving.push_back(static_cast<int>(boxes.size()));
+    }
+    boxes.emplace_back();
+    scene.GetBounds(instance, boxes.back().data());
+  }
   return boxes;
 }
 
-/// bytes of a box of MakeBoxes()
+double GetDiagonal(const double bounds[6])
+{
+  return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+}
+
+/// bytes of a box of MakeTriangles()
 constexpr std::size_t SizeOfBox = 9 * sizeof(double) + 4 * sizeof(vtkTypeInt32);
 
 /// Prepares a ray for a tree; false if it is no ray.
@@ -69,29 +88,44 @@ double GetError(const PlacedTree& placed, const vtkHeliosRay& ray)
 } // namespace
 
 //------------------------------------------------------------------------------
+void SceneTree::BoxTree::Build(const std::vector<std::array<double, 6>>& boxes, StopCheck& check)
+{
+  this->Tree = BeamTree();
+  if (!boxes.empty() && this->Mesh.Set(MakeTriangles(boxes)).IsOk())
+  {
+    this->Tree.BuildWhole(this->Mesh, check);
+  }
+}
+
+std::size_t SceneTree::BoxTree::GetMemorySize() const
+{
+  return this->Tree.GetMemorySize() +
+    SizeOfBox * static_cast<std::size_t>(this->Mesh.GetNumberOfTriangles());
+}
+
+//------------------------------------------------------------------------------
 void SceneTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   this->Scene = nullptr;
-  this->Prototypes.clear();
-  this->Boxes = BeamTree();
-  this->MeshTree.Build(mesh, check);
-  this->Mesh = PlacedTree(this->MeshTree, nullptr);
+  this->Shared = std::make_shared<Trees>();
+  this->Shared->Mesh.Build(mesh, check);
+  this->Mesh = PlacedTree(this->Shared->Mesh, nullptr);
 }
 
 //------------------------------------------------------------------------------
 void SceneTree::Build(const HeightField& field)
 {
   this->Scene = nullptr;
-  this->Prototypes.clear();
-  this->Boxes = BeamTree();
-  this->MeshTree.Build(field);
-  this->Mesh = PlacedTree(this->MeshTree, nullptr);
+  this->Shared = std::make_shared<Trees>();
+  this->Shared->Mesh.Build(field);
+  this->Mesh = PlacedTree(this->Shared->Mesh, nullptr);
 }
 
 //------------------------------------------------------------------------------
 void SceneTree::GetCellPoints(vtkIdType cell, double points[3][3]) const
 {
-  this->Scene ? this->Scene->GetCorners(cell, points) : this->MeshTree.GetCellPoints(cell, points);
+  this->Scene ? this->Scene->GetCorners(cell, points)
+              : this->Shared->Mesh.GetCellPoints(cell, points);
 }
 
 //------------------------------------------------------------------------------
@@ -102,27 +136,104 @@ void SceneTree::Build(const SceneGeometry& scene, StopCheck& check)
   {
     return;
   }
-  this->Mesh = PlacedTree(this->MeshTree, &scene);
-  this->Prototypes.resize(scene.GetPrototypes().size());
-  for (std::size_t i = 0; i < this->Prototypes.size(); ++i)
+  Trees& trees = *this->Shared;
+  this->Mesh = PlacedTree(trees.Mesh, &scene);
+  trees.Prototypes.resize(scene.GetPrototypes().size());
+  for (std::size_t i = 0; i < trees.Prototypes.size(); ++i)
   {
     const Prototype& prototype = scene.GetPrototypes()[i];
-    prototype.IsRaster() ? this->Prototypes[i].Build(prototype.GetHeights())
-                         : this->Prototypes[i].BuildWhole(prototype.GetMesh(), check);
+    prototype.IsRaster() ? trees.Prototypes[i].Build(prototype.GetHeights())
+                         : trees.Prototypes[i].BuildWhole(prototype.GetMesh(), check);
   }
-  if (this->BoxMesh.Set(MakeBoxes(scene)).IsOk())
+  std::vector<int> moving;
+  std::vector<std::array<double, 6>> boxes = FindBoxes(scene, moving);
+  trees.Boxes.Build(boxes, check);
+  for (const int number : moving)
   {
-    this->Boxes.BuildWhole(this->BoxMesh, check);
-    this->Scene = &scene;
+    boxes[static_cast<std::size_t>(number)] = {}; // a triangle without area, which is in no tree
+  }
+  if (!moving.empty() && moving.size() < boxes.size())
+  {
+    trees.Resting.Build(boxes, check);
+  }
+  this->Scene = &scene;
+}
+
+//------------------------------------------------------------------------------
+void SceneTree::Share(const SceneTree& atRest, const SceneGeometry& moving)
+{
+  this->Shared = atRest.Shared;
+  this->Mesh = atRest.Mesh;
+  this->Scene = &moving;
+  this->Moving = std::make_unique<MovingBoxes>();
+  FindBoxes(moving, this->Moving->Boxes.Instances);
+}
+
+//------------------------------------------------------------------------------
+void SceneTree::MoveTo(const SceneMoment& moment)
+{
+  this->Scene->GetMoved()->MoveTo(moment);
+  if (!this->Moving->Span.Has(moment))
+  {
+    this->BuildMovingBoxes(moment);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Computes the boxes of the moving instances over the span; returns the sum of their sizes,
+/// relative to that of the boxes of their prototypes.
+double SceneTree::ComputeMovingBoxes(std::vector<std::array<double, 6>>& bounds) const
+{
+  MovedInstances& moved = *this->Scene->GetMoved();
+  double atRest = 0.0;
+  double swept = 0.0;
+  bounds.clear();
+  for (const int number : this->Moving->Boxes.Instances)
+  {
+    const SceneInstance& instance = this->Scene->GetInstances()[static_cast<std::size_t>(number)];
+    double own[6];
+    this->Scene->GetPrototype(instance).GetBounds(own);
+    bounds.emplace_back();
+    moved.GetTrack(instance).ComputeBounds(this->Moving->Span, own, bounds.back().data());
+    atRest += instance.Place.Scale * GetDiagonal(own);
+    swept += GetDiagonal(bounds.back().data());
+  }
+  return swept / atRest;
+}
+
+//------------------------------------------------------------------------------
+/// Builds the boxes in which the moving instances are over a span with a moment: of more pulses, the
+/// less they move. Results do not depend on it.
+void SceneTree::BuildMovingBoxes(const SceneMoment& moment)
+{
+  constexpr double small = 1.1; // relative sizes of boxes
+  constexpr double large = 1.5;
+  constexpr vtkIdType maximum = 8192;
+  MovingBoxes& moving = *this->Moving;
+  const auto count = static_cast<vtkIdType>(moving.Boxes.Instances.size());
+  const InstanceMotions& motions = this->Scene->GetMoved()->GetMotions();
+  std::vector<std::array<double, 6>> bounds;
+  moving.Span = motions.GetSpan(moment, moving.Pulses);
+  const double size = this->ComputeMovingBoxes(bounds);
+  StopCheck never(nullptr);
+  moving.Boxes.Build(bounds, never);
+  if (size < small && moving.Pulses < maximum)
+  {
+    moving.Pulses *= 2;
+  }
+  else if (size > large && moving.Pulses > count)
+  {
+    moving.Pulses = std::max<vtkIdType>(1, moving.Pulses / 2);
   }
 }
 
 //------------------------------------------------------------------------------
 std::size_t SceneTree::GetMemorySize() const
 {
-  std::size_t size = this->MeshTree.GetMemorySize() + this->Boxes.GetMemorySize() +
-    SizeOfBox * static_cast<std::size_t>(this->BoxMesh.GetNumberOfTriangles());
-  for (const BeamTree& tree : this->Prototypes)
+  const Trees& trees = *this->Shared;
+  std::size_t size =
+    trees.Mesh.GetMemorySize() + trees.Boxes.GetMemorySize() + trees.Resting.GetMemorySize();
+  for (const BeamTree& tree : trees.Prototypes)
   {
     size += tree.GetMemorySize();
   }
@@ -130,10 +241,10 @@ std::size_t SceneTree::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-PlacedTree SceneTree::GetInstance(vtkTypeInt32 number) const
+PlacedTree SceneTree::GetInstance(int number) const
 {
-  const SceneInstance& instance = this->Scene->GetInstances()[static_cast<std::size_t>(number)];
-  return { this->Prototypes[static_cast<std::size_t>(instance.PrototypeId)], instance };
+  const SceneInstance& instance = this->Scene->GetInstance(static_cast<std::size_t>(number));
+  return { this->Shared->Prototypes[static_cast<std::size_t>(instance.PrototypeId)], instance };
 }
 
 //------------------------------------------------------------------------------
@@ -143,24 +254,29 @@ template <typename VisitT>
 bool SceneTree::VisitInstances(const vtkHeliosRay& ray, const double& range, VisitT visit) const
 {
   TestRay test;
-  Frustum hull;
-  if (!test.Set(ray) || !this->Boxes.SetFrustum(hull, test, 0.0))
+  if (!test.Set(ray))
   {
     return false;
   }
-  BeamWalk walk(this->Boxes, hull);
-  BeamTree::Leaf leaf;
-  while (walk.GetNext(hull.GetLimit(range * std::abs(test.Largest)), leaf))
-  {
-    for (int i = 0; i < leaf.Count; ++i)
+  return !this->VisitBoxes(
+    [&](const BoxTree& boxes)
     {
-      if (visit(this->GetInstance(leaf.Triangles[i])))
+      Frustum hull;
+      boxes.Tree.SetFrustum(hull, test, 0.0);
+      BeamWalk walk(boxes.Tree, hull);
+      BeamTree::Leaf leaf;
+      while (walk.GetNext(hull.GetLimit(range * std::abs(test.Largest)), leaf))
       {
-        return true;
+        for (int i = 0; i < leaf.Count; ++i)
+        {
+          if (visit(this->GetInstance(boxes.GetInstance(leaf.Triangles[i]))))
+          {
+            return false;
+          }
+        }
       }
-    }
-  }
-  return false;
+      return true;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +344,7 @@ vtkHeliosHit SceneTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit&
     return hit;
   }
   rest.MaximumRange = Min(rest.MaximumRange, hit.Range);
-  vtkHeliosHit other = this->MeshTree.IntersectOutliers(rest);
+  vtkHeliosHit other = this->Mesh.GetTree().IntersectOutliers(rest);
   if (other.CellId < 0)
   {
     return hit;
@@ -298,7 +414,7 @@ bool SceneTree::IsOccluded(const vtkHeliosRay& ray, Occluder& occluder) const
   { return this->FindOccluder(placed, ray, occluder); };
   return IsHidden(occluder.Placed, test, occluder.Count, occluder.Triangles) || find(this->Mesh) ||
     (this->HasInstances() && this->VisitInstances(ray, test.MaximumRange, find)) ||
-    this->MeshTree.IsOccludedByOutliers(test);
+    this->Mesh.GetTree().IsOccludedByOutliers(test);
 }
 
 } // namespace helios

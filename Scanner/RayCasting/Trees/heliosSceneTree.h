@@ -10,6 +10,8 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRay.h"
 
+#include <array>
+#include <memory>
 #include <vector>
 
 namespace helios
@@ -36,16 +38,46 @@ public:
   /// Builds over a scene, which must outlive it.
   void Build(const SceneGeometry& scene, StopCheck& check);
 
+  /// Shares the trees over the same scene at rest, for a scene whose instances move and which must
+  /// outlive it. One per thread.
+  void Share(const SceneTree& atRest, const SceneGeometry& moving);
+
+  /// Moves the instances to where they are at a moment.
+  void MoveTo(const SceneMoment& moment);
+
   std::size_t GetMemorySize() const;
 
   const PlacedTree& GetMesh() const { return this->Mesh; }
 
   bool HasInstances() const { return this->Scene != nullptr; }
 
-  /// Returns the tree of the boxes of the instances: what is in its leaves are numbers of
-  /// instances.
-  const BeamTree& GetBoxes() const { return this->Boxes; }
-  PlacedTree GetInstance(vtkTypeInt32 number) const;
+  /// A tree of the boxes of instances.
+  struct BoxTree
+  {
+    TriangleMesh Mesh; ///< a triangle for each, with the bounds of its box
+    BeamTree Tree;
+    std::vector<int> Instances; ///< their numbers; empty: those of the triangles
+
+    int GetInstance(vtkTypeInt32 triangle) const
+    {
+      return this->Instances.empty() ? triangle
+                                     : this->Instances[static_cast<std::size_t>(triangle)];
+    }
+    void Build(const std::vector<std::array<double, 6>>& boxes, StopCheck& check);
+    std::size_t GetMemorySize() const;
+  };
+
+  /// Visits the trees of the boxes of all instances that are not empty, until visit() returns
+  /// false; returns whether it never did.
+  template <typename VisitT>
+  bool VisitBoxes(VisitT visit) const
+  {
+    const auto pass = [&visit](const BoxTree& boxes)
+    { return boxes.Tree.IsEmpty() || visit(boxes); };
+    return this->Moving ? pass(this->Shared->Resting) && pass(this->Moving->Boxes)
+                        : pass(this->Shared->Boxes);
+  }
+  PlacedTree GetInstance(int number) const;
 
   /// Returns the corners of a cell.
   void GetCellPoints(vtkIdType cell, double points[3][3]) const;
@@ -77,12 +109,28 @@ private:
   template <typename VisitT>
   bool VisitInstances(const vtkHeliosRay& ray, const double& range, VisitT visit) const;
 
-  BeamTree MeshTree;
-  PlacedTree Mesh{ this->MeshTree, nullptr };
+  /// The trees of a scene at rest.
+  struct Trees
+  {
+    BeamTree Mesh;
+    std::vector<BeamTree> Prototypes;
+    BoxTree Boxes;
+    BoxTree Resting; ///< the boxes of the instances that never move, if others do
+  };
+  /// The boxes of the instances that move, over a span.
+  struct MovingBoxes
+  {
+    MomentSpan Span;
+    vtkIdType Pulses = 64; ///< of the next span: more if boxes grow little
+    BoxTree Boxes;
+  };
+  double ComputeMovingBoxes(std::vector<std::array<double, 6>>& bounds) const;
+  void BuildMovingBoxes(const SceneMoment& moment);
+
+  std::shared_ptr<Trees> Shared = std::make_shared<Trees>();
+  PlacedTree Mesh{ this->Shared->Mesh, nullptr };
   const SceneGeometry* Scene = nullptr; ///< null: no instances
-  std::vector<BeamTree> Prototypes;
-  TriangleMesh BoxMesh; ///< a triangle for each instance, with the bounds of its box
-  BeamTree Boxes;
+  std::unique_ptr<MovingBoxes> Moving;  ///< null: all are at rest
 };
 
 } // namespace helios

@@ -11,6 +11,7 @@
 #include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosGpsTime.h"
@@ -52,15 +53,17 @@ LegScanner::LegScanner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
-  , Scenes(settings.Mesh ? settings.Mesh.Get() : scene, survey.Scene.SpectraFolders, log)
+  , Motion(survey.Scene, settings.Mesh ? settings.Mesh.Get() : scene, survey.Convention, log)
+  , Scenes(this->Motion.GetScene(), survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
   , FirstPulse(0)
   , LastPulse(AllPulses)
-  , Motion(survey.Scene, vtkPolyData::SafeDownCast(this->Scenes.GetPlain()), log)
-  , WindowStart(-VTK_DOUBLE_MAX)
-  , MoveTime(0)
 {
+  if (this->Motion.IsMoving())
+  {
+    this->MotionCaster = vtkSmartPointer<vtkHeliosBeamRayCaster>::New();
+  }
   for (const auto& grid : settings.Grids)
   {
     this->Grids.emplace_back(grid, survey.Scene.SpectraFolders, log);
@@ -74,6 +77,10 @@ LegScanner::~LegScanner() = default;
 void LegScanner::SetUp(const LegPlan& plan)
 {
   const LegData& leg = this->Survey.Legs[plan.Leg];
+  if (!this->Log.HasError())
+  {
+    this->Motion.CheckSpan(plan.StartTime, plan.StartTime + plan.Duration);
+  }
   this->MakeChannels(plan);
   const auto count = static_cast<vtkIdType>(this->Channels.size());
   for (vtkIdType k = 0; k < count; ++k)
@@ -97,8 +104,9 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetPulseIdStride(count);
     channel->SetLegId(static_cast<int>(plan.Leg));
     channel->SetChannelId(static_cast<int>(k));
+    channel->SetMotions(this->Motion.MakeMotions(
+      { plan.FirstShot, plan.StartTime, leg.Scans.front().PulseFrequency }));
   }
-  this->Clock = { plan.FirstShot, plan.StartTime, leg.Scans.front().PulseFrequency };
   this->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   this->SetPulseWindow(0, AllPulses);
 }
@@ -137,7 +145,6 @@ void LegScanner::MakeChannels(const LegPlan& plan)
   }
   this->Scanner = leg.Scanner;
   this->Platform = leg.Platform;
-  this->MoveTime = 0;
   this->Channels.clear();
   const ScannerData& scanner = this->Survey.Scanners[leg.Scanner];
   for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
@@ -164,10 +171,6 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   if (!this->Settings.RayCaster)
   {
     this->Settings.RayCaster = channel->GetRayCaster(); // shared by all, built once
-  }
-  if (this->Motion.IsMoving() && !this->MotionCaster)
-  {
-    this->MotionCaster = this->Motion.MakeRayCaster(this->Settings.RayCaster);
   }
   channel->SetRayCaster(this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster);
   channel->SetTextures(this->Settings.Textures);
@@ -243,7 +246,6 @@ void LegScanner::SetOutputs(const vtkHeliosEchoAlgorithm::Outputs& wants)
 //------------------------------------------------------------------------------
 void LegScanner::SetTimeWindow(double t0, double t1)
 {
-  this->WindowStart = t0;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     channel->SetTimeWindow(t0, t1);
@@ -288,16 +290,12 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetOutput(int port) const
 //------------------------------------------------------------------------------
 vtkDataObject* LegScanner::GetOutput(int port, std::size_t channel) const
 {
-  return this->Motion.IsMoving() && !this->Gathered.empty()
-    ? this->Gathered[channel][static_cast<std::size_t>(port)].Get()
-    : this->Channels[channel]->GetOutputDataObject(port);
+  return this->Channels[channel]->GetOutputDataObject(port);
 }
 
 //------------------------------------------------------------------------------
 void LegScanner::ReleaseOutput()
 {
-  this->Gathered.clear();
-  this->GatheredCounts = ScanCounts();
   for (vtkHeliosScanner* channel : this->Channels)
   {
     for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
@@ -340,7 +338,9 @@ std::string LegScanner::DescribeSampling() const
 //------------------------------------------------------------------------------
 std::string LegScanner::GetRayCasterName() const
 {
-  return this->Settings.RayCaster ? this->Settings.RayCaster->GetName() : std::string();
+  const vtkHeliosRayCaster* caster =
+    this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster;
+  return caster ? caster->GetName() : std::string();
 }
 
 } // namespace helios

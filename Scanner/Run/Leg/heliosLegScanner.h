@@ -6,8 +6,7 @@
 #define heliosLegScanner_h
 
 #include "heliosLegPlan.h"
-#include "heliosMovingScene.h"
-#include "heliosPieceBuffer.h"
+#include "heliosMovingInstances.h"
 #include "heliosRunSettings.h"
 #include "heliosScanCounts.h"
 #include "heliosSpectrum.h"
@@ -101,18 +100,16 @@ private:
   void MakeChannels(const LegPlan& plan);
   void SetTrajectory(const LegPlan& plan, vtkHeliosScanner* channel) const;
   void ApplyWindow(vtkIdType first, vtkIdType last);
-  bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);
   vtkDataObject* GetAt(SpectralScenes& scenes, double wavelength) const;
   vtkSmartPointer<vtkDataObject> GetScene(double wavelength);
-  vtkIdType FindSample(vtkIdType pulse) const;
-  void ApplyParts();
-  void Gather();
   void HandleProgress(vtkObject* caller, unsigned long event, void* data);
 
   const SurveyData& Survey;
   RunSettings Settings;
   Messages& Log;
+  MovingInstances Motion;
+  vtkSmartPointer<vtkHeliosRayCaster> MotionCaster; // null: nothing moves
   SpectralScenes Scenes;
   std::vector<SpectralScenes> Grids;
   std::size_t Scanner; // scanner of the survey, with these channels
@@ -127,16 +124,6 @@ private:
   double ShareBefore = 0.0;
   double ShareAfter = 1.0;
   bool IsStopped = false;
-
-  // Members for moving parts: the leg's clock, the time window, and the output of its windows of
-  // constant scene.
-  MovingScene Motion;
-  vtkSmartPointer<vtkHeliosRayCaster> MotionCaster;
-  PulseClock Clock;
-  double WindowStart;
-  vtkMTimeType MoveTime;
-  std::vector<std::vector<PieceBuffer>> Gathered; // by channel and port
-  ScanCounts GatheredCounts;
 };
 
 } // namespace helios

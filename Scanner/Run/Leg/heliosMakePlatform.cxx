@@ -4,6 +4,7 @@
 
 #include "heliosConstants.h"
 #include "heliosMessages.h"
+#include "heliosTrajectoryFile.h"
 #include "heliosWaypoints.h"
 #include "vtkHeliosGroundVehiclePlatform.h"
 #include "vtkHeliosInterpolatedPlatform.h"
@@ -59,32 +60,6 @@ vtkSmartPointer<vtkHeliosPlatform> MakeMulticopter(
   return copter;
 }
 
-vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
-  const TrajectoryFileData& file, AngleConvention convention, const std::string& crs)
-{
-  auto reader = vtkSmartPointer<vtkHeliosTrajectoryReader>::New();
-  reader->SetFileName(file.File.c_str());
-  reader->SetFileFormat(static_cast<int>(file.Format));
-  reader->SetFileCRS(file.Crs.empty() ? reader->GetFileCRS() : file.Crs);
-  reader->SetTargetCRS(crs);
-  reader->SetBodyFrame(static_cast<int>(file.Body));
-  reader->SetSeparators(file.Separator);
-  reader->SetTimeColumn(file.Columns[0]);
-  reader->SetRollColumn(file.Columns[1]);
-  reader->SetPitchColumn(file.Columns[2]);
-  reader->SetYawColumn(file.Columns[3]);
-  reader->SetXColumn(file.Columns[4]);
-  reader->SetYColumn(file.Columns[5]);
-  reader->SetZColumn(file.Columns[6]);
-  reader->SetDomain(file.HasAttitude ? vtkHeliosTrajectoryReader::POSITION_AND_ATTITUDE
-                                     : vtkHeliosTrajectoryReader::POSITION);
-  reader->SetAngleUnit(
-    file.IsInRadians ? vtkHeliosTrajectoryReader::RADIANS : vtkHeliosTrajectoryReader::DEGREES);
-  reader->SetAngleConvention(static_cast<int>(convention));
-  reader->SetSlopeFilterThreshold(file.SlopeThreshold);
-  return reader;
-}
-
 /// Returns the inputs, or the files of all legs, each once, with the settings of the first leg that
 /// names it.
 vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
@@ -104,7 +79,7 @@ vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
     const TrajectoryFileData& file = survey.Legs[leg].Trajectory;
     if (inputs.empty() && files.insert(file.File).second)
     {
-      const auto reader = MakeReader(file, survey.Convention, path.Crs);
+      const auto reader = MakeTrajectoryReader(file, survey.Convention, path.Crs);
       log.Listen(reader);
       if (reader->IsSbet() && path.Crs.empty())
       {

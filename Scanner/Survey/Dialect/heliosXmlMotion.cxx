@@ -3,6 +3,7 @@
 #include "heliosXmlMotion.h"
 
 #include "heliosMessages.h"
+#include "heliosSurveyData.h"
 #include "heliosXmlRules.h"
 
 #include <algorithm>
@@ -222,7 +223,75 @@ void ReadSteps(const XmlElement& part, const XmlElement& scene, MotionData& moti
   }
 }
 
+/// Reports motions of which there is no part of a step.
+void CheckFractions(const XmlElement& sequence)
+{
+  for (const XmlElement& motion : sequence.GetChildren("motion"))
+  {
+    const std::string type = ToLower(motion.GetText("type"));
+    if (type == "reflection" || type == "glideplane" || type == "rotsym")
+    {
+      motion.GetMessages().Error(motion.Where("type") + ": <motion> type=\"" + type +
+        "\" mirrors the part, so there is nothing between two steps; set motion=\"steps\" of its "
+        "<part>, or give a translation, rotation or helical");
+    }
+  }
+}
+
+/// Returns the number of the part with a name; the number of parts: none.
+std::size_t FindPart(const std::vector<PartData>& parts, const std::string& name)
+{
+  const auto found = std::find_if(
+    parts.begin(), parts.end(), [&name](const PartData& part) { return part.Name == name; });
+  return static_cast<std::size_t>(found - parts.begin());
+}
+
+/// Describes the parts that carry each other from a part on, as in a on b on a; empty: no cycle.
+std::string FindCycle(const std::vector<PartData>& parts, std::size_t first)
+{
+  std::string chain = parts[first].Name;
+  std::size_t at = first;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const std::string& mount = parts[at].Motion.Mount;
+    at = mount.empty() ? parts.size() : FindPart(parts, mount);
+    if (at == parts.size())
+    {
+      return "";
+    }
+    chain += " on " + mount;
+    if (at == first)
+    {
+      return chain;
+    }
+  }
+  return "";
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void CheckMounts(const std::vector<PartData>& parts, Messages& log)
+{
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const MotionData& motion = parts[i].Motion;
+    const std::string what = motion.Where + ": mount=\"" + motion.Mount + "\" ";
+    if (motion.Mount.empty())
+    {
+      continue;
+    }
+    if (FindPart(parts, motion.Mount) == parts.size())
+    {
+      log.Error(what + "is no part of the scene; give the id of one");
+    }
+    else if (const std::string cycle = FindCycle(parts, i); !cycle.empty())
+    {
+      log.Error(what + "carries itself: " + cycle + "; remove the mount of one of them");
+      return; // one error for all of the cycle
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 MotionData ReadMotion(const XmlElement& part, const XmlElement& scene)
@@ -236,7 +305,13 @@ MotionData ReadMotion(const XmlElement& part, const XmlElement& scene)
     motion.Sequences.back().Next = FindNext(element, places);
   }
   ReadSteps(part, scene, motion);
-  if (!elements.empty() && !part.GetMessages().HasError() && !motion.IsMoving())
+  scene ? scene.ReadStored(motion) : void();
+  part.ReadStored(motion);
+  for (std::size_t i = 0; motion.IsContinuous && i < elements.size(); ++i)
+  {
+    CheckFractions(elements[i]);
+  }
+  if (!elements.empty() && !part.GetMessages().HasError() && !motion.HasOwn())
   {
     part.GetMessages().Warning(elements.front().Where() +
       ": the <dmotion> of this <part> never move it; give other motions than identity, or "

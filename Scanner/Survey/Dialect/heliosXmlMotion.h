@@ -8,11 +8,18 @@
 #include "heliosMotionData.h"
 #include "heliosXmlElement.h"
 
+#include <vector>
+
 namespace helios
 {
 
+struct PartData;
+
 /// Reads the <dmotion> of a <part>, with its own steps and the steps of its <scene>.
 MotionData ReadMotion(const XmlElement& part, const XmlElement& scene);
+
+/// Checks that the parts that carry others exist, and that none carries itself.
+void CheckMounts(const std::vector<PartData>& parts, Messages& log);
 
 } // namespace helios
 

@@ -412,14 +412,39 @@ void PartReader::ReportFilter(const XmlFilter& filter)
     type.find("voxel") != std::string::npos;
 }
 
+/// Reads the trajectory that a part follows, if there is one.
+void ReadTrack(const XmlElement& element, Assets& assets, TrajectoryFileData& track)
+{
+  if (!element)
+  {
+    return;
+  }
+  element.CheckNames();
+  element.ReadStored(track);
+  track.Where = element.Where();
+  track.File = element.Has("file")
+    ? assets.FindFile(
+        { "file", element.GetText("file"), element.Where("file") }, element.GetDocument())
+    : std::string();
+  if (!element.Has("file"))
+  {
+    element.GetMessages().Error(
+      element.Where() + ": <trajectory> has no file; give the one with the path of the part");
+  }
+}
+
 /// Sets the motion of a part and its swaps; turbid voxels have none.
 void SetMotion(const XmlElement& element, const MotionData& motion, PartData& part)
 {
   part.Motion = motion;
-  if (part.IsTurbid() && !motion.Sequences.empty())
+  const char* const what = !motion.Sequences.empty() ? "dmotion"
+    : element.GetChild("trajectory")                 ? "trajectory"
+                                                     : nullptr;
+  if (part.IsTurbid() && (what || !motion.Mount.empty()))
   {
-    element.GetMessages().Error(element.GetChild("dmotion").Where() +
-      ": <dmotion> does not move transmittive voxels; give intersectionMode=\"scaled\" or "
+    element.GetMessages().Error(
+      (what ? element.GetChild(what).Where() + ": <" + what + ">" : element.Where() + ": mount") +
+      " does not move transmittive voxels; give intersectionMode=\"scaled\" or "
       "\"fixed\", or remove it");
   }
 }
@@ -430,7 +455,9 @@ void SetMotion(const XmlElement& element, const MotionData& motion, PartData& pa
 PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets)
 {
   PartData part = PartReader(element, assets).Read();
-  const MotionData motion = ReadMotion(element, scene);
+  MotionData motion = ReadMotion(element, scene);
+  motion.Where = element.Where();
+  ReadTrack(element.GetChild("trajectory"), assets, motion.Track);
   SetMotion(element, motion, part);
   for (SwapData& swap : part.Swaps)
   {

@@ -7,6 +7,7 @@
 #include "heliosPartTable.h"
 #include "heliosRowTable.h"
 #include "heliosXmlFilter.h"
+#include "heliosXmlMotion.h"
 #include "heliosXmlPart.h"
 
 #include <algorithm>
@@ -286,6 +287,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets, std::vector<XmlEl
       " has no <part>; add one with a loader: " + JoinChoices(GetLoaders()));
   }
   CheckEpochs(scene, element.GetMessages());
+  CheckMounts(scene.Parts, element.GetMessages());
   return scene;
 }
 

@@ -6,9 +6,11 @@
 #define heliosMotionData_h
 
 #include "heliosPartMotion.h"
+#include "heliosTrajectoryFileData.h"
 
 #include <vtkType.h>
 
+#include <string>
 #include <vector>
 
 namespace helios
@@ -20,8 +22,17 @@ struct MotionData
   vtkIdType Pulses = 1;                  ///< pulses of a channel between two steps
   double Seconds = 0.0; ///< [s], between two steps, instead of pulses; 0: not given
   int Every = 1;        ///< steps per scene update
+  bool IsContinuous = false; ///< every pulse sees it between two steps
+  std::string Where;         ///< of the part
+  std::string Mount;         ///< name of the part that carries it; empty: none
+  TrajectoryFileData Track;  ///< that its frame follows; without a file: none
 
-  bool IsMoving() const { return PartMotion(this->Sequences).IsMoving(); }
+  /// Returns whether it moves by itself, or may be carried.
+  bool IsMoving() const
+  {
+    return !this->Mount.empty() || this->HasOwn() || !this->Track.File.empty();
+  }
+  bool HasOwn() const { return PartMotion(this->Sequences).IsMoving(); }
 };
 
 } // namespace helios

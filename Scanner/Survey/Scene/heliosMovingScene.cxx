@@ -3,8 +3,6 @@
 #include "heliosMovingScene.h"
 
 #include "heliosMessages.h"
-#include "heliosMovingRayCaster.h"
-#include "heliosPulseCount.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSceneMotion.h"
 
@@ -18,38 +16,6 @@
 
 namespace helios
 {
-
-//------------------------------------------------------------------------------
-vtkIdType FindPulseOfStep(const MotionData& motion, const PulseClock& clock, vtkIdType step)
-{
-  if (motion.Seconds > 0.0)
-  {
-    const double time = static_cast<double>(step) * motion.Seconds - clock.StartTime;
-    return CountPulses(time, clock.Rate);
-  }
-  const bool isNever = step > VTK_ID_MAX / motion.Pulses;
-  return isNever ? VTK_ID_MAX : std::max<vtkIdType>(0, step * motion.Pulses - clock.FirstShot);
-}
-
-//------------------------------------------------------------------------------
-vtkIdType FindSeenStep(const MotionData& motion, const PulseClock& clock, vtkIdType pulse)
-{
-  vtkIdType step = 0;
-  if (motion.Seconds > 0.0)
-  {
-    const double time = clock.StartTime + static_cast<double>(pulse) / clock.Rate;
-    step = static_cast<vtkIdType>(std::max(0.0, std::round(time / motion.Seconds)));
-    while (step > 0 && FindPulseOfStep(motion, clock, step) > pulse)
-    {
-      --step; // the pulse counts, not the rounded time
-    }
-  }
-  else
-  {
-    step = (clock.FirstShot + pulse) / motion.Pulses;
-  }
-  return step / motion.Every * motion.Every;
-}
 
 namespace
 {
@@ -137,14 +103,6 @@ vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
     mesh->GetCellData()->SetNormals(normals);
   }
   return mesh;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkHeliosRayCaster> MovingScene::MakeRayCaster(vtkHeliosRayCaster* kind) const
-{
-  auto caster = vtkSmartPointer<MovingRayCaster>::New();
-  caster->SetUp(kind, this->Mesh, this->GetParts());
-  return caster;
 }
 
 //------------------------------------------------------------------------------

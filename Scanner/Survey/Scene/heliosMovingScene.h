@@ -5,6 +5,7 @@
 #ifndef heliosMovingScene_h
 #define heliosMovingScene_h
 
+#include "heliosPulseClock.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
@@ -14,7 +15,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkHeliosRayCaster;
 class vtkHeliosSceneMotion;
 class vtkPolyData;
 
@@ -22,22 +22,6 @@ namespace helios
 {
 
 class Messages;
-
-/// Pulse times of a leg: pulse i leaves at StartTime + i / Rate, as pulse FirstShot + i of the run.
-struct PulseClock
-{
-  vtkIdType FirstShot = 0; ///< pulses of a channel in the legs before
-  double StartTime = 0.0;  ///< [s]
-  double Rate = 1.0;       ///< [Hz]
-};
-
-/// Returns the motion step of a part at a pulse of a leg.
-VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindSeenStep(
-  const MotionData& motion, const PulseClock& clock, vtkIdType pulse);
-
-/// Returns the first pulse of a leg, from 0, after a step of a part.
-VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindPulseOfStep(
-  const MotionData& motion, const PulseClock& clock, vtkIdType step);
 
 /// No overhead without moving parts.
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingScene
@@ -57,9 +41,6 @@ public:
 
   /// Moves the mesh of another scene with the same points and triangles.
   vtkSmartPointer<vtkDataObject> Move(vtkDataObject* scene) const;
-
-  /// Returns a ray caster of a kind that rebuilds only the moving parts.
-  vtkSmartPointer<vtkHeliosRayCaster> MakeRayCaster(vtkHeliosRayCaster* kind) const;
 
   /// Changes when parts have moved.
   vtkMTimeType GetMoveTime() const;

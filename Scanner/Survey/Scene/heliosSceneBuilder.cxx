@@ -141,15 +141,15 @@ void SceneBuilder::MakeParts(int epoch)
       all.push_back(data);
       vtkAlgorithm* source = this->Pipelines.GetSource(*data);
       this->Parts.push_back({ data, &part.Name, source, data->Translation, nullptr });
-      uses[source] += this->MakesInstances && !data->Motion.IsMoving() ? 1 : 0;
+      uses[source] += this->MakesInstances ? 1 : 0;
     }
   }
   this->Pipelines.RemoveOthers(all);
   this->Lowest.Clear();
   for (Part& part : this->Parts)
   {
-    const bool isInstance = !part.Data->IsTurbid() && !part.Data->Motion.IsMoving() &&
-      (this->Pipelines.IsRaster(*part.Data) || uses.at(part.Source) > 1);
+    const bool isInstance =
+      !part.Data->IsTurbid() && (this->Pipelines.IsRaster(*part.Data) || uses.at(part.Source) > 1);
     part.Place = isInstance ? nullptr : this->Pipelines.Make(*part.Data);
   }
 }

@@ -217,12 +217,55 @@ TEST_CASE("SurveyMotion: bad motions are errors", "[SurveyMotion]")
           "</dmotion>" + end,
         { "scene.xml:4:76: a second <dmotion id=\"a\"> in one <part>; give each an id of its "
           "own" } },
+      { file, end,
+        "\n" + Endless(R"(type="reflection" ortho="1;0;0")") +
+          "</part><part id=\"b\" "
+          "motion=\"continuous\"><filter type=\"objloader\"><param type=\"string\" "
+          "key=\"filepath\" value=\"plane.obj\"/></filter>" +
+          Endless(R"(type="rotsym" axis="1;0;0" angle="1")") + end,
+        { "scene.xml:4:",
+          "<motion> type=\"rotsym\" mirrors the part, so there is nothing between "
+          "two steps; set motion=\"steps\" of its <part>" } },
+      { file, "<scene ", "<scene motion=\"smooth\" ", { "motion=\"smooth\" is not valid" } },
       { file, "<scene ", "<scene dynStep=\"0\" ", { "dynStep=\"0\" is out of range" } },
       { file, "<scene ", "<scene dynTimeStep=\"1.5\" ",
         { "dynTimeStep=\"1.5\" is out of range; give a number from 1e-09 to 1 [s]" } },
       { file, "<part ", "<part dynStep=\"-3\" ", { "dynStep=\"-3\" is out of range" } },
       { file, "<part ", "<part kdtDynStep=\"0\" ", { "kdtDynStep=\"0\" is out of range" } },
       { file, "<part ", "<part kdtDynTimeStep=\"2\" ", { "kdtDynTimeStep=\"2\" is out of" } } });
+}
+
+TEST_CASE("SurveyMotion: bad mounts and trajectories are errors", "[SurveyMotion]")
+{
+  const std::string end = "</part>";
+  const std::string other = "<filter type=\"objloader\"><param type=\"string\" key=\"filepath\" "
+                            "value=\"plane.obj\"/></filter></part>";
+  CheckAllRefused(Flight, ThreeLegs,
+    { { "scene.xml", "<part ", "<part mount=\"car\" ",
+        { "scene.xml:1", "mount=\"car\" is no part of the scene; give the id of one" } },
+      { "scene.xml", end,
+        end + "<part id=\"a\" mount=\"b\">" + other + "<part id=\"b\" mount=\"a\">" + other,
+        { "scene.xml:3",
+          "mount=\"b\" carries itself: a on b on a; remove the mount of one of them" } },
+      { "scene.xml", end, "<trajectory/>" + end,
+        { "<trajectory> has no file; give the one with the path of the part" } },
+      { "scene.xml", end, "<trajectory file=\"none.csv\"/>" + end,
+        { "file=\"none.csv\": no such file" } } });
+}
+
+TEST_CASE("SurveyMotion: a trajectory that ends before the survey is an error", "[SurveyMotion]")
+{
+  const Files files;
+  files.Write("short.csv", "3,0,0,0,0,0,0\n3.1,0,0,0,1,0,0\n");
+  files.Replace("scene.xml", "</part>", "<trajectory file=\"short.csv\"/></part>");
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.CheckFails({ "part floor: ",
+    "short.csv has times of the survey from 0 s to 0.1 s, but a leg "
+    "lasts from 0 s to 0.2 s; give a longer trajectory, or another "
+    "tStart" });
 }
 
 TEST_CASE("SurveyMotion: turbid voxels do not move", "[SurveyMotion]")
@@ -304,6 +347,16 @@ TEST_CASE("SurveyMotion: a plate rises under a flight, pulse by pulse", "[Survey
     Move(files, rise, "dynTimeStep=\"0.001\"");
     CheckHeights(Fly(files), [](const Point& p) { return 0.01 * double(p.Pulse / 200); });
   }
+  SECTION("between the steps")
+  {
+    Move(files, rise, "dynStep=\"100\" motion=\"continuous\"");
+    CheckHeights(Fly(files), [](const Point& p) { return 0.0001 * double(p.Pulse); });
+  }
+  SECTION("a part of its own")
+  {
+    Move(files, rise, "dynStep=\"100\" motion=\"continuous\"", "motion=\"steps\"");
+    CheckHeights(Fly(files), [](const Point& p) { return 0.01 * double(p.Pulse / 100); });
+  }
   SECTION("then rests, falls, repeats")
   {
     Move(files,
@@ -379,8 +432,9 @@ TEST_CASE("SurveyMotion: all channels have the same scene", "[SurveyMotion]")
 TEST_CASE("SurveyMotion: byte-identical for any blocks, also when resumed", "[SurveyMotion]")
 {
   const Files files;
+  const std::string kind = GENERATE("steps", "continuous");
   Move(files, Endless(R"(type="rotation" axis="1;2;0" angle="0.03" selfMode="true")"),
-    "dynStep=\"777\"");
+    "dynStep=\"777\" motion=\"" + kind + "\"");
   files.Replace("assets.xml", "beamDivergence_rad=\"0\"", "beamDivergence_rad=\"0.001\"");
   const Reading reading(files, Flight, ThreeLegs);
   const auto setUp = [&files](Playing& playing, const std::string& folder, vtkIdType size)

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneMotions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Returns a place at rest, moved. A place that is none moves as the points of a part do.
+Similarity GetMoved(const Similarity& atRest, const MotionMap& map)
+{
+  Similarity place = atRest;
+  if (!map.Turns)
+  {
+    place.Translation = atRest.Translation + map.Shift;
+    return place;
+  }
+  place.HasRotation = true;
+  place.HasPivot = atRest.IsIdentity();
+  if (place.HasPivot)
+  {
+    place.Turn = map.Linear;
+    place.Pivot = map.Center;
+    place.Translation = map.Shift;
+    return place;
+  }
+  place.Turn = atRest.HasRotation ? map.Linear * atRest.Turn : map.Linear;
+  place.Translation = map * atRest.Translation;
+  return place;
+}
+
+/// A part's instance, on the path of the part.
+class PartTrack : public InstanceTrack
+{
+public:
+  PartTrack(std::unique_ptr<PartPath> path, const Similarity& atRest)
+    : Path(std::move(path))
+    , AtRest(atRest)
+  {
+  }
+
+  void Move(const SceneMoment& moment, Similarity& place) override
+  {
+    if (this->Path->Move(moment, this->Map))
+    {
+      place = GetMoved(this->AtRest, this->Map);
+    }
+  }
+
+  void ComputeBounds(const MomentSpan& span, const double own[6], double bounds[6]) override
+  {
+    const PathBound bound = this->Path->GetBound(span);
+    const Similarity place = GetMoved(this->AtRest, bound.Map);
+    const Vec3 pivot = bound.Map.Center + bound.Map.Shift;
+    double distance = 0.0; // of the farthest corner
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = std::numeric_limits<double>::infinity();
+      bounds[2 * axis + 1] = -std::numeric_limits<double>::infinity();
+    }
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const double p[3] = { own[corner & 1], own[2 + (corner >> 1 & 1)], own[4 + (corner >> 2)] };
+      Vec3 q;
+      place.Apply(p, q.GetData());
+      distance = std::max(distance, (q - pivot).Norm());
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bounds[2 * axis] = std::min(bounds[2 * axis], q[axis]);
+        bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], q[axis]);
+      }
+    }
+    const double rounding = 1e-12 * (distance + bound.Shift);
+    const double reach = bound.GetReach(distance) + rounding;
+    const double ball = bound.Shift + distance + rounding;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = std::max(bounds[2 * axis] - reach, pivot[axis] - ball);
+      bounds[2 * axis + 1] = std::min(bounds[2 * axis + 1] + reach, pivot[axis] + ball);
+    }
+  }
+
+  Vec3 GetVelocity(const SceneMoment& moment, const Vec3& point) override
+  {
+    return this->Path->GetRates(moment).GetVelocity(point);
+  }
+
+  Pose GetPose(const SceneMoment& moment) override
+  {
+    this->Path->Move(moment, this->Map);
+    Pose pose;
+    pose.Position = this->Map.Shift;
+    if (this->Map.Turns)
+    {
+      double m[3][3];
+      std::copy_n(&this->Map.Linear.M[0][0], 9, &m[0][0]);
+      pose.Orientation.FromMatrix3x3(m);
+      pose.Orientation.Normalize();
+    }
+    return pose;
+  }
+
+private:
+  std::unique_ptr<PartPath> Path;
+  Similarity AtRest;
+  MotionMap Map;
+};
+
+} // namespace
+
+//------------------------------------------------------------------------------
+SceneMotions::SceneMotions(std::shared_ptr<const Content> content, const PulseClock& clock)
+  : Shared(std::move(content))
+  , Clock(clock)
+{
+}
+
+//------------------------------------------------------------------------------
+int SceneMotions::GetNumberOfTracks() const
+{
+  return static_cast<int>(this->Shared->Instances.size());
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<InstanceTrack> SceneMotions::MakeTrack(int motion) const
+{
+  const Instance& instance = this->Shared->Instances[static_cast<std::size_t>(motion)];
+  return std::make_unique<PartTrack>(this->MakePath(instance.Part), instance.AtRest);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<PartPath> SceneMotions::MakePath(std::size_t number) const
+{
+  const MovingPartData& part = this->Shared->Parts[number];
+  std::unique_ptr<PartPath> path;
+  if (part.Motion && part.Data.IsContinuous)
+  {
+    path = std::make_unique<ContinuousPath>(part.Data, part.Motion, this->Clock);
+  }
+  else if (part.Motion)
+  {
+    path = std::make_unique<StepPath>(part.Data, part.Motion, this->Clock);
+  }
+  if (part.Track)
+  {
+    path =
+      std::make_unique<MountedPath>(std::make_unique<TrajectoryPath>(part.Track), std::move(path));
+  }
+  if (part.Carrier != MovingPartData::None)
+  {
+    path = std::make_unique<MountedPath>(this->MakePath(part.Carrier), std::move(path));
+  }
+  return path;
+}
+
+//------------------------------------------------------------------------------
+MomentSpan SceneMotions::GetSpan(const SceneMoment& moment, vtkIdType pulses) const
+{
+  MomentSpan span;
+  span.First = moment.Pulse / pulses * pulses;
+  span.Last = span.First + pulses - 1;
+  const auto getTime = [this](vtkIdType pulse)
+  { return this->Clock.StartTime + static_cast<double>(pulse) / this->Clock.Rate; };
+  span.Start = std::min(moment.Time, getTime(span.First - 1));
+  span.End = std::max(moment.Time, getTime(span.Last + 1));
+  return span;
+}
+
+} // namespace helios

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The motions of the parts of a scene during a leg.
+
+#ifndef heliosSceneMotions_h
+#define heliosSceneMotions_h
+
+#include "heliosInstanceMotion.h"
+#include "heliosPartPath.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// A part that moves.
+struct MovingPartData
+{
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  std::string Name;
+  MotionData Data;
+  std::shared_ptr<const PartMotion> Motion; ///< null: none of its own
+  std::shared_ptr<const Trajectory> Track;  ///< null: it follows none
+  std::size_t Carrier = None;               ///< number of the part that carries it
+};
+
+/// The motions of instances: each belongs to a part, at its place at rest.
+class SceneMotions : public InstanceMotions
+{
+public:
+  struct Instance
+  {
+    std::size_t Part;
+    Similarity AtRest;
+  };
+  /// What does not depend on the leg.
+  struct Content
+  {
+    std::vector<MovingPartData> Parts;
+    std::vector<Instance> Instances; ///< by MotionIds
+  };
+
+  SceneMotions(std::shared_ptr<const Content> content, const PulseClock& clock);
+
+  int GetNumberOfTracks() const override;
+  std::unique_ptr<InstanceTrack> MakeTrack(int motion) const override;
+  MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override;
+
+private:
+  std::unique_ptr<PartPath> MakePath(std::size_t part) const;
+
+  std::shared_ptr<const Content> Shared;
+  PulseClock Clock;
+};
+
+} // namespace helios
+
+#endif
