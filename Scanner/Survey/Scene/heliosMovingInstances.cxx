@@ -297,7 +297,7 @@ std::set<std::size_t> FindMoving(const std::vector<PartData>& parts)
   {
     std::size_t at = i; // mounts have no cycles
     while (!parts[at].Motion.HasOwn() && parts[at].Motion.Track.File.empty() &&
-      names.count(parts[at].Motion.Mount) > 0)
+      !parts[at].Motion.Mount.empty() && names.count(parts[at].Motion.Mount) > 0)
     {
       at = names.at(parts[at].Motion.Mount);
     }

@@ -221,17 +221,20 @@ TEST_CASE("MovingInstances: hits and cones equal those of copies at every step, 
     const vtkIdType pulse = 10 * step + 3;
     moving->MoveTo({ pulse, 0.001 * static_cast<double>(pulse) });
     kind->Intersect(rays.data(), expected.data(), count);
+    int wrong = 0;
     int numberOfHits = 0;
     for (const int raysPerBeam : { 1, 4 })
     {
       moving->IntersectBeams(rays.data(), hits.data(), raysPerBeam, count / raysPerBeam);
       for (std::size_t i = 0; i < hits.size(); ++i)
       {
-        REQUIRE(hits[i].CellId == expected[i].CellId);
-        REQUIRE(hits[i].Range == expected[i].Range);
+        const bool isSame =
+          hits[i].CellId == expected[i].CellId && hits[i].Range == expected[i].Range;
+        wrong += isSame ? 0 : 1;
         numberOfHits += hits[i].CellId >= 0 ? 1 : 0;
       }
     }
+    CHECK(wrong == 0);
     CHECK(numberOfHits > 100);
     std::vector<unsigned char> occluded(rays.size());
     moving->Occluded(rays.data(), occluded.data(), count);
@@ -239,19 +242,16 @@ TEST_CASE("MovingInstances: hits and cones equal those of copies at every step, 
     const helios::ConeProbe* ofKind = kind->GetConeProbe();
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
-      REQUIRE((occluded[i] != 0) == (expected[i].CellId >= 0));
       const vtkHeliosConeHit whole = ofKind->Probe(rays[i].Origin, up, 0.001, 0.01);
       const vtkHeliosConeHit hit = ofMoving->Probe(rays[i].Origin, up, 0.001, 0.01);
-      REQUIRE(hit.Kind == whole.Kind);
-      REQUIRE(hit.CellId == whole.CellId);
-      REQUIRE(hit.Range == whole.Range);
+      const vtkIdType cell = expected[i].CellId;
+      const bool isSame = (occluded[i] != 0) == (cell >= 0) && hit.Kind == whole.Kind &&
+        hit.CellId == whole.CellId && hit.Range == whole.Range &&
+        (cell < 0 || moving->GetGeometry().GetNormal(cell) == kind->GetGeometry().GetNormal(cell));
+      wrong += isSame ? 0 : 1;
       numberOfCones += hit.Kind == vtkHeliosConeHit::PlanarFootprint ? 1 : 0;
-      if (expected[i].CellId >= 0)
-      {
-        REQUIRE(moving->GetGeometry().GetNormal(expected[i].CellId) ==
-          kind->GetGeometry().GetNormal(expected[i].CellId));
-      }
     }
+    CHECK(wrong == 0);
     CHECK(numberOfCones > 0);
   }
 }
@@ -277,7 +277,8 @@ TEST_CASE("MovingInstances: a part that moves continuously is where it is at the
     const helios::Pose pose = track->GetPose({ pulse, time });
     CHECK((pose.Position - time * 100.0 * Vec3(1.0, 0.0, 2.0)).Norm() < 1e-12);
     const double angle = time * 100.0 * vtkMath::Pi() / 2.0;
-    CHECK(std::abs(pose.Orientation.GetW()) == Approx(std::abs(std::cos(0.5 * angle))));
+    CHECK(
+      std::abs(pose.Orientation.GetW()) == Approx(std::abs(std::cos(0.5 * angle))).margin(1e-9));
     // velocities are derivatives
     const Vec3 p(3.0, -4.0, 5.0);
     Vec3 before, after;
