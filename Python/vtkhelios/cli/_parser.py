@@ -76,6 +76,12 @@ class Parser(argparse.ArgumentParser):
                 self.error(self.explain_unknown(option))
         return super().parse_known_args(args, namespace)
 
+    def error(self, message):
+        """Ends with one line: the error and what helps."""
+        words = " ".join(message.split())
+        hint = "" if "did you mean" in words or "--help" in words else f"; see {self.prog} --help"
+        self.exit(2, f"error: {words}{hint}\n")
+
     def explain_unknown(self, word):
         """The message for an option that does not exist."""
         best = nearest(word, list(self._option_string_actions))
@@ -89,5 +95,5 @@ class Parser(argparse.ArgumentParser):
             raise argparse.ArgumentError(None, f"a command is missing: {self.prog} run {value}")
         best = nearest(str(value), list(action.choices))
         known = ", ".join(action.choices)
-        hint = f"did you mean {best}? (known: {known})" if best else f"known: {known}"
+        hint = f"did you mean {best}?" if best else f"known: {known}"
         raise argparse.ArgumentError(action, f"unknown {value!r}: {hint}")

@@ -128,6 +128,7 @@ def add_plan_arguments(parser):
     add_assets_argument(parser)
     parser.add_argument(
         "--output",
+        "-o",
         metavar="DIR",
         default="output",
         help="where the files go (default: %(default)s)",

@@ -101,7 +101,7 @@ def add_arguments(parser):
     )
     add_height_unit_argument(parser)
     parser.add_argument(
-        "--output", metavar="FILE.html", help="write a page, and its JSON beside it"
+        "--output", "-o", metavar="FILE.html", help="write a page, and its JSON beside it"
     )
     parser.add_argument("--overwrite", action="store_true", help="replace existing files")
     parser.add_argument("--json", action="store_true", help="print the results as JSON")

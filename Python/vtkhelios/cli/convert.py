@@ -3,6 +3,7 @@
 """vtkhelios convert: points from one format to another."""
 
 import argparse
+import json
 import pathlib
 import time
 
@@ -17,6 +18,7 @@ from . import _meshes
 from ._messages import Messages
 from ._parser import number, whole_number
 from ._progress import make_progress
+from ._standard import NAME, folder_of_standard, is_standard, read_input, write_output
 from ._stopping import set_outcome
 from ._task import Task
 from ._units import add_height_unit_argument
@@ -61,6 +63,8 @@ examples:
   vtkhelios convert a.las internal.las --waveforms internal
   vtkhelios convert delft.city.json delft.obj
   vtkhelios convert survey.xml survey.yaml
+  vtkhelios convert village.laz - | head               as CSV to standard output
+  pdal ... | vtkhelios convert - village.las --from csv
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
 """
@@ -81,12 +85,27 @@ def class_list(text):
 
 def add_arguments(parser):
     parser.epilog = EPILOG
-    parser.add_argument("inputs", metavar="INPUT", nargs="+", help="a file, or the folder of a run")
-    parser.add_argument("output", metavar="OUTPUT", help="a file; with --format, a folder")
+    parser.usage = "%(prog)s [options] INPUT [INPUT ...] OUTPUT"
+    parser.add_argument(
+        "inputs",
+        metavar="FILE",
+        nargs="+",
+        help="files, folders of runs, or - (standard input); the last one is OUTPUT, a file, - "
+        "(standard output), or with --format a folder",
+    )
+    parser.add_argument("--output", "-o", metavar="FILE", help="OUTPUT; all others are then inputs")
     parser.add_argument(
         "--format",
         choices=[kind[1:] for kind in formats.WRITTEN],
-        help="OUTPUT is a folder: one file of this format per input, or per leg of a run",
+        help="OUTPUT is a folder: one file of this format per input, or per leg of a run; or the format "
+        "of standard output (default of that: csv)",
+    )
+    parser.add_argument(
+        "--from",
+        dest="source_format",
+        choices=[kind[1:] for kind in formats.FORMATS],
+        default="xyz",
+        help="format of standard input (default: %(default)s)",
     )
     parser.add_argument("--merge", action="store_true", help="merge several inputs into one file")
     parser.add_argument("--overwrite", action="store_true", help="replace existing files")
@@ -133,12 +152,21 @@ def add_arguments(parser):
         help="LAS and LAZ: store waveform packets in the file, or beside it as .wdp (default: "
         "unchanged)",
     )
+    parser.add_argument("--json", action="store_true", help="print the results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
 def run(arguments):
-    with Messages(quiet=arguments.quiet) as messages:
+    if arguments.output is None:
+        arguments.output = arguments.inputs.pop()
+    is_text = not (arguments.json or is_standard(arguments.output))
+    with Messages(quiet=arguments.quiet, results=is_text) as messages:
+        if not arguments.inputs:
+            messages.error(f"OUTPUT is missing: the only file is {arguments.output}")
+            return 2
         try:
+            if is_standard(arguments.output) or NAME in arguments.inputs:
+                return convert_standard(arguments, messages)
             if is_document(arguments.inputs[0]) and is_document(arguments.output):
                 return convert_document(arguments, messages)
             if arguments.output.lower().endswith(".obj"):
@@ -156,6 +184,33 @@ def run(arguments):
         except MemoryError:
             messages.error("not enough memory; give --every, or fewer inputs")
         return 1
+
+
+def convert_standard(arguments, messages):
+    """Converts standard input, or to standard output; returns an exit code."""
+    to_output = is_standard(arguments.output)
+    if to_output and arguments.json:
+        raise formats.FormatError("-: standard output has the points; leave --json out")
+    with folder_of_standard() as folder:
+        given = folder / f"standard-input.{arguments.source_format}"
+        if arguments.inputs.count(NAME) > 1:
+            raise formats.FormatError("-: standard input is one file; give it once")
+        if NAME in arguments.inputs:
+            read_input(given)
+        arguments.inputs = [str(given) if each == NAME else each for each in arguments.inputs]
+        if to_output:
+            arguments.output = str(folder / f"standard-output.{arguments.format or 'csv'}")
+            arguments.format = None
+        arguments.label = lambda text: str(text).replace(str(given), NAME)
+        try:
+            conversions = plan(arguments)
+            refuse(conversions, arguments.overwrite)
+            code = convert_all(conversions, arguments, messages)
+        except formats.FormatError as error:
+            raise formats.FormatError(arguments.label(error)) from None
+        if to_output:
+            write_output(arguments.output)
+        return code
 
 
 def convert_document(arguments, messages):
@@ -176,6 +231,8 @@ def convert_document(arguments, messages):
     except ValueError as error:
         raise formats.FormatError(str(error)) from None
     messages.info(f"written  {target}")
+    if arguments.json:
+        print(json.dumps([{"file": str(target), "inputs": [{"file": source}]}], indent=2))
     return 0
 
 
@@ -255,6 +312,7 @@ def refuse(conversions, overwrite):
 
 
 def convert_all(conversions, arguments, messages):
+    results = []
     for conversion in conversions:
         task = Task(pathlib.Path(conversion.output).name)
         start = time.monotonic()
@@ -262,16 +320,42 @@ def convert_all(conversions, arguments, messages):
         with make_progress(task, messages, quiet=arguments.quiet):
             conversion.run(task)
         set_outcome(f"{conversion.output} is written")
-        conclude(conversion, time.monotonic() - start, messages)
+        seconds = time.monotonic() - start
+        label = getattr(arguments, "label", str)  # standard input has another name
+        conclude(conversion, seconds, messages, label)
+        results.append(describe(conversion, seconds, label))
+    if arguments.json:
+        print(json.dumps(results, indent=2))
     return 0
 
 
-def conclude(conversion, seconds, messages):
+def describe(conversion, seconds, label):
+    """Returns the result of a conversion as a dictionary."""
+    return {
+        "file": conversion.output,
+        "points": conversion.count,
+        "bytes": size_of(conversion),
+        "seconds": round(seconds, 3),
+        "inputs": [
+            {"file": label(path), "kind": kind, "points": count}
+            for path, kind, count in conversion.kinds
+        ],
+        "dropped": conversion.lost,
+        "skippedPoints": conversion.selection.invalid,
+        "warnings": [label(note) for note in dict.fromkeys(conversion.notes)],
+    }
+
+
+def size_of(conversion):
+    return sum(path.stat().st_size for path in conversion.files() if path.exists())
+
+
+def conclude(conversion, seconds, messages, label):
     """Reports the result."""
     for note in dict.fromkeys(conversion.notes):
-        messages.warning(note)
+        messages.warning(label(note))
     for path, kind, count in conversion.kinds:
-        messages.info(f"input    {path}: {kind}, {counted(count, 'point')}")
+        messages.info(f"input    {label(path)}: {kind}, {counted(count, 'point')}")
     reasons = {}
     for name, reason in conversion.lost.items():
         reasons.setdefault(reason, []).append(name)
@@ -281,7 +365,7 @@ def conclude(conversion, seconds, messages):
         messages.info(
             f"skipped  {counted(conversion.selection.invalid, 'point')} that are not finite"
         )
-    size = sum(path.stat().st_size for path in conversion.files() if path.exists())
+    size = size_of(conversion)
     messages.info(
         f"output   {conversion.output}: {counted(conversion.count, 'point')}, {readable(size)}, "
         f"{seconds:.2f} s, {conversion.count / max(seconds, 1e-9) / 1e6:.2f} M points/s"

@@ -3,6 +3,7 @@
 """vtkhelios detect: re-runs echo detection on stored waveforms."""
 
 import argparse
+import json
 import os
 import pathlib
 import sys
@@ -145,6 +146,7 @@ def add_arguments(parser):
     )
     add_plugin_argument(parser)
     add_threads_argument(parser)
+    parser.add_argument("--json", action="store_true", help="print the results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
@@ -157,7 +159,7 @@ def run(arguments):
             file=sys.stderr,
         )
         return 2
-    with Messages(quiet=arguments.quiet) as messages:
+    with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         try:
             reader = make_waveform_reader(arguments.waveforms, arguments.one_way)
@@ -252,4 +254,7 @@ def conclude(arguments, writer, messages):
     set_outcome(f"{arguments.output} is written")
     set_unfinished(part_name(arguments), False)
     messages.info(f"points   {count:,} by {arguments.detector} in {arguments.output}")
+    if arguments.json:
+        result = {"file": arguments.output, "points": count, "detector": arguments.detector}
+        print(json.dumps(result, indent=2))
     return 0

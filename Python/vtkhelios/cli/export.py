@@ -3,6 +3,7 @@
 """vtkhelios export: a run in the layout of a public data set."""
 
 import argparse
+import json
 import pathlib
 
 from .. import formats, learning
@@ -64,7 +65,10 @@ def window(text):
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("folder", metavar="RUN", help="the folder of a run")
-    parser.add_argument("output", metavar="OUT", help="a new folder")
+    parser.add_argument(
+        "output", metavar="OUT", nargs="?", default=argparse.SUPPRESS, help="a new folder"
+    )
+    parser.add_argument("--output", "-o", metavar="FOLDER", help="OUT, by an option")
     layouts = parser.add_mutually_exclusive_group(required=True)
     for name in ("kitti", "semantickitti", "s3dis", "mcap"):
         layouts.add_argument(f"--{name}", dest="layout", action="store_const", const=name,
@@ -77,11 +81,15 @@ def add_arguments(parser):
         help=f"duration of a scan [s], or leg: a scan is a leg (default: {WINDOW})",
     )
     parser.add_argument("--labels", metavar="FILE", help="labels of classes and materials (JSON)")
+    parser.add_argument("--json", action="store_true", help="print the results as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
 def run(arguments):
-    with Messages(quiet=arguments.quiet) as messages:
+    with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
+        if arguments.output is None:
+            messages.error("OUT is missing: give the name of a new folder")
+            return 2
         try:
             return export(arguments, messages)
         except (formats.FormatError, ImportError) as error:
@@ -111,6 +119,14 @@ def export(arguments, messages):
     messages.info(
         f"{arguments.layout} {output}: {counted(scans, 'scan')}, {counted(points, 'point')}"
     )
+    if arguments.json:
+        result = {
+            "folder": str(output),
+            "layout": arguments.layout,
+            "scans": scans,
+            "points": points,
+        }
+        print(json.dumps(result, indent=2))
     return 0
 
 

@@ -59,7 +59,9 @@ exit codes: 0 done; 1 failed (the reason is on standard error), 2 wrong usage, 1
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("clouds", metavar="CLOUD", nargs="+", help="a file, or a folder of files")
-    parser.add_argument("--output", metavar="FOLDER", help="write the scanner and the survey there")
+    parser.add_argument(
+        "--output", "-o", metavar="FOLDER", help="write the scanner and the survey there"
+    )
     parser.add_argument(
         "--scene",
         metavar="FILE.xml#ID",

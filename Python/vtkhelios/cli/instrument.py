@@ -8,6 +8,7 @@ from ..core.files import cannot_be_written, write_whole
 from ..formats import FormatError
 from ..surveys import instruments, measured_pulse
 from ._messages import Messages
+from ._standard import folder_of_standard, is_standard, read_input
 
 SUMMARY = "write a scanner from the calibration of its manufacturer, or its recorded pulse"
 
@@ -22,6 +23,7 @@ and powers for <FWFSettings pulseShape="pulse.csv"/>.
 examples:
   vtkhelios instrument os1.json --output os1.xml
   vtkhelios instrument os1.json --id roof_lidar > os1.xml
+  curl http://SENSOR/api/v1/sensor/metadata | vtkhelios instrument - > os1.xml
   vtkhelios instrument flight.pls --output pulse.csv
 
 exit codes: 0 done, 1 failed, 2 wrong usage.
@@ -31,13 +33,18 @@ exit codes: 0 done, 1 failed, 2 wrong usage.
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument(
-        "path", metavar="FILE", help="metadata of an Ouster sensor (.json), or PulseWaves (.pls)"
+        "path",
+        metavar="FILE",
+        help="metadata of an Ouster sensor (.json; - is standard input), or PulseWaves (.pls)",
     )
     parser.add_argument("--id", help="id of the scanner; default: of product and mode")
     parser.add_argument("--output", "-o", metavar="FILE", help="the file; default: print it")
 
 
 def _read(arguments):
+    if is_standard(arguments.path):
+        with folder_of_standard() as folder:
+            return instruments.read_ouster(read_input(folder / "metadata.json"), arguments.id)
     path = pathlib.Path(arguments.path)
     if path.suffix.lower() != ".pls":
         return instruments.read_ouster(arguments.path, arguments.id)

@@ -55,7 +55,7 @@ def add_arguments(parser):
         help="a folder to search first for scenes, scanners and platforms; may be repeated",
     )
     parser.add_argument(
-        "--output", metavar="DIR", help="where the files go (default: where the parts are)"
+        "--output", "-o", metavar="DIR", help="where the files go (default: where the parts are)"
     )
     run_command.add_earlier_run_arguments(parser)
     add_threads_argument(parser)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios new: a folder with an example survey to start from."""
 
+import json
 import os
 import pathlib
 import shlex
@@ -38,10 +39,11 @@ def add_arguments(parser):
         default="tls",
         help="what to make: %(choices)s (default: %(default)s)",
     )
+    parser.add_argument("--json", action="store_true", help="print the files as JSON")
 
 
 def run(arguments):
-    with Messages() as messages:
+    with Messages(results=not arguments.json) as messages:
         try:
             files = write_example(arguments.kind, arguments.name)
         except FileExistsError as error:
@@ -53,6 +55,13 @@ def run(arguments):
         folder = pathlib.Path(os.path.abspath(arguments.name))
         names = ", ".join(sorted(str(path.relative_to(folder)) for path in files))
         messages.info(f"{arguments.name}: {KINDS[arguments.kind]}: {names}")
+        if arguments.json:
+            result = {
+                "folder": arguments.name,
+                "kind": arguments.kind,
+                "survey": f"{folder.name}.xml",
+            }
+            print(json.dumps({**result, "files": names.split(", ")}, indent=2))
         messages.info("to run it:")
         messages.info(f"  cd {shlex.quote(arguments.name)}")
         messages.info(f"  vtkhelios run {shlex.quote(folder.name)}.xml")

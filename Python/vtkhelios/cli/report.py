@@ -49,7 +49,10 @@ def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("folder", metavar="RUN", help="the folder of a run")
     parser.add_argument(
-        "--output", metavar="FILE", help="the page (default: report.html in the folder of the run)"
+        "--output",
+        "-o",
+        metavar="FILE",
+        help="the page (default: report.html in the folder of the run)",
     )
     parser.add_argument(
         "--cell",

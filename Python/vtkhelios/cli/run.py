@@ -44,6 +44,7 @@ def add_arguments(parser):
     add_assets_argument(parser)
     parser.add_argument(
         "--output",
+        "-o",
         metavar="DIR",
         default=player.GetOutputDirectory(),
         help="where the files go (default: %(default)s)",

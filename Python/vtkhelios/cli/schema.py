@@ -46,6 +46,7 @@ def add_arguments(parser):
     what = parser.add_mutually_exclusive_group()
     what.add_argument(
         "--output",
+        "-o",
         metavar="DIR",
         help="write helios.xsd and the files that include it to this folder",
     )

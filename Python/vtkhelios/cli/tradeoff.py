@@ -137,6 +137,7 @@ def add_arguments(parser):
     add_assets_argument(parser)
     parser.add_argument(
         "--output",
+        "-o",
         metavar="DIR",
         default=vtkhelios.vtkHeliosSurveyPlayer().GetOutputDirectory(),
         help="where the files go; existing ones are replaced (default: %(default)s)",

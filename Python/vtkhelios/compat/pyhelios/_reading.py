@@ -29,7 +29,9 @@ def read(path, assets):
         try:
             survey = read_survey(whole, [*assets, pathlib.Path(path).resolve().parent])
         except PipelineError as error:
-            raise PipelineError([str(error).replace(str(whole), str(path))]) from None
+            looked_up = rf"{re.escape(folder)}/[^,:]*, "  # in vain, in the temporary folder
+            text = re.sub(looked_up, "", str(error).replace(str(whole), str(path)))
+            raise PipelineError([text]) from None
     for index in reversed(range(LEGS)):
         survey.vtk.RemoveLeg(index)
     survey.path = path

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Standard input and output as files, named -: formats need files that can be searched."""
+
+import contextlib
+import pathlib
+import shutil
+import sys
+import tempfile
+
+NAME = "-"
+BLOCK = 1 << 20  # bytes copied at a time
+
+
+def is_standard(path):
+    """Returns whether a path is standard input or output."""
+    return str(path) == NAME
+
+
+@contextlib.contextmanager
+def folder_of_standard():
+    """Yields an empty folder, which is removed at the end."""
+    with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
+        yield pathlib.Path(folder)
+
+
+def read_input(path):
+    """Copies standard input to a file; returns its path."""
+    with open(path, "wb") as file:
+        shutil.copyfileobj(sys.stdin.buffer, file, BLOCK)
+    return path
+
+
+def write_output(path):
+    """Copies a file to standard output. Raises OSError."""
+    sys.stdout.flush()
+    with open(path, "rb") as file:
+        shutil.copyfileobj(file, sys.stdout.buffer, BLOCK)
+    sys.stdout.buffer.flush()
