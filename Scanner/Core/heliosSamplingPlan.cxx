@@ -101,7 +101,7 @@ struct CellLaw
   double Range; ///< [m]
   double Cells, Power;
 };
-constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 1.05 }, { 1e-3, 440.0, 0.54 },
+constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 0.9 }, { 1e-3, 440.0, 0.54 },
   { 0.0, 440.0, 0.7 } };
 constexpr double CellsForEnergy = 75.0; // at 1 %
 constexpr double CellPower = 0.62;

@@ -24,10 +24,6 @@ constexpr double MinimumRest = 1e-4;
 constexpr double RestPerError = 30.0;
 constexpr double Flatness = 1e-3; // flatness of a facet, in the depth
 constexpr double MaximumStrips = 4096.0;
-constexpr double Curvature = 0.1; // largest spread of ranges at one depth, in the depth of a part
-constexpr double MaximumTiles = 128.0;    // across the beam
-constexpr std::size_t SmallestCrowd = 12; // surfaces
-constexpr std::size_t LargestShare = 2; // triangles of a crowd, in its surfaces: others are joined
 
 /// Returns whether a triangle is met in the direction of a point.
 bool IsInside(const double p[3], const ConeTriangle& triangle)
@@ -98,41 +94,6 @@ bool Footprint::Collect(const ConeProbe& probe, const double origin[3], const do
 }
 
 //------------------------------------------------------------------------------
-/// Projects the triangles of a view as they are, if they are a crowd. What decides on that is the same
-/// whether or not the view has triangles that do not touch the beam.
-bool Footprint::CollectCrowd()
-{
-  if (!this->Settings.IsCrowd || this->Settings.ApexOffset > 0.0 ||
-    this->View.Triangles.size() < SmallestCrowd)
-  {
-    return false;
-  }
-  const double tangent = this->Projection.Tangent;
-  this->Faces.Clear();
-  const Crowd crowd = this->Faces.AddTriangles(this->View, this->Ellipse, tangent, this->Facets);
-  const double* gate = this->Settings.Gate;
-  const bool meetsGate = std::any_of(gate, gate + 2,
-    [&crowd](double limit) { return limit > crowd.Nearest && limit < crowd.Farthest; });
-  const bool isWorthJoining = crowd.Triangles > LargestShare * crowd.Surfaces;
-  if (meetsGate || isWorthJoining || crowd.Surfaces < SmallestCrowd ||
-    this->GetNumberOfTiles(crowd.Farthest) > 1 ||
-    !this->Settings.IsCrowd(crowd.Surfaces, crowd.Layers))
-  {
-    return false;
-  }
-  this->Crowded = crowd;
-  this->TilesAcross = 1;
-  this->Surfaces.Project(this->Facets, this->Projection);
-  for (std::size_t i = 0; i < this->Surfaces.GetNumberOfFaces(); ++i)
-  {
-    VisibleSurfaces::Face face = this->Surfaces.GetFace(i);
-    face.Facet = FacePlane::None;
-    this->Faces.Add(face);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 bool Footprint::MeetsGate() const
 {
   return std::any_of(std::begin(this->Settings.Gate), std::end(this->Settings.Gate),
@@ -189,55 +150,6 @@ void Footprint::StretchFacets()
     for (int corner = 0; corner < facet.Size; ++corner)
     {
       this->Ellipse.ToCircle(facet.Corners[corner]);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/// Returns the number of tiles across the beam. The ranges at one depth spread over depth T^2 r^2 / 2:
-/// tiles are so small that they do so over a fraction of the depth of a part.
-int Footprint::GetNumberOfTiles(double farthest) const
-{
-  const double tangent = this->Projection.Tangent;
-  const double spread = 0.5 * tangent * tangent * farthest;
-  const double limit = Curvature * this->Settings.Depth;
-  // A tile at the rim is 2 / count of the radius, and twice as much of its square.
-  const double count = std::clamp(std::ceil(4.0 * spread / limit), 2.0, MaximumTiles);
-  return spread > limit ? static_cast<int>(count) : 1;
-}
-
-//------------------------------------------------------------------------------
-void Footprint::SetTiles()
-{
-  double minimum = HUGE_VAL; // inverse depth
-  for (std::size_t i = 0; i < this->GetNumberOfFaces(); ++i)
-  {
-    minimum = std::min(minimum, this->Surfaces.GetFace(i).Minimum);
-  }
-  this->TilesAcross = this->GetNumberOfTiles(1.0 / minimum);
-}
-
-//------------------------------------------------------------------------------
-/// Adds a polygon of a face of a wide beam, in tiles.
-void Footprint::AddTiles(
-  const FacePlane& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
-{
-  const double size = 2.0 / this->TilesAcross;
-  Polygon restX = polygon;
-  for (int i = 1; i <= this->TilesAcross && !restX.IsEmpty(); ++i)
-  {
-    const HalfPlane left{ -1.0, 0.0, i * size - 1.0 };
-    Polygon restY = i < this->TilesAcross ? Clip(restX, left) : restX;
-    restX = Clip(restX, left.GetOpposite());
-    for (int k = 1; k <= this->TilesAcross && !restY.IsEmpty(); ++k)
-    {
-      const HalfPlane below{ 0.0, -1.0, k * size - 1.0 };
-      const Polygon tile = k < this->TilesAcross ? Clip(restY, below) : restY;
-      restY = Clip(restY, below.GetOpposite());
-      if (!tile.IsEmpty() && PolygonBounds(tile).MayTouchUnitCircle())
-      {
-        this->AddPart(face, this->Beam.Integrate(tile), parts);
-      }
     }
   }
 }

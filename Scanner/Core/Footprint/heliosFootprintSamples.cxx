@@ -9,7 +9,49 @@
 
 namespace helios
 {
+namespace
+{
 
+constexpr std::size_t SmallestCrowd = 12; // surfaces
+constexpr std::size_t LargestShare = 2; // triangles of a crowd, in its surfaces: others are joined
+
+} // namespace
+
+/// Projects the triangles of a view as they are, if they are a crowd. What decides on that is the same
+/// whether or not the view has triangles that do not touch the beam.
+bool Footprint::CollectCrowd()
+{
+  if (!this->Settings.IsCrowd || this->Settings.ApexOffset > 0.0 ||
+    this->View.Triangles.size() < SmallestCrowd)
+  {
+    return false;
+  }
+  const double tangent = this->Projection.Tangent;
+  this->Faces.Clear();
+  const Crowd crowd = this->Faces.AddTriangles(this->View, this->Ellipse, tangent, this->Facets);
+  const double* gate = this->Settings.Gate;
+  const bool meetsGate = std::any_of(gate, gate + 2,
+    [&crowd](double limit) { return limit > crowd.Nearest && limit < crowd.Farthest; });
+  const bool isWorthJoining = crowd.Triangles > LargestShare * crowd.Surfaces;
+  if (meetsGate || isWorthJoining || crowd.Surfaces < SmallestCrowd ||
+    this->GetNumberOfTiles(crowd.Farthest) > 1 ||
+    !this->Settings.IsCrowd(crowd.Surfaces, crowd.Layers))
+  {
+    return false;
+  }
+  this->Crowded = crowd;
+  this->TilesAcross = 1;
+  this->Surfaces.Project(this->Facets, this->Projection);
+  for (std::size_t i = 0; i < this->Surfaces.GetNumberOfFaces(); ++i)
+  {
+    VisibleSurfaces::Face face = this->Surfaces.GetFace(i);
+    face.Facet = FacePlane::None;
+    this->Faces.Add(face);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 /// Returns whether the corners of a face are within one step of depth, and not across the gate.
 bool Footprint::HasNoCuts(const FacePlane& face) const
 {

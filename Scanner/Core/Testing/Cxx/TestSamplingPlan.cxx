@@ -46,7 +46,7 @@ TEST_CASE(
 {
   const helios::SamplingPlan fine = PlanSampling({ 1e-3, 1e-2 }, 1.7);
   const helios::SamplingPlan coarse = PlanSampling({ 3e-2, 3e-1 }, 1.7);
-  CHECK(coarse.GetCellsAcross(1) == 40);
+  CHECK(coarse.GetCellsAcross(1) == 48);
   CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).GetCellsAcross(1) == 16);
   CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).GetCellsAcross(1) == 80);
   CHECK(fine.PrefersCells(160, 6.0));
