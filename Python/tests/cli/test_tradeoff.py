@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -23,10 +24,9 @@ import vtkhelios
 from vtkhelios.scenes import meshes as meshes
 from vtkhelios.surveys.accuracy import MEASURES, Estimate, Sampler
 from vtkhelios.core.pipeline import PipelineError
-from vtkhelios.surveys.text import has_survey, with_ray_caster, with_sampling
 from vtkhelios.surveys.tradeoff_run import confirm
 from vtkhelios.reports.tradeoff_pictures import make_picture
-from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes
+from vtkhelios.cli.tradeoff import explain_none, fraction, length, minutes, set_options
 
 SETTINGS = ("survey", "sub-rays", "tolerance")  # names that a survey can use; some ray casters, too
 ROOM = "".join(
@@ -348,49 +348,30 @@ def test_a_survey_without_echoes_is_an_error(make_survey):
         survey.tradeoff(pulses=20)
 
 
-SURVEYS = [
-    b"<document><survey name=\"a\" x='1 > 0'/></document>",
-    b'<document><!-- <survey> --><survey name="a">\n<leg/></survey></document>',
-    b'<survey rangeTolerance_m="0.5"><FWFSettings binSize_ns="1" beamSampleQuality = \'9\'/></survey>',
-]
+@pytest.mark.parametrize("settings", ["", '<FWFSettings binSize_ns="1" beamSampleQuality="9"/>'])
+def test_options_of_a_way_are_attributes_of_the_survey(make_survey, settings):
+    path = make_survey()
+    text = path.read_text().replace("<leg>", f"<!-- own -->{settings}<leg>", 1)
+    path.write_text(text.replace("<survey ", '<survey rangeTolerance_m="0.5" ', 1))
 
+    def apply(options):
+        survey = vtkhelios.read_survey(path)
+        set_options(survey, options)
+        survey.write(path)
+        root = ElementTree.parse(path).getroot().find("survey")
+        assert "<!-- own -->" in path.read_text()
+        found = root.find("FWFSettings")
+        return dict(root.attrib), {} if found is None else dict(found.attrib)
 
-@pytest.mark.parametrize("data", SURVEYS)
-def test_sampling_is_written_into_a_survey(data):
-    import xml.etree.ElementTree as tree
-
-    def read(data):
-        root = tree.fromstring(data)
-        survey = root if root.tag == "survey" else root.find("survey")
-        settings = survey.find("FWFSettings")
-        return dict(survey.attrib), dict(settings.attrib) if settings is not None else {}
-
-    before, _ = read(data)
-    fixed, settings = read(with_sampling(data, circles=3))
-    assert settings["beamSampleQuality"] == "3" and "rangeTolerance_m" not in fixed
-    again, settings = read(
-        with_sampling(with_sampling(data, circles=3), tolerance=0.003, energy_tolerance=0.03)
-    )
-    assert "beamSampleQuality" not in settings
+    before, own = apply({})
+    assert before["rangeTolerance_m"] == "0.5" and len(own) == (2 if settings else 0)
+    fixed, own = apply({"sub_rays": 19})
+    assert own["beamSampleQuality"] == "3" and "rangeTolerance_m" not in fixed
+    again, own = apply({"tolerance": 0.003, "energy_tolerance": 0.03})
+    assert "beamSampleQuality" not in own
     assert again == {**before, "rangeTolerance_m": "0.003", "energyTolerance": "0.03"}
-
-
-def test_a_ray_caster_is_written_into_a_survey():
-    once = with_ray_caster(SURVEYS[1], "embree")
-    assert b'<survey rayCaster="embree" name="a">' in once
-    assert b'<survey rayCaster="bvh" name="a">' in with_ray_caster(once, "bvh")
-
-
-def test_files_with_a_survey_are_told_from_scenes():
-    assert all(map(has_survey, SURVEYS))
-    assert has_survey(b"<document><survey")  # whose reader reports it
-    assert not has_survey(b"<document><scene id='a'/></document>")
-
-
-@pytest.mark.parametrize("data, message", [(b"<a>", "is not XML"), (b"<a/>", "has no <survey>")])
-def test_other_files_are_refused(data, message):
-    with pytest.raises(ValueError, match=message):
-        with_sampling(data, circles=3)
+    for caster in ("embree", "bvh"):
+        assert apply({"ray_caster": caster})[0] == {**again, "rayCaster": caster}
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Output of the command line: results on standard output, errors and warnings on standard error."""
 
+import contextlib
 import sys
+import warnings
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
 from ..core.pipeline import (
-    SimilarMessages, is_executive_message, observe_messages, remove_observers,
+    PipelineError, SimilarMessages, is_executive_message, observe_messages, remove_observers,
 )  # fmt: skip
 from ..core.streams import visible
 from ._stopping import is_stopping
@@ -16,6 +18,19 @@ from ._stopping import is_stopping
 def say_error(text):
     """Prints an error before there are Messages."""
     print(f"error: {visible(text)}", file=sys.stderr, flush=True)
+
+
+@contextlib.contextmanager
+def shown_problems(messages):
+    """Prints the warnings of the library, and the errors of its pipelines, which end the block."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", RuntimeWarning)
+        warnings.showwarning = lambda message, *_, **__: messages.warning(str(message))
+        try:
+            yield
+        except PipelineError as error:
+            for text in error.messages:
+                messages.error(text)
 
 
 class _Latest:

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan."""
 
+from ..core.files import find_unwritable
 from ..plans.document import PLATFORM, SCANNER
+from ..plans.files import has_plan
 from ..plans.geo import FORMATS
 from ..plans.kinds import Areas, Choice, Flag, Number, PlanString, Region, Setting
 from ..plans.places import Places
@@ -160,3 +162,13 @@ def add_plan_arguments(parser):
     add_threads_argument(parser)
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def find_unusable(folder, overwrite, files):
+    """Why a plan cannot be written to a folder, or None."""
+    if not overwrite and has_plan(folder, files):
+        return (
+            f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
+            "replace them, or another --output"
+        )
+    return find_unwritable(folder, "--output")

@@ -8,17 +8,15 @@ from .. import formats
 from ..comparison import POINTS, SAMPLE
 from ..comparison._compare import compare_watched
 from ..core.files import cannot_be_written, write_whole
-from ..core.pipeline import PipelineError
 from ..reports import charts
 from ..reports.comparison import comparison_lines, write_comparison_page
 from ..reports.page import load_template
-from ._messages import Messages
+from ._messages import Messages, shown_problems
 from ._parser import number, whole_number
 from ._progress import make_progress
 from ._stopping import set_outcome
 from ._task import StepWatch
 from ._units import add_height_unit_argument
-from .plan import shown_warnings
 
 SUMMARY = "compare two clouds: returns, spacing, planes, heights, distances, with intervals"
 
@@ -111,13 +109,10 @@ def add_arguments(parser):
 def run(arguments):
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         try:
-            with shown_warnings(messages):
+            with shown_problems(messages):
                 return compare_files(arguments, messages)
         except ImportError as error:
             messages.error(f"{error}; or leave --output out")
-        except PipelineError as error:
-            for text in error.messages:
-                messages.error(text)
         except formats.FormatError as error:
             messages.error(str(error))
         except MemoryError:

@@ -2,22 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios plan: finds scan positions, and writes the survey of them."""
 
-import contextlib
 import json
 import os
 import pathlib
 import shlex
-import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from ..core.files import cannot_be_written, find_unwritable
+from ..core.files import cannot_be_written
 from ..core.paths import from_vtk, require_utf8
-from ..core.pipeline import PipelineError
 from ..core.words import counted
 
 from ..plans.files import (
-    data_files, geo_files, has_plan, new_plan, page_file, picture_file, summary_file, survey_file,
+    FILES, data_files, geo_files, new_plan, page_file, picture_file, summary_file,
 )  # fmt: skip
 from ..plans.geo import check_formats
 from ..plans.plan import Plan, PlanTask
@@ -26,9 +23,9 @@ from ..reports.plan import file_lines, print_table, result_lines
 from ._flight.options import add_flight_arguments, find_misplaced
 from ._flight.run import make_flight_plan
 from ._geo_files import write_geo_files
-from ._messages import Messages
+from ._messages import Messages, shown_problems
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
-from ._plan_options import add_plan_arguments, given_settings, option_of
+from ._plan_options import add_plan_arguments, find_unusable, given_settings, option_of
 from ._progress import make_progress
 from ._stopping import set_outcome
 from ._task import PlanWatch
@@ -115,23 +112,11 @@ def run(arguments):
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         try:
-            with shown_warnings(messages):
+            with shown_problems(messages):
                 return make_plan(arguments, messages)
         except SettingError as error:
             messages.error(error.format(option_of))
-        except PipelineError as error:
-            for text in error.messages:
-                messages.error(text)
         return 1
-
-
-@contextlib.contextmanager
-def shown_warnings(messages):
-    """Prints the warnings of the library."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("always", RuntimeWarning)
-        warnings.showwarning = lambda message, *_, **__: messages.warning(str(message))
-        yield
 
 
 def make_plan(arguments, messages):
@@ -147,7 +132,7 @@ def make_plan(arguments, messages):
         require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # same cure
     require_utf8(task.name)
     folder = pathlib.Path(arguments.output) / task.name
-    if problem := find_unusable(folder, arguments.overwrite):
+    if problem := find_unusable(folder, arguments.overwrite, FILES):
         messages.error(problem)
         return 1
     messages.info(f"plan     {task.name} ({arguments.input}), {task.settings['method']}")
@@ -169,16 +154,6 @@ def run_steps(task, arguments, messages):
             watch.begin(step)
             step.run(seconds, watch.on_progress)
     return Plan(task, seconds)
-
-
-def find_unusable(folder, overwrite):
-    """Why a plan cannot be written to a folder, or None."""
-    if not overwrite and has_plan(folder):
-        return (
-            f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
-            "replace them, or another --output"
-        )
-    return find_unwritable(folder, "--output")
 
 
 def print_plan(plan, messages):
@@ -212,8 +187,7 @@ def write_plan(arguments, formats, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
     set_outcome(f"the plan in {folder} was not written")
     files = data_files(plan, folder)
-    survey = survey_file(plan, folder)
-    files.insert(0, survey)
+    survey = files[0]
     set_outcome("the plan itself is written, other files are not")
     files += write_geo_files(arguments, geo_files(plan, folder, formats), messages)
     files += draw(arguments, plan, folder, messages)

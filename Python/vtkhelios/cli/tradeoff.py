@@ -13,17 +13,15 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from ..core.files import cannot_be_written, write_files
-from ..core.pipeline import PipelineError
-from ..core.reading import write_xml
 from ..core.words import duration
 from ..plans.document import PLATFORM, SCANNER
 from ..plans.settings import SettingError
 from ..reports.tradeoff import megabytes, result_lines
 from ..reports.tradeoff_pictures import make_parts_picture, make_picture
+from ..surveys.items import change
 from ..surveys.options import OPTIONS
-from ..surveys.text import with_ray_caster, with_sampling
 from ..surveys.tradeoff_run import make_tradeoff
-from ._messages import Messages
+from ._messages import Messages, shown_problems
 from ._parser import number, whole_number
 from ._plan_options import option_of, value_of
 from ._progress import make_progress
@@ -31,7 +29,6 @@ from ._reading import add_assets_argument, add_memory_argument, add_threads_argu
 from ._stopping import set_outcome
 from ._task import StepWatch
 from ._tradeoff.input import open_input
-from .plan import shown_warnings
 
 SUMMARY = "measure accuracy against time on a survey, and what its scene requires of the model"
 
@@ -223,13 +220,10 @@ def run(arguments):
         vtkSMPTools.Initialize(count_threads(arguments))
         limit_memory(arguments)
         try:
-            with shown_warnings(messages):
+            with shown_problems(messages):
                 return make_and_report(arguments, messages)
         except SettingError as error:
             messages.error(error.format(option_of))
-        except PipelineError as error:
-            for text in error.messages:
-                messages.error(text)
         return 1
 
 
@@ -382,25 +376,31 @@ def apply(row, found, arguments, messages):
     """Writes the survey with the settings of a way; returns an exit code."""
     target = pathlib.Path(arguments.apply)
     try:
-        data = with_settings(found.read_bytes(target.parent), row.options)
-        write_xml(target, data)
+        survey = found.make_survey(target)
+        set_options(survey, row.options)
+        survey.write(target)
     except OSError as error:
         messages.error(cannot_be_written(error, target, "--apply"))
-        return 1
-    except ValueError as error:
-        messages.error(f"{arguments.survey}: {error}")
         return 1
     messages.info(f"written  {target}")
     return 0
 
 
-def with_settings(data, options):
-    """Returns the bytes of a survey with the options of a way."""
+def set_options(survey, options):
+    """Sets the options of a way as attributes of a Survey; an empty text removes one."""
     if "ray_caster" in options:
-        return with_ray_caster(data, options["ray_caster"])
-    if "sub_rays" in options:
-        return with_sampling(data, circles=circles_of(options["sub_rays"]))
-    return with_sampling(data, **options) if options else data
+        values = {"rayCaster": options["ray_caster"]}
+    elif options:
+        circles = circles_of(options["sub_rays"]) if "sub_rays" in options else ""
+        values = {
+            "FWFSettings/beamSampleQuality": circles,
+            "rangeTolerance_m": options.get("tolerance", ""),
+            "energyTolerance": options.get("energy_tolerance", ""),
+        }
+    else:
+        values = {}
+    for path, value in values.items():
+        change(survey.vtk, "SetSurveyAttribute", path, str(value))
 
 
 def circles_of(sub_rays):

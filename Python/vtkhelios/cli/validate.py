@@ -7,11 +7,11 @@ import json
 import re
 
 from ..core.pipeline import SimilarMessages, observe_messages, remove_observers
-from ..core.reading import make_reader, missing_folder, read_xml
+from ..core.reading import make_reader, missing_folder
 from ..core.streams import visible
 from ..core.words import counted
-from ..surveys.text import has_survey
 from ..vtkHeliosScannerRun import vtkHeliosSurveySource
+from ..vtkHeliosScannerSurvey import vtkHeliosDialect
 from ._meshes import list_notes
 from ._messages import Messages, say_error
 from ._optics import describe_optics
@@ -134,7 +134,7 @@ def check(path, assets, deep=False):
 
 def load_scene(reader, messages):
     """Loads the scene of a survey; other documents have none to load."""
-    if not has_survey(read_xml(reader.GetFileName())) or not reader.Read():
+    if not vtkHeliosDialect.MayHaveSurvey(reader.GetFileName()) or not reader.Read():
         return
     source = vtkHeliosSurveySource()
     source.SetSurvey(reader.GetSurvey())

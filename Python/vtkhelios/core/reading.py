@@ -5,7 +5,6 @@
 import pathlib
 
 from ..vtkHeliosScannerSurvey import vtkHeliosDialect, vtkHeliosSurveyReader
-from .files import write_whole
 from .folders import data_directory
 from .paths import to_vtk
 from .pipeline import MessageLog
@@ -25,14 +24,6 @@ def read_xml(path):
     if path.suffix.lower() in YAML:
         return _use_dialect("ReadXml", to_vtk(path)).encode()
     return path.read_bytes()
-
-
-def write_xml(path, data):
-    """Writes the bytes of an XML file as they are, or as YAML by the ending of the path. Raises
-    ValueError, and OSError."""
-    if pathlib.Path(path).suffix.lower() not in YAML:
-        return write_whole(path, data)
-    _use_dialect("WriteXml", to_vtk(path), data)
 
 
 def convert(source, target):

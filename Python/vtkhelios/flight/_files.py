@@ -2,15 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a flight plan."""
 
-import json
-import warnings
-
 import numpy as np
 
 from ..core.files import write_whole
 from ..core.write import write_points
-from ..plans.files import PAGE, PICTURE, SCENE, SUMMARY, SURVEY, new_plan
-from ..plans.geo import Feature, check_formats, geo_names, write_geo
+from ..plans.files import PAGE, PICTURE, SUMMARY, SURVEY
+from ..plans.geo import Feature, geo_names, write_geo
 from ..plans.positions import to_csv
 from ..reports.flight import heights
 from ..reports.flight_page import write_page
@@ -35,32 +32,6 @@ COLUMNS = (  # columns of the table: title, value of a row, digits
 )
 
 
-def has_plan(folder, more=()):
-    """Returns whether a folder has files of a plan, or more files."""
-    return any((folder / name).exists() for name in [*FILES, *more])
-
-
-def write_plan(plan, folder, overwrite=False, picture=False, geo=None):
-    """Writes all files in a folder with the plan's name; returns their paths."""
-    formats = check_formats("all" if geo is None else geo)
-    folder = folder / plan.name
-    more = [SCENE] if plan.has_scene_in_memory() else []
-    if not overwrite and has_plan(folder, more):
-        raise FileExistsError(
-            f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
-            "another folder"
-        )
-    with new_plan(folder, (*more, *FILES)):
-        files = data_files(plan, folder)
-        written, problem = geo_files(plan, folder, formats)
-        if problem and geo is not None:
-            warnings.warn(problem, RuntimeWarning, stacklevel=3)
-        files += written
-        files += [picture_file(plan, folder), page_file(plan, None, folder)] if picture else []
-        report = {**plan.report, "files": [each.name for each in files]}
-        return [*files, summary_file(report, folder)]
-
-
 def data_files(plan, folder):
     """Writes survey, lines and cells; returns their paths."""
     mesh = scene_file(plan, folder)
@@ -75,13 +46,9 @@ def picture_file(plan, folder):
     return _write(folder / PICTURE, make_picture(plan))
 
 
-def page_file(plan, counts, folder):
-    """Writes the page; counts: of a simulation, or None. Returns its path."""
+def page_file(plan, folder, counts=None):
+    """Writes the page; counts: of a simulation. Returns its path."""
     return _write(folder / PAGE, write_page(plan, counts))
-
-
-def summary_file(report, folder):
-    return _write(folder / SUMMARY, json.dumps(report, indent=2) + "\n")
 
 
 def geo_files(plan, folder, formats):

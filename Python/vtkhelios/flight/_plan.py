@@ -3,7 +3,6 @@
 """Flight plans: lines, speed and frequencies over an area, and the pulse density that they give."""
 
 import math
-import pathlib
 
 import numpy as np
 
@@ -12,15 +11,16 @@ from ..clouds.cloud import Cloud
 from ..core.classes import vtk_class
 from ..core.paths import from_vtk
 from ..core.pipeline import update
+from ..plans import files as plan_files
 from ..plans.document import PLATFORM as TRIPOD
 from ..plans.document import SCANNER as TRIPOD_SCANNER
 from ..plans.document import check_assets, make_document
 from ..plans.geo import Geography
 from ..plans.kinds import SettingError
 from ..scenes.scene import Scene
+from . import _files
 from ._area import box_area, contains, is_geojson, measure, read_area, to_polydata
 from ._design import Designer, Relief
-from ._files import write_plan
 from ._follow import follow_terrain, line_lengths, line_waypoints
 from ._instrument import Instrument
 from ._settings import check_flight_settings
@@ -94,7 +94,8 @@ class FlightPlan:
         plan, else it is a FileExistsError. picture adds plan.png and plan.html. geo are the files of
         lines: "csv,geojson", "none" ...; None: all that the scene permits, without a warning of others.
         """
-        return write_plan(self, pathlib.Path(folder), overwrite, picture, geo)
+        in_memory = self.has_scene_in_memory()
+        return plan_files.write_all(_files, self, folder, in_memory, overwrite, picture, geo)
 
     def line_waypoints(self):
         """Yields the waypoints of each line, n x 3 [m]."""

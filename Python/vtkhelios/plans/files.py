@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import shutil
+import warnings
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -21,12 +22,12 @@ from ..core.write import write_points
 from ..reports.plan_page import write_page
 from ..scenes.scene import Scene
 from ..surveys.survey import Survey
-from .geo import geo_names, write_geo
+from .geo import check_formats, geo_names, write_geo
 from .positions import make_features, make_table
 
 __all__ = [
     "build_survey", "data_files", "geo_files", "has_plan", "new_plan", "page_file", "picture_file",
-    "plan_survey", "summary_file", "survey_file", "write_survey",
+    "plan_survey", "summary_file", "survey_file", "write_all", "write_survey",
 ]  # fmt: skip
 
 SUMMARY = "plan_summary.json"
@@ -38,9 +39,32 @@ GEO = "positions"  # files of positions for maps and receivers, without their en
 FILES = (SURVEY, *POINTS, *geo_names(GEO), PICTURE, PAGE, SUMMARY)
 
 
-def has_plan(folder, more=()):
-    """Returns whether a folder has files of a plan, or more files."""
-    return any((folder / name).exists() for name in [*FILES, *more])
+def has_plan(folder, files):
+    """Returns whether a folder has files of a plan."""
+    return any((folder / name).exists() for name in files)
+
+
+def write_all(kind, plan, folder, in_memory, overwrite=False, picture=False, geo=None):
+    """Writes all files of a plan, by the functions of a module, in a folder with its name; returns
+    their paths."""
+    formats = check_formats("all" if geo is None else geo)
+    folder = pathlib.Path(folder) / plan.name
+    names = (*([SCENE] if in_memory else []), *kind.FILES)
+    if not overwrite and has_plan(folder, names):
+        raise FileExistsError(
+            f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
+            "another folder"
+        )
+    with new_plan(folder, names):
+        files = kind.data_files(plan, folder)
+        written, problem = kind.geo_files(plan, folder, formats)
+        if problem and geo is not None:
+            warnings.warn(problem, RuntimeWarning, stacklevel=3)
+        files += written
+        if picture:
+            files += [kind.picture_file(plan, folder), kind.page_file(plan, folder)]
+        report = {**plan.report, "files": [path.name for path in files]}
+        return [*files, summary_file(report, folder)]
 
 
 @contextlib.contextmanager
@@ -64,8 +88,8 @@ def _clear(folder, files):
 
 
 def data_files(plan, folder):
-    """Writes candidates, test points and positions as VTK XML; returns their paths."""
-    files = []
+    """Writes the survey, and candidates, test points and positions as VTK XML; returns their paths."""
+    files = [survey_file(plan, folder)]
     for name, port in POINTS.items():
         data = vtkPolyData()
         data.ShallowCopy(plan.outputs[port])

@@ -8,10 +8,8 @@
 """
 
 import html
-import pathlib
 import time
 import typing
-import warnings
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -26,7 +24,7 @@ from ..scenes.scene import Scene, has_instances
 from ..surveys.survey import Survey
 from . import files as plan_files
 from .document import check_assets, make_document
-from .geo import Geography, check_formats
+from .geo import Geography
 from .places import to_places
 from .settings import check_settings, fill_document, fill_filters
 from .summary import make_report, order_positions
@@ -292,24 +290,8 @@ class Plan:
         Jinja2. geo are the files of positions: "csv,geojson", "none" ...; None: all that the scene
         permits, without a warning of others.
         """
-        formats = check_formats("all" if geo is None else geo)
-        folder = pathlib.Path(folder) / self.name
-        more = [plan_files.SCENE] if self.task.has_scene_in_memory() else []
-        if not overwrite and plan_files.has_plan(folder, more):
-            raise FileExistsError(
-                f"{folder}: has the files of an earlier plan; give overwrite=True to replace them, or "
-                "another folder"
-            )
-        with plan_files.new_plan(folder, (*more, *plan_files.FILES)):
-            files = [plan_files.survey_file(self, folder), *plan_files.data_files(self, folder)]
-            written, problem = plan_files.geo_files(self, folder, formats)
-            if problem and geo is not None:
-                warnings.warn(problem, RuntimeWarning, stacklevel=2)
-            files += written
-            if picture:
-                files += [plan_files.picture_file(self, folder), plan_files.page_file(self, folder)]
-            report = {**self.report, "files": [path.name for path in files]}
-            return [*files, plan_files.summary_file(report, folder)]
+        in_memory = self.task.has_scene_in_memory()
+        return plan_files.write_all(plan_files, self, folder, in_memory, overwrite, picture, geo)
 
     def __len__(self) -> int:
         return len(self.positions)

@@ -6,20 +6,19 @@ import json
 import pathlib
 import shlex
 
-from ...core.files import cannot_be_written, find_unwritable
+from ...core.files import cannot_be_written
 from ...core.paths import require_utf8
 from ...flight import FlightPlan
 from ...flight._check import Counts
 
-from ...flight._files import (
-    FILES, data_files, geo_files, has_plan, page_file, picture_file, summary_file,
-)  # fmt: skip
-from ...plans.files import new_plan
+from ...flight._files import FILES, data_files, geo_files, page_file, picture_file
+from ...plans.files import new_plan, summary_file
 from ...plans.geo import check_formats
 from ...reports.flight import check_lines, flight_lines, lacks, print_lines
 from ...reports.plan import file_lines
 from .._geo_files import write_geo_files
 from .._plan_check import read_strips, simulate
+from .._plan_options import find_unusable
 from .._stopping import set_outcome
 from .options import given_flight_settings
 
@@ -30,7 +29,7 @@ def make_flight_plan(arguments, messages):
     plan = FlightPlan(arguments.input, arguments.assets, **given_flight_settings(arguments))
     require_utf8(plan.name)
     folder = pathlib.Path(arguments.output) / plan.name
-    if problem := find_unusable(folder, arguments.overwrite):
+    if problem := find_unusable(folder, arguments.overwrite, FILES):
         messages.error(problem)
         return 1
     messages.info(f"plan     {plan.name} ({arguments.input}), airborne")
@@ -46,16 +45,6 @@ def make_flight_plan(arguments, messages):
     except OSError as error:
         messages.error(cannot_be_written(error, folder, "--output"))
         return 1
-
-
-def find_unusable(folder, overwrite):
-    """Why a plan cannot be written to a folder, or None."""
-    if not overwrite and has_plan(folder):
-        return (
-            f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
-            "replace them, or another --output"
-        )
-    return find_unwritable(folder, "--output")
 
 
 def write(arguments, formats, plan, folder, messages):
@@ -88,7 +77,7 @@ def draw(arguments, plan, counts, folder, messages):
     if arguments.no_picture:
         return []
     try:
-        return [picture_file(plan, folder), page_file(plan, counts, folder)]
+        return [picture_file(plan, folder), page_file(plan, folder, counts)]
     except RuntimeError as error:
         messages.warning(f"no plan.png and plan.html: {error}, or give --no-picture")
         return []

@@ -7,13 +7,10 @@ import pathlib
 import vtkhelios
 
 from ...core.paths import from_vtk, text_from_vtk, to_vtk
-from ...core.reading import read_xml
-from ...core.run_files import PART
 from ...plans.files import survey_file
 from ...plans.plan import Plan, PlanTask
-from ...surveys.survey import Survey
-from ...surveys.text import has_survey
-from ..run import read_survey
+from ...surveys.survey import Survey, read_survey
+from ..run import read_survey as read_given
 
 PLAN_SETTINGS = ("platform", "scanner", "resolution", "grid")
 
@@ -22,8 +19,8 @@ class SurveyInput:
     """A survey in a file."""
 
     def __init__(self, arguments, messages):
-        self._path, self.survey = arguments.survey, None
-        read = read_survey(arguments, messages)
+        self._path, self._assets, self.survey = arguments.survey, arguments.assets, None
+        read = read_given(arguments, messages)
         if read is not None:
             self.survey = Survey(read, arguments.survey)
             self.name = text_from_vtk(read.GetName())
@@ -34,9 +31,9 @@ class SurveyInput:
     def prepare(self, watch):
         """Nothing: it has been read."""
 
-    def read_bytes(self, _folder):
-        """Returns the survey as XML, to be written into a folder."""
-        return read_xml(self._path)
+    def make_survey(self, _target):
+        """Returns the survey of the file, to be changed and written."""
+        return read_survey(self._path, self._assets)
 
 
 class PlannedInput:
@@ -71,13 +68,9 @@ class PlannedInput:
         self._plan = Plan(self._task, seconds)
         self.survey = self._plan.survey()
 
-    def read_bytes(self, folder):
-        """Returns the survey as XML, to be written into a folder."""
-        path = survey_file(self._plan, folder, "tradeoff_survey" + PART)
-        try:
-            return path.read_bytes()
-        finally:
-            path.unlink()
+    def make_survey(self, target):
+        """Writes the planned survey, and returns it, to be changed and written there again."""
+        return read_survey(survey_file(self._plan, target.parent, target.name), self._task.assets)
 
 
 def open_input(arguments, messages):
@@ -102,7 +95,4 @@ def _is_survey(path):
     """Returns whether a file has, or may have, a <survey>: the reader reports what is wrong with
     it."""
     is_mesh = bool(vtkhelios.vtkHeliosDialect.FindLoader(to_vtk(path)))
-    try:
-        return not is_mesh and has_survey(read_xml(path))
-    except ValueError:
-        return True
+    return not is_mesh and vtkhelios.vtkHeliosDialect.MayHaveSurvey(to_vtk(path))
