@@ -34,13 +34,26 @@ def test_points_pass_through_a_pipe(tmp_path):
     assert made.returncode == 0 and b"input    -: text, 3 columns, 2 points" in made.stdout, made
     las = (tmp_path / "a.las").read_bytes()
     done = run_vtkhelios("convert", "-", "-", "--from", "las", "--format", "xyz", data=las)
-    assert done.returncode == 0 and done.stderr == b""
+    assert done.returncode == 0 and b"error" not in done.stderr
     assert np.loadtxt(io.BytesIO(done.stdout))[:, :3].tolist() == [[1, 2, 3], [4, 5, 6]]
     done = run_vtkhelios("convert", tmp_path / "a.las", "-")
     lines = done.stdout.decode().splitlines()
     assert lines[0].startswith("X,Y,Z,") and lines[1].startswith("1.0,2.0,3.0,") and len(lines) == 3
     done = run_vtkhelios("convert", tmp_path / "a.las", "-o", "-", "--format", "ply")
     assert done.stdout.startswith(b"ply\nformat binary")
+
+
+def test_a_closed_pipe_is_no_error_message(tmp_path):
+    vtkhelios.Cloud.from_arrays(np.random.default_rng(1).random((100_000, 3))).write(
+        tmp_path / "a.vtp"
+    )
+    program = [sys.executable, "-m", "vtkhelios", "convert", str(tmp_path / "a.vtp"), "-"]
+    path = ":".join(each for each in sys.path if each)
+    with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          env={"PYTHONPATH": path}) as process:  # fmt: skip
+        assert process.stdout.readline() == b"X,Y,Z\n"
+        process.stdout.close()
+        assert b"error" not in process.stderr.read() and process.wait() == 1
 
 
 def test_errors_of_standard_input_name_it(tmp_path, capsys, monkeypatch):
@@ -79,7 +92,15 @@ def test_results_as_json(fence, tmp_path, capsys):
     assert made["bytes"] == (tmp_path / "a.ply").stat().st_size and "waveforms" in made["dropped"]
     (document,) = print_json(capsys, "convert", tmp_path / "survey.xml", tmp_path / "survey.yaml")
     assert document["file"].endswith("survey.yaml")
-    found = print_json(capsys, "detect", fence / "leg000_fullwave.txt", "-o", tmp_path / "b.xyz")
+    found = print_json(
+        capsys,
+        "detect",
+        fence / "leg000_fullwave.txt",
+        "-o",
+        tmp_path / "b.xyz",
+        "--pulse-length",
+        4,
+    )
     assert found["points"] == len((tmp_path / "b.xyz").read_text().splitlines())
     written = print_json(capsys, "export", fence, "-o", tmp_path / "kitti", "--kitti")
     assert written["points"] == points and written["layout"] == "kitti" and written["scans"] > 0

@@ -3,6 +3,7 @@
 """Standard input and output as files, named -: formats need files that can be searched."""
 
 import contextlib
+import os
 import pathlib
 import shutil
 import sys
@@ -32,8 +33,17 @@ def read_input(path):
 
 
 def write_output(path):
-    """Copies a file to standard output. Raises OSError."""
+    """Copies a file to standard output; returns whether its reader has not closed it. Raises OSError."""
     sys.stdout.flush()
-    with open(path, "rb") as file:
-        shutil.copyfileobj(file, sys.stdout.buffer, BLOCK)
-    sys.stdout.buffer.flush()
+    try:
+        with open(path, "rb") as file:
+            shutil.copyfileobj(file, sys.stdout.buffer, BLOCK)
+        sys.stdout.buffer.flush()
+    except BrokenPipeError:
+        null = os.open(
+            os.devnull, os.O_WRONLY
+        )  # the rest of the buffer would fail again at the end
+        os.dup2(null, sys.stdout.fileno())
+        os.close(null)
+        return False
+    return True

@@ -208,9 +208,7 @@ def convert_standard(arguments, messages):
             code = convert_all(conversions, arguments, messages)
         except formats.FormatError as error:
             raise formats.FormatError(arguments.label(error)) from None
-        if to_output:
-            write_output(arguments.output)
-        return code
+        return code if not to_output or write_output(arguments.output) else 1
 
 
 def convert_document(arguments, messages):
