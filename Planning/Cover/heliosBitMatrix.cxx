@@ -28,6 +28,16 @@ void TransposeBlock(std::array<Word, 64>& block)
 
 } // namespace
 
+std::int64_t BitRows::GetSize() const
+{
+  std::int64_t bits = 0;
+  for (int r = 0; r < this->Rows; ++r)
+  {
+    bits += this->GetSize(r);
+  }
+  return bits;
+}
+
 BitMatrix::BitMatrix(int rows, int columns)
   : Data(static_cast<std::size_t>(rows) * GetWordCount(columns))
   , Rows(rows)

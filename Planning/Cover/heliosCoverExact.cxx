@@ -199,16 +199,6 @@ void AddCuts(
   }
 }
 
-std::int64_t CountAllBits(const BitRows& rows)
-{
-  std::int64_t bits = 0;
-  for (int r = 0; r < rows.Rows; ++r)
-  {
-    bits += rows.GetSize(r);
-  }
-  return bits;
-}
-
 } // namespace
 
 bool HasExactSolver()
@@ -252,7 +242,7 @@ ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start, Overlap
 double GetLinearBound(
   const CoverProblem& problem, std::int64_t maximumBits, double timeLimit, const StopTest& stop)
 {
-  if (CountAllBits(problem.Rows) > maximumBits)
+  if (problem.Rows.GetSize() > maximumBits)
   {
     return 0.0;
   }

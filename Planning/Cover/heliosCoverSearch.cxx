@@ -277,23 +277,13 @@ private:
   int Newest = -1;
 };
 
-std::int64_t CountAllBits(const BitRows& rows)
-{
-  std::int64_t bits = 0;
-  for (int r = 0; r < rows.Rows; ++r)
-  {
-    bits += rows.GetSize(r);
-  }
-  return bits;
-}
-
 } // namespace
 
 Choice SearchCover(const CoverProblem& problem, const Choice& choice,
   const SearchSettings& settings, const StopTest& stop)
 {
   if (static_cast<int>(choice.size()) <= std::max(1, settings.Target) ||
-    CountAllBits(problem.Rows) > MaximumBits)
+    problem.Rows.GetSize() > MaximumBits)
   {
     return choice;
   }

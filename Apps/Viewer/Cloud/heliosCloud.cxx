@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloud.h"
 
+#include "heliosCloudBlock.h"
 #include "heliosCloudCodes.h"
 #include "vtkHeliosArrayNames.h"
 
-#include <vtkArrayDispatch.h>
-#include <vtkDataArrayRange.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -27,34 +25,6 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t NoPulse = std::numeric_limits<std::int32_t>::min();
 
-/// Reads array values as doubles, tuple by tuple.
-struct CopyWorker
-{
-  template <typename Array>
-  void operator()(Array* array, vtkIdType first, std::vector<double>& values) const
-  {
-    const auto end = first + static_cast<vtkIdType>(values.size());
-    std::size_t i = 0;
-    for (const auto value : vtk::DataArrayValueRange(array, first, end))
-    {
-      values[i++] = static_cast<double>(value);
-    }
-  }
-};
-
-/// Returns the values of the tuples [begin, end).
-std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType end)
-{
-  const vtkIdType width = array->GetNumberOfComponents();
-  std::vector<double> values(static_cast<std::size_t>((end - begin) * width));
-  CopyWorker worker;
-  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, begin * width, values))
-  {
-    worker(array, begin * width, values);
-  }
-  return values;
-}
-
 /// Returns a text of an array; empty without it.
 std::string GetText(vtkStringArray* texts, int index)
 {
@@ -69,97 +39,6 @@ std::size_t GetBytes(const std::vector<T>& values)
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-/// The columns of some rows of a block as doubles; empty: missing.
-struct Cloud::Block
-{
-  vtkIdType Begin;
-  vtkIdType End;
-  std::vector<double> Xyz;
-  std::vector<double> Columns[NumberOfCloudColumns];
-
-  Block(vtkPolyData* echoes, vtkIdType begin, vtkIdType end)
-    : Begin(begin)
-    , End(end)
-    , Xyz(ToDoubles(echoes->GetPoints()->GetData(), begin, end))
-  {
-    vtkPointData* data = echoes->GetPointData();
-    const std::pair<CloudColumn, const char*> columns[] = {
-      { CloudColumn::Amplitude, names::Amplitude },
-      { CloudColumn::ReturnNumber, names::ReturnNumber },
-      { CloudColumn::NumberOfReturns, names::NumberOfReturns },
-      { CloudColumn::Class, names::ClassificationIds },
-      { CloudColumn::Time, names::GpsTime },
-      { CloudColumn::Part, names::PartIds },
-      { CloudColumn::Material, names::MaterialIds },
-      { CloudColumn::Leg, names::LegIds },
-      { CloudColumn::Incidence, names::IncidenceAngle },
-      { CloudColumn::Range, names::Range },
-      { CloudColumn::Pulse, names::PulseIds },
-    };
-    for (const auto& column : columns)
-    {
-      this->Read(column.first, data->GetArray(column.second), echoes->GetNumberOfPoints());
-    }
-    this->ReadColors(data->GetArray(names::RGB), echoes->GetNumberOfPoints());
-  }
-
-  /// Packs red, green and blue: real numbers in [0, 1], or whole ones of the range of their type.
-  void ReadColors(vtkDataArray* array, vtkIdType rows)
-  {
-    if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != rows)
-    {
-      return;
-    }
-    const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-    const double scale = isReal ? 1.0 : 1.0 / array->GetDataTypeMax();
-    std::vector<double> shares = ToDoubles(array, this->Begin, this->End);
-    std::transform(
-      shares.begin(), shares.end(), shares.begin(), [scale](double x) { return scale * x; });
-    std::vector<double>& packed = this->Columns[static_cast<int>(CloudColumn::Color)];
-    for (std::size_t i = 0; i < shares.size(); i += 3)
-    {
-      packed.push_back(PackColor(shares.data() + i));
-    }
-  }
-
-  void Read(CloudColumn column, vtkDataArray* array, vtkIdType rows)
-  {
-    if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == rows)
-    {
-      this->Columns[static_cast<int>(column)] = ToDoubles(array, this->Begin, this->End);
-    }
-  }
-
-  bool Has(CloudColumn column) const { return !this->Columns[static_cast<int>(column)].empty(); }
-
-  double Get(CloudColumn column, vtkIdType row, double missing) const
-  {
-    const std::vector<double>& values = this->Columns[static_cast<int>(column)];
-    return values.empty() ? missing : values[static_cast<std::size_t>(row)];
-  }
-
-  int GetId(CloudColumn column, vtkIdType row) const
-  {
-    return static_cast<int>(this->Get(column, row, -1.0));
-  }
-
-  bool IsFinite(vtkIdType row) const
-  {
-    const double* p = this->Xyz.data() + 3 * row;
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-  }
-
-  vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Xyz.size()) / 3; }
-
-  /// Returns whether a row's pulse can be stored as an offset from a base.
-  bool IsNear(vtkIdType row, std::int64_t base) const
-  {
-    const double pulse = this->Get(CloudColumn::Pulse, row, -1.0);
-    return pulse < 0.0 || std::abs(pulse - static_cast<double>(base)) < 2147483647.0;
-  }
-};
 
 //------------------------------------------------------------------------------
 bool Cloud::SetOrigin(const Vec3& origin)
@@ -208,7 +87,7 @@ std::string Cloud::GetMaterialName(int material) const
 //------------------------------------------------------------------------------
 void Cloud::AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop)
 {
-  Block block(echoes, begin, stop);
+  CloudBlock block(echoes, begin, stop);
   if (!block.Has(CloudColumn::Amplitude))
   {
     vtkDataArray* raw = echoes->GetPointData()->GetArray(names::Intensity);
@@ -240,7 +119,7 @@ void Cloud::AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop)
 }
 
 //------------------------------------------------------------------------------
-void Cloud::AppendRun(const Block& block, vtkIdType begin, vtkIdType end)
+void Cloud::AppendRun(const CloudBlock& block, vtkIdType begin, vtkIdType end)
 {
   if (!this->HasOrigin)
   {
@@ -265,7 +144,7 @@ void Cloud::AppendRun(const Block& block, vtkIdType begin, vtkIdType end)
 }
 
 //------------------------------------------------------------------------------
-CloudChunk& Cloud::GetOpenChunk(const Block& block, vtkIdType row)
+CloudChunk& Cloud::GetOpenChunk(const CloudBlock& block, vtkIdType row)
 {
   if (!this->Chunks.empty())
   {
@@ -286,7 +165,7 @@ CloudChunk& Cloud::GetOpenChunk(const Block& block, vtkIdType row)
 }
 
 //------------------------------------------------------------------------------
-void Cloud::AppendPlaces(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
+void Cloud::AppendPlaces(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end)
 {
   const vtkIdType size = chunk.GetSize();
   if (size == 0)
@@ -313,7 +192,7 @@ void Cloud::AppendPlaces(CloudChunk& chunk, const Block& block, vtkIdType begin,
 }
 
 //------------------------------------------------------------------------------
-void Cloud::AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
+void Cloud::AppendTimes(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType row = begin; row < end; ++row)
   {
@@ -327,7 +206,7 @@ void Cloud::AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, 
 
 //------------------------------------------------------------------------------
 /// Appends colours, before AppendTags(), which counts the points.
-void Cloud::AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
+void Cloud::AppendColors(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end)
 {
   if (!block.Has(CloudColumn::Color) && chunk.Colors.empty())
   {
@@ -341,7 +220,7 @@ void Cloud::AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin,
 }
 
 //------------------------------------------------------------------------------
-void Cloud::AppendTags(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end)
+void Cloud::AppendTags(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType row = begin; row < end; ++row)
   {

@@ -96,6 +96,8 @@ struct CloudChunk
   void Squeeze();
 };
 
+struct CloudBlock;
+
 /**
  * Grows by blocks of echoes. Positions are floats relative to an origin; times are floats relative
  * to the chunk's first, so exact to 2^-24 of the time of 131,072 points: microseconds in a day-long
@@ -165,15 +167,14 @@ private:
   {
     std::size_t operator()(const Tag& tag) const;
   };
-  struct Block;
 
   void AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop);
-  void AppendRun(const Block& block, vtkIdType begin, vtkIdType end);
-  CloudChunk& GetOpenChunk(const Block& block, vtkIdType row);
-  void AppendPlaces(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
-  void AppendTimes(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
-  void AppendColors(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
-  void AppendTags(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);
+  void AppendRun(const CloudBlock& block, vtkIdType begin, vtkIdType end);
+  CloudChunk& GetOpenChunk(const CloudBlock& block, vtkIdType row);
+  void AppendPlaces(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end);
+  void AppendTimes(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end);
+  void AppendColors(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end);
+  void AppendTags(CloudChunk& chunk, const CloudBlock& block, vtkIdType begin, vtkIdType end);
   std::uint32_t GetTag(const Tag& tag);
 
   Vec3 Origin{ 0.0, 0.0, 0.0 };

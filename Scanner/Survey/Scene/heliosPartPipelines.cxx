@@ -24,7 +24,6 @@
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
@@ -48,8 +47,6 @@ namespace helios
 
 namespace
 {
-
-constexpr std::chrono::milliseconds ProgressInterval(100);
 
 vtkSmartPointer<vtkHeliosXyzReader> MakePointReader(const PartData& part)
 {
@@ -218,7 +215,7 @@ PartPipelines::Filter PartPipelines::MakeRasterReader(const PartData& part)
   {
     auto reader = vtkSmartPointer<vtkHeliosGeoTiffHeightReader>::New();
     reader->SetFileName(file.c_str());
-    this->Listen(reader, this->Where);
+    this->Watch.Add(reader, this->Where);
     this->Readers.emplace_back(file, reader);
     known = reader;
   }
@@ -260,7 +257,7 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   EraseIf(this->MeshReaders, isUnused);
   EraseIf(this->RasterReaders, isUnused);
   EraseIf(this->Shared, isUnused);
-  EraseIf(this->Inputs, [&used](const auto& input) { return used.count(input.first) == 0; });
+  this->Watch.RemoveOthers(used);
   this->Readers.erase(
     std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());
 }
@@ -297,101 +294,22 @@ std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
 //------------------------------------------------------------------------------
 bool PartPipelines::ReadFiles(const StepCallback& onStep)
 {
-  this->IsStopped = false;
+  this->Watch.Restart();
   for (const auto& reader : this->Readers)
   {
     if (IsRead(reader.second))
     {
       continue; // by an epoch before
     }
-    this->Step = "reading " + reader.first;
-    this->LastProgress = std::chrono::steady_clock::now();
-    if (this->IsStopped || !onStep(this->Step))
+    this->Watch.BeginStep("reading " + reader.first);
+    if (this->Watch.WasStopped() || !onStep(this->Watch.GetStep()))
     {
       return false;
     }
     reader.second->Update();
   }
-  this->Step = "assembling the scene";
-  return !this->IsStopped && !this->Log.HasError();
-}
-
-//------------------------------------------------------------------------------
-double PartPipelines::CountTriangles(vtkAlgorithm* filter)
-{
-  const int count =
-    filter->GetNumberOfInputPorts() > 0 ? filter->GetNumberOfInputConnections(0) : 0;
-  auto* mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  const double own = mesh ? static_cast<double>(mesh->GetNumberOfPolys()) : 0.0;
-  if (count == 0 || own > 0.0)
-  {
-    return own;
-  }
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i)
-  {
-    sum += CountTriangles(filter->GetInputAlgorithm(0, i));
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
-void PartPipelines::SetOnProgress(const StepCallback* onProgress)
-{
-  this->OnProgress = onProgress;
-}
-
-//------------------------------------------------------------------------------
-void PartPipelines::HandleProgress(vtkObject* caller, unsigned long, void*)
-{
-  const auto now = std::chrono::steady_clock::now();
-  if (this->OnProgress && now - this->LastProgress > ProgressInterval)
-  {
-    this->LastProgress = now;
-    this->IsStopped = this->IsStopped || !(*this->OnProgress)(this->Step);
-  }
-  if (this->IsStopped)
-  {
-    this->Log.Mute(true);
-    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-  }
-}
-
-//------------------------------------------------------------------------------
-void PartPipelines::Listen(vtkAlgorithm* filter, const std::string& where)
-{
-  this->Log.Listen(filter, where);
-  filter->AddObserver(vtkCommand::ProgressEvent, this, &PartPipelines::HandleProgress);
-  filter->AddObserver(vtkCommand::StartEvent, this, &PartPipelines::HandleStart);
-  filter->AddObserver(vtkCommand::EndEvent, this, &PartPipelines::HandleEnd);
-}
-
-//------------------------------------------------------------------------------
-/// Records the files that a filter opens before it runs, to describe its output; it opens them
-/// again then.
-void PartPipelines::HandleStart(vtkObject* caller, unsigned long, void*)
-{
-  InputFiles& inputs = this->Inputs[vtkAlgorithm::SafeDownCast(caller)];
-  inputs.clear();
-  this->Watch.reset();
-  this->Watch.emplace(inputs);
-}
-
-//------------------------------------------------------------------------------
-void PartPipelines::HandleEnd(vtkObject*, unsigned long, void*)
-{
-  this->Watch.reset();
-}
-
-//------------------------------------------------------------------------------
-InputFiles PartPipelines::GetInputs() const
-{
-  InputFiles all;
-  for (const auto& [filter, files] : this->Inputs)
-  {
-    all.insert(files.begin(), files.end());
-  }
-  return all;
+  this->Watch.BeginStep("assembling the scene");
+  return !this->Watch.WasStopped() && !this->Log.HasError();
 }
 
 //------------------------------------------------------------------------------
@@ -403,7 +321,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
   composer->SetPassColors(this->HasColors);
-  this->Listen(composer, this->Where);
+  this->Watch.Add(composer, this->Where);
   for (const std::string& file : part.Files)
   {
     composer->SetPartIsSplit(composer->GetNumberOfInputConnections(0), HasObjects(part));
@@ -429,7 +347,7 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
     return this->Connect(voxelizer, this->MakeLasReaders(part));
   }
   const auto reader = MakePointReader(part);
-  this->Listen(reader, this->Where);
+  this->Watch.Add(reader, this->Where);
   return this->Connect(voxelizer, this->AddCrs(part, reader));
 }
 
@@ -446,7 +364,7 @@ PartPipelines::Filter PartPipelines::MakeLasReaders(const PartData& part)
     reader->SetFileName(file.c_str());
     reader->SetClasses(part.Voxels.Classes);
     reader->SkipWithheldOn();
-    this->Listen(reader, this->Where);
+    this->Watch.Add(reader, this->Where);
     last = this->AddCrs(part, reader);
     joiner->AddInputConnection(last->GetOutputPort());
   }
@@ -464,7 +382,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   if (!reader)
   {
     reader = MakeSceneReader(part, file, this->HasColors);
-    this->Listen(reader, this->Where);
+    this->Watch.Add(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
   return reader;
@@ -476,7 +394,7 @@ PartPipelines::Filter PartPipelines::MakeCubes(const PartData& part, const std::
 {
   const VegetationData& cells = part.Vegetation;
   const Filter reader = MakeVegetationReader(part, file);
-  this->Listen(reader, {});
+  this->Watch.Add(reader, {});
   auto cubes = vtkSmartPointer<vtkHeliosVoxelCubes>::New();
   cubes->SetMode(
     cells.Mode == CellMode::Scaled ? vtkHeliosVoxelCubes::SCALED : vtkHeliosVoxelCubes::FIXED);
@@ -564,7 +482,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
 PartPipelines::Filter PartPipelines::Connect(Filter filter, const Filter& before)
 {
   filter->SetInputConnection(before->GetOutputPort());
-  this->Listen(filter, this->Where);
+  this->Watch.Add(filter, this->Where);
   return filter;
 }
 

@@ -5,17 +5,14 @@
 #ifndef heliosPartPipelines_h
 #define heliosPartPipelines_h
 
-#include "heliosInputFile.h"
+#include "heliosFilterWatch.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
-#include <chrono>
-#include <functional>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,15 +21,11 @@
 class vtkAlgorithm;
 class vtkHeliosSceneTransform;
 class vtkImageData;
-class vtkObject;
 
 namespace helios
 {
 
 class Messages;
-
-/// Called before each step of a long task with its name; false stops it.
-using StepCallback = std::function<bool(const std::string& step)>;
 
 /// A mesh used by several parts is read once. The pipelines are kept, so that a part that stays is
 /// not read again.
@@ -41,6 +34,7 @@ class VTKHELIOSSCANNERSURVEY_EXPORT PartPipelines
 public:
   explicit PartPipelines(Messages& log, vtkIdType seed = 0)
     : Log(log)
+    , Watch(log)
     , Seed(seed)
   {
   }
@@ -78,15 +72,11 @@ public:
   bool ReadFiles(const StepCallback& onStep);
 
   /// Returns the files that the filters of all parts have opened.
-  InputFiles GetInputs() const;
+  InputFiles GetInputs() const { return this->Watch.GetInputs(); }
 
-  /// Returns the triangles of the readers of a filter; a mesh used twice is counted twice.
-  static double CountTriangles(vtkAlgorithm* filter);
-
-  /// Sets a function to call with the current step at every progress event; if it returns false,
-  /// the filter is stopped, and its messages about that are dropped. Null: none.
-  void SetOnProgress(const StepCallback* onProgress);
-  bool WasStopped() const { return this->IsStopped; }
+  /// See FilterWatch.
+  void SetOnProgress(const StepCallback* onProgress) { this->Watch.SetOnProgress(onProgress); }
+  bool WasStopped() const { return this->Watch.WasStopped(); }
 
 private:
   using Filter = vtkSmartPointer<vtkAlgorithm>;
@@ -104,12 +94,9 @@ private:
   Filter AddCrs(const PartData& part, Filter before);
   Filter AddMeshCare(const PartData& part, Filter before);
   Filter Connect(Filter filter, const Filter& before);
-  void Listen(vtkAlgorithm* filter, const std::string& where);
-  void HandleProgress(vtkObject* caller, unsigned long, void*);
-  void HandleStart(vtkObject* caller, unsigned long, void*);
-  void HandleEnd(vtkObject* caller, unsigned long, void*);
 
   Messages& Log;
+  FilterWatch Watch;
   vtkIdType Seed;
   std::map<const PartData*, Filter> Sources;
   std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
@@ -121,14 +108,8 @@ private:
   std::set<std::string> NoRasters;             // files that can only be meshes
   std::set<const PartData*> RasterParts;       // parts whose places are over rasters
   std::string Where;                           // the current part
-  std::string Step;                            // the current step
-  const StepCallback* OnProgress = nullptr;
-  bool IsStopped = false;
-  std::chrono::steady_clock::time_point LastProgress{};
   std::map<SceneReaderKey, Filter> MeshReaders;
   std::vector<std::pair<std::string, Filter>> Readers; // all, with the files they read
-  std::map<Filter, InputFiles> Inputs;                 // by the filter that opened them
-  std::optional<InputWatch> Watch;                     // while a filter runs
 };
 
 } // namespace helios

@@ -89,6 +89,25 @@ private:
   vtkNew<vtkStringArray> Names;
 };
 
+/// Returns the triangles of the readers of a filter; a mesh used twice is counted twice.
+double CountTriangles(vtkAlgorithm* filter)
+{
+  const int count =
+    filter->GetNumberOfInputPorts() > 0 ? filter->GetNumberOfInputConnections(0) : 0;
+  auto* mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  const double own = mesh ? static_cast<double>(mesh->GetNumberOfPolys()) : 0.0;
+  if (count == 0 || own > 0.0)
+  {
+    return own;
+  }
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    sum += CountTriangles(filter->GetInputAlgorithm(0, i));
+  }
+  return sum;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -184,8 +203,8 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   this->Log.Listen(composer, this->Scene.Where);
   this->AddParts(composer, withPartsOnGround);
   const int count = composer->GetNumberOfInputConnections(0);
-  const Status status = CheckMemory(
-    "triangles of all parts", this->Pipelines.CountTriangles(composer), BytesPerTriangle);
+  const Status status =
+    CheckMemory("triangles of all parts", CountTriangles(composer), BytesPerTriangle);
   if (!status.IsOk())
   {
     this->Log.Error(this->Scene.Where + ": " + status.Message());
