@@ -105,7 +105,7 @@ constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 0.9 }, { 1e-3, 440.0, 0.54 
   { 0.0, 440.0, 0.7 } };
 constexpr double CellsForEnergy = 75.0; // at 1 %
 constexpr double CellPower = 0.62;
-constexpr double FewestCells = 16.0;
+constexpr double MinimumCells = 16.0;
 constexpr double FinestLaw = 1e-3; // [m], reference of the last law
 // From so many surfaces on, echoes are fluctuations of many: the cells grow with the root of their
 // number (measured on 500 leaves of 1 cm in a beam, leaf area index 4).
@@ -130,7 +130,7 @@ void SetCells(const Tolerances& tolerances, SamplingPlan& plan)
     [&tolerances](const CellLaw& l) { return tolerances.Range >= l.Range; });
   const double reference = std::max(law.Range, FinestLaw);
   plan.CellsAcross = std::max({ law.Cells * std::pow(reference / tolerances.Range, law.Power),
-    CellsForEnergy * std::pow(0.01 / tolerances.Energy, CellPower), FewestCells });
+    CellsForEnergy * std::pow(0.01 / tolerances.Energy, CellPower), MinimumCells });
 }
 
 /// Sets the sub-rays of tolerances so wide that these take less time than cells: in leaves, the error of

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double MinimumArea = 1e-12; // of a face, in the cross-section
+constexpr double MinimumArea = 1e-12; // area of a face, in the cross-section
 constexpr double Large = 100.0;       // coordinates of a triangle that is added as a facet
 constexpr double Inside = 1.0 - 1e-6; // square of the radius of a corner that is in the beam
 constexpr double LargestTilt = 3e-4;  // [rad], between triangles of one plane
@@ -51,12 +51,12 @@ bool AreParallel(const double a[3], const double b[3])
 struct FootprintFaces::Lanes
 {
   Lane X[3], Y[3]; ///< corners in the cross-section
-  Lane Slopes[3];  ///< of the edges from each corner
+  Lane Slopes[3];  ///< slopes of the edges from each corner
   Lane Depth[3];
-  Lane Normal[3];        ///< of any length
+  Lane Normal[3];        ///< normal, of any length
   Lane GX, GY, One;      ///< inverse depth of the plane
   Lane Minimum, Maximum; ///< inverse depths of the corners
-  Lane Area;             ///< twice, positive if counterclockwise
+  Lane Area;             ///< twice the area, positive if counterclockwise
   Lane Box;              ///< area of an ellipse in the box about it and the beam
   LaneMasks IsLarge;
   LaneMasks IsFace;

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr vtkTypeUInt64 AllBits = ~vtkTypeUInt64(0);
-constexpr std::size_t Terms = 8; ///< of the polynomial, at least
+constexpr std::size_t Terms = 8; ///< least number, of the polynomial
 
 /// Columns of places, in the middle of which a column is whole.
 struct Columns
