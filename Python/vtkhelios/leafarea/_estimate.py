@@ -5,11 +5,10 @@
 import difflib
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ..array_names import CLASSIFICATION_IDS, LEAF_PROJECTION, MATERIAL_IDS, MATERIAL_NAME
-from ..core.arrays import arrays
+from ..core.arrays import arrays, numpy_to_vtk
 from ..core.classes import vtk_class
 from ..core.pipeline import PipelineError, update
 from ..formats import FormatError

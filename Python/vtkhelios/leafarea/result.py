@@ -6,11 +6,12 @@ import json
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from ..array_names import (
     CELL_STATE, DENSITY_ERROR, FREE_PATH, GROUND_DISTANCE, INTERCEPTED_ENERGY, PAD,
 )  # fmt: skip
+from ..core.arrays import numpy_to_vtk
 from ..core.words import counted
 from ._write import write
 
