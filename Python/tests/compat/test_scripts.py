@@ -195,7 +195,7 @@ def test_las_of_version_1_0(hall, zipped):
 
 # HELIOS++'s own scripts.
 
-NEEDED = {  # what scripts need besides pyhelios, and the data that they read
+NEEDED = {  # libraries and data that scripts need besides pyhelios
     "pysimulation_exhaustive_demo.py": ("scipy", "tqdm", "polyscope"),
     "pysimulation_heavy_multirun_demo.py": ("data/sceneparts/syssifoss/F_BR08_08_merged.vox",),
     "pysimulation_light_multirun_demo.py": ("data/sceneparts/syssifoss/F_BR08_08_merged.vox",),
@@ -235,7 +235,7 @@ def test_example_scripts_of_helios(name, tmp_path):
 
 
 def test_the_quick_script_on_the_toy_blocks_of_helios(tmp_path, monkeypatch):
-    """What pysimulation_quick_demo.py does, in other words."""
+    """Makes the calls of pysimulation_quick_demo.py in other words."""
     survey = HELIOS / "data/surveys/toyblocks/als_toyblocks.xml"
     if not survey.is_file():
         pytest.skip("the data of HELIOS++ are not here")
