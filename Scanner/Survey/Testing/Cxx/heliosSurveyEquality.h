@@ -63,7 +63,7 @@ static_assert(sizeof(ReceiverDataCopy) == sizeof(ReceiverData), "list the member
 HELIOS_MEMBERS(Pose, Position, Orientation)
 HELIOS_MEMBERS(Motion, Kind, Vector, Angle, Center, Shift, Glide, IsSelf)
 HELIOS_MEMBERS(MotionSequence, Motions, Loop, Next)
-HELIOS_MEMBERS(MotionData, Sequences, Pulses, Seconds, Every)
+HELIOS_MEMBERS(MotionData, Sequences, Pulses, Seconds, Every, IsContinuous, Where, Mount, Track)
 HELIOS_MEMBERS(ErrorExpressions, Range, Deflection, Head, HeadZeroSinThreshold, RangeNoiseFactor, RangeName, DeflectionName, HeadName, RangeNoiseFactorName)
 HELIOS_MEMBERS(PanoramicErrorData, BeamOffset, TransitOffset, MirrorOffset, VerticalIndexOffset, BeamTilt, MirrorTilt, TransitTilt, RangeOffset)
 HELIOS_MEMBERS(vtkHeliosInstrumentData, PulseLength, PulseShape, PulseFile, AveragePower, Wavelength, BeamQualityFactor, OpticalEfficiency, ReceiverDiameter, BinSize, MaximumWaveformLength, NumberOfBins, DetectorNoise, SaturationPower, SolarIrradiance, FilterBandwidth, FieldOfView, AtmosphericVisibility, AtmosphericExtinction, AtmosphericLidarRatio, DropletDiameter, Weather, MaximumSpecularEvents, LeastSpecularShare, RangeAccuracy, RangeAccuracyPerMeter, RangeAccuracyAtThreshold, AngleAccuracy, RangeMin, RangeMax, ReturnSelection, MaximumNumberOfReturns, MTAZone, DetectionThreshold, DeadTime, PeakWindow, PhotonEfficiency, DarkCountRate, TimeJitter)

@@ -246,7 +246,7 @@ TEST_CASE(
     text += "f 1/1 2/2 3/3\n";
   }
   ObjReading reading(folder.Write("a.obj", text));
-  vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() + 6.0);
+  vtkHeliosMemoryLimit::SetLimit(vtkHeliosMemoryLimit::GetUsed() + 3.0);
   const bool isRead = reading.Read();
   vtkHeliosMemoryLimit::SetLimit(0.0);
   CHECK_FALSE(isRead);
