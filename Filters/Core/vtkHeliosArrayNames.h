@@ -139,8 +139,9 @@ inline constexpr const char* WaterDepth = "WaterDepth"; // [m], by vtkHeliosRefr
 inline constexpr const char* SpecularEvents = "SpecularEvents"; // mirrors and glass on the way
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* RadialVelocity = "RadialVelocity"; // [m/s], positive: moves away
-inline constexpr const char* PartPosition = "PartPosition"; // [m], shift of the part's centroid
-inline constexpr const char* PartOrientation = "PartOrientation"; // quaternion w x y z, since the start
+inline constexpr const char* PartPosition = "PartPosition";     // [m], shift of the part's centroid
+inline constexpr const char* PartOrientation =
+  "PartOrientation";                                        // quaternion w x y z, since the start
 inline constexpr const char* PartVelocity = "PartVelocity"; // [m/s], of the true point
 inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray in the pulse
 ///@}

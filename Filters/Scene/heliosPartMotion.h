@@ -98,17 +98,17 @@ private:
 
   vtkIdType Begin = 0;
   vtkIdType End = VTK_ID_MAX;
-  Vec3 Centroid{ 0.0, 0.0, 0.0 };      // at the start of the motion
-  Vec3 Shift{ 0.0, 0.0, 0.0 };         // of the centroid, at the begin
-  Rotation Turned;                     // at the begin
-  bool HasTurned = false;              // it is not the identity
+  Vec3 Centroid{ 0.0, 0.0, 0.0 }; // at the start of the motion
+  Vec3 Shift{ 0.0, 0.0, 0.0 };    // of the centroid, at the begin
+  Rotation Turned;                // at the begin
+  bool HasTurned = false;         // it is not the identity
   bool Mirrors = false;
   Vec3 TurnAxis{ 0.0, 0.0, 1.0 };
-  Real TurnAngle = 0;                  // [rad] a step
+  Real TurnAngle = 0; // [rad] a step
   Vec3 PathAxis{ 0.0, 0.0, 1.0 };
-  Real PathAngle = 0;                  // [rad] a step; 0: the centroid moves straight on
-  Real Fixed[3] = { 0, 0, 0 };         // a point on that axis, from the centroid
-  Vec3 Glide{ 0.0, 0.0, 0.0 };         // [m] a step
+  Real PathAngle = 0;          // [rad] a step; 0: the centroid moves straight on
+  Real Fixed[3] = { 0, 0, 0 }; // a point on that axis, from the centroid
+  Vec3 Glide{ 0.0, 0.0, 0.0 }; // [m] a step
   double Chord = 0.0;
 };
 

@@ -872,6 +872,13 @@ class vtkHeliosEchoAlgorithm(vtkPolyDataAlgorithm):
     DetectionThreshold and AveragePower must be positive then.
     Default: off.
     """
+    generate_motion: bool
+    """Set/Get whether the echoes have PartPosition [m] and
+    PartOrientation, the shift of the centroid of their part and its
+    rotation (quaternion w x y z) since the start of the survey, and
+    PartVelocity [m/s], the velocity of the point hit; 0 and no
+    rotation for parts at rest. Default: off.
+    """
     generate_pulses: bool
     """Set/Get the outputs computed in addition to the echoes. Default:
     off.
@@ -890,6 +897,14 @@ class vtkHeliosEchoAlgorithm(vtkPolyDataAlgorithm):
     any instrument error, and Normal, of the surface there; in scenes
     with mirrors or glass also SpecularEvents, how many of them were
     on the way. Default: off.
+    """
+    generate_velocities: bool
+    """Set/Get whether the echoes have RadialVelocity [m/s], the rate of
+    the distance between the origin of the pulse and the point hit,
+    as instruments with frequency modulation measure it: positive if
+    they move apart. Platform, head and parts of the scene move;
+    noise does not count. NaN behind mirrors and glass, and without a
+    surface. Default: off.
     """
     generate_waveforms: bool
     """Set/Get the outputs computed in addition to the echoes. Default:
@@ -926,7 +941,7 @@ class vtkHeliosEchoAlgorithm(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_motion: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_velocities: bool = ..., generate_waveforms: bool = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2189,7 +2204,7 @@ class vtkHeliosInstrument(vtkHeliosEchoAlgorithm):
     (Docs/instrument.md, Weather). clear or empty: none. Default:
     none.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., droplet_diameter: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., saturation_power: float = ..., solar_irradiance: float = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., droplet_diameter: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_motion: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_velocities: bool = ..., generate_waveforms: bool = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., saturation_power: float = ..., solar_irradiance: float = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -6563,7 +6578,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """Set/Get the part [t0, t1) of the scan that is computed [s].
     Default: all.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., beam_deflector: Optional[vtkHeliosBeamDeflector] = ..., beam_orientation: Sequence[float] = ..., beam_origin: Sequence[float] = ..., beam_sampler: Optional[vtkHeliosBeamSampler] = ..., bin_size: float = ..., channel_id: int = ..., detector_noise: float = ..., droplet_diameter: float = ..., duration: float = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., energy_tolerance: float = ..., error_model: Optional[vtkHeliosErrorModel] = ..., field_of_view: float = ..., filter_bandwidth: float = ..., first_pulse_id: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., head_rotate_axis: Sequence[float] = ..., head_rotate_speed: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., interpolate_orientation: bool = ..., least_specular_share: float = ..., leg_id: int = ..., maximum_number_of_returns: int = ..., maximum_number_of_sub_rays: int = ..., maximum_specular_events: int = ..., maximum_waveform_length: float = ..., merge_returns: bool = ..., mount_orientation: Sequence[float] = ..., mount_position: Sequence[float] = ..., mta_zone: int = ..., number_of_bins: int = ..., optical_efficiency: float = ..., platform_noise: Optional[vtkHeliosPlatformNoise] = ..., pose_interval: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_id_stride: int = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., pulse_step: int = ..., pulse_window: Sequence[int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., range_tolerance: float = ..., ray_caster: Optional[vtkHeliosRayCaster] = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., sampling: Union[Literal["fixed", "tolerance"], int] = ..., saturation_power: float = ..., seed: int = ..., solar_irradiance: float = ..., start_time: float = ..., time_window: Sequence[float] = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_lidar_ratio: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., beam_deflector: Optional[vtkHeliosBeamDeflector] = ..., beam_orientation: Sequence[float] = ..., beam_origin: Sequence[float] = ..., beam_sampler: Optional[vtkHeliosBeamSampler] = ..., bin_size: float = ..., channel_id: int = ..., detector_noise: float = ..., droplet_diameter: float = ..., duration: float = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., energy_tolerance: float = ..., error_model: Optional[vtkHeliosErrorModel] = ..., field_of_view: float = ..., filter_bandwidth: float = ..., first_pulse_id: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_motion: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_velocities: bool = ..., generate_waveforms: bool = ..., head_rotate_axis: Sequence[float] = ..., head_rotate_speed: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., interpolate_orientation: bool = ..., least_specular_share: float = ..., leg_id: int = ..., maximum_number_of_returns: int = ..., maximum_number_of_sub_rays: int = ..., maximum_specular_events: int = ..., maximum_waveform_length: float = ..., merge_returns: bool = ..., mount_orientation: Sequence[float] = ..., mount_position: Sequence[float] = ..., mta_zone: int = ..., number_of_bins: int = ..., optical_efficiency: float = ..., platform_noise: Optional[vtkHeliosPlatformNoise] = ..., pose_interval: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_id_stride: int = ..., pulse_length: float = ..., pulse_samples: Optional[vtkDataArray] = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., pulse_step: int = ..., pulse_window: Sequence[int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., range_tolerance: float = ..., ray_caster: Optional[vtkHeliosRayCaster] = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., sampling: Union[Literal["fixed", "tolerance"], int] = ..., saturation_power: float = ..., seed: int = ..., solar_irradiance: float = ..., start_time: float = ..., time_window: Sequence[float] = ..., wavelength: float = ..., weather: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -7898,6 +7913,27 @@ class vtkHeliosSurveyPlayer(vtkObject):
     IncidenceAngle [deg], are VTK XML in any Format. With
     SplitByChannel every channel of a scanner has its own files.
     """
+    write_motion: bool
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
+    """
     write_pulses: bool
     """Set/Get what is written besides the echoes: the properties of the
     table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
@@ -7961,6 +7997,27 @@ class vtkHeliosSurveyPlayer(vtkObject):
     IncidenceAngle [deg], are VTK XML in any Format. With
     SplitByChannel every channel of a scanner has its own files.
     """
+    write_velocities: bool
+    """Set/Get what is written besides the echoes: the properties of the
+    table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
+    Default: off.
+
+    WaveformsInPoints says where the waveforms of Format "las" are.
+    Off: legNNN_points.las has point format 6 or 7, which all
+    programs read, and legNNN_fullwave.las the same points with
+    waveforms, point format 9 or 10, whose packets are in
+    legNNN_fullwave.wdp. On: only legNNN_points.las, of format 9 or
+    10, and legNNN_points.wdp.
+
+    WriteScanFlags adds two columns to text; points in LAS always
+    have the flags. With WriteDecibels text has these two columns and
+    two more; in LAS they are Extra Bytes with the names of RIEGL.
+    WriteColors needs "las" or "vtp", WriteTruth and WriteColumns
+    "vtp". The hits of WriteHits, points with PulseIds, Weight (share
+    of the energy of the pulse, (0, 1]), Range [m], CellIds and
+    IncidenceAngle [deg], are VTK XML in any Format. With
+    SplitByChannel every channel of a scanner has its own files.
+    """
     write_waveforms: bool
     """Set/Get what is written besides the echoes: the properties of the
     table of outputs of vtkHeliosEchoAlgorithm, with the same arrays.
@@ -7982,7 +8039,7 @@ class vtkHeliosSurveyPlayer(vtkObject):
     IncidenceAngle [deg], are VTK XML in any Format. With
     SplitByChannel every channel of a scanner has its own files.
     """
-    def __init__(self, *, bytes_to_check: int = ..., forecast: bool = ..., format: Optional[str] = ..., number_of_parts: int = ..., options: Optional[vtkHeliosRunOptions] = ..., output_directory: Optional[str] = ..., overwrite: bool = ..., part: int = ..., part_command: Optional[str] = ..., pulses_per_block: int = ..., ranks: Optional[vtkHeliosRanks] = ..., resume: bool = ..., source: Optional[vtkHeliosSurveySource] = ..., split_by_channel: bool = ..., survey: Optional[vtkHeliosSurvey] = ..., waveforms_in_points: bool = ..., write_colors: bool = ..., write_columns: bool = ..., write_decibels: bool = ..., write_hits: bool = ..., write_pulses: bool = ..., write_scan_flags: bool = ..., write_truth: bool = ..., write_waveforms: bool = ...) -> None: ...
+    def __init__(self, *, bytes_to_check: int = ..., forecast: bool = ..., format: Optional[str] = ..., number_of_parts: int = ..., options: Optional[vtkHeliosRunOptions] = ..., output_directory: Optional[str] = ..., overwrite: bool = ..., part: int = ..., part_command: Optional[str] = ..., pulses_per_block: int = ..., ranks: Optional[vtkHeliosRanks] = ..., resume: bool = ..., source: Optional[vtkHeliosSurveySource] = ..., split_by_channel: bool = ..., survey: Optional[vtkHeliosSurvey] = ..., waveforms_in_points: bool = ..., write_colors: bool = ..., write_columns: bool = ..., write_decibels: bool = ..., write_hits: bool = ..., write_motion: bool = ..., write_pulses: bool = ..., write_scan_flags: bool = ..., write_truth: bool = ..., write_velocities: bool = ..., write_waveforms: bool = ...) -> None: ...
     def Abort(self) -> None: ...
     def AddPartFolder(self, folder: str) -> None: ...
     def ClearPartFolders(self) -> None: ...
@@ -8206,7 +8263,7 @@ class vtkHeliosSurveySource(vtkHeliosEchoAlgorithm):
         """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey to run. Required; no default."""
-    def __init__(self, *, abort_execute: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., instances: bool = ..., options: Optional[vtkHeliosRunOptions] = ..., progress_text: Optional[str] = ..., pulse_window: Sequence[int] = ..., survey: Optional[vtkHeliosSurvey] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., generate_colors: bool = ..., generate_columns: bool = ..., generate_decibels: bool = ..., generate_motion: bool = ..., generate_pulses: bool = ..., generate_scan_flags: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_velocities: bool = ..., generate_waveforms: bool = ..., instances: bool = ..., options: Optional[vtkHeliosRunOptions] = ..., progress_text: Optional[str] = ..., pulse_window: Sequence[int] = ..., survey: Optional[vtkHeliosSurvey] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...

@@ -89,7 +89,15 @@ def write_scene(folder, parts, mode):
 
 def run(program, folder, threads):
     """Runs the survey; returns seconds of the pulses, of the processor in all, memory [MB], counts."""
-    command = [*program, "run", str(folder / "survey.xml"), "--output", str(folder / "out"), "--overwrite", "--quiet"]
+    command = [
+        *program,
+        "run",
+        str(folder / "survey.xml"),
+        "--output",
+        str(folder / "out"),
+        "--overwrite",
+        "--quiet",
+    ]
     command += ["--threads", str(threads), "--no-accuracy-report"]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     errors = process.stderr.read().decode()
@@ -100,11 +108,18 @@ def run(program, folder, threads):
     counts = {key: summary["totals"][key] for key in ("pulses", "points")}
     if not counts["points"] or not counts["pulses"]:
         sys.exit(f"{folder}: no points: {counts}")
-    return summary["timings"]["run_s"], usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024, counts
+    return (
+        summary["timings"]["run_s"],
+        usage.ru_utime + usage.ru_stime,
+        usage.ru_maxrss / 1024,
+        counts,
+    )
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--parts", type=int, nargs="+", default=[1, 20, 1000])
     parser.add_argument("--triangles", type=int, nargs="+", default=[100, 10000, 1000000])
     parser.add_argument("--modes", nargs="+", default=["steps", "continuous"])
@@ -113,8 +128,12 @@ def main():
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--program", nargs="+", default=["build/bin/vtkhelios"])
     given = parser.parse_args()
-    print("parts triangles mode       sampling threads   rest_s moving_s ratio (processor) rest_MB moving_MB")
-    for sampling, triangles, parts in itertools.product(given.sampling, given.triangles, given.parts):
+    print(
+        "parts triangles mode       sampling threads   rest_s moving_s ratio (processor) rest_MB moving_MB"
+    )
+    for sampling, triangles, parts in itertools.product(
+        given.sampling, given.triangles, given.parts
+    ):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             write_sphere(folder / "part.obj", triangles)
@@ -131,7 +150,9 @@ def main():
                 if len({r[3]["pulses"] for rows in results.values() for r in rows}) != 1:
                     sys.exit(f"not all fired the same pulses: {results}")
                 # the least of each column: what others do at the time only adds to it
-                rest, moving = ([min(column) for column in list(zip(*rows))[:3]] for rows in results.values())
+                rest, moving = (
+                    [min(column) for column in list(zip(*rows))[:3]] for rows in results.values()
+                )
                 print(
                     f"{parts:5} {triangles:9} {mode:10} {sampling:8} {threads:7} {rest[0]:8.3f} {moving[0]:8.3f} "
                     f"{moving[0] / rest[0]:5.2f} {moving[1] / rest[1]:11.2f} {rest[2]:7.0f} {moving[2]:9.0f}",

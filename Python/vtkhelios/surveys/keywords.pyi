@@ -28,6 +28,8 @@ class RunOptions(TypedDict, total=False):
     pulses: bool
     hits: bool
     truth: bool
+    velocities: bool
+    motion: bool
     columns: bool
     instances: bool
     mesh: Any

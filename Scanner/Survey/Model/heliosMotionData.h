@@ -20,8 +20,8 @@ struct MotionData
 {
   std::vector<MotionSequence> Sequences; ///< none: the part is at rest
   vtkIdType Pulses = 1;                  ///< pulses of a channel between two steps
-  double Seconds = 0.0; ///< [s], between two steps, instead of pulses; 0: not given
-  int Every = 1;        ///< steps per scene update
+  double Seconds = 0.0;      ///< [s], between two steps, instead of pulses; 0: not given
+  int Every = 1;             ///< steps per scene update
   bool IsContinuous = false; ///< every pulse sees it between two steps
   std::string Where;         ///< of the part
   std::string Mount;         ///< name of the part that carries it; empty: none
