@@ -13,7 +13,7 @@ namespace
 {
 
 using Real = long double;
-constexpr Real MinimumSine = 1e-15L; // of half the angle of a rotation
+constexpr Real MinimumSine = 1e-15L; // sine of half the angle of a rotation
 constexpr Real Pi = 3.141592653589793238462643383279502884L;
 
 /// Returns the right-handed rotation about a unit axis by an angle [rad].

@@ -99,7 +99,7 @@ private:
   vtkIdType Begin = 0;
   vtkIdType End = VTK_ID_MAX;
   Vec3 Centroid{ 0.0, 0.0, 0.0 }; // at the start of the motion
-  Vec3 Shift{ 0.0, 0.0, 0.0 };    // of the centroid, at the begin
+  Vec3 Shift{ 0.0, 0.0, 0.0 };    // shift of the centroid, at the begin
   Rotation Turned;                // at the begin
   bool HasTurned = false;         // it is not the identity
   bool Mirrors = false;

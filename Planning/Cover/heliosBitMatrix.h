@@ -105,7 +105,7 @@ struct BitRows
   }
   bool Has(int row, int column) const { return HasBit(this->Get(row), column); }
   int GetSize(int row) const { return CountBits(this->Get(row), this->Length); }
-  std::int64_t GetSize() const; // of all rows
+  std::int64_t GetSize() const; // bits of all rows
 };
 
 /// Rows of bits.

@@ -139,7 +139,7 @@ double GetTangent(const std::vector<SubRay>& subRays)
   {
     tangent = std::max(tangent, std::hypot(ray.Direction[0], ray.Direction[2]) / ray.Direction[1]);
   }
-  constexpr double rounding = 1e-9; // of sub-rays, relative and absolute
+  constexpr double rounding = 1e-9; // error of sub-rays, relative and absolute
   return tangent * (1.0 + rounding) + 1e-3 * rounding;
 }
 

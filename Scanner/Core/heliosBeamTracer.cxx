@@ -181,7 +181,7 @@ void BeamTracer::Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, Sca
   RayBatch& batch = this->First;
   this->Resize(batch, this->Model.SubRays, count);
   this->Beams.resize(count);
-  std::size_t first = 0; // of the pulses that have to be traced
+  std::size_t first = 0; // first of the pulses that have to be traced
   for (std::size_t i = 0; i < count; ++i)
   {
     const ConeGroup* group = groups.Get(i);

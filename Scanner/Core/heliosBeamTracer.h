@@ -101,7 +101,7 @@ private:
     std::vector<vtkHeliosRay> Rays;
     std::vector<vtkHeliosHit> Hits;
   };
-  /// What is known of a beam.
+  /// The knowledge of a beam.
   enum Contents
   {
     Unknown, ///< its rays have to be traced
@@ -131,7 +131,7 @@ private:
   std::vector<PassedBeam> Passed;
   std::vector<Hidden> Hiding;
   RayBatch First;              // batch of all pulses
-  std::vector<Contents> Beams; // of its pulses
+  std::vector<Contents> Beams; // contents per pulse
   RayBatch More;               // batch of one pulse
 
   // Members of the current pulse.

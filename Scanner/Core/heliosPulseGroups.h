@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the beams of consecutive pulses of a group (heliosScanRun.h) may meet, found for many of them at once.
+// Triangles that the beams of consecutive pulses of a group (heliosScanRun.h) may meet, found for many of them at once.
 
 #ifndef heliosPulseGroups_h
 #define heliosPulseGroups_h
@@ -43,7 +43,7 @@ private:
   const std::vector<Pulse>* Pulses = nullptr;
   std::vector<ConeAxis> Cones;
   ConeGroup Group;
-  std::size_t End = 0;      ///< of the pulses of the current answer
+  std::size_t End = 0;      ///< end of the pulses of the current answer
   bool IsFound = false;     ///< whether it is the group
   std::size_t Span;         ///< pulses asked for next
   std::size_t Pause = 0;    ///< pulses that are skipped next

@@ -129,7 +129,7 @@ private:
   vtkIdType PulseId = 0;
   unsigned char ScanDirection = 0; ///< flags, if requested
   unsigned char EdgeOfFlightLine = 0;
-  Vec3 Velocity{ 0.0, 0.0, 0.0 }; ///< of its origin, if requested
+  Vec3 Velocity{ 0.0, 0.0, 0.0 }; ///< velocity of its origin, if requested
   ConeLayer Layer;
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;

@@ -144,7 +144,7 @@ private:
   const double Gain; // power of a white surface at 1 m, without extinction [W]
   CachedTransmission Transmission;
   std::array<Surface, 1024> Known; // the leaves of several beams, which overlap
-  std::vector<Surface*> Moving;    // those of instances that move
+  std::vector<Surface*> Moving;    // surfaces of instances that move
   Columns Batch;
 };
 

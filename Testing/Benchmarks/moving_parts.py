@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What parts that move cost: a flight over them, moving over at rest.
+"""The cost of parts that move: a flight over them, moving over at rest.
 
     build/venv/bin/python Testing/Benchmarks/moving_parts.py [--parts 1 20 1000] [--triangles 100 10000]
         [--modes steps continuous] [--threads 1 2] [--sampling adaptive 19] [--program build/bin/vtkhelios]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What one thread does alone in a run, and what that leaves of many cores (Linux).
+"""The share of a run that one thread does alone, and what that leaves of many cores (Linux).
 
     build/venv/bin/python Testing/Benchmarks/serial_share.py SURVEY [--threads N] [-- OPTIONS OF RUN]
 

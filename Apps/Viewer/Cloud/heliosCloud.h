@@ -5,6 +5,7 @@
 #ifndef heliosCloud_h
 #define heliosCloud_h
 
+#include "heliosCloudColumn.h"
 #include "heliosPose.h"
 
 #include <vtkFloatArray.h>
@@ -23,25 +24,6 @@ class vtkPolyData;
 
 namespace helios::viewer
 {
-
-/// Attributes of a point besides its position.
-enum class CloudColumn : int
-{
-  Height,
-  Amplitude,
-  ReturnNumber,
-  NumberOfReturns,
-  Class,
-  Time,
-  Part,
-  Material,
-  Leg,
-  Incidence,
-  Range,
-  Pulse,
-  Color
-};
-constexpr int NumberOfCloudColumns = 13;
 
 /// A point with all its attributes; unknown values: NaN, ids -1, counts and classes 0.
 struct Echo

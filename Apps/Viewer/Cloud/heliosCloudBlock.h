@@ -5,7 +5,7 @@
 #ifndef heliosCloudBlock_h
 #define heliosCloudBlock_h
 
-#include "heliosCloud.h"
+#include "heliosCloudColumn.h"
 
 #include <vtkType.h>
 

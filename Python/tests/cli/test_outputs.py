@@ -16,7 +16,9 @@ from vtkhelios.cli._run.outputs import add_output_arguments, set_outputs
 from vtkhelios.reports.options import describe_options
 
 PORTS = {"points": None, "pulse": "pulses", "hits": "sub_rays"}  # files only: attribute of a Cloud
-OF_ONE_FORMAT = {"colors": "las", "truth": "vtp", "columns": "vtp"}
+OF_ONE_FORMAT = {"colors": "las"} | dict.fromkeys(
+    ("truth", "columns", "velocities", "motion"), "vtp"
+)
 
 
 pytestmark = pytest.mark.filterwarnings("ignore:GenerateColors is on, but the scene has no colours")

@@ -43,7 +43,7 @@ def _count(array):
 
 
 _pair = (object(), None)
-_COUNT = _count(_pair[0])  # of one that only a pair has
+_COUNT = _count(_pair[0])  # references of an array that only a pair has
 
 
 def _release(*_):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What of vtkHelios and of what it uses is installed and works.
+"""Parts of vtkHelios and of what it uses that are installed and work.
 
 >>> from vtkhelios.core import diagnosis
 >>> diagnosis.make_report()["packages of Python"]

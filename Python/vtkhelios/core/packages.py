@@ -14,7 +14,7 @@ import typing
 class Package(typing.NamedTuple):
     """A package that something needs; a wheel does not depend on it."""
 
-    use: str  # what needs it
+    use: str  # its use
     pip: str  # arguments of pip install
     needs_numpy: bool = False  # whether pip may bring another numpy
     apt: str = ""  # package of Debian

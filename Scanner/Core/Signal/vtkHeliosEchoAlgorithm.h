@@ -168,7 +168,7 @@ public:
     // arrays of the echoes
     bool Truth = false;
     bool Velocities = false; ///< radial ones
-    bool Motion = false;     ///< of parts
+    bool Motion = false;     ///< motion of parts
     bool ScanFlags = false;
     bool Columns = false; ///< also of the pulses
     bool Decibels = false;

@@ -76,7 +76,7 @@ void VisitBlocks(const TriangleMesh& mesh, StopCheck& check, VisitT visit)
 /// Consecutive triangles: those that have an area and are inside a box, and outliers.
 struct BeamTree::Block
 {
-  vtkIdType Count = 0; ///< of the former
+  vtkIdType Count = 0; ///< number of the former
   double Low[3] = { Endless, Endless, Endless };
   double High[3] = { -Endless, -Endless, -Endless };
   std::vector<vtkTypeInt32> Outliers;
@@ -141,7 +141,7 @@ void BeamTree::BuildNodes(const double box[6], StopCheck& check)
       }
     });
   Block all;
-  std::vector<vtkIdType> starts; // of the triangles of a block in the tree
+  std::vector<vtkIdType> starts; // places of the triangles of a block in the tree
   for (const Block& each : blocks)
   {
     starts.push_back(all.Count);

@@ -226,8 +226,8 @@ private:
   const HeightTree* Heights; ///< null: over a mesh
   RayAxes Axes;
   bool IsForward;
-  Sides Highs;   ///< of the high sides of children
-  Sides Lows;    ///< of their low sides
+  Sides Highs;   ///< high sides of children
+  Sides Lows;    ///< low sides of children
   Kind Kinds[2]; ///< along X and Y
   int Size = 0;
   Entry Stack[StackSize];

@@ -19,8 +19,8 @@ namespace
 // rounding of sums of a few products, relative to the largest of them
 constexpr double Error = 0x1p-44;
 constexpr double Margin = 1e-6;        // share of a cone's width
-constexpr double WidestTangent = 0.05; // of a cone
-constexpr double SteepestSlope = 2.0;  // of an axis, along the main axis of the first one
+constexpr double WidestTangent = 0.05; // tangent of a cone
+constexpr double SteepestSlope = 2.0;  // slope of an axis, along the main axis of the first one
 constexpr double Endless = HUGE_VAL;
 constexpr std::size_t MaximumOutliers = 4;
 constexpr int MaximumInstances = 4;

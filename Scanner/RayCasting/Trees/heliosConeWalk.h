@@ -32,8 +32,8 @@ inline bool SetAxis(const double origin[3], const double axis[3], TestRay& test)
  * belong to the test of its axis. In the frame of the tree a length is scale times the length of
  * the depth; error: see BeamTree::SetFrustum().
  */
-template <typename ConeT, typename AddT>
-bool WalkTree(const ConeT& cone, const RayAxes& axes, const BeamTree& tree, double error,
+template <typename ConeType, typename AddT>
+bool WalkTree(const ConeType& cone, const RayAxes& axes, const BeamTree& tree, double error,
   double scale, const double& farthest, AddT add)
 {
   if (tree.IsEmpty())
@@ -82,9 +82,9 @@ bool WalkInstance(const Cone& cone, const PlacedTree& placed, const double& fart
 }
 
 /// Walks the instances of a scene whose boxes the cone enters.
-template <typename ConeT, typename AddT>
-bool WalkInstances(
-  const ConeT& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+template <typename ConeType, typename AddT>
+bool WalkInstances(const ConeType& cone, const RayAxes& axes, const SceneTree& scene,
+  const double& farthest, AddT add)
 {
   return scene.VisitBoxes(
     [&](const SceneTree::BoxTree& boxes)
@@ -113,9 +113,9 @@ bool WalkInstances(
 }
 
 /// Walks all triangles of a scene; add() is given their tree, too.
-template <typename ConeT, typename AddT>
-bool WalkCone(
-  const ConeT& cone, const RayAxes& axes, const SceneTree& scene, const double& farthest, AddT add)
+template <typename ConeType, typename AddT>
+bool WalkCone(const ConeType& cone, const RayAxes& axes, const SceneTree& scene,
+  const double& farthest, AddT add)
 {
   const PlacedTree& mesh = scene.GetMesh();
   const auto addOfMesh = [&](vtkTypeInt32 triangle) { return add(mesh, triangle); };

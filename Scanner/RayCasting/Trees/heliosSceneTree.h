@@ -121,7 +121,7 @@ private:
   struct MovingBoxes
   {
     MomentSpan Span;
-    vtkIdType Pulses = 64; ///< of the next span: more if boxes grow little
+    vtkIdType Pulses = 64; ///< pulses of the next span: more if boxes grow little
     BoxTree Boxes;
   };
   double ComputeMovingBoxes(std::vector<std::array<double, 6>>& bounds) const;

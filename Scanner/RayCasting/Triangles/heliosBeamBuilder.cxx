@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-constexpr double Steps = 65535.0; // of coarse boxes
+constexpr double Steps = 65535.0; // steps of coarse boxes
 
 // A tree has at least this many parts, unless they are small.
 constexpr vtkTypeInt32 PartsOfTree = 64;
@@ -25,7 +25,7 @@ constexpr vtkTypeInt32 SmallestPart = 4096; // triangles
 constexpr vtkTypeInt32 LargestPart = 1 << 18;
 constexpr vtkTypeInt32 Chunk = 1 << 17; // coarse boxes that a thread adds to bins
 
-using Coarse = BeamBuilder::CoarseBox;
+using Coarse = CoarseBox;
 
 /// A range of coarse boxes whose node, a side of another one, is made later.
 struct CoarseRange

@@ -67,7 +67,7 @@ struct alignas(64) PackedNode
 struct PackedFrame
 {
   float Origin[3];
-  unsigned char Exponents[3]; ///< of the steps, as floats store them
+  unsigned char Exponents[3]; ///< exponents of the steps, as floats store them
   unsigned char Count;        ///< triangles
 
   float GetStep(int axis) const
@@ -86,7 +86,7 @@ struct BeamLeaf
 
   int Count = 0;
   const vtkTypeInt32* Triangles = nullptr;
-  const PackedFrame* Frame = nullptr; ///< of packed corners; null: floats
+  const PackedFrame* Frame = nullptr; ///< frame of packed corners; null: floats
 
   /// Returns where floats start: a coordinate of the triangles, and padding to ignore.
   const vtkTypeInt32* GetCorners(int corner, int axis) const

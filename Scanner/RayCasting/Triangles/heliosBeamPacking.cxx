@@ -11,8 +11,8 @@ namespace
 {
 
 constexpr float Endless = std::numeric_limits<float>::max();
-constexpr int SmallestExponent = -100; // of a step; smaller ones are no shorter in effect
-constexpr int ExponentBias = 127;      // of floats
+constexpr int SmallestExponent = -100; // exponent of a step; smaller ones are no shorter in effect
+constexpr int ExponentBias = 127;      // bias of floats
 
 /// Returns the exponent of a power of two, of which so many steps are at least a length.
 int GetExponent(double length, int steps)

@@ -126,8 +126,8 @@ void BeamPart::Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<
 }
 
 //------------------------------------------------------------------------------
-void BeamPart::Build(const TriangleMesh& mesh, const TreeFrame& frame,
-  const BeamBuilder::CoarseBox* boxes, vtkTypeInt32 count, int depth)
+void BeamPart::Build(const TriangleMesh& mesh, const TreeFrame& frame, const CoarseBox* boxes,
+  vtkTypeInt32 count, int depth)
 {
   std::vector<FineBox> fine;
   fine.reserve(static_cast<std::size_t>(count));

@@ -5,13 +5,17 @@
 #ifndef heliosBeamPart_h
 #define heliosBeamPart_h
 
-#include "heliosBeamBuilder.h"
+#include "heliosBeamPacking.h"
+#include "heliosBeamStorage.h"
+#include "heliosCoarseBox.h"
 #include "heliosWideCollapse.h"
 
 #include <vector>
 
 namespace helios
 {
+
+class TriangleMesh;
 
 /// Makes wide nodes of a binary tree, each before its children; makeLeaf(first, count) returns the
 /// number of a leaf.
@@ -64,7 +68,7 @@ public:
   PlainBox Bounds;
 
   /// Builds over the triangles of coarse boxes; depth: of its root in the binary tree.
-  void Build(const TriangleMesh& mesh, const TreeFrame& frame, const BeamBuilder::CoarseBox* boxes,
+  void Build(const TriangleMesh& mesh, const TreeFrame& frame, const CoarseBox* boxes,
     vtkTypeInt32 count, int depth);
 
 private:

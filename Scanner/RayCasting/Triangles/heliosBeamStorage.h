@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a BeamTree stores.
+// The nodes and leaves that a BeamTree stores.
 
 #ifndef heliosBeamStorage_h
 #define heliosBeamStorage_h

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a whole file is, and checks of its contents.
+// Kinds of whole files, and checks of their contents.
 
 #ifndef heliosXmlFile_h
 #define heliosXmlFile_h

@@ -23,7 +23,7 @@ struct MotionData
   double Seconds = 0.0;      ///< [s], between two steps, instead of pulses; 0: not given
   int Every = 1;             ///< steps per scene update
   bool IsContinuous = false; ///< every pulse sees it between two steps
-  std::string Where;         ///< of the part
+  std::string Where;         ///< place of the part
   std::string Mount;         ///< name of the part that carries it; empty: none
   TrajectoryFileData Track;  ///< that its frame follows; without a file: none
 

@@ -74,7 +74,7 @@ protected:
   PulseClock Clock;
 
 private:
-  vtkIdType Step = -1; ///< of the last map
+  vtkIdType Step = -1; ///< step of the last map
   bool HasSection = false;
   MotionSection Section;
 };

@@ -59,7 +59,7 @@ public:
     const PathBound bound = this->Path->GetBound(span);
     const Similarity place = GetMoved(this->AtRest, bound.Map);
     const Vec3 pivot = bound.Map.Center + bound.Map.Shift;
-    double distance = 0.0; // of the farthest corner
+    double distance = 0.0; // distance of the farthest corner
     for (int axis = 0; axis < 3; ++axis)
     {
       bounds[2 * axis] = std::numeric_limits<double>::infinity();

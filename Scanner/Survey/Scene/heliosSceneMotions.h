@@ -36,7 +36,7 @@ public:
     std::size_t Part;
     Similarity AtRest;
   };
-  /// What does not depend on the leg.
+  /// The part of a motion that does not depend on the leg.
   struct Content
   {
     std::vector<MovingPartData> Parts;

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What MTL files have beside the materials of a scene: where they are, and colours."""
+"""Files and colours of materials, which MTL files have beside the materials of a scene."""
 
 import pathlib
 

@@ -31,7 +31,7 @@ class Material(typing.NamedTuple):
     specularExponent: float
     classification: int
     spectra: str
-    matFilePath: str = ""  # of OBJ files, with the colours there
+    matFilePath: str = ""  # path of the MTL file of OBJ files, with the colours there
     ka: tuple = (0.0, 0.0, 0.0)
     kd: tuple = (0.0, 0.0, 0.0)
     ks: tuple = (0.0, 0.0, 0.0)

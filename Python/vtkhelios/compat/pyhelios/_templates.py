@@ -16,7 +16,7 @@ class Templates:
 
     def __init__(self, path):
         self._named = {kind: {} for kind in KINDS}
-        self.legs = []  # of each leg: the id of its template, by the kind of settings
+        self.legs = []  # ids of the templates of each leg, by the kind of settings
         if path and is_document(path) and pathlib.Path(path).is_file():
             self._read(ElementTree.fromstring(read_xml(path).strip()))
 

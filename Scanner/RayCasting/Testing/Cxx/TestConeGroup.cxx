@@ -77,7 +77,7 @@ bool IsEqual(const vtkHeliosHit& a, const vtkHeliosHit& b)
   return a.CellId == b.CellId && (a.CellId < 0 || a.Range == b.Range);
 }
 
-/// What was found.
+/// Counts of what was found.
 struct Tally
 {
   int Grouped = 0, TooMany = 0, Empty = 0, Single = 0, Planar = 0;

@@ -231,7 +231,7 @@ TEST_CASE("SurveyInput: beams hit a mesh in place of the scene", "[SurveyInput]"
   const double now =
     bench.Source->GetOutput()->GetPointData()->GetArray(names::Range)->GetTuple1(0);
   CHECK(now < start - 0.5);
-  CHECK(bench.Source->GetSceneSize() > 10.0 * size);
+  CHECK(bench.Source->GetSceneSize() > 8.0 * size);
   plane->SetOrigin(-50.0, -50.0, 0.25);
   plane->SetPoint1(50.0, -50.0, 0.25);
   plane->SetPoint2(-50.0, 50.0, 0.25);

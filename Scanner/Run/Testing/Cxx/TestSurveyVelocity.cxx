@@ -43,7 +43,7 @@ struct Echoes
   Files& Folder;
   Reading Survey;
   vtkNew<vtkHeliosSurveySource> Source;
-  std::map<vtkIdType, vtkIdType> Rows; ///< of pulses, by id
+  std::map<vtkIdType, vtkIdType> Rows; ///< rows of pulses, by id
 
   Echoes(Files& files, const char* attributes, const char* legs, int subRays)
     : Folder(files)

@@ -65,7 +65,7 @@ struct Kind
 const std::vector<Kind> Kinds = {
   { "survey", { "survey" }, {} },
   { "scene", { "scene" }, {} },
-  { "part", { "part" }, { "swap", "dmotion" } },
+  { "part", { "part" }, { "swap", "dmotion", "trajectory" } },
   { "table", { "partTable" }, { "model", "row" } },
   { "scanner", { "scanner", "FWFSettings", "detectorSettings" },
     { "beamOrigin", "headRotateAxis", "incidentBeam", "rangeError", "deflectionError", "headError",
