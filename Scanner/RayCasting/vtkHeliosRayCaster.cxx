@@ -19,6 +19,7 @@
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,9 @@ bool vtkHeliosRayCaster::BuildInstances(const helios::SceneGeometry& scene)
 vtkSmartPointer<vtkHeliosRayCaster> vtkHeliosRayCaster::MakeMoving(
   const std::shared_ptr<const helios::InstanceMotions>& motions) const
 {
+  // Weak pointers to the scene are not thread-safe: threads make theirs one after the other.
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
   auto moving = vtk::TakeSmartPointer(this->NewInstance());
   *moving->Geometry = this->Geometry->MakeMoving(motions);
   moving->Built->Scene = this->Built->Scene;

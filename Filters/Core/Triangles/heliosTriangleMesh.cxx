@@ -4,6 +4,7 @@
 
 #include "heliosFloatCoordinates.h"
 #include "heliosStatus.h"
+#include "heliosThreadLoop.h"
 #include "vtkHeliosScene.h"
 
 #include <vtkCellArray.h>
@@ -11,7 +12,6 @@
 #include <vtkDoubleArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 #include <vtkTypeInt32Array.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ struct PointCheck
   {
     constexpr vtkIdType chunk = 1 << 18;
     std::atomic<vtkIdType> first(count);
-    vtkSMPTools::For(0, (count + chunk - 1) / chunk, 1,
+    LoopOnThreads(0, (count + chunk - 1) / chunk,
       [&](vtkIdType begin, vtkIdType end)
       {
         vtkIdType i = begin * chunk;

@@ -6,6 +6,7 @@
 #include "heliosBeamBuilder.h"
 #include "heliosCoreBounds.h"
 #include "heliosHeightTree.h"
+#include "heliosThreadLoop.h"
 #include "heliosTriangleArea.h"
 
 #include <vtkSMPTools.h>
@@ -60,7 +61,7 @@ void VisitBlocks(const TriangleMesh& mesh, StopCheck& check, VisitT visit)
   for (vtkIdType first = 0; first < blocks; first += round)
   {
     check.Poll();
-    vtkSMPTools::For(first, std::min(blocks, first + round), 1,
+    LoopOnThreads(first, std::min(blocks, first + round),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)

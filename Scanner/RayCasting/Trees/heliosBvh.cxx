@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBvh.h"
 
+#include "heliosThreadLoop.h"
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
@@ -297,7 +298,7 @@ void Bvh::BuildParts(std::vector<Part>& parts, PrimitivesT& primitives, StopChec
   for (vtkIdType first = 0; first < count; first += round)
   {
     check.Poll();
-    vtkSMPTools::For(first, std::min(count, first + round), 1, build);
+    LoopOnThreads(first, std::min(count, first + round), build);
   }
   std::size_t size = this->Nodes.size();
   for (const Part& part : parts)

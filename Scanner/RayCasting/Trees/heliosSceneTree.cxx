@@ -4,6 +4,7 @@
 #include "heliosSceneTree.h"
 
 #include "heliosStopCheck.h"
+#include "heliosThreadLoop.h"
 #include "heliosTriangleTest.h"
 
 #include <vtkCellArray.h>
@@ -216,6 +217,7 @@ void SceneTree::BuildMovingBoxes(const SceneMoment& moment)
   moving.Span = motions.GetSpan(moment, moving.Pulses);
   const double size = this->ComputeMovingBoxes(bounds);
   StopCheck never(nullptr);
+  const OneThreadScope alone; // it runs between two pulses of a thread
   moving.Boxes.Build(bounds, never);
   if (size < small && moving.Pulses < maximum)
   {

@@ -4,6 +4,7 @@
 #include "heliosBeamBuilder.h"
 
 #include "heliosBeamPart.h"
+#include "heliosThreadLoop.h"
 #include "heliosTriangleMesh.h"
 
 #include <vtkSMPTools.h>
@@ -52,7 +53,7 @@ void AddAll(const Coarse* boxes, const CoarseRange& range, BoxBins& bins)
 {
   const vtkTypeInt32 chunks = (range.Last - range.First + Chunk - 1) / Chunk;
   std::vector<BoxBins> all(static_cast<std::size_t>(chunks), bins);
-  vtkSMPTools::For(0, chunks, 1,
+  LoopOnThreads(0, chunks,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
@@ -215,7 +216,7 @@ void BeamBuilder::BuildParts(BeamStorage& tree, StopCheck& check)
     check.Poll();
     const std::size_t last = std::min(order.size(), first + round);
     std::vector<BeamPart> built(last - first);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(built.size()), 1,
+    LoopOnThreads(0, static_cast<vtkIdType>(built.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
