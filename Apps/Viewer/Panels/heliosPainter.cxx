@@ -6,6 +6,7 @@
 #include <vtkContext2D.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
