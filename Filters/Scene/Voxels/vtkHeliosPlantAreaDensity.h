@@ -47,10 +47,10 @@
  *
  * Hits of what is not counted, such as wood and ground, end the path and are no contacts. The
  * standard error is sqrt(D sum w^2) / sum h (of Beer and Lambert's law the binomial one), with the
- * w of each beam; with no contacts that of one. It is of the beams: D = 1 + 2/3 A L / V is the
- * ratio of the variance of the contacts of leaves of ElementArea A and random orientation that L / V
- * beams a square metre meet, to that of points. Clumps within a cell, wrong G, footprints that
- * leaves fill in part, and beams that are not known are not in it.
+ * w of each beam; a cell without contacts has the error of one. The error is that of the beams: leaves
+ * of ElementArea A and random orientation, met by L / V beams a square metre, have D = 1 + 2/3 A L / V
+ * times the variance of points. Clumps within a cell, wrong G, footprints that leaves fill in part,
+ * and beams that are not known are not in it.
  *
  * G is that of LeafAngleDistribution, or with INCIDENCE_ANGLES each hit counts 1 / |cos| of its
  * IncidenceAngle, at most 50: the truth of a simulation of triangles (maximum likelihood only).

@@ -64,21 +64,22 @@ def add_arguments(parser):
         "--estimator",
         choices=ESTIMATORS,
         default=ESTIMATORS[-1],
-        help="(default: %(default)s)",
+        help="formula of the density, see Docs/forests.md (default: %(default)s)",
     )
     parser.add_argument(
         "--leaf-angles",
         choices=NAMED_ANGLES,
         default="spherical",
-        help="distribution of the leaf normals; incidence: of the angles of incidence of a "
-        "simulation of triangles (default: %(default)s)",
+        help="distribution of the leaf normals; incidence: each hit weighs by its own angle of "
+        "incidence, in simulations of triangles (default: %(default)s)",
     )
     parser.add_argument(
         "--leaf-ratio",
         metavar="X",
         type=number(0.01, 100),
         default=1.0,
-        help="of ellipsoidal leaf angles: horizontal over vertical axis (default: %(default)s)",
+        help="ratio of the horizontal to the vertical axis, for ellipsoidal leaf angles "
+        "(default: %(default)s)",
     )
     parser.add_argument(
         "--leaf-size",
@@ -99,7 +100,8 @@ def add_arguments(parser):
         metavar="R",
         type=number(0.001, 1),
         default=0.5,
-        help="of --shares reflectance: of a leaf at normal incidence (default: %(default)s)",
+        help="reflectance of a leaf at normal incidence, for --shares reflectance "
+        "(default: %(default)s)",
     )
     parser.add_argument(
         "--class",
@@ -123,14 +125,14 @@ def add_arguments(parser):
         metavar=("X1", "X2", "Y1", "Y2", "Z1", "Z2"),
         nargs=6,
         type=number(-1e12, 1e12),
-        help="of the grid [m] (default: of the counted points)",
+        help="bounds of the grid [m] (default: those of the counted points)",
     )
     parser.add_argument(
         "--min-beams",
         metavar="N",
         type=number(1e-6, 1e6),
         default=1.0,
-        help="beams that a voxel needs to be seen: their path over its edge (default: %(default)s)",
+        help="beams without which a voxel is shadowed: their path over its edge (default: %(default)s)",
     )
     parser.add_argument(
         "--max-range",
@@ -143,21 +145,22 @@ def add_arguments(parser):
         metavar=("X", "Y", "Z"),
         nargs=3,
         type=number(-1e12, 1e12),
-        help="where the beams of files begin [m]",
+        help="origin of the beams of files [m]",
     )
     parser.add_argument(
         "--spacing",
         metavar=("AZ", "EL"),
         nargs=2,
         type=number(1e-4, 10),
-        help="between the pulses of the scan pattern of files [deg]: directions without a point are "
-        "pulses that hit nothing",
+        help="angles between the pulses of the scan pattern of files [deg]: directions without a "
+        "point are pulses that hit nothing",
     )
     parser.add_argument(
         "--trajectory",
         metavar="FILE",
         action="append",
-        help="of files with times: text, or SBET (.sbet, .out); repeatable, one for each strip",
+        help="trajectory of files with times: text, or SBET (.sbet, .out); repeatable, one for each "
+        "strip",
     )
     parser.add_argument(
         "-o",
