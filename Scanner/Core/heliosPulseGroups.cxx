@@ -69,7 +69,8 @@ vtkHeliosConeHit PulseGroups::FindOnly(std::size_t slot)
   }
   const Pulse& pulse = (*this->Pulses)[slot];
   const vtkHeliosRay axis = MakeAxis(this->Model, pulse);
-  const ConeTriangles found = group->Select(axis.Origin, axis.Direction, this->Model.ConeTangent);
+  const ConeTriangles found = group->Select(
+    axis.Origin, axis.Direction, this->Model.ConeTangent, this->Model.Plan.GetLargestDistance());
   vtkHeliosHit hit{ NoHit, -1 };
   if (found.IsOne())
   {

@@ -8,6 +8,7 @@
 #include "heliosTolerances.h"
 #include "vtkHeliosScannerCoreModule.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -43,6 +44,9 @@ struct SamplingPlan
   /// sub-rays of a beam with too many triangles to collect; times 4 until they agree
   int MinimumSubRays = 256;
   int MaximumSubRays = 65536;
+
+  /// Returns the distance within which a triangle behind one that fills a beam may belong to it [m].
+  double GetLargestDistance() const { return std::max(this->PlaneDistance, this->LayerDistance); }
   double DetectionBin = 0.25; ///< [ns]
   /// returns of a beam whose maxima are found beyond those of the bins
   std::size_t MaximumRefined = std::numeric_limits<std::size_t>::max();

@@ -162,6 +162,22 @@ bool WalkInstance(const Cones& cones, const PlacedTree& placed, const double& fa
 
 } // namespace
 
+namespace
+{
+
+/// Returns an upper bound of the lengths of vectors.
+HELIOS_INLINE Doubles GetLength(const Doubles v[3])
+{
+  return Max<Doubles>(v[0], -v[0]) + Max<Doubles>(v[1], -v[1]) + Max<Doubles>(v[2], -v[2]);
+}
+
+HELIOS_INLINE Doubles GetDot(const Doubles v[3], const double w[3])
+{
+  return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+}
+
+} // namespace
+
 bool ConeGroup::Add(const PlacedTree& placed, vtkTypeInt32 triangle)
 {
   if (this->Count == Capacity)
@@ -198,10 +214,13 @@ bool ConeGroup::Find(
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-ConeTriangles ConeGroup::Select(const double origin[3], const double axis[3], double tangent) const
+ConeTriangles ConeGroup::Select(
+  const double origin[3], const double axis[3], double tangent, double distance) const
 {
   ConeTriangles result{ 0, 0 };
   const double width = tangent * (1 + Margin);
+  double nearest[Capacity];
+  double cover = Endless; // depth at which one covers the cone
   for (int first = 0; first < this->Count; first += QuadWidth)
   {
     Doubles p[3][3];
@@ -217,9 +236,12 @@ ConeTriangles ConeGroup::Select(const double origin[3], const double axis[3], do
       reach = Max(reach, length);
     }
     Doubles sign = Doubles();
+    Doubles determinant = Doubles();
+    Doubles normal[3] = {};
     Masks isOutside = Masks();
     Masks covers = Masks() - 1;
     const Doubles error = Error * reach * reach;
+    const Doubles doubt = 8 * error * reach; // of the determinant
     for (int k = 0; k < 3; ++k)
     {
       const Doubles* a = p[(k + 1) % 3];
@@ -228,24 +250,44 @@ ConeTriangles ConeGroup::Select(const double origin[3], const double axis[3], do
         a[0] * b[1] - a[1] * b[0] };
       if (k == 0)
       {
-        const Doubles determinant = e[0] * p[0][0] + e[1] * p[0][1] + e[2] * p[0][2];
-        const Doubles doubt = 8 * error * reach;
+        determinant = e[0] * p[0][0] + e[1] * p[0][1] + e[2] * p[0][2];
         sign = determinant > doubt ? Doubles() + 1.0
                                    : (determinant < -doubt ? Doubles() - 1.0 : Doubles());
       }
-      const Doubles size =
-        Max<Doubles>(e[0], -e[0]) + Max<Doubles>(e[1], -e[1]) + Max<Doubles>(e[2], -e[2]);
-      const Doubles rim = width * size + error;
-      const Doubles along = sign * (e[0] * axis[0] + e[1] * axis[1] + e[2] * axis[2]);
+      const Doubles rim = width * GetLength(e) + error;
+      const Doubles along = sign * GetDot(e, axis);
       isOutside = isOutside | (along + rim < 0.0);
       covers = covers & (along - rim > 0.0);
+      for (int i = 0; i < 3; ++i)
+      {
+        normal[i] = normal[i] + e[i];
+      }
     }
+    // In the cone a plane is at the depths determinant / (normal . (axis + offset)).
+    const Doubles slope = GetDot(normal, axis);
+    const Doubles across[3] = { normal[0] - slope * axis[0], normal[1] - slope * axis[1],
+      normal[2] - slope * axis[2] };
+    const Doubles rim = width * GetLength(across) + 4 * error;
+    const Doubles steep = Max<Doubles>(slope, -slope);
+    const Doubles constant = Max<Doubles>(determinant, -determinant);
+    const Doubles near = (constant - doubt) / (steep + rim);
+    const Doubles far = steep > rim ? (constant + doubt) / (steep - rim) : Doubles() + Endless;
+    Store(nearest + first, near);
     const int size = std::min(QuadWidth, this->Count - first);
     for (int lane = 0; lane < size; ++lane)
     {
       result.Touched |= (isOutside[lane] ? 0u : 1u) << (first + lane);
       result.Covering |= (covers[lane] && !isOutside[lane] ? 1u : 0u) << (first + lane);
+      cover = covers[lane] && !isOutside[lane] ? std::min(cover, far[lane]) : cover;
     }
+  }
+  const double last = cover * (1 + Margin) + distance;
+  for (std::uint32_t bits = result.Touched; bits != 0; bits &= bits - 1)
+  {
+    const int i = __builtin_ctz(bits);
+    const std::uint32_t isHidden = nearest[i] > last ? 1u : 0u;
+    result.Touched &= ~(isHidden << i);
+    result.Covering &= ~(isHidden << i);
   }
   return result;
 }

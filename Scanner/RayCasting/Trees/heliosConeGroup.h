@@ -53,8 +53,10 @@ public:
 
   int GetNumberOfTriangles() const { return this->Count; }
 
-  /// Selects the triangles in one of the cones.
-  ConeTriangles Select(const double origin[3], const double axis[3], double tangent) const;
+  /// Selects the triangles in one of the cones, but for those that are hidden: farther than one that covers it
+  /// by more than a distance.
+  ConeTriangles Select(
+    const double origin[3], const double axis[3], double tangent, double distance = 0.0) const;
 
   /// Calls add() with the tree and number of the triangles of some bits, until it returns false; returns what the
   /// last one has returned.

@@ -117,10 +117,12 @@ bool ConeTest::Walk()
 bool ConeTest::WalkGroup(const ConeGroup& group)
 {
   const Cone& cone = this->Shape;
-  const bool isKnown =
-    group.Visit(group.Select(cone.GetOrigin(), cone.GetAxis(2), cone.GetTangent()).Touched,
-      [this](const PlacedTree& placed, vtkTypeInt32 triangle)
-      { return this->Add(placed, triangle); });
+  const double distance = std::max(this->Limits.OfPlane.Distance, this->Limits.OfLayer.Distance);
+  const ConeTriangles found =
+    group.Select(cone.GetOrigin(), cone.GetAxis(2), cone.GetTangent(), distance);
+  const bool isKnown = group.Visit(found.Touched,
+    [this](const PlacedTree& placed, vtkTypeInt32 triangle)
+    { return this->Add(placed, triangle); });
   if (!isKnown)
   {
     this->Count = 0;

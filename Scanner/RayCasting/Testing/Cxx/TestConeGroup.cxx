@@ -11,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 using helios::ConeAxis;
@@ -182,6 +183,31 @@ TEST_CASE("ConeGroup: triangles far out of the scene are in it", "[ConeGroup]")
   group.Meet(found.Covering, &ray, 1, &hit);
   CHECK(hit.CellId == 2000);
   CHECK(hit.Range == 10.0);
+}
+
+TEST_CASE("ConeGroup: triangles behind one that covers a cone are not selected", "[ConeGroup]")
+{
+  helios::Soup soup;
+  soup.AddTriangle({ -9, -9, 5 }, { 9, -9, 5 }, { 0, 9, 5 });
+  soup.AddTriangle({ 0, -9, 5.1 }, { 9, -9, 5.1 }, { 0, 9, 5.1 }); // an edge in the cone
+  soup.AddTriangle({ -9, -9, 7 }, { 9, -9, 7 }, { 0, 9, 7 });      // covers it, too
+  soup.AddTriangle({ -1, -1, 8 }, { 1, -1, 8 }, { 0, 1, 9 });      // farther at its other end
+  vtkNew<vtkHeliosBeamRayCaster> caster;
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  const ConeAxis cone{ { 0, 0, 0 }, { 0, 0, 1 } };
+  ConeGroup group;
+  REQUIRE(caster->GetConeProbe()->FindGroup(&cone, 1, 0.01, group));
+  REQUIRE(group.GetNumberOfTriangles() == 4);
+  const auto count = [&](double distance)
+  {
+    const auto found = group.Select(cone.Origin, cone.Axis, 0.01, distance);
+    return std::bitset<32>(found.Touched).count() + 10 * std::bitset<32>(found.Covering).count();
+  };
+  CHECK(count(0.0) == 11);
+  CHECK(count(0.09) == 11);
+  CHECK(count(0.11) == 12);
+  CHECK(count(1e3) == 34);
+  CHECK(group.Select(cone.Origin, cone.Axis, 0.01).IsOne());
 }
 
 TEST_CASE("ConeGroup: none of cones too wide, or that point to different sides", "[ConeGroup]")
