@@ -112,23 +112,23 @@ void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
   {
     double core[6];
     GetCoreBounds(mesh, core);
-    this->BuildNodes(core, check);
+    this->BuildNodes(core, check, LeafSize);
   }
 }
 
-void BeamTree::BuildWhole(const TriangleMesh& mesh, StopCheck& check)
+void BeamTree::BuildWhole(const TriangleMesh& mesh, StopCheck& check, int leafSize)
 {
   *this = BeamTree();
   this->Mesh = &mesh;
   if (CanBeBuilt(mesh))
   {
     const double all[6] = { -Endless, Endless, -Endless, Endless, -Endless, Endless };
-    this->BuildNodes(all, check);
+    this->BuildNodes(all, check, leafSize);
   }
 }
 
 /// Builds the tree over the triangles in a box, and that of the others.
-void BeamTree::BuildNodes(const double box[6], StopCheck& check)
+void BeamTree::BuildNodes(const double box[6], StopCheck& check, int leafSize)
 {
   const TriangleMesh& mesh = *this->Mesh;
   std::vector<Block> blocks(
@@ -161,7 +161,7 @@ void BeamTree::BuildNodes(const double box[6], StopCheck& check)
     return;
   }
   this->Frame.Set(all.Low, all.High);
-  BeamBuilder builder(mesh, this->Frame, all.Count);
+  BeamBuilder builder(mesh, this->Frame, all.Count, leafSize);
   VisitBlocks(mesh, check,
     [&](std::size_t block, vtkIdType last)
     {

@@ -76,8 +76,8 @@ public:
   /// there are too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// Builds without outliers: all triangles are in the tree of floats.
-  void BuildWhole(const TriangleMesh& mesh, StopCheck& check);
+  /// Builds without outliers: all triangles are in the tree of floats, up to leafSize in a leaf.
+  void BuildWhole(const TriangleMesh& mesh, StopCheck& check, int leafSize = BeamLeaf::Size);
 
   /// Builds over a height field, which must outlive it.
   void Build(const HeightField& field);
@@ -169,7 +169,7 @@ private:
 
   static constexpr vtkTypeUInt32 LeafBit = BeamNode::LeafBit;
 
-  void BuildNodes(const double box[6], StopCheck& check);
+  void BuildNodes(const double box[6], StopCheck& check, int leafSize);
   void Prefetch(vtkTypeUInt32 child) const;
   void ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const;
   vtkIdType ComputeCell(vtkIdType triangle) const;

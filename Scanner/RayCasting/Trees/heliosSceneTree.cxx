@@ -94,7 +94,7 @@ void SceneTree::BoxTree::Build(const std::vector<std::array<double, 6>>& boxes, 
   this->Tree = BeamTree();
   if (!boxes.empty() && this->Mesh.Set(MakeTriangles(boxes)).IsOk())
   {
-    this->Tree.BuildWhole(this->Mesh, check);
+    this->Tree.BuildWhole(this->Mesh, check, 1); // all in a leaf that is entered are visited
   }
 }
 

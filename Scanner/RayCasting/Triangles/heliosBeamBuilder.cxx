@@ -94,9 +94,11 @@ void TreeFrame::Set(const double low[3], const double high[3])
 }
 
 //------------------------------------------------------------------------------
-BeamBuilder::BeamBuilder(const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count)
+BeamBuilder::BeamBuilder(
+  const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count, int leafSize)
   : Mesh(mesh)
   , Frame(frame)
+  , LeafSize(leafSize)
 {
   this->Boxes.Resize(static_cast<std::size_t>(count));
 }
@@ -215,7 +217,7 @@ void BeamBuilder::BuildParts(BeamStorage& tree, StopCheck& check)
   {
     check.Poll();
     const std::size_t last = std::min(order.size(), first + round);
-    std::vector<BeamPart> built(last - first);
+    std::vector<BeamPart> built(last - first, BeamPart(this->LeafSize));
     LoopOnThreads(0, static_cast<vtkIdType>(built.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -229,7 +231,7 @@ void BeamBuilder::BuildParts(BeamStorage& tree, StopCheck& check)
     for (std::size_t i = 0; i < built.size(); ++i)
     {
       this->Append(built[i], this->Parts[order[first + i]], tree);
-      built[i] = BeamPart();
+      built[i] = BeamPart(this->LeafSize);
     }
     this->Boxes.Resize(static_cast<std::size_t>(this->Parts[order[last - 1]].First));
     this->Boxes.Shrink();

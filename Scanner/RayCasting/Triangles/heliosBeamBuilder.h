@@ -31,8 +31,8 @@ class TriangleMesh;
 class BeamBuilder
 {
 public:
-  /// The mesh and the frame must outlive this.
-  BeamBuilder(const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count);
+  /// The mesh and the frame must outlive this; a leaf gets up to leafSize triangles.
+  BeamBuilder(const TriangleMesh& mesh, const TreeFrame& frame, vtkIdType count, int leafSize);
   ~BeamBuilder();
 
   /// Sets a triangle, of the number given at first.
@@ -60,6 +60,7 @@ private:
 
   const TriangleMesh& Mesh;
   const TreeFrame& Frame;
+  const int LeafSize;
   TreeArray<CoarseBox> Boxes;
   std::vector<Part> Parts;    ///< in any order
   std::vector<SplitNode> Top; ///< the binary tree above the parts; a leaf is the number of a part

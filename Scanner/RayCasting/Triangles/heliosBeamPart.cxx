@@ -65,7 +65,8 @@ struct Range
 //------------------------------------------------------------------------------
 /// Makes the binary nodes of at least two boxes, which it sorts.
 HELIOS_CLONES
-void BeamPart::Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes)
+void BeamPart::Split(
+  FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes) const
 {
   Range range{ 0, count, -1, 0, depth, {} };
   for (vtkTypeInt32 i = 0; i < count; ++i)
@@ -115,8 +116,8 @@ void BeamPart::Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<
         node.High[side][axis] = halves[side].High[axis];
       }
       node.First[side] = ends[side];
-      node.Count[side] = size <= BeamLeaf::Size ? size : 0;
-      if (size > BeamLeaf::Size)
+      node.Count[side] = size <= this->LeafSize ? size : 0;
+      if (size > this->LeafSize)
       {
         waiting.push_back(
           { ends[side], ends[side + 1], index, side, range.Depth + 1, centres[side] });
@@ -136,10 +137,10 @@ void BeamPart::Build(const TriangleMesh& mesh, const TreeFrame& frame, const Coa
     fine.emplace_back(mesh, frame, boxes[i].GetTriangle());
   }
   std::vector<SplitNode> binary;
-  if (count > BeamLeaf::Size)
+  if (count > this->LeafSize)
   {
     binary.reserve(static_cast<std::size_t>(count) / 2);
-    BeamPart::Split(fine.data(), count, depth, binary);
+    this->Split(fine.data(), count, depth, binary);
   }
   this->MakeNodes(mesh, frame, fine, binary);
 }

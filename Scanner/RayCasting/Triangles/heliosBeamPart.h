@@ -67,6 +67,12 @@ public:
   std::vector<vtkTypeUInt32> Leaves;
   PlainBox Bounds;
 
+  /// Makes leaves of up to a number of triangles.
+  explicit BeamPart(int leafSize)
+    : LeafSize(leafSize)
+  {
+  }
+
   /// Builds over the triangles of coarse boxes; depth: of its root in the binary tree.
   void Build(const TriangleMesh& mesh, const TreeFrame& frame, const CoarseBox* boxes,
     vtkTypeInt32 count, int depth);
@@ -74,11 +80,13 @@ public:
 private:
   struct FineBox;
 
-  static void Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes);
+  void Split(FineBox* boxes, vtkTypeInt32 count, int depth, std::vector<SplitNode>& nodes) const;
   void MakeNodes(const TriangleMesh& mesh, const TreeFrame& frame,
     const std::vector<FineBox>& boxes, const std::vector<SplitNode>& binary);
   vtkTypeUInt32 AddLeaf(
     const TriangleMesh& mesh, const TreeFrame& frame, const FineBox* boxes, int count);
+
+  int LeafSize;
 };
 
 } // namespace helios
