@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosFoliageArrayNames
- * @brief   names of the arrays of measured plant area density
+ * @brief   names of the arrays of trees and of measured plant area density
  *
  * All others are in vtkHeliosArrayNames, such as PAD and LeafProjection.
  */
@@ -12,6 +12,21 @@
 
 namespace vtkHeliosFoliageArrayNames
 {
+
+///@{
+/** Trees of a scene: field data, a value per part by PartIds, also of turbid voxels. */
+inline constexpr const char* PartTree = "Part.Tree";       // number of the tree, -1: none
+inline constexpr const char* PartSpecies = "Part.Species"; // empty: not known
+///@}
+
+///@{
+/** Echoes of a scene with trees: point data, and field data with the names by number. */
+inline constexpr const char* TreeIds = "TreeIds";       // number of the tree, -1: none
+inline constexpr const char* SpeciesIds = "SpeciesIds"; // row of Species.Name, -1: none
+inline constexpr const char* SpeciesName = "Species.Name";
+inline constexpr const char* OrganIds = "OrganIds";    // 0 none, 1 leaf, 2 wood of a tree
+inline constexpr const char* OrganName = "Organ.Name"; // none, leaf, wood
+///@}
 
 ///@{
 /** Cells of vtkHeliosPlantAreaDensity: cell data of an image. */

@@ -167,6 +167,17 @@ STRIP_DENSITY = "StripDensity"  # [1/m2], of the densest strip
 NUMBER_OF_STRIPS = "NumberOfStrips"  # strips that reach the cell
 FLYING_HEIGHT = "FlyingHeight"  # [m], of the nearest line above it
 
+# Trees of a scene: field data, a value per part by PartIds, also of turbid voxels.
+PART_TREE = "Part.Tree"  # number of the tree, -1: none
+PART_SPECIES = "Part.Species"  # empty: not known
+
+# Echoes of a scene with trees: point data, and field data with the names by number.
+TREE_IDS = "TreeIds"  # number of the tree, -1: none
+SPECIES_IDS = "SpeciesIds"  # row of Species.Name, -1: none
+SPECIES_NAME = "Species.Name"
+ORGAN_IDS = "OrganIds"  # 0 none, 1 leaf, 2 wood of a tree
+ORGAN_NAME = "Organ.Name"  # none, leaf, wood
+
 # Cells of vtkHeliosPlantAreaDensity: cell data of an image.
 DENSITY_ERROR = "DensityError"  # [m2/m3], NaN: unknown
 CELL_STATE = "CellState"  # 0 no beam, 1 seen, 2 shadowed, 3 saturated

@@ -13,6 +13,7 @@
 #include "heliosScenePreparation.h"
 #include "heliosStatus.h"
 #include "heliosTolerances.h"
+#include "heliosTreeIds.h"
 #include "heliosWeather.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
@@ -611,7 +612,9 @@ int vtkHeliosScanner::RequestData(
   {
     return 0;
   }
-  scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs, 0));
+  vtkPolyData* echoes = vtkPolyData::GetData(outputs, 0);
+  scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), echoes);
+  helios::AddTreeIds(echoes);
   PassEpoch(vtkPolyData::GetData(inputs[1]), outputs);
   return 1;
 }

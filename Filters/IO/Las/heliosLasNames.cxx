@@ -3,6 +3,7 @@
 #include "heliosLasNames.h"
 
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFoliageArrayNames.h"
 
 #include <algorithm>
 #include <iterator>
@@ -10,6 +11,7 @@
 namespace helios
 {
 namespace names = vtkHeliosArrayNames;
+namespace foliage = vtkHeliosFoliageArrayNames;
 
 namespace
 {
@@ -36,6 +38,9 @@ constexpr KnownName OwnNames[] = {
   { names::MaterialIds, names::MaterialIds, "material of the scene" },
   { names::CellIds, names::CellIds, "triangle of the scene" },
   { names::ChannelIds, names::ChannelIds, "channel of the scanner" },
+  { foliage::TreeIds, foliage::TreeIds, "number of the tree, -1: none" },
+  { foliage::SpeciesIds, foliage::SpeciesIds, "species of the tree" },
+  { foliage::OrganIds, foliage::OrganIds, "1 leaf, 2 wood, 0 none" },
   { names::TruePoint, names::TruePoint, "without noise [m]" },
   { names::Normal, names::Normal, "of the surface, unit vector" },
 };

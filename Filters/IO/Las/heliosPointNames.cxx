@@ -8,6 +8,7 @@
 #include "heliosPartFile.h"
 #include "heliosSha256.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFoliageArrayNames.h"
 
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -40,7 +41,9 @@ struct Table
   const char* Key;   ///< in the file
 };
 constexpr Table Tables[] = { { vtkHeliosArrayNames::PartName, "parts" },
-  { vtkHeliosArrayNames::MaterialName, "materials" } };
+  { vtkHeliosArrayNames::MaterialName, "materials" },
+  { vtkHeliosFoliageArrayNames::SpeciesName, "species" },
+  { vtkHeliosFoliageArrayNames::OrganName, "organs" } };
 
 vtkStringArray* GetNames(vtkFieldData* fields, const Table& table)
 {

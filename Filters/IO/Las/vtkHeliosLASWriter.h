@@ -26,8 +26,8 @@
  * - Extra Bytes: every other array, exactly, with its own name and type (Amplitude, EchoWidth,
  *   Range, PulseIds ...), including ChannelIds. An array of three components becomes three fields:
  *   TruePointX, TruePointY, TruePointZ. An Intensity that is not of 16 bits is stored there, too.
- * - names of parts and materials (field arrays Part.Name, Material.Name): in a file beside it, see
- *   vtkHeliosPointNames.
+ * - names of parts, materials, species and organs (field arrays Part.Name ...): in a file beside it,
+ *   see vtkHeliosPointNames.
  *
  * With WriteWaveforms, each waveform of a block is one packet of 32-bit samples in a file named
  * .wdp instead of .las; every point of the pulse refers to it. The samples keep 23 bits relative to

@@ -10,6 +10,8 @@
  *   { "format": "vtkHelios names of points", "version": 1, "points": 1000,
  *     "parts": ["ground", "house"], "materials": ["grass", "brick"] }
  *
+ * "species" and "organs" are the names of SpeciesIds and OrganIds, of scenes with trees.
+ *
  * A name is at the place of its number, from 0. "points" is the number of points of the file: names
  * of another number are not read, since the file may have been replaced. vtkHeliosLASWriter writes
  * the file if the field data of its blocks have names (Part.Name, Material.Name), and removes the one

@@ -7,6 +7,7 @@
 #include "heliosSceneCrs.h"
 #include "heliosTextFile.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFoliageArrayNames.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -19,6 +20,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -185,6 +187,25 @@ private:
           " as the origin of its times, which is not a number; correct it");
   }
 
+  /// Adds the names by number, in marks of the form name:ARRAY:NUMBER, from 0 without a gap.
+  void AddNames(vtkFieldData* fields) const
+  {
+    for (const char* array :
+      { vtkHeliosFoliageArrayNames::SpeciesName, vtkHeliosFoliageArrayNames::OrganName })
+    {
+      vtkNew<vtkStringArray> names;
+      names->SetName(array);
+      const std::string key = std::string("name:") + array + ":";
+      auto mark = this->Header.Marks.find(key + "0");
+      while (mark != this->Header.Marks.end())
+      {
+        names->InsertNextValue(mark->second);
+        mark = this->Header.Marks.find(key + std::to_string(names->GetNumberOfValues()));
+      }
+      names->GetNumberOfValues() > 0 ? fields->AddArray(names) : 0;
+    }
+  }
+
   void MakeArrays(vtkIdType rows, vtkPolyData* cloud)
   {
     vtkNew<vtkPoints> points;
@@ -205,6 +226,7 @@ private:
       cloud->GetPointData()->AddArray(column.Array);
     }
     helios::SetCRS(cloud, this->Header.Marks["crs"]);
+    this->AddNames(cloud->GetFieldData());
     if (this->Epoch != 0.0)
     {
       vtkNew<vtkDoubleArray> epoch;

@@ -9,7 +9,8 @@
  *   text are read in full precision, whatever their type;
  * - point data: each other property by its name, with its type. Integers that vtkhelios stored as
  *   floats have their type again (comment vtkhelios type:NAME int64);
- * - field data: CRS and GpsEpoch if comments of vtkhelios state them.
+ * - field data: CRS, GpsEpoch, Species.Name and Organ.Name if comments of vtkhelios state them
+ *   (comment vtkhelios name:Species.Name:0 Fagus sylvatica).
  *
  * Other elements, which follow the vertices, are not read. A file larger than memory is read by
  * pieces, in their order.

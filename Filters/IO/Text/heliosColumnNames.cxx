@@ -3,6 +3,7 @@
 #include "heliosColumnNames.h"
 
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFoliageArrayNames.h"
 
 #include <vtkType.h>
 
@@ -10,6 +11,7 @@
 #include <string>
 
 namespace names = vtkHeliosArrayNames;
+namespace foliage = vtkHeliosFoliageArrayNames;
 
 namespace helios
 {
@@ -56,6 +58,9 @@ const KnownColumn KnownColumns[] = {
   { " pulseids ", { names::PulseIds, 0, 1, VTK_TYPE_INT64 } },
   { " partids ", { names::PartIds, 0, 1, VTK_INT } },
   { " materialids ", { names::MaterialIds, 0, 1, VTK_INT } },
+  { " treeids treeid ", { foliage::TreeIds, 0, 1, VTK_INT } }, // treeID of lidR
+  { " speciesids ", { foliage::SpeciesIds, 0, 1, VTK_INT } },
+  { " organids ", { foliage::OrganIds, 0, 1, VTK_UNSIGNED_CHAR } },
   { " amplitude ", { names::Amplitude, 0, 1, VTK_DOUBLE } },
   { " echowidth ", { names::EchoWidth, 0, 1, VTK_DOUBLE } },
   { " range ", { names::Range, 0, 1, VTK_DOUBLE } },

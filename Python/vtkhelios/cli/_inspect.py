@@ -9,7 +9,7 @@ import numpy as np
 from .. import formats
 
 from ..array_names import (
-    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS, RETURN_NUMBER,
+    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER,
     UNITS,
 )  # fmt: skip
 from ..catalogue._files import CatalogueError, read_root
@@ -18,7 +18,7 @@ from ..core.reading import make_reader
 from ..core.systems import Metres
 from ..core.words import counted
 from ..formats._base import rows_of
-from ..formats._names import NAMES
+from ..formats._names import NAME_KEYS, NAMES
 from ..formats._records import RecordReader
 from ..formats._run import is_run
 from ..reports.raster import FARTHEST, Raster, is_near, tally
@@ -121,7 +121,7 @@ class Inspection:
         facts["returns"] = {str(i): int(n) for i, n in enumerate(self._returns) if n}
         facts["classes"] = {str(i): int(n) for i, n in enumerate(self._classes) if n}
         facts["legs"] = {str(leg): count for leg, count in sorted(self._legs.items())}
-        for key, ids in (("parts", PART_IDS), ("materials", MATERIAL_IDS)):
+        for key, ids in zip(NAME_KEYS, NAMES):
             if names := reader.header.texts(NAMES[ids]):
                 facts[key] = _name_counts(names, self._named[ids])
         facts["arrays"] = [

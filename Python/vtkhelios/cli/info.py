@@ -7,6 +7,7 @@ import pathlib
 
 from .. import formats
 from ..core.reading import is_document
+from ..formats._names import NAME_KEYS
 from . import _meshes
 from ._inspect import Inspection, inspect_xml
 from ._meshes import describe_crs
@@ -135,7 +136,7 @@ def point_lines(facts):
             shares = (f"{key}: {n:,} ({100 * n / total:.1f} %)" for key, n in facts[name].items())
             yield f"{name:10} {', '.join(shares)}"
     yield from leg_lines(facts["legs"])
-    for key in ("parts", "materials"):
+    for key in NAME_KEYS:
         yield from name_lines(key, facts.get(key, []))
     if "scale" in facts:
         yield f"scale      {facts['scale']}, offset {facts['offset']}"

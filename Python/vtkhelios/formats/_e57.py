@@ -14,8 +14,8 @@ from ..core.words import counted
 from ._base import ROWS, Reader, Scan, guarded, need
 
 from ._e57_fields import (
-    COLOURS, DIRECTION_ONLY, FULL, KNOWN, OURS, POLAR, STATES, XYZ, Range, check_flags, find_range,
-    full_colour, number_of, rotation_matrix,
+    COLOURS, DIRECTION_ONLY, FULL, KNOWN, NAME_NODES, OURS, POLAR, STATES, TREES, TREE_TYPES, XYZ, Range,
+    check_flags, find_range, full_colour, number_of, rotation_matrix,
 )  # fmt: skip
 from ._e57_writer import E57Writer
 from ._union import explain_missing, fill, join_layouts, layout_of
@@ -47,6 +47,8 @@ class E57Reader(Reader):
             self.fail("has no points; give a file with points")
         with guarded(self.path):
             self._read_heads(headers)
+            for name, node in NAME_NODES.items():
+                self.header.set_texts(name, self._read_texts(node))
 
     def _read_heads(self, headers):
         self.scans = [self._make_scan(header, i) for i, header in enumerate(headers)]
@@ -97,6 +99,13 @@ class E57Reader(Reader):
 
     def _text(self, node, name):
         return node[name].value() if node.isDefined(name) else ""
+
+    def _read_texts(self, name):
+        """Returns the texts in a vector of the root."""
+        root = self._file.root
+        nodes = (root[i] for i in range(root.childCount()))  # isDefined() needs known extensions
+        node = next((each for each in nodes if each.elementName() == name), None)
+        return [node[i].value() for i in range(node.childCount())] if node is not None else []
 
     def _find_start(self, header):
         """GPS time of the zero of the time stamps of a scan; 0: unknown."""
@@ -270,6 +279,9 @@ class ScanPoints:
             chunk[RETURN_NUMBER] = (data["returnIndex"] + 1).astype(np.uint8)
         if "returnCount" in data:
             chunk[NUMBER_OF_RETURNS] = data["returnCount"].astype(np.uint8)
+        for name, field in TREES.items():
+            if field in data:
+                chunk[name] = data[field].astype(TREE_TYPES[name])
         if "intensity" in data:
             self._add_intensity(chunk, data["intensity"], counts)
         if self._colours:

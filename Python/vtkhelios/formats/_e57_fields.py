@@ -4,6 +4,8 @@
 
 import numpy as np
 
+from ..array_names import ORGAN_IDS, ORGAN_NAME, SPECIES_IDS, SPECIES_NAME, TREE_IDS
+
 OURS = "vtkHelios, intensity: amplitude [W]"  # prefix of a scan's description
 OTHERS = "vtkHelios"  # array of scans whose intensity is no power
 DIRECTION_ONLY = 1  # value of cartesianInvalidState: x y z is the pulse direction
@@ -21,6 +23,16 @@ FLAGS = {
 }
 KNOWN = {*XYZ, *POLAR, *COLOURS, *STATES, *FLAGS, "intensity", "timeStamp", "returnIndex"}
 KNOWN |= {"returnCount"}
+# An extension of the standard: the fields of trees, and vectors of texts in the root, by number.
+EXTENSION, EXTENSION_URI = "vtkhelios", "urn:vtkhelios:e57:trees:1"
+TREES = {
+    TREE_IDS: "vtkhelios:treeId",
+    SPECIES_IDS: "vtkhelios:speciesId",
+    ORGAN_IDS: "vtkhelios:organId",
+}
+TREE_TYPES = {TREE_IDS: np.int32, SPECIES_IDS: np.int32, ORGAN_IDS: np.uint8}
+NAME_NODES = {SPECIES_NAME: "vtkhelios:speciesNames", ORGAN_NAME: "vtkhelios:organNames"}
+KNOWN |= set(TREES.values())
 UNBOUNDED = 2.0**52  # a range of a type beyond this says nothing
 
 

@@ -14,7 +14,11 @@ from ..array_names import (
 from ..core.classes import version
 from ..core.systems import Metres
 from ._base import ROWS, FileWriter, need, rows_of
-from ._e57_fields import COLOURS, DIRECTION_ONLY, FULL, OTHERS, OURS, XYZ, rotation_matrix
+
+from ._e57_fields import (
+    COLOURS, DIRECTION_ONLY, EXTENSION, EXTENSION_URI, FULL, NAME_NODES, OTHERS, OURS, TREES, XYZ,
+    rotation_matrix,
+)  # fmt: skip
 from ._grid import find_grid
 
 STANDARD = ("points", AMPLITUDE, INTENSITY, RETURN_NUMBER, NUMBER_OF_RETURNS, GPS_TIME, RGB)
@@ -55,9 +59,9 @@ class E57Writer(FileWriter):
             self.fail(f"E57 stores metres: {problem}")
         chunk = {**chunk, "points": self._metres.convert(chunk["points"])}
         if self._image is None:
-            self._open()
+            self._open(not TREES.keys().isdisjoint(chunk))
         for name in chunk:
-            if name not in STANDARD:
+            if name not in STANDARD and name not in TREES:
                 self.lost[name] = "E57 has no field for it"
         if AMPLITUDE in chunk and INTENSITY in chunk:
             self.lost[INTENSITY] = "the amplitude is the intensity"
@@ -71,13 +75,16 @@ class E57Writer(FileWriter):
             self._put(self._fields(part))
         self.count += rows_of(chunk)
 
-    def _open(self):
+    def _open(self, has_trees):
         self.open_part()  # checks that it is writable
         self.file.close()
         libe57 = self._libe57
         self._image = image = libe57.ImageFile(self.part, "w")
         image.extensionsAdd("", libe57.E57_V1_0_URI)
         root = image.root()
+        if has_trees:
+            image.extensionsAdd(EXTENSION, EXTENSION_URI)
+            self._add_names(root)
         root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
         root.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
@@ -87,6 +94,14 @@ class E57Writer(FileWriter):
         self._scans = libe57.VectorNode(image, True)
         root.set("data3D", self._scans)
         root.set("images2D", libe57.VectorNode(image, True))
+
+    def _add_names(self, root):
+        """Adds the names of species and organs, as vectors of texts."""
+        for name, node in NAME_NODES.items():
+            vector = self._libe57.VectorNode(self._image, True)
+            root.set(node, vector)
+            for text in self.header.texts(name):
+                vector.append(self._libe57.StringNode(self._image, text))
 
     def _begin_scan(self, chunk):
         scan = self.scan
@@ -119,6 +134,8 @@ class E57Writer(FileWriter):
         libe57, image = self._libe57, self._image
         if values.dtype.kind == "f":
             return libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE)
+        if name in TREES.values():
+            return libe57.IntegerNode(image, 0, -1, 2**31 - 1)
         highest = {"cartesianInvalidState": 2, "rowIndex": 2**32 - 1, "columnIndex": 2**32 - 1}
         highest = highest.get(name, np.iinfo(values.dtype).max)
         return libe57.IntegerNode(image, 0, 0, int(highest))
@@ -139,6 +156,9 @@ class E57Writer(FileWriter):
         if RGB in chunk:
             colours = self._scale_colours(chunk[RGB])
             fields |= {name: colours[:, i] for i, name in enumerate(COLOURS)}
+        for name, field in TREES.items():
+            if name in chunk:
+                fields[field] = chunk[name].astype(np.int64)
         if self._pulses is not None and PULSE_IDS in chunk:
             fields |= self._pulses.place(chunk[PULSE_IDS])
             fields["cartesianInvalidState"] = np.zeros(rows_of(chunk), np.uint8)

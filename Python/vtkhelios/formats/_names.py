@@ -7,14 +7,23 @@ import pathlib
 
 import numpy as np
 
-from ..array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS, PART_NAME
+from ..array_names import (
+    MATERIAL_IDS, MATERIAL_NAME, ORGAN_IDS, ORGAN_NAME, PART_IDS, PART_NAME, SPECIES_IDS,
+    SPECIES_NAME,
+)  # fmt: skip
 from ..core.files import part_of
 from ..core.paths import from_vtk, to_vtk
 from ..core.unfinished import set_unfinished
 from ..vtkHeliosFiltersIO import vtkHeliosPointNames
 from ._base import FormatError
 
-NAMES = {PART_IDS: PART_NAME, MATERIAL_IDS: MATERIAL_NAME}  # names for the numbers in an array
+# Names for the numbers in an array.
+NAMES = {
+    PART_IDS: PART_NAME, MATERIAL_IDS: MATERIAL_NAME, SPECIES_IDS: SPECIES_NAME,
+    ORGAN_IDS: ORGAN_NAME,
+}  # fmt: skip
+NAME_KEYS = ("parts", "materials", "species", "organs")  # keys of their tables in JSON
+TREE_NAMES = (SPECIES_NAME, ORGAN_NAME)  # names that PLY and E57 store, too
 
 
 def names_file(path):

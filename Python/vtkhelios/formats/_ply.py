@@ -11,6 +11,7 @@ from ..array_names import INTENSITY, NORMALS, RGB
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
 from ._base import FileWriter, Header, Reader, call, from_cloud, rows_of
+from ._names import TREE_NAMES
 from ._ply_names import PlyNames, to_ascii
 
 WORDS = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int", "u4": "uint"}
@@ -96,6 +97,11 @@ def _stack(fields, names):
     return np.column_stack([fields.pop(name) for name in names])
 
 
+def _line(text):
+    """Returns a text as a line of ASCII."""
+    return to_ascii(" ".join(text.split()))
+
+
 def _word(name):
     """Returns a name as one word of ASCII."""
     return to_ascii("_".join(name.split()) or "_")
@@ -168,9 +174,12 @@ class PlyWriter(FileWriter):
         lines = ["ply", "format binary_little_endian 1.0"]
         lines.append("comment " + "." * (COUNT_WIDTH - len(text)))
         if self.header.crs:
-            lines.append(f"comment {MARK} crs {to_ascii(' '.join(self.header.crs.split()))}")
+            lines.append(f"comment {MARK} crs {_line(self.header.crs)}")
         if self.header.epoch:
             lines.append(f"comment {MARK} epoch {self.header.epoch!r}")
+        for name in TREE_NAMES:
+            texts = enumerate(self.header.texts(name))
+            lines += [f"comment {MARK} name:{name}:{i} {_line(text)}" for i, text in texts]
         lines += [f"comment {MARK} type:{_word(name)} {kind}" for name, kind in self._wide.items()]
         lines.append(f"element vertex {text}")
         lines += [f"property {WORDS[kind.str[1:]]} {_word(name)}" for name, (kind, _) in

@@ -6,13 +6,14 @@ import numpy as np
 
 from ..array_names import (
     CELL_IDS, GPS_TIME, LEG_IDS, MATERIAL_IDS, NUMBER_OF_RETURNS, PART_IDS, PULSE_IDS,
-    RETURN_NUMBER, RGB, SCAN_ANGLE, WAVEFORM_IDS,
+    RETURN_NUMBER, RGB, SCAN_ANGLE, SPECIES_IDS, TREE_IDS, WAVEFORM_IDS,
 )  # fmt: skip
 from ._base import FormatError, rows_of
 
 # Values of points without an array; of other arrays NaN, or 0 for integers.
 MISSING = {RETURN_NUMBER: 1, NUMBER_OF_RETURNS: 1, GPS_TIME: 0, RGB: 0, SCAN_ANGLE: 0}
-MISSING |= dict.fromkeys((PULSE_IDS, LEG_IDS, PART_IDS, MATERIAL_IDS, CELL_IDS, WAVEFORM_IDS), -1)
+_IDS = (PULSE_IDS, LEG_IDS, PART_IDS, MATERIAL_IDS, CELL_IDS, WAVEFORM_IDS, SPECIES_IDS, TREE_IDS)
+MISSING |= dict.fromkeys(_IDS, -1)
 
 
 def layout_of(chunk):

@@ -9,8 +9,8 @@ import re
 import numpy as np
 
 from ..array_names import (
-    AMPLITUDE, CLASSIFICATION_IDS, INTENSITY, MATERIAL_IDS, MATERIAL_NAME, PART_IDS, RANGE,
-    REFLECTANCE,
+    AMPLITUDE, CLASSIFICATION_IDS, INTENSITY, MATERIAL_IDS, MATERIAL_NAME, ORGAN_IDS, PART_IDS,
+    RANGE, REFLECTANCE,
 )  # fmt: skip
 from ..core.json_files import JsonError, parse_json
 from ..formats import FormatError
@@ -23,6 +23,7 @@ MATERIALS = {
     "trunk": 71, "wood": 71, "bark": 71, "stem": 71, "branch": 71, "leaf": 70, "leaves": 70,
     "foliage": 70, "needle": 70,
 }  # fmt: skip
+ORGANS = {1: "leaf", 2: "wood"}  # words by OrganIds, of echoes without names of materials
 MAXIMUM_INSTANCES = 2**16 - 1
 
 
@@ -66,6 +67,9 @@ class Labels:
         labels = np.zeros(count, np.uint16)
         for key, label in self.classes.items():
             labels[classes == key] = label
+        for organ, word in ORGANS.items():
+            if ORGAN_IDS in arrays and word in self.materials:
+                labels[arrays[ORGAN_IDS] == organ] = self.materials[word]
         ids = arrays.get(MATERIAL_IDS)
         for number in () if ids is None else np.unique(ids):
             label = self._find_material(int(number), _name_of(fields, int(number)))

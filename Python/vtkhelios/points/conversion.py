@@ -20,7 +20,8 @@ from ..core.words import counted
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 
 from ..formats._names import (
-    NAMES, NameUnion, add_names, check_names, names_file, renumber, tables_of, write_names,
+    NAMES, TREE_NAMES, NameUnion, add_names, check_names, names_file, renumber, tables_of,
+    write_names,
 )  # fmt: skip
 from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
@@ -334,7 +335,8 @@ class Conversion:
         fields = {reader.header.fields.GetArrayName(i) for reader in readers
                   for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
         if kind not in NAMED:
-            kept = {PART_NAME} if kind == ".xyz" else set()
+            kept = set(TREE_NAMES) if kind in (".ply", ".e57") else set()
+            kept |= {PART_NAME} if kind == ".xyz" else set()
             for name in sorted((set(NAMES.values()) & fields) - kept):
                 self.lost[name] = "points keep the numbers; LAS, LAZ, COPC and VTK store the names"
         if kind in (".xyz", ".csv") and fields & {CRS, GPS_EPOCH}:

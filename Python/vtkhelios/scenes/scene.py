@@ -378,7 +378,8 @@ def add_parts(survey, table, models, seed, yaw, scale):
     table
         a row for each part: the name of a CSV file, or its columns, a dictionary, a structured
         array or a data frame. Columns are x and y [m], and optionally model, z [m] (NaN: on the
-        ground), yaw_deg, scale, id and classification; others of a file are not used.
+        ground), yaw_deg, scale, id, classification, species and tree; others of a file are not
+        used.
     models
         a dictionary of what rows place: by the names in the column model, the OBJ file of each, or
         a dictionary of attributes of <model>, such as {"objloader/filepath": "oak.obj", "share":

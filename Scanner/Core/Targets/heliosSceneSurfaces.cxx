@@ -142,6 +142,7 @@ Status SceneSurfaces::Set(vtkPolyData* scene, const SceneGeometry* geometry)
   this->NumberOfTriangles = this->NumberOfCells =
     this->Geometry ? this->Geometry->GetNumberOfTriangles() : scene->GetNumberOfCells();
   this->Grids.clear();
+  this->GridMaterials.clear();
   this->Reflections.clear();
   this->Classifications.clear();
   this->Optics.clear();
@@ -249,6 +250,8 @@ Status SceneSurfaces::AddGrid(vtkImageData* grid, vtkIdType& firstCell)
     vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::PartName));
   added.Name = name && name->GetNumberOfValues() > 0 ? std::string(name->GetValue(0)) : "";
   this->NumberOfCells += grid->GetNumberOfCells();
+  const MaterialTable own = GetMaterials(grid);
+  this->GridMaterials.insert(this->GridMaterials.end(), own.begin(), own.end());
   this->Grids.push_back(added);
   const Status material = this->AddMaterials(grid, what);
   status = status.IsOk() ? material : status;
@@ -299,6 +302,12 @@ void SceneSurfaces::PassFields(vtkPolyData* scene, vtkPolyData* echoes) const
     {
       echoes->GetFieldData()->AddArray(array);
     }
+  }
+  if (!this->GridMaterials.empty())
+  {
+    MaterialTable all = GetMaterials(scene);
+    all.insert(all.end(), this->GridMaterials.begin(), this->GridMaterials.end());
+    SetMaterials(echoes, all);
   }
 }
 

@@ -77,7 +77,8 @@ public:
             this->GetPartId(a) == this->GetPartId(b));
   }
 
-  /// Passes the names of all parts and the coordinate system to the echoes, if set.
+  /// Passes the names of all parts, the coordinate system and the materials of grids to the echoes,
+  /// if set.
   void PassFields(vtkPolyData* scene, vtkPolyData* echoes) const;
 
   const SurfaceReflection& GetReflection(int material) const
@@ -175,6 +176,7 @@ private:
   vtkIdType NumberOfTriangles = VTK_ID_MAX;
   vtkSmartPointer<vtkStringArray> PartNames; // names of the scene; null: none
   std::vector<Grid> Grids;
+  MaterialTable GridMaterials;
   vtkIdType NumberOfCells = 0;                // number of triangles and voxels
   std::vector<SurfaceReflection> Reflections; // one per material
   std::vector<int> Classifications;

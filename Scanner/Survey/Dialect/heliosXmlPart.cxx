@@ -204,6 +204,8 @@ bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
     fresh.Where = this->Part.Where;
     fresh.Name = this->Part.Name;
     fresh.Classification = this->Part.Classification;
+    fresh.Species = this->Part.Species;
+    fresh.Tree = this->Part.Tree;
     this->Part = fresh;
   }
   this->Part.Type = type;

@@ -102,6 +102,8 @@ bool RowParts::Add(std::size_t index, std::vector<PartData>& parts) const
   part.Where = row.Where;
   part.Name = row.Name.empty() ? std::to_string(parts.size()) : row.Name;
   part.Classification = row.Classification < 0 ? part.Classification : row.Classification;
+  part.Species = row.Species.empty() ? part.Species : row.Species;
+  part.Tree = row.Tree;
   parts.push_back(std::move(part));
   return true;
 }

@@ -37,6 +37,8 @@ struct TableRow
   double Scale = NotGiven; ///< not given: random
   std::string Name;        ///< empty: the number of the part
   int Classification = -1; ///< negative: class of the model
+  std::string Species;     ///< empty: that of the model
+  int Tree = -1;           ///< number of the tree; negative: the part's
 };
 
 struct PartTableData

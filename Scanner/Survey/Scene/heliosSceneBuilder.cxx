@@ -6,6 +6,7 @@
 #include "heliosGround.h"
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
+#include "heliosSceneTrees.h"
 #include "heliosSimilarity.h"
 #include "heliosStatus.h"
 #include "heliosSurveyCrs.h"
@@ -15,6 +16,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -220,7 +222,35 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   vtkPolyData* composed = composer->GetOutput();
   auto scene = vtk::TakeSmartPointer(composed->NewInstance()); // detached from the pipeline
   scene->ShallowCopy(composed);
+  if (withPartsOnGround && !this->AddTreesTo(scene))
+  {
+    return nullptr;
+  }
   return SetSceneCrs(scene, this->Scene, this->Log) ? scene : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the trees of all parts, by part id: of meshes, of their objects, of the files of turbid
+/// voxels. False after an error.
+bool SceneBuilder::AddTreesTo(vtkPolyData* scene) const
+{
+  std::vector<const PartData*> meshes;
+  std::vector<const PartData*> grids;
+  for (const Part& part : this->Parts)
+  {
+    const std::size_t files = part.Data->IsTurbid() ? part.Data->Files.size() : 0;
+    grids.insert(grids.end(), files, part.Data);
+    part.Data->IsTurbid() ? void() : meshes.push_back(part.Data);
+  }
+  vtkAbstractArray* known = scene->GetFieldData()->GetAbstractArray(names::PartName);
+  meshes.resize(known ? static_cast<std::size_t>(known->GetNumberOfValues()) : 0, nullptr);
+  meshes.insert(meshes.end(), grids.begin(), grids.end());
+  const Status status = AddTrees(meshes, scene);
+  if (!status.IsOk())
+  {
+    this->Log.Error(status.Message());
+  }
+  return status.IsOk();
 }
 
 //------------------------------------------------------------------------------

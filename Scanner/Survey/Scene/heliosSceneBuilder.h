@@ -74,6 +74,7 @@ private:
   bool PlaceOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
+  bool AddTreesTo(vtkPolyData* scene) const;
 
   const SceneData& Scene;
   Messages& Log;

@@ -16,6 +16,7 @@ namespace
 
 constexpr XmlRange Classes = { 0.0, 255.0 };
 constexpr XmlRange Scales = { 1e-9, 1e9 };
+constexpr XmlRange Trees = { 0.0, 2147483647.0 };
 
 } // namespace
 
@@ -40,6 +41,8 @@ std::vector<XmlElementRule> MakeSceneRules()
       Text("id", "name of the part, and object of its points").Default("its number").At<&PartData::Name>(),
       Text("name", "the name of a part is its id").Ignored(),
       Integer("classification", "class of its echoes").In("", Classes).Default("those of its materials").At<&PartData::Classification>(),
+      Text("species", "species of the tree that the part is").At<&PartData::Species>(),
+      Integer("tree", "number of the tree that the part is, or is a part of: TreeIds of its echoes").In("", Trees).Default("with a species, the number of the part").At<&PartData::Tree>(),
       Integer("dynStep", "updates of the scene per update of the part").In("", Steps).Default("1"),
       Number("dynTimeStep", "time between updates of the part: a multiple of the scene's dynTimeStep, if it has one").In("s", TimeStep).Default("as dynStep"),
       Integer("kdtDynStep", "updates of the part per update of the geometry that rays see").In("", Steps).Default("1"),
@@ -85,6 +88,7 @@ std::vector<XmlElementRule> MakeSceneRules()
       Text("id", "name of the model in rows").Required().At<&PartData::Name>(),
       Number("share", "its share of the rows without a model, in proportion to that of the others; 0: only rows that name it").In("", { 0.0, 1e9 }).At<&TableModel::Share>(),
       Integer("classification", "class of the echoes of its parts").In("", Classes).Default("those of its materials").At<&PartData::Classification>(),
+      Text("species", "species of its trees").At<&PartData::Species>(),
     },
     { Many("filter") } },
 
@@ -98,6 +102,8 @@ std::vector<XmlElementRule> MakeSceneRules()
       Number("scale", "factor").In("", Scales).Default("random, from scaleMin to scaleMax").At<&TableRow::Scale>(),
       Text("id", "name of the part, and object of its points").Default("the number of the part").At<&TableRow::Name>(),
       Integer("classification", "class of its echoes").In("", Classes).Default("that of the model").At<&TableRow::Classification>(),
+      Text("species", "species of the tree").Default("that of the model").At<&TableRow::Species>(),
+      Integer("tree", "number of the tree, as in an inventory: TreeIds of its echoes").In("", Trees).Default("with a species, the number of the part").At<&TableRow::Tree>(),
     },
     {} },
 
