@@ -14,7 +14,8 @@ import vtkhelios
 from vtkhelios.array_names import CHANNEL_IDS, DIRECTION, SCAN_ANGLE
 from vtkhelios.catalogue import find_scanners
 
-SCANNERS = {each.id: each for each in find_scanners() if each.optics not in ("risley", "spinning")}
+SCANNERS = {each.id: each for each in find_scanners()
+            if each.optics not in ("risley", "spinning") and each.use != "spaceborne"}  # fmt: skip
 LINES = 3  # scan lines or revolutions of a flight
 HEIGHTS = {"airborne": 500.0, "unmanned": 50.0, "mobile": 10.0}  # [m]
 SPEEDS = {"airborne": 60.0, "unmanned": 8.0, "mobile": 10.0}  # [m/s]

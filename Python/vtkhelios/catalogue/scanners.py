@@ -14,7 +14,7 @@ KINDS = {
     "derived": "from published numbers, by the sum that is given",
     "assumed": "not published",
 }
-USES = ("terrestrial", "mobile", "unmanned", "airborne")
+USES = ("terrestrial", "mobile", "unmanned", "airborne", "spaceborne")
 TEXTS = ("id", "name", "maker", "use", "optics", "spin", "visModel", "scanPattern")
 LISTS = ("pulseFreqs_Hz", "facetPitches_deg", "facetRolls_deg")
 SCANNERS = "scanners.xml"

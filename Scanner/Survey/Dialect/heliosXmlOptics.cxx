@@ -175,8 +175,10 @@ void ResetOptics(ScannerData& scanner)
 //------------------------------------------------------------------------------
 void CheckOptics(const ScannerData& scanner, Messages& log)
 {
-  // The angle of an oscillating mirror may be given by the leg.
-  const bool hasAngle = scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror;
+  // The angle of an oscillating mirror may be given by the leg; a single fibre points ahead.
+  const bool isFiber = scanner.Type == Optics::FiberArray && scanner.NumberOfFibers == 1;
+  const bool hasAngle =
+    scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror || isFiber;
   CheckFacets(scanner, log);
   if (scanner.Type == Optics::RisleyPrisms)
   {

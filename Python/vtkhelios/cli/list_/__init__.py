@@ -20,7 +20,7 @@ subfolders. scenes: of the XML files in the working directory and in the folders
 has none, vtkhelios new makes some.
 
 With words, those that have all of them: scanners in their id, name, maker, use (terrestrial, mobile,
-unmanned, airborne) or optics; platforms in their id, name or type; scenes in their id or name.
+unmanned, airborne, spaceborne) or optics; platforms in their id, name or type; scenes in their id or name.
 
 examples:
   vtkhelios list scanners

@@ -80,7 +80,7 @@ HELIOS_MEMBERS(VoxelData, Size, Separators, ReadNormals, NormalIndex, EstimateNo
 HELIOS_MEMBERS(VegetationData, Mode, Exponent, RandomShift, LeafTable)
 HELIOS_MEMBERS(MaterialData, Where, File, Name, Count, RandomRange)
 HELIOS_MEMBERS(CrsData, Where, Source, Target, Epoch, HeightUnit)
-HELIOS_MEMBERS(PartData, Name, Where, Type, Files, UpIsY, LevelOfDetail, Voxels, Vegetation, Material, Crs, Repair, SimplifyDistance, Classification, Rotation, Scale, Translation, OnGround, Swaps, Motion)
+HELIOS_MEMBERS(PartData, Name, Where, Type, Files, UpIsY, LevelOfDetail, Voxels, Vegetation, Material, Crs, Repair, SimplifyDistance, Classification, Species, Tree, Rotation, Scale, Translation, OnGround, Swaps, Motion)
 HELIOS_MEMBERS(SwapData, Part, Epochs, IsRemoved)
 HELIOS_MEMBERS(SceneData, Id, Name, Where, File, Crs, Parts, SpectraFolders)
 HELIOS_MEMBERS(ScanData, PulseFrequency, ScanFrequency, ScanAngle, VerticalAngleMin, VerticalAngleMax, HeadRotateSpeed, HeadRotateStart, HeadRotateStop, BeamDivergence, WarmUpTime)
