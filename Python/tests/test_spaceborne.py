@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import vtkhelios
+
 from vtkhelios.array_names import (
     AMPLITUDE, CHANNEL_IDS, COUNT, ECHO_WIDTH, GPS_TIME, OFFSET, PULSE_IDS, RANGE, SAMPLES,
     START_TIME,
@@ -18,14 +19,18 @@ GEDI, ATLAS = 410e3, 496e3  # heights [m]
 
 
 def plane(half=1e4, slope=0.0, reflectance=0.5):
-    corners = [(x, y, slope * x) for x, y in ((-half, -half), (half, -half), (half, half), (-half, half))]
+    corners = [
+        (x, y, slope * x) for x, y in ((-half, -half), (half, -half), (half, half), (-half, half))
+    ]
     return vtkhelios.Scene(corners, [(0, 1, 2), (0, 2, 3)], reflectance=reflectance)
 
 
 def fly(scene, scanner, height, length=200.0, x=0.0, speed=7260.0, **options):
     path = [(x, -0.5 * length, height), (x, 0.5 * length, height)]
     platform = "airplane_linearpath"
-    return vtkhelios.scan(scene, scanner=scanner, path=path, speed=speed, platform=platform, **options)
+    return vtkhelios.scan(
+        scene, scanner=scanner, path=path, speed=speed, platform=platform, **options
+    )
 
 
 @pytest.fixture(scope="module")
@@ -117,6 +122,8 @@ def test_photons_are_counted_as_the_lidar_equation_says():
         pulses = np.count_nonzero(cloud.pulses[CHANNEL_IDS] == channel)
         found = np.count_nonzero(cloud[CHANNEL_IDS] == channel) / pulses
         blind = mean**2 * dead / (2.0 * math.sqrt(math.pi) * 1.5 / 2.3548)  # pairs within it
-        assert found == pytest.approx(mean - blind, abs=4.0 * math.sqrt(mean / pulses) + 0.02 * mean)
+        assert found == pytest.approx(
+            mean - blind, abs=4.0 * math.sqrt(mean / pulses) + 0.02 * mean
+        )
         seen = len(np.unique(cloud[PULSE_IDS][cloud[CHANNEL_IDS] == channel])) / pulses
         assert seen == pytest.approx(1.0 - math.exp(-mean), abs=4.0 * math.sqrt(0.25 / pulses))

@@ -8,7 +8,7 @@ import pathlib
 import shlex
 
 from ..core.files import cannot_be_written
-from ..example_surveys import KINDS, write_example
+from ..example_surveys import COMMANDS, KINDS, write_example
 from ._messages import Messages
 
 SUMMARY = "make a folder with a small scene, a survey and a README"
@@ -64,5 +64,6 @@ def run(arguments):
             print(json.dumps({**result, "files": names.split(", ")}, indent=2))
         messages.info("to run it:")
         messages.info(f"  cd {shlex.quote(arguments.name)}")
-        messages.info(f"  vtkhelios run {shlex.quote(folder.name)}.xml")
+        for words in COMMANDS.get(arguments.kind, ("run {0}.xml",)):
+            messages.info(f"  vtkhelios {words.format(shlex.quote(folder.name))}")
         return 0

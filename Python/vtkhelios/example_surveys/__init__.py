@@ -18,7 +18,7 @@ import shutil
 from ..core.files import new_folder
 from ..core.folders import data_directory
 
-__all__ = ["KINDS", "write_example"]
+__all__ = ["COMMANDS", "KINDS", "write_example"]
 
 KINDS = {
     "tls": "a house and its yard, from two positions of a tripod",
@@ -28,6 +28,11 @@ KINDS = {
     "forest": "a stand with undergrowth, from three positions of a tripod",
     "city": "blocks of houses as CityJSON, from crossing strips of an aircraft",
     "river": "a river with its bed, a bridge and willows, from two strips of a bathymetric aircraft",
+}
+
+# What to run in the folder, of kinds for which a plain run is not all; the survey is {0}.xml.
+COMMANDS = {
+    "forest": ("run {0}.xml --pulses --hits --format vtp", "leafarea output/{0} --voxel 0.5"),
 }
 
 
