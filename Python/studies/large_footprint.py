@@ -22,10 +22,10 @@ import vtkhelios
 from vtkhelios.example_surveys import forest, write_example
 
 LIGHT = 0.299792458  # [m/ns]
-SIGMA = 5.5  # of the footprint [m], 22 m at 1/e2
-PULSE = 0.5 * LIGHT * 15.6 / 2.3548  # of the pulse along the beam [m]
-STEP = 0.15  # of profiles [m]
-SUB_RAYS = 10_000  # of a footprint: beams in turbid voxels have a few hundred otherwise
+SIGMA = 5.5  # footprint [m], 22 m at 1/e2
+PULSE = 0.5 * LIGHT * 15.6 / 2.3548  # pulse along the beam [m]
+STEP = 0.15  # step of profiles [m]
+SUB_RAYS = 10_000  # beams in turbid voxels have a few hundred otherwise
 PERCENTS = (25, 50, 75, 90, 98)
 AIR = """\
 <document><survey name="air" scene="scene.xml#stand" platform="platforms.xml#airplane_linearpath"

@@ -38,7 +38,7 @@ def test_points_are_folded_with_the_pulse_and_the_beam(study):
     step = vtkhelios.Cloud.from_arrays(points)
     heights, energies = study.make_profile(step, (0, 0), False)
     inside = energies[heights > 5].sum() / energies.sum()
-    assert inside == pytest.approx(1 - np.exp(-0.5), rel=0.03)  # of a Gaussian within its sigma
+    assert inside == pytest.approx(1 - np.exp(-0.5), rel=0.03)  # energy within one sigma
 
 
 def test_study(study, tmp_path, monkeypatch, capsys):

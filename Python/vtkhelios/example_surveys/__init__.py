@@ -30,7 +30,7 @@ KINDS = {
     "river": "a river with its bed, a bridge and willows, from two strips of a bathymetric aircraft",
 }
 
-# What to run in the folder, of kinds for which a plain run is not all; the survey is {0}.xml.
+# Commands to run in the folder, of kinds for which a plain run is not all; the survey is {0}.xml.
 COMMANDS = {
     "forest": ("run {0}.xml --pulses --hits --format vtp", "leafarea output/{0} --voxel 0.5"),
 }

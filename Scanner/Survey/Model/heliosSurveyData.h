@@ -251,7 +251,7 @@ struct PartData
   bool Repair = false;
   double SimplifyDistance = 0.0; ///< [m], tolerance of the surface; 0: not simplified
   int Classification = -1;       ///< class of its echoes; negative: class of the materials
-  std::string Species;           ///< of a tree
+  std::string Species;           ///< species of the tree that it is; empty: none or not known
   int Tree = -1;                 ///< number of the tree; negative: the part's, if it has a species
   Quaternion Rotation{ 1.0, 0.0, 0.0, 0.0 };
   double Scale = 1.0;
