@@ -25,7 +25,7 @@ DEFAULTS = {
     ),
     "FWFSettings": (
         "rangeTolerance_m", "energyTolerance", "beamSampleQuality", "binSize_ns", "pulseShape",
-        "echoDetector", "returnSelection",
+        "echoDetector", "returnSelection", "scatteringOrders",
     ),
 }  # fmt: skip
 FILES = {"POINTS": "", "TRAJECTORY": "", "WAVEFORMS": "--waveforms", "PULSES": "--pulses",

@@ -30,6 +30,7 @@ enum class RandomStream : std::uint32_t
   PartTable = 23,
   Droplets = 24,
   Waves = 25,
+  Scattering = 26,
   ScanPositions = 40
 };
 

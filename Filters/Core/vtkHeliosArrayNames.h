@@ -136,6 +136,9 @@ inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from t
 inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1: not stored
 inline constexpr const char* TruePoint = "TruePoint";           // [m], without noise
 inline constexpr const char* WaterDepth = "WaterDepth"; // [m], by vtkHeliosRefractionCorrection
+inline constexpr const char* ScatteredAmplitude =
+  "ScatteredAmplitude"; // [W], of light that was scattered more than once
+inline constexpr const char* ScatteredDeviation = "ScatteredDeviation"; // [W], its standard error
 inline constexpr const char* SpecularEvents = "SpecularEvents"; // mirrors and glass on the way
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* RadialVelocity = "RadialVelocity"; // [m/s], positive: moves away

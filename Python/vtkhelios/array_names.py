@@ -107,6 +107,8 @@ INCIDENCE_ANGLE = "IncidenceAngle"  # [deg], from the normal
 WAVEFORM_IDS = "WaveformIds"  # pulse id, -1: not stored
 TRUE_POINT = "TruePoint"  # [m], without noise
 WATER_DEPTH = "WaterDepth"  # [m], by vtkHeliosRefractionCorrection
+SCATTERED_AMPLITUDE = "ScatteredAmplitude"  # [W], of light that was scattered more than once
+SCATTERED_DEVIATION = "ScatteredDeviation"  # [W], its standard error
 SPECULAR_EVENTS = "SpecularEvents"  # mirrors and glass on the way
 NORMAL = "Normal"
 RADIAL_VELOCITY = "RadialVelocity"  # [m/s], positive: moves away
@@ -231,6 +233,8 @@ UNITS = {
     INCIDENCE_ANGLE: "deg",
     TRUE_POINT: "m",
     WATER_DEPTH: "m",
+    SCATTERED_AMPLITUDE: "W",
+    SCATTERED_DEVIATION: "W",
     RADIAL_VELOCITY: "m/s",
     PART_POSITION: "m",
     PART_VELOCITY: "m/s",

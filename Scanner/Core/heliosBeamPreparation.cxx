@@ -7,6 +7,7 @@
 #include "heliosScanModel.h"
 #include "heliosStatus.h"
 #include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosInstrument.h"
 
 #include <vtkMath.h>
 #include <vtkSmartPointer.h>
@@ -25,6 +26,7 @@ namespace
 
 constexpr double MinimumDivergence = 1e-9; // [rad]; below, corners would be beyond 1 / u footprints
 constexpr double LargestWaist = 10.0;      // [m], radius
+const SubRay Axis{ Vec3(0.0, 1.0, 0.0), 1.0, Vec3(0.0, 0.0, 0.0) };
 
 /// Returns all sub-rays of a sampler.
 std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
@@ -254,9 +256,8 @@ bool FindsCrowds(const ScanModel& model, vtkIdType numberOfPulses)
 //------------------------------------------------------------------------------
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
-  model.SubRays = sampler->GetBeamDivergence() > 0.0
-    ? GetSubRays(sampler)
-    : std::vector<SubRay>{ { Vec3(0.0, 1.0, 0.0), 1.0, Vec3(0.0, 0.0, 0.0) } };
+  model.SubRays =
+    sampler->GetBeamDivergence() > 0.0 ? GetSubRays(sampler) : std::vector<SubRay>{ Axis };
   FinishBeam(model);
   model.ConeTangent = GetTangent(model.SubRays);
 }
@@ -302,6 +303,31 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
     SortInSpace(model.CoarseSubRays);
   }
   FinishBeam(model);
+}
+
+//------------------------------------------------------------------------------
+void PrepareScattering(
+  const vtkHeliosInstrumentData& instrument, vtkHeliosBeamSampler* sampler, ScanModel& model)
+{
+  constexpr int subRays = 256; // from which paths start
+  constexpr double step =
+    0.1; // largest difference in a return, in standard deviations of the pulse
+  ScatteringSettings& s = model.Scattering;
+  s.Orders = instrument.ScatteringOrders;
+  s.Paths = instrument.ScatteringPaths;
+  s.IsIsotropic = instrument.ScatteringPhase == vtkHeliosInstrument::ISOTROPIC;
+  s.HalfFieldOfView = std::max(0.5 * instrument.FieldOfView, std::atan(model.ConeTangent));
+  s.Power = model.Power;
+  s.Equation = model.Equation;
+  s.MinimumRange = model.Gate.Minimum;
+  s.MaximumRange = model.Gate.Maximum;
+  s.Step = step * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma();
+  s.Seed = model.Seed;
+  if (s.Orders > 1)
+  {
+    model.LightSubRays = sampler->GetBeamDivergence() > 0.0 ? MakeSpiral(CopyBeam(sampler), subRays)
+                                                            : std::vector<SubRay>{ Axis };
+  }
 }
 
 } // namespace helios

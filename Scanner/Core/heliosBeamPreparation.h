@@ -8,6 +8,7 @@
 #include <vtkType.h>
 
 class vtkHeliosBeamSampler;
+struct vtkHeliosInstrumentData;
 
 namespace helios
 {
@@ -38,6 +39,10 @@ bool FindsCrowds(const ScanModel& model, vtkIdType numberOfPulses);
 
 /// Returns the width of a beam, for its volume.
 BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler);
+
+/// Prepares the light that is scattered more than once; the beam is prepared.
+void PrepareScattering(
+  const vtkHeliosInstrumentData& instrument, vtkHeliosBeamSampler* sampler, ScanModel& model);
 
 } // namespace helios
 

@@ -286,6 +286,13 @@ void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
+void BeamTracer::AimLight(const Pulse& pulse, std::vector<vtkHeliosRay>& rays) const
+{
+  rays.resize(this->Model.LightSubRays.size());
+  Aim(pulse, this->Model.LightSubRays, this->Model.HasOffsets, rays.data());
+}
+
+//------------------------------------------------------------------------------
 bool BeamTracer::CastLevel(const Pulse& pulse, int level, ScanCounts& counts)
 {
   const auto& levels = this->Model.RayLevels;

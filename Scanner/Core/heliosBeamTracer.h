@@ -79,6 +79,9 @@ public:
   /// Casts all sub-rays of a pulse among leaves.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
 
+  /// Aims the sub-rays of a pulse whose light is scattered more than once.
+  void AimLight(const Pulse& pulse, std::vector<vtkHeliosRay>& rays) const;
+
   /// Accepts the sub-rays cast last for a pulse as they are.
   void Select(std::size_t slot);
 

@@ -56,6 +56,9 @@ public:
     return static_cast<int>(this->Ends.size()) - 1;
   }
 
+  /// Forgets the ends of the paths of the previous pulse.
+  void ClearEnds() { this->Ends.clear(); }
+
   /// Swaps the ends of the paths of a pulse.
   void SwapEnds(std::vector<PathEnd>& ends) { this->Ends.swap(ends); }
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <utility>
 
 namespace helios
@@ -34,6 +36,17 @@ PulseKernel::PulseKernel(const ScanModel& model)
   , Signal(model.Receiver)
   , HasBlocks(model.Path.Echo == EchoPath::Waveform && model.Receiver.Detector->PrefersBlocks())
 {
+  const ScanModel& m = this->Model;
+  if (m.Scattering.Orders > 1)
+  {
+    this->Scattered = std::make_unique<ScatteredLight>(m.Scattering,
+      LightScene{
+        m.Caster, m.Surfaces, m.Medium, m.Scattering.IsIsotropic, m.Optics.MaximumEvents });
+    std::vector<double> weights;
+    std::transform(m.LightSubRays.begin(), m.LightSubRays.end(), std::back_inserter(weights),
+      [](const SubRay& subRay) { return subRay.Weight; });
+    this->Scattered->SetWeights(weights);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -62,6 +75,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
       this->IsWaiting = false;
       this->MoveTo(slot);
       this->Response.StartPulse();
+      this->SampleScattering(this->Pulses[slot]);
       isAdaptive ? this->RunAdaptive(slot) : this->RunFixed(slot);
       this->DetectDarkCounts();
       this->HasBlocks ? this->AddToBlock(slot, result) : this->StorePulse(slot, result);
@@ -322,6 +336,33 @@ void PulseKernel::RunReturns(const Pulse& pulse)
 }
 
 //------------------------------------------------------------------------------
+/// Samples the light of a pulse that is scattered more than once, if it is modelled.
+void PulseKernel::SampleScattering(const Pulse& pulse)
+{
+  if (this->Scattered)
+  {
+    this->Tracer.AimLight(pulse, this->Beam);
+    this->Scattered->Sample({ pulse.Id, pulse.Origin, pulse.GetDirection(), this->Beam });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Adds that light to the returns.
+void PulseKernel::AddScatteredReturns()
+{
+  PathTracer& paths = this->Tracer.GetPaths();
+  if (!this->Model.Surfaces.HasOptics())
+  {
+    paths.ClearEnds();
+  }
+  for (const ScatteredProfile::Return& r : this->Scattered->GetProfile().GetReturns())
+  {
+    this->Returns.push_back(
+      { r.Range, r.Power, r.Cosine, r.Cell, SubReturn::Column, paths.AddEnd({ r.Point, 0 }) });
+  }
+}
+
+//------------------------------------------------------------------------------
 void PulseKernel::CountPath(bool isBinned)
 {
   if (!this->Returns.empty())
@@ -427,6 +468,10 @@ void PulseKernel::FinishPlane(const PlaneEcho& echo)
 /// Adds the echoes of the returns of a pulse; returns whether they needed bins.
 bool PulseKernel::FindEchoes()
 {
+  if (this->Scattered)
+  {
+    this->AddScatteredReturns();
+  }
   if (this->Returns.empty())
   {
     return false;

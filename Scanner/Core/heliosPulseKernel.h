@@ -64,6 +64,7 @@ private:
     std::vector<CastSubRay> SubRays;
     std::vector<PathEnd> Ends;
     std::vector<Echo> Echoes;
+    std::vector<ScatteredProfile::Return> Scattered;
     Waveform Wave;
   };
 
@@ -85,6 +86,8 @@ private:
   void Refine(const Pulse& pulse, SampleT sample);
   bool AreNear(const std::vector<Echo>& echoes, const std::vector<Echo>& others) const;
   void RunReturns(const Pulse& pulse);
+  void SampleScattering(const Pulse& pulse);
+  void AddScatteredReturns();
   void CountPath(bool isBinned);
   bool FindEchoes();
   template <typename SourceT>
@@ -117,6 +120,8 @@ private:
   PulseGroups Groups;
   BeamTracer Tracer;
   Receiver Signal;
+  std::unique_ptr<ScatteredLight> Scattered; ///< null: light is scattered once
+  std::vector<vtkHeliosRay> Beam;            ///< for it: all sub-rays of a pulse
   PulseSource::Cursor Cursor;
   PulseSource::Cursor VelocityCursor; ///< cursor of the pulses whose velocity is stored
   PulseSource::Cursor ZoneCursor;     ///< cursor of the pulse an ambiguous echo is assigned to

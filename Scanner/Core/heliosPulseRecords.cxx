@@ -6,6 +6,7 @@
 
 #include "heliosRandom.h"
 #include "heliosReturnSelection.h"
+#include "heliosScatteredEchoes.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosErrorModel.h"
 
@@ -75,6 +76,10 @@ void PulseKernel::SwapPulse(WaitingPulse& pulse)
   this->SubRays.swap(pulse.SubRays);
   this->Echoes.swap(pulse.Echoes);
   this->Tracer.GetPaths().SwapEnds(pulse.Ends);
+  if (this->Scattered)
+  {
+    this->Scattered->GetProfile().SwapReturns(pulse.Scattered);
+  }
   this->Signal.SwapWaveform(pulse.Wave);
 }
 
@@ -168,6 +173,11 @@ void PulseKernel::StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult&
     largest += this->Returns[i].Power;
   }
   this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, largest);
+  const bool countsPhotons = !(this->Model.Receiver.Detector->GetCalibrationAmplitude() > 0.0);
+  if (this->Scattered && this->Model.Path.Echo != EchoPath::Mean && !countsPhotons)
+  {
+    DropUncertainEchoes(this->Scattered->GetProfile(), this->Model.Receiver.Shape, this->Echoes);
+  }
   SelectReturns(
     this->Echoes, this->Model.ReturnSelection, this->Model.MaximumNumberOfReturns, this->Kept);
   for (std::size_t i = 0; i < this->Kept.size(); ++i)
@@ -198,6 +208,11 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
     const PathEnd end = this->FindEnd(pulse, echo);
     result.Truths.push_back({ end.Point, normal, end.Events });
   }
+  if (this->Scattered)
+  {
+    result.Scattered.push_back(GetScatteredPower(this->Scattered->GetProfile(),
+      this->Model.Receiver.Shape, this->Model.Path.Echo == EchoPath::Mean, echo.Range));
+  }
   if (this->Model.Wants.Velocities || this->Model.Wants.Motion)
   {
     this->StoreMotion(pulse, echo, result);
@@ -220,7 +235,7 @@ void PulseKernel::StoreMotion(const Pulse& pulse, const Echo& echo, ChunkResult&
   const Vec3 velocity = moves ? this->Moving->GetVelocity(cell, end.Point) : Vec3(0.0, 0.0, 0.0);
   if (this->Model.Wants.Velocities)
   {
-    const bool isKnown = cell >= 0 && end.Events == 0;
+    const bool isKnown = cell >= 0 && end.Events == 0 && echo.Nearest->SubRay != SubReturn::Column;
     result.Velocities.push_back(isKnown ? pulse.GetDirection().Dot(velocity - this->Velocity)
                                         : std::numeric_limits<double>::quiet_NaN());
   }
@@ -327,6 +342,7 @@ void PulseKernel::MoveToZones(vtkIdType index, std::size_t first, ChunkResult& r
   keep(result.Velocities);
   keep(result.Motions);
   keep(result.Colors);
+  keep(result.Scattered);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include "heliosReceiver.h"
 #include "heliosSamplingPlan.h"
 #include "heliosScanPath.h"
+#include "heliosScatteredLight.h"
 #include "heliosSceneGeometry.h"
 #include "heliosSceneSurfaces.h"
 #include "heliosSubRays.h"
@@ -88,6 +89,8 @@ struct ScanModel
   SurfaceColors Colors; // if they are requested
   PathLimits Optics;    // limits, for scenes whose surfaces have any optics
   TurbidMedium Medium;
+  ScatteringSettings Scattering;    // settings of light that is scattered more than once
+  std::vector<SubRay> LightSubRays; // its sub-rays, the same for all samplings of a beam
   ReceiverSettings Receiver;
 
   ScanPath Path;

@@ -288,6 +288,21 @@ void FillSpecularEvents(
     [=](const TruthRecord& t, vtkIdType row) { events[row] = t.SpecularEvents; });
 }
 
+/// Fills how much of the amplitude was scattered more than once, and its standard error.
+void FillScattered(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Scattered, before);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
+  double* powers = columns.Add<vtkDoubleArray>(names::ScatteredAmplitude);
+  double* errors = columns.Add<vtkDoubleArray>(names::ScatteredDeviation);
+  ForEachRecord(chunks, &ChunkResult::Scattered, offsets,
+    [=](const ScatteredPower& scattered, vtkIdType row)
+    {
+      powers[row] = scattered.Power;
+      errors[row] = scattered.Error;
+    });
+}
+
 /// Fills red, green and blue of the echoes.
 void FillColors(const std::vector<ChunkResult>& chunks, vtkIdType before, vtkPolyData* output)
 {
@@ -470,6 +485,10 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
   if (this->Model.Wants.Motion)
   {
     FillMotions(chunks, echoes, this->Echoes);
+  }
+  if (this->Model.Scattering.Orders > 1)
+  {
+    FillScattered(chunks, echoes, this->Echoes);
   }
   if (this->Model.Wants.Colors)
   {

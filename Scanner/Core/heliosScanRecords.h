@@ -6,6 +6,7 @@
 #define heliosScanRecords_h
 
 #include "heliosPose.h"
+#include "heliosScatteredProfile.h"
 
 #include <vtkType.h>
 
@@ -94,7 +95,8 @@ struct ChunkResult
   std::vector<TruthRecord> Truths; // empty if not requested
   std::vector<double> Velocities;  // likewise: radial ones [m/s]
   std::vector<MotionRecord> Motions;
-  std::vector<ColorRecord> Colors; // likewise
+  std::vector<ColorRecord> Colors;       // likewise
+  std::vector<ScatteredPower> Scattered; // likewise: of light scattered more than once
   std::vector<PulseRecord> Pulses;
   std::vector<SubRayRecord> SubRays;
   std::vector<WaveformRecord> Waveforms;
@@ -108,6 +110,7 @@ struct ChunkResult
     this->Velocities.clear();
     this->Motions.clear();
     this->Colors.clear();
+    this->Scattered.clear();
     this->Pulses.clear();
     this->SubRays.clear();
     this->Waveforms.clear();

@@ -11,6 +11,8 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
+#include <sstream>
+
 namespace helios
 {
 namespace
@@ -30,11 +32,30 @@ Status Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
   return built ? Status() : Status::Error("no ray caster can be built for the scene: " + reason);
 }
 
+/// Checks that isotropic voxels scatter no more light than they receive.
+Status CheckIsotropic(const SceneSurfaces& surfaces, vtkIdType firstCell, vtkIdType count)
+{
+  constexpr double largest = 0.25;
+  for (vtkIdType cell = firstCell; cell < firstCell + count; ++cell)
+  {
+    const double reflectance = surfaces.GetReflection(surfaces.GetMaterialId(cell)).Reflectance;
+    if (reflectance > largest)
+    {
+      std::ostringstream text;
+      text << "ScatteringPhase is ISOTROPIC (scatteringPhase=\"isotropic\"), whose albedo is 4 "
+              "times the reflectance, and that of turbid voxels is "
+           << reflectance << "; give them at most " << largest << ", or take the phase of leaves";
+      return Status::Error(text.str());
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
-  vtkHeliosRayCaster* caster, ScanModel& model)
+  vtkHeliosRayCaster* caster, bool isIsotropic, ScanModel& model)
 {
   const bool hasSurfaces =
     grids.empty() || scene->GetNumberOfCells() > 0 || vtkHeliosScene::HasInstances(scene);
@@ -47,6 +68,9 @@ Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
     vtkIdType firstCell = 0;
     status = model.Surfaces.AddGrid(grids[i], firstCell);
     status = status.IsOk() ? model.Medium.Add(grids[i], firstCell) : status;
+    status = status.IsOk() && isIsotropic
+      ? CheckIsotropic(model.Surfaces, firstCell, grids[i]->GetNumberOfCells())
+      : status;
   }
   return status;
 }

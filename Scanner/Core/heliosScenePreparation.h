@@ -19,9 +19,10 @@ namespace helios
 
 struct ScanModel;
 
-/// Sets caster, surfaces and medium of a model. A scene with grids may have no triangles.
+/// Sets caster, surfaces and medium of a model. A scene with grids may have no triangles; isotropic
+/// ones reflect no more than a quarter of the light.
 Status PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
-  vtkHeliosRayCaster* caster, ScanModel& model);
+  vtkHeliosRayCaster* caster, bool isIsotropic, ScanModel& model);
 
 } // namespace helios
 

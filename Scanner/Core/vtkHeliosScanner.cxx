@@ -378,8 +378,9 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
   {
     grids.push_back(vtkImageData::GetData(inputs[2], i));
   }
-  const helios::Status status =
-    helios::PrepareScene(vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, scan.Model);
+  const bool isIsotropic = this->ScatteringOrders > 1 && this->ScatteringPhase == ISOTROPIC;
+  const helios::Status status = helios::PrepareScene(
+    vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, isIsotropic, scan.Model);
   if (!status.IsOk() && !this->GetAbortExecute())
   {
     vtkErrorMacro(<< status.Message());
@@ -539,7 +540,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     m.Plan = this->PlanSampling(m.Receiver.Shape);
     m.Cones = m.Caster ? this->RayCaster->GetConeProbe() : nullptr;
     helios::PrepareAdaptiveBeam(this->BeamSampler, m);
-    traits.FindsPlanes = helios::FindsPlanes(m, scan.NumberOfPulses);
+    traits.FindsPlanes = this->ScatteringOrders == 1 && helios::FindsPlanes(m, scan.NumberOfPulses);
     m.UsesRays =
       m.Plan.PrefersRays && !m.Surfaces.HasOptics() && helios::FindsCrowds(m, scan.NumberOfPulses);
   }
@@ -551,6 +552,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     m.Cones = hasTrees ? this->RayCaster->GetConeProbe() : nullptr;
   }
   m.Path = helios::ChoosePath(traits);
+  helios::PrepareScattering(*this, this->BeamSampler, m);
 }
 
 //------------------------------------------------------------------------------

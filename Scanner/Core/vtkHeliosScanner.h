@@ -15,7 +15,8 @@
  * Amplitude, EchoWidth, ScanAngle, ClassificationIds, MaterialIds, PartIds, CellIds,
  * IncidenceAngle, WaveformIds, LegIds, ChannelIds; Deviation if the detector computes it; TruePoint
  * and Normal with GenerateTruth, and SpecularEvents if surfaces have optics; ScanDirectionFlag and
- * EdgeOfFlightLine with GenerateScanFlags; ColumnIds with GenerateColumns; RelativeAmplitude and
+ * EdgeOfFlightLine with GenerateScanFlags; ScatteredAmplitude and ScatteredDeviation with
+ * ScatteringOrders above 1; ColumnIds with GenerateColumns; RelativeAmplitude and
  * Reflectance with GenerateDecibels; RGB with GenerateColors. Output 1, with GenerateWaveforms: the
  * waveforms (vtkTable, one row per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin,
  * Direction, GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field data,

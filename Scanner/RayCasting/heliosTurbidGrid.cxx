@@ -105,4 +105,18 @@ TurbidHit TurbidGrid::FindDepth(
   return hit;
 }
 
+//------------------------------------------------------------------------------
+double TurbidGrid::GetDepth(const Vec3& origin, const Vec3& direction, double end) const
+{
+  double area = 0.0; // area of leaves
+  const double* pad = this->Pad->GetPointer(0);
+  this->Traverse(origin, direction, end,
+    [&area, pad](vtkIdType cell, double from, double to)
+    {
+      area += pad[cell] > 0.0 ? pad[cell] * (to - from) : 0.0;
+      return true;
+    });
+  return area * this->GetProjection(direction);
+}
+
 } // namespace helios

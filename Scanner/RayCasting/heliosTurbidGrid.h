@@ -58,6 +58,9 @@ public:
   /// range.
   TurbidHit FindDepth(const Vec3& origin, const Vec3& direction, double end, double depth) const;
 
+  /// Returns the optical depth of a ray with a unit direction up to a range.
+  double GetDepth(const Vec3& origin, const Vec3& direction, double end) const;
+
   /// Returns false if nothing near a ray can hit the grid: CellGrid::MayMeet().
   bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double apexOffset) const
   {

@@ -10,6 +10,8 @@ class RunOptions(TypedDict, total=False):
     max_sub_rays: Optional[int]
     sub_rays: Optional[int]
     sub_ray_pattern: Optional[str]
+    scattering_orders: Optional[int]
+    scattering_paths: Optional[int]
     bin_size: Optional[float]
     detector: Optional[str]
     gps_start: Optional[str]

@@ -201,6 +201,10 @@ class Survey:
             a fixed number instead; its pattern, "Circles" (1, 7, 19 ...), "GaussLegendre" (4, 16,
             36 ...) or "Vogel" (any multiple of 4). Default: circles if they have that number, else
             Vogel.
+        scattering_orders, scattering_paths
+            the most scatterings of light on its way back, 1 to 64, and the paths that are drawn of each pulse, 8 to
+            65536: the survey's, else 1 and 128. With two or more echoes have ScatteredAmplitude [W], what of
+            their Amplitude was scattered more than once, and its standard error ScatteredDeviation.
         detector
             "peak", "gaussian", "cfd", "leadingEdge" or "photonCounting".
         ray_caster

@@ -9,7 +9,7 @@ import time
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from ..array_names import PART_IDS
+from ..array_names import PART_IDS, SCATTERED_AMPLITUDE
 from ..core.classes import vtk_class, vtk_classes
 from ..core.words import counted
 from ..scenes import meshes as meshes
@@ -31,6 +31,7 @@ TOLERANCES = (0.03, 0.01, 0.003, 0.001, 0.0003)  # [m]; ten times as many of the
 BINS = (0.02, 0.0625, 0.125, 0.25)  # bins per pulse length
 BIN_CIRCLES = 5
 DISTANCES = (0.01, 0.05)  # distances of simplified meshes [m]
+ORDERS = 3  # scatterings of light, of surveys that have one
 PART_DISTANCE = 0.05  # distance of simplified parts: one of them
 MAXIMUM_TRIANGLES = 400_000  # triangles of a mesh that is simplified
 LONGEST, SHARE_OF_MESH = 10.0, 0.2  # processor time of that [s], and of what is left
@@ -312,7 +313,11 @@ class _Run:
         self._step.begin("the whole model")
         whole, _ = self._sampler.run()
         rows = [self._compare_part("the whole model", kinds.PART, {}, whole, whole)]
+        has_scattering = SCATTERED_AMPLITUDE in whole.names
         for part in self._model_parts:
+            if part == "scattering" and not has_scattering:
+                self._add_change(rows, "with scattering", {"scattering_orders": ORDERS}, whole)
+                continue
             if reason := self._find_absence(part):
                 self._absent.append(f"without {part}: {reason}")
                 continue

@@ -65,22 +65,28 @@ struct SurfaceReflection
 };
 
 /**
- * Returns pi times the bidirectional reflectance times cos(theta), in the backscatter direction:
- * replaces rho cos(theta) in the lidar equation. The Phong lobe is about the mirrored direction, 2
- * theta away, and normalised by (n + 2) / (2 pi) to conserve energy (Lewis 1994, Computer Graphics
- * Forum 13, 109-120); it is 0 for 2 theta > 90 degrees.
+ * Returns pi times the bidirectional reflectance times cos(theta) of the direction of the scattered
+ * light, which has another cosine to the mirrored direction: replaces rho cos(theta) in the lidar
+ * equation. The Phong lobe is about the mirrored direction, and normalised by (n + 2) / (2 pi) to
+ * conserve energy (Lewis 1994, Computer Graphics Forum 13, 109-120).
  */
-inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
+inline double GetResponse(const SurfaceReflection& surface, double cosTheta, double cosMirrored)
 {
   if (surface.Specularity == 0.0)
   {
     return surface.Reflectance * cosTheta;
   }
   const double n = surface.SpecularExponent;
-  const double cosMirrored = std::max(0.0, 2.0 * cosTheta * cosTheta - 1.0);
-  const double lobe = 0.5 * (n + 2.0) * std::pow(cosMirrored, n);
+  const double lobe = 0.5 * (n + 2.0) * std::pow(std::max(0.0, cosMirrored), n);
   const double s = surface.Specularity;
   return surface.Reflectance * ((1.0 - s) + s * lobe) * cosTheta;
+}
+
+/// Returns the response in the backscatter direction, 2 theta from the mirrored one; the lobe is 0
+/// for 2 theta > 90 degrees.
+inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
+{
+  return GetResponse(surface, cosTheta, 2.0 * cosTheta * cosTheta - 1.0);
 }
 
 /**

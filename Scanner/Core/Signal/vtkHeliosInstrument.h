@@ -89,6 +89,13 @@ public:
     FIRST_AND_LAST = 4
   };
 
+  /// How a turbid voxel scatters light that is scattered more than once.
+  enum ScatteringPhases
+  {
+    LEAF = 0,     ///< by Lambertian leaves of all orientations
+    ISOTROPIC = 1 ///< alike into all directions, with an albedo of 4 times the reflectance
+  };
+
   ///@{
   /**
    * Set/Get the full width at half maximum of the transmitted pulse [ns]; not
@@ -237,6 +244,25 @@ public:
    */
   vtkSetMacro(Weather, const std::string&);
   vtkGetMacro(Weather, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the most scatterings of the light on its way from the scanner over surfaces and leaves
+   * to the receiver; the number of paths that are drawn at random for each pulse, on which their
+   * standard error depends; and how turbid voxels scatter. Light whose last scatterer lies within
+   * FieldOfView, or in the cone of the beam if that is wider, returns half the length of its path
+   * as range (Docs/scattering.md). Valid range: [1, 64] and [8, 65536], rounded up to a multiple of
+   * 8. Default: 1, only the first, 128 and LEAF.
+   */
+  vtkSetMacro(ScatteringOrders, int);
+  vtkGetMacro(ScatteringOrders, int);
+  vtkSetMacro(ScatteringPaths, int);
+  vtkGetMacro(ScatteringPaths, int);
+  vtkSetClampMacro(ScatteringPhase, int, LEAF, ISOTROPIC);
+  vtkGetMacro(ScatteringPhase, int);
+  void SetScatteringPhaseToLeaf() { this->SetScatteringPhase(LEAF); }
+  void SetScatteringPhaseToIsotropic() { this->SetScatteringPhase(ISOTROPIC); }
   ///@}
 
   ///@{

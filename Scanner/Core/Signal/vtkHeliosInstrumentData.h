@@ -43,6 +43,11 @@ struct vtkHeliosInstrumentData
   int MaximumSpecularEvents = 8;
   double LeastSpecularShare = 1e-4; ///< share of the energy
 
+  // light scattered more than once
+  int ScatteringOrders = 1;  ///< the most scatterings of light; 1: none but the first
+  int ScatteringPaths = 128; ///< paths of light of a pulse
+  int ScatteringPhase = 0;   ///< vtkHeliosInstrument::ScatteringPhases, of turbid voxels
+
   // accuracy
   double RangeAccuracy = 0.0;            ///< [m]
   double RangeAccuracyPerMeter = 0.0;    ///< [m/m]
@@ -90,6 +95,8 @@ constexpr vtkHeliosValueRange AtmosphericLidarRatio = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange DropletDiameter = { 0.0, 0.05 };
 constexpr vtkHeliosValueRange MaximumSpecularEvents = { 0.0, 64.0 };
 constexpr vtkHeliosValueRange LeastSpecularShare = { 0.0, 1.0 };
+constexpr vtkHeliosValueRange ScatteringOrders = { 1.0, 64.0 };
+constexpr vtkHeliosValueRange ScatteringPaths = { 8.0, 65536.0 };
 constexpr vtkHeliosValueRange DetectorNoise = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange SaturationPower = { 0.0, 1e6 };
 constexpr vtkHeliosValueRange SolarIrradiance = { 0.0, 1e6 };

@@ -10,6 +10,7 @@
 #include "heliosRadiometry.h"
 #include "heliosSceneGeometry.h"
 #include "heliosStatus.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
@@ -34,13 +35,14 @@ public:
    * Reads a scene and keeps its arrays alive. Its geometry must outlive it if it has instances; null:
    * it has none.
    */
-  Status Set(vtkPolyData* scene, const SceneGeometry* geometry = nullptr);
+  VTKHELIOSSCANNERCORE_EXPORT Status Set(
+    vtkPolyData* scene, const SceneGeometry* geometry = nullptr);
 
   /**
    * Appends a grid of turbid voxels; its cell ids, materials and part follow all previous ones.
    * Gets the id of its first cell.
    */
-  Status AddGrid(vtkImageData* grid, vtkIdType& firstCell);
+  VTKHELIOSSCANNERCORE_EXPORT Status AddGrid(vtkImageData* grid, vtkIdType& firstCell);
 
   /// Replaces the geometry by one in which instances move.
   void SetGeometry(const SceneGeometry& geometry)
@@ -102,6 +104,14 @@ public:
     }
     const auto& optics = this->Optics[static_cast<std::size_t>(this->GetMaterialId(cell))];
     return optics.Kind == OpticsKind::Opaque ? nullptr : &optics;
+  }
+
+  /// Returns the share of the light that leaves of a material transmit; 0 of other materials.
+  double GetLeafTransmittance(int material) const
+  {
+    const auto* optics =
+      this->Optics.empty() ? nullptr : &this->Optics[static_cast<std::size_t>(material)];
+    return optics && optics->Kind == OpticsKind::Leaf ? optics->Transmittance : 0.0;
   }
 
   /// Sets the unit normal of a cell from the scene; unchanged if the scene has none.

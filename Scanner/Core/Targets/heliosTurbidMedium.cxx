@@ -6,7 +6,7 @@
 #include "heliosStatus.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace helios
 {
@@ -36,26 +36,32 @@ void TurbidMedium::Intercept(std::uint64_t seed, vtkIdType pulseId, const vtkHel
   const std::size_t grids = this->Grids.size();
   for (std::size_t k = 0; k < count; ++k)
   {
-    const Vec3 origin(rays[k].Origin);
-    const Vec3 direction(rays[k].Direction);
-    double end = hits[k].CellId < 0 ? rays[k].MaximumRange : hits[k].Range;
-    for (std::size_t g = 0; g < grids; ++g)
+    const auto draw = [seed, pulseId, k, grids](std::size_t g)
     {
-      const Entry& entry = this->Grids[g];
-      if (!entry.Grid.MayMeet(origin, direction, 0.0, 0.0))
-      {
-        continue;
-      }
-      const double u = Uniform4(seed, RandomStream::TurbidMedium,
-        static_cast<std::uint64_t>(pulseId), static_cast<std::uint32_t>(k * grids + g))[0];
-      const TurbidHit hit = entry.Grid.FindDepth(origin, direction, end, -std::log(u));
-      if (hit.Cell >= 0)
-      {
-        hits[k] = { hit.Range, entry.FirstCell + hit.Cell };
-        end = hit.Range;
-      }
-    }
+      return Uniform4(seed, RandomStream::TurbidMedium, static_cast<std::uint64_t>(pulseId),
+        static_cast<std::uint32_t>(k * grids + g))[0];
+    };
+    this->Stop(Vec3(rays[k].Origin), Vec3(rays[k].Direction), rays[k].MaximumRange, draw, hits[k]);
   }
+}
+
+//------------------------------------------------------------------------------
+double TurbidMedium::GetDepth(const Vec3& origin, const Vec3& direction, double range) const
+{
+  double sum = 0.0;
+  for (const Entry& entry : this->Grids)
+  {
+    sum += entry.Grid.GetDepth(origin, direction, range);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+double TurbidMedium::GetProjection(vtkIdType cell, const Vec3& direction) const
+{
+  const auto next = std::upper_bound(this->Grids.begin(), this->Grids.end(), cell,
+    [](vtkIdType id, const Entry& entry) { return id < entry.FirstCell; });
+  return std::prev(next)->Grid.GetProjection(direction);
 }
 
 } // namespace helios

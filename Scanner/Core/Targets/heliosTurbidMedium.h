@@ -8,7 +8,10 @@
 #include "heliosStatus.h"
 #include "heliosTurbidGrid.h"
 #include "vtkHeliosRay.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,7 +31,7 @@ class TurbidMedium
 {
 public:
   /// Adds a grid with the id of its first cell.
-  Status Add(vtkImageData* image, vtkIdType firstCell);
+  VTKHELIOSSCANNERCORE_EXPORT Status Add(vtkImageData* image, vtkIdType firstCell);
 
   bool IsEmpty() const { return this->Grids.empty(); }
 
@@ -39,6 +42,34 @@ public:
   /// Replaces the hits of the sub-rays of a pulse if a leaf is nearer.
   void Intercept(std::uint64_t seed, vtkIdType pulseId, const vtkHeliosRay* rays, std::size_t count,
     vtkHeliosHit* hits) const;
+
+  /// Replaces the hit of a ray if a leaf is nearer; draw(grid) returns random numbers in (0, 1).
+  template <typename DrawT>
+  void Stop(
+    const Vec3& origin, const Vec3& direction, double range, DrawT draw, vtkHeliosHit& hit) const
+  {
+    double end = hit.CellId < 0 ? range : hit.Range;
+    for (std::size_t g = 0; g < this->Grids.size(); ++g)
+    {
+      const Entry& entry = this->Grids[g];
+      if (!entry.Grid.MayMeet(origin, direction, 0.0, 0.0))
+      {
+        continue;
+      }
+      const TurbidHit stop = entry.Grid.FindDepth(origin, direction, end, -std::log(draw(g)));
+      if (stop.Cell >= 0)
+      {
+        hit = { stop.Range, entry.FirstCell + stop.Cell };
+        end = stop.Range;
+      }
+    }
+  }
+
+  /// Returns the optical depth of a ray up to a range.
+  double GetDepth(const Vec3& origin, const Vec3& direction, double range) const;
+
+  /// Returns the projection of a unit of leaf area in a cell onto a plane across a direction.
+  double GetProjection(vtkIdType cell, const Vec3& direction) const;
 
 private:
   struct Entry

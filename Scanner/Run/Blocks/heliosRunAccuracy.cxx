@@ -95,7 +95,7 @@ std::string ExplainRandomness(const LegRunner& runner, const RunSettings& settin
   const auto& scanners = runner.GetSurvey().Scanners;
   const bool countsPhotons = name.empty()
     ? std::any_of(scanners.begin(), scanners.end(),
-        [](const ScannerData& scanner)
+        [](const ScannerData& each)
         { return scanner.GetChannel(0).Receiver.EchoDetector == PhotonCounting; })
     : name == PhotonCounting;
   return countsPhotons ? "photons are counted, which is random" : "";
@@ -146,7 +146,7 @@ std::vector<RunAccuracy::Way> RunAccuracy::MakeWays() const
     RunOptions& options = ways[i].Options;
     options = this->Settings.Options;
     options.Noise = false;
-    options.Without += " voxels";
+    options.Without += " voxels scattering";
     options.PulseStep = i >= CheckedReference ? this->CheckStep : this->Step;
     if (i != Run)
     {
@@ -354,6 +354,16 @@ Json::Value RunAccuracy::Describe() const
   if (!this->Settings.Grids.empty())
   {
     described["without"].append("turbid voxels");
+  }
+  const auto& scanners = this->Runner.GetSurvey().Scanners;
+  const int orders = this->Settings.Options.ScatteringOrders;
+  if (orders > 1 ||
+    (orders == 0 &&
+      std::any_of(scanners.begin(), scanners.end(),
+        [](const ScannerData& each)
+        { return each.GetChannel(0).Receiver.ScatteringOrders > 1; })))
+  {
+    described["without"].append("light scattered more than once");
   }
   return described;
 }

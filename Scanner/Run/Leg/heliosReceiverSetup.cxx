@@ -57,6 +57,18 @@ vtkHeliosInstrumentData MakeInstrument(const ReceiverData& receiver, const RunOp
   {
     made.Weather = options.Weather;
   }
+  if (options.ScatteringOrders > 0)
+  {
+    made.ScatteringOrders = options.ScatteringOrders;
+  }
+  if (options.IsWithout("scattering"))
+  {
+    made.ScatteringOrders = 1;
+  }
+  if (options.ScatteringPaths > 0)
+  {
+    made.ScatteringPaths = options.ScatteringPaths;
+  }
   if (!options.Noise)
   {
     made.RangeAccuracy = made.RangeAccuracyPerMeter = made.RangeAccuracyAtThreshold = 0.0;

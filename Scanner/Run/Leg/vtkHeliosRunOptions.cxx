@@ -9,6 +9,7 @@
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosGpsTime.h"
+#include "vtkHeliosInstrumentData.h"
 #include "vtkHeliosRayCasterFactory.h"
 
 #include <json/value.h>
@@ -49,6 +50,19 @@ Status CheckTolerance(
   return Status::Error(fault.str());
 }
 
+/// Checks a number of which 0 is that of the survey.
+Status CheckCount(const char* name, int value, const vtkHeliosValueRange& range)
+{
+  if (value == 0 || (value >= range.Low && value <= range.High))
+  {
+    return {};
+  }
+  MessageBuilder fault;
+  fault << name << " is " << value << "; give " << range.Low << " to " << range.High
+        << ", or 0 for the survey's value";
+  return Status::Error(fault.str());
+}
+
 Status CheckName(const char* name, const std::string& value, const std::vector<std::string>& known)
 {
   const bool isKnown = value.empty() || std::find(known.begin(), known.end(), value) != known.end();
@@ -70,7 +84,7 @@ std::vector<std::string> GetEchoDetectorNames()
 std::vector<std::string> GetModelPartNames()
 {
   return { "divergence", "waveform", "specular", "spectra", "atmosphere", "voxels", "motion",
-    "attitude" };
+    "attitude", "scattering" };
 }
 
 std::vector<std::string> GetAccuracyNames()
@@ -161,6 +175,14 @@ const std::vector<OptionRow>& GetOptionRows()
     "numbers on a spiral" },
   { &RunOptions::SubRayPattern, "SubRayPattern", "sub_ray_pattern", "subRayPattern", Listing::Always,
     "pattern of sub-rays", "{}", "1", "", "", "", GetSubRayPatternNames },
+  { &RunOptions::ScatteringOrders, "ScatteringOrders", "scattering_orders", "scatteringOrders", Listing::IfGiven,
+    "scatterings of light", "up to {}", "1", "--scattering-orders", "N",
+    "the most scatterings of light on its way back to the receiver: 1, from what the beam meets; 2 and more, over "
+    "further surfaces and voxels, drawn at random (default: the survey's, else 1)" },
+  { &RunOptions::ScatteringPaths, "ScatteringPaths", "scattering_paths", "scatteringPaths", Listing::IfGiven,
+    "paths of scattered light per pulse", "{}", "1", "--scattering-paths", "N",
+    "paths of light drawn for each pulse that is scattered more than once; four times as many halve the standard "
+    "error (default: the survey's, else 128)" },
   { &RunOptions::BinSize, "BinSize", "bin_size", "binSize_ns", Listing::Always,
     "waveform bins", "{} ns", "1", "", "", "" },
   { &RunOptions::EchoDetector, "EchoDetector", "detector", "detector", Listing::Always,
@@ -245,6 +267,7 @@ Status RunOptions::FindFault() const
   Status status = this->CheckSampling();
   status = status.IsOk() ? this->CheckAccuracy() : status;
   status = status.IsOk() ? this->CheckPattern() : status;
+  status = status.IsOk() ? this->CheckScattering() : status;
   status = status.IsOk() ? this->CheckParts() : status;
   status = status.IsOk() ? this->CheckWeather() : status;
   status = status.IsOk() ? this->CheckGpsStart() : status;
@@ -294,6 +317,16 @@ Status RunOptions::CheckAccuracy() const
       ", but Accuracy selects adaptive sampling; leave one of them out");
   }
   return CheckName("Accuracy", this->Accuracy, GetAccuracyNames());
+}
+
+//------------------------------------------------------------------------------
+Status RunOptions::CheckScattering() const
+{
+  Status status = CheckCount(
+    "ScatteringOrders", this->ScatteringOrders, vtkHeliosInstrumentRanges::ScatteringOrders);
+  return status.IsOk() ? CheckCount("ScatteringPaths", this->ScatteringPaths,
+                           vtkHeliosInstrumentRanges::ScatteringPaths)
+                       : status;
 }
 
 //------------------------------------------------------------------------------

@@ -46,6 +46,8 @@ struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
   /// largest number for a beam in adaptive sampling; 0: the default of the scanner
   int MaximumSubRays = 0;
   std::string SubRayPattern; ///< pattern of fixed sub-rays
+  int ScatteringOrders = 0;  ///< the most scatterings of light
+  int ScatteringPaths = 0;   ///< paths of light of a pulse
   double BinSize = 0.0;      ///< [ns]
   std::string EchoDetector;
   std::string RayCaster;
@@ -73,6 +75,7 @@ struct VTKHELIOSSCANNERRUN_EXPORT RunOptions
 private:
   Status CheckSampling() const;
   Status CheckAccuracy() const;
+  Status CheckScattering() const;
   Status CheckPattern() const;
   Status CheckParts() const;
   Status CheckWeather() const;
@@ -182,6 +185,18 @@ public:
   vtkGetMacro(MaximumSubRays, int);
   int GetMaximumSubRaysMinValue() const;
   int GetMaximumSubRaysMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the most scatterings of light on its way, and the paths of light that are drawn for each
+   * pulse, as vtkHeliosInstrument::SetScatteringOrders() and SetScatteringPaths(). Valid range: 0 or
+   * [1, 64], 0 or [8, 65536]. Default: 0, as in the survey.
+   */
+  vtkSetMacro(ScatteringOrders, int);
+  vtkGetMacro(ScatteringOrders, int);
+  vtkSetMacro(ScatteringPaths, int);
+  vtkGetMacro(ScatteringPaths, int);
   ///@}
 
   ///@{

@@ -172,6 +172,42 @@ TEST_CASE("SurveyReceiver: options of a run have precedence over the survey", "[
 }
 
 TEST_CASE(
+  "SurveyReceiver: light scattered more than once, by attributes and options", "[SurveyReceiver]")
+{
+  CHECK(Bench().SetUp()->GetScatteringOrders() == 1);
+  const Bench bench("scatteringOrders=\"2\" scatteringPaths=\"64\" scatteringPhase=\"isotropic\"",
+    "", "scatteringOrders=\"3\"");
+  bench.CheckQuiet();
+  helios::RunOptions choice;
+  const auto setUp = [&] { return bench.SetUp(choice); };
+  CHECK(setUp()->GetScatteringOrders() == 3);
+  CHECK(setUp()->GetScatteringPaths() == 64);
+  CHECK(setUp()->GetScatteringPhase() == vtkHeliosScanner::ISOTROPIC);
+  choice.ScatteringOrders = 4;
+  choice.ScatteringPaths = 256;
+  CHECK(setUp()->GetScatteringOrders() == 4);
+  CHECK(setUp()->GetScatteringPaths() == 256);
+  choice.Without = "scattering";
+  CHECK(setUp()->GetScatteringOrders() == 1);
+
+  choice.ScatteringOrders = GENERATE(-1, 65);
+  CHECK(choice.FindFault().Message() ==
+    "ScatteringOrders is " + std::to_string(choice.ScatteringOrders) +
+      "; give 1 to 64, or 0 for the survey's value");
+  choice.ScatteringOrders = 0;
+  choice.ScatteringPaths = GENERATE(7, 65537);
+  CHECK(choice.FindFault().Message() ==
+    "ScatteringPaths is " + std::to_string(choice.ScatteringPaths) +
+      "; give 8 to 65536, or 0 for the survey's value");
+
+  Bench("scatteringOrders=\"65\"")
+    .CheckRefused({ "assets.xml:8: scatteringOrders=\"65\" is out of range" });
+  Bench("", "", "scatteringPaths=\"1e3\"").CheckRefused({ "scatteringPaths=\"1e3\"", "integer" });
+  Bench("scatteringPhase=\"rough\"")
+    .CheckRefused({ "assets.xml:8: scatteringPhase=\"rough\"", "isotropic" });
+}
+
+TEST_CASE(
   "SurveyReceiver: the accuracy of the instrument is a tenth of its noise", "[SurveyReceiver]")
 {
   helios::RunOptions choice;
