@@ -95,7 +95,7 @@ std::string ExplainRandomness(const LegRunner& runner, const RunSettings& settin
   const auto& scanners = runner.GetSurvey().Scanners;
   const bool countsPhotons = name.empty()
     ? std::any_of(scanners.begin(), scanners.end(),
-        [](const ScannerData& each)
+        [](const ScannerData& scanner)
         { return scanner.GetChannel(0).Receiver.EchoDetector == PhotonCounting; })
     : name == PhotonCounting;
   return countsPhotons ? "photons are counted, which is random" : "";

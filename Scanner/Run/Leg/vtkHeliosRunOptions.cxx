@@ -506,6 +506,30 @@ int vtkHeliosRunOptions::GetMaximumSubRaysMaxValue() const
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetScatteringOrdersMinValue() const
+{
+  return static_cast<int>(vtkHeliosInstrumentRanges::ScatteringOrders.Low);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetScatteringOrdersMaxValue() const
+{
+  return static_cast<int>(vtkHeliosInstrumentRanges::ScatteringOrders.High);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetScatteringPathsMinValue() const
+{
+  return static_cast<int>(vtkHeliosInstrumentRanges::ScatteringPaths.Low);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosRunOptions::GetScatteringPathsMaxValue() const
+{
+  return static_cast<int>(vtkHeliosInstrumentRanges::ScatteringPaths.High);
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosRunOptions::GetSubRayPatternNames()
 {
   return helios::JoinNames(helios::GetSubRayPatternNames());

@@ -195,8 +195,12 @@ public:
    */
   vtkSetMacro(ScatteringOrders, int);
   vtkGetMacro(ScatteringOrders, int);
+  int GetScatteringOrdersMinValue() const;
+  int GetScatteringOrdersMaxValue() const;
   vtkSetMacro(ScatteringPaths, int);
   vtkGetMacro(ScatteringPaths, int);
+  int GetScatteringPathsMinValue() const;
+  int GetScatteringPathsMaxValue() const;
   ///@}
 
   ///@{
